@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+namespace assay {
+
+// A bound on work, counted in nodes or steps and never in seconds, so that the same input gives
+// the same answer on every machine.
+class Budget {
+ public:
+  explicit Budget(std::int64_t limit) : limit_(limit) {}
+
+  // Takes one unit; false, from then on, once all are spent.
+  bool Spend() { return ++spent_ <= limit_; }
+  bool Exhausted() const { return spent_ > limit_; }
+  std::int64_t spent() const { return spent_ < limit_ ? spent_ : limit_; }
+  std::int64_t limit() const { return limit_; }
+
+ private:
+  std::int64_t limit_;
+  std::int64_t spent_ = 0;
+};
+
+}  // namespace assay

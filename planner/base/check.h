@@ -1,0 +1,24 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+namespace assay {
+
+// Prints the place, the broken condition and the message to standard error, then aborts.
+[[noreturn]] void CheckFailed(const char* file, int line, const char* condition,
+                              const std::string& message);
+
+}  // namespace assay
+
+// A broken invariant of our own code stops the program, in every build type. What a user can get
+// wrong is never an ASSAY_CHECK: it is an InputError (input_error.h); how a planner or a trial
+// ends is a value (outcome.h).
+#define ASSAY_CHECK(condition, ...)                                                       \
+  do {                                                                                    \
+    if (!(condition)) [[unlikely]] {                                                      \
+      ::assay::CheckFailed(__FILE__, __LINE__, #condition, ::fmt::format("" __VA_ARGS__)); \
+    }                                                                                     \
+  } while (false)

@@ -1,0 +1,42 @@
+#include "planner/domain/actions/actions.h"
+#include "planner/domain/mating_classes.h"
+
+namespace assay::domain {
+namespace {
+
+std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& condition,
+                                    PlanVariables& variables) {
+  if (condition.predicate != Predicate::kAssembled) return {};
+  const Mating& mating = problem.mating(condition.mating);
+  const VariableId grasp = variables.Add(VariableKind::kGrasp, mating.held);
+  const VariableId position = variables.Add(VariableKind::kPosition, mating.fixed);
+  return {{.kind = ActionKind::kAssemble,
+           .part = mating.held,
+           .mating = condition.mating,
+           .grasp = grasp,
+           .position = position,
+           .preconditions = {Condition::Holding(mating.held, grasp),
+                             Condition::Located(mating.fixed, position)},
+           .geometric = {{.constraint = {.kind = ConstraintKind::kMember,
+                                         .grasp = grasp,
+                                         .labels = GraspList(problem, mating)},
+                          .qualifies = {0}},
+                         {.constraint = {.kind = ConstraintKind::kInPositionClass,
+                                         .position = position,
+                                         .labels = PositionList(problem, mating)},
+                          .qualifies = {1}},
+                         {.constraint = {.kind = ConstraintKind::kMateReachable,
+                                         .grasp = grasp,
+                                         .position = position,
+                                         .mating = condition.mating},
+                          .qualifies = {0, 1}}},
+           .adds = {Condition::Assembled(condition.mating), Condition::GripperOpen()},
+           .deletes = {Condition::Holding(mating.held, grasp)}}};
+}
+
+}  // namespace
+
+const ActionRule kAssembleRule{
+    .name = "assemble", .summary = "mates the held part with one that rests", .achieve = Achieve};
+
+}  // namespace assay::domain

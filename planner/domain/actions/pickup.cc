@@ -1,0 +1,56 @@
+#include <numeric>
+
+#include "planner/domain/actions/actions.h"
+
+namespace assay::domain {
+namespace {
+
+std::vector<int> AllGrasps(const Part& part) {
+  std::vector<int> labels(GraspLabelCount(part));
+  std::iota(labels.begin(), labels.end(), 0);
+  return labels;
+}
+
+// A part that is mated cannot be taken without undoing what was assembled: both halves would come
+// along, in a pose that is none of the part's own.
+void DeleteMatings(const Problem& problem, PartId part, std::vector<Condition>& deletes) {
+  for (std::size_t m = 0; m < problem.matings.size(); ++m) {
+    const Mating& mating = problem.matings[m];
+    if (mating.held == part || mating.fixed == part) {
+      deletes.push_back(Condition::Assembled(MatingId(m)));
+    }
+  }
+}
+
+ActionTemplate Pickup(const Problem& problem, PartId part, PlanVariables& variables) {
+  const VariableId grasp = variables.Add(VariableKind::kGrasp, part);
+  const VariableId position = variables.Add(VariableKind::kPosition, part);
+  ActionTemplate pickup{
+      .kind = ActionKind::kPickup,
+      .part = part,
+      .grasp = grasp,
+      .position = position,
+      .preconditions = {Condition::GripperOpen(), Condition::Located(part, position)},
+      .geometric = {{.constraint = {.kind = ConstraintKind::kReachable,
+                                    .grasp = grasp,
+                                    .position = position},
+                     .qualifies = {1}}},
+      .adds = {Condition::Holding(part, grasp)},
+      .deletes = {Condition::GripperOpen(), Condition::Located(part, position)},
+      .initial = {{.variable = grasp, .labels = AllGrasps(problem.part(part))}}};
+  DeleteMatings(problem, part, pickup.deletes);
+  return pickup;
+}
+
+std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& condition,
+                                    PlanVariables& variables) {
+  if (condition.predicate != Predicate::kHolding) return {};
+  return {Pickup(problem, condition.part, variables)};
+}
+
+}  // namespace
+
+const ActionRule kPickupRule{
+    .name = "pickup", .summary = "takes a part from where it rests", .achieve = Achieve};
+
+}  // namespace assay::domain

@@ -1,0 +1,56 @@
+#include <numeric>
+
+#include "planner/domain/actions/actions.h"
+
+namespace assay::domain {
+namespace {
+
+std::vector<int> AllStablePoses(const Part& part) {
+  std::vector<int> labels(part.model->stable_poses().size());
+  std::iota(labels.begin(), labels.end(), 0);
+  return labels;
+}
+
+ActionTemplate Putdown(const Problem& problem, PartId part, PlanVariables& variables) {
+  const VariableId grasp = variables.Add(VariableKind::kGrasp, part);
+  const VariableId position = variables.Add(VariableKind::kPosition, part);
+  return {.kind = ActionKind::kPutdown,
+          .part = part,
+          .grasp = grasp,
+          .position = position,
+          .preconditions = {Condition::Holding(part, grasp)},
+          .geometric = {{.constraint = {.kind = ConstraintKind::kReachable,
+                                        .grasp = grasp,
+                                        .position = position},
+                         .qualifies = {0}}},
+          .adds = {Condition::Located(part, position), Condition::GripperOpen()},
+          .deletes = {Condition::Holding(part, grasp)},
+          .initial = {{.variable = position, .labels = AllStablePoses(problem.part(part))}}};
+}
+
+// Putting down any part opens the gripper, so there is one putdown for each.
+std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& condition,
+                                    PlanVariables& variables) {
+  switch (condition.predicate) {
+    case Predicate::kPartLocation:
+      return {Putdown(problem, condition.part, variables)};
+    case Predicate::kGripperOpen: {
+      std::vector<ActionTemplate> putdowns;
+      for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+        putdowns.push_back(Putdown(problem, PartId(p), variables));
+      }
+      return putdowns;
+    }
+    case Predicate::kHolding:
+    case Predicate::kAssembled:
+      return {};
+  }
+  return {};
+}
+
+}  // namespace
+
+const ActionRule kPutdownRule{
+    .name = "putdown", .summary = "rests the held part on the table", .achieve = Achieve};
+
+}  // namespace assay::domain

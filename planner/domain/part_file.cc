@@ -1,0 +1,407 @@
+#include "planner/domain/part_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planner/base/check.h"
+#include "planner/domain/exposed_faces.h"
+#include "planner/domain/planar_region.h"
+
+namespace assay::domain {
+namespace {
+
+using geometry::Box;
+
+constexpr double kDegree = std::numbers::pi / 180;
+// Poses that stand more precariously are left out: a part put down with a few millimetres of error
+// must not fall over.
+constexpr double kLeastTilt = 2 * kDegree;
+constexpr double kFarthestName = 30 * kDegree;  // of a named direction from the pose that it names
+constexpr double kShortestSide = 1e-4;          // of a box in the file, metres
+constexpr double kThinnestWall = 1e-5;          // that a pocket may leave, metres
+constexpr double kLeastCut = 1e-12;             // of a pocket, cubic metres
+constexpr double kAligned = 1e-6;               // between unit vectors that should be equal
+constexpr double kRounding = 1e-9;              // metres
+
+std::string ReadName(const Value& value) {
+  std::string name = value.Text();
+  if (name.empty()) value.Fail("the name is empty", "a name");
+  return name;
+}
+
+std::string ReadInitial(const Value& value) {
+  std::string initial = value.Text();
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  if (initial.empty() || initial.size() > 3 || !std::ranges::all_of(initial, is_capital)) {
+    value.Fail(fmt::format("'{}' cannot begin a label", initial), "one to three capital letters");
+  }
+  return initial;
+}
+
+Vector3 ReadDirection(const Value& value) {
+  const std::vector<double> numbers = value.Numbers(3);
+  const Vector3 direction(numbers[0], numbers[1], numbers[2]);
+  const double length = direction.stableNorm();
+  if (!(length > 1e-6 && length < 1e6)) {
+    value.Fail("the vector has no usable direction", "three numbers, such as [1, 0, 0]");
+  }
+  return direction / length;
+}
+
+Eigen::Vector4f ReadColor(const Value& value) {
+  const std::vector<double> numbers = value.Numbers(4);
+  Eigen::Vector4f color;
+  for (int i = 0; i < 4; ++i) {
+    const double number = numbers[static_cast<std::size_t>(i)];
+    if (number < 0 || number > 1) {
+      value.Fail(fmt::format("{} is no part of a color", number),
+                 "red, green, blue, alpha in 0..1");
+    }
+    color[i] = static_cast<float>(number);
+  }
+  return color;
+}
+
+// The index in SidesOf of the side that looks along a direction; -1 if none does.
+int SideTowards(const Box& box, const Vector3& direction) {
+  const std::array<Side, 6> sides = SidesOf(box);
+  const auto found = std::ranges::find_if(
+      sides, [&](const Side& s) { return (s.normal - direction).norm() < kAligned; });
+  return found == sides.end() ? -1 : static_cast<int>(found - sides.begin());
+}
+int Opposite(int side) { return side ^ 1; }
+
+int ReadSide(const Value& direction, const Box& box, const std::string& solid) {
+  const int side = SideTowards(box, ReadDirection(direction));
+  if (side < 0) {
+    direction.Fail(fmt::format("solid '{}' has no side that looks this way", solid),
+                   "a vector along one of the solid's edges");
+  }
+  return side;
+}
+
+// The exposed face that a side of a box is part of; None if the side is covered.
+FaceId ExposedFaceOf(const PartModel& model, const Side& side) {
+  const FaceId id = FindFace(model.faces(), side.normal, side.offset);
+  if (id.IsNone()) return id;
+  const Face& face = model.faces()[id.index()];
+  return Meets(face.patches, OnFace(face, side.corners)) ? id : FaceId::None();
+}
+
+Vector3 CentroidOf(const Face& face) {
+  const Vector2 center = Centroid(face.patches);
+  return face.X_PartFace * Vector3(center.x(), center.y(), 0);
+}
+
+double Volume(const std::vector<Box>& boxes) {
+  double volume = 0;
+  for (const Box& box : boxes) volume += box.Volume();
+  return volume;
+}
+
+// The solid's pieces without a pocket; both in the part frame.
+std::vector<Box> Cut(const std::vector<Box>& pieces, const Box& pocket, const Value& place) {
+  std::vector<Box> rest;
+  for (const Box& piece : pieces) {
+    for (const Box& box : Subtract(piece, pocket)) rest.push_back(box);
+  }
+  if (rest.empty()) place.Fail("the pocket leaves nothing of its solid");
+  if (Volume(pieces) - Volume(rest) < kLeastCut) {
+    place.Fail("the pocket cuts nothing from its solid", "a box that overlaps the solid");
+  }
+  for (const Box& box : rest) {
+    if (2 * box.half_extents.minCoeff() >= kThinnestWall) continue;
+    place.Fail("the pocket leaves a wall that is too thin",
+               fmt::format("walls of at least {} m, or none", kThinnestWall));
+  }
+  return rest;
+}
+
+// The part of a pocket in its solid, both before the turn and so aligned with the axes.
+Box Clipped(const Box& pocket, const Box& solid) {
+  const auto low = [](const Box& b) -> Vector3 {
+    return b.X_FrameBox.translation() - b.half_extents;
+  };
+  const auto high = [](const Box& b) -> Vector3 {
+    return b.X_FrameBox.translation() + b.half_extents;
+  };
+  return Box::FromCorners(low(pocket).cwiseMax(low(solid)), high(pocket).cwiseMin(high(solid)));
+}
+
+// Where a pocket opens on one side of its solid, all in the part frame; none if it does not reach
+// that side or is covered there.
+std::optional<Mouth> FindMouth(const PartModel& model, const Box& clipped, const Box& solid,
+                               int side) {
+  const Side border = SidesOf(solid)[static_cast<std::size_t>(side)];
+  const Side end = SidesOf(clipped)[static_cast<std::size_t>(side)];
+  if (end.offset < border.offset - kRounding) return std::nullopt;
+  const FaceId id = FindFace(model.faces(), border.normal, border.offset);
+  if (id.IsNone()) return std::nullopt;
+  const Face& face = model.faces()[id.index()];
+  geometry::Polygon outline = OnFace(face, end.corners);
+  if (!IsOpen(face, outline, model.boxes())) return std::nullopt;
+  return Mouth{id, std::move(outline)};
+}
+
+// The exposed sides of a pocket, seen from within it; both in the part frame.
+std::vector<Wall> WallsOf(const PartModel& model, const Box& clipped) {
+  std::vector<Wall> walls;
+  for (Side side : SidesOf(clipped)) {
+    side.normal = -side.normal;
+    side.offset = -side.offset;
+    const FaceId id = ExposedFaceOf(model, side);
+    if (id.IsNone()) continue;
+    walls.push_back({id, OnFace(model.faces()[id.index()], side.corners)});
+  }
+  return walls;
+}
+
+StablePoseId NearestTo(const std::vector<StablePose>& poses, const Vector3& direction) {
+  const auto likeness = [&](const StablePose& pose) {
+    return -direction.dot(pose.X_TablePart.linear().row(2).transpose());
+  };
+  const auto nearest = std::ranges::max_element(poses, {}, likeness);
+  if (nearest == poses.end() || likeness(*nearest) < std::cos(kFarthestName)) return {};
+  return StablePoseId(static_cast<std::size_t>(nearest - poses.begin()));
+}
+
+// Gives names to poses: a map from each name to the direction, in the part frame, that points down.
+void NameStablePoses(const Value& names, std::vector<StablePose>& poses) {
+  for (const auto& [key, direction] : names.Entries()) {
+    const std::string name = ReadName(key);
+    const StablePoseId id = NearestTo(poses, ReadDirection(direction));
+    if (id.IsNone()) {
+      direction.Fail("the part rests in no stable pose with this direction down",
+                     "a direction at most 30 degrees off");
+    }
+    StablePose& pose = poses[id.index()];
+    if (!pose.name.empty()) {
+      direction.Fail(fmt::format("the nearest stable pose is already named '{}'", pose.name),
+                     "one name for each stable pose");
+    }
+    pose.name = name;
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double clearance) {
+  ASSAY_CHECK(clearance >= 0);
+  document.RequireFormat("assay-part/1");
+  const Value& root = document.root();
+  root.AllowOnly({"format", "name", "initial", "units", "density", "friction", "solids", "pockets",
+                  "features", "stable_poses"});
+  const std::shared_ptr<PartModel> model(new PartModel);
+  model->name_ = ReadName(root.At("name"));
+  model->initial_ = ReadInitial(root.At("initial"));
+  model->friction_ = ReadWithin(root.At("friction"), 1, {.low = 0.001, .high = 10});
+  PartFile file(clearance);
+  file.units_ = ReadUnits(root);
+  file.ReadSolids(root.At("solids"));
+  if (const auto pockets = root.Find("pockets")) file.ReadPockets(*pockets);
+  file.BuildShape(*model, ReadWithin(root.At("density"), 1, {.low = 1, .high = 1e5}));
+  if (const auto features = root.Find("features")) file.ReadFeatures(*features, *model);
+  model->stable_poses_ = ComputeStablePoses(*model, kLeastTilt);
+  if (const auto names = root.Find("stable_poses")) NameStablePoses(*names, model->stable_poses_);
+  return model;
+}
+
+void PartFile::ReadSolids(const Value& solids) {
+  for (const auto& [key, entry] : solids.Entries()) {
+    solids_.push_back(ReadSolid(ReadName(key), entry));
+  }
+  if (solids_.empty()) solids.Fail("a part needs at least one solid");
+}
+
+PartFile::Solid PartFile::ReadSolid(const std::string& name, const Value& entry) const {
+  entry.AllowOnly({"box", "color", "turn"});
+  Solid solid{.name = name,
+              .X_PartSolid = Pose::Identity(),
+              .whole = ReadBox(entry.At("box")),
+              .pieces = {},
+              .color = Eigen::Vector4f(0.7f, 0.7f, 0.7f, 1)};
+  if (const auto turn = entry.Find("turn")) solid.X_PartSolid = ReadTurn(*turn);
+  if (const auto color = entry.Find("color")) solid.color = ReadColor(*color);
+  solid.pieces = {solid.whole.Transformed(solid.X_PartSolid)};
+  return solid;
+}
+
+Pose PartFile::ReadTurn(const Value& turn) const {
+  turn.AllowOnly({"axis", "angle", "about"});
+  const Vector3 axis = ReadDirection(turn.At("axis"));
+  const Pose turned(Eigen::AngleAxisd(ReadAngle(turn.At("angle"), units_), axis));
+  const auto about = turn.Find("about");
+  if (!about) return turned;
+  const Vector3 center = ReadVector3(*about, units_);
+  return geometry::Translation(center) * turned * geometry::Translation(-center);
+}
+
+void PartFile::ReadPockets(const Value& pockets) {
+  for (const auto& [key, entry] : pockets.Entries()) {
+    const Pocket& pocket = pockets_.emplace_back(ReadPocket(ReadName(key), entry));
+    Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
+    solid.pieces = Cut(solid.pieces, pocket.box.Transformed(solid.X_PartSolid), entry.At("box"));
+  }
+}
+
+PartFile::Pocket PartFile::ReadPocket(const std::string& name, const Value& entry) const {
+  entry.AllowOnly({"cut_from", "box", "widen"});
+  Pocket pocket{
+      .name = name, .solid = SolidNamed(entry.At("cut_from")), .box = ReadBox(entry.At("box"))};
+  if (const auto widen = entry.Find("widen")) pocket.box.half_extents += ReadWidening(*widen);
+  return pocket;
+}
+
+Vector3 PartFile::ReadWidening(const Value& axes) const {
+  Vector3 widening = Vector3::Zero();
+  for (const Value& axis : axes.Items()) widening[axis.OneOf({"x", "y", "z"})] = clearance_;
+  return widening;
+}
+
+Box PartFile::ReadBox(const Value& corners) const {
+  const std::vector<Value> items = corners.Items();
+  if (items.size() != 2) {
+    corners.Fail(fmt::format("a box has two corners, not {}", items.size()),
+                 "[[x, y, z], [x, y, z]], the lower corner first");
+  }
+  const Vector3 low = ReadVector3(items[0], units_);
+  const Vector3 high = ReadVector3(items[1], units_);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (high[axis] - low[axis] >= kShortestSide) continue;
+    corners.Fail(fmt::format("the box has no length along {}", "xyz"[axis]),
+                 fmt::format("a second corner at least {} m beyond the first", kShortestSide));
+  }
+  return Box::FromCorners(low, high);
+}
+
+void PartFile::BuildShape(PartModel& model, double density) const {
+  std::vector<Vector3> corners;
+  for (const Solid& solid : solids_) {
+    for (const Box& piece : solid.pieces) {
+      model.boxes_.push_back(piece);
+      model.colors_.push_back(solid.color);
+      for (const Vector3& corner : piece.Corners()) corners.push_back(corner);
+    }
+  }
+  model.shape_ = geometry::CollisionShape(model.boxes_);
+  model.hull_ = geometry::HullOf(corners);
+  model.mass_ = geometry::MassOf(model.boxes_, density);
+  model.faces_ = ExposedFaces(model.boxes_);
+}
+
+void PartFile::ReadFeatures(const Value& features, PartModel& model) const {
+  for (const auto& [key, entry] : features.Entries()) {
+    Feature feature = ReadFeature(entry, model);
+    feature.number = FeatureNumber(key.Integer(1, 9999));
+    if (model.FindFeature(feature.number) != nullptr) {
+      key.Fail(fmt::format("feature {} is given twice", feature.number.index()));
+    }
+    model.features_.push_back(std::move(feature));
+  }
+  std::ranges::sort(model.features_, {}, &Feature::number);
+}
+
+Feature PartFile::ReadFeature(const Value& entry, const PartModel& model) const {
+  Feature feature;
+  if (entry.Find("face")) {
+    ReadFace(entry, model, feature);
+  } else if (entry.Find("hole")) {
+    ReadHole(entry, model, feature);
+  } else if (entry.Find("shaft")) {
+    ReadShaft(entry, model, feature);
+  } else {
+    entry.Fail("a feature is a face, a hole or a shaft", "one of the keys face, hole, shaft");
+  }
+  if (const auto what = entry.Find("what")) feature.description = ReadName(*what);
+  return feature;
+}
+
+void PartFile::ReadFace(const Value& entry, const PartModel& model, Feature& feature) const {
+  entry.AllowOnly({"face", "normal", "what"});
+  const Solid& solid = solids_[static_cast<std::size_t>(SolidNamed(entry.At("face")))];
+  const Box box = solid.whole.Transformed(solid.X_PartSolid);
+  const Value normal = entry.At("normal");
+  const int side = ReadSide(normal, box, solid.name);
+  const FaceId id = ExposedFaceOf(model, SidesOf(box)[static_cast<std::size_t>(side)]);
+  if (id.IsNone()) {
+    normal.Fail(fmt::format("the side of solid '{}' that looks this way is covered", solid.name),
+                "the normal of an exposed side");
+  }
+  const Face& face = model.faces()[id.index()];
+  feature.description = "face";
+  feature.faces = {id};
+  feature.X_PartFeature = FrameAlong(CentroidOf(face), face.normal);
+}
+
+void PartFile::ReadHole(const Value& entry, const PartModel& model, Feature& feature) const {
+  entry.AllowOnly({"hole", "axis", "what"});
+  const Pocket& pocket = PocketNamed(entry.At("hole"));
+  const Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
+  const Box whole = solid.whole.Transformed(solid.X_PartSolid);
+  const Box clipped = Clipped(pocket.box, solid.whole).Transformed(solid.X_PartSolid);
+  const Value axis = entry.At("axis");
+  const int side = ReadSide(axis, whole, solid.name);
+  const std::optional<Mouth> mouth = FindMouth(model, clipped, whole, side);
+  if (!mouth) {
+    axis.Fail(fmt::format("pocket '{}' has no open mouth on this side", pocket.name),
+              "the direction in which the hole opens");
+  }
+  feature.description = "hole";
+  feature.mouths = {*mouth};
+  const std::optional<Mouth> other = FindMouth(model, clipped, whole, Opposite(side));
+  if (other) feature.mouths.push_back(*other);
+  feature.walls = WallsOf(model, clipped);
+  const Side end = SidesOf(clipped)[static_cast<std::size_t>(side)];
+  const Vector3 center = (end.corners[0] + end.corners[3]) / 2;  // diagonally opposite
+  feature.X_PartFeature = FrameAlong(center, end.normal);
+}
+
+// The tip is where the solids reach farthest along the axis; the axis runs through the first one.
+void PartFile::ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const {
+  entry.AllowOnly({"shaft", "axis", "what"});
+  const std::vector<int> names = SolidsNamed(entry.At("shaft"));
+  const Solid& first = solids_[static_cast<std::size_t>(names.front())];
+  const Box core = first.whole.Transformed(first.X_PartSolid);
+  const int towards = ReadSide(entry.At("axis"), core, first.name);
+  const Vector3 axis = SidesOf(core)[static_cast<std::size_t>(towards)].normal;
+  const Vector3 middle = core.X_FrameBox.translation();
+  double tip = 0;  // from the middle
+  for (int i : names) {
+    const Solid& solid = solids_[static_cast<std::size_t>(i)];
+    for (const Side& side : SidesOf(solid.whole.Transformed(solid.X_PartSolid))) {
+      for (const Vector3& corner : side.corners) tip = std::max(tip, axis.dot(corner - middle));
+      const FaceId id = ExposedFaceOf(model, side);
+      if (!id.IsNone()) feature.faces.push_back(id);
+    }
+  }
+  std::ranges::sort(feature.faces);
+  feature.faces.erase(std::unique(feature.faces.begin(), feature.faces.end()), feature.faces.end());
+  if (feature.faces.empty()) entry.Fail("the shaft is covered on all sides");
+  feature.description = "shaft";
+  feature.X_PartFeature = FrameAlong(middle + tip * axis, axis);
+}
+
+int PartFile::SolidNamed(const Value& name) const {
+  std::vector<std::string> names;
+  for (const Solid& solid : solids_) names.push_back(solid.name);
+  return name.OneOf(names);
+}
+
+std::vector<int> PartFile::SolidsNamed(const Value& names) const {
+  if (!names.IsList()) return {SolidNamed(names)};
+  std::vector<int> solids;
+  for (const Value& name : names.Items()) solids.push_back(SolidNamed(name));
+  if (solids.empty()) names.Fail("the list is empty", "at least one solid");
+  return solids;
+}
+
+const PartFile::Pocket& PartFile::PocketNamed(const Value& name) const {
+  std::vector<std::string> names;
+  for (const Pocket& pocket : pockets_) names.push_back(pocket.name);
+  return pockets_[static_cast<std::size_t>(name.OneOf(names))];
+}
+
+}  // namespace assay::domain

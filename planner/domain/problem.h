@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "planner/domain/grasp.h"
+#include "planner/domain/mating.h"
+#include "planner/domain/part_model.h"
+#include "planner/domain/workcell.h"
+
+namespace assay::domain {
+
+// Half-widths or intervals of what is not known exactly about a pose: metres and radians.
+struct Interval {
+  double low = 0;
+  double high = 0;
+};
+struct PoseError {
+  Interval x, y, z, theta;
+};
+
+// A part of a problem: a named copy of a model, and where it is at the start.
+struct Part {
+  std::string name;
+  std::shared_ptr<const PartModel> model;
+  std::shared_ptr<const std::vector<Grasp>> grasps;  // by the workcell's gripper; shared by model
+  Pose X_WorldPart = Pose::Identity();               // at the start; for an assembled part, derived
+  StablePoseId resting;                              // at the start; None: leaning or assembled
+  PoseError error;
+};
+
+// part_location(Part, Position) as a goal: the part ends in one of these stable poses.
+struct LocatedGoal {
+  PartId part;
+  std::vector<StablePoseId> stable_poses;
+
+  bool operator==(const LocatedGoal&) const = default;
+};
+
+// What the user wants to hold at the end: a mating of the problem, or a part's resting pose.
+using Goal = std::variant<MatingId, LocatedGoal>;
+
+// A scenario as the planner sees it.
+struct Problem {
+  std::string name;         // the file's, without its ending
+  std::string title;        // one line for people; may be empty
+  std::string description;  // may be empty
+  std::shared_ptr<const Workcell> workcell;
+  std::vector<Part> parts;
+  std::vector<Mating> matings;
+  std::vector<MatingId> assembled;  // true at the start
+  std::vector<Goal> goals;
+  PoseError gripper_error;
+  std::vector<std::string> sensors;  // that the workcell has: "overhead-camera"
+  double clearance = 0;              // metres on each side of a mated shaft
+
+  const Part& part(PartId id) const { return parts[id.index()]; }
+  const Mating& mating(MatingId id) const { return matings[id.index()]; }
+};
+
+}  // namespace assay::domain

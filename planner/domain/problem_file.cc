@@ -1,0 +1,505 @@
+#include "planner/domain/problem_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "planner/domain/reachability.h"
+#include "planner/domain/resting.h"
+#include "planner/domain/workcell_file.h"
+
+namespace assay::domain {
+namespace {
+
+constexpr double kDefaultClearance = 0.0005;  // metres
+constexpr Range kClearances = {1e-6, 0.01};   // metres
+constexpr Range kLengthErrors = {-1, 1};      // metres
+constexpr Range kAngleErrors = {-std::numbers::pi, std::numbers::pi};
+constexpr double kShortestMatingVector = 1e-6;  // metres
+constexpr double kLongestMatingVector = 2;      // metres
+constexpr double kMatingStep = 0.005;           // metres between looks along a mating vector
+constexpr double kSamePose = 1e-9;              // of two matings that are written twice
+
+// The folders of `folder` that hold `file`, by name.
+std::vector<std::string> FoldersWith(const std::filesystem::path& folder, const char* file) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (std::filesystem::exists(entry.path() / file, error)) {
+      names.push_back(entry.path().filename().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string ReadName(const Value& key) {
+  const std::string name = key.Text();
+  const bool good = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_';
+  });
+  if (!good) key.Fail(fmt::format("'{}' cannot name a part", name), "letters, digits, - and _");
+  return name;
+}
+
+std::string ReadOptionalText(const Value& root, std::string_view key) {
+  const std::optional<Value> text = root.Find(key);
+  return text ? text->Text() : "";
+}
+
+Interval ReadInterval(const Value& value, double unit, const Range& range) {
+  if (!value.IsList()) {
+    const double half_width = ReadWithin(value, unit, range);
+    if (half_width < 0) {
+      value.Fail(fmt::format("the half-width {} is negative", value.Text()), "0 or more");
+    }
+    return {-half_width, half_width};
+  }
+  const std::vector<Value> ends = value.Items();
+  if (ends.size() != 2) {
+    value.Fail(fmt::format("a list of length {}", ends.size()), "a half-width or [low, high]");
+  }
+  const Interval interval = {ReadWithin(ends[0], unit, range), ReadWithin(ends[1], unit, range)};
+  if (interval.low > interval.high) {
+    value.Fail(fmt::format("the interval goes down, from {} to {}", ends[0].Text(), ends[1].Text()),
+               "[low, high]");
+  }
+  return interval;
+}
+
+// What is left out is known exactly.
+PoseError ReadError(const Value& owner, const Units& units) {
+  PoseError error;
+  const std::optional<Value> given = owner.Find("error");
+  if (!given) return error;
+  given->AllowOnly({"x", "y", "z", "theta"});
+  if (const auto x = given->Find("x")) error.x = ReadInterval(*x, units.length, kLengthErrors);
+  if (const auto y = given->Find("y")) error.y = ReadInterval(*y, units.length, kLengthErrors);
+  if (const auto z = given->Find("z")) error.z = ReadInterval(*z, units.length, kLengthErrors);
+  if (const auto theta = given->Find("theta")) {
+    error.theta = ReadInterval(*theta, units.angle, kAngleErrors);
+  }
+  return error;
+}
+
+FeatureNumber ReadFeature(const Value& value, const Part& part) {
+  const FeatureNumber number(value.Integer(0, 9999));
+  if (part.model->FindFeature(number) != nullptr) return number;
+  std::vector<std::string> known;
+  for (const Feature& feature : part.model->features()) {
+    known.push_back(fmt::format("{} ({})", feature.number.index(), feature.description));
+  }
+  value.Fail(fmt::format("part '{}' has no feature {}", part.name, number.index()),
+             fmt::format("{}", fmt::join(known, ", ")));
+}
+
+bool IsSameMating(const Mating& a, const Mating& b) {
+  return a.held == b.held && a.fixed == b.fixed && a.features == b.features &&
+         a.X_FixedHeld.isApprox(b.X_FixedHeld, kSamePose) &&
+         (a.mating_vector - b.mating_vector).norm() < kSamePose;
+}
+
+// The words by which a scenario may call the stable poses: labels, then names; beside each, which
+// pose it is.
+class StablePoseNames {
+ public:
+  explicit StablePoseNames(const PartModel& model) {
+    const std::vector<StablePose>& poses = model.stable_poses();
+    for (std::size_t i = 0; i < poses.size(); ++i) Add(poses[i].label, StablePoseId(i));
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      if (!poses[i].name.empty()) Add(poses[i].name, StablePoseId(i));
+    }
+  }
+
+  StablePoseId Read(const Value& value) const { return poses_[value.OneOf(names_)]; }
+
+ private:
+  void Add(const std::string& name, StablePoseId pose) {
+    names_.push_back(name);
+    poses_.push_back(pose);
+  }
+
+  std::vector<std::string> names_;
+  std::vector<StablePoseId> poses_;
+};
+
+// Builds a problem from its file.
+class ProblemFile {
+ public:
+  ProblemFile(const Document& scenario, const std::filesystem::path& models);
+
+  Problem Release() { return std::move(problem_); }
+
+ private:
+  struct Model {
+    std::shared_ptr<const PartModel> part;
+    std::shared_ptr<const std::vector<Grasp>> grasps;
+  };
+
+  void ReadWorkcell(const Value& root);
+  void ReadParts(const Value& parts);
+  void ReadPart(const std::string& name, const Value& entry);
+  Model ReadModel(const Value& name);
+  void ReadSensing(const Value& root);
+  void ReadInitially(const Value& root);
+  void ReadInitialMating(const Value& value);
+  void PlaceParts();
+  void PlaceAssembledParts();
+  void ReadPose(const Value& pose, Part& part) const;
+  Pose ReadStanding(const Value& pose, StablePoseId resting, const Part& part) const;
+  void CheckOnTable(const Value& pose, PartId id) const;
+  void CheckAboveTable(const Value& place, const Part& part) const;
+  void CheckApart() const;
+  MatingId ReadMating(const Value& value);
+  void ReadFeatures(const Value& features, Mating& mating) const;
+  Vector3 ReadMatingVector(const Value& value) const;
+  void CheckMating(const Value& value, const Mating& mating) const;
+  void ReadGoals(const Value& goals);
+  void ReadGoal(const Value& goal);
+  LocatedGoal ReadLocated(const Value& located) const;
+  PartId ReadPartName(const Value& value) const { return PartId(value.OneOf(names_)); }
+  double InFileUnits(double metres) const { return metres / units_.length; }
+
+  std::filesystem::path models_;
+  Units units_;
+  Problem problem_;
+  std::vector<std::string> names_;   // of the parts
+  std::vector<Value> entries_;       // of the parts, in the file
+  std::vector<MatingId> mating_of_;  // of the parts: the mating that holds it at the start
+  std::vector<std::string> known_models_;
+  std::map<std::string, Model> loaded_;
+};
+
+ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& models)
+    : models_(models) {
+  scenario.RequireFormat("assay-scenario/1");
+  const Value& root = scenario.root();
+  root.AllowOnly({"format", "title", "description", "units", "workcell", "rules", "clearance",
+                  "parts", "gripper", "sensing", "initially", "goal", "simulation"});
+  problem_.name = std::filesystem::path(root.Place().file).stem().string();
+  problem_.title = ReadOptionalText(root, "title");
+  problem_.description = ReadOptionalText(root, "description");
+  units_ = ReadUnits(root);
+  const std::optional<Value> clearance = root.Find("clearance");
+  problem_.clearance =
+      clearance ? ReadWithin(*clearance, units_.length, kClearances) : kDefaultClearance;
+  ReadWorkcell(root);
+  if (const auto gripper = root.Find("gripper")) {
+    gripper->AllowOnly({"error"});
+    problem_.gripper_error = ReadError(*gripper, units_);
+  }
+  ReadSensing(root);
+  const Value goals = root.At("goal");
+  ReadParts(root.At("parts"));
+  ReadInitially(root);
+  PlaceParts();
+  ReadGoals(goals);
+}
+
+void ProblemFile::ReadWorkcell(const Value& root) {
+  const std::filesystem::path folder = models_ / "workcells";
+  const Value name = root.At("workcell");
+  name.OneOf(FoldersWith(folder, "workcell.yaml"));
+  problem_.workcell = Workcell::Load(folder / name.Text() / "workcell.yaml");
+  if (const auto rules = root.Find("rules")) {
+    problem_.workcell =
+        problem_.workcell->WithRules(ReadRules(*rules, units_, problem_.workcell->rules()));
+  }
+}
+
+void ProblemFile::ReadParts(const Value& parts) {
+  known_models_ = FoldersWith(models_ / "parts", "part.yaml");
+  if (parts.Entries().empty()) parts.Fail("there are no parts", "at least one part");
+  for (const auto& [key, entry] : parts.Entries()) ReadPart(ReadName(key), entry);
+  mating_of_.assign(problem_.parts.size(), MatingId::None());
+}
+
+void ProblemFile::ReadPart(const std::string& name, const Value& entry) {
+  entry.AllowOnly({"model", "pose", "error"});
+  Part part;
+  part.name = name;
+  part.error = ReadError(entry, units_);
+  const Model model = ReadModel(entry.At("model"));
+  part.model = model.part;
+  part.grasps = model.grasps;
+  problem_.parts.push_back(std::move(part));
+  names_.push_back(name);
+  entries_.push_back(entry);
+}
+
+ProblemFile::Model ProblemFile::ReadModel(const Value& name) {
+  name.OneOf(known_models_);
+  const auto [model, is_new] = loaded_.try_emplace(name.Text());
+  if (is_new) {
+    model->second.part =
+        PartModel::Load(models_ / "parts" / name.Text() / "part.yaml", problem_.clearance);
+    const kinematics::Gripper& gripper = problem_.workcell->gripper();
+    model->second.grasps = std::make_shared<const std::vector<Grasp>>(
+        ComputeGrasps(*model->second.part, gripper,
+                      {.approach_step = problem_.workcell->rules().approach_step,
+                       .widest = gripper.max_opening()}));
+  }
+  return model->second;
+}
+
+void ProblemFile::ReadSensing(const Value& root) {
+  static const std::vector<std::string> kSensors = {"overhead-camera"};
+  const std::optional<Value> sensing = root.Find("sensing");
+  if (!sensing) return;
+  for (const Value& item : sensing->Items()) {
+    const std::string& sensor = kSensors[item.OneOf(kSensors)];
+    if (std::ranges::find(problem_.sensors, sensor) != problem_.sensors.end()) {
+      item.Fail(fmt::format("'{}' is given twice", sensor), "each sensor once");
+    }
+    problem_.sensors.push_back(sensor);
+  }
+}
+
+void ProblemFile::ReadInitially(const Value& root) {
+  const std::optional<Value> initially = root.Find("initially");
+  if (!initially) return;
+  for (const Value& item : initially->Items()) {
+    item.AllowOnly({"assembled"});
+    ReadInitialMating(item.At("assembled"));
+  }
+}
+
+void ProblemFile::ReadInitialMating(const Value& value) {
+  const MatingId id = ReadMating(value);
+  const PartId held = problem_.mating(id).held;
+  const std::string& name = problem_.part(held).name;
+  if (!mating_of_[held.index()].IsNone()) {
+    value.Fail(fmt::format("part '{}' is assembled twice at the start", name), "once");
+  }
+  if (const auto pose = entries_[held.index()].Find("pose")) {
+    pose->Fail(fmt::format("part '{}' has a pose of its own, but is assembled at the start", name),
+               "one of the two");
+  }
+  mating_of_[held.index()] = id;
+  problem_.assembled.push_back(id);
+}
+
+void ProblemFile::PlaceParts() {
+  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+    if (!mating_of_[i].IsNone()) continue;
+    const Value pose = entries_[i].At("pose");
+    ReadPose(pose, problem_.parts[i]);
+    CheckOnTable(pose, PartId(i));
+  }
+  PlaceAssembledParts();
+  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+    CheckAboveTable(entries_[i], problem_.parts[i]);
+  }
+  CheckApart();
+}
+
+// A part may be assembled with one that is itself assembled, so rounds follow until none is left.
+void ProblemFile::PlaceAssembledParts() {
+  std::vector<MatingId> waiting = problem_.assembled;
+  while (!waiting.empty()) {
+    std::vector<MatingId> later;
+    for (const MatingId id : waiting) {
+      const Mating& mating = problem_.mating(id);
+      const bool fixed_waits = std::ranges::any_of(
+          waiting, [&](MatingId other) { return problem_.mating(other).held == mating.fixed; });
+      if (fixed_waits) {
+        later.push_back(id);
+      } else {
+        problem_.parts[mating.held.index()].X_WorldPart =
+            problem_.part(mating.fixed).X_WorldPart * mating.X_FixedHeld;
+      }
+    }
+    if (later.size() == waiting.size()) {
+      const PartId held = problem_.mating(later[0]).held;
+      entries_[held.index()].Fail(
+          fmt::format("part '{}' is assembled, in a circle, with itself", names_[held.index()]),
+          "a part at the end of the chain that has a pose of its own");
+    }
+    waiting = std::move(later);
+  }
+}
+
+void ProblemFile::ReadPose(const Value& pose, Part& part) const {
+  if (const auto stable = pose.Find("stable")) {
+    pose.AllowOnly({"stable", "at", "yaw"});
+    part.resting = StablePoseNames(*part.model).Read(*stable);
+    part.X_WorldPart = ReadStanding(pose, part.resting, part);
+    return;
+  }
+  pose.AllowOnly({"stable", "at", "yaw", "columns"});
+  if (!pose.Find("columns")) pose.Fail("neither stable nor columns", "one of stable, columns");
+  pose.AllowOnly({"columns"});
+  part.X_WorldPart = ReadColumns(pose.At("columns"), units_);
+  part.resting = StablePoseAt(part, part.X_WorldPart);
+}
+
+Pose ProblemFile::ReadStanding(const Value& pose, StablePoseId resting, const Part& part) const {
+  const Vector2 at = ReadVector2(pose.At("at"), units_);
+  const std::optional<Value> yaw = pose.Find("yaw");
+  const Placement placement = {.x = at.x(), .y = at.y(), .yaw = yaw ? ReadAngle(*yaw, units_) : 0};
+  return placement.X_WorldTable() * part.model->stable_poses()[resting.index()].X_TablePart;
+}
+
+void ProblemFile::CheckOnTable(const Value& pose, PartId id) const {
+  if (OnTable(problem_, id, problem_.part(id).X_WorldPart)) return;
+  const geometry::Polygon footprint = Footprint(problem_.part(id), problem_.part(id).X_WorldPart);
+  geometry::Polygon both = problem_.workcell->table().top;
+  const auto bounds = [&](const geometry::Polygon& polygon) {
+    Eigen::AlignedBox2d box;
+    for (const Vector2& p : polygon) box.extend(p);
+    return fmt::format("x {:.4g} to {:.4g}, y {:.4g} to {:.4g}", InFileUnits(box.min().x()),
+                       InFileUnits(box.max().x()), InFileUnits(box.min().y()),
+                       InFileUnits(box.max().y()));
+  };
+  pose.Fail(fmt::format("part '{}' covers {}, which is not all on the table",
+                        problem_.part(id).name, bounds(footprint)),
+            bounds(both));
+}
+
+void ProblemFile::CheckAboveTable(const Value& place, const Part& part) const {
+  double lowest = 0;
+  for (const Vector3& vertex : part.model->hull().vertices) {
+    lowest = std::min(lowest, (part.X_WorldPart * vertex).z());
+  }
+  const double allowance = problem_.workcell->rules().contact_allowance;
+  if (lowest >= -allowance - kSamePose) return;
+  place.Fail(fmt::format("part '{}' is {:.4g} deep in the table", part.name, InFileUnits(-lowest)),
+             fmt::format("at most {:.4g}", InFileUnits(allowance)));
+}
+
+void ProblemFile::CheckApart() const {
+  std::vector<PlacedPart> placed;
+  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+    const PlacedPart part = {PartId(i), problem_.parts[i].X_WorldPart};
+    const PartId hit = Obstacle(problem_, part, placed);
+    if (!hit.IsNone()) {
+      entries_[i].Fail(fmt::format("part '{}' overlaps part '{}' at the start", names_[i],
+                                   problem_.part(hit).name),
+                       "parts that do not overlap");
+    }
+    placed.push_back(part);
+  }
+}
+
+MatingId ProblemFile::ReadMating(const Value& value) {
+  value.AllowOnly({"held", "fixed", "features", "pose", "mating_vector"});
+  Mating mating;
+  mating.held = ReadPartName(value.At("held"));
+  mating.fixed = ReadPartName(value.At("fixed"));
+  if (mating.held == mating.fixed) {
+    value.At("fixed").Fail(
+        fmt::format("part '{}' is to be mated with itself", names_[mating.held.index()]),
+        "two parts");
+  }
+  ReadFeatures(value.At("features"), mating);
+  const Value pose = value.At("pose");
+  pose.AllowOnly({"columns"});
+  mating.X_FixedHeld = ReadColumns(pose.At("columns"), units_);
+  mating.mating_vector = ReadMatingVector(value.At("mating_vector"));
+  CheckMating(value, mating);
+  const auto known = std::ranges::find_if(
+      problem_.matings, [&](const Mating& other) { return IsSameMating(mating, other); });
+  const MatingId id(static_cast<std::size_t>(known - problem_.matings.begin()));
+  if (known == problem_.matings.end()) problem_.matings.push_back(std::move(mating));
+  return id;
+}
+
+void ProblemFile::ReadFeatures(const Value& features, Mating& mating) const {
+  const std::vector<Value> lists = features.Items();
+  if (lists.size() != 2 || lists[0].Items().size() != lists[1].Items().size() ||
+      lists[0].Items().empty()) {
+    features.Fail("the features do not pair",
+                  "[[of the held part], [of the fixed part]], as many of each");
+  }
+  const std::vector<Value> held = lists[0].Items();
+  const std::vector<Value> fixed = lists[1].Items();
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    mating.features.emplace_back(ReadFeature(held[i], problem_.part(mating.held)),
+                                 ReadFeature(fixed[i], problem_.part(mating.fixed)));
+  }
+}
+
+Vector3 ProblemFile::ReadMatingVector(const Value& value) const {
+  const Vector3 vector = ReadVector3(value, units_);
+  if (vector.norm() < kShortestMatingVector) {
+    value.Fail("the mating vector is zero", "the way from where the mating starts");
+  }
+  if (vector.norm() > kLongestMatingVector) {
+    value.Fail(fmt::format("the mating vector is {:.4g} long", InFileUnits(vector.norm())),
+               fmt::format("at most {:.4g}", InFileUnits(kLongestMatingVector)));
+  }
+  return vector;
+}
+
+// The parts, moved along the mating vector, must fit into each other.
+void ProblemFile::CheckMating(const Value& value, const Mating& mating) const {
+  const auto& held = problem_.part(mating.held).model->shape();
+  const auto& fixed = problem_.part(mating.fixed).model->shape();
+  const double allowance = problem_.workcell->rules().contact_allowance;
+  const int steps = static_cast<int>(std::ceil(mating.mating_vector.norm() / kMatingStep));
+  for (int i = 0; i <= steps; ++i) {
+    const double before_end = static_cast<double>(i) / steps;
+    const Pose X_FixedHeld =
+        geometry::Translation(-before_end * mating.mating_vector) * mating.X_FixedHeld;
+    if (!Overlaps(held, X_FixedHeld, fixed, Pose::Identity(), allowance)) continue;
+    const std::string allowed = fmt::format("an overlap of at most {:.4g}", InFileUnits(allowance));
+    if (i == 0) value.At("pose").Fail("the parts overlap in the mated pose", allowed);
+    value.At("mating_vector")
+        .Fail(fmt::format("the parts overlap on the way, {:.4g} before its end",
+                          InFileUnits(before_end * mating.mating_vector.norm())),
+              allowed);
+  }
+}
+
+void ProblemFile::ReadGoals(const Value& goals) {
+  const std::vector<Value> items = goals.Items();
+  if (items.empty()) goals.Fail("there is no goal", "at least one of assembled, located");
+  for (const Value& item : items) ReadGoal(item);
+}
+
+void ProblemFile::ReadGoal(const Value& goal) {
+  goal.AllowOnly({"assembled", "located"});
+  if (goal.Entries().size() != 1) {
+    goal.Fail(fmt::format("a goal with {} keys", goal.Entries().size()),
+              "one of assembled, located");
+  }
+  if (const auto assembled = goal.Find("assembled")) {
+    const MatingId id = ReadMating(*assembled);
+    if (std::ranges::find(problem_.goals, Goal(id)) != problem_.goals.end()) {
+      assembled->Fail("this goal is given twice", "each goal once");
+    }
+    problem_.goals.emplace_back(id);
+  } else {
+    problem_.goals.emplace_back(ReadLocated(goal.At("located")));
+  }
+}
+
+LocatedGoal ProblemFile::ReadLocated(const Value& located) const {
+  located.AllowOnly({"part", "stable"});
+  LocatedGoal goal;
+  goal.part = ReadPartName(located.At("part"));
+  for (const Goal& other : problem_.goals) {
+    const auto* other_located = std::get_if<LocatedGoal>(&other);
+    if (other_located == nullptr || other_located->part != goal.part) continue;
+    located.At("part").Fail(
+        fmt::format("part '{}' is located by two goals", names_[goal.part.index()]),
+        "one goal with all its stable poses");
+  }
+  const Value stable = located.At("stable");
+  const StablePoseNames names(*problem_.part(goal.part).model);
+  for (const Value& item : stable.Items()) goal.stable_poses.push_back(names.Read(item));
+  if (goal.stable_poses.empty()) stable.Fail("no stable pose", "at least one");
+  return goal;
+}
+
+}  // namespace
+
+Problem ReadProblem(const Document& scenario, const std::filesystem::path& models) {
+  return ProblemFile(scenario, models).Release();
+}
+
+}  // namespace assay::domain

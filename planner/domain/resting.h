@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+
+#include "planner/domain/reachability.h"
+
+namespace assay::domain {
+
+// The shadow of a part on the table: the hull of its vertices in world x and y.
+geometry::Polygon Footprint(const Part& part, const Pose& X_WorldPart);
+
+// Whether a part at X_WorldPart has its whole footprint on the table.
+bool OnTable(const Problem& problem, PartId part, const Pose& X_WorldPart);
+
+// The first of `others` whose footprint is nearer than the workcell's part gap; None if all are
+// far enough.
+PartId Crowding(const Problem& problem, PartId part, const Pose& X_WorldPart,
+                std::span<const PlacedPart> others);
+
+// The stable pose of a part that rests at X_WorldPart, to within a degree and a millimetre of
+// height; None if it rests in none (it leans on something).
+StablePoseId StablePoseAt(const Part& part, const Pose& X_WorldPart);
+
+}  // namespace assay::domain

@@ -1,0 +1,112 @@
+#include "planner/domain/units.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace assay::domain {
+namespace {
+
+using geometry::Matrix3;
+using geometry::Pose;
+using geometry::Vector2;
+using geometry::Vector3;
+
+constexpr double kLongest = 100;                    // metres
+constexpr double kTwoTurns = 4 * std::numbers::pi;  // radians
+constexpr double kAxisTolerance = 1e-6;
+constexpr double kRounding = 1e-9;  // of a bound that was converted
+
+std::vector<Value> ItemsOf(const Value& value, std::size_t count, const std::string& allowed) {
+  std::vector<Value> items = value.Items();
+  if (items.size() != count) {
+    value.Fail(fmt::format("a list of length {}", items.size()), allowed);
+  }
+  return items;
+}
+
+Vector3 ReadAxis(const Value& value) {
+  const std::vector<double> axis = value.Numbers(3);
+  for (const double entry : axis) {
+    if (std::abs(entry) <= 1 + kAxisTolerance) continue;
+    value.Fail(fmt::format("{} cannot be in a unit axis", entry), "numbers from -1 to 1");
+  }
+  return {axis[0], axis[1], axis[2]};
+}
+
+void RequireOrthonormal(const Value& value, const Matrix3& R) {
+  const Matrix3 excess = R.transpose() * R - Matrix3::Identity();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j <= i; ++j) {
+      if (std::abs(excess(i, j)) < kAxisTolerance) continue;
+      value.Fail(i == j ? fmt::format("axis {} has the length {:.9g}", "xyz"[i], R.col(i).norm())
+                        : fmt::format("axes {} and {} are not at right angles: their product is "
+                                      "{:.9g}",
+                                      "xyz"[j], "xyz"[i], excess(i, j)),
+                 "orthonormal axes, to 1e-6");
+    }
+  }
+  if (R.determinant() > 0) return;
+  value.Fail("the axes are left-handed", "z = x cross y");
+}
+
+}  // namespace
+
+Units ReadUnits(const Value& root) {
+  static const std::vector<std::string> kLengths = {"inch", "mm", "cm", "m"};
+  static const std::vector<std::string> kAngles = {"degree", "radian"};
+  constexpr std::array<double, 4> kMetres = {0.0254, 0.001, 0.01, 1};
+  constexpr std::array<double, 2> kRadians = {std::numbers::pi / 180, 1};
+  Units units;
+  const std::optional<Value> given = root.Find("units");
+  if (!given) return units;
+  given->AllowOnly({"length", "angle"});
+  if (const auto length = given->Find("length")) {
+    units.length = kMetres[static_cast<std::size_t>(length->OneOf(kLengths))];
+  }
+  if (const auto angle = given->Find("angle")) {
+    units.angle = kRadians[static_cast<std::size_t>(angle->OneOf(kAngles))];
+  }
+  return units;
+}
+
+double ReadWithin(const Value& value, double unit, const Range& range) {
+  const double number = value.Number();
+  const double slack = kRounding * std::max(std::abs(range.low), std::abs(range.high));
+  const double converted = number * unit;
+  if (converted < range.low - slack || converted > range.high + slack) {
+    value.Fail(fmt::format("{} is out of range", value.Text()),
+               fmt::format("{:.6g} to {:.6g}", range.low / unit, range.high / unit));
+  }
+  return converted;
+}
+
+double ReadLength(const Value& value, const Units& units) {
+  return ReadWithin(value, units.length, {-kLongest, kLongest});
+}
+
+double ReadAngle(const Value& value, const Units& units) {
+  return ReadWithin(value, units.angle, {-kTwoTurns, kTwoTurns});
+}
+
+Vector2 ReadVector2(const Value& value, const Units& units) {
+  const auto items = ItemsOf(value, 2, "a list of two lengths");
+  return {ReadLength(items[0], units), ReadLength(items[1], units)};
+}
+
+Vector3 ReadVector3(const Value& value, const Units& units) {
+  const auto items = ItemsOf(value, 3, "a list of three lengths");
+  return {ReadLength(items[0], units), ReadLength(items[1], units), ReadLength(items[2], units)};
+}
+
+Pose ReadColumns(const Value& value, const Units& units) {
+  const auto columns = ItemsOf(value, 4, "four columns: the axes x, y, z and the position");
+  Matrix3 R;
+  R << ReadAxis(columns[0]), ReadAxis(columns[1]), ReadAxis(columns[2]);
+  RequireOrthonormal(value, R);
+  return geometry::PoseFromColumns(R.col(0), R.col(1), R.col(2), ReadVector3(columns[3], units));
+}
+
+}  // namespace assay::domain

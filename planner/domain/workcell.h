@@ -1,0 +1,88 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "planner/geometry/collision.h"
+#include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
+#include "planner/kinematics/arm.h"
+#include "planner/kinematics/gripper.h"
+
+namespace assay::domain {
+
+// Where parts may rest. The table's top is the plane z = 0 of the world.
+struct Table {
+  geometry::Polygon top;  // convex, world x and y, metres
+  double thickness = 0;
+};
+
+// A candidate for a part that is put down somewhere: its stable pose is turned by yaw about the
+// world z and then moved to (x, y).
+struct Placement {
+  double x = 0;
+  double y = 0;
+  double yaw = 0;
+  geometry::Pose X_WorldTable() const;  // Translation(x, y, 0) * RotationZ(yaw)
+};
+
+// The rules of a workcell that its file states once for all its scenarios.
+struct WorkcellRules {
+  double tool_lean = 0;          // greatest angle of the tool's z from straight down, radians
+  double approach_step = 0;      // quantization of approach directions, radians
+  double approach_distance = 0;  // length of the straight approach along the tool's z, metres
+  double safe_height = 0;        // height of the tool for travel, metres above the table
+  double friction = 0;           // of mating surfaces, for the friction cone
+  double pad_friction = 0;
+  double grip_force = 0;         // N
+  double part_gap = 0;           // least horizontal gap to leave to other parts, metres
+  double contact_allowance = 0;  // overlap that a geometric test forgives, metres
+};
+
+class Workcell {
+ public:
+  // Reads models/workcells/NAME/workcell.yaml ("assay-workcell/1") and the URDF files it names.
+  static std::shared_ptr<const Workcell> Load(const std::filesystem::path& file);
+
+  const std::string& name() const { return name_; }
+  const kinematics::Arm& arm() const { return *arm_; }
+  const kinematics::Gripper& gripper() const { return *gripper_; }
+  const geometry::Pose& X_WorldBase() const { return X_WorldBase_; }
+  const Table& table() const { return table_; }
+  const WorkcellRules& rules() const { return rules_; }
+  const std::filesystem::path& robot_file() const { return robot_file_; }
+  const std::filesystem::path& gripper_file() const { return gripper_file_; }
+  const kinematics::JointVector& home() const { return home_; }  // where the arm starts and ends
+  const kinematics::JointVector& joint_acceleration() const { return joint_acceleration_; }
+  // Where parts may be put down, best first.
+  const std::vector<Placement>& placements() const { return placements_; }
+
+  // The flange pose, in the arm's base frame, that brings the tool to X_WorldTool.
+  geometry::Pose FlangeFor(const geometry::Pose& X_WorldTool) const;
+
+  // Hand and fingers with the pads `opening` metres apart, in the tool frame.
+  geometry::CollisionShape HandShape(double opening) const;
+
+  // The same workcell under other rules.
+  std::shared_ptr<const Workcell> WithRules(const WorkcellRules& rules) const;
+
+ private:
+  Workcell() = default;
+  friend class WorkcellFile;
+
+  std::string name_;
+  std::shared_ptr<const kinematics::Arm> arm_;
+  std::shared_ptr<const kinematics::Gripper> gripper_;
+  geometry::Pose X_WorldBase_ = geometry::Pose::Identity();
+  Table table_;
+  WorkcellRules rules_;
+  std::filesystem::path robot_file_;
+  std::filesystem::path gripper_file_;
+  kinematics::JointVector home_ = kinematics::JointVector::Zero();
+  kinematics::JointVector joint_acceleration_ = kinematics::JointVector::Zero();
+  std::vector<Placement> placements_;
+};
+
+}  // namespace assay::domain

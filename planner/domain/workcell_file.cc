@@ -1,0 +1,203 @@
+#include "planner/domain/workcell_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <tuple>
+
+namespace assay::domain {
+namespace {
+
+using geometry::Vector2;
+using kinematics::JointVector;
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kMostPlacesAcross = 100;  // along x or y
+
+enum class Dimension { kLength, kAngle, kNumber };
+
+struct Rule {
+  const char* key;
+  double WorkcellRules::*member;
+  Dimension dimension;
+  Range range;  // metres, radians
+};
+
+// Approach directions finer than 5 degrees, or contact allowances of more than a few millimetres,
+// are slips of a unit rather than wishes.
+constexpr std::array<Rule, 9> kRules = {{
+    {"tool_lean", &WorkcellRules::tool_lean, Dimension::kAngle, {0, kPi / 2}},
+    {"approach_step", &WorkcellRules::approach_step, Dimension::kAngle, {kPi / 36, kPi / 2}},
+    {"approach_distance", &WorkcellRules::approach_distance, Dimension::kLength, {0.001, 0.5}},
+    {"safe_height", &WorkcellRules::safe_height, Dimension::kLength, {0.01, 2}},
+    {"friction", &WorkcellRules::friction, Dimension::kNumber, {0, 10}},
+    {"pad_friction", &WorkcellRules::pad_friction, Dimension::kNumber, {0, 10}},
+    {"grip_force", &WorkcellRules::grip_force, Dimension::kNumber, {0.1, 1000}},
+    {"part_gap", &WorkcellRules::part_gap, Dimension::kLength, {0, 0.5}},
+    {"contact_allowance", &WorkcellRules::contact_allowance, Dimension::kLength, {0, 0.005}},
+}};
+
+double UnitOf(Dimension dimension, const Units& units) {
+  switch (dimension) {
+    case Dimension::kLength:
+      return units.length;
+    case Dimension::kAngle:
+      return units.angle;
+    case Dimension::kNumber:
+      return 1;
+  }
+  return 1;
+}
+
+const std::vector<std::string>& RuleNames() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> keys;
+    for (const Rule& rule : kRules) keys.emplace_back(rule.key);
+    return keys;
+  }();
+  return names;
+}
+
+Range ReadRange(const Value& value, const Units& units) {
+  const Vector2 ends = ReadVector2(value, units);
+  if (ends.x() > ends.y()) {
+    value.Fail(fmt::format("the range goes down, from {} to {}", ends.x() / units.length,
+                           ends.y() / units.length),
+               "[low, high]");
+  }
+  return {ends.x(), ends.y()};
+}
+
+JointVector ReadJoints(const Value& value, const Units& units) {
+  const std::vector<double> joints = value.Numbers(6);
+  return units.angle * Eigen::Map<const JointVector>(joints.data());
+}
+
+// low, low + step, ... up to high; a step that meets `high` but for rounding is counted.
+std::vector<double> Steps(const Value& place, const Range& range, double step) {
+  const double count = std::floor((range.high - range.low) / step + 1e-9) + 1;
+  if (count > kMostPlacesAcross) {
+    place.Fail(fmt::format("{} places from one end to the other", count),
+               fmt::format("at most {}", kMostPlacesAcross));
+  }
+  std::vector<double> steps;
+  for (int i = 0; i < static_cast<int>(count); ++i) steps.push_back(range.low + i * step);
+  return steps;
+}
+
+// Nearest places first. Distances are rounded so that places that lie alike about the preferred
+// point compare equal on every machine, and then go by x and y.
+void SortByDistance(std::vector<Vector2>& places, const Vector2& preferred) {
+  const auto key = [&](const Vector2& p) {
+    return std::tuple(std::round((p - preferred).norm() * 1e9), p.x(), p.y());
+  };
+  std::ranges::sort(places, [&](const Vector2& a, const Vector2& b) { return key(a) < key(b); });
+}
+
+}  // namespace
+
+WorkcellRules ReadRules(const Value& map, const Units& units, const WorkcellRules& given) {
+  WorkcellRules rules = given;
+  for (const auto& [key, value] : map.Entries()) {
+    const Rule& rule = kRules[static_cast<std::size_t>(key.OneOf(RuleNames()))];
+    rules.*rule.member = ReadWithin(value, UnitOf(rule.dimension, units), rule.range);
+  }
+  return rules;
+}
+
+std::shared_ptr<const Workcell> WorkcellFile::Read(const std::filesystem::path& file) {
+  return WorkcellFile(file).workcell_;
+}
+
+WorkcellFile::WorkcellFile(const std::filesystem::path& file)
+    : folder_(file.parent_path()), workcell_(new Workcell) {
+  const Document document = Document::Load(file);
+  document.RequireFormat("assay-workcell/1");
+  const Value& root = document.root();
+  root.AllowOnly(
+      {"format", "description", "units", "robot", "gripper", "table", "rules", "placements"});
+  if (const auto description = root.Find("description")) description->Text();
+  units_ = ReadUnits(root);
+  workcell_->name_ = folder_.filename().string();
+  ReadRobot(root.At("robot"));
+  ReadGripper(root.At("gripper"));
+  ReadTable(root.At("table"));
+  ReadAllRules(root.At("rules"));
+  ReadPlacements(root.At("placements"));
+}
+
+void WorkcellFile::ReadRobot(const Value& robot) {
+  robot.AllowOnly({"urdf", "base", "home", "acceleration"});
+  workcell_->robot_file_ = Beside(robot.At("urdf"));
+  workcell_->arm_ =
+      std::make_shared<const kinematics::Arm>(kinematics::Arm::FromUrdf(workcell_->robot_file_));
+  const Value base = robot.At("base");
+  base.AllowOnly({"columns"});
+  workcell_->X_WorldBase_ = ReadColumns(base.At("columns"), units_);
+  const Value home = robot.At("home");
+  workcell_->home_ = ReadJoints(home, units_);
+  if (!workcell_->arm_->InRange(workcell_->home_)) {
+    home.Fail("the arm's home is outside the joint limits", "angles within the limits of the URDF");
+  }
+  const Value acceleration = robot.At("acceleration");
+  workcell_->joint_acceleration_ = ReadJoints(acceleration, units_);
+  if (workcell_->joint_acceleration_.minCoeff() <= 0) {
+    acceleration.Fail("a joint acceleration that is not positive", "six positive numbers");
+  }
+}
+
+void WorkcellFile::ReadGripper(const Value& gripper) {
+  gripper.AllowOnly({"urdf"});
+  workcell_->gripper_file_ = Beside(gripper.At("urdf"));
+  workcell_->gripper_ = std::make_shared<const kinematics::Gripper>(
+      kinematics::Gripper::FromUrdf(workcell_->gripper_file_));
+}
+
+void WorkcellFile::ReadTable(const Value& table) {
+  table.AllowOnly({"x", "y", "thickness"});
+  const Range x = ReadRange(table.At("x"), units_);
+  const Range y = ReadRange(table.At("y"), units_);
+  if (x.low == x.high || y.low == y.high) table.Fail("the table has no area");
+  workcell_->table_.top = {{x.low, y.low}, {x.high, y.low}, {x.high, y.high}, {x.low, y.high}};
+  workcell_->table_.thickness = ReadWithin(table.At("thickness"), units_.length, {0.001, 1});
+}
+
+void WorkcellFile::ReadAllRules(const Value& rules) {
+  for (const std::string& name : RuleNames()) rules.At(name);
+  workcell_->rules_ = ReadRules(rules, units_, {});
+}
+
+void WorkcellFile::ReadPlacements(const Value& placements) {
+  placements.AllowOnly({"x", "y", "step", "yaws", "nearest_to"});
+  const double step = ReadWithin(placements.At("step"), units_.length, {0.001, 10});
+  const Value x = placements.At("x");
+  const Value y = placements.At("y");
+  std::vector<Vector2> places;
+  const std::vector<double> ys = Steps(y, ReadRange(y, units_), step);
+  for (const double px : Steps(x, ReadRange(x, units_), step)) {
+    for (const double py : ys) places.emplace_back(px, py);
+  }
+  SortByDistance(places, ReadVector2(placements.At("nearest_to"), units_));
+  const int yaws = placements.At("yaws").Integer(1, 72);
+  for (const Vector2& p : places) {
+    for (int i = 0; i < yaws; ++i) {
+      workcell_->placements_.push_back({p.x(), p.y(), 2 * kPi * i / yaws});
+    }
+  }
+}
+
+std::filesystem::path WorkcellFile::Beside(const Value& path) const {
+  const std::filesystem::path file = (folder_ / path.Text()).lexically_normal();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    path.Fail(fmt::format("there is no file '{}'", path.Text()),
+              "a path from the workcell's folder");
+  }
+  return file;
+}
+
+}  // namespace assay::domain

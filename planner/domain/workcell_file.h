@@ -1,0 +1,36 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "planner/base/document.h"
+#include "planner/domain/units.h"
+#include "planner/domain/workcell.h"
+
+namespace assay::domain {
+
+// `given` with the rules that the map names replaced: the key is the rule's name in WorkcellRules.
+// Throws InputError for unknown rules and for values out of range.
+WorkcellRules ReadRules(const Value& map, const Units& units, const WorkcellRules& given);
+
+// Builds a workcell from its file.
+class WorkcellFile {
+ public:
+  static std::shared_ptr<const Workcell> Read(const std::filesystem::path& file);
+
+ private:
+  explicit WorkcellFile(const std::filesystem::path& file);
+
+  void ReadRobot(const Value& robot);
+  void ReadGripper(const Value& gripper);
+  void ReadTable(const Value& table);
+  void ReadAllRules(const Value& rules);
+  void ReadPlacements(const Value& placements);
+  std::filesystem::path Beside(const Value& path) const;
+
+  std::filesystem::path folder_;
+  Units units_;
+  std::shared_ptr<Workcell> workcell_;
+};
+
+}  // namespace assay::domain

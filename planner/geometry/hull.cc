@@ -1,0 +1,194 @@
+#include "planner/geometry/hull.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <ranges>
+
+extern "C" {
+#include <libqhull_r/qhull_ra.h>
+}
+
+#include "planner/base/check.h"
+#include "planner/geometry/polygon.h"
+
+namespace assay::geometry {
+namespace {
+
+// Relative to the size of the point set: points closer than this are one point, and points closer
+// than this to a plane or a line lie on it. For facets of ordinary shape this merges triangles
+// whose normals differ by less than about 1e-7.
+constexpr double kTolerance = 1e-7;
+
+// A plane that Qhull found, with its outward normal.
+struct Plane {
+  Vector3 normal;
+  double offset = 0;
+};
+
+struct Outline {
+  Vector3 normal;
+  std::vector<int> loop;
+  double area = 0;
+};
+
+// Owns Qhull's reentrant state.
+class QhullRun {
+ public:
+  explicit QhullRun(std::vector<Vector3>& points) {
+    static_assert(sizeof(Vector3) == 3 * sizeof(coordT));
+    char options[] = "qhull";
+    qh_zero(&qh_, stderr);
+    const int exit_code =
+        qh_new_qhull(&qh_, 3, static_cast<int>(points.size()), points.front().data(),
+                     /*ismalloc=*/False, options, /*outfile=*/nullptr, /*errfile=*/stderr);
+    ASSAY_CHECK(exit_code == 0, "Qhull: {} points do not span three dimensions", points.size());
+  }
+  QhullRun(const QhullRun&) = delete;
+  QhullRun& operator=(const QhullRun&) = delete;
+  ~QhullRun() {
+    qh_freeqhull(&qh_, !qh_ALL);
+    int long_count = 0;
+    int long_bytes = 0;
+    qh_memfreeshort(&qh_, &long_count, &long_bytes);
+  }
+
+  std::vector<Plane> Planes() const {
+    std::vector<Plane> planes;
+    for (const facetT* facet = qh_.facet_list; facet != nullptr && facet->next != nullptr;
+         facet = facet->next) {
+      planes.push_back(
+          {Vector3(facet->normal[0], facet->normal[1], facet->normal[2]), -facet->offset});
+    }
+    return planes;
+  }
+
+ private:
+  qhT qh_;
+};
+
+// Indices of the points without those that repeat an earlier one.
+std::vector<int> FirstOccurrences(std::span<const Vector3> points, double tolerance) {
+  std::vector<int> kept;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    const auto repeats = [&](int k) { return (points[k] - points[i]).norm() <= tolerance; };
+    if (std::ranges::none_of(kept, repeats)) kept.push_back(i);
+  }
+  return kept;
+}
+
+// Drops corners closer than `tolerance` to the line through their neighbours, flattest first.
+void DropCollinear(Polygon& polygon, double tolerance) {
+  while (polygon.size() >= 3) {
+    const int count = static_cast<int>(polygon.size());
+    const auto height = [&](int i) {
+      const Vector2 along = polygon[(i + 1) % count] - polygon[(i + count - 1) % count];
+      const Vector2 to = polygon[i] - polygon[(i + count - 1) % count];
+      return std::abs(along.x() * to.y() - along.y() * to.x()) / along.norm();
+    };
+    const int flattest = std::ranges::min(std::views::iota(0, count), {}, height);
+    if (height(flattest) > tolerance) return;
+    polygon.erase(polygon.begin() + flattest);
+  }
+}
+
+// The convex outline of the points that lie on a plane, its smallest index first; fewer than three
+// corners if they do not span it.
+Outline OutlineOn(const Plane& plane, const std::vector<Vector3>& points, double tolerance) {
+  const Vector3 u = plane.normal.unitOrthogonal();
+  const Vector3 v = plane.normal.cross(u);
+  std::vector<int> on_plane;
+  std::vector<Vector2> projected;
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    if (plane.normal.dot(points[i]) < plane.offset - tolerance) continue;
+    on_plane.push_back(i);
+    projected.emplace_back(u.dot(points[i]), v.dot(points[i]));
+  }
+  Polygon corners = Hull2(projected);
+  DropCollinear(corners, tolerance);
+  Outline outline{plane.normal, {}, Area(corners)};
+  for (const Vector2& corner : corners) {
+    outline.loop.push_back(on_plane[std::ranges::find(projected, corner) - projected.begin()]);
+  }
+  std::ranges::rotate(outline.loop, std::ranges::min_element(outline.loop));
+  return outline;
+}
+
+int SharedCorners(const Outline& a, const Outline& b) {
+  const auto in_b = [&](int i) { return std::ranges::find(b.loop, i) != b.loop.end(); };
+  return static_cast<int>(std::ranges::count_if(a.loop, in_b));
+}
+
+// Two facets of a convex polyhedron share at most an edge: of outlines that share more, which are
+// triangles of the same facet and slivers of rounding, the widest stands for all. Sorted by loop.
+std::vector<Outline> DistinctOutlines(const std::vector<Plane>& planes,
+                                      const std::vector<Vector3>& points, double tolerance) {
+  std::vector<Outline> candidates;
+  for (const Plane& plane : planes) {
+    Outline outline = OutlineOn(plane, points, tolerance);
+    if (outline.loop.size() >= 3) candidates.push_back(std::move(outline));
+  }
+  std::ranges::stable_sort(candidates, std::ranges::greater(), &Outline::area);
+  std::vector<Outline> distinct;
+  for (Outline& candidate : candidates) {
+    const auto same = [&](const Outline& other) { return SharedCorners(candidate, other) > 2; };
+    if (std::ranges::none_of(distinct, same)) distinct.push_back(std::move(candidate));
+  }
+  std::ranges::sort(distinct, {}, &Outline::loop);
+  return distinct;
+}
+
+// The facet of a loop whose plane fits its corners (Newell's method).
+Facet FacetOf(std::vector<int> loop, const std::vector<Vector3>& vertices) {
+  Vector3 middle = Vector3::Zero();
+  for (int i : loop) middle += vertices[i] / static_cast<double>(loop.size());
+  Vector3 normal = Vector3::Zero();
+  for (size_t k = 0; k < loop.size(); ++k) {
+    const Vector3& next = vertices[loop[(k + 1) % loop.size()]];
+    normal += (vertices[loop[k]] - middle).cross(next - middle);
+  }
+  normal.normalize();
+  return {normal, normal.dot(middle), std::move(loop)};
+}
+
+// Keeps the points that are corners of an outline, in their order, and renumbers the loops.
+ConvexHull Assemble(const std::vector<Outline>& outlines, std::span<const Vector3> points,
+                    const std::vector<int>& kept) {
+  std::vector<int> number(kept.size(), -1);
+  for (const Outline& outline : outlines) {
+    for (int i : outline.loop) number[i] = 0;
+  }
+  ConvexHull hull;
+  for (size_t i = 0; i < kept.size(); ++i) {
+    if (number[i] < 0) continue;
+    number[i] = static_cast<int>(hull.vertices.size());
+    hull.vertices.push_back(points[kept[i]]);
+  }
+  for (const Outline& outline : outlines) {
+    std::vector<int> loop;
+    for (int i : outline.loop) loop.push_back(number[i]);
+    hull.facets.push_back(FacetOf(std::move(loop), hull.vertices));
+  }
+  return hull;
+}
+
+}  // namespace
+
+// Qhull names the planes of the facets; which points lie on each, and in which order, is decided
+// here with one tolerance, so that repeated and coplanar points cannot leave cracks or slivers.
+// Facets are sorted by their loops, which makes their order independent of the frame of the points.
+ConvexHull HullOf(std::span<const Vector3> points) {
+  ASSAY_CHECK(points.size() >= 4, "{} points do not span three dimensions", points.size());
+  Eigen::AlignedBox3d bounds;
+  for (const Vector3& p : points) bounds.extend(p);
+  const double tolerance = kTolerance * bounds.diagonal().norm();
+  const std::vector<int> kept = FirstOccurrences(points, tolerance);
+  std::vector<Vector3> centered;
+  for (int i : kept) centered.push_back(points[i] - bounds.center());
+  ASSAY_CHECK(kept.size() >= 4, "{} points do not span three dimensions", points.size());
+  std::vector<Plane> planes = QhullRun(centered).Planes();
+  const std::vector<Outline> outlines = DistinctOutlines(planes, centered, tolerance);
+  ASSAY_CHECK(outlines.size() >= 4, "{} points do not span three dimensions", points.size());
+  return Assemble(outlines, points, kept);
+}
+
+}  // namespace assay::geometry

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "planner/geometry/pose.h"
+
+namespace assay::geometry {
+
+// A planar facet of a convex hull.
+struct Facet {
+  Vector3 normal;         // unit, outward
+  double offset = 0;      // normal . p == offset on the facet
+  std::vector<int> loop;  // indices of vertices, counter-clockwise seen from outside
+};
+
+struct ConvexHull {
+  std::vector<Vector3> vertices;
+  std::vector<Facet> facets;  // coplanar triangles merged into one facet
+};
+
+// The hull of points that span three dimensions (checked). Vertices and facets come in an order
+// that depends on the points alone. (Qhull: Barber, Dobkin and Huhdanpaa 1996.)
+ConvexHull HullOf(std::span<const Vector3> points);
+
+}  // namespace assay::geometry

@@ -1,0 +1,142 @@
+#include "planner/geometry/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planner/base/check.h"
+
+namespace assay::geometry {
+namespace {
+
+double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Twice the area of the triangle a b c, positive if it turns left.
+double Turn(const Vector2& a, const Vector2& b, const Vector2& c) { return Cross(b - a, c - a); }
+
+// Appends p to a chain that turns left at every corner; drops the corners that no longer do.
+// Corners before `first` stay.
+void Extend(Polygon& chain, size_t first, const Vector2& p) {
+  while (chain.size() >= first + 2 && Turn(chain.end()[-2], chain.back(), p) <= 0) chain.pop_back();
+  chain.push_back(p);
+}
+
+// The part of a polygon on the left of the line from a to b.
+Polygon ClipLeft(const Polygon& polygon, const Vector2& a, const Vector2& b) {
+  Polygon kept;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2& p = polygon[i];
+    const Vector2& q = polygon[(i + 1) % polygon.size()];
+    const double at_p = Turn(a, b, p);
+    const double at_q = Turn(a, b, q);
+    if (at_p >= 0) kept.push_back(p);
+    if ((at_p > 0 && at_q < 0) || (at_p < 0 && at_q > 0)) {
+      kept.push_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+  }
+  return kept;
+}
+
+double DistanceToSegment(const Vector2& a, const Vector2& b, const Vector2& p) {
+  const Vector2 along = b - a;
+  const double length2 = along.squaredNorm();
+  const double t = length2 > 0 ? std::clamp(along.dot(p - a) / length2, 0.0, 1.0) : 0.0;
+  return (a + t * along - p).norm();
+}
+
+// How far b lies beyond a along a direction; nothing is known from a zero direction.
+double Separation(const Polygon& a, const Polygon& b, const Vector2& direction) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double length = direction.norm();
+  if (length == 0) return -kInfinity;
+  double a_high = -kInfinity;
+  double b_low = kInfinity;
+  for (const Vector2& p : a) a_high = std::max(a_high, direction.dot(p));
+  for (const Vector2& p : b) b_low = std::min(b_low, direction.dot(p));
+  return (b_low - a_high) / length;
+}
+
+double SeparationAlongNormals(const Polygon& a, const Polygon& b) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (size_t i = 0; i < a.size(); ++i) {
+    const Vector2 edge = a[(i + 1) % a.size()] - a[i];
+    best = std::max(best, Separation(a, b, {edge.y(), -edge.x()}));
+  }
+  return best;
+}
+
+}  // namespace
+
+Polygon Hull2(std::span<const Vector2> points) {
+  std::vector<Vector2> sorted(points.begin(), points.end());
+  std::ranges::sort(sorted, [](const Vector2& a, const Vector2& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+  });
+  sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
+  if (sorted.size() < 3) return sorted;
+  Polygon hull;
+  for (const Vector2& p : sorted) Extend(hull, 0, p);
+  const size_t upper = hull.size() - 1;
+  for (auto p = sorted.rbegin() + 1; p != sorted.rend(); ++p) Extend(hull, upper, *p);
+  hull.pop_back();
+  return hull;
+}
+
+double Area(const Polygon& polygon) {
+  double doubled = 0;
+  for (size_t i = 2; i < polygon.size(); ++i) {
+    doubled += Turn(polygon[0], polygon[i - 1], polygon[i]);
+  }
+  return doubled / 2;
+}
+
+Vector2 Centroid(const Polygon& polygon) {
+  ASSAY_CHECK(!polygon.empty());
+  Vector2 weighted = Vector2::Zero();
+  double doubled = 0;
+  for (size_t i = 2; i < polygon.size(); ++i) {
+    const double turn = Turn(polygon[0], polygon[i - 1], polygon[i]);
+    weighted += turn / 3 * (polygon[i - 1] - polygon[0] + polygon[i] - polygon[0]);
+    doubled += turn;
+  }
+  if (doubled > 0) return polygon[0] + weighted / doubled;
+  Vector2 sum = Vector2::Zero();
+  for (const Vector2& p : polygon) sum += p;
+  return sum / static_cast<double>(polygon.size());
+}
+
+Polygon Intersection(const Polygon& a, const Polygon& b) {
+  if (a.size() < 3 || b.size() < 3) return {};
+  Polygon kept = a;
+  for (size_t i = 0; i < b.size(); ++i) kept = ClipLeft(kept, b[i], b[(i + 1) % b.size()]);
+  kept = Hull2(kept);  // a corner on a clipping line comes out twice
+  return Area(kept) > 0 ? kept : Polygon{};
+}
+
+double Depth(const Polygon& polygon, const Vector2& p) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (polygon.empty()) return -kInfinity;
+  if (polygon.size() < 3) return -DistanceToSegment(polygon.front(), polygon.back(), p);
+  double depth = kInfinity;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2& q = polygon[(i + 1) % polygon.size()];
+    if (q == polygon[i]) continue;
+    depth = std::min(depth, Turn(polygon[i], q, p) / (q - polygon[i]).norm());
+  }
+  return depth;
+}
+
+// The separation along a direction is greatest along an edge's normal or, where a corner faces a
+// corner, along the line between the two; overlapping polygons need only the normals. No direction
+// overstates the separation, so all may be tried.
+double Gap(const Polygon& a, const Polygon& b) {
+  ASSAY_CHECK(!a.empty() && !b.empty());
+  double best = std::max(SeparationAlongNormals(a, b), SeparationAlongNormals(b, a));
+  if (std::isfinite(best) && best < 0) return best;
+  for (const Vector2& p : a) {
+    for (const Vector2& q : b) best = std::max(best, Separation(a, b, q - p));
+  }
+  return std::isfinite(best) ? best : 0.0;  // two equal points have no direction to try
+}
+
+}  // namespace assay::geometry

@@ -1,0 +1,388 @@
+#include "planner/kinematics/arm.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace assay::kinematics {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kTurn = 2 * kPi;
+// How far, in metres and radians, a file may be from the exact geometry.
+constexpr double kFileTolerance = 1e-9;
+// Rounding beyond a limit that is still within it, radians.
+constexpr double kLimitTolerance = 1e-9;
+// A squared length (m^2) this little below zero is zero: the pose is on the border of the reach.
+constexpr double kBorder = 1e-13;
+// Below this, a direction (wrist: sine of q5; shoulder, elbow: metres) is lost in rounding.
+constexpr double kSingular = 1e-10;
+
+// Radicands of at least -kBorder count as at least 0, so that the border belongs to the reach.
+double ClampedSqrt(double radicand) { return radicand > 0 ? std::sqrt(radicand) : 0.0; }
+
+struct Direction {
+  double cosine = 1;
+  double sine = 0;
+
+  static Direction Of(double angle) { return {std::cos(angle), std::sin(angle)}; }
+  double Angle() const { return std::atan2(sine, cosine); }
+};
+
+Direction Sum(const Direction& a, const Direction& b) {
+  return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
+}
+
+// Half a turn further, kept in [-pi, pi].
+double Opposite(double angle) { return angle > 0 ? angle - kPi : angle + kPi; }
+
+// The wrist centre's x in the frame turned by q1: how far the arm reaches before axis 1.
+double Reach(const ArmGeometry& g, const Direction& t2, const Direction& t23) {
+  return g.a2 * t2.cosine + g.a3 * t23.cosine + g.d4 * t23.sine;
+}
+
+// ARM = sign(-reach), and ELBOW = ARM sign(across), with sign(0) = +1; `across` is d4 c3 - a3 s3.
+Shoulder ShoulderOf(double reach) { return reach <= 0 ? Shoulder::kRight : Shoulder::kLeft; }
+Elbow ElbowOf(double reach, double across) {
+  return (reach <= 0) == (across >= 0) ? Elbow::kAbove : Elbow::kBelow;
+}
+
+// Algebraic solve of one pose. The wrist centre seen in the arm's plane is
+//   ( x, z ) = ( a2 c2 + a3 c23 + d4 s23, -a2 s2 - a3 s23 + d4 c23 ),   x = -ARM r,
+// hence with along = a2 + a3 c3 + d4 s3 and e = d4 c3 - a3 s3 (the wrist centre along and across
+// the upper arm)
+//   along = (x^2 + z^2 + a2^2 - a3^2 - d4^2) / (2 a2),   along^2 + e^2 = x^2 + z^2,
+// and sign e = ARM ELBOW.
+// The cosines and sines of q1, q2, q3 and q23 follow without an angle in between; each angle is
+// taken once at the end. (The solutions are those of Lee and Ziegler 1983, who go through the
+// angles.)
+class InverseSolver {
+ public:
+  InverseSolver(const ArmGeometry& g, const Pose& X_BaseFlange, const JointVector& reference)
+      : g_(g),
+        R_(X_BaseFlange.linear()),
+        center_(X_BaseFlange.translation() - g.d6 * R_.col(2)),
+        reference_(reference) {}
+
+  InverseSolutions Solve() {
+    const double radial2 = center_.x() * center_.x() + center_.y() * center_.y();
+    const double r2 = radial2 - g_.d2 * g_.d2;
+    if (!(r2 >= -kBorder)) return {};
+    r_ = ClampedSqrt(r2);
+    R2_ = r_ * r_ + center_.z() * center_.z();
+    const double forearm2 = g_.a3 * g_.a3 + g_.d4 * g_.d4;
+    along_ = (R2_ + g_.a2 * g_.a2 - forearm2) / (2 * g_.a2);
+    const double e2 = R2_ - along_ * along_;
+    if (!(e2 >= -kBorder)) return {};
+    e_ = ClampedSqrt(e2);
+    AddShoulder(-r_);
+    if (r_ > 0) AddShoulder(r_);
+    return solutions_;
+  }
+
+ private:
+  // What the first three joints have in common for one shoulder and elbow.
+  struct Position {
+    Direction t1;
+    Direction t23;
+    double q1 = 0;
+    double q2 = 0;
+    double q3 = 0;
+    Shoulder shoulder = Shoulder::kRight;
+    Elbow elbow = Elbow::kAbove;
+  };
+
+  void AddShoulder(double x) {
+    Position position;
+    position.t1 = Waist(x);
+    position.q1 = position.t1.Angle();
+    AddElbow(x, e_, position);
+    if (e_ > 0) AddElbow(x, -e_, position);
+  }
+
+  // In the frame turned by q1 the wrist centre is at (x, d2).
+  Direction Waist(double x) const {
+    const double radial2 = x * x + g_.d2 * g_.d2;
+    if (radial2 < kSingular * kSingular) return Direction::Of(reference_[0]);
+    return {(x * center_.x() + g_.d2 * center_.y()) / radial2,
+            (x * center_.y() - g_.d2 * center_.x()) / radial2};
+  }
+
+  // `e` has its sign here.
+  void AddElbow(double x, double e, Position position) {
+    const double u = along_ - g_.a2;
+    const double forearm2 = u * u + e * e;
+    const Direction t3{(g_.a3 * u + g_.d4 * e) / forearm2, (g_.d4 * u - g_.a3 * e) / forearm2};
+    const Direction t2 = ShoulderLift(x, e);
+    position.t23 = Sum(t2, t3);
+    position.q2 = t2.Angle();
+    position.q3 = t3.Angle();
+    position.shoulder = ShoulderOf(x);
+    position.elbow = ElbowOf(x, e);
+    AddWrists(position);
+  }
+
+  // The wrist centre is at (along, e) in the upper arm's frame, at (x, z) in the shoulder's.
+  Direction ShoulderLift(double x, double e) const {
+    if (R2_ < kSingular * kSingular) return Direction::Of(reference_[1]);
+    return {(x * along_ + center_.z() * e) / R2_, (x * e - center_.z() * along_) / R2_};
+  }
+
+  void AddWrists(const Position& position) {
+    const auto [c1, s1] = position.t1;
+    const auto [c23, s23] = position.t23;
+    // The forearm's axes in the base, and the approach vector in the forearm.
+    const Vector3 x3(c1 * c23, s1 * c23, -s23);
+    const Vector3 y3(-s1, c1, 0);
+    const Vector3 z3(c1 * s23, s1 * s23, c23);
+    const Vector3 a(x3.dot(R_.col(2)), y3.dot(R_.col(2)), z3.dot(R_.col(2)));
+    const Direction t4 = WristRoll(a);
+    const double q4 = t4.Angle();
+    const double q5 = std::atan2(a.x() * t4.cosine + a.y() * t4.sine, a.z());
+    // Axis 5. Through it, q6 makes up for whatever q4 was taken.
+    const Vector3 y4 = t4.cosine * y3 - t4.sine * x3;
+    const double q6 = std::atan2(y4.dot(R_.col(0)), y4.dot(R_.col(1)));
+    Add(position, {q4, q5, q6}, Wrist::kNoFlip);
+    Add(position, {Opposite(q4), -q5, Opposite(q6)}, Wrist::kFlip);
+  }
+
+  Direction WristRoll(const Vector3& a) const {
+    const double s5 = std::sqrt(a.x() * a.x() + a.y() * a.y());
+    if (s5 < kSingular) return Direction::Of(reference_[3]);
+    return {a.x() / s5, a.y() / s5};
+  }
+
+  void Add(const Position& position, const Vector3& wrist, Wrist flip) {
+    InverseSolution& solution = solutions_.Append();
+    solution.q << position.q1, position.q2, position.q3, wrist;
+    solution.indicators = {position.shoulder, position.elbow, flip};
+  }
+
+  const ArmGeometry& g_;
+  const Matrix3 R_;
+  const Vector3 center_;
+  const JointVector& reference_;
+  double r_ = 0;   // |x|
+  double R2_ = 0;  // squared distance of shoulder and wrist centre in the arm's plane
+  double along_ = 0;
+  double e_ = 0;
+  InverseSolutions solutions_;
+};
+
+// A joint's axis in the root's frame with all joint values 0.
+struct AxisLine {
+  Vector3 point;
+  Vector3 direction;
+};
+
+// Reads the lengths out of a chain, complaining of what the closed form could not follow.
+class GeometryReader {
+ public:
+  explicit GeometryReader(const RobotModel& model) : model_(model) {
+    RequireChain();
+    Pose X_BaseLink = Pose::Identity();
+    for (std::size_t i = 0; i < 6; ++i) {
+      X_BaseLink = X_BaseLink * model_.joints[i].X_ParentJoint;
+      axes_[i] = {X_BaseLink.translation(), X_BaseLink.linear() * model_.joints[i].axis};
+    }
+    X_BaseFlange_ = X_BaseLink;
+  }
+
+  ArmGeometry Read() const {
+    RequireDirections();
+    const Vector3& elbow = axes_[2].point;
+    const Vector3& roll = axes_[3].point;
+    const Vector3& bend = axes_[4].point;
+    const Vector3 flange = X_BaseFlange_.translation();
+    RequireZero(0, "x", axes_[0].point.x());
+    RequireZero(0, "y", axes_[0].point.y());
+    RequireZero(1, "x", axes_[1].point.x());
+    RequireZero(1, "z", axes_[1].point.z());
+    RequireZero(2, "z", elbow.z());
+    RequireZero(4, "x relative to axis 4", bend.x() - roll.x());
+    RequireZero(5, "x relative to axis 4", axes_[5].point.x() - roll.x());
+    RequireZero(5, "y relative to axis 4", axes_[5].point.y() - roll.y());
+    RequireFlange(flange - Vector3(roll.x(), roll.y(), flange.z()));
+    return Positive({.a2 = elbow.x(),
+                     .a3 = roll.x() - elbow.x(),
+                     .d2 = roll.y(),
+                     .d4 = bend.z(),
+                     .d6 = flange.z() - bend.z()});
+  }
+
+ private:
+  void RequireChain() const {
+    if (model_.joints.size() != 6) {
+      model_.Fail(fmt::format("has {} joints", model_.joints.size()),
+                  "the six revolute joints of an arm, in one chain");
+    }
+    for (std::size_t i = 0; i < 6; ++i) {
+      const Joint& joint = model_.joints[i];
+      if (joint.type != JointType::kRevolute) {
+        model_.Fail(fmt::format("joint '{}' (joint {}) is not revolute", joint.name, i + 1),
+                    "six revolute joints");
+      }
+      if (joint.parent != LinkId(i)) {
+        model_.Fail(fmt::format("joint '{}' branches off link '{}'", joint.name,
+                                model_.link(joint.parent).name),
+                    "one chain of links");
+      }
+    }
+  }
+
+  void RequireDirections() const {
+    for (std::size_t i = 0; i < 6; ++i) {
+      const bool along_y = i == 1 || i == 2 || i == 4;
+      const Vector3 wanted = along_y ? Vector3::UnitY() : Vector3::UnitZ();
+      const Vector3& d = axes_[i].direction;
+      if ((d - wanted).norm() < kFileTolerance) continue;
+      model_.Fail(fmt::format("{} points along ({}, {}, {}) of the root link at joint values 0",
+                              NameOf(i), d.x(), d.y(), d.z()),
+                  along_y ? "(0, 1, 0)" : "(0, 0, 1)");
+    }
+  }
+
+  void RequireZero(std::size_t axis, const std::string& what, double value) const {
+    if (std::abs(value) < kFileTolerance) return;
+    model_.Fail(fmt::format("{} has {} = {} m at joint values 0", NameOf(axis), what, value), "0");
+  }
+
+  void RequireFlange(const Vector3& off_axis) const {
+    const bool turned =
+        (X_BaseFlange_.linear() - Matrix3::Identity()).cwiseAbs().maxCoeff() > kFileTolerance;
+    if (!turned && off_axis.norm() < kFileTolerance) return;
+    model_.Fail(fmt::format("the flange '{}' is turned or off axis 6 at joint values 0",
+                            model_.links.back().name),
+                "the root's orientation, the origin on axis 6");
+  }
+
+  ArmGeometry Positive(const ArmGeometry& g) const {
+    if (g.a2 < kFileTolerance || g.d4 < kFileTolerance) {
+      model_.Fail(fmt::format("the upper arm is {} m and the forearm {} m long", g.a2, g.d4),
+                  "positive lengths");
+    }
+    return g;
+  }
+
+  std::string NameOf(std::size_t axis) const {
+    return fmt::format("axis {} (joint '{}')", axis + 1, model_.joints[axis].name);
+  }
+
+  const RobotModel& model_;
+  std::array<AxisLine, 6> axes_;
+  Pose X_BaseFlange_;
+};
+
+double Clamped(double angle, const JointLimits& limits) {
+  return std::min(std::max(angle, limits.lower), limits.upper);
+}
+
+bool Within(double angle, const JointLimits& limits) {
+  return angle >= limits.lower - kLimitTolerance && angle <= limits.upper + kLimitTolerance;
+}
+
+// The least of the angles angle + k turns that is at least `low`, rounding forgiven.
+double FirstTurnFrom(double angle, double low) {
+  return angle + kTurn * std::ceil((low - kLimitTolerance - angle) / kTurn);
+}
+
+}  // namespace
+
+Arm::Arm(RobotModel model, const ArmGeometry& geometry)
+    : model_(std::move(model)), geometry_(geometry) {
+  for (std::size_t i = 0; i < 6; ++i) limits_[i] = model_.joints[i].limits;
+}
+
+Arm Arm::FromUrdf(const std::filesystem::path& file) {
+  RobotModel model = ReadUrdf(file);
+  const ArmGeometry geometry = GeometryReader(model).Read();
+  return Arm(std::move(model), geometry);
+}
+
+Pose Arm::Forward(const JointVector& q) const {
+  const Direction t1 = Direction::Of(q[0]);
+  const Direction t2 = Direction::Of(q[1]);
+  const auto [c23, s23] = Direction::Of(q[1] + q[2]);
+  const auto [c4, s4] = Direction::Of(q[3]);
+  const auto [c5, s5] = Direction::Of(q[4]);
+  const auto [c6, s6] = Direction::Of(q[5]);
+  const double x = Reach(geometry_, t2, {c23, s23});
+  const double z = -geometry_.a2 * t2.sine - geometry_.a3 * s23 + geometry_.d4 * c23;
+
+  // The forearm's axes, then the axes turned by each wrist joint: z4 = z3, y5 = y4, z6 = z5.
+  const Vector3 x3(t1.cosine * c23, t1.sine * c23, -s23);
+  const Vector3 y3(-t1.sine, t1.cosine, 0);
+  const Vector3 z3(t1.cosine * s23, t1.sine * s23, c23);
+  const Vector3 x4 = c4 * x3 + s4 * y3;
+  const Vector3 y4 = c4 * y3 - s4 * x3;
+  const Vector3 x5 = c5 * x4 - s5 * z3;
+  const Vector3 z5 = s5 * x4 + c5 * z3;
+  Pose X = Pose::Identity();
+  X.linear() << c6 * x5 + s6 * y4, c6 * y4 - s6 * x5, z5;
+  X.translation() =
+      Vector3(t1.cosine * x - t1.sine * geometry_.d2, t1.sine * x + t1.cosine * geometry_.d2, z) +
+      geometry_.d6 * z5;
+  return X;
+}
+
+std::array<Pose, 7> Arm::LinkPoses(const JointVector& q) const {
+  std::array<Pose, 7> X_BaseLink;
+  X_BaseLink[0] = Pose::Identity();
+  for (std::size_t i = 0; i < 6; ++i) {
+    X_BaseLink[i + 1] = X_BaseLink[i] * model_.joints[i].X_ParentChild(q[static_cast<int>(i)]);
+  }
+  return X_BaseLink;
+}
+
+InverseSolutions Arm::Inverse(const Pose& X_BaseFlange, const JointVector& reference) const {
+  return InverseSolver(geometry_, X_BaseFlange, reference).Solve();
+}
+
+Indicators Arm::IndicatorsOf(const JointVector& q) const {
+  const double reach = Reach(geometry_, Direction::Of(q[1]), Direction::Of(q[1] + q[2]));
+  const double across = geometry_.d4 * std::cos(q[2]) - geometry_.a3 * std::sin(q[2]);
+  return {ShoulderOf(reach), ElbowOf(reach, across),
+          std::sin(q[4]) >= 0 ? Wrist::kNoFlip : Wrist::kFlip};
+}
+
+bool Arm::InRange(const JointVector& q) const {
+  for (std::size_t i = 0; i < 6; ++i) {
+    if (!Within(q[static_cast<int>(i)], limits_[i])) return false;
+  }
+  return true;
+}
+
+std::optional<JointVector> Arm::NearestInRange(const JointVector& q,
+                                               const JointVector& reference) const {
+  JointVector nearest;
+  for (int i = 0; i < 6; ++i) {
+    const JointLimits& limits = limits_[static_cast<std::size_t>(i)];
+    double angle = q[i] + kTurn * std::round((reference[i] - q[i]) / kTurn);
+    if (angle < limits.lower - kLimitTolerance) angle = FirstTurnFrom(angle, limits.lower);
+    if (angle > limits.upper + kLimitTolerance) angle = -FirstTurnFrom(-angle, -limits.upper);
+    if (!Within(angle, limits)) return std::nullopt;
+    nearest[i] = Clamped(angle, limits);
+  }
+  return nearest;
+}
+
+std::vector<JointVector> Arm::Representatives(const JointVector& q) const {
+  std::vector<JointVector> found = {q};
+  for (int i = 0; i < 6; ++i) {
+    const JointLimits& limits = limits_[static_cast<std::size_t>(i)];
+    std::vector<JointVector> extended;
+    for (JointVector base : found) {
+      for (double angle = FirstTurnFrom(q[i], limits.lower); Within(angle, limits);
+           angle += kTurn) {
+        base[i] = Clamped(angle, limits);
+        extended.push_back(base);
+      }
+    }
+    found = std::move(extended);
+  }
+  return found;
+}
+
+}  // namespace assay::kinematics

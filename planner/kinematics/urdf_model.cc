@@ -1,0 +1,238 @@
+#include "planner/kinematics/urdf_model.h"
+
+#include <console_bridge/console.h>
+#include <fmt/format.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <Eigen/Eigenvalues>
+#include <fstream>
+#include <mutex>
+#include <sstream>
+
+#include "planner/base/input_error.h"
+
+namespace assay::kinematics {
+namespace {
+
+// Takes what urdfdom would print on standard error; its errors become the text of an InputError.
+class ErrorCollector : public console_bridge::OutputHandler {
+ public:
+  ErrorCollector() { console_bridge::useOutputHandler(this); }
+  ~ErrorCollector() override { console_bridge::restorePreviousOutputHandler(); }
+  ErrorCollector(const ErrorCollector&) = delete;
+  ErrorCollector& operator=(const ErrorCollector&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char* /*filename*/,
+           int /*line*/) override {
+    if (level < console_bridge::CONSOLE_BRIDGE_LOG_ERROR) return;
+    if (!errors_.empty()) errors_ += "; ";
+    errors_ += text;
+  }
+
+  const std::string& errors() const { return errors_; }
+
+ private:
+  std::string errors_;
+};
+
+std::string ReadText(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  if (text.view().empty()) {
+    throw InputError({.file = file.string()}, "cannot be read or is empty", "a URDF file");
+  }
+  return text.str();
+}
+
+urdf::ModelInterfaceSharedPtr Parse(const std::filesystem::path& file) {
+  // console_bridge has one output handler for the whole process: one file at a time.
+  static std::mutex one_at_a_time;
+  const std::string text = ReadText(file);
+  const std::lock_guard lock(one_at_a_time);
+  const ErrorCollector collector;
+  urdf::ModelInterfaceSharedPtr parsed = urdf::parseURDF(text);
+  if (!parsed || !parsed->getRoot() || !collector.errors().empty()) {
+    throw InputError({.file = file.string()},
+                     fmt::format("is not a URDF file: {}", collector.errors()), "");
+  }
+  return parsed;
+}
+
+Vector3 ToVector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
+
+Pose ToPose(const urdf::Pose& pose) {
+  const urdf::Rotation& r = pose.rotation;
+  Pose X = Pose::Identity();
+  X.linear() = Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized().toRotationMatrix();
+  X.translation() = ToVector(pose.position);
+  return X;
+}
+
+// Turns urdfdom's tree into ours, depth first, with the file's name on every complaint.
+class Converter {
+ public:
+  Converter(const std::filesystem::path& file, const urdf::ModelInterface& parsed) {
+    model_.file = file.string();
+    model_.name = parsed.getName();
+    AddLink(*parsed.getRoot(), JointId::None());
+  }
+
+  RobotModel Take() { return std::move(model_); }
+
+ private:
+  void AddLink(const urdf::Link& parsed, JointId parent_joint) {
+    const LinkId id(model_.links.size());
+    model_.links.push_back(ConvertLink(parsed, parent_joint));
+    for (const urdf::JointSharedPtr& joint : parsed.child_joints) AddJoint(parsed, *joint, id);
+  }
+
+  void AddJoint(const urdf::Link& parent, const urdf::Joint& parsed, LinkId parent_id) {
+    const JointId id(model_.joints.size());
+    model_.joints.push_back(ConvertJoint(parsed, parent_id));
+    for (const urdf::LinkSharedPtr& child : parent.child_links) {
+      if (child->name == parsed.child_link_name) AddLink(*child, id);
+    }
+  }
+
+  Link ConvertLink(const urdf::Link& parsed, JointId parent_joint) const {
+    Link link{.name = parsed.name, .parent_joint = parent_joint};
+    if (parsed.inertial) link.inertial = ConvertInertial(*parsed.inertial, parsed.name);
+    for (const urdf::VisualSharedPtr& visual : parsed.visual_array) {
+      link.visuals.push_back({visual->name, ToPose(visual->origin),
+                              ConvertShape(visual->geometry, parsed.name), ColorOf(*visual)});
+    }
+    for (const urdf::CollisionSharedPtr& collision : parsed.collision_array) {
+      link.collisions.push_back({collision->name, ToPose(collision->origin),
+                                 ConvertShape(collision->geometry, parsed.name)});
+    }
+    return link;
+  }
+
+  static Rgba ColorOf(const urdf::Visual& visual) {
+    if (!visual.material) return {};
+    const urdf::Color& c = visual.material->color;
+    return {c.r, c.g, c.b, c.a};
+  }
+
+  Inertial ConvertInertial(const urdf::Inertial& parsed, const std::string& link) const {
+    Inertial inertial{.mass = parsed.mass, .X_LinkCenter = ToPose(parsed.origin)};
+    inertial.inertia << parsed.ixx, parsed.ixy, parsed.ixz,  //
+        parsed.ixy, parsed.iyy, parsed.iyz,                  //
+        parsed.ixz, parsed.iyz, parsed.izz;
+    if (!(parsed.mass > 0)) {
+      model_.Fail(fmt::format("link '{}' has mass {}", link, parsed.mass), "a positive mass");
+    }
+    // The principal moments of a body are positive, and none is above the sum of the others.
+    const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertial.inertia, Eigen::EigenvaluesOnly);
+    const Vector3& moments = solver.eigenvalues();  // ascending
+    if (!(moments[0] > 0) || moments[2] > (moments[0] + moments[1]) * (1 + 1e-9)) {
+      model_.Fail(fmt::format("link '{}' has principal moments of inertia {}, {}, {}", link,
+                              moments[0], moments[1], moments[2]),
+                  "positive moments, the largest at most the sum of the others");
+    }
+    return inertial;
+  }
+
+  Shape ConvertShape(const urdf::GeometrySharedPtr& parsed, const std::string& link) const {
+    if (const auto* box = dynamic_cast<const urdf::Box*>(parsed.get())) {
+      return BoxShape{Extent(ToVector(box->dim), link)};
+    }
+    if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(parsed.get())) {
+      Extent({cylinder->radius, cylinder->radius, cylinder->length}, link);
+      return CylinderShape{cylinder->radius, cylinder->length};
+    }
+    if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(parsed.get())) {
+      return SphereShape{Extent(Vector3::Constant(sphere->radius), link).x()};
+    }
+    model_.Fail(fmt::format("link '{}' has a shape that is not supported", link),
+                "box, cylinder, sphere");
+  }
+
+  Vector3 Extent(const Vector3& extent, const std::string& link) const {
+    if (!(extent.minCoeff() > 0)) {
+      model_.Fail(fmt::format("link '{}' has a shape of extent {}", link, extent.minCoeff()),
+                  "positive extents");
+    }
+    return extent;
+  }
+
+  Joint ConvertJoint(const urdf::Joint& parsed, LinkId parent) const {
+    Joint joint{.name = parsed.name,
+                .type = TypeOf(parsed),
+                .parent = parent,
+                .child = LinkId(model_.links.size()),
+                .X_ParentJoint = ToPose(parsed.parent_to_joint_origin_transform)};
+    if (joint.type == JointType::kFixed) return joint;
+    joint.axis = ToVector(parsed.axis);
+    if (!(joint.axis.norm() > 1e-6)) {
+      model_.Fail(fmt::format("joint '{}' has an axis without direction", joint.name));
+    }
+    joint.axis.normalize();
+    joint.limits = LimitsOf(parsed);
+    return joint;
+  }
+
+  JointType TypeOf(const urdf::Joint& parsed) const {
+    if (parsed.mimic) model_.Fail(fmt::format("joint '{}' mimics another", parsed.name));
+    if (parsed.type == urdf::Joint::FIXED) return JointType::kFixed;
+    if (parsed.type == urdf::Joint::REVOLUTE) return JointType::kRevolute;
+    if (parsed.type == urdf::Joint::PRISMATIC) return JointType::kPrismatic;
+    model_.Fail(fmt::format("joint '{}' has a type that is not supported", parsed.name),
+                "fixed, revolute, prismatic");
+  }
+
+  JointLimits LimitsOf(const urdf::Joint& parsed) const {
+    if (!parsed.limits) model_.Fail(fmt::format("joint '{}' has no limits", parsed.name));
+    const urdf::JointLimits& limits = *parsed.limits;
+    if (!(limits.lower < limits.upper) || !(limits.velocity > 0) || !(limits.effort > 0)) {
+      model_.Fail(
+          fmt::format("joint '{}' has lower {}, upper {}, velocity {}, effort {}", parsed.name,
+                      limits.lower, limits.upper, limits.velocity, limits.effort),
+          "lower below upper, velocity and effort positive");
+    }
+    return {limits.lower, limits.upper, limits.velocity, limits.effort};
+  }
+
+  RobotModel model_;
+};
+
+template <class Named>
+int IndexOf(const std::vector<Named>& list, std::string_view name) {
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    if (list[i].name == name) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace
+
+Pose Joint::X_ParentChild(double value) const {
+  switch (type) {
+    case JointType::kFixed:
+      return X_ParentJoint;
+    case JointType::kRevolute:
+      return X_ParentJoint * Eigen::AngleAxisd(value, axis);
+    case JointType::kPrismatic:
+      return X_ParentJoint * Eigen::Translation3d(value * axis);
+  }
+  return X_ParentJoint;
+}
+
+LinkId RobotModel::FindLink(std::string_view link_name) const {
+  return LinkId(IndexOf(links, link_name));
+}
+
+JointId RobotModel::FindJoint(std::string_view joint_name) const {
+  return JointId(IndexOf(joints, joint_name));
+}
+
+void RobotModel::Fail(const std::string& what, const std::string& allowed) const {
+  throw InputError({.file = file}, what, allowed);
+}
+
+RobotModel ReadUrdf(const std::filesystem::path& file) {
+  const urdf::ModelInterfaceSharedPtr parsed = Parse(file);
+  return Converter(file, *parsed).Take();
+}
+
+}  // namespace assay::kinematics

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "planner/base/id.h"
+#include "planner/geometry/pose.h"
+
+namespace assay::kinematics {
+
+using geometry::Matrix3;
+using geometry::Pose;
+using geometry::Vector3;
+
+struct LinkTag;
+struct JointTag;
+using LinkId = Id<LinkTag>;
+using JointId = Id<JointTag>;
+
+// Shapes are centred at their frame's origin; a cylinder's axis is z. Metres.
+struct BoxShape {
+  Vector3 size = Vector3::Zero();  // full edge lengths
+};
+struct CylinderShape {
+  double radius = 0;
+  double length = 0;
+};
+struct SphereShape {
+  double radius = 0;
+};
+using Shape = std::variant<BoxShape, CylinderShape, SphereShape>;
+
+struct Rgba {
+  double red = 0.5;
+  double green = 0.5;
+  double blue = 0.5;
+  double alpha = 1;
+};
+
+struct Visual {
+  std::string name;  // may be empty
+  Pose X_LinkShape = Pose::Identity();
+  Shape shape;
+  Rgba color;  // grey where the file gives none
+};
+
+struct Collision {
+  std::string name;  // may be empty
+  Pose X_LinkShape = Pose::Identity();
+  Shape shape;
+};
+
+struct Inertial {
+  double mass = 0;                        // kg
+  Pose X_LinkCenter = Pose::Identity();   // centre of mass and the axes of `inertia`
+  Matrix3 inertia = Matrix3::Identity();  // about the centre of mass, kg m^2
+};
+
+struct Link {
+  std::string name;
+  JointId parent_joint = JointId::None();  // None: the root
+  std::optional<Inertial> inertial = {};   // none: a massless frame
+  std::vector<Visual> visuals = {};
+  std::vector<Collision> collisions = {};
+};
+
+enum class JointType { kFixed, kRevolute, kPrismatic };
+
+// Radians for revolute joints, metres for prismatic ones; velocity and effort are magnitudes.
+struct JointLimits {
+  double lower = 0;
+  double upper = 0;
+  double velocity = 0;  // rad/s or m/s
+  double effort = 0;    // N m or N
+};
+
+struct Joint {
+  std::string name;
+  JointType type = JointType::kFixed;
+  LinkId parent;
+  LinkId child;
+  Pose X_ParentJoint = Pose::Identity();  // the child's frame in the parent's at joint value 0
+  Vector3 axis = Vector3::UnitZ();        // unit, in the child's frame; means nothing if fixed
+  JointLimits limits = {};                // zeros if fixed
+
+  // The pose of the child's frame in the parent's at a joint value, which a fixed joint ignores.
+  Pose X_ParentChild(double value) const;
+};
+
+// A robot as its URDF file tells it, in plain data. Parents stand before their children: links[0]
+// is the root and joints[i] leads to links[i + 1].
+struct RobotModel {
+  std::string file;
+  std::string name;
+  std::vector<Link> links;
+  std::vector<Joint> joints;
+
+  const Link& link(LinkId id) const { return links[static_cast<std::size_t>(id.index())]; }
+  const Joint& joint(JointId id) const { return joints[static_cast<std::size_t>(id.index())]; }
+  LinkId FindLink(std::string_view link_name) const;     // None if there is none
+  JointId FindJoint(std::string_view joint_name) const;  // None if there is none
+
+  // Throws InputError about this file.
+  [[noreturn]] void Fail(const std::string& what, const std::string& allowed = "") const;
+};
+
+// Reads a URDF file (no meshes, no xacro; joints fixed, revolute or prismatic). Throws InputError
+// that names the file if it cannot be read, is not URDF, or holds what is not supported or cannot
+// be (no joint limits, a negative mass, an inertia that no body has, a shape without extent).
+RobotModel ReadUrdf(const std::filesystem::path& file);
+
+}  // namespace assay::kinematics

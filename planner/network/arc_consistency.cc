@@ -1,0 +1,206 @@
+#include "planner/network/arc_consistency.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace assay::network {
+namespace {
+
+// Calls visit(label) for each label in the words, in increasing order.
+template <class Visit>
+void ForEachLabel(std::span<const Word> words, const Visit& visit) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    for (Word rest = words[i]; rest != 0; rest &= rest - 1) {
+      visit(static_cast<int>(i) * kWordBits + std::countr_zero(rest));
+    }
+  }
+}
+
+enum class SmallerSet { kRevised, kChanged };
+
+// The labels of `revised` that one word of `changed` supports, when both sets are one word. Goes
+// through the smaller of the two sets.
+Word SupportedInOneWord(const ArcConsistency::Direction& direction, Word revised, Word changed,
+                        SmallerSet smaller) {
+  if (smaller == SmallerSet::kChanged) {
+    Word supported = 0;
+    for (Word rest = changed; rest != 0; rest &= rest - 1) {
+      supported |= direction.supported[std::countr_zero(rest)];
+    }
+    return revised & supported;
+  }
+  Word kept = 0;
+  for (Word rest = revised; rest != 0; rest &= rest - 1) {
+    const int label = std::countr_zero(rest);
+    kept |= Word{(direction.supports[label] & changed) != 0} << label;
+  }
+  return kept;
+}
+
+}  // namespace
+
+void ArcConsistency::AddNode() {
+  at_.emplace_back();
+  cause_.push_back(kNotQueued);
+}
+
+void ArcConsistency::RemoveLastNode() {
+  if (cause_.back() != kNotQueued) std::erase(queue_, static_cast<int>(cause_.size()) - 1);
+  at_.pop_back();
+  cause_.pop_back();
+}
+
+void ArcConsistency::AddArc(int arc, int a, int b, const Relation& relation) {
+  const auto add = [&](int changed, int revised, const Relation::Direction& supports,
+                       const Relation::Direction& supported) {
+    at_[changed].push_back({.revised = revised,
+                            .arc = arc,
+                            .most_unsupporting = supports.most_unsupporting,
+                            .residues = static_cast<int>(residues_.size()),
+                            .supports = supports.supports.data(),
+                            .supported = supported.supports.data()});
+    if (supports.words > 1) residues_.resize(residues_.size() + supports.count, 0);
+  };
+  if (std::ssize(weights_) <= arc) weights_.resize(arc + 1, 1.0);
+  add(b, a, relation.by_row(), relation.by_column());
+  add(a, b, relation.by_column(), relation.by_row());
+}
+
+void ArcConsistency::RemoveLastArc(int a, int b) {
+  residues_.resize(at_[b].back().residues);
+  weights_.resize(at_[b].back().arc);
+  at_[a].pop_back();
+  at_[b].pop_back();
+}
+
+void ArcConsistency::ForgetWeights() { std::fill(weights_.begin(), weights_.end(), 1.0); }
+
+bool ArcConsistency::Propagate(LabelStore& labels, Counters& counters) {
+  while (!queue_.empty()) {
+    if (!ReviseAround(TakeSmallest(labels), labels, counters)) {
+      ++counters.wipe_outs;
+      ClearQueue();
+      return false;
+    }
+  }
+  return true;
+}
+
+void ArcConsistency::Enqueue(int node, int arc) {
+  if (cause_[node] == kNotQueued) {
+    queue_.push_back(node);
+    cause_[node] = arc;
+  } else if (cause_[node] != arc) {
+    cause_[node] = kManyArcs;
+  }
+}
+
+void ArcConsistency::ClearQueue() {
+  for (int node : queue_) cause_[node] = kNotQueued;
+  queue_.clear();
+}
+
+int ArcConsistency::TakeSmallest(const LabelStore& labels) {
+  std::size_t smallest = 0;
+  for (std::size_t i = 1; i < queue_.size(); ++i) {
+    if (labels.count(queue_[i]) < labels.count(queue_[smallest])) smallest = i;
+  }
+  const int node = queue_[smallest];
+  queue_[smallest] = queue_.back();
+  queue_.pop_back();
+  return node;
+}
+
+bool ArcConsistency::ReviseAround(int node, LabelStore& labels, Counters& counters) {
+  const int cause = cause_[node];
+  cause_[node] = kNotQueued;
+  const int count = labels.count(node);
+  for (const Direction& direction : at_[node]) {
+    // With more labels left than any label at the other end forbids, each has a support.
+    if (direction.arc == cause || count > direction.most_unsupporting) continue;
+    ++counters.revisions;
+    switch (Revise(direction, node, labels)) {
+      case Revision::kUnchanged:
+        break;
+      case Revision::kChanged:
+        Enqueue(direction.revised, direction.arc);
+        break;
+      case Revision::kWipedOut:
+        weights_[direction.arc] += 1;
+        return false;
+    }
+  }
+  return true;
+}
+
+ArcConsistency::Revision ArcConsistency::Revise(const Direction& direction, int changed,
+                                                LabelStore& labels) {
+  const std::span<const Word> before = labels.Words(direction.revised);
+  const std::span<const Word> others = labels.Words(changed);
+  const int words = static_cast<int>(before.size());
+  const SmallerSet smaller = labels.count(changed) * words <= labels.count(direction.revised)
+                                 ? SmallerSet::kChanged
+                                 : SmallerSet::kRevised;
+  if (words == 1 && others.size() == 1) {
+    const Word kept = SupportedInOneWord(direction, before[0], others[0], smaller);
+    if (kept == before[0]) return Revision::kUnchanged;
+    if (kept == 0) return Revision::kWipedOut;
+    labels.SetWord(direction.revised, 0, kept, std::popcount(before[0] ^ kept));
+    return Revision::kChanged;
+  }
+  kept_.assign(before.size(), 0);
+  if (smaller == SmallerSet::kChanged) {
+    KeepSupported(direction, changed, labels);
+  } else {
+    DropUnsupported(direction, changed, labels);
+  }
+  return Replace(direction.revised, labels);
+}
+
+ArcConsistency::Revision ArcConsistency::Replace(int node, LabelStore& labels) {
+  const std::span<const Word> before = labels.Words(node);
+  if (std::equal(before.begin(), before.end(), kept_.begin())) return Revision::kUnchanged;
+  if (std::all_of(kept_.begin(), kept_.end(), [](Word word) { return word == 0; })) {
+    return Revision::kWipedOut;
+  }
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    const Word lost = before[i] ^ kept_[i];
+    if (lost != 0) labels.SetWord(node, static_cast<int>(i), kept_[i], std::popcount(lost));
+  }
+  return Revision::kChanged;
+}
+
+void ArcConsistency::KeepSupported(const Direction& direction, int changed,
+                                   const LabelStore& labels) {
+  const std::span<const Word> before = labels.Words(direction.revised);
+  ForEachLabel(labels.Words(changed), [&](Label label) {
+    const Word* supported = direction.supported + label * std::ssize(before);
+    for (std::size_t i = 0; i < before.size(); ++i) kept_[i] |= supported[i];
+  });
+  for (std::size_t i = 0; i < before.size(); ++i) kept_[i] &= before[i];
+}
+
+void ArcConsistency::DropUnsupported(const Direction& direction, int changed,
+                                     const LabelStore& labels) {
+  const std::span<const Word> others = labels.Words(changed);
+  ForEachLabel(labels.Words(direction.revised), [&](Label label) {
+    if (HasSupport(direction, label, others)) kept_[label / kWordBits] |= BitOf(label);
+  });
+}
+
+bool ArcConsistency::HasSupport(const Direction& direction, Label label,
+                                std::span<const Word> others) {
+  const Word* supports = direction.supports + label * std::ssize(others);
+  if (others.size() == 1) return (supports[0] & others[0]) != 0;
+  std::uint16_t& residue = residues_[direction.residues + label];
+  if ((supports[residue] & others[residue]) != 0) return true;
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    if ((supports[i] & others[i]) != 0) {
+      residue = static_cast<std::uint16_t>(i);
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace assay::network

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "planner/base/budget.h"
+#include "planner/base/outcome.h"
+#include "planner/network/arc_consistency.h"
+#include "planner/network/counters.h"
+#include "planner/network/label_set.h"
+#include "planner/network/label_store.h"
+#include "planner/network/labeling.h"
+#include "planner/network/relation.h"
+
+namespace assay::network {
+
+// An undirected constraint between two nodes: the first takes the relation's rows, the second its
+// columns. The two may be the same node, and two nodes may have several arcs.
+struct Arc {
+  NodeId a, b;
+  std::shared_ptr<const Relation> relation;
+};
+
+// A binary constraint network that constraints are posted to one by one, each with a complete
+// answer whether a labeling is left (Spar: Hutchinson and Kak 1990, "Constraints at the Geometric
+// Level of Planning"). Differences from the paper: label sets are kept arc consistent, search
+// maintains arc consistency, and the last labeling is kept, so that most posts need no search.
+class Network {
+ public:
+  // ---- Constraints with a consistency check -----------------------------------------------
+  // kFound: a labeling is left, the constraint holds from now on. kNone: proved that none would be
+  // left. kBudget: not decided. After kNone and kBudget label sets, arcs and the witness are as
+  // before. Searches take one unit of the budget for each node of the search tree; without a
+  // budget they go on to an answer.
+
+  // The paper's member(Variable, Labels), for a variable that is a node already.
+  Outcome Restrict(NodeId node, const LabelSet& allowed);
+  Outcome Restrict(NodeId node, const LabelSet& allowed, Budget& budget);
+
+  Outcome Post(NodeId a, NodeId b, std::shared_ptr<const Relation> relation);
+  Outcome Post(NodeId a, NodeId b, std::shared_ptr<const Relation> relation, Budget& budget);
+
+  // ---- Constraints without a check --------------------------------------------------------
+  // The variable's initial constraint: nothing else can be violated yet.
+  NodeId AddNode(const LabelSet& labels);
+  void Narrow(NodeId node, const LabelSet& allowed);
+  void AddArc(NodeId a, NodeId b, std::shared_ptr<const Relation> relation);
+
+  // Whether the network has a labeling. Afterwards, unless the answer is kNone, the label sets are
+  // arc consistent and, at kFound, the witness is known; at kNone the label sets are as before.
+  Outcome Decide();
+  Outcome Decide(Budget& budget);
+
+  // ---- Undo -------------------------------------------------------------------------------
+  struct Mark {
+    int nodes, arcs;
+    LabelStore::Mark labels;
+    bool propagated;
+  };
+  Mark Save();
+  // Takes back everything since the mark, which was set on this network and not undone before.
+  void Undo(const Mark& mark);
+
+  // ---- What is known ----------------------------------------------------------------------
+  int node_count() const { return labels_.node_count(); }
+  // The labels still possible, by the constraints so far and by arc consistency as of the last
+  // check.
+  LabelSet labels(NodeId node) const { return labels_.Labels(node.index()); }
+  std::span<const Arc> arcs() const { return arcs_; }
+  // A labeling of the present network; null if none is known.
+  const Labeling* witness() const { return witness_holds_ ? &witness_ : nullptr; }
+  bool Satisfies(const Labeling& labeling) const;
+  const Counters& counters() const { return counters_; }
+
+  // Forgets what earlier searches have learned for the variable order.
+  void ForgetWeights() { consistency_.ForgetWeights(); }
+
+  // For the searches of this library.
+  const LabelStore& label_store() const { return labels_; }
+  const ArcConsistency& arc_consistency() const { return consistency_; }
+
+ private:
+  void CheckNode(NodeId node) const;
+  template <class Constrain>
+  Outcome Try(const Constrain& constrain, Budget& budget);
+  bool Propagate();
+  Outcome FindWitness(Budget& budget);
+  bool HoldsWithin(std::span<const int> component) const;
+  void NarrowToLoop(NodeId node, const Relation& relation);
+
+  LabelStore labels_;
+  ArcConsistency consistency_;
+  std::vector<Arc> arcs_;
+  bool propagated_ = true;  // what is not yet propagated is in the queue of consistency_
+
+  // The last labeling found. When it does not hold any more it is still the best guess.
+  Labeling witness_;
+  bool witness_holds_ = true;
+  Counters counters_;
+};
+
+}  // namespace assay::network

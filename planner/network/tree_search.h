@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "planner/base/budget.h"
+#include "planner/base/outcome.h"
+#include "planner/network/arc_consistency.h"
+#include "planner/network/counters.h"
+#include "planner/network/label_store.h"
+#include "planner/network/node_order.h"
+
+namespace assay::network {
+
+// Depth-first search with arc consistency maintained (Sabin and Freuder 1994) and two branches at
+// each node: a label is chosen, then excluded. It works on label sets that are arc consistent and
+// leaves them to the caller, who undoes to a mark set before.
+class TreeSearch {
+ public:
+  // Searches the nodes of `scope` only; all that an arc joins to one of them is in the scope, too,
+  // or has one label. `preferred` gives for each node of the network the label to try first, or
+  // kNoLabel; the search writes the last label that it tried with success.
+  TreeSearch(LabelStore& labels, ArcConsistency& arcs, Counters& counters, std::vector<int> scope,
+             NodeOrder order);
+
+  static constexpr Label kNoLabel = -1;
+  void Prefer(const std::vector<Label>& preferred) { preferred_ = preferred; }
+
+  // Goes on to the next labeling of the scope. At kFound each node of the scope has one label, at
+  // kNone there are no more labelings, at kBudget the search can go on with another budget. With
+  // NodeOrder::kGiven labelings come in lexicographic order.
+  Outcome Next(Budget& budget);
+
+  // Any labeling of the scope. Starts anew, with the weights learned, when a growing limit of
+  // wipe-outs is reached (Walsh 1999).
+  Outcome Any(Budget& budget);
+
+ private:
+  struct Decision {
+    LabelStore::Mark mark;
+    int node;
+    Label label;
+  };
+
+  static constexpr std::int64_t kUnlimited = -1;
+  // Empty when the limit of wipe-outs is reached.
+  std::optional<Outcome> Advance(Budget& budget, std::int64_t wipe_out_limit);
+  bool Descend(int node);
+  bool Backtrack();
+  void Rewind();
+
+  int ChooseNode() const;
+  Label ChooseLabel(int node) const;
+
+  LabelStore& labels_;
+  ArcConsistency& arcs_;
+  Counters& counters_;
+  std::vector<int> scope_;
+  NodeOrder order_;
+  std::vector<Label> preferred_;
+
+  std::vector<Decision> decisions_;
+  enum class Place { kInside, kAtLabeling, kExhausted } place_ = Place::kInside;
+};
+
+}  // namespace assay::network

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/domain/problem.h"
+#include "planner/plan/plan.h"
+
+namespace assay::plan {
+
+// One thing that is wrong with a plan.
+struct Flaw {
+  StepId step;       // where; None: of the plan as a whole
+  std::string what;  // the broken precondition or geometric condition, with its values
+};
+
+struct CheckReport {
+  std::vector<Flaw> flaws;
+  int linearizations = 0;   // how many orders were gone through
+  bool all_orders = false;  // whether that was all of them
+};
+
+// Checks a plan from the scenario alone, with its own model of what the actions do and its own
+// geometry: it shares no code with the planner and trusts no label. Every linearization of the
+// ordering is gone through, up to `most_linearizations`; the order of execution always is. Goals
+// must hold at the end of each.
+CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations);
+
+}  // namespace assay::plan

@@ -1,0 +1,328 @@
+#include "planner/plan/plan_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "planner/base/check.h"
+#include "planner/plan/linearization.h"
+
+namespace assay::plan {
+namespace {
+
+using geometry::Vector3;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "assay-plan/1";
+constexpr double kOrthonormal = 1e-6;                 // of a rotation's columns
+constexpr double kSameMating = 1e-9;                  // metres, and entries of a rotation
+constexpr double kLargestCount = 9007199254740992.0;  // 2^53: greater ones are no exact doubles
+
+// The words of the format, in the order of the enum Outcome.
+const std::vector<std::string> kOutcomes = {"planned", "none", "budget"};
+// In the order of the alternatives of Action.
+const std::vector<std::string> kActions = {"pickup", "putdown", "assemble"};
+
+Json VectorToJson(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+
+// The columns x, y, z and the position.
+Json PoseToJson(const Pose& X) {
+  Json columns = Json::array();
+  for (int i = 0; i < 4; ++i) columns.push_back(VectorToJson(X.matrix().col(i).head<3>()));
+  return columns;
+}
+
+Json HoldToJson(const Hold& hold) {
+  return {{"X_PartTool", PoseToJson(hold.X_PartTool)}, {"width", hold.width}};
+}
+
+Json PlaceToJson(const Place& place) { return {{"X_WorldPart", PoseToJson(place.X_WorldPart)}}; }
+
+// [[of held], [of fixed]], as in a scenario.
+Json FeaturesToJson(const domain::Mating& mating) {
+  Json features = Json::array({Json::array(), Json::array()});
+  for (const auto& [of_held, of_fixed] : mating.features) {
+    features[0].push_back(of_held.index());
+    features[1].push_back(of_fixed.index());
+  }
+  return features;
+}
+
+struct ArgumentsOf {
+  const domain::Problem& problem;
+
+  Json operator()(const Pickup& pickup) const {
+    return {{"part", problem.part(pickup.part).name},
+            {"grasp", pickup.hold.grasp},
+            {"position", pickup.from.position}};
+  }
+  Json operator()(const Putdown& putdown) const {
+    return {{"part", problem.part(putdown.part).name},
+            {"grasp", putdown.hold.grasp},
+            {"position", putdown.to.position}};
+  }
+  Json operator()(const Assemble& assemble) const {
+    const domain::Mating& mating = problem.mating(assemble.mating);
+    return {{"held", problem.part(mating.held).name},
+            {"fixed", problem.part(mating.fixed).name},
+            {"features", FeaturesToJson(mating)},
+            {"X_FixedHeld", PoseToJson(mating.X_FixedHeld)},
+            {"mating_vector", VectorToJson(mating.mating_vector)},
+            {"grasp", assemble.hold.grasp},
+            {"position", assemble.fixed.position}};
+  }
+};
+
+const Hold& HoldOf(const Action& action) {
+  return std::visit([](const auto& a) -> const Hold& { return a.hold; }, action);
+}
+
+const Place& PlaceOf(const Pickup& pickup) { return pickup.from; }
+const Place& PlaceOf(const Putdown& putdown) { return putdown.to; }
+const Place& PlaceOf(const Assemble& assemble) { return assemble.fixed; }
+const Place& PlaceOf(const Action& action) {
+  return std::visit([](const auto& a) -> const Place& { return PlaceOf(a); }, action);
+}
+
+Json StepToJson(const PlannedStep& step, const domain::Problem& problem) {
+  return {{"id", step.name},
+          {"name", kActions[step.action.index()]},
+          {"arguments", std::visit(ArgumentsOf{problem}, step.action)},
+          {"inserted", step.inserted},
+          {"executed", step.executed},
+          {"hold", HoldToJson(HoldOf(step.action))},
+          {"place", PlaceToJson(PlaceOf(step.action))}};
+}
+
+Json OrderingToJson(const Plan& plan) {
+  Json ordering = Json::array();
+  for (const auto& [first, second] : plan.ordering) {
+    ordering.push_back(Json::array({plan.step(first).name, plan.step(second).name}));
+  }
+  return ordering;
+}
+
+Vector3 ReadVector(const Value& value) {
+  const std::vector<double> numbers = value.Numbers(3);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+
+// The numbers are taken as they stand, so that they are written again as they were read.
+Pose ReadPose(const Value& value) {
+  const std::string allowed = "four columns [x, y, z, position] of three numbers each";
+  const std::vector<Value> columns = value.Items();
+  if (columns.size() != 4) value.Fail(fmt::format("{} columns", columns.size()), allowed);
+  Pose X = Pose::Identity();
+  for (int i = 0; i < 4; ++i) X.matrix().col(i).head<3>() = ReadVector(columns[i]);
+  const geometry::Matrix3 R = X.linear();
+  const geometry::Matrix3 error = R.transpose() * R - geometry::Matrix3::Identity();
+  if (!(error.cwiseAbs().maxCoeff() <= kOrthonormal) || !(R.determinant() > 0)) {
+    value.Fail("the first three columns are not the axes of a frame",
+               "unit vectors, perpendicular to each other, right-handed");
+  }
+  return X;
+}
+
+Hold ReadHold(const Value& action) {
+  const Value hold = action.At("hold");
+  hold.AllowOnly({"X_PartTool", "width"});
+  const Value width = hold.At("width");
+  if (width.Number() < 0) width.Fail("a width below 0", "a length in metres");
+  return {action.At("arguments").At("grasp").Text(), ReadPose(hold.At("X_PartTool")),
+          width.Number()};
+}
+
+Place ReadPlace(const Value& action) {
+  const Value place = action.At("place");
+  place.AllowOnly({"X_WorldPart"});
+  return {action.At("arguments").At("position").Text(), ReadPose(place.At("X_WorldPart"))};
+}
+
+PartId ReadPart(const Value& name, const domain::Problem& problem) {
+  std::vector<std::string> names;
+  for (const domain::Part& part : problem.parts) names.push_back(part.name);
+  return PartId(name.OneOf(names));
+}
+
+// What the arguments of assemble say about the mating.
+domain::Mating ReadMatingWords(const Value& arguments, const domain::Problem& problem) {
+  domain::Mating mating{.held = ReadPart(arguments.At("held"), problem),
+                        .fixed = ReadPart(arguments.At("fixed"), problem),
+                        .features = {},
+                        .X_FixedHeld = ReadPose(arguments.At("X_FixedHeld")),
+                        .mating_vector = ReadVector(arguments.At("mating_vector"))};
+  const Value features = arguments.At("features");
+  const std::string allowed = "two lists of feature numbers of equal length: of held, of fixed";
+  const std::vector<Value> sides = features.Items();
+  if (sides.size() != 2) features.Fail(fmt::format("{} lists", sides.size()), allowed);
+  const std::vector<Value> of_held = sides[0].Items();
+  const std::vector<Value> of_fixed = sides[1].Items();
+  if (of_held.size() != of_fixed.size()) features.Fail("lists of different length", allowed);
+  const int most = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < of_held.size(); ++i) {
+    mating.features.emplace_back(of_held[i].Integer(0, most), of_fixed[i].Integer(0, most));
+  }
+  return mating;
+}
+
+bool AreSame(const domain::Mating& a, const domain::Mating& b) {
+  const auto pose_error = (a.X_FixedHeld.matrix() - b.X_FixedHeld.matrix()).cwiseAbs();
+  const auto vector_error = (a.mating_vector - b.mating_vector).cwiseAbs();
+  return a.held == b.held && a.fixed == b.fixed && a.features == b.features &&
+         pose_error.maxCoeff() <= kSameMating && vector_error.maxCoeff() <= kSameMating;
+}
+
+MatingId ReadMating(const Value& arguments, const domain::Problem& problem) {
+  const domain::Mating words = ReadMatingWords(arguments, problem);
+  const auto found = std::ranges::find_if(
+      problem.matings, [&](const domain::Mating& mating) { return AreSame(mating, words); });
+  if (found == problem.matings.end()) {
+    arguments.Fail("the scenario has no such mating",
+                   "held, fixed, features, X_FixedHeld and mating_vector of one of its matings");
+  }
+  return MatingId(static_cast<int>(found - problem.matings.begin()));
+}
+
+Action ReadAction(const Value& action, const domain::Problem& problem) {
+  const int kind = action.At("name").OneOf(kActions);
+  const Value arguments = action.At("arguments");
+  if (kind == 2) {
+    arguments.AllowOnly(
+        {"held", "fixed", "features", "X_FixedHeld", "mating_vector", "grasp", "position"});
+    return Assemble{ReadMating(arguments, problem), ReadHold(action), ReadPlace(action)};
+  }
+  arguments.AllowOnly({"part", "grasp", "position"});
+  const PartId part = ReadPart(arguments.At("part"), problem);
+  if (kind == 1) return Putdown{part, ReadHold(action), ReadPlace(action)};
+  return Pickup{part, ReadHold(action), ReadPlace(action)};
+}
+
+PlannedStep ReadStep(const Value& action, const domain::Problem& problem) {
+  action.AllowOnly({"id", "name", "arguments", "inserted", "executed", "hold", "place"});
+  const int most = std::numeric_limits<int>::max();
+  return {action.At("id").Text(), ReadAction(action, problem),
+          action.At("inserted").Integer(1, most), action.At("executed").Integer(1, most)};
+}
+
+// Ids are unique, insertion numbers increase, execution numbers are a permutation.
+void CheckNumbering(const std::vector<Value>& actions, const std::vector<PlannedStep>& steps) {
+  const int count = static_cast<int>(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const PlannedStep& step = steps[i];
+    if (step.executed > count) {
+      actions[i]
+          .At("executed")
+          .Fail(fmt::format("{} of {} steps", step.executed, count), fmt::format("1 to {}", count));
+    }
+    if (i > 0 && step.inserted <= steps[i - 1].inserted) {
+      actions[i]
+          .At("inserted")
+          .Fail("the actions are not in the order of insertion",
+                fmt::format("more than {}", steps[i - 1].inserted));
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (steps[j].name == step.name) actions[i].At("id").Fail("an id is given twice");
+      if (steps[j].executed == step.executed) {
+        actions[i]
+            .At("executed")
+            .Fail("two steps are executed at the same time",
+                  fmt::format("each of 1 to {} once", count));
+      }
+    }
+  }
+}
+
+Ordering ReadOrdering(const Value& ordering, const std::vector<PlannedStep>& steps) {
+  std::vector<std::string> names;
+  for (const PlannedStep& step : steps) names.push_back(step.name);
+  Ordering pairs;
+  for (const Value& pair : ordering.Items()) {
+    const std::vector<Value> ids = pair.Items();
+    if (ids.size() != 2) pair.Fail("not a pair", "[first, second]");
+    pairs.emplace_back(ids[0].OneOf(names), ids[1].OneOf(names));
+  }
+  if (!IsAcyclic(static_cast<int>(steps.size()), pairs)) ordering.Fail("the ordering is cyclic");
+  return pairs;
+}
+
+std::vector<std::string> ReadConflict(const Value& root, Outcome outcome) {
+  const std::optional<Value> conflict = root.Find("conflict");
+  if (conflict.has_value() != (outcome == Outcome::kNone)) {
+    root.Fail("a conflict is given if and only if the outcome is 'none'");
+  }
+  std::vector<std::string> constraints;
+  if (!conflict) return constraints;
+  for (const Value& constraint : conflict->Items()) constraints.push_back(constraint.Text());
+  return constraints;
+}
+
+std::map<std::string, std::int64_t> ReadCounters(const Value& counters) {
+  std::map<std::string, std::int64_t> counts;
+  for (const auto& [name, value] : counters.Entries()) {
+    const double count = value.Number();
+    if (std::abs(count) > kLargestCount || count != std::floor(count)) {
+      value.Fail("a counter that is no count", "an integer up to 2^53");
+    }
+    counts[name.Text()] = static_cast<std::int64_t>(count);
+  }
+  return counts;
+}
+
+// A PlanResult has no room for these yet, and nothing that a file says may be lost.
+void RequireNoUncertaintyPhase(const Value& root) {
+  for (const char* key : {"verifications", "recoveries"}) {
+    if (!root.At(key).Items().empty()) root.At(key).Fail("an entry that is not known", "[]");
+  }
+  root.At("errors").Integer(0, 0);
+}
+
+}  // namespace
+
+Json ToJson(const PlanResult& result, const domain::Problem& problem, const std::string& scenario) {
+  Json actions = Json::array();
+  for (const PlannedStep& step : result.plan.steps) actions.push_back(StepToJson(step, problem));
+  Json json = {{"format", kFormat},
+               {"scenario", scenario},
+               {"problem", result.plan.problem},
+               {"outcome", kOutcomes[static_cast<std::size_t>(result.outcome)]},
+               {"actions", actions},
+               {"ordering", OrderingToJson(result.plan)},
+               {"verifications", Json::array()},
+               {"recoveries", Json::array()},
+               {"errors", 0}};
+  if (result.outcome == Outcome::kNone) json["conflict"] = result.conflict;
+  json["counters"] = Json::object();
+  for (const auto& [name, count] : result.counters) json["counters"][name] = count;
+  return json;
+}
+
+std::string ScenarioOf(const Document& plan_file) {
+  plan_file.RequireFormat(kFormat);
+  return plan_file.root().At("scenario").Text();
+}
+
+PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
+  plan_file.RequireFormat(kFormat);
+  const Value& root = plan_file.root();
+  root.AllowOnly({"format", "scenario", "problem", "outcome", "actions", "ordering",
+                  "verifications", "recoveries", "errors", "conflict", "counters", "seconds"});
+  root.At("scenario").Text();
+  PlanResult result;
+  result.plan.problem = root.At("problem").Text();
+  root.At("problem").OneOf({problem.name});
+  result.outcome = static_cast<Outcome>(root.At("outcome").OneOf(kOutcomes));
+  const std::vector<Value> actions = root.At("actions").Items();
+  for (const Value& action : actions) result.plan.steps.push_back(ReadStep(action, problem));
+  CheckNumbering(actions, result.plan.steps);
+  result.plan.ordering = ReadOrdering(root.At("ordering"), result.plan.steps);
+  RequireNoUncertaintyPhase(root);
+  result.conflict = ReadConflict(root, result.outcome);
+  result.counters = ReadCounters(root.At("counters"));
+  return result;
+}
+
+}  // namespace assay::plan

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "planner/domain/problem.h"
+#include "planner/network/relation.h"
+
+namespace assay::posting {
+
+// The pairs of labels that the geometric constraints allow: the semantic part of the constraint
+// network (Spar, "Reachability of Grasps"). A relation depends on the part or on the mating alone,
+// not on the plan variables that it is posted between, so each is found once for a problem.
+class GeometricRelations {
+ public:
+  explicit GeometricRelations(const domain::Problem& problem);
+
+  // reachable(Grasp, Position): rows are the grasps of the part, columns its position labels.
+  std::shared_ptr<const network::Relation> Reachable(domain::PartId part) const;
+  // mate_reachable(Grasp, Position, Ta): rows are the grasps of the held part, columns the position
+  // labels of the fixed part.
+  std::shared_ptr<const network::Relation> MateReachable(domain::MatingId mating) const;
+
+ private:
+  const domain::Problem& problem_;
+  mutable std::vector<std::shared_ptr<const network::Relation>> reachable_;
+  mutable std::vector<std::shared_ptr<const network::Relation>> mate_reachable_;
+};
+
+}  // namespace assay::posting

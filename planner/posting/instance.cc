@@ -1,0 +1,332 @@
+#include "planner/posting/instance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+#include "planner/domain/resting.h"
+
+namespace assay::posting {
+
+using domain::ActionKind;
+using domain::ActionTemplate;
+using domain::GraspId;
+using domain::PartId;
+using domain::Pose;
+using domain::StablePoseId;
+using network::NodeId;
+
+namespace {
+
+// Orders of one plan that are gone through, at most: with one hand there are few.
+constexpr int kMostOrders = 64;
+
+std::vector<StepId> ActionsOf(const std::vector<StepId>& linearization) {
+  std::vector<StepId> actions;
+  std::ranges::copy_if(linearization, std::back_inserter(actions), [](StepId step) {
+    return step != PartialPlan::kStart && step != PartialPlan::kFinish;
+  });
+  return actions;
+}
+
+class OrderedSearch {
+ public:
+  OrderedSearch(const PartialPlan& plan, std::vector<StepId> order, Budget& budget,
+                std::set<Blocker>& blockers)
+      : plan_(plan),
+        geometry_(plan.problem()),
+        order_(std::move(order)),
+        budget_(budget),
+        blockers_(blockers),
+        world_(plan.problem()),
+        values_(plan.steps().size()),
+        assigned_(plan.network().node_count()) {
+    ASSAY_CHECK(order_.size() <= kMostSteps);
+  }
+
+  bool Run() { return Descend(0); }
+  PlanInstance Instance() const { return {.order = order_, .values = values_}; }
+
+ private:
+  struct Assignment {
+    int label = -1;
+    int depth = -1;  // none: not chosen yet
+  };
+
+  bool Descend(int depth) {
+    if (depth == static_cast<int>(order_.size())) return true;
+    switch (plan_.step(order_[depth]).kind) {
+      case ActionKind::kPickup:
+        return ChooseGrasp(depth);
+      case ActionKind::kPutdown:
+        return ChoosePlace(depth);
+      case ActionKind::kAssemble:
+        return Assemble(depth);
+      case ActionKind::kStart:
+      case ActionKind::kFinish:
+        break;
+    }
+    ASSAY_CHECK(false, "start and finish are not executed");
+    return false;
+  }
+
+  // Goes on below `depth` with a value just set. On failure `blame` gets what made it fail; the
+  // answer tells whether other values of this depth could help.
+  enum class Below { kFound, kTryOtherValues, kJumpBack };
+  Below GoOn(int depth, const World& before, Blame& blame) {
+    if (Descend(depth + 1)) return Below::kFound;
+    world_ = before;
+    if (budget_.Exhausted() || !failure_.test(depth)) return Below::kJumpBack;
+    failure_.reset(depth);
+    blame.choices |= failure_;
+    return Below::kTryOtherValues;
+  }
+
+  bool Fail(const Blame& blame) {
+    failure_ = blame.choices;
+    blockers_.insert(blame.blockers.begin(), blame.blockers.end());
+    return false;
+  }
+
+  // Whether a label fits all labels that are already chosen.
+  bool Fits(NodeId node, int label, Blame& blame) const {
+    for (const network::Arc& arc : plan_.network().arcs()) {
+      if (arc.a != node && arc.b != node) continue;
+      const Assignment& other = assigned_[(arc.a == node ? arc.b : arc.a).index()];
+      if (other.depth < 0) continue;
+      const bool allowed = arc.a == node ? arc.relation->Allows(label, other.label)
+                                         : arc.relation->Allows(other.label, label);
+      if (allowed) continue;
+      blame.choices.set(other.depth);
+      return false;
+    }
+    return true;
+  }
+
+  void BlamePlaceOf(PartId part, Blame& blame) const {
+    if (world_.choice(part) != World::kStartChoice) blame.choices.set(world_.choice(part));
+  }
+
+  bool ChooseGrasp(int depth) {
+    const StepId step = order_[depth];
+    const ActionTemplate& pickup = plan_.step(step);
+    const NodeId node = plan_.NodeOf(pickup.grasp);
+    const World before = world_;
+    Blame blame;
+    BlamePlaceOf(pickup.part, blame);
+    values_[step.index()] = {.position = LabelOf(pickup.position),
+                             .X_WorldPart = world_.X_WorldPart(pickup.part)};
+    for (int grasp : plan_.Labels(pickup.grasp)) {
+      if (!budget_.Spend()) break;
+      if (!Fits(node, grasp, blame) ||
+          !geometry_.PickupWorks(world_, step, pickup.part, GraspId(grasp), blame)) {
+        continue;
+      }
+      values_[step.index()].grasp = grasp;
+      assigned_[node.index()] = {.label = grasp, .depth = depth};
+      world_.Take(pickup.part);
+      const Below below = GoOn(depth, before, blame);
+      if (below == Below::kFound) return true;
+      assigned_[node.index()] = {};
+      if (below == Below::kJumpBack) return false;
+    }
+    return Fail(blame);
+  }
+
+  bool ChoosePlace(int depth) {
+    const StepId step = order_[depth];
+    const ActionTemplate& putdown = plan_.step(step);
+    const NodeId node = plan_.NodeOf(putdown.position);
+    const Assignment& grasp = assigned_[plan_.NodeOf(putdown.grasp).index()];
+    const domain::Part& part = plan_.problem().part(putdown.part);
+    const World before = world_;
+    Blame blame;
+    for (int label : plan_.Labels(putdown.position)) {
+      if (!Fits(node, label, blame)) continue;
+      const Pose& X_TablePart = part.model->stable_poses()[label].X_TablePart;
+      for (const domain::Placement& placement : plan_.problem().workcell->placements()) {
+        if (!budget_.Spend()) return Fail(blame);
+        const Pose X_WorldPart = placement.X_WorldTable() * X_TablePart;
+        if (!geometry_.HasRoom(world_, step, putdown.part, X_WorldPart, blame)) continue;
+        if (!geometry_.PutdownWorks(world_, step, putdown.part, GraspId(grasp.label), X_WorldPart,
+                                    blame)) {
+          blame.choices.set(grasp.depth);
+          continue;
+        }
+        values_[step.index()] = {
+            .grasp = grasp.label, .position = label, .X_WorldPart = X_WorldPart};
+        assigned_[node.index()] = {.label = label, .depth = depth};
+        world_.Rest(putdown.part, X_WorldPart, depth);
+        const Below below = GoOn(depth, before, blame);
+        if (below == Below::kFound) return true;
+        assigned_[node.index()] = {};
+        if (below == Below::kJumpBack) return false;
+      }
+    }
+    return Fail(blame);
+  }
+
+  bool Assemble(int depth) {
+    const StepId step = order_[depth];
+    const ActionTemplate& assemble = plan_.step(step);
+    const Assignment& grasp = assigned_[plan_.NodeOf(assemble.grasp).index()];
+    const PartId fixed = plan_.problem().mating(assemble.mating).fixed;
+    Blame blame;
+    blame.choices.set(grasp.depth);
+    BlamePlaceOf(fixed, blame);
+    if (!geometry_.AssembleWorks(world_, step, assemble.mating, GraspId(grasp.label), blame)) {
+      return Fail(blame);
+    }
+    values_[step.index()] = {.grasp = grasp.label,
+                             .position = LabelOf(assemble.position),
+                             .X_WorldPart = world_.X_WorldPart(fixed)};
+    const World before = world_;
+    world_.Mate(assemble.mating);
+    if (Descend(depth + 1)) return true;
+    world_ = before;
+    return false;
+  }
+
+  int LabelOf(domain::VariableId position) const {
+    const Assignment& chosen = assigned_[plan_.NodeOf(position).index()];
+    return chosen.depth >= 0 ? chosen.label : plan_.Labels(position).first();
+  }
+
+  const PartialPlan& plan_;
+  StepGeometry geometry_;
+  std::vector<StepId> order_;
+  Budget& budget_;
+  std::set<Blocker>& blockers_;
+  World world_;
+  std::vector<StepValues> values_;
+  std::vector<Assignment> assigned_;  // by node
+  Choices failure_;                   // of the last Descend that failed
+};
+
+}  // namespace
+
+InstanceSearch::InstanceSearch(const PartialPlan& plan, Budget& budget)
+    : plan_(plan), budget_(budget) {}
+
+std::optional<PlanInstance> InstanceSearch::FindInOrder(std::vector<StepId> order) {
+  OrderedSearch search(plan_, std::move(order), budget_, blockers_);
+  if (!search.Run()) return std::nullopt;
+  return search.Instance();
+}
+
+std::optional<PlanInstance> InstanceSearch::Find() {
+  for (const auto& linearization : plan_.ordering().Linearizations(kMostOrders)) {
+    if (auto instance = FindInOrder(ActionsOf(linearization))) return instance;
+    if (budget_.Exhausted()) break;
+  }
+  return std::nullopt;
+}
+
+bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,
+                  const std::vector<StepId>& order) {
+  const StepGeometry geometry(plan.problem());
+  World world(plan.problem());
+  Blame blame;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const ActionTemplate& action = plan.step(order[i]);
+    const StepValues& values = instance.values[order[i].index()];
+    const GraspId grasp(values.grasp);
+    switch (action.kind) {
+      case ActionKind::kPickup:
+        if (!geometry.PickupWorks(world, order[i], action.part, grasp, blame)) return false;
+        world.Take(action.part);
+        break;
+      case ActionKind::kPutdown:
+        if (!geometry.HasRoom(world, order[i], action.part, values.X_WorldPart, blame) ||
+            !geometry.PutdownWorks(world, order[i], action.part, grasp, values.X_WorldPart,
+                                   blame)) {
+          return false;
+        }
+        world.Rest(action.part, values.X_WorldPart, static_cast<int>(i));
+        break;
+      case ActionKind::kAssemble:
+        if (!geometry.AssembleWorks(world, order[i], action.mating, grasp, blame)) return false;
+        world.Mate(action.mating);
+        break;
+      case ActionKind::kStart:
+      case ActionKind::kFinish:
+        break;
+    }
+  }
+  return true;
+}
+
+namespace {
+
+plan::Hold HoldOf(const domain::Part& part, int grasp_label) {
+  const domain::Grasp& grasp = (*part.grasps)[grasp_label];
+  return {.grasp = grasp.label, .X_PartTool = grasp.X_PartTool, .width = grasp.width};
+}
+
+plan::Place PlaceOf(const domain::Part& part, const StepValues& values) {
+  const bool initial = values.position == domain::InitialLabel(part);
+  return {.position = initial ? "initial" : part.model->stable_poses()[values.position].label,
+          .X_WorldPart = values.X_WorldPart};
+}
+
+plan::Action WriteOut(const domain::Problem& problem, const ActionTemplate& action,
+                      const StepValues& values) {
+  const domain::Part& part = problem.part(action.part);
+  const plan::Hold hold = HoldOf(part, values.grasp);
+  switch (action.kind) {
+    case ActionKind::kPickup:
+      return plan::Pickup{.part = action.part, .hold = hold, .from = PlaceOf(part, values)};
+    case ActionKind::kPutdown:
+      return plan::Putdown{.part = action.part, .hold = hold, .to = PlaceOf(part, values)};
+    case ActionKind::kAssemble:
+      return plan::Assemble{
+          .mating = action.mating,
+          .hold = hold,
+          .fixed = PlaceOf(problem.part(problem.mating(action.mating).fixed), values)};
+    case ActionKind::kStart:
+    case ActionKind::kFinish:
+      break;
+  }
+  ASSAY_CHECK(false, "start and finish are not written out");
+  return {};
+}
+
+plan::StepId WrittenId(StepId step) { return plan::StepId(step.index() - 2); }
+
+bool EveryOrderWorks(const PartialPlan& plan, const PlanInstance& instance) {
+  const auto linearizations = plan.ordering().Linearizations(kMostOrders);
+  if (static_cast<int>(linearizations.size()) == kMostOrders) return false;
+  return std::ranges::all_of(linearizations, [&](const auto& linearization) {
+    const std::vector<StepId> order = ActionsOf(linearization);
+    return order == instance.order || WorksInOrder(plan, instance, order);
+  });
+}
+
+}  // namespace
+
+plan::Plan WriteOut(const PartialPlan& partial, const PlanInstance& instance) {
+  plan::Plan written{.problem = partial.problem().name};
+  for (int s = 2; s < static_cast<int>(partial.steps().size()); ++s) {
+    const auto executed = std::ranges::find(instance.order, StepId(s)) - instance.order.begin();
+    written.steps.push_back(
+        {.name = fmt::format("action_{}", s - 1),
+         .action = WriteOut(partial.problem(), partial.step(StepId(s)), instance.values[s]),
+         .inserted = s - 1,
+         .executed = static_cast<int>(executed) + 1});
+  }
+  if (EveryOrderWorks(partial, instance)) {
+    for (const auto& [a, b] : partial.ordering().arcs()) {
+      if (std::min(a, b) > PartialPlan::kFinish) {
+        written.ordering.emplace_back(WrittenId(a), WrittenId(b));
+      }
+    }
+  } else {
+    for (std::size_t i = 1; i < instance.order.size(); ++i) {
+      written.ordering.emplace_back(WrittenId(instance.order[i - 1]), WrittenId(instance.order[i]));
+    }
+  }
+  return written;
+}
+
+}  // namespace assay::posting

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "planner/base/budget.h"
+#include "planner/plan/plan.h"
+#include "planner/posting/partial_plan.h"
+#include "planner/posting/step_geometry.h"
+
+namespace assay::posting {
+
+// The values of one step's own plan variables, and where its part rests.
+struct StepValues {
+  int grasp = -1;                                       // of the part that the hand takes or has
+  int position = -1;                                    // label
+  domain::Pose X_WorldPart = domain::Pose::Identity();  // pickup: where it rests; putdown: where it
+                                                        // will; assemble: where the fixed part does
+};
+
+// A consistent value for every plan variable, down to places on the table.
+struct PlanInstance {
+  std::vector<StepId> order;       // of execution, without start and finish
+  std::vector<StepValues> values;  // by step index
+};
+
+// Finds plan instances of a partial plan: labels that satisfy the constraint network, and for each
+// putdown a place on the table, such that every step works among the parts as they then lie. The
+// network knows stable poses only; here poses are whole, so this is also where the parts' being in
+// each other's way shows (the paper leaves that out).
+//
+// Depth-first over the steps in the order of execution, one choice a step: the grasp of a pickup,
+// the position of a putdown. When a step has no value, the search goes back to the latest choice
+// that took part in ruling values out (conflict-directed backjumping, Prosser 1993).
+class InstanceSearch {
+ public:
+  InstanceSearch(const PartialPlan& plan, Budget& budget);
+
+  // An instance for one of the plan's linearizations, the first that has any.
+  std::optional<PlanInstance> Find();
+
+  // What stood in the way when nothing was found.
+  const std::set<Blocker>& blockers() const { return blockers_; }
+
+ private:
+  std::optional<PlanInstance> FindInOrder(std::vector<StepId> order);
+
+  const PartialPlan& plan_;
+  Budget& budget_;
+  std::set<Blocker> blockers_;
+};
+
+// Whether the instance's values also work in another order of its steps.
+bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,
+                  const std::vector<StepId>& order);
+
+// The instance written out. Orders in which its values do not work are excluded by ordering
+// constraints of the order of execution.
+plan::Plan WriteOut(const PartialPlan& plan, const PlanInstance& instance);
+
+}  // namespace assay::posting

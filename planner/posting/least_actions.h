@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "planner/domain/problem.h"
+#include "planner/network/relation.h"
+
+namespace assay::posting {
+
+// The geometry of a problem as sets of labels, each part and each mating by itself.
+struct LabelGeometry {
+  // By part: reachable(grasp, position), and the positions that it may start in.
+  std::vector<std::shared_ptr<const network::Relation>> reachable;
+  std::vector<std::vector<int>> start;
+  // By mating: mate_reachable(grasp, position), GraspList and PositionList.
+  std::vector<std::shared_ptr<const network::Relation>> mate_reachable;
+  std::vector<std::vector<int>> grasp_list;
+  std::vector<std::vector<int>> position_list;
+};
+
+// A lower bound on the number of actions of any plan; nothing if no plan of any length exists.
+//
+// A part gets from one position to the next only by a grasp that is reachable in both, so its ways
+// are the paths of a graph over positions: its regrasp graph (Tournassoud, Lozano-Perez and Mazer
+// 1987). What other parts do cannot shorten them. The bound adds, over parts, the longest of the
+// shortest paths that the goals ask of it.
+std::optional<int> LeastActions(const domain::Problem& problem, const LabelGeometry& geometry);
+
+}  // namespace assay::posting

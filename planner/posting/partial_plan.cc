@@ -1,0 +1,352 @@
+#include "planner/posting/partial_plan.h"
+
+#include <algorithm>
+#include <numeric>
+#include <type_traits>
+#include <utility>
+
+#include "planner/base/check.h"
+
+namespace assay::posting {
+
+using domain::ActionKind;
+using domain::ActionTemplate;
+using domain::Condition;
+using domain::ConstraintKind;
+using domain::GeometricConstraint;
+using domain::LocatedGoal;
+using domain::MatingId;
+using domain::PartId;
+using domain::Problem;
+using domain::VariableKind;
+using network::LabelSet;
+using network::NodeId;
+
+namespace {
+
+template <class Item>
+std::optional<Item> Pop(std::vector<Item>& stack) {
+  if (stack.empty()) return std::nullopt;
+  Item top = std::move(stack.back());
+  stack.pop_back();
+  return top;
+}
+
+LabelSet SetOf(int size, const std::vector<int>& labels) {
+  LabelSet set = LabelSet::None(size);
+  for (int label : labels) set.insert(label);
+  return set;
+}
+
+bool Same(const CausalLink& a, const CausalLink& b) {
+  return a.consumer == b.consumer && a.precondition == b.precondition && a.producer == b.producer;
+}
+
+std::vector<int> AllStablePoses(const domain::Part& part) {
+  std::vector<int> labels(domain::InitialLabel(part));
+  std::iota(labels.begin(), labels.end(), 0);
+  return labels;
+}
+
+}  // namespace
+
+PartialPlan::PartialPlan(const Problem& problem, const GeometricRelations& relations)
+    : problem_(&problem), relations_(&relations) {
+  AddInitialWorld();
+  AddGoals();
+}
+
+void PartialPlan::AddInitialWorld() {
+  ActionTemplate start{.kind = ActionKind::kStart, .adds = {Condition::GripperOpen()}};
+  std::vector<bool> mated(problem_->parts.size(), false);
+  for (MatingId mating : problem_->assembled) {
+    start.adds.push_back(Condition::Assembled(mating));
+    mated[problem_->mating(mating).held.index()] = true;
+  }
+  for (std::size_t p = 0; p < problem_->parts.size(); ++p) {
+    if (mated[p]) continue;
+    const PartId part(p);
+    const VariableId position = variables_.AddInitialPosition(part);
+    start.adds.push_back(Condition::Located(part, position));
+    start.initial.push_back(
+        {.variable = position, .labels = {domain::InitialLabel(problem_->part(part))}});
+  }
+  Append(std::move(start));
+}
+
+void PartialPlan::AddGoals() {
+  ActionTemplate finish{.kind = ActionKind::kFinish};
+  for (const domain::Goal& goal : problem_->goals) {
+    if (const auto* mating = std::get_if<MatingId>(&goal)) {
+      finish.preconditions.push_back(Condition::Assembled(*mating));
+      continue;
+    }
+    const auto& located = std::get<LocatedGoal>(goal);
+    const VariableId position = variables_.Add(VariableKind::kPosition, located.part);
+    std::vector<int> labels;
+    for (domain::StablePoseId pose : located.stable_poses) labels.push_back(pose.index());
+    if (std::ranges::count(located.stable_poses, problem_->part(located.part).resting) > 0) {
+      labels.push_back(domain::InitialLabel(problem_->part(located.part)));
+    }
+    finish.geometric.push_back({.constraint = {.kind = ConstraintKind::kInPositionClass,
+                                               .position = position,
+                                               .labels = std::move(labels)},
+                                .qualifies = {static_cast<int>(finish.preconditions.size())}});
+    finish.preconditions.push_back(Condition::Located(located.part, position));
+  }
+  const StepId step = Append(std::move(finish));
+  ordering_.Post(kStart, step);
+  OpenPreconditions(step);
+}
+
+StepId PartialPlan::Append(ActionTemplate action) {
+  const StepId id = ordering_.AddStep();
+  for (const domain::InitialConstraint& initial : action.initial) {
+    AddNode(initial.variable, initial.labels);
+  }
+  steps_.push_back(std::move(action));
+  binding_.resize(variables_.size(), VariableId::None());
+  nodes_.resize(variables_.size(), NodeId::None());
+  return id;
+}
+
+void PartialPlan::AddNode(VariableId variable, const std::vector<int>& labels) {
+  nodes_.resize(variables_.size(), NodeId::None());
+  nodes_[variable.index()] = network_.AddNode(SetOf(LabelCount(variable), labels));
+}
+
+int PartialPlan::LabelCount(VariableId variable) const {
+  const domain::Part& part = problem_->part(variables_[variable].part);
+  return variables_[variable].kind == VariableKind::kGrasp ? domain::GraspLabelCount(part)
+                                                           : domain::PositionLabelCount(part);
+}
+
+void PartialPlan::OpenPreconditions(StepId step) {
+  // Pushed in reverse, so that the first precondition is served first.
+  const ActionTemplate& action = steps_[step.index()];
+  for (int i = static_cast<int>(action.preconditions.size()) - 1; i >= 0; --i) {
+    goals_.operational.push_back({.consumer = step, .precondition = i});
+  }
+  for (int i = static_cast<int>(action.geometric.size()) - 1; i >= 0; --i) {
+    goals_.geometric.push_back({.consumer = step, .goal = i});
+  }
+}
+
+const Condition& PartialPlan::ConditionOf(StepId consumer, int precondition) const {
+  return steps_[consumer.index()].preconditions[precondition];
+}
+
+VariableId PartialPlan::Resolve(VariableId variable) const {
+  const VariableId bound = binding_[variable.index()];
+  return bound.IsNone() ? variable : bound;
+}
+
+bool PartialPlan::HasNode(VariableId variable) const {
+  return !nodes_[Resolve(variable).index()].IsNone();
+}
+
+NodeId PartialPlan::NodeOf(VariableId variable) const {
+  const NodeId node = nodes_[Resolve(variable).index()];
+  ASSAY_CHECK(!node.IsNone(), "{} is not bound", variables_[variable].name);
+  return node;
+}
+
+LabelSet PartialPlan::Labels(VariableId variable) const {
+  return network_.labels(NodeOf(variable));
+}
+
+std::optional<Threat> PartialPlan::PopThreat() { return Pop(goals_.threats); }
+std::optional<OperationalGoal> PartialPlan::PopOperational() { return Pop(goals_.operational); }
+std::optional<GeometricGoalRef> PartialPlan::PopGeometric() { return Pop(goals_.geometric); }
+
+std::vector<ActionTemplate> PartialPlan::Establishers(const OperationalGoal& goal) {
+  std::vector<ActionTemplate> actions;
+  for (const domain::ActionRule& rule : domain::ActionRules()) {
+    std::ranges::move(
+        rule.achieve(*problem_, ConditionOf(goal.consumer, goal.precondition), variables_),
+        std::back_inserter(actions));
+  }
+  return actions;
+}
+
+StepId PartialPlan::AddStep(ActionTemplate action) {
+  const StepId step = Append(std::move(action));
+  ordering_.Post(kStart, step);
+  ordering_.Post(step, kFinish);
+  OpenPreconditions(step);
+  FindThreatsOf(step);
+  return step;
+}
+
+bool PartialPlan::CanEstablish(StepId producer, const OperationalGoal& goal) const {
+  if (producer == goal.consumer || ordering_.Before(goal.consumer, producer)) return false;
+  const Condition& condition = ConditionOf(goal.consumer, goal.precondition);
+  return std::ranges::any_of(step(producer).adds,
+                             [&](const Condition& add) { return Unify(add, condition); });
+}
+
+bool PartialPlan::Establish(StepId producer, const OperationalGoal& goal) {
+  if (!ordering_.Post(producer, goal.consumer)) return false;
+  for (StepId violator : goal.after) {
+    if (!ordering_.Post(violator, producer)) return false;
+  }
+  const Condition& condition = ConditionOf(goal.consumer, goal.precondition);
+  const auto add = std::ranges::find_if(step(producer).adds,
+                                        [&](const Condition& a) { return Unify(a, condition); });
+  if (!condition.variable.IsNone()) binding_[condition.variable.index()] = add->variable;
+  links_.push_back(
+      {.producer = producer, .consumer = goal.consumer, .precondition = goal.precondition});
+  FindThreatsTo(links_.back());
+  return true;
+}
+
+bool PartialPlan::MayCodesignate(VariableId a, VariableId b) const {
+  if (a.IsNone() || b.IsNone() || !HasNode(a) || !HasNode(b)) return true;
+  if (Resolve(a) == Resolve(b)) return true;
+  LabelSet common = Labels(a);
+  common.intersect(Labels(b));
+  return !common.empty();
+}
+
+bool PartialPlan::IsThreat(const Threat& threat) const {
+  const auto& [link, violator] = threat;
+  const bool linked = std::ranges::any_of(
+      links_, [&](const CausalLink& other) { return Same(other, threat.link); });
+  if (!linked || violator == link.producer || violator == link.consumer) return false;
+  if (ordering_.Before(violator, link.producer) || ordering_.Before(link.consumer, violator)) {
+    return false;
+  }
+  const Condition& kept = ConditionOf(link.consumer, link.precondition);
+  return std::ranges::any_of(step(violator).deletes, [&](const Condition& deleted) {
+    return Unify(deleted, kept) && MayCodesignate(deleted.variable, kept.variable);
+  });
+}
+
+void PartialPlan::FindThreatsOf(StepId step) {
+  for (const CausalLink& link : links_) {
+    const Threat threat{.link = link, .violator = step};
+    if (IsThreat(threat)) goals_.threats.push_back(threat);
+  }
+}
+
+void PartialPlan::FindThreatsTo(const CausalLink& link) {
+  for (std::size_t s = 0; s < steps_.size(); ++s) {
+    const Threat threat{.link = link, .violator = StepId(s)};
+    if (IsThreat(threat)) goals_.threats.push_back(threat);
+  }
+}
+
+bool PartialPlan::Promote(const Threat& threat) {
+  return ordering_.Post(threat.link.consumer, threat.violator);
+}
+
+bool PartialPlan::Separate(const Threat& threat) {
+  const Condition& kept = ConditionOf(threat.link.consumer, threat.link.precondition);
+  for (const Condition& deleted : step(threat.violator).deletes) {
+    if (!Unify(deleted, kept)) continue;
+    if (deleted.variable.IsNone() || !HasNode(deleted.variable)) return false;
+    const VariableId a = Resolve(deleted.variable);
+    const VariableId b = Resolve(kept.variable);
+    if (a == b) return false;
+    const auto differ =
+        network::Relation::Where(LabelCount(a), LabelCount(b), [](int x, int y) { return x != y; });
+    if (network_.Post(NodeOf(a), NodeOf(b), differ) != Outcome::kFound) return false;
+    separations_.emplace_back(a, b);
+  }
+  return true;
+}
+
+void PartialPlan::Reopen(const Threat& threat) {
+  Unlink(threat.link);
+  goals_.operational.push_back({.consumer = threat.link.consumer,
+                                .precondition = threat.link.precondition,
+                                .after = {threat.violator}});
+}
+
+// Geometric goals that the condition qualifies constrained the variable that it was bound to; they
+// are open again, and what they posted goes out of the network.
+void PartialPlan::Unlink(const CausalLink& link) {
+  std::erase_if(links_, [&](const CausalLink& other) { return Same(other, link); });
+  const VariableId variable = ConditionOf(link.consumer, link.precondition).variable;
+  if (variable.IsNone()) return;
+  binding_[variable.index()] = VariableId::None();
+  const auto qualified = [&](const GeometricGoalRef& ref) {
+    if (ref.consumer != link.consumer) return false;
+    const std::vector<int>& by = step(ref.consumer).geometric[ref.goal].qualifies;
+    return std::ranges::count(by, link.precondition) > 0;
+  };
+  const auto first = std::ranges::stable_partition(
+      satisfied_geometric_, [&](const GeometricGoalRef& ref) { return !qualified(ref); });
+  if (first.empty()) return;
+  goals_.geometric.insert(goals_.geometric.end(), first.begin(), first.end());
+  satisfied_geometric_.erase(first.begin(), first.end());
+  RebuildNetwork();
+}
+
+void PartialPlan::RebuildNetwork() {
+  network_ = network::Network();
+  for (const ActionTemplate& action : steps_) {
+    for (const auto& initial : action.initial) AddNode(initial.variable, initial.labels);
+  }
+  for (const GeometricGoalRef& ref : satisfied_geometric_) {
+    const bool consistent = PostConstraint(step(ref.consumer).geometric[ref.goal].constraint);
+    ASSAY_CHECK(consistent, "fewer constraints than before cannot be inconsistent");
+  }
+  for (const auto& [a, b] : separations_) {
+    network_.AddArc(NodeOf(a), NodeOf(b),
+                    network::Relation::Where(LabelCount(a), LabelCount(b),
+                                             [](int x, int y) { return x != y; }));
+  }
+}
+
+bool PartialPlan::PostConstraint(const GeometricConstraint& constraint) {
+  switch (constraint.kind) {
+    case ConstraintKind::kMember:
+    case ConstraintKind::kInPositionClass: {
+      const LabelSet labels = SetOf(LabelCount(constraint.subject()), constraint.labels);
+      return network_.Restrict(NodeOf(constraint.subject()), labels) == Outcome::kFound;
+    }
+    case ConstraintKind::kReachable:
+      return network_.Post(NodeOf(constraint.grasp), NodeOf(constraint.position),
+                           relations_->Reachable(variables_[constraint.grasp].part)) ==
+             Outcome::kFound;
+    case ConstraintKind::kMateReachable:
+      return network_.Post(NodeOf(constraint.grasp), NodeOf(constraint.position),
+                           relations_->MateReachable(constraint.mating)) == Outcome::kFound;
+  }
+  return false;
+}
+
+bool PartialPlan::Post(const GeometricGoalRef& goal) {
+  if (!PostConstraint(step(goal.consumer).geometric[goal.goal].constraint)) return false;
+  satisfied_geometric_.push_back(goal);
+  return true;
+}
+
+void PartialPlan::RequireMoved(StepId consumer, PartId part) {
+  const VariableId position = variables_.Add(VariableKind::kPosition, part);
+  binding_.push_back(VariableId::None());
+  nodes_.push_back(NodeId::None());
+  ActionTemplate& action = steps_[consumer.index()];
+  const int precondition = static_cast<int>(action.preconditions.size());
+  action.preconditions.push_back(Condition::Located(part, position));
+  action.geometric.push_back({.constraint = {.kind = ConstraintKind::kMember,
+                                             .position = position,
+                                             .labels = AllStablePoses(problem_->part(part))},
+                              .qualifies = {precondition}});
+  goals_.operational.push_back({.consumer = consumer, .precondition = precondition});
+  goals_.geometric.push_back(
+      {.consumer = consumer, .goal = static_cast<int>(action.geometric.size()) - 1});
+}
+
+std::string PartialPlan::Text(StepId id) const {
+  return domain::Text(*problem_, variables_, step(id));
+}
+std::string PartialPlan::Text(const Condition& condition) const {
+  return domain::Text(*problem_, variables_, condition);
+}
+std::string PartialPlan::Text(const GeometricConstraint& constraint) const {
+  return domain::Text(*problem_, variables_, constraint);
+}
+
+}  // namespace assay::posting

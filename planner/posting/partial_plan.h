@@ -1,0 +1,140 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/domain/action_template.h"
+#include "planner/network/network.h"
+#include "planner/posting/geometric_relations.h"
+#include "planner/posting/ordering_graph.h"
+
+namespace assay::posting {
+
+using domain::VariableId;
+
+// producer makes true what consumer needs as its precondition number `precondition`.
+struct CausalLink {
+  StepId producer;
+  StepId consumer;
+  int precondition;
+};
+
+// An operational goal: the condition must hold just before the consumer. Its establisher must come
+// after each of the steps in `after`, which undo it.
+struct OperationalGoal {
+  StepId consumer;
+  int precondition;
+  std::vector<StepId> after = {};
+};
+
+// A geometric goal: number `goal` of the consumer's geometric goals.
+struct GeometricGoalRef {
+  StepId consumer;
+  int goal;
+};
+
+// A step that may undo what a causal link keeps.
+struct Threat {
+  CausalLink link;
+  StepId violator;
+};
+
+// The goals that are still open, by type; each stack's top is its back.
+struct GoalStacks {
+  std::vector<Threat> threats;
+  std::vector<OperationalGoal> operational;
+  std::vector<GeometricGoalRef> geometric;
+};
+
+// A family of plans: steps without an order of their own, and separate constraints on when and how
+// they are executed (Spar, "Representation of Plans"). A value: a search copies it at each choice
+// and drops the copy to backtrack. Every operation that answers false may leave the plan half
+// changed, to be dropped.
+class PartialPlan {
+ public:
+  // The null plan: the initial world as its first step, the goals as preconditions of its last.
+  PartialPlan(const domain::Problem& problem, const GeometricRelations& relations);
+
+  static constexpr StepId kStart{0};
+  static constexpr StepId kFinish{1};
+
+  const domain::Problem& problem() const { return *problem_; }
+  const std::vector<domain::ActionTemplate>& steps() const { return steps_; }
+  const domain::ActionTemplate& step(StepId id) const { return steps_[id.index()]; }
+  int action_count() const { return static_cast<int>(steps_.size()) - 2; }
+  const domain::PlanVariables& variables() const { return variables_; }
+  const OrderingGraph& ordering() const { return ordering_; }
+  const network::Network& network() const { return network_; }
+  const GoalStacks& goals() const { return goals_; }
+  const std::vector<CausalLink>& links() const { return links_; }
+  const std::vector<GeometricGoalRef>& satisfied_geometric() const { return satisfied_geometric_; }
+
+  const domain::Condition& ConditionOf(StepId consumer, int precondition) const;
+  // The variable that a precondition's variable is bound to; itself if it is a step's own.
+  VariableId Resolve(VariableId variable) const;
+  // The node of a variable that is bound or a step's own.
+  network::NodeId NodeOf(VariableId variable) const;
+  // The labels that it can still have.
+  network::LabelSet Labels(VariableId variable) const;
+
+  std::optional<Threat> PopThreat();
+  std::optional<OperationalGoal> PopOperational();
+  std::optional<GeometricGoalRef> PopGeometric();
+
+  // ---- Operational refinements (Spar, "Satisfying Operational Goals") ----------------------
+  // Fresh instances of all actions that could establish the goal.
+  std::vector<domain::ActionTemplate> Establishers(const OperationalGoal& goal);
+  // A new action, with its preconditions on the goal stacks.
+  StepId AddStep(domain::ActionTemplate action);
+  // The goal is established by a step that adds its condition.
+  bool CanEstablish(StepId producer, const OperationalGoal& goal) const;
+  bool Establish(StepId producer, const OperationalGoal& goal);
+
+  bool IsThreat(const Threat& threat) const;  // under the constraints so far
+  bool Promote(const Threat& threat);         // prior_to(consumer, violator)
+  bool Separate(const Threat& threat);        // the two must not codesignate
+  // The goal goes back on its stack, to be established after the violator.
+  void Reopen(const Threat& threat);
+
+  // ---- Geometric refinements (Spar, "Satisfying Geometric Goals") --------------------------
+  // Posts the constraint to the network. False if no labeling would be left.
+  bool Post(const GeometricGoalRef& goal);
+  // One more operational and geometric goal of a step: that the part is somewhere else than where
+  // it was at the start.
+  void RequireMoved(StepId consumer, domain::PartId part);
+
+  std::string Text(StepId step) const;
+  std::string Text(const domain::Condition& condition) const;
+  std::string Text(const domain::GeometricConstraint& constraint) const;
+
+ private:
+  void AddInitialWorld();
+  void AddGoals();
+  StepId Append(domain::ActionTemplate action);
+  void OpenPreconditions(StepId step);
+  void AddNode(VariableId variable, const std::vector<int>& labels);
+  int LabelCount(VariableId variable) const;
+  bool HasNode(VariableId variable) const;
+  bool PostConstraint(const domain::GeometricConstraint& constraint);
+  bool MayCodesignate(VariableId a, VariableId b) const;
+  void FindThreatsOf(StepId step);
+  void FindThreatsTo(const CausalLink& link);
+  void Unlink(const CausalLink& link);
+  void RebuildNetwork();
+
+  const domain::Problem* problem_;
+  const GeometricRelations* relations_;
+  std::vector<domain::ActionTemplate> steps_;
+  domain::PlanVariables variables_;
+  OrderingGraph ordering_;
+  network::Network network_;
+  GoalStacks goals_;
+  std::vector<CausalLink> links_;
+  std::vector<GeometricGoalRef> satisfied_geometric_;
+  std::vector<std::pair<VariableId, VariableId>> separations_;  // must not codesignate
+  std::vector<VariableId> binding_;                             // by variable; None: not bound
+  std::vector<network::NodeId> nodes_;  // by variable; None: it has no labels of its own
+};
+
+}  // namespace assay::posting

@@ -1,0 +1,202 @@
+#include "planner/posting/posting_planner.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "planner/base/budget.h"
+#include "planner/base/check.h"
+#include "planner/domain/mating_classes.h"
+#include "planner/posting/impossibility.h"
+#include "planner/posting/instance.h"
+#include "planner/posting/least_actions.h"
+#include "planner/posting/partial_plan.h"
+
+namespace assay::posting {
+namespace {
+
+using domain::Problem;
+
+class PostingPlanner {
+ public:
+  PostingPlanner(const Problem& problem, const PlannerOptions& options)
+      : problem_(problem),
+        options_(options),
+        relations_(problem),
+        partial_plans_(options.partial_plans),
+        instance_choices_(options.instance_choices) {}
+
+  plan::PlanResult Run() {
+    const std::optional<int> least = LeastActions(problem_, Geometry());
+    plan::PlanResult result;
+    if (!least) {
+      result.outcome = Outcome::kNone;
+      result.conflict = WhyImpossible(problem_);
+    } else {
+      result.outcome = Deepen(*least);
+      if (plan_) result.plan = std::move(*plan_);
+    }
+    result.counters = {{"partial_plans", partial_plans_.spent()},
+                       {"instance_choices", instance_choices_.spent()},
+                       {"complete_plans", complete_plans_},
+                       {"least_actions", least.value_or(-1)}};
+    return result;
+  }
+
+ private:
+  LabelGeometry Geometry() const {
+    LabelGeometry geometry;
+    for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+      geometry.reachable.push_back(relations_.Reachable(domain::PartId(p)));
+      geometry.start.push_back({domain::InitialLabel(problem_.parts[p])});
+    }
+    for (std::size_t m = 0; m < problem_.matings.size(); ++m) {
+      geometry.mate_reachable.push_back(relations_.MateReachable(domain::MatingId(m)));
+      geometry.grasp_list.push_back(GraspList(problem_, problem_.matings[m]));
+      geometry.position_list.push_back(PositionList(problem_, problem_.matings[m]));
+    }
+    return geometry;
+  }
+
+  Outcome Deepen(int least) {
+    const PartialPlan null_plan(problem_, relations_);
+    for (limit_ = least;; ++limit_) {
+      cut_off_ = false;
+      Trace("plans of at most {} actions", limit_);
+      if (Refine(null_plan)) return Outcome::kFound;
+      if (partial_plans_.Exhausted() || instance_choices_.Exhausted()) return Outcome::kBudget;
+      // Every refinement was tried, and none needed more actions than it was allowed.
+      ASSAY_CHECK(cut_off_, "a finite lower bound promises paths that the search must find");
+    }
+  }
+
+  // Refines the partial plan so that it satisfies one more goal, in every way until one leads to a
+  // plan. Threats come before operational goals, and these before geometric ones.
+  bool Refine(const PartialPlan& plan) {
+    if (!partial_plans_.Spend()) return false;
+    ++depth_;
+    PartialPlan next = plan;
+    bool found = false;
+    if (const auto threat = next.PopThreat()) {
+      found = Protect(next, *threat);
+    } else if (const auto operational = next.PopOperational()) {
+      found = Satisfy(next, *operational);
+    } else if (const auto geometric = next.PopGeometric()) {
+      found = Satisfy(next, *geometric);
+    } else {
+      found = Complete(next);
+    }
+    --depth_;
+    return found;
+  }
+
+  bool Protect(const PartialPlan& plan, const Threat& threat) {
+    if (!plan.IsThreat(threat)) return Refine(plan);
+    Trace("{} threatens {} of {}", plan.Text(threat.violator),
+          plan.Text(plan.ConditionOf(threat.link.consumer, threat.link.precondition)),
+          plan.Text(threat.link.consumer));
+    if (PartialPlan promoted = plan; promoted.Promote(threat)) {
+      Trace("promotion: {} before {}", plan.Text(threat.link.consumer), plan.Text(threat.violator));
+      if (Refine(promoted)) return true;
+    }
+    if (PartialPlan separated = plan; separated.Separate(threat)) {
+      Trace("separation");
+      if (Refine(separated)) return true;
+    }
+    PartialPlan reopened = plan;
+    reopened.Reopen(threat);
+    Trace("re-establishment after {}", plan.Text(threat.violator));
+    return Refine(reopened);
+  }
+
+  bool Satisfy(const PartialPlan& plan, const OperationalGoal& goal) {
+    Trace("goal {} of {}", plan.Text(plan.ConditionOf(goal.consumer, goal.precondition)),
+          plan.Text(goal.consumer));
+    return SatisfyByPresentStep(plan, goal) || SatisfyByNewStep(plan, goal);
+  }
+
+  // Steps of the plan, the latest added first; the initial world last.
+  bool SatisfyByPresentStep(const PartialPlan& plan, const OperationalGoal& goal) {
+    for (int s = static_cast<int>(plan.steps().size()) - 1; s >= 0; --s) {
+      const StepId producer(s);
+      if (!plan.CanEstablish(producer, goal)) continue;
+      PartialPlan established = plan;
+      if (!established.Establish(producer, goal)) continue;
+      Trace("established by {}", plan.Text(producer));
+      if (Refine(established)) return true;
+    }
+    return false;
+  }
+
+  bool SatisfyByNewStep(const PartialPlan& plan, const OperationalGoal& goal) {
+    if (plan.action_count() >= limit_) {
+      cut_off_ = true;
+      return false;
+    }
+    const std::size_t choices = PartialPlan(plan).Establishers(goal).size();
+    for (std::size_t i = 0; i < choices; ++i) {
+      PartialPlan extended = plan;
+      const StepId step = extended.AddStep(extended.Establishers(goal)[i]);
+      if (!extended.Establish(step, goal)) continue;
+      Trace("established by a new action: {}", extended.Text(step));
+      if (Refine(extended)) return true;
+    }
+    return false;
+  }
+
+  bool Satisfy(const PartialPlan& plan, const GeometricGoalRef& goal) {
+    const auto& constraint = plan.step(goal.consumer).geometric[goal.goal].constraint;
+    PartialPlan posted = plan;
+    const bool consistent = posted.Post(goal);
+    Trace("post {}: {}", plan.Text(constraint), consistent ? "consistent" : "inconsistent");
+    return consistent && Refine(posted);
+  }
+
+  bool Complete(const PartialPlan& plan) {
+    ++complete_plans_;
+    InstanceSearch search(plan, instance_choices_);
+    if (const auto instance = search.Find()) {
+      Trace("instance found");
+      plan_ = WriteOut(plan, *instance);
+      return true;
+    }
+    return !instance_choices_.Exhausted() && ClearTheWay(plan, search.blockers());
+  }
+
+  bool ClearTheWay(const PartialPlan& plan, const std::set<Blocker>& blockers) {
+    for (const auto& [step, part] : blockers) {
+      Trace("{} is in the way of {}", problem_.part(part).name, plan.Text(step));
+      PartialPlan cleared = plan;
+      cleared.RequireMoved(step, part);
+      if (Refine(cleared)) return true;
+    }
+    return false;
+  }
+
+  template <class... Values>
+  void Trace(fmt::format_string<Values...> format, Values&&... values) const {
+    if (!options_.trace) return;
+    options_.trace(std::string(2 * depth_, ' ') +
+                   fmt::format(format, std::forward<Values>(values)...));
+  }
+
+  const Problem& problem_;
+  const PlannerOptions& options_;
+  GeometricRelations relations_;
+  Budget partial_plans_;
+  Budget instance_choices_;
+  std::int64_t complete_plans_ = 0;
+  int limit_ = 0;
+  bool cut_off_ = false;  // whether a refinement was left out because of the limit
+  std::size_t depth_ = 0;
+  std::optional<plan::Plan> plan_;
+};
+
+}  // namespace
+
+plan::PlanResult MakePlan(const Problem& problem, const PlannerOptions& options) {
+  return PostingPlanner(problem, options).Run();
+}
+
+}  // namespace assay::posting

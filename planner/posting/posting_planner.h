@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "planner/domain/problem.h"
+#include "planner/plan/plan.h"
+
+namespace assay::posting {
+
+struct PlannerOptions {
+  std::int64_t partial_plans = 200'000;       // budget of the first phase
+  std::int64_t instance_choices = 5'000'000;  // budget for making instances, in values tried
+  // Told of every decision as it is taken, one line each, indented by depth; may be empty.
+  std::function<void(const std::string&)> trace = {};
+};
+
+// Spar's first phase: refines the null plan until no operational or geometric goal is open, then
+// takes plan instances until one works (Hutchinson and Kak 1990, "Planning in Spar" and "Goal
+// Satisfaction"). Differences from the paper: the depth-first search is repeated with a growing
+// limit on the number of actions (Korf 1985), from a lower bound on, so that a shortest plan comes
+// first; and where no instance works because parts that nobody has moved are in the way, that they
+// be moved becomes a goal.
+plan::PlanResult MakePlan(const domain::Problem& problem, const PlannerOptions& options);
+
+}  // namespace assay::posting

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/geometry/pose.h"
+#include "sim/mujoco/data.h"
+
+namespace assay::mujoco {
+
+// One contact point of the last step, world frame, metres and newtons. Forces of stiff contacts
+// jump from step to step: filter them before deciding anything.
+struct Contact {
+  GeomId geom_a;
+  GeomId geom_b;
+  BodyId body_a;
+  BodyId body_b;
+  geometry::Vector3 position = geometry::Vector3::Zero();
+  geometry::Vector3 normal = geometry::Vector3::Zero();      // unit, from a to b
+  double distance = 0;                                       // negative: penetration
+  geometry::Vector3 force_on_b = geometry::Vector3::Zero();  // a gets the opposite
+};
+
+std::vector<Contact> Contacts(const Data& data);
+
+// The contacts between two bodies, turned so that body_a is `a`.
+std::vector<Contact> ContactsBetween(const Data& data, BodyId a, BodyId b);
+
+}  // namespace assay::mujoco

@@ -1,0 +1,154 @@
+#include "sim/mujoco/data.h"
+
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+#include "sim/mujoco/engine_messages.h"
+
+namespace assay::mujoco {
+namespace {
+
+using geometry::Pose;
+
+using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+Pose PoseAt(const mjtNum* position, const mjtNum* rotation) {
+  Pose X = Pose::Identity();
+  X.translation() = Eigen::Map<const Eigen::Vector3d>(position);
+  X.linear() = Eigen::Map<const RowMajor>(rotation);
+  return X;
+}
+
+std::span<double> SpanOf(mjtNum* values, int count) {
+  return {values, static_cast<std::size_t>(count)};
+}
+
+template <class T, class U>
+std::vector<T> Copied(const U* values, int count) {
+  return {values, values + count};
+}
+
+template <class T, class U>
+void CopyBack(const std::vector<T>& from, int count, U* to) {
+  ASSAY_CHECK(from.size() == static_cast<std::size_t>(count), "a state of another model");
+  std::copy(from.begin(), from.end(), to);
+}
+
+}  // namespace
+
+Data::Data(const Model& model)
+    : model_(model), own_model_(nullptr, mj_deleteModel), data_(nullptr, mj_deleteData) {
+  HandleEngineMessages();
+  own_model_.reset(mj_copyModel(nullptr, model.get()));
+  data_.reset(mj_makeData(own_model_.get()));
+  ASSAY_CHECK(own_model_ != nullptr && data_ != nullptr);
+  Forward();
+}
+
+double Data::time() const { return data_->time; }
+std::span<double> Data::qpos() { return SpanOf(data_->qpos, own_model_->nq); }
+std::span<const double> Data::qpos() const { return SpanOf(data_->qpos, own_model_->nq); }
+std::span<double> Data::qvel() { return SpanOf(data_->qvel, own_model_->nv); }
+std::span<const double> Data::qvel() const { return SpanOf(data_->qvel, own_model_->nv); }
+std::span<double> Data::ctrl() { return SpanOf(data_->ctrl, own_model_->nu); }
+std::span<const double> Data::ctrl() const { return SpanOf(data_->ctrl, own_model_->nu); }
+std::span<double> Data::qfrc_applied() { return SpanOf(data_->qfrc_applied, own_model_->nv); }
+std::span<const double> Data::qfrc_bias() const { return SpanOf(data_->qfrc_bias, own_model_->nv); }
+std::span<const double> Data::sensordata() const {
+  return SpanOf(data_->sensordata, own_model_->nsensordata);
+}
+
+void Data::Step() {
+  mj_step(own_model_.get(), data_.get());
+  Refresh();
+}
+
+void Data::Forward() { mj_forward(own_model_.get(), data_.get()); }
+
+// After mj_step the engine's poses are those before the integration. A controller that read them
+// would act one step late, and differently after Restore.
+void Data::Refresh() {
+  mj_kinematics(own_model_.get(), data_.get());
+  mj_comPos(own_model_.get(), data_.get());
+  mj_comVel(own_model_.get(), data_.get());
+  mj_rne(own_model_.get(), data_.get(), 0, data_->qfrc_bias);
+}
+
+Pose Data::BodyPose(BodyId body) const {
+  return PoseAt(data_->xpos + 3 * body.index(), data_->xmat + 9 * body.index());
+}
+
+Pose Data::SitePose(SiteId site) const {
+  return PoseAt(data_->site_xpos + 3 * site.index(), data_->site_xmat + 9 * site.index());
+}
+
+bool Data::IsActive(EqualityId constraint) const {
+  return own_model_->eq_active[constraint.index()] != 0;
+}
+
+void Data::Deactivate(EqualityId constraint) { own_model_->eq_active[constraint.index()] = 0; }
+
+// eq_data of a weld: anchor in the second body (3), pose of the second body in the first's frame
+// (position 3, quaternion 4), torque scale. The anchor is the second body's origin here.
+void Data::ActivateWeldHere(EqualityId weld) {
+  const int i = weld.index();
+  ASSAY_CHECK(own_model_->eq_type[i] == mjEQ_WELD);
+  const Pose X_WorldFirst = BodyPose(BodyId(own_model_->eq_obj1id[i]));
+  const Pose X_WorldSecond = BodyPose(BodyId(own_model_->eq_obj2id[i]));
+  const Pose X_FirstSecond = X_WorldFirst.inverse() * X_WorldSecond;
+  const Eigen::Quaterniond turn(X_FirstSecond.linear());
+  mjtNum* values = own_model_->eq_data + mjNEQDATA * i;
+  Eigen::Map<Eigen::Vector3d>(values).setZero();
+  Eigen::Map<Eigen::Vector3d>(values + 3) = X_FirstSecond.translation();
+  Eigen::Map<Eigen::Vector4d>(values + 6) << turn.w(), turn.x(), turn.y(), turn.z();
+  own_model_->eq_active[i] = 1;
+}
+
+State Data::Save() const {
+  const mjModel& m = *own_model_;
+  const mjData& d = *data_;
+  return {.time = d.time,
+          .qpos = Copied<double>(d.qpos, m.nq),
+          .qvel = Copied<double>(d.qvel, m.nv),
+          .act = Copied<double>(d.act, m.na),
+          .qacc_warmstart = Copied<double>(d.qacc_warmstart, m.nv),
+          .ctrl = Copied<double>(d.ctrl, m.nu),
+          .qfrc_applied = Copied<double>(d.qfrc_applied, m.nv),
+          .xfrc_applied = Copied<double>(d.xfrc_applied, 6 * m.nbody),
+          .mocap_pos = Copied<double>(d.mocap_pos, 3 * m.nmocap),
+          .mocap_quat = Copied<double>(d.mocap_quat, 4 * m.nmocap),
+          .eq_active = Copied<std::uint8_t>(m.eq_active, m.neq),
+          .eq_data = Copied<double>(m.eq_data, mjNEQDATA * m.neq)};
+}
+
+void Data::Restore(const State& state) {
+  mjModel& m = *own_model_;
+  mjData& d = *data_;
+  d.time = state.time;
+  CopyBack(state.qpos, m.nq, d.qpos);
+  CopyBack(state.qvel, m.nv, d.qvel);
+  CopyBack(state.act, m.na, d.act);
+  CopyBack(state.ctrl, m.nu, d.ctrl);
+  CopyBack(state.qfrc_applied, m.nv, d.qfrc_applied);
+  CopyBack(state.xfrc_applied, 6 * m.nbody, d.xfrc_applied);
+  CopyBack(state.mocap_pos, 3 * m.nmocap, d.mocap_pos);
+  CopyBack(state.mocap_quat, 4 * m.nmocap, d.mocap_quat);
+  CopyBack(state.eq_active, m.neq, m.eq_active);
+  CopyBack(state.eq_data, mjNEQDATA * m.neq, m.eq_data);
+  Forward();
+  // Last, because Forward leaves its own accelerations there.
+  CopyBack(state.qacc_warmstart, m.nv, d.qacc_warmstart);
+}
+
+std::vector<EngineWarning> Data::Warnings() const {
+  std::vector<EngineWarning> warnings;
+  for (int type = 0; type < mjNWARNING; ++type) {
+    const mjWarningStat& stat = data_->warning[type];
+    if (stat.number > 0) warnings.push_back({mju_warningText(type, stat.lastinfo), stat.number});
+  }
+  return warnings;
+}
+
+}  // namespace assay::mujoco

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "planner/geometry/pose.h"
+#include "sim/mujoco/model.h"
+#include "sim/mujoco/state.h"
+
+struct mjData_;
+
+namespace assay::mujoco {
+
+// A warning of the engine about a simulation: it overflowed, or its numbers went bad.
+struct EngineWarning {
+  std::string text;  // the engine's words, about the last occurrence
+  int count = 0;
+};
+
+// One simulation. Between calls of its methods, body, geom and site poses, velocities and
+// qfrc_bias belong to the present qpos and qvel; contacts, their forces, and sensor readings
+// belong to the start of the last step (or to the present, after Forward and Restore).
+class Data {
+ public:
+  explicit Data(const Model& model);
+
+  const Model& model() const { return model_; }
+  // The engine's structures; `own_model` differs from model() in the equality constraints only.
+  mjData_* get() { return data_.get(); }
+  const mjData_* get() const { return data_.get(); }
+  const mjModel_* own_model() const { return own_model_.get(); }
+
+  double time() const;  // seconds
+  std::span<double> qpos();
+  std::span<const double> qpos() const;
+  std::span<double> qvel();
+  std::span<const double> qvel() const;
+  std::span<double> ctrl();
+  std::span<const double> ctrl() const;
+  std::span<double> qfrc_applied();
+  std::span<const double> qfrc_bias() const;
+  std::span<const double> sensordata() const;
+
+  void Step();     // one timestep
+  void Forward();  // everything that follows from qpos, qvel and controls, at the present time
+
+  geometry::Pose BodyPose(BodyId body) const;  // X_WorldBody
+  geometry::Pose SitePose(SiteId site) const;  // X_WorldSite
+
+  bool IsActive(EqualityId constraint) const;
+  void Deactivate(EqualityId constraint);
+  // Activates a weld that holds its second body where it is now, seen from its first body.
+  void ActivateWeldHere(EqualityId weld);
+
+  // Steps after Restore give the same bits as the steps after Save did.
+  State Save() const;
+  void Restore(const State& state);  // of a Data of the same model (checked)
+
+  // What the engine warned about since the start. Steps after a warning mean nothing: the engine
+  // may have left out contacts, or set the simulation back to its start.
+  std::vector<EngineWarning> Warnings() const;
+
+ private:
+  void Refresh();
+
+  Model model_;
+  std::unique_ptr<mjModel_, void (*)(mjModel_*)> own_model_;
+  std::unique_ptr<mjData_, void (*)(mjData_*)> data_;
+};
+
+}  // namespace assay::mujoco

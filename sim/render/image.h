@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace assay::render {
+
+// An RGB picture, 8 bits a channel, rows from the top.
+struct Image {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint8_t> rgb;  // 3 * width * height bytes
+
+  bool operator==(const Image&) const = default;
+};
+
+// Throws EnvironmentError if the file cannot be written completely.
+void WritePng(const Image& image, const std::filesystem::path& file);
+// Throws InputError if the file is not a readable picture.
+Image ReadImage(const std::filesystem::path& file);
+
+struct CaptionedImage {
+  std::string caption;  // "3 putdown(block, BP5)"; cut with an ellipsis where it is too long
+  Image image;
+};
+
+// The images, all of one size, in rows of `columns`, each with its caption below, on white.
+Image ContactSheet(const std::vector<CaptionedImage>& images, int columns);
+
+}  // namespace assay::render

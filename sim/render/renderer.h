@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "sim/mujoco/data.h"
+#include "sim/render/image.h"
+
+namespace assay::render {
+
+// Pictures of a simulation by the engine's own renderer, off screen: with OSMesa, or with EGL
+// without a surface where there is no OSMesa. Both are loaded when the first Renderer is made, so
+// that nothing links against them. The same data give the same bytes on one machine. A renderer
+// belongs to the thread that made it.
+class Renderer {
+ public:
+  // Throws EnvironmentError, naming the Debian package to install, if there is no renderer.
+  // Sizes are 1 to 4096 pixels (checked).
+  Renderer(const mujoco::Model& model, int width, int height);
+  ~Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+
+  Image Render(const mujoco::Data& data, mujoco::CameraId camera);
+
+ private:
+  struct Contents;
+  std::unique_ptr<Contents> contents_;
+};
+
+// What renders on this machine: "OSMesa", "EGL"; empty if nothing does.
+std::string AvailableRenderer();
+
+}  // namespace assay::render

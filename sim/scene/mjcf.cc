@@ -1,0 +1,130 @@
+#include "sim/scene/mjcf.h"
+
+#include <fmt/format.h>
+
+#include "sim/scene/robot_mjcf.h"
+#include "sim/scene/stage_mjcf.h"
+#include "sim/scene/xml_element.h"
+
+namespace assay::scene {
+namespace {
+
+using domain::Part;
+using domain::Problem;
+
+// As stiff as a timestep of half a millisecond allows: a part of 1 kg sinks in by less than a
+// micrometre. (The engine raises the time constant to two timesteps where those are longer.)
+constexpr char kSolref[] = "0.001 1";
+constexpr char kSolimp[] = "0.99 0.9999 0.00001";
+// Small against every part's: of two frictions the engine takes the larger.
+constexpr double kTableFriction = 0.01;
+
+// Elliptic cones with a high ratio of friction to normal impedance keep a grasp from creeping;
+// Newton's method converges to the tolerance in a few iterations.
+void AddOption(const SceneOptions& options, XmlElement& mujoco) {
+  mujoco.Add("option")
+      .Set("timestep", options.timestep)
+      .Set("integrator", "Euler")
+      .Set("solver", "Newton")
+      .Set("iterations", "50")
+      .Set("tolerance", 1e-10)
+      .Set("cone", "elliptic")
+      .Set("impratio", 10);
+  mujoco.Add("size").Set("njmax", "1500").Set("nconmax", "400");
+}
+
+XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
+  return defaults.Add("default").Set("class", name).Add("geom");
+}
+
+// What may touch what: parts (1) collide with everything; hand and fingers (2) with parts and
+// table; table and floor (4) with those, arm links with nothing.
+void AddDefaults(XmlElement& mujoco) {
+  XmlElement& defaults = mujoco.Add("default");
+  defaults.Add("geom").Set("solref", kSolref).Set("solimp", kSolimp).Set("condim", "3");
+  defaults.Add("equality").Set("solref", kSolref).Set("solimp", kSolimp);
+  AddGeomClass("visual", defaults)
+      .Set("contype", "0")
+      .Set("conaffinity", "0")
+      .Set("material", "paint");
+  // Group 3 is not drawn: the visual shapes of the same links are.
+  AddGeomClass("collision", defaults).Set("contype", "2").Set("conaffinity", "5").Set("group", "3");
+  AddGeomClass("part", defaults)
+      .Set("contype", "1")
+      .Set("conaffinity", "7")
+      .Set("type", "box")
+      .Set("material", "part");
+  AddGeomClass("table", defaults)
+      .Set("contype", "4")
+      .Set("conaffinity", "3")
+      .Set("type", "box")
+      .Set("material", "table")
+      .Set("friction", {kTableFriction, 0.005, 0.0001});
+  AddGeomClass("floor", defaults)
+      .Set("contype", "4")
+      .Set("conaffinity", "3")
+      .Set("type", "plane")
+      .Set("size", "20 20 1")
+      .Set("material", "floor");
+  defaults.Add("default").Set("class", "mark").Add("site").Set("group", "4").Set("size", "0.005");
+}
+
+void AddMass(const geometry::MassProperties& mass, XmlElement& body) {
+  const geometry::Matrix3& I = mass.inertia;
+  body.Add("inertial")
+      .Set("pos", mass.center)
+      .Set("mass", mass.mass)
+      .Set("fullinertia", {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
+}
+
+void AddPart(const Part& part, const SceneOptions& options, XmlElement& worldbody) {
+  const domain::PartModel& model = *part.model;
+  const double friction = options.part_friction.value_or(model.friction());
+  XmlElement& body =
+      worldbody.Add("body").Set("name", "part/" + part.name).SetPose(part.X_WorldPart);
+  body.Add("freejoint").Set("name", "part/" + part.name);
+  AddMass(model.mass(), body);
+  for (std::size_t i = 0; i < model.boxes().size(); ++i) {
+    const Eigen::Vector4d color = model.colors()[i].cast<double>();
+    body.Add("geom")
+        .Set("class", "part")
+        .SetPose(model.boxes()[i].X_FrameBox)
+        .Set("size", model.boxes()[i].half_extents)
+        .Set("friction", {friction, 0.005, 0.0001})
+        .Set("rgba", std::span(color.data(), 4));
+  }
+}
+
+void AddWelds(const Problem& problem, XmlElement& equality) {
+  for (const Part& part : problem.parts) {
+    equality.Add("weld")
+        .Set("name", "weld/" + part.name)
+        .Set("body1", "gripper/hand")
+        .Set("body2", "part/" + part.name)
+        .Set("active", "false");
+  }
+}
+
+}  // namespace
+
+std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
+  XmlElement mujoco("mujoco");
+  mujoco.Set("model", problem.name);
+  mujoco.Add("compiler").Set("angle", "radian").Set("inertiafromgeom", "false");
+  AddOption(options, mujoco);
+  AddVisualSettings(problem, mujoco);
+  AddDefaults(mujoco);
+  AddMaterials(mujoco.Add("asset"));
+  XmlElement& worldbody = mujoco.Add("worldbody");
+  AddStage(problem, worldbody);
+  AddRobot(*problem.workcell, worldbody);
+  for (const Part& part : problem.parts) AddPart(part, options, worldbody);
+  XmlElement& equality = mujoco.Add("equality");
+  AddFingerCoupling(equality);
+  if (options.grasp == GraspMode::kWeld) AddWelds(problem, equality);
+  AddServos(*problem.workcell, mujoco.Add("actuator"));
+  AddWristSensors(mujoco.Add("sensor"));
+  return mujoco.Text();
+}
+
+}  // namespace assay::scene

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "planner/domain/problem.h"
+
+namespace assay::scene {
+
+// How a closed gripper holds a part.
+enum class GraspMode {
+  kFriction,  // by the friction of the pads
+  kWeld,      // by a rigid constraint besides, to leave slip out of a study
+};
+
+// How the problem's world is simulated.
+struct SceneOptions {
+  double timestep = 0.0005;  // seconds
+  GraspMode grasp = GraspMode::kFriction;
+  std::optional<double> part_friction;  // instead of the part files' values
+};
+
+// The whole workcell as a model for the engine, in its XML: floor, pedestal, table, arm, gripper,
+// parts as free bodies at their initial poses, sensors, cameras. Names: part NAME is body
+// "part/NAME"; arm links and joints have their URDF names after "arm/", those of the gripper after
+// "gripper/"; the table is geom "table" of the world.
+std::string ToMjcf(const domain::Problem& problem, const SceneOptions& options);
+
+}  // namespace assay::scene

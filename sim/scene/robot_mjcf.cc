@@ -1,0 +1,186 @@
+#include "sim/scene/robot_mjcf.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "planner/base/check.h"
+#include "sim/scene/servo_gains.h"
+
+namespace assay::scene {
+namespace {
+
+using domain::Workcell;
+using kinematics::Joint;
+using kinematics::JointType;
+using kinematics::Link;
+using kinematics::LinkId;
+using kinematics::RobotModel;
+
+// Fingers: fast enough to close in a second, slow enough that a light part which one finger meets
+// first does not coast away (v^2 / (2 mu g) = 0.3 mm at friction 0.25).
+constexpr double kFingerSpeed = 0.04;          // m/s under the grip force
+constexpr double kFingerStiffness = 4e4;       // N/m, until the grip force
+constexpr double kFingerArmature = 0.5;        // kg, of the drive
+constexpr double kFingerFriction = 0.2;        // of the fingers' steel and of the hand
+constexpr double kPadTorsionFriction = 0.005;  // m
+
+struct ShapeWriter {
+  XmlElement& geom;
+
+  void operator()(const kinematics::BoxShape& box) const {
+    geom.Set("type", "box").Set("size", geometry::Vector3(box.size / 2));
+  }
+  void operator()(const kinematics::CylinderShape& cylinder) const {
+    geom.Set("type", "cylinder").Set("size", {cylinder.radius, cylinder.length / 2});
+  }
+  void operator()(const kinematics::SphereShape& sphere) const {
+    geom.Set("type", "sphere").Set("size", {sphere.radius});
+  }
+};
+
+// Inertia in the link's axes: the engine takes a full matrix only without an orientation.
+void AddInertial(const kinematics::Inertial& inertial, XmlElement& body) {
+  const geometry::Matrix3 R = inertial.X_LinkCenter.linear();
+  const geometry::Matrix3 I = R * inertial.inertia * R.transpose();
+  body.Add("inertial")
+      .Set("pos", geometry::Vector3(inertial.X_LinkCenter.translation()))
+      .Set("mass", inertial.mass)
+      .Set("fullinertia", {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
+}
+
+void AddVisuals(const Link& link, XmlElement& body) {
+  for (const kinematics::Visual& visual : link.visuals) {
+    XmlElement& geom = body.Add("geom").Set("class", "visual");
+    std::visit(ShapeWriter{geom}, visual.shape);
+    const kinematics::Rgba& color = visual.color;
+    geom.SetPose(visual.X_LinkShape).Set("rgba", {color.red, color.green, color.blue, color.alpha});
+  }
+}
+
+// Adds robots link by link; names are prefixed, because arm and gripper may use the same.
+class RobotWriter {
+ public:
+  RobotWriter(const RobotModel& model, std::string prefix)
+      : model_(model), prefix_(std::move(prefix)) {}
+
+  XmlElement& AddRoot(const geometry::Pose& X_ParentRoot, XmlElement& parent) const {
+    return AddLink(model_.links.front(), X_ParentRoot, parent);
+  }
+
+  // The body of the link that `joint` moves.
+  XmlElement& AddMoved(const Joint& joint, XmlElement& parent) const {
+    return AddLink(model_.link(joint.child), joint.X_ParentJoint, parent);
+  }
+
+  XmlElement& AddJoint(const Joint& joint, XmlElement& body) const {
+    return body.Add("joint")
+        .Set("name", prefix_ + joint.name)
+        .Set("type", joint.type == JointType::kPrismatic ? "slide" : "hinge")
+        .Set("axis", joint.axis)
+        .Set("limited", "true")
+        .Set("range", {joint.limits.lower, joint.limits.upper});
+  }
+
+  const Joint& Find(std::string_view joint) const {
+    const kinematics::JointId id = model_.FindJoint(joint);
+    ASSAY_CHECK(!id.IsNone(), "{} has no joint '{}'", model_.name, joint);
+    return model_.joint(id);
+  }
+
+ private:
+  XmlElement& AddLink(const Link& link, const geometry::Pose& X_ParentLink,
+                      XmlElement& parent) const {
+    XmlElement& body = parent.Add("body").Set("name", prefix_ + link.name).SetPose(X_ParentLink);
+    if (link.inertial) AddInertial(*link.inertial, body);
+    AddVisuals(link, body);
+    return body;
+  }
+
+  const RobotModel& model_;
+  std::string prefix_;
+};
+
+void AddCollisions(const Link& link, double pad_friction, XmlElement& body) {
+  for (const kinematics::Collision& collision : link.collisions) {
+    XmlElement& geom = body.Add("geom").Set("class", "collision");
+    std::visit(ShapeWriter{geom}, collision.shape);
+    geom.SetPose(collision.X_LinkShape);
+    if (collision.name == "pad") {
+      geom.Set("condim", "4").Set("friction", {pad_friction, kPadTorsionFriction, 0.0001});
+    } else {
+      geom.Set("friction", {kFingerFriction, kPadTorsionFriction, 0.0001});
+    }
+  }
+}
+
+void AddGripper(const Workcell& workcell, XmlElement& flange) {
+  const kinematics::Gripper& gripper = workcell.gripper();
+  const RobotModel& model = gripper.model();
+  const RobotWriter writer(model, "gripper/");
+  const double pad_friction = workcell.rules().pad_friction;
+  XmlElement& hand = writer.AddRoot(geometry::Pose::Identity(), flange);
+  AddCollisions(model.links.front(), pad_friction, hand);
+  hand.Add("site").Set("name", "wrist").Set("class", "mark");
+  hand.Add("site").Set("name", "tool").Set("class", "mark").SetPose(gripper.X_FlangeTool());
+  for (const char* name : {"finger_left", "finger_right"}) {
+    const Joint& joint = writer.Find(name);
+    XmlElement& finger = writer.AddMoved(joint, hand);
+    writer.AddJoint(joint, finger)
+        .Set("armature", kFingerArmature)
+        .Set("damping", workcell.rules().grip_force / kFingerSpeed);
+    AddCollisions(model.link(joint.child), pad_friction, finger);
+  }
+}
+
+void AddServo(const std::string& joint, double stiffness, XmlElement& general) {
+  general.Set("name", joint)
+      .Set("joint", joint)
+      .Set("gainprm", stiffness)
+      .Set("biastype", "affine")
+      .Set("biasprm", {0, -stiffness, 0});
+}
+
+}  // namespace
+
+void AddRobot(const Workcell& workcell, XmlElement& worldbody) {
+  const RobotModel& model = workcell.arm().model();
+  ASSAY_CHECK(model.joints.size() == kServoGains.size());
+  const RobotWriter writer(model, "arm/");
+  XmlElement* body = &writer.AddRoot(workcell.X_WorldBase(), worldbody);
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    body = &writer.AddMoved(model.joints[i], *body);
+    writer.AddJoint(model.joints[i], *body)
+        .Set("armature", kServoGains[i].armature)
+        .Set("damping", kServoGains[i].damping);
+  }
+  AddGripper(workcell, *body);
+}
+
+void AddFingerCoupling(XmlElement& equality) {
+  equality.Add("joint")
+      .Set("name", "gripper/coupling")
+      .Set("joint1", "gripper/finger_left")
+      .Set("joint2", "gripper/finger_right")
+      .Set("polycoef", {0, 1, 0, 0, 0});
+}
+
+void AddServos(const Workcell& workcell, XmlElement& actuator) {
+  const RobotModel& model = workcell.arm().model();
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    AddServo("arm/" + model.joints[i].name, kServoGains[i].stiffness, actuator.Add("general"));
+  }
+  const double force = workcell.rules().grip_force;
+  for (const char* name : {"gripper/finger_left", "gripper/finger_right"}) {
+    XmlElement& general = actuator.Add("general");
+    AddServo(name, kFingerStiffness, general);
+    general.Set("forcelimited", "true").Set("forcerange", {-force, force});
+  }
+}
+
+void AddWristSensors(XmlElement& sensor) {
+  sensor.Add("force").Set("name", "wrist/force").Set("site", "wrist");
+  sensor.Add("torque").Set("name", "wrist/torque").Set("site", "wrist");
+}
+
+}  // namespace assay::scene

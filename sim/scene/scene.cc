@@ -1,0 +1,168 @@
+#include "sim/scene/scene.h"
+
+#include <mujoco/mujoco.h>
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+
+namespace assay::scene {
+namespace {
+
+using mujoco::Data;
+using mujoco::Model;
+
+ArmAddresses FindArm(const Model& model, const kinematics::RobotModel& robot) {
+  ArmAddresses arm;
+  for (std::size_t i = 0; i < arm.qpos.size(); ++i) {
+    const std::string name = "arm/" + robot.joints[i].name;
+    arm.qpos[i] = model.QposAddress(model.Joint(name));
+    arm.dof[i] = model.DofAddress(model.Joint(name));
+    arm.ctrl[i] = model.Actuator(name).index();
+  }
+  return arm;
+}
+
+JointVector Gather(std::span<const double> values, const std::array<int, 6>& addresses) {
+  JointVector gathered;
+  for (std::size_t i = 0; i < addresses.size(); ++i) gathered[i] = values[addresses[i]];
+  return gathered;
+}
+
+void Scatter(const JointVector& from, const std::array<int, 6>& addresses,
+             std::span<double> values) {
+  for (std::size_t i = 0; i < addresses.size(); ++i) values[addresses[i]] = from[i];
+}
+
+Vector3 VectorAt(std::span<const double> values, int address) {
+  return {values[address], values[address + 1], values[address + 2]};
+}
+
+}  // namespace
+
+Scene::Scene(const domain::Problem& problem, const SceneOptions& options)
+    : options_(options),
+      model_(Model::FromMjcf(ToMjcf(problem, options))),
+      arm_(FindArm(model_, problem.workcell->arm().model())),
+      hand_(model_.Body("gripper/hand")),
+      tool_(model_.Site("tool")),
+      wrist_(model_.Site("wrist")),
+      force_sensor_(model_.SensorAddress(model_.Sensor("wrist/force"))),
+      torque_sensor_(model_.SensorAddress(model_.Sensor("wrist/torque"))),
+      max_opening_(problem.workcell->gripper().max_opening()),
+      home_(problem.workcell->home()) {
+  fingers_ = {FindFinger("gripper/finger_left"), FindFinger("gripper/finger_right")};
+  for (const domain::Part& part : problem.parts) parts_.push_back(FindPart(part.name));
+}
+
+Scene::Finger Scene::FindFinger(const std::string& name) const {
+  const mujoco::JointId joint = model_.Joint(name);
+  return {.body = model_.Body(name),
+          .qpos = model_.QposAddress(joint),
+          .dof = model_.DofAddress(joint),
+          .ctrl = model_.Actuator(name).index()};
+}
+
+Scene::FreeBody Scene::FindPart(const std::string& name) const {
+  const mujoco::JointId joint = model_.Joint("part/" + name);
+  const bool welds = options_.grasp == GraspMode::kWeld;
+  return {.body = model_.Body("part/" + name),
+          .qpos = model_.QposAddress(joint),
+          .dof = model_.DofAddress(joint),
+          .weld = welds ? model_.Equality("weld/" + name) : mujoco::EqualityId::None()};
+}
+
+Data Scene::Start() const {
+  Data data(model_);
+  SetArm(data, home_);
+  SetGripper(data, max_opening_);
+  return data;
+}
+
+void Scene::SetArm(Data& data, const JointVector& q) const {
+  Scatter(q, arm_.qpos, data.qpos());
+  Scatter(JointVector::Zero(), arm_.dof, data.qvel());
+  Scatter(q, arm_.ctrl, data.ctrl());
+  data.Forward();
+  Scatter(Gather(data.qfrc_bias(), arm_.dof), arm_.dof, data.qfrc_applied());
+}
+
+JointVector Scene::ArmPosition(const Data& data) const { return Gather(data.qpos(), arm_.qpos); }
+
+JointVector Scene::ArmVelocity(const Data& data) const { return Gather(data.qvel(), arm_.dof); }
+
+Pose Scene::ToolPose(const Data& data) const { return data.SitePose(tool_); }
+
+void Scene::CommandGripper(Data& data, double opening) const {
+  const double half = std::clamp(opening, 0.0, max_opening_) / 2;
+  for (const Finger& finger : fingers_) data.ctrl()[finger.ctrl] = half;
+}
+
+void Scene::SetGripper(Data& data, double opening) const {
+  CommandGripper(data, opening);
+  for (const Finger& finger : fingers_) {
+    data.qpos()[finger.qpos] = data.ctrl()[finger.ctrl];
+    data.qvel()[finger.dof] = 0;
+  }
+  data.Forward();
+}
+
+double Scene::Opening(const Data& data) const {
+  return data.qpos()[fingers_[0].qpos] + data.qpos()[fingers_[1].qpos];
+}
+
+double Scene::OpeningSpeed(const Data& data) const {
+  return data.qvel()[fingers_[0].dof] + data.qvel()[fingers_[1].dof];
+}
+
+Pose Scene::TruePose(const Data& data, PartId part) const { return data.BodyPose(Body(part)); }
+
+Twist Scene::TrueTwist(const Data& data, PartId part) const {
+  const int dof = parts_[part.index()].dof;
+  const Vector3 angular_in_body = VectorAt(data.qvel(), dof + 3);
+  return {.linear = VectorAt(data.qvel(), dof),
+          .angular = TruePose(data, part).linear() * angular_in_body};
+}
+
+void Scene::SetPart(Data& data, PartId part, const Pose& X_WorldPart) const {
+  const FreeBody& body = parts_[part.index()];
+  const Eigen::Quaterniond turn(X_WorldPart.linear());
+  const Vector3 p = X_WorldPart.translation();
+  const std::array<double, 7> values = {p.x(),    p.y(),    p.z(),   turn.w(),
+                                        turn.x(), turn.y(), turn.z()};
+  std::copy(values.begin(), values.end(), data.qpos().begin() + body.qpos);
+  std::fill_n(data.qvel().begin() + body.dof, 6, 0.0);
+  data.Forward();
+}
+
+void Scene::AttachPart(Data& data, PartId part) const {
+  const mujoco::EqualityId weld = parts_[part.index()].weld;
+  if (!weld.IsNone()) data.ActivateWeldHere(weld);
+}
+
+void Scene::DetachPart(Data& data, PartId part) const {
+  const mujoco::EqualityId weld = parts_[part.index()].weld;
+  if (!weld.IsNone()) data.Deactivate(weld);
+}
+
+// The sensors give what the arm exerts on the hand, in the site's frame. At rest that and gravity
+// and the contacts' wrench add up to nothing: contacts = -(sensor) - m g.
+Wrench Scene::WristWrench(const Data& data) const {
+  const Pose X_WorldWrist = data.SitePose(wrist_);
+  const mjModel& m = *data.own_model();
+  const Vector3 weight =
+      m.body_subtreemass[hand_.index()] * Eigen::Map<const Vector3>(m.opt.gravity);
+  const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand_.index());
+  const Vector3 arm = center - X_WorldWrist.translation();
+  const Vector3 force = X_WorldWrist.linear() * VectorAt(data.sensordata(), force_sensor_);
+  const Vector3 torque = X_WorldWrist.linear() * VectorAt(data.sensordata(), torque_sensor_);
+  return {.force = -force - weight, .torque = -torque - arm.cross(weight)};
+}
+
+bool Scene::Touching(const Data& data, PartId part, mujoco::BodyId body) const {
+  return !mujoco::ContactsBetween(data, Body(part), body).empty();
+}
+
+}  // namespace assay::scene

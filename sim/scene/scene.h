@@ -1,0 +1,122 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "planner/domain/problem.h"
+#include "planner/kinematics/arm.h"
+#include "sim/mujoco/contact.h"
+#include "sim/mujoco/data.h"
+#include "sim/mujoco/model.h"
+#include "sim/scene/mjcf.h"
+
+namespace assay::scene {
+
+using domain::PartId;
+using geometry::Pose;
+using geometry::Vector3;
+using kinematics::JointVector;
+
+// A force and a torque about a point, newtons and newton metres.
+struct Wrench {
+  Vector3 force = Vector3::Zero();
+  Vector3 torque = Vector3::Zero();
+};
+
+// Velocity of a body's origin and its angular velocity, world frame.
+struct Twist {
+  Vector3 linear = Vector3::Zero();   // m/s
+  Vector3 angular = Vector3::Zero();  // rad/s
+};
+
+// Where the engine keeps the six arm joints, joint 1 first.
+struct ArmAddresses {
+  std::array<int, 6> qpos{};
+  std::array<int, 6> dof{};   // in qvel, qfrc_applied, qfrc_bias
+  std::array<int, 6> ctrl{};  // position of the joint's servo
+};
+
+// The workcell of a problem in the engine. Immutable: threads may share it, each with its own Data.
+class Scene {
+ public:
+  Scene(const domain::Problem& problem, const SceneOptions& options);
+
+  const mujoco::Model& model() const { return model_; }
+  const SceneOptions& options() const { return options_; }
+  const ArmAddresses& arm() const { return arm_; }
+
+  // A simulation at the problem's start: arm at the workcell's home, servos holding it there,
+  // gripper open, parts at their initial poses.
+  mujoco::Data Start() const;
+
+  // The arm, at rest with its servos on these joint values: a jump, for the start of a trial.
+  void SetArm(mujoco::Data& data, const JointVector& q) const;
+  JointVector ArmPosition(const mujoco::Data& data) const;
+  JointVector ArmVelocity(const mujoco::Data& data) const;
+  Pose ToolPose(const mujoco::Data& data) const;  // X_WorldTool
+
+  // The fingers close or open together until this opening (metres between the pads) or until each
+  // pushes with the workcell's grip force. CommandGripper(data, 0) closes on whatever is there.
+  void CommandGripper(mujoco::Data& data, double opening) const;
+  // The gripper is set to this opening, at rest and commanded there: a jump.
+  void SetGripper(mujoco::Data& data, double opening) const;
+  double Opening(const mujoco::Data& data) const;       // metres between the pads
+  double OpeningSpeed(const mujoco::Data& data) const;  // m/s, positive when opening
+  double max_opening() const { return max_opening_; }
+
+  int part_count() const { return static_cast<int>(parts_.size()); }
+  mujoco::BodyId Body(PartId part) const { return parts_[part.index()].body; }
+  Pose TruePose(const mujoco::Data& data, PartId part) const;  // X_WorldPart
+  Twist TrueTwist(const mujoco::Data& data, PartId part) const;
+  // Puts a part somewhere, at rest: a jump, for the start of a trial.
+  void SetPart(mujoco::Data& data, PartId part, const Pose& X_WorldPart) const;
+
+  // With GraspMode::kWeld, fixes the part to the tool where it is now; with kFriction, nothing.
+  void AttachPart(mujoco::Data& data, PartId part) const;
+  void DetachPart(mujoco::Data& data, PartId part) const;
+
+  // What contacts (and welds) exert on hand, fingers and all that they hold, about the wrist
+  // site's origin (the flange), world frame. Reading of the force and torque sensor without the
+  // weight of hand and fingers; quasi-static: their inertial forces are not taken out.
+  Wrench WristWrench(const mujoco::Data& data) const;
+
+  // Bodies that contacts are asked about (mujoco::ContactsBetween). Table and floor belong to the
+  // world.
+  mujoco::BodyId world() const { return mujoco::BodyId(0); }
+  mujoco::BodyId hand() const { return hand_; }
+  mujoco::BodyId left_finger() const { return fingers_[0].body; }
+  mujoco::BodyId right_finger() const { return fingers_[1].body; }
+  bool Touching(const mujoco::Data& data, PartId part, mujoco::BodyId body) const;
+
+ private:
+  struct FreeBody {
+    mujoco::BodyId body;
+    int qpos = 0;             // position, then quaternion w x y z
+    int dof = 0;              // linear velocity in the world frame, then angular in the body's
+    mujoco::EqualityId weld;  // None without welds
+  };
+  struct Finger {
+    mujoco::BodyId body;
+    int qpos = 0;
+    int dof = 0;
+    int ctrl = 0;
+  };
+
+  Finger FindFinger(const std::string& name) const;
+  FreeBody FindPart(const std::string& name) const;
+
+  SceneOptions options_;
+  mujoco::Model model_;
+  ArmAddresses arm_;
+  std::array<Finger, 2> fingers_;
+  std::vector<FreeBody> parts_;
+  mujoco::BodyId hand_;
+  mujoco::SiteId tool_;
+  mujoco::SiteId wrist_;
+  int force_sensor_ = 0;   // in sensordata
+  int torque_sensor_ = 0;  // in sensordata
+  double max_opening_ = 0;
+  JointVector home_ = JointVector::Zero();
+};
+
+}  // namespace assay::scene

@@ -1,0 +1,202 @@
+#include "sim/scene/stage_mjcf.h"
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+
+namespace assay::scene {
+namespace {
+
+using domain::Problem;
+using geometry::Vector2;
+using geometry::Vector3;
+
+struct Rectangle {
+  Vector2 low;
+  Vector2 high;
+  Vector2 center() const { return (low + high) / 2; }
+  Vector2 half_extents() const { return (high - low) / 2; }
+};
+
+// The table in the engine is the rectangle around the polygon: parts are never put outside of the
+// polygon, and a box is the only table with exact contacts.
+Rectangle TableRectangle(const domain::Table& table) {
+  ASSAY_CHECK(table.top.size() >= 3);
+  Rectangle r{table.top.front(), table.top.front()};
+  for (const Vector2& corner : table.top) {
+    r.low = r.low.cwiseMin(corner);
+    r.high = r.high.cwiseMax(corner);
+  }
+  return r;
+}
+
+// The height of the floor: where the lowest shape of the robot's root stands.
+double FloorHeight(const domain::Workcell& workcell) {
+  double lowest = 0;
+  for (const kinematics::Visual& visual : workcell.arm().model().links.front().visuals) {
+    double half_height = 0;
+    if (const auto* box = std::get_if<kinematics::BoxShape>(&visual.shape)) {
+      half_height = box->size.z() / 2;
+    }
+    lowest = std::min(lowest, visual.X_LinkShape.translation().z() - half_height);
+  }
+  return workcell.X_WorldBase().translation().z() + lowest;
+}
+
+void AddTable(const domain::Workcell& workcell, XmlElement& worldbody) {
+  const domain::Table& table = workcell.table();
+  const Rectangle r = TableRectangle(table);
+  const Vector2 half = r.half_extents();
+  worldbody.Add("geom")
+      .Set("name", "table")
+      .Set("class", "table")
+      .Set("size", {half.x(), half.y(), table.thickness / 2})
+      .Set("pos", {r.center().x(), r.center().y(), -table.thickness / 2});
+  const double leg = (-table.thickness - FloorHeight(workcell)) / 2;
+  if (leg <= 0) return;
+  constexpr double kLegHalfWidth = 0.03;
+  for (const double x : {r.low.x() + 2 * kLegHalfWidth, r.high.x() - 2 * kLegHalfWidth}) {
+    for (const double y : {r.low.y() + 2 * kLegHalfWidth, r.high.y() - 2 * kLegHalfWidth}) {
+      worldbody.Add("geom")
+          .Set("class", "visual")
+          .Set("type", "box")
+          .Set("size", {kLegHalfWidth, kLegHalfWidth, leg})
+          .Set("pos", {x, y, -table.thickness - leg})
+          .Set("rgba", {0.25, 0.26, 0.28, 1});
+    }
+  }
+}
+
+// A camera as people place one: where it stands and what is in the middle of its picture.
+struct View {
+  const char* name;
+  Vector3 eye;
+  Vector3 target;
+  double vertical_angle;  // degrees, the engine's unit for it in every file
+};
+
+// The engine's cameras look along -z, with y up in the picture.
+void AddCamera(const View& view, XmlElement& worldbody) {
+  const Vector3 back = (view.eye - view.target).normalized();
+  const bool vertical = back.cross(Vector3::UnitZ()).norm() < 1e-6;
+  const Vector3 up = vertical ? Vector3(1, 0, 0) : Vector3(0, 0, 1);
+  const Vector3 right = up.cross(back).normalized();
+  const Vector3 y = back.cross(right);
+  worldbody.Add("camera")
+      .Set("name", view.name)
+      .Set("pos", view.eye)
+      .Set("xyaxes", {right.x(), right.y(), right.z(), y.x(), y.y(), y.z()})
+      .Set("fovy", view.vertical_angle);
+}
+
+// The middle of the parts at the start and how far they reach from it, on the table.
+struct Group {
+  Vector3 center = Vector3::Zero();
+  double radius = 0;
+};
+
+Group PartGroup(const Problem& problem) {
+  const Vector2 table = TableRectangle(problem.workcell->table()).center();
+  Group group{.center = {table.x(), table.y(), 0}};
+  if (problem.parts.empty()) return group;
+  group.center.setZero();
+  for (const domain::Part& part : problem.parts) {
+    group.center += part.X_WorldPart * part.model->mass().center;
+  }
+  group.center /= static_cast<double>(problem.parts.size());
+  for (const domain::Part& part : problem.parts) {
+    const Vector3 center = part.X_WorldPart * part.model->mass().center;
+    group.radius = std::max(group.radius, (center - group.center).norm());
+  }
+  return group;
+}
+
+void AddCameras(const Problem& problem, XmlElement& worldbody) {
+  const Vector2 table = TableRectangle(problem.workcell->table()).center();
+  const Vector3 cell(table.x() * 0.5, 0, 0.3);
+  const Group parts = PartGroup(problem);
+  const double distance = 0.75 + 2 * parts.radius;
+  const Vector3 close = Vector3(0.85, -0.8, 0.85).normalized() * distance;
+  AddCamera({"overview", Vector3(cell.x() + 2.3, -2.1, 1.35), cell, 40}, worldbody);
+  AddCamera({"close", parts.center + close, parts.center, 35}, worldbody);
+  AddCamera({"side", Vector3(table.x(), -1.9, 0.45), {table.x() - 0.1, 0, 0.3}, 40}, worldbody);
+  AddCamera({"top", Vector3(table.x(), 0, 2.2), {table.x(), 0, 0}, 40}, worldbody);
+}
+
+void AddLights(const Problem& problem, XmlElement& worldbody) {
+  const Vector2 table = TableRectangle(problem.workcell->table()).center();
+  worldbody.Add("light")
+      .Set("directional", "true")
+      .Set("castshadow", "true")
+      .Set("pos", {table.x() + 1.0, -1.6, 2.6})
+      .Set("dir", {-0.35, 0.55, -1})
+      .Set("diffuse", {0.6, 0.58, 0.54})
+      .Set("specular", {0.25, 0.25, 0.25});
+  worldbody.Add("light")
+      .Set("directional", "true")
+      .Set("castshadow", "false")
+      .Set("pos", {table.x() + 1.5, 1.5, 2})
+      .Set("dir", {-1, -0.6, -0.7})
+      .Set("diffuse", {0.22, 0.24, 0.28})
+      .Set("specular", {0.05, 0.05, 0.05});
+}
+
+}  // namespace
+
+void AddMaterials(XmlElement& asset) {
+  asset.Add("texture")
+      .Set("name", "sky")
+      .Set("type", "skybox")
+      .Set("builtin", "gradient")
+      .Set("rgb1", {0.93, 0.95, 0.97})
+      .Set("rgb2", {0.62, 0.70, 0.78})
+      .Set("width", "128")
+      .Set("height", "768");
+  asset.Add("texture")
+      .Set("name", "tiles")
+      .Set("type", "2d")
+      .Set("builtin", "checker")
+      .Set("rgb1", {0.66, 0.68, 0.70})
+      .Set("rgb2", {0.56, 0.58, 0.61})
+      .Set("width", "256")
+      .Set("height", "256");
+  asset.Add("material")
+      .Set("name", "floor")
+      .Set("texture", "tiles")
+      .Set("texrepeat", {2, 2})
+      .Set("texuniform", "true")
+      .Set("reflectance", 0.06)
+      .Set("specular", 0.1);
+  asset.Add("material")
+      .Set("name", "table")
+      .Set("rgba", {0.80, 0.79, 0.76, 1})
+      .Set("specular", 0.15);
+  asset.Add("material").Set("name", "paint").Set("specular", 0.35).Set("shininess", 0.6);
+  asset.Add("material").Set("name", "part").Set("specular", 0.15).Set("shininess", 0.3);
+}
+
+void AddStage(const Problem& problem, XmlElement& worldbody) {
+  const domain::Workcell& workcell = *problem.workcell;
+  worldbody.Add("geom")
+      .Set("name", "floor")
+      .Set("class", "floor")
+      .Set("pos", {0, 0, FloorHeight(workcell)});
+  AddTable(workcell, worldbody);
+  AddLights(problem, worldbody);
+  AddCameras(problem, worldbody);
+}
+
+void AddVisualSettings(const Problem& problem, XmlElement& mujoco) {
+  const Vector2 table = TableRectangle(problem.workcell->table()).center();
+  // The shadow map of a directional light covers this extent around this centre.
+  mujoco.Add("statistic").Set("center", {table.x() * 0.5, 0, 0.3}).Set("extent", 1.6);
+  XmlElement& visual = mujoco.Add("visual");
+  visual.Add("headlight")
+      .Set("ambient", {0.33, 0.33, 0.34})
+      .Set("diffuse", {0.18, 0.18, 0.18})
+      .Set("specular", {0.05, 0.05, 0.05});
+  visual.Add("quality").Set("shadowsize", "4096").Set("offsamples", "4");
+  visual.Add("map").Set("znear", 0.01).Set("zfar", 20).Set("shadowclip", 1.1);
+}
+
+}  // namespace assay::scene

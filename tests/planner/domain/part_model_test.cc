@@ -1,0 +1,258 @@
+#include "planner/domain/part_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/domain/exposed_faces.h"
+#include "planner/domain/planar_region.h"
+#include "tests/oracle/random_pose.h"
+#include "tests/planner/domain/parts.h"
+
+namespace assay::domain {
+namespace {
+
+using geometry::Polygon;
+
+constexpr std::uint64_t kSeed = 3;
+constexpr double kCubicInch = kInch * kInch * kInch;
+constexpr double kSquareInch = kInch * kInch;
+
+double SurfaceOf(const PartModel& part) {
+  double area = 0;
+  for (const Face& face : part.faces()) area += Area(face.patches);
+  return area;
+}
+
+// The divergence theorem: a closed surface has no resultant normal, and a third of offset times
+// area adds up to the volume inside.
+void ExpectClosedSurface(const PartModel& part, double volume, double tolerance) {
+  Vector3 normals = Vector3::Zero();
+  double enclosed = 0;
+  for (const Face& face : part.faces()) {
+    const double area = Area(face.patches);
+    normals += area * face.normal;
+    enclosed += area * face.offset / 3;
+  }
+  EXPECT_LT(normals.norm(), 1e-9) << part.name();
+  EXPECT_NEAR(enclosed, volume, tolerance) << part.name();
+}
+
+bool IsSolid(const PartModel& part, const Vector3& p) {
+  return std::ranges::any_of(part.boxes(), [&](const auto& box) { return box.Contains(p, 0); });
+}
+
+FaceId FaceAt(const PartModel& part, const Vector3& normal, double offset) {
+  const FaceId id = FindFace(part.faces(), normal, offset);
+  EXPECT_FALSE(id.IsNone());
+  return id;
+}
+
+// A square on a face around a point of the part frame.
+Polygon SquareAround(const Face& face, const Vector3& center, double half) {
+  const Vector2 c = (face.X_PartFace.inverse() * center).head<2>();
+  return {c + Vector2(-half, -half), c + Vector2(half, -half), c + Vector2(half, half),
+          c + Vector2(-half, half)};
+}
+
+TEST(PartModelTest, MassAndVolumeOfTheBlock) {
+  const auto exact = LoadPart("block", 0);
+  const double hole = 2.8 * 1.5 * 1.5, pin_hole = 0.5 * 0.25 * 0.25;
+  EXPECT_NEAR(exact->mass().mass, 700 * (3 * 3 * 6.5 - hole - pin_hole) * kCubicInch, 1e-9);
+  const double wide = 1.5 * kInch + 2 * 0.0005;  // the clearance is on each side
+  EXPECT_NEAR(LoadPart("block", 0.0005)->mass().mass,
+              700 * ((58.5 - pin_hole) * kCubicInch - 2.8 * kInch * wide * wide), 1e-9);
+  EXPECT_NEAR(exact->mass().center.y(), 0, 1e-12);
+}
+
+TEST(PartModelTest, MassAndCentreOfThePeg) {
+  const auto peg = LoadPart("peg");
+  const double plate = 9 - 0.0625, shaft = 2.25 * 2.75;
+  EXPECT_NEAR(peg->mass().mass, 700 * (plate + shaft) * kCubicInch, 1e-9);
+  EXPECT_NEAR(peg->mass().center.x(),
+              kInch * (-0.5 * plate + 1.375 * shaft) / (plate + shaft), 1e-9);
+  EXPECT_NEAR(peg->mass().center.z(), kInch * 0.0625 * 1.125 / (plate + shaft), 1e-9);
+}
+
+TEST(PartModelTest, SurfaceOfThePeg) {
+  const double base = 9 - 0.0625, shoulder = 9 - 2.25 - 0.0625, sides = 4 * 3;
+  const double shaft = 4 * 1.5 * 2.75 + 2.25, pin_hole = 4 * 0.25;
+  EXPECT_NEAR(SurfaceOf(*LoadPart("peg")),
+              (base + shoulder + sides + shaft + pin_hole) * kSquareInch, 1e-9);
+}
+
+TEST(PartModelTest, TheShoulderOfThePegIsARingAroundTheShaft) {
+  const auto peg = LoadPart("peg");
+  const Face& shoulder = peg->faces()[FaceAt(*peg, Vector3::UnitX(), 0).index()];
+  EXPECT_NEAR(Area(shoulder.patches), (9 - 2.25 - 0.0625) * kSquareInch, 1e-9);
+  const auto at = [&](double y, double z, double half) {
+    return SquareAround(shoulder, Vector3(0, y, z) * kInch, half * kInch);
+  };
+  EXPECT_TRUE(shoulder.Covers(at(1.125, 0, 0.37)));
+  EXPECT_FALSE(shoulder.Covers(at(1.125, 0, 0.38)));   // over edge and shaft
+  EXPECT_FALSE(shoulder.Covers(at(0, 0, 0.5)));        // under the shaft
+  EXPECT_FALSE(shoulder.Covers(at(0, -1.125, 0.2)));   // over the alignment hole
+  EXPECT_TRUE(shoulder.Covers(at(0, 1.125, 0.3)));
+  EXPECT_EQ(Indices(peg->FeaturesUnder(FaceAt(*peg, Vector3::UnitX(), 0), at(0, -1.1, 0.1))),
+            std::vector<int>{8});
+  EXPECT_EQ(Indices(peg->FeaturesUnder(FaceAt(*peg, Vector3::UnitX(), 0), at(0, -1.1, 0.2))),
+            (std::vector<int>{2, 8}));
+  EXPECT_EQ(Indices(peg->FeaturesUnder(FaceAt(*peg, Vector3::UnitX(), 0), at(0, 1.1, 0.2))),
+            std::vector<int>{2});
+}
+
+TEST(PartModelTest, SurfacesAreClosed) {
+  for (const std::string& name : PartNames()) {
+    const auto part = LoadPart(name);
+    ExpectClosedSurface(*part, part->mass().mass / 700, 1e-12);
+  }
+}
+
+// Eight times the triangle over half a side: 2 (sqrt 2 - 1) w^2 for the width w across flats.
+TEST(PartModelTest, FourTurnedBoxesMakeAnExactOctagonalPrism) {
+  const auto part = ParsePart(OctagonalPeg());
+  const double section = 2 * (std::sqrt(2) - 1) * 0.04 * 0.04;
+  EXPECT_EQ(part->faces().size(), 10u);
+  ExpectClosedSurface(*part, section * 0.06, 1e-12);
+  EXPECT_NEAR(part->mass().mass, 1000 * section * 0.06, 1e-3 * 1000 * section * 0.06);
+  EXPECT_NEAR(Area(part->faces()[FaceAt(*part, Vector3::UnitX(), 0.06).index()].patches), section,
+              1e-12);
+}
+
+// Boxes on a coarse grid overlap and touch in every way.
+TEST(PartModelTest, RandomUnionsHaveClosedSurfacesOfOneSkin) {
+  RandomStream random(kSeed, "unions");
+  for (int trial = 0; trial < 60; ++trial) {
+    std::vector<geometry::Box> boxes;
+    for (int i = 0; i < 5; ++i) {
+      Vector3 low, size;
+      for (int k = 0; k < 3; ++k) {
+        low[k] = 0.01 * random.Index(4);
+        size[k] = 0.01 * (1 + random.Index(3));
+      }
+      boxes.push_back(geometry::Box::FromCorners(low, low + size));
+    }
+    const double volume = geometry::MassOf(boxes, 1).mass;
+    double enclosed = 0;
+    for (const Face& face : ExposedFaces(boxes)) {
+      enclosed += Area(face.patches) * face.offset / 3;
+      for (std::size_t i = 0; i < face.patches.size(); ++i) {
+        for (std::size_t j = 0; j < i; ++j) {
+          EXPECT_GT(geometry::Gap(face.patches[i], face.patches[j]), -1e-9);
+        }
+      }
+    }
+    EXPECT_NEAR(enclosed, volume, 1e-12) << "seed " << kSeed << " trial " << trial;
+  }
+}
+
+// Just below every patch there is matter, just above there is none.
+TEST(PartModelTest, FacesSeparateMatterFromAir) {
+  std::vector<std::shared_ptr<const PartModel>> parts = {ParsePart(OctagonalPeg())};
+  for (const std::string& name : PartNames()) parts.push_back(LoadPart(name));
+  RandomStream random(kSeed, "skin");
+  for (const auto& part : parts) {
+    for (const Face& face : part->faces()) {
+      for (const Polygon& patch : face.patches) {
+        for (int i = 0; i < 10; ++i) {
+          const Vector2 corner = patch[random.Index(static_cast<int>(patch.size()))];
+          const Vector2 p = geometry::Centroid(patch) +
+                            random.Uniform(0, 0.999) * (corner - geometry::Centroid(patch));
+          const Vector3 on = face.X_PartFace * Vector3(p.x(), p.y(), 0);
+          EXPECT_NEAR(face.normal.dot(on), face.offset, 1e-9);
+          EXPECT_TRUE(IsSolid(*part, on - 1e-5 * face.normal)) << part->name();
+          EXPECT_FALSE(IsSolid(*part, on + 1e-5 * face.normal)) << part->name();
+        }
+      }
+    }
+  }
+}
+
+TEST(PartModelTest, MatingFramesLookOutOfHolesAndAlongShafts) {
+  const auto block = LoadPart("block");
+  const Pose hole = block->FindFeature(FeatureNumber(7))->X_PartFeature;
+  EXPECT_LT((hole.translation() - kInch * Vector3(3, 0, 3.25)).norm(), 1e-9);
+  EXPECT_LT((hole.linear().col(2) - Vector3::UnitX()).norm(), 1e-9);
+  const auto peg = LoadPart("peg");
+  const Pose tip = peg->FindFeature(FeatureNumber(7))->X_PartFeature;
+  EXPECT_LT((tip.translation() - kInch * Vector3(2.75, 0, 0)).norm(), 1e-9);
+  EXPECT_LT((tip.linear().col(2) - Vector3::UnitX()).norm(), 1e-9);
+  const Pose base = peg->FindFeature(FeatureNumber(1))->X_PartFeature;
+  EXPECT_NEAR(base.translation().x(), -kInch, 1e-9);
+  EXPECT_LT((base.linear().col(2) + Vector3::UnitX()).norm(), 1e-9);
+  EXPECT_EQ(block->FindFeature(FeatureNumber(9)), nullptr);
+}
+
+// The paper's Ta: the peg's x looks into the block. Mated, each hole of the peg's plate and each
+// shaft meets its hole, on one axis.
+TEST(PartModelTest, MatedFeaturesMeet) {
+  const Pose X_FixedHeld = geometry::PoseFromColumns(
+      -Vector3::UnitX(), Vector3::UnitY(), -Vector3::UnitZ(), kInch * Vector3(3, 0, 3.25));
+  const auto expect_on_axis = [&](const PartModel& held, const PartModel& fixed, int of_held,
+                                  int of_fixed, const Pose& X) {
+    const Pose a = X * held.FindFeature(FeatureNumber(of_held))->X_PartFeature;
+    const Pose b = fixed.FindFeature(FeatureNumber(of_fixed))->X_PartFeature;
+    EXPECT_LT((b.inverse() * a.translation()).head<2>().norm(), 1e-9) << of_held;
+    EXPECT_NEAR(a.linear().col(2).dot(b.linear().col(2)), -1, 1e-9) << of_held;
+  };
+  const auto peg = LoadPart("peg"), block = LoadPart("block");
+  expect_on_axis(*peg, *block, 7, 7, X_FixedHeld);
+  expect_on_axis(*peg, *block, 8, 8, X_FixedHeld);
+  const auto keyed_peg = LoadPart("keyed-peg"), keyed_block = LoadPart("keyed-block");
+  for (int feature : {7, 8, 9}) {
+    expect_on_axis(*keyed_peg, *keyed_block, feature, feature, X_FixedHeld);
+  }
+  const auto twin = LoadPart("twin-block");
+  for (const auto& [z, hole] : {std::pair(1.6, 7), std::pair(4.9, 9)}) {
+    const Pose X = geometry::Translation(0, 0, (z - 3.25) * kInch) * X_FixedHeld;
+    expect_on_axis(*peg, *twin, 7, hole, X);
+    expect_on_axis(*peg, *twin, 8, hole + 1, X);
+  }
+}
+
+// With clearance the mated parts do not touch but at the shoulder; a shaft that is as wide as the
+// hole and a little to the side goes through its wall.
+TEST(PartModelTest, MatedPartsFit) {
+  const Pose X_FixedHeld = geometry::PoseFromColumns(
+      -Vector3::UnitX(), Vector3::UnitY(), -Vector3::UnitZ(), kInch * Vector3(3, 0, 3.25));
+  for (const auto& [held, fixed] :
+       {std::pair("peg", "block"), std::pair("keyed-peg", "keyed-block")}) {
+    const auto peg = LoadPart(held), block = LoadPart(fixed, 0.0005);
+    const auto overlap = [&](double y) {
+      return Overlaps(block->shape(), Pose::Identity(), peg->shape(),
+                      geometry::Translation(1e-6, y, 0) * X_FixedHeld, 1e-6);
+    };
+    EXPECT_FALSE(overlap(0)) << held;
+    EXPECT_FALSE(overlap(0.00049)) << held;
+    EXPECT_TRUE(overlap(0.00052)) << held;
+  }
+}
+
+TEST(PartModelTest, HolesKnowTheirMouthsAndWalls) {
+  const auto block = LoadPart("block");
+  const Feature& hole = *block->FindFeature(FeatureNumber(7));
+  EXPECT_TRUE(hole.faces.empty());
+  ASSERT_EQ(hole.mouths.size(), 1u);
+  EXPECT_EQ(hole.mouths[0].face, FaceAt(*block, Vector3::UnitX(), 3 * kInch));
+  EXPECT_NEAR(geometry::Area(hole.mouths[0].outline), std::pow(1.5 * kInch + 0.001, 2), 1e-9);
+  EXPECT_EQ(hole.walls.size(), 5u);
+  const auto peg = LoadPart("peg");
+  const Feature& pin_hole = *peg->FindFeature(FeatureNumber(8));
+  EXPECT_EQ(pin_hole.mouths.size(), 2u) << "it goes through";
+  EXPECT_EQ(pin_hole.walls.size(), 4u);
+  EXPECT_EQ(peg->FindFeature(FeatureNumber(7))->faces.size(), 5u);
+}
+
+TEST(PartModelTest, PosesAreFoundByName) {
+  const auto block = LoadPart("block");
+  for (const StablePose& pose : block->stable_poses()) {
+    const StablePoseId id = block->FindStablePose(pose.name);
+    EXPECT_EQ(block->stable_poses()[id.index()].label, pose.label);
+  }
+  EXPECT_TRUE(block->FindStablePose("nowhere").IsNone());
+  EXPECT_TRUE(block->FindStablePose("").IsNone());
+}
+
+}  // namespace
+}  // namespace assay::domain

@@ -1,0 +1,443 @@
+#include "planner/kinematics/arm.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <set>
+#include <sstream>
+
+#include "planner/base/input_error.h"
+#include "planner/base/random.h"
+#include "tests/oracle/forward_kinematics.h"
+
+namespace assay::kinematics {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kDegree = kPi / 180;
+constexpr double kTight = 1e-12;  // pose error of a product of a dozen rotations, metres
+constexpr double kPoseTolerance = 1e-9;
+
+const std::filesystem::path kPuma =
+    std::filesystem::path(ASSAY_SOURCE_DIR) / "models/robots/puma762/puma762.urdf";
+
+const Arm& Puma() {
+  static const Arm arm = Arm::FromUrdf(kPuma);
+  return arm;
+}
+
+std::string PumaText() {
+  std::stringstream text;
+  text << std::ifstream(kPuma).rdbuf();
+  return text.str();
+}
+
+std::filesystem::path WriteUrdf(const std::string& name, const std::string& text) {
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+// The Puma's text with one passage replaced; the passage must be there.
+std::string PumaWith(const std::string& from, const std::string& to) {
+  std::string text = PumaText();
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return at == std::string::npos ? text : text.replace(at, from.size(), to);
+}
+
+// The Puma with an offset a3 between elbow and axis 4, like the 560.
+Arm ArmWithElbowOffset(double a3) {
+  return Arm::FromUrdf(WriteUrdf("elbow_offset.urdf",
+                                 PumaWith("<origin xyz=\"0 0 0.600\"/>",
+                                          "<origin xyz=\"" + std::to_string(a3) + " 0 0.600\"/>")));
+}
+
+JointVector RandomJoints(RandomStream& random, double bound) {
+  JointVector q;
+  for (int i = 0; i < 6; ++i) q[i] = random.Uniform(-bound, bound);
+  return q;
+}
+
+JointVector Degrees(double q1, double q2, double q3, double q4, double q5, double q6) {
+  JointVector q;
+  q << q1, q2, q3, q4, q5, q6;
+  return q * kDegree;
+}
+
+double PoseError(const Pose& a, const Eigen::Matrix4d& b) {
+  return (a.matrix() - b).cwiseAbs().maxCoeff();
+}
+
+// The largest difference of two joint vectors, whole turns aside.
+double TurnError(const JointVector& a, const JointVector& b) {
+  double largest = 0;
+  for (int i = 0; i < 6; ++i) {
+    largest = std::max(largest, std::abs(std::remainder(a[i] - b[i], 2 * kPi)));
+  }
+  return largest;
+}
+
+double NearestTurnError(const InverseSolutions& solutions, const JointVector& q) {
+  double nearest = 10;
+  for (const InverseSolution& s : solutions) nearest = std::min(nearest, TurnError(s.q, q));
+  return nearest;
+}
+
+// How far q is from the nearest singularity, in metres and sines.
+double DistanceToSingularity(const Arm& arm, const JointVector& q) {
+  const ArmGeometry& g = arm.geometry();
+  const double q23 = q[1] + q[2];
+  const double reach = g.d4 * std::sin(q23) + g.a3 * std::cos(q23) + g.a2 * std::cos(q[1]);
+  const double across = g.d4 * std::cos(q[2]) - g.a3 * std::sin(q[2]);
+  return std::min({std::abs(reach), std::abs(across), std::abs(std::sin(q[4]))});
+}
+
+TEST(ArmFile, Puma762Lengths) {
+  const ArmGeometry& g = Puma().geometry();
+  EXPECT_DOUBLE_EQ(g.a2, 0.650);
+  EXPECT_DOUBLE_EQ(g.a3, 0);
+  EXPECT_DOUBLE_EQ(g.d2, 0.190);
+  EXPECT_DOUBLE_EQ(g.d4, 0.600);
+  EXPECT_DOUBLE_EQ(g.d6, 0.125);
+}
+
+TEST(ArmFile, Puma762LimitsAndSpeeds) {
+  const double lower[6] = {-160, -200, -45, -266, -100, -266};
+  const double upper[6] = {160, 20, 225, 266, 100, 266};
+  const double speed[6] = {90, 90, 90, 180, 180, 180};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(Puma().limits()[i].lower, lower[i] * kDegree, 1e-12);
+    EXPECT_NEAR(Puma().limits()[i].upper, upper[i] * kDegree, 1e-12);
+    EXPECT_NEAR(Puma().limits()[i].velocity, speed[i] * kDegree, 1e-12);
+  }
+}
+
+TEST(Forward, KnownPoses) {
+  Eigen::Matrix4d expected = Eigen::Matrix4d::Identity();
+  expected.topRightCorner<3, 1>() = Vector3(0.650, 0.190, 0.725);
+  EXPECT_LT(PoseError(Puma().Forward(JointVector::Zero()), expected), kTight);
+  expected.topRightCorner<3, 1>() = Vector3(0, 0.190, 1.375);
+  EXPECT_LT(PoseError(Puma().Forward(Degrees(0, -90, 90, 0, 0, 0)), expected), kTight);
+}
+
+TEST(Forward, AgreesWithTableAndUrdf) {
+  RandomStream random(1, "forward");
+  for (const Arm& arm : {Puma(), ArmWithElbowOffset(-0.0203)}) {
+    for (int i = 0; i < 10000; ++i) {
+      const JointVector q = RandomJoints(random, 5);
+      const Pose X = arm.Forward(q);
+      ASSERT_LT(PoseError(X, oracle::ForwardByTable(arm.geometry(), q)), kTight) << q.transpose();
+      ASSERT_LT(PoseError(X, oracle::ForwardByUrdf(arm.model(), q)), kTight) << q.transpose();
+      ASSERT_LT(PoseError(arm.LinkPoses(q).back(), X.matrix()), kTight) << q.transpose();
+    }
+  }
+}
+
+// Every solution reproduces the pose and carries its own indicators, all eight differ, and the
+// generating vector is among them.
+void ExpectCompleteInverse(const Arm& arm, const JointVector& q) {
+  const Pose X = arm.Forward(q);
+  const InverseSolutions solutions = arm.Inverse(X);
+  ASSERT_EQ(solutions.size(), 8u) << q.transpose();
+  std::set<int> seen;
+  for (const InverseSolution& s : solutions) {
+    ASSERT_LT(PoseError(X, oracle::ForwardByTable(arm.geometry(), s.q)), kPoseTolerance)
+        << q.transpose();
+    ASSERT_EQ(s.indicators, arm.IndicatorsOf(s.q)) << q.transpose() << '\n' << s.q.transpose();
+    ASSERT_LE(s.q.maxCoeff(), kPi);
+    ASSERT_GE(s.q.minCoeff(), -kPi);
+    seen.insert(static_cast<int>(s.indicators.shoulder) * 4 +
+                static_cast<int>(s.indicators.elbow) * 2 + static_cast<int>(s.indicators.wrist));
+    if (s.indicators == arm.IndicatorsOf(q)) {
+      ASSERT_LT(TurnError(s.q, q), 1e-6) << q.transpose();
+    }
+  }
+  ASSERT_EQ(seen.size(), 8u) << q.transpose();
+}
+
+TEST(Inverse, CompleteOnRandomPoses) {
+  RandomStream random(2, "inverse");
+  for (int drawn = 0; drawn < 100000;) {
+    const JointVector q = RandomJoints(random, kPi);
+    if (DistanceToSingularity(Puma(), q) < 1e-6) continue;
+    ASSERT_NO_FATAL_FAILURE(ExpectCompleteInverse(Puma(), q)) << "draw " << drawn;
+    ++drawn;
+  }
+}
+
+TEST(Inverse, CompleteWithElbowOffset) {
+  RandomStream random(3, "inverse with elbow offset");
+  for (const double a3 : {-0.0203, 0.05}) {
+    const Arm arm = ArmWithElbowOffset(a3);
+    for (int drawn = 0; drawn < 5000;) {
+      const JointVector q = RandomJoints(random, kPi);
+      if (DistanceToSingularity(arm, q) < 1e-6) continue;
+      ASSERT_NO_FATAL_FAILURE(ExpectCompleteInverse(arm, q)) << "draw " << drawn;
+      ++drawn;
+    }
+  }
+}
+
+TEST(Inverse, NoneBeyondReach) {
+  RandomStream random(4, "beyond reach");
+  const double reach = std::hypot(1.25, 0.19);  // of the wrist centre
+  for (int i = 0; i < 1000; ++i) {
+    Pose X = Puma().Forward(RandomJoints(random, kPi));
+    const Vector3 hand = 0.125 * X.linear().col(2);
+    X.translation() = (X.translation() - hand).normalized() * (reach + 1e-6) + hand;
+    EXPECT_TRUE(Puma().Inverse(X).empty());
+  }
+}
+
+TEST(Inverse, NoneNearAxisOne) {
+  RandomStream random(5, "near axis 1");
+  for (int i = 0; i < 1000; ++i) {
+    Pose X = Puma().Forward(RandomJoints(random, kPi));
+    const double angle = random.Uniform(-kPi, kPi);
+    const double radius = random.Uniform(0, 0.190 - 1e-6);
+    X.translation() = Vector3(radius * std::cos(angle), radius * std::sin(angle), 0.8) +
+                      0.125 * X.linear().col(2);
+    EXPECT_TRUE(Puma().Inverse(X).empty());
+  }
+}
+
+void ExpectAllReproduce(const Arm& arm, const InverseSolutions& solutions, const Pose& X) {
+  EXPECT_FALSE(solutions.empty());
+  for (const InverseSolution& s : solutions) {
+    EXPECT_LT(PoseError(X, oracle::ForwardByTable(arm.geometry(), s.q)), kPoseTolerance)
+        << s.q.transpose();
+  }
+}
+
+TEST(Singular, WristKeepsReference) {
+  RandomStream random(6, "wrist singular");
+  for (int i = 0; i < 1000; ++i) {
+    JointVector q = RandomJoints(random, kPi);
+    q[4] = 0;
+    const Pose X = Puma().Forward(q);
+    const JointVector reference = RandomJoints(random, kPi);
+    const InverseSolutions solutions = Puma().Inverse(X, reference);
+    ExpectAllReproduce(Puma(), solutions, X);
+    for (const InverseSolution& s : solutions) {
+      if (std::abs(std::sin(s.q[4])) > 1e-9) continue;  // the other branches bend the wrist
+      const double expected = reference[3] + (s.indicators.wrist == Wrist::kFlip ? kPi : 0);
+      EXPECT_NEAR(std::remainder(s.q[3] - expected, 2 * kPi), 0, 1e-9);
+    }
+    EXPECT_LT(NearestTurnError(Puma().Inverse(X, q), q), 1e-6) << q.transpose();
+  }
+}
+
+TEST(Singular, NearWristStaysExact) {
+  RandomStream random(7, "near wrist singular");
+  for (double bend = 1e-4; bend > 1e-16; bend /= 3) {
+    JointVector q = RandomJoints(random, kPi);
+    q[4] = bend;
+    const Pose X = Puma().Forward(q);
+    ExpectAllReproduce(Puma(), Puma().Inverse(X), X);
+  }
+}
+
+TEST(Singular, ElbowStretchedAndFolded) {
+  RandomStream random(8, "elbow singular");
+  for (const double elbow : {kPi / 2, -kPi / 2}) {
+    for (int i = 0; i < 1000; ++i) {
+      JointVector q = RandomJoints(random, kPi);
+      q[2] = elbow;
+      if (std::abs(std::sin(q[4])) < 0.01) continue;  // a second singularity costs more digits
+      const Pose X = Puma().Forward(q);
+      const InverseSolutions solutions = Puma().Inverse(X, q);
+      ExpectAllReproduce(Puma(), solutions, X);
+      // The square root at the border of the reach halves the digits.
+      EXPECT_LT(NearestTurnError(solutions, q), 1e-5) << q.transpose();
+    }
+  }
+}
+
+// The pose whose wrist centre is at p, the hand pointing along x.
+Pose PoseWithWristCentre(const Vector3& p) {
+  Pose X = geometry::RotationY(kPi / 2);
+  X.translation() = p + 0.125 * X.linear().col(2);
+  return X;
+}
+
+TEST(Singular, OuterBorderOfTheReachGivesFour) {
+  const Pose X = PoseWithWristCentre({1.25 + 2e-14, 0.190, 0});
+  const InverseSolutions solutions = Puma().Inverse(X);
+  EXPECT_EQ(solutions.size(), 4u);
+  ExpectAllReproduce(Puma(), solutions, X);
+}
+
+TEST(Singular, InnerBorderOfTheReachGivesFour) {
+  const Pose X = PoseWithWristCentre({0, 0.190 - 5e-14, 0.8});
+  const InverseSolutions solutions = Puma().Inverse(X);
+  EXPECT_EQ(solutions.size(), 4u);
+  ExpectAllReproduce(Puma(), solutions, X);
+}
+
+TEST(Singular, ShoulderWristCentreNearestToAxisOne) {
+  RandomStream random(9, "shoulder singular");
+  const ArmGeometry& g = Puma().geometry();
+  for (int i = 0; i < 1000; ++i) {
+    JointVector q = RandomJoints(random, kPi);
+    // d4 s23 + a2 c2 = 0
+    if (std::abs(g.a2 * std::cos(q[1]) / g.d4) > 1) continue;
+    q[2] = std::asin(-g.a2 * std::cos(q[1]) / g.d4) - q[1];
+    if (std::abs(std::sin(q[4])) < 0.01) continue;  // a second singularity costs more digits
+    const Pose X = Puma().Forward(q);
+    const InverseSolutions solutions = Puma().Inverse(X, q);
+    ExpectAllReproduce(Puma(), solutions, X);
+    EXPECT_LT(NearestTurnError(solutions, q), 1e-5) << q.transpose();
+  }
+}
+
+TEST(Singular, WristCentreOnAxisOneWithoutOffsetKeepsReference) {
+  const Arm arm = Arm::FromUrdf(
+      WriteUrdf("no_offset.urdf", PumaWith("xyz=\"0.650 0.190 0\"", "xyz=\"0.650 0 0\"")));
+  const Pose X = Pose(Eigen::Translation3d(0, 0, 1.0)) * Eigen::AngleAxisd(1, Vector3::UnitX());
+  Pose X_BaseFlange = X;
+  X_BaseFlange.translation() += 0.125 * X.linear().col(2);
+  const JointVector reference = Degrees(33, 0, 0, 0, 0, 0);
+  const InverseSolutions solutions = arm.Inverse(X_BaseFlange, reference);
+  ExpectAllReproduce(arm, solutions, X_BaseFlange);
+  for (const InverseSolution& s : solutions) EXPECT_NEAR(s.q[0], 33 * kDegree, 1e-12);
+}
+
+TEST(Singular, WristCentreOnAxisTwo) {
+  const Arm arm = Arm::FromUrdf(
+      WriteUrdf("equal_lengths.urdf", PumaWith("xyz=\"0 0 0.600\"", "xyz=\"0 0 0.650\"")));
+  const JointVector q = Degrees(20, -40, -90, 10, 30, 50);
+  const Pose X = arm.Forward(q);
+  const InverseSolutions solutions = arm.Inverse(X, q);
+  ExpectAllReproduce(arm, solutions, X);
+}
+
+TEST(Turns, NearestInRangeIsNearestRepresentative) {
+  RandomStream random(10, "turns");
+  int found = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const JointVector q = RandomJoints(random, 12);
+    const JointVector reference = RandomJoints(random, 6);
+    const std::vector<JointVector> all = Puma().Representatives(q);
+    const std::optional<JointVector> nearest = Puma().NearestInRange(q, reference);
+    ASSERT_EQ(all.empty(), !nearest) << q.transpose();
+    if (!nearest) continue;
+    ++found;
+    EXPECT_TRUE(Puma().InRange(*nearest));
+    EXPECT_LT(TurnError(*nearest, q), 1e-9);
+    for (const JointVector& other : all) {
+      ASSERT_TRUE(Puma().InRange(other));
+      ASSERT_LT(TurnError(other, q), 1e-9);
+      ASSERT_TRUE(((*nearest - reference).cwiseAbs().array() <=
+                   (other - reference).cwiseAbs().array() + 1e-9)
+                      .all());
+    }
+  }
+  EXPECT_GT(found, 1000);
+}
+
+TEST(Turns, JointsFourAndSixHaveTwoRepresentatives) {
+  const JointVector q = Degrees(0, -90, 90, 100, 45, -100);
+  const std::vector<JointVector> all = Puma().Representatives(q);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_LT((all[0] - Degrees(0, -90, 90, -260, 45, -100)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((all[1] - Degrees(0, -90, 90, -260, 45, 260)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((all[2] - Degrees(0, -90, 90, 100, 45, -100)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((all[3] - Degrees(0, -90, 90, 100, 45, 260)).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(Turns, ShoulderBelowMinusHalfTurnIsInRange) {
+  const JointVector q = Degrees(0, 170, 0, 0, 0, 0);
+  EXPECT_FALSE(Puma().InRange(q));
+  const std::optional<JointVector> nearest = Puma().NearestInRange(q, JointVector::Zero());
+  ASSERT_TRUE(nearest);
+  EXPECT_NEAR((*nearest)[1], -190 * kDegree, 1e-9);
+}
+
+TEST(Limits, BordersBelongToTheRange) {
+  for (int i = 0; i < 6; ++i) {
+    const JointLimits& limits = Puma().limits()[static_cast<std::size_t>(i)];
+    JointVector q = Degrees(0, -90, 90, 0, 0, 0);
+    q[i] = limits.upper;
+    EXPECT_TRUE(Puma().InRange(q));
+    q[i] = limits.upper + 1e-6;
+    EXPECT_FALSE(Puma().InRange(q));
+    q[i] = limits.lower;
+    EXPECT_TRUE(Puma().InRange(q));
+    q[i] = limits.lower - 1e-6;
+    EXPECT_FALSE(Puma().InRange(q));
+  }
+}
+
+TEST(Limits, NoRepresentativeInTheGap) {
+  EXPECT_FALSE(Puma().NearestInRange(Degrees(0, 90, 0, 0, 0, 0), JointVector::Zero()));
+  EXPECT_TRUE(Puma().Representatives(Degrees(0, 90, 0, 0, 0, 0)).empty());
+}
+
+struct WrongArm {
+  const char* name;
+  const char* from;
+  const char* to;
+  const char* message;
+};
+
+class WrongArmFile : public testing::TestWithParam<WrongArm> {};
+
+TEST_P(WrongArmFile, IsRefusedByNameAndReason) {
+  const WrongArm& wrong = GetParam();
+  const std::filesystem::path path =
+      WriteUrdf(std::string(wrong.name) + ".urdf", PumaWith(wrong.from, wrong.to));
+  try {
+    Arm::FromUrdf(path);
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr(path.string()));
+    EXPECT_THAT(error.what(), testing::HasSubstr(wrong.message));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cases, WrongArmFile,
+    testing::Values(
+        WrongArm{"fixed_joint", "<joint name=\"elbow\" type=\"revolute\">",
+                 "<joint name=\"elbow\" type=\"fixed\">", "'elbow' (joint 3) is not revolute"},
+        WrongArm{"sliding_joint", "<joint name=\"waist\" type=\"revolute\">",
+                 "<joint name=\"waist\" type=\"prismatic\">", "'waist' (joint 1) is not revolute"},
+        WrongArm{"endless_joint", "<joint name=\"waist\" type=\"revolute\">",
+                 "<joint name=\"waist\" type=\"continuous\">", "type that is not supported"},
+        WrongArm{"extra_joint", "</robot>",
+                 "<link name=\"x\"/><joint name=\"j\" type=\"fixed\"><parent link=\"flange\"/>"
+                 "<child link=\"x\"/></joint></robot>",
+                 "has 7 joints"},
+        WrongArm{"branch", "<parent link=\"wrist_bend\"/>", "<parent link=\"wrist_roll\"/>",
+                 "branches off link"},
+        WrongArm{"shoulder_ahead", "<child link=\"upper_arm\"/>\n    <origin xyz=\"0 0 0\"/>",
+                 "<child link=\"upper_arm\"/>\n    <origin xyz=\"0.1 0 0\"/>",
+                 "axis 2 (joint 'shoulder_lift') has x = 0.1"},
+        WrongArm{"turned_axis", "<origin xyz=\"0.650 0.190 0\"/>\n    <axis xyz=\"0 1 0\"/>",
+                 "<origin xyz=\"0.650 0.190 0\"/>\n    <axis xyz=\"1 0 0\"/>",
+                 "axis 3 (joint 'elbow') points along (1, 0, 0)"},
+        WrongArm{"reversed_axis", "<origin xyz=\"0.650 0.190 0\"/>\n    <axis xyz=\"0 1 0\"/>",
+                 "<origin xyz=\"0.650 0.190 0\"/>\n    <axis xyz=\"0 -1 0\"/>",
+                 "allowed: (0, 1, 0)"},
+        WrongArm{"loose_wrist", "<origin xyz=\"0 0 0.125\"/>", "<origin xyz=\"0.01 0 0.125\"/>",
+                 "axis 6 (joint 'wrist_swivel') has x relative to axis 4"},
+        WrongArm{"turned_flange", "<origin xyz=\"0 0 0.125\"/>",
+                 "<origin xyz=\"0 0 0.125\" rpy=\"0 0 1\"/>", "the flange 'flange' is turned"},
+        WrongArm{"no_upper_arm", "<origin xyz=\"0.650 0.190 0\"/>", "<origin xyz=\"0 0.190 0\"/>",
+                 "positive lengths"}),
+    [](const testing::TestParamInfo<WrongArm>& wrong) { return std::string(wrong.param.name); });
+
+TEST(ArmFile, MissingJointLeavesTwoRoots) {
+  std::string text = PumaText();
+  const std::size_t begin = text.find("<joint name=\"wrist_bend\"");
+  const std::size_t end = text.find("</joint>", begin) + 8;
+  const auto path = WriteUrdf("missing_joint.urdf", text.erase(begin, end - begin));
+  EXPECT_THROW(Arm::FromUrdf(path), InputError);
+}
+
+}  // namespace
+}  // namespace assay::kinematics
