@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 
 #include "planner/base/check.h"
 #include "planner/domain/box_shadow.h"
@@ -14,10 +16,13 @@ using geometry::Box;
 using geometry::Polygon;
 
 constexpr double kSameNormal = 1e-6;  // distance of unit vectors: radians
-constexpr double kSamePlane = 1e-7;   // metres
+constexpr double kSamePlane = 5e-8;   // metres
 // A box covers what it contains at this height above a plane, metres: more than rounding, less
 // than any gap that is meant.
-constexpr double kProbe = 1e-6;
+constexpr double kProbe = 1e-7;
+// A side of a box that leans on the plane recedes up to that height: the strip between is no
+// surface.
+constexpr double kNarrowest = 1e-5;  // of a patch, metres
 
 bool InPlane(const Face& face, const Vector3& normal, double offset) {
   return (face.normal - normal).norm() < kSameNormal && std::abs(face.offset - offset) < kSamePlane;
@@ -54,6 +59,19 @@ std::vector<Plane> PlanesOf(std::span<const Box> boxes) {
   return planes;
 }
 
+// The least distance of two parallel lines with the polygon between them.
+double Breadth(const Polygon& polygon) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vector2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
+    const Vector2 across = Vector2(-edge.y(), edge.x()).normalized();
+    double farthest = 0;
+    for (const Vector2& p : polygon) farthest = std::max(farthest, across.dot(p - polygon[i]));
+    least = std::min(least, farthest);
+  }
+  return least;
+}
+
 // The union of the sides without what boxes cover.
 Patches Exposed(const Plane& plane, std::span<const Box> boxes) {
   std::vector<Polygon> covers;
@@ -69,7 +87,8 @@ Patches Exposed(const Plane& plane, std::span<const Box> boxes) {
       if (&earlier == &side) break;
       fresh = Without(fresh, earlier);
     }
-    exposed.insert(exposed.end(), fresh.begin(), fresh.end());
+    const auto is_broad = [](const Polygon& patch) { return Breadth(patch) > kNarrowest; };
+    std::ranges::copy_if(fresh, std::back_inserter(exposed), is_broad);
   }
   return exposed;
 }

@@ -15,21 +15,22 @@ using GraspId = Id<struct GraspTag>;
 // One way to hold a part between the pads, standing for its class: all grasps of the same pair of
 // faces and approach direction that hide the same features (Spar, "Reachability of Grasps").
 struct Grasp {
-  std::string label;                   // "PG12": part initial, G, number from 1
-  geometry::Pose X_PartTool;           // z: approach, y: closing direction
-  double width = 0;                    // metres between the pads when closed on the part
-  std::vector<FeatureNumber> hidden;   // features that the pads touch or cover, increasing
+  std::string label;                  // "PG12": part initial, G, number from 1
+  geometry::Pose X_PartTool;          // z: approach, y: closing direction
+  double width = 0;                   // metres between the pads when closed on the part
+  std::vector<FeatureNumber> hidden;  // features that the pads touch or cover, increasing
 };
 
 struct GraspSearch {
-  double approach_step = 0;     // radians between approach directions in the plane of the faces
-  double widest = 0;            // the widest grasp to look for, metres
+  double approach_step = 0;  // radians between approach directions in the plane of the faces
+  double widest = 0;         // the widest grasp to look for, metres
 };
 
 // The grasps of a part by a gripper: pairs of parallel faces not wider than `widest`, approach
-// directions quantized, pads wholly on the faces, hand and fingers clear of the part when open, on
-// the way in, and closed. In each class the grasp whose pads lie deepest in the faces (up to 4 mm)
-// and then nearest to the centre of mass.
+// directions quantized from a part axis, pads wholly on the faces and not on walls of holes, hand
+// and fingers clear of the part when open, on the way in, and closed (of grasps wider than the
+// gripper opens, only the hand). In each class the grasp whose pads lie deepest in the faces (up to
+// 4 mm) and then nearest to the centre of mass. In order of face pairs, then of directions.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -345,19 +346,18 @@ Pose ProblemFile::ReadStanding(const Value& pose, StablePoseId resting, const Pa
 }
 
 void ProblemFile::CheckOnTable(const Value& pose, PartId id) const {
-  if (OnTable(problem_, id, problem_.part(id).X_WorldPart)) return;
-  const geometry::Polygon footprint = Footprint(problem_.part(id), problem_.part(id).X_WorldPart);
-  geometry::Polygon both = problem_.workcell->table().top;
-  const auto bounds = [&](const geometry::Polygon& polygon) {
+  const Part& part = problem_.part(id);
+  if (OnTable(problem_, id, part.X_WorldPart)) return;
+  const auto extent = [&](const geometry::Polygon& polygon) {
     Eigen::AlignedBox2d box;
     for (const Vector2& p : polygon) box.extend(p);
     return fmt::format("x {:.4g} to {:.4g}, y {:.4g} to {:.4g}", InFileUnits(box.min().x()),
                        InFileUnits(box.max().x()), InFileUnits(box.min().y()),
                        InFileUnits(box.max().y()));
   };
-  pose.Fail(fmt::format("part '{}' covers {}, which is not all on the table",
-                        problem_.part(id).name, bounds(footprint)),
-            bounds(both));
+  pose.Fail(fmt::format("part '{}' covers {}, which is not all on the table", part.name,
+                        extent(Footprint(part, part.X_WorldPart))),
+            extent(problem_.workcell->table().top));
 }
 
 void ProblemFile::CheckAboveTable(const Value& place, const Part& part) const {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "planner/base/id.h"
-#include "planner/geometry/pose.h"
 #include "planner/geometry/polygon.h"
+#include "planner/geometry/pose.h"
 
 namespace assay::domain {
 
@@ -16,13 +16,13 @@ using StablePoseId = Id<struct StablePoseTag>;
 // A way in which a part rests on the table: everything about its pose but x, y and yaw (Spar,
 // "Stable Poses and Position Classes").
 struct StablePose {
-  std::string label;                 // the paper's form xPy: "BP5"
-  std::string name;                  // the part file's word for it: "on-back"; may be empty
-  geometry::Pose X_TablePart;        // at yaw 0: the part's origin above the table's origin
+  std::string label;                  // the paper's form xPy: "BP5"
+  std::string name;                   // the part file's word for it: "on-back"; may be empty
+  geometry::Pose X_TablePart;         // at yaw 0: the part's origin above the table's origin
   std::vector<FeatureNumber> hidden;  // features that the table touches or covers, increasing
-  geometry::Polygon support;         // table coordinates, at yaw 0
-  double tilt_margin = 0;            // radians the part may be tilted over its nearest support edge
-                                     // before it falls
+  geometry::Polygon support;          // table coordinates, at yaw 0
+  double tilt_margin = 0;  // radians the part may be tilted over its nearest support edge
+                           // before it falls
 };
 
 // The hull facets over which the centre of mass lies, at least `least_tilt` radians from tipping,

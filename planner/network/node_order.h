@@ -10,7 +10,7 @@ namespace assay::network {
 // How a search chooses the node to branch on.
 enum class NodeOrder {
   // The heaviest open node. Changes as the search learns. (Going back to the node whose last choice
-  // failed, as last-conflict reasoning does, doubled the search trees of proofs here.)
+  // failed, as last-conflict reasoning does, made the search trees of the proofs tried larger.)
   kConflictWeighted,
   // The first open node.
   kGiven,

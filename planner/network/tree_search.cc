@@ -5,8 +5,8 @@
 namespace assay::network {
 namespace {
 
-constexpr std::int64_t kFirstWipeOutLimit = 100;
-constexpr double kWipeOutLimitGrowth = 1.5;
+constexpr std::int64_t kFirstWipeOutLimit = 200;
+constexpr double kWipeOutLimitGrowth = 2;
 
 }  // namespace
 

@@ -19,11 +19,13 @@ namespace assay::network {
 class TreeSearch {
  public:
   // Searches the nodes of `scope` only; all that an arc joins to one of them is in the scope, too,
-  // or has one label. `preferred` gives for each node of the network the label to try first, or
-  // kNoLabel; the search writes the last label that it tried with success.
+  // or has one label.
   TreeSearch(LabelStore& labels, ArcConsistency& arcs, Counters& counters, std::vector<int> scope,
              NodeOrder order);
 
+  // For each node of the network the label to try first, or kNoLabel. As the search goes on, the
+  // last label that did not fail at once takes its place (not with NodeOrder::kGiven, which takes
+  // labels in order).
   static constexpr Label kNoLabel = -1;
   void Prefer(const std::vector<Label>& preferred) { preferred_ = preferred; }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "planner/plan/box_overlap.h"
 #include "planner/plan/pad_contact.h"

@@ -62,11 +62,11 @@ struct PlannedStep {
 
 // A plan instance: every plan variable has its value (Spar, "Representation of Plans").
 struct Plan {
-  std::string problem;                              // name of the scenario
-  std::vector<PlannedStep> steps = {};              // in the order of insertion
-  std::vector<std::pair<StepId, StepId>> ordering = {};  // first before second; the order of execution
-                                                    // is one of its linearizations, and every
-                                                    // other one works too
+  std::string problem;                                   // name of the scenario
+  std::vector<PlannedStep> steps = {};                   // in the order of insertion
+  std::vector<std::pair<StepId, StepId>> ordering = {};  // first before second; the order of
+                                                         // execution is one of its linearizations,
+                                                         // and every other one works too
   const PlannedStep& step(StepId id) const { return steps[id.index()]; }
   std::vector<StepId> ExecutionOrder() const;
 };

@@ -8,7 +8,6 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "planner/base/check.h"
 #include "planner/plan/linearization.h"
 
 namespace assay::plan {

@@ -32,11 +32,14 @@ std::vector<StepId> ActionsOf(const std::vector<StepId>& linearization) {
 
 class OrderedSearch {
  public:
-  OrderedSearch(const PartialPlan& plan, std::vector<StepId> order, Budget& budget,
-                std::set<Blocker>& blockers)
+  using Accept = std::function<bool(const PlanInstance&)>;
+
+  OrderedSearch(const PartialPlan& plan, std::vector<StepId> order, const Accept& accept,
+                Budget& budget, std::set<Blocker>& blockers)
       : plan_(plan),
         geometry_(plan.problem()),
         order_(std::move(order)),
+        accept_(accept),
         budget_(budget),
         blockers_(blockers),
         world_(plan.problem()),
@@ -46,7 +49,6 @@ class OrderedSearch {
   }
 
   bool Run() { return Descend(0); }
-  PlanInstance Instance() const { return {.order = order_, .values = values_}; }
 
  private:
   struct Assignment {
@@ -55,7 +57,7 @@ class OrderedSearch {
   };
 
   bool Descend(int depth) {
-    if (depth == static_cast<int>(order_.size())) return true;
+    if (depth == static_cast<int>(order_.size())) return Offer();
     switch (plan_.step(order_[depth]).kind) {
       case ActionKind::kPickup:
         return ChooseGrasp(depth);
@@ -68,6 +70,14 @@ class OrderedSearch {
         break;
     }
     ASSAY_CHECK(false, "start and finish are not executed");
+    return false;
+  }
+
+  // An instance that is not accepted fails on account of every choice: each may yet be another.
+  bool Offer() {
+    ++offered_;
+    if (accept_({.order = order_, .values = values_})) return true;
+    failure_.set();
     return false;
   }
 
@@ -144,6 +154,7 @@ class OrderedSearch {
     Blame blame;
     for (int label : plan_.Labels(putdown.position)) {
       if (!Fits(node, label, blame)) continue;
+      const int offered = offered_;
       const Pose& X_TablePart = part.model->stable_poses()[label].X_TablePart;
       for (const domain::Placement& placement : plan_.problem().workcell->placements()) {
         if (!budget_.Spend()) return Fail(blame);
@@ -162,6 +173,7 @@ class OrderedSearch {
         if (below == Below::kFound) return true;
         assigned_[node.index()] = {};
         if (below == Below::kJumpBack) return false;
+        if (offered_ > offered) break;  // other places would give the same labels again
       }
     }
     return Fail(blame);
@@ -196,8 +208,10 @@ class OrderedSearch {
   const PartialPlan& plan_;
   StepGeometry geometry_;
   std::vector<StepId> order_;
+  const Accept& accept_;
   Budget& budget_;
   std::set<Blocker>& blockers_;
+  int offered_ = 0;  // instances
   World world_;
   std::vector<StepValues> values_;
   std::vector<Assignment> assigned_;  // by node
@@ -209,18 +223,14 @@ class OrderedSearch {
 InstanceSearch::InstanceSearch(const PartialPlan& plan, Budget& budget)
     : plan_(plan), budget_(budget) {}
 
-std::optional<PlanInstance> InstanceSearch::FindInOrder(std::vector<StepId> order) {
-  OrderedSearch search(plan_, std::move(order), budget_, blockers_);
-  if (!search.Run()) return std::nullopt;
-  return search.Instance();
-}
-
-std::optional<PlanInstance> InstanceSearch::Find() {
+bool InstanceSearch::Find(const std::function<bool(const PlanInstance&)>& accept) {
   for (const auto& linearization : plan_.ordering().Linearizations(kMostOrders)) {
-    if (auto instance = FindInOrder(ActionsOf(linearization))) return instance;
+    if (OrderedSearch(plan_, ActionsOf(linearization), accept, budget_, blockers_).Run()) {
+      return true;
+    }
     if (budget_.Exhausted()) break;
   }
-  return std::nullopt;
+  return false;
 }
 
 bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,

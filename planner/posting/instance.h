@@ -1,9 +1,7 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <functional>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "planner/base/budget.h"
@@ -23,14 +21,14 @@ struct StepValues {
 
 // A consistent value for every plan variable, down to places on the table.
 struct PlanInstance {
-  std::vector<StepId> order;       // of execution, without start and finish
-  std::vector<StepValues> values;  // by step index
+  std::vector<StepId> order = {};       // of execution, without start and finish
+  std::vector<StepValues> values = {};  // by step index
 };
 
-// Finds plan instances of a partial plan: labels that satisfy the constraint network, and for each
-// putdown a place on the table, such that every step works among the parts as they then lie. The
-// network knows stable poses only; here poses are whole, so this is also where the parts' being in
-// each other's way shows (the paper leaves that out).
+// Goes through the plan instances of a partial plan: labels that satisfy the constraint network,
+// and for each putdown a place on the table, such that every step works among the parts as they
+// then lie. The network knows stable poses only; here poses are whole, so this is also where the
+// parts' being in each other's way shows (the paper leaves that out).
 //
 // Depth-first over the steps in the order of execution, one choice a step: the grasp of a pickup,
 // the position of a putdown. When a step has no value, the search goes back to the latest choice
@@ -39,15 +37,14 @@ class InstanceSearch {
  public:
   InstanceSearch(const PartialPlan& plan, Budget& budget);
 
-  // An instance for one of the plan's linearizations, the first that has any.
-  std::optional<PlanInstance> Find();
+  // Hands the instances to `accept` one after another, as they are found, until it answers true:
+  // then so does this. Each combination of labels comes once, with the first places that work.
+  bool Find(const std::function<bool(const PlanInstance&)>& accept);
 
-  // What stood in the way when nothing was found.
+  // Parts that stood in the way of some step with some values.
   const std::set<Blocker>& blockers() const { return blockers_; }
 
  private:
-  std::optional<PlanInstance> FindInOrder(std::vector<StepId> order);
-
   const PartialPlan& plan_;
   Budget& budget_;
   std::set<Blocker> blockers_;

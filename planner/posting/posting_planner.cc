@@ -40,6 +40,7 @@ class PostingPlanner {
     result.counters = {{"partial_plans", partial_plans_.spent()},
                        {"instance_choices", instance_choices_.spent()},
                        {"complete_plans", complete_plans_},
+                       {"instances", instances_},
                        {"least_actions", least.value_or(-1)}};
     return result;
   }
@@ -156,12 +157,20 @@ class PostingPlanner {
   bool Complete(const PartialPlan& plan) {
     ++complete_plans_;
     InstanceSearch search(plan, instance_choices_);
-    if (const auto instance = search.Find()) {
-      Trace("instance found");
-      plan_ = WriteOut(plan, *instance);
-      return true;
-    }
-    return !instance_choices_.Exhausted() && ClearTheWay(plan, search.blockers());
+    bool has_instance = false;
+    const bool accepted = search.Find([&](const PlanInstance& instance) {
+      has_instance = true;
+      return Accept(WriteOut(plan, instance));
+    });
+    if (accepted) return true;
+    return !has_instance && !instance_choices_.Exhausted() && ClearTheWay(plan, search.blockers());
+  }
+
+  bool Accept(plan::Plan instance) {
+    ++instances_;
+    if (options_.accept && !options_.accept(instance)) return false;
+    plan_ = std::move(instance);
+    return true;
   }
 
   bool ClearTheWay(const PartialPlan& plan, const std::set<Blocker>& blockers) {
@@ -187,6 +196,7 @@ class PostingPlanner {
   Budget partial_plans_;
   Budget instance_choices_;
   std::int64_t complete_plans_ = 0;
+  std::int64_t instances_ = 0;
   int limit_ = 0;
   bool cut_off_ = false;  // whether a refinement was left out because of the limit
   std::size_t depth_ = 0;

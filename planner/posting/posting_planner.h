@@ -12,6 +12,8 @@ namespace assay::posting {
 struct PlannerOptions {
   std::int64_t partial_plans = 200'000;       // budget of the first phase
   std::int64_t instance_choices = 5'000'000;  // budget for making instances, in values tried
+  // Asked of each plan instance in turn: the first that it accepts is the plan. Empty: the first.
+  std::function<bool(const plan::Plan&)> accept = {};
   // Told of every decision as it is taken, one line each, indented by depth; may be empty.
   std::function<void(const std::string&)> trace = {};
 };

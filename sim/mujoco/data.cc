@@ -36,6 +36,21 @@ void CopyBack(const std::vector<T>& from, int count, U* to) {
   std::copy(from.begin(), from.end(), to);
 }
 
+// The engine's kinematics normalises the quaternions in qpos in place. That is not idempotent in
+// the last bit, so a state that was restored, normalised once more than the state that was saved,
+// would go another way. The engine normalises again at the start of each step.
+class KeepPosition {
+ public:
+  explicit KeepPosition(std::span<double> qpos) : qpos_(qpos), kept_(qpos.begin(), qpos.end()) {}
+  ~KeepPosition() { std::copy(kept_.begin(), kept_.end(), qpos_.begin()); }
+  KeepPosition(const KeepPosition&) = delete;
+  KeepPosition& operator=(const KeepPosition&) = delete;
+
+ private:
+  std::span<double> qpos_;
+  std::vector<double> kept_;
+};
+
 }  // namespace
 
 Data::Data(const Model& model)
@@ -48,6 +63,8 @@ Data::Data(const Model& model)
 }
 
 double Data::time() const { return data_->time; }
+double Data::timestep() const { return own_model_->opt.timestep; }
+void Data::SetTimestep(double seconds) { own_model_->opt.timestep = seconds; }
 std::span<double> Data::qpos() { return SpanOf(data_->qpos, own_model_->nq); }
 std::span<const double> Data::qpos() const { return SpanOf(data_->qpos, own_model_->nq); }
 std::span<double> Data::qvel() { return SpanOf(data_->qvel, own_model_->nv); }
@@ -65,11 +82,15 @@ void Data::Step() {
   Refresh();
 }
 
-void Data::Forward() { mj_forward(own_model_.get(), data_.get()); }
+void Data::Forward() {
+  const KeepPosition keep(qpos());
+  mj_forward(own_model_.get(), data_.get());
+}
 
 // After mj_step the engine's poses are those before the integration. A controller that read them
 // would act one step late, and differently after Restore.
 void Data::Refresh() {
+  const KeepPosition keep(qpos());
   mj_kinematics(own_model_.get(), data_.get());
   mj_comPos(own_model_.get(), data_.get());
   mj_comVel(own_model_.get(), data_.get());
@@ -110,6 +131,7 @@ State Data::Save() const {
   const mjModel& m = *own_model_;
   const mjData& d = *data_;
   return {.time = d.time,
+          .timestep = m.opt.timestep,
           .qpos = Copied<double>(d.qpos, m.nq),
           .qvel = Copied<double>(d.qvel, m.nv),
           .act = Copied<double>(d.act, m.na),
@@ -127,6 +149,7 @@ void Data::Restore(const State& state) {
   mjModel& m = *own_model_;
   mjData& d = *data_;
   d.time = state.time;
+  m.opt.timestep = state.timestep;
   CopyBack(state.qpos, m.nq, d.qpos);
   CopyBack(state.qvel, m.nv, d.qvel);
   CopyBack(state.act, m.na, d.act);
@@ -149,6 +172,11 @@ std::vector<EngineWarning> Data::Warnings() const {
     if (stat.number > 0) warnings.push_back({mju_warningText(type, stat.lastinfo), stat.number});
   }
   return warnings;
+}
+
+bool Data::HasWarnings() const {
+  return std::any_of(data_->warning, data_->warning + mjNWARNING,
+                     [](const mjWarningStat& stat) { return stat.number > 0; });
 }
 
 }  // namespace assay::mujoco

@@ -27,12 +27,15 @@ class Data {
   explicit Data(const Model& model);
 
   const Model& model() const { return model_; }
-  // The engine's structures; `own_model` differs from model() in the equality constraints only.
+  // The engine's structures; `own_model` differs from model() in the equality constraints
+  // and the timestep only.
   mjData_* get() { return data_.get(); }
   const mjData_* get() const { return data_.get(); }
   const mjModel_* own_model() const { return own_model_.get(); }
 
-  double time() const;  // seconds
+  double time() const;      // seconds
+  double timestep() const;  // seconds; the model's at the start
+  void SetTimestep(double seconds);
   std::span<double> qpos();
   std::span<const double> qpos() const;
   std::span<double> qvel();
@@ -61,6 +64,7 @@ class Data {
   // What the engine warned about since the start. Steps after a warning mean nothing: the engine
   // may have left out contacts, or set the simulation back to its start.
   std::vector<EngineWarning> Warnings() const;
+  bool HasWarnings() const;  // the same, faster
 
  private:
   void Refresh();

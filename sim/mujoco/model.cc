@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "planner/base/check.h"
+#include "sim/mujoco/box_collision.h"
 #include "sim/mujoco/engine_messages.h"
 
 namespace assay::mujoco {
@@ -51,6 +52,7 @@ std::string NameOf(const mjModel* model, mjtObj type, int index) {
 
 Model Model::FromMjcf(const std::string& mjcf) {
   HandleEngineMessages();
+  CheckBoxCollisions();
   TakeEngineWarnings();
   const VirtualFile file(mjcf);
   std::array<char, 1024> message{};

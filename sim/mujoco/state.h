@@ -9,6 +9,7 @@ namespace assay::mujoco {
 // bit. Plain data, in the engine's layout.
 struct State {
   double time = 0;
+  double timestep = 0;
   std::vector<double> qpos;
   std::vector<double> qvel;
   std::vector<double> act;

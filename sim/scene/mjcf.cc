@@ -4,6 +4,7 @@
 
 #include "sim/scene/robot_mjcf.h"
 #include "sim/scene/stage_mjcf.h"
+#include "sim/scene/supporting_boxes.h"
 #include "sim/scene/xml_element.h"
 
 namespace assay::scene {
@@ -17,7 +18,10 @@ using domain::Problem;
 constexpr char kSolref[] = "0.001 1";
 constexpr char kSolimp[] = "0.99 0.9999 0.00001";
 // Small against every part's: of two frictions the engine takes the larger.
-constexpr double kTableFriction = 0.01;
+constexpr double kGroundFriction = 0.01;
+// The engine's defaults; contacts of parts have no torsion or roll, those of pads no roll.
+constexpr double kTorsionFriction = 0.005;
+constexpr double kRollFriction = 0.0001;
 
 // Elliptic cones with a high ratio of friction to normal impedance keep a grasp from creeping;
 // Newton's method converges to the tolerance in a few iterations.
@@ -37,35 +41,43 @@ XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
   return defaults.Add("default").Set("class", name).Add("geom");
 }
 
-// What may touch what: parts (1) collide with everything; hand and fingers (2) with parts and
-// table; table and floor (4) with those, arm links with nothing.
+// Bits of what a geom is, and masks of what it touches. A part has its exact boxes for parts and
+// gripper, and its supporting boxes for what it may rest on. Arm links touch nothing.
+constexpr int kPart = 1;
+constexpr int kGripper = 2;
+constexpr int kGround = 4;
+constexpr int kSupport = 8;
+
+XmlElement& AddTouchingClass(const char* name, int is, int touches, XmlElement& defaults) {
+  return AddGeomClass(name, defaults)
+      .Set("contype", fmt::format("{}", is))
+      .Set("conaffinity", fmt::format("{}", touches));
+}
+
+// Shapes for collision alone are in group 3, which is not drawn.
+void AddTouchingClasses(XmlElement& defaults) {
+  AddTouchingClass("collision", kGripper, kPart | kGround, defaults).Set("group", "3");
+  AddTouchingClass("part", kPart, kPart | kGripper, defaults)
+      .Set("type", "box")
+      .Set("material", "part");
+  AddTouchingClass("support", kSupport, kGround, defaults).Set("type", "box").Set("group", "3");
+  AddTouchingClass("table", kGround, kGripper | kSupport, defaults)
+      .Set("type", "box")
+      .Set("material", "table")
+      .Set("friction", {kGroundFriction, kTorsionFriction, kRollFriction});
+  AddTouchingClass("floor", kGround, kGripper | kSupport, defaults)
+      .Set("type", "plane")
+      .Set("size", "20 20 1")
+      .Set("material", "floor")
+      .Set("friction", {kGroundFriction, kTorsionFriction, kRollFriction});
+}
+
 void AddDefaults(XmlElement& mujoco) {
   XmlElement& defaults = mujoco.Add("default");
   defaults.Add("geom").Set("solref", kSolref).Set("solimp", kSolimp).Set("condim", "3");
   defaults.Add("equality").Set("solref", kSolref).Set("solimp", kSolimp);
-  AddGeomClass("visual", defaults)
-      .Set("contype", "0")
-      .Set("conaffinity", "0")
-      .Set("material", "paint");
-  // Group 3 is not drawn: the visual shapes of the same links are.
-  AddGeomClass("collision", defaults).Set("contype", "2").Set("conaffinity", "5").Set("group", "3");
-  AddGeomClass("part", defaults)
-      .Set("contype", "1")
-      .Set("conaffinity", "7")
-      .Set("type", "box")
-      .Set("material", "part");
-  AddGeomClass("table", defaults)
-      .Set("contype", "4")
-      .Set("conaffinity", "3")
-      .Set("type", "box")
-      .Set("material", "table")
-      .Set("friction", {kTableFriction, 0.005, 0.0001});
-  AddGeomClass("floor", defaults)
-      .Set("contype", "4")
-      .Set("conaffinity", "3")
-      .Set("type", "plane")
-      .Set("size", "20 20 1")
-      .Set("material", "floor");
+  AddTouchingClass("visual", 0, 0, defaults).Set("material", "paint");
+  AddTouchingClasses(defaults);
   defaults.Add("default").Set("class", "mark").Add("site").Set("group", "4").Set("size", "0.005");
 }
 
@@ -84,15 +96,18 @@ void AddPart(const Part& part, const SceneOptions& options, XmlElement& worldbod
       worldbody.Add("body").Set("name", "part/" + part.name).SetPose(part.X_WorldPart);
   body.Add("freejoint").Set("name", "part/" + part.name);
   AddMass(model.mass(), body);
+  const auto add_box = [&](const char* geom_class, const geometry::Box& box) -> XmlElement& {
+    return body.Add("geom")
+        .Set("class", geom_class)
+        .SetPose(box.X_FrameBox)
+        .Set("size", box.half_extents)
+        .Set("friction", {friction, kTorsionFriction, kRollFriction});
+  };
   for (std::size_t i = 0; i < model.boxes().size(); ++i) {
     const Eigen::Vector4d color = model.colors()[i].cast<double>();
-    body.Add("geom")
-        .Set("class", "part")
-        .SetPose(model.boxes()[i].X_FrameBox)
-        .Set("size", model.boxes()[i].half_extents)
-        .Set("friction", {friction, 0.005, 0.0001})
-        .Set("rgba", std::span(color.data(), 4));
+    add_box("part", model.boxes()[i]).Set("rgba", std::span(color.data(), 4));
   }
+  for (const geometry::Box& box : SupportingBoxes(model)) add_box("support", box);
 }
 
 void AddWelds(const Problem& problem, XmlElement& equality) {

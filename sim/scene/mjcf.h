@@ -17,7 +17,7 @@ enum class GraspMode {
 struct SceneOptions {
   double timestep = 0.0005;  // seconds
   GraspMode grasp = GraspMode::kFriction;
-  std::optional<double> part_friction;  // instead of the part files' values
+  std::optional<double> part_friction = std::nullopt;  // instead of the part files' values
 };
 
 // The whole workcell as a model for the engine, in its XML: floor, pedestal, table, arm, gripper,

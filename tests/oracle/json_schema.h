@@ -80,8 +80,7 @@ class JsonSchema {
       return schema.contains(branch) ? Errors(schema[branch], value, at) : Texts{};
     }
     const Texts others = {"$schema", "title", "description", "definitions", "then", "else"};
-    return std::ranges::count(others, keyword) > 0 ? Texts{}
-                                                   : Texts{"unknown keyword " + keyword};
+    return std::ranges::count(others, keyword) > 0 ? Texts{} : Texts{"unknown keyword " + keyword};
   }
 
   static bool HasAll(const Json& value, const Json& keys) {

@@ -51,9 +51,9 @@ TEST(BoxShadowTest, IsTheProjectionOfTheCutBox) {
       heights.push_back(std::clamp(corner.z(), low, high));
     }
     for (const Vector2& p : shadow) {
-      EXPECT_TRUE(std::ranges::any_of(heights, [&](double z) {
-        return box.Contains(Vector3(p.x(), p.y(), z), 1e-9);
-      })) << "seed " << kSeed << " trial " << trial;
+      EXPECT_TRUE(std::ranges::any_of(
+          heights, [&](double z) { return box.Contains(Vector3(p.x(), p.y(), z), 1e-9); }))
+          << "seed " << kSeed << " trial " << trial;
     }
   }
 }

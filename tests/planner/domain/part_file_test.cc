@@ -117,7 +117,8 @@ TEST(PartFileTest, EachSlipIsNamed) {
       {"  3: {", "  2.5: {", "integer"},
       {"  3: {", "  02: {", "feature 2 is given twice"},
       {"upright: [0, 0, -1]", "upright: [0, 1, -1]", "30 degrees"},
-      {"upright: [0, 0, -1]", "upright: [0, 0, -1], again: [0, 0.1, -1]", "already named 'upright'"},
+      {"upright: [0, 0, -1]", "upright: [0, 0, -1], again: [0, 0.1, -1]",
+       "already named 'upright'"},
       {"solids:\n", "solids: {}\nextra:\n", "unknown key 'extra'"},
   };
   for (const Slip& slip : slips) {
@@ -131,8 +132,7 @@ TEST(PartFileTest, EachSlipIsNamed) {
 // A plug in the mouth, or a cap over it, closes a hole.
 TEST(PartFileTest, AMouthMustBeOpen) {
   for (const char* box : {"[[55, 8, 4], [60, 20, 16]]", "[[60, 15, 8], [70, 25, 12]]"}) {
-    const std::string text =
-        With("pockets:", std::string("  plug: {box: ") + box + "}\npockets:");
+    const std::string text = With("pockets:", std::string("  plug: {box: ") + box + "}\npockets:");
     EXPECT_THAT(ErrorOf(text), HasSubstr("no open mouth")) << box;
   }
 }

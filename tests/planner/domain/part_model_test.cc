@@ -70,8 +70,8 @@ TEST(PartModelTest, MassAndCentreOfThePeg) {
   const auto peg = LoadPart("peg");
   const double plate = 9 - 0.0625, shaft = 2.25 * 2.75;
   EXPECT_NEAR(peg->mass().mass, 700 * (plate + shaft) * kCubicInch, 1e-9);
-  EXPECT_NEAR(peg->mass().center.x(),
-              kInch * (-0.5 * plate + 1.375 * shaft) / (plate + shaft), 1e-9);
+  EXPECT_NEAR(peg->mass().center.x(), kInch * (-0.5 * plate + 1.375 * shaft) / (plate + shaft),
+              1e-9);
   EXPECT_NEAR(peg->mass().center.z(), kInch * 0.0625 * 1.125 / (plate + shaft), 1e-9);
 }
 
@@ -90,9 +90,9 @@ TEST(PartModelTest, TheShoulderOfThePegIsARingAroundTheShaft) {
     return SquareAround(shoulder, Vector3(0, y, z) * kInch, half * kInch);
   };
   EXPECT_TRUE(shoulder.Covers(at(1.125, 0, 0.37)));
-  EXPECT_FALSE(shoulder.Covers(at(1.125, 0, 0.38)));   // over edge and shaft
-  EXPECT_FALSE(shoulder.Covers(at(0, 0, 0.5)));        // under the shaft
-  EXPECT_FALSE(shoulder.Covers(at(0, -1.125, 0.2)));   // over the alignment hole
+  EXPECT_FALSE(shoulder.Covers(at(1.125, 0, 0.38)));  // over edge and shaft
+  EXPECT_FALSE(shoulder.Covers(at(0, 0, 0.5)));       // under the shaft
+  EXPECT_FALSE(shoulder.Covers(at(0, -1.125, 0.2)));  // over the alignment hole
   EXPECT_TRUE(shoulder.Covers(at(0, 1.125, 0.3)));
   EXPECT_EQ(Indices(peg->FeaturesUnder(FaceAt(*peg, Vector3::UnitX(), 0), at(0, -1.1, 0.1))),
             std::vector<int>{8});

@@ -68,8 +68,8 @@ TEST(PlanarRegionTest, DifferenceAndIntersectionMakeUpTheWhole) {
     for (int i = 0; i < 50; ++i) {
       const Vector2 p(random.Uniform(-1, 1), random.Uniform(-1, 1));
       if (NearABorder({a, b, c}, p) || NearABorder(rest, p)) continue;
-      const bool in = geometry::Depth(a, p) > 0 && geometry::Depth(b, p) < 0 &&
-                      geometry::Depth(c, p) < 0;
+      const bool in =
+          geometry::Depth(a, p) > 0 && geometry::Depth(b, p) < 0 && geometry::Depth(c, p) < 0;
       EXPECT_EQ(CountAround(rest, p), in ? 1 : 0) << "seed " << kSeed << " trial " << trial;
     }
   }

@@ -33,8 +33,8 @@ TEST(StablePoseTest, TheBlockRestsOnEachOfItsSixSides) {
   const auto block = LoadPart("block");
   EXPECT_EQ(block->stable_poses().size(), 6u);
   const std::map<std::string, std::vector<int>> hidden = {
-      {"face-down", {1, 7, 8}}, {"on-back", {2}},  {"on-other-side", {3}},
-      {"on-side", {4}},         {"on-end", {6}},   {"on-other-end", {5}}};
+      {"face-down", {1, 7, 8}}, {"on-back", {2}}, {"on-other-side", {3}},
+      {"on-side", {4}},         {"on-end", {6}},  {"on-other-end", {5}}};
   for (const auto& [name, features] : hidden) {
     EXPECT_EQ(Indices(Named(*block, name).hidden), features) << name;
   }

@@ -24,7 +24,7 @@ constexpr MatingId kPegIntoBlock(0);
 struct Start {
   std::string block = "{stable: on-back, at: [24, 6], yaw: 0}";
   std::string peg = "{stable: on-side, at: [24, -8], yaw: 90}";
-  std::string other_parts;  // whole lines of the scenario
+  std::string other_parts = "";  // whole lines of the scenario
   std::string goals =
       "  - assembled: {held: peg, fixed: block, features: [[7, 8], [7, 8]],\n"
       "                pose: {columns: [[-1, 0, 0], [0, 1, 0], [0, 0, -1], [3, 0, 3.25]]},\n"
@@ -56,8 +56,7 @@ struct ToolInPart {
 
 inline Hold HoldWith(const std::string& grasp, const ToolInPart& tool) {
   const Vector3 z = tool.approach.normalized();
-  return {grasp,
-          geometry::PoseFromColumns(tool.closing.cross(z), tool.closing, z, tool.p * kInch),
+  return {grasp, geometry::PoseFromColumns(tool.closing.cross(z), tool.closing, z, tool.p * kInch),
           tool.width * kInch};
 }
 
@@ -72,10 +71,9 @@ inline Hold PlateHold(double angle) {
 
 // Across the block's sides, leaning 45 degrees both when it stands on its end and on its back.
 inline Hold BlockHold() {
-  return HoldWith("across the block", {.p = {2, 0, 5.5},
-                                       .approach = {-1, 0, -1},
-                                       .closing = Vector3::UnitY(),
-                                       .width = 3});
+  return HoldWith(
+      "across the block",
+      {.p = {2, 0, 5.5}, .approach = {-1, 0, -1}, .closing = Vector3::UnitY(), .width = 3});
 }
 
 inline Place PlaceNow(const domain::Problem& problem, PartId part) {
@@ -122,10 +120,10 @@ inline Start BlockOnEnd() { return {.block = "{stable: on-end, at: [24, 6], yaw:
 inline Plan FourSteps(const domain::Problem& problem) {
   const Place back = BlockOnBack({});
   const Hold hold = PlateHold(45 * kDegree);
-  return WithNumbers(problem, {Pickup{kBlock, BlockHold(), PlaceNow(problem, kBlock)},
-                               Putdown{kBlock, BlockHold(), back},
-                               Pickup{kPeg, hold, PlaceNow(problem, kPeg)},
-                               Assemble{kPegIntoBlock, hold, back}});
+  return WithNumbers(
+      problem,
+      {Pickup{kBlock, BlockHold(), PlaceNow(problem, kBlock)}, Putdown{kBlock, BlockHold(), back},
+       Pickup{kPeg, hold, PlaceNow(problem, kPeg)}, Assemble{kPegIntoBlock, hold, back}});
 }
 
 }  // namespace assay::plan

@@ -25,8 +25,8 @@ inline std::filesystem::path ModelsFolder() { return ASSAY_SOURCE_DIR "/models";
 inline domain::Part PartAt(const Resting& resting, double clearance) {
   domain::Part part;
   part.name = resting.model;
-  part.model = domain::PartModel::Load(
-      ModelsFolder() / "parts" / resting.model / "part.yaml", clearance);
+  part.model =
+      domain::PartModel::Load(ModelsFolder() / "parts" / resting.model / "part.yaml", clearance);
   part.resting = part.model->FindStablePose(resting.stable_pose);
   ASSAY_CHECK(!part.resting.IsNone(), "no stable pose {}", resting.stable_pose);
   const domain::Placement placement{resting.x, resting.y, resting.yaw};

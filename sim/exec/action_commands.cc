@@ -1,0 +1,17 @@
+#include "sim/exec/action_commands.h"
+
+#include <algorithm>
+
+namespace assay::exec {
+
+Pose Retreated(const domain::Workcell& workcell, const Pose& X_WorldTool) {
+  return X_WorldTool * geometry::Translation(0, 0, -workcell.rules().approach_distance);
+}
+
+Pose AtSafeHeight(const domain::Workcell& workcell, const Pose& X_WorldTool) {
+  Pose raised = X_WorldTool;
+  raised.translation().z() = std::max(raised.translation().z(), workcell.rules().safe_height);
+  return raised;
+}
+
+}  // namespace assay::exec

@@ -1,0 +1,40 @@
+#include "sim/exec/command.h"
+
+#include <fmt/format.h>
+
+namespace assay::exec {
+namespace {
+
+std::string PoseText(const Pose& X_WorldTool) {
+  const Vector3 p = 1e3 * X_WorldTool.translation();
+  const Vector3 z = X_WorldTool.linear().col(2);
+  return fmt::format("({:.1f}, {:.1f}, {:.1f}) pointing ({:.3f}, {:.3f}, {:.3f})", p.x(), p.y(),
+                     p.z(), z.x(), z.y(), z.z());
+}
+
+struct TextOf {
+  const domain::Problem& problem;
+
+  std::string operator()(const MoveAtSafeHeight& move) const {
+    return "move-at-safe-height to " + PoseText(move.X_WorldTool);
+  }
+  std::string operator()(const MoveStraight& move) const {
+    return "move-straight to " + PoseText(move.X_WorldTool);
+  }
+  std::string operator()(const OpenGripper& open) const {
+    if (!open.release) return "open";
+    return fmt::format("open, releasing {}", problem.part(open.release->part).name);
+  }
+  std::string operator()(const CloseGripper& close) const {
+    return fmt::format("close on {} to {:.2f} mm", problem.part(close.part).name,
+                       1e3 * close.hold.width);
+  }
+};
+
+}  // namespace
+
+std::string Text(const domain::Problem& problem, const Command& command) {
+  return std::visit(TextOf{problem}, command);
+}
+
+}  // namespace assay::exec

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "planner/domain/problem.h"
+#include "planner/plan/plan.h"
+#include "sim/exec/pace.h"
+
+namespace assay::exec {
+
+using domain::PartId;
+using geometry::Pose;
+using geometry::Vector3;
+
+// What the robot can be told: the primitives of Spar's execution module (Hutchinson and Kak 1990,
+// Table 4 and figure 18).
+
+// The tool goes, high above everything, to a pose at safe height.
+struct MoveAtSafeHeight {
+  Pose X_WorldTool;
+};
+
+// The tool goes along a straight line, its orientation kept.
+struct MoveStraight {
+  Pose X_WorldTool;
+  Pace pace;
+};
+
+// The gripper opens wide. If it held a part, the part is believed to stay where it is let go.
+struct OpenGripper {
+  struct Release {
+    PartId part;
+    Pose X_WorldPart;
+  };
+  std::optional<Release> release = {};
+};
+
+// The gripper closes on a part, which is believed to be held so from then on.
+struct CloseGripper {
+  PartId part;
+  plan::Hold hold;
+};
+
+using Command = std::variant<MoveAtSafeHeight, MoveStraight, OpenGripper, CloseGripper>;
+
+// One line for people; millimetres, world frame.
+std::string Text(const domain::Problem& problem, const Command& command);
+
+}  // namespace assay::exec

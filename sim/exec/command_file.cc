@@ -1,0 +1,58 @@
+#include "sim/exec/command_file.h"
+
+#include <fmt/format.h>
+
+#include "sim/exec/action_commands.h"
+
+namespace assay::exec {
+namespace {
+
+Pose HomeTool(const domain::Workcell& workcell) {
+  return workcell.X_WorldBase() * workcell.arm().Forward(workcell.home()) *
+         workcell.gripper().X_FlangeTool();
+}
+
+struct TextOf {
+  const domain::Problem& problem;
+
+  std::string operator()(const plan::Pickup& pickup) const {
+    return fmt::format("pickup({}, {})", Name(pickup.part), pickup.hold.grasp);
+  }
+  std::string operator()(const plan::Putdown& putdown) const {
+    return fmt::format("putdown({}, {})", Name(putdown.part), putdown.to.position);
+  }
+  std::string operator()(const plan::Assemble& assemble) const {
+    const domain::Mating& mating = problem.mating(assemble.mating);
+    return fmt::format("assemble({}, {})", Name(mating.held), Name(mating.fixed));
+  }
+  const std::string& Name(PartId part) const { return problem.part(part).name; }
+};
+
+}  // namespace
+
+CommandFile CommandFileOf(const domain::Problem& problem, const plan::Plan& plan) {
+  CommandFile file;
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    const auto commands = [&](const auto& action) { return CommandsFor(problem, action); };
+    file.steps.push_back({id, std::visit(commands, plan.step(id).action)});
+  }
+  file.home.X_WorldTool = HomeTool(*problem.workcell);
+  return file;
+}
+
+std::string Text(const domain::Problem& problem, const plan::Plan& plan, const CommandFile& file) {
+  std::string text;
+  for (const StepCommands& step : file.steps) {
+    const plan::PlannedStep& planned = plan.step(step.step);
+    text +=
+        fmt::format("{} {}: {}\n", planned.executed, planned.name, Text(problem, planned.action));
+    for (const Command& command : step.commands) text += "    " + Text(problem, command) + "\n";
+  }
+  return text + "home\n    " + Text(problem, file.home) + "\n";
+}
+
+std::string Text(const domain::Problem& problem, const plan::Action& action) {
+  return std::visit(TextOf{problem}, action);
+}
+
+}  // namespace assay::exec

@@ -1,0 +1,112 @@
+#include "sim/exec/execution.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "sim/exec/straight_line.h"
+
+namespace assay::exec {
+namespace {
+
+// Contact forces of stiff contacts jump from step to step: a stop needs a force that lasts.
+constexpr double kForceFilter = 0.02;  // seconds
+
+std::vector<std::pair<std::string, std::string>> ContactPairs(const mujoco::Data& data) {
+  std::set<std::pair<std::string, std::string>> pairs;
+  for (const mujoco::Contact& contact : mujoco::Contacts(data)) {
+    const std::string a = data.model().Name(contact.body_a);
+    const std::string b = data.model().Name(contact.body_b);
+    pairs.insert(std::minmax(a, b));
+  }
+  return {pairs.begin(), pairs.end()};
+}
+
+Trace EmptyTrace(const domain::Problem& problem) {
+  Trace trace{.problem = problem.name};
+  for (const domain::Part& part : problem.parts) trace.parts.push_back(part.name);
+  return trace;
+}
+
+}  // namespace
+
+Execution::Execution(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
+                     const ExecutorOptions& options)
+    : problem_(problem),
+      scene_(scene),
+      data_(data),
+      options_(options),
+      servo_(scene),
+      world_(problem),
+      trace_(EmptyTrace(problem)),
+      commanded_{scene.ArmPosition(data), JointVector::Zero()} {}
+
+Moment Execution::Now() const {
+  const Pose X_WorldTool = ToolAt(*problem_.workcell, commanded_.q);
+  Moment now{.time = data_.time(),
+             .tool = {scene_.ToolPose(data_), X_WorldTool},
+             .opening = scene_.Opening(data_),
+             .wrist = scene_.WristWrench(data_),
+             .contacts = ContactPairs(data_)};
+  for (int i = 0; i < world_.part_count(); ++i) {
+    now.parts.push_back(
+        {scene_.TruePose(data_, PartId(i)), world_.PartPose(PartId(i), X_WorldTool)});
+  }
+  return now;
+}
+
+Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from) {
+  double time = 0;
+  while (time < trajectory.duration()) {
+    const Stepping stepping = time < fine_from ? Stepping::kFree : Stepping::kContact;
+    const double before = data_.time();
+    if (Progress failure = Step(trajectory.At(time), stepping)) return failure;
+    time += data_.time() - before;
+  }
+  return Stay(0, Stepping::kFree);
+}
+
+Progress Execution::Stay(double seconds, Stepping stepping) {
+  commanded_.qd.setZero();
+  const double end = data_.time() + seconds;
+  while (data_.time() < end) {
+    if (Progress failure = Step(commanded_, stepping)) return failure;
+  }
+  return std::nullopt;
+}
+
+Progress Execution::Step(const JointState& commanded, Stepping stepping) {
+  commanded_ = commanded;
+  const double fine = scene_.options().timestep;
+  data_.SetTimestep(stepping == Stepping::kFree ? std::max(fine, options_.free_timestep) : fine);
+  servo_.Command(data_, commanded.q, commanded.qd);
+  data_.Step();
+  SampleIfDue();
+  return Watch();
+}
+
+void Execution::SampleIfDue() {
+  if (data_.time() < samples_ / options_.sample_rate) return;
+  trace_.events.push_back(Sample{Now()});
+  ++samples_;
+}
+
+Progress Execution::Watch() {
+  if (data_.HasWarnings()) {
+    const mujoco::EngineWarning warning = data_.Warnings().front();
+    return Failure{ExecutionOutcome::kEngineWarning,
+                   fmt::format("{} ({} times)", warning.text, warning.count)};
+  }
+  const double weight = std::min(1.0, data_.timestep() / kForceFilter);
+  felt_ += weight * (scene_.WristWrench(data_).force - felt_);
+  if (felt_.norm() <= options_.force_limit) return std::nullopt;
+  const Vector3 p = 1e3 * scene_.ToolPose(data_).translation();
+  return Failure{ExecutionOutcome::kOverload,
+                 fmt::format("the wrist felt {:.0f} N, more than {:.0f} N, with the tool at "
+                             "({:.1f}, {:.1f}, {:.1f}) mm",
+                             felt_.norm(), options_.force_limit, p.x(), p.y(), p.z())};
+}
+
+}  // namespace assay::exec

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "sim/exec/executor.h"
+#include "sim/exec/joint_trajectory.h"
+#include "sim/exec/world_model.h"
+#include "sim/scene/servo.h"
+
+namespace assay::exec {
+
+// Why an execution cannot go on.
+struct Failure {
+  ExecutionOutcome outcome;
+  std::string reason;
+};
+using Progress = std::optional<Failure>;  // none: it goes on
+
+// How finely time is divided.
+enum class Stepping {
+  kContact,  // the scene's timestep
+  kFree,     // ExecutorOptions::free_timestep
+};
+
+// A plan on its way: the simulation, what the arm was last told, the world model and the trace.
+class Execution {
+ public:
+  Execution(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
+            const ExecutorOptions& options);
+
+  const domain::Problem& problem() const { return problem_; }
+  const scene::Scene& scene() const { return scene_; }
+  mujoco::Data& data() { return data_; }
+  WorldModel& world() { return world_; }
+  Trace& trace() { return trace_; }
+
+  const JointVector& commanded() const { return commanded_.q; }
+  Moment Now() const;
+
+  // The arm follows the trajectory, from `fine_from` (seconds from its start) on in small steps.
+  Progress Follow(const JointTrajectory& trajectory, double fine_from);
+  // The arm stays where it was last told to be.
+  Progress Stay(double seconds, Stepping stepping);
+  // One timestep towards the commanded state, with everything that belongs to it: the trace's
+  // series, and the watch over force and engine.
+  Progress Step(const JointState& commanded, Stepping stepping);
+
+ private:
+  void SampleIfDue();
+  Progress Watch();
+
+  const domain::Problem& problem_;
+  const scene::Scene& scene_;
+  mujoco::Data& data_;
+  const ExecutorOptions& options_;
+  scene::JointServo servo_;
+  WorldModel world_;
+  Trace trace_;
+  JointState commanded_;
+  int samples_ = 0;
+  Vector3 felt_ = Vector3::Zero();  // wrist force, low-pass filtered
+};
+
+// The commands (one file each). `rest`: the commands that follow in the same step.
+Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execution& execution);
+Progress Run(const MoveStraight& move, std::span<const Command> rest, Execution& execution);
+Progress Run(const OpenGripper& open, std::span<const Command> rest, Execution& execution);
+Progress Run(const CloseGripper& close, std::span<const Command> rest, Execution& execution);
+
+}  // namespace assay::exec

@@ -1,0 +1,24 @@
+#include <fmt/format.h>
+
+#include "sim/exec/execution.h"
+#include "sim/exec/straight_line.h"
+#include "sim/exec/travel.h"
+
+namespace assay::exec {
+
+Progress Run(const MoveStraight& move, std::span<const Command>, Execution& execution) {
+  const domain::Workcell& workcell = *execution.problem().workcell;
+  const LineResult line =
+      FollowLine(workcell, execution.commanded(), move.X_WorldTool.translation());
+  if (!line.path) {
+    const Vector3 p = 1e3 * line.stuck_at;
+    return Failure{ExecutionOutcome::kUnreachable,
+                   fmt::format("the arm cannot follow the straight line through ({:.1f}, {:.1f}, "
+                               "{:.1f}) mm in its present configuration",
+                               p.x(), p.y(), p.z())};
+  }
+  const TimedLine timed = WithTimes(*line.path, move.pace, RatesOf(workcell));
+  return execution.Follow(timed.trajectory, timed.final_from);
+}
+
+}  // namespace assay::exec

@@ -1,0 +1,158 @@
+#include "sim/exec/straight_line.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay::exec {
+namespace {
+
+using kinematics::Indicators;
+using kinematics::InverseSolution;
+
+constexpr double kStep = 0.002;            // metres
+constexpr double kGreatestTurn = 0.2;      // radians of a joint in one step
+constexpr double kToolAcceleration = 1.5;  // m/s^2
+constexpr double kSameJointValues = 1e-6;  // radians
+
+class LineFollower {
+ public:
+  LineFollower(const domain::Workcell& workcell, const Pose& X_WorldTool)
+      : workcell_(workcell), X_WorldTool_(X_WorldTool) {}
+
+  // The configuration that the arm is in: of the closed form's solutions the one that is there.
+  std::optional<Indicators> ConfigurationAt(const JointVector& q) const {
+    for (const InverseSolution& s : SolutionsAt(X_WorldTool_.translation(), q)) {
+      const auto nearest = workcell_.arm().NearestInRange(s.q, q);
+      if (nearest && (*nearest - q).cwiseAbs().maxCoeff() < kSameJointValues) return s.indicators;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<JointVector> Next(const Vector3& p_World, const Indicators& configuration,
+                                  const JointVector& q) const {
+    for (const InverseSolution& s : SolutionsAt(p_World, q)) {
+      if (s.indicators != configuration) continue;
+      const auto nearest = workcell_.arm().NearestInRange(s.q, q);
+      if (nearest && (*nearest - q).cwiseAbs().maxCoeff() < kGreatestTurn) return nearest;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  kinematics::InverseSolutions SolutionsAt(const Vector3& p_World, const JointVector& near) const {
+    Pose X_WorldTool = X_WorldTool_;
+    X_WorldTool.translation() = p_World;
+    return workcell_.arm().Inverse(workcell_.FlangeFor(X_WorldTool), near);
+  }
+
+  const domain::Workcell& workcell_;
+  Pose X_WorldTool_;
+};
+
+// A joint path's first and second derivatives by its length, by differences.
+struct Derivatives {
+  JointVector first;
+  JointVector second;
+};
+
+Derivatives DerivativesAt(const LinePath& path, std::size_t i) {
+  const std::size_t last = path.q.size() - 1;
+  const std::size_t before = i == 0 ? 0 : i - 1;
+  const std::size_t after = std::min(i + 1, last);
+  const std::size_t middle = std::clamp<std::size_t>(i, 1, std::max<std::size_t>(last, 2) - 1);
+  Derivatives d;
+  d.first = (path.q[after] - path.q[before]) / (static_cast<double>(after - before) * path.step);
+  d.second.setZero();
+  if (last >= 2) {
+    d.second =
+        (path.q[middle + 1] - 2 * path.q[middle] + path.q[middle - 1]) / (path.step * path.step);
+  }
+  return d;
+}
+
+struct PointLimits {
+  double speed = 0;         // m/s
+  double acceleration = 0;  // m/s^2
+};
+
+PointLimits LimitsAt(const Derivatives& d, double speed, const JointRates& rates) {
+  constexpr double kTiny = 1e-12;
+  PointLimits limits{speed, kToolAcceleration};
+  for (int j = 0; j < d.first.size(); ++j) {
+    const double first = std::abs(d.first[j]) + kTiny;
+    const double second = std::abs(d.second[j]) + kTiny;
+    const double acceleration = rates.acceleration[j] / 2;
+    limits.speed =
+        std::min({limits.speed, rates.speed[j] / first, std::sqrt(acceleration / second)});
+    limits.acceleration = std::min(limits.acceleration, acceleration / first);
+  }
+  return limits;
+}
+
+// Lowers speed[to] to what can be had from speed[from] one step away.
+void Reach(std::vector<double>& speed, const std::vector<PointLimits>& limits, double step,
+           std::size_t from, std::size_t to) {
+  const double acceleration = std::min(limits[from].acceleration, limits[to].acceleration);
+  speed[to] = std::min(speed[to], std::sqrt(speed[from] * speed[from] + 2 * acceleration * step));
+}
+
+std::vector<double> CompatibleSpeeds(const std::vector<PointLimits>& limits, double step) {
+  std::vector<double> speed;
+  for (const PointLimits& point : limits) speed.push_back(point.speed);
+  speed.front() = 0;
+  speed.back() = 0;
+  for (std::size_t i = 1; i < speed.size(); ++i) Reach(speed, limits, step, i - 1, i);
+  for (std::size_t i = speed.size() - 1; i > 0; --i) Reach(speed, limits, step, i, i - 1);
+  return speed;
+}
+
+}  // namespace
+
+Pose ToolAt(const domain::Workcell& workcell, const JointVector& q) {
+  return workcell.X_WorldBase() * workcell.arm().Forward(q) * workcell.gripper().X_FlangeTool();
+}
+
+LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from,
+                      const Vector3& end) {
+  const Pose X_WorldTool = ToolAt(workcell, from);
+  const Vector3 start = X_WorldTool.translation();
+  const LineFollower follower(workcell, X_WorldTool);
+  const std::optional<Indicators> configuration = follower.ConfigurationAt(from);
+  if (!configuration) return {std::nullopt, start};
+  const double length = (end - start).norm();
+  const int steps = std::max(2, static_cast<int>(std::ceil(length / kStep)));
+  LinePath path{.step = length / steps, .q = {from}};
+  for (int i = 1; i <= steps; ++i) {
+    const Vector3 p = start + static_cast<double>(i) / steps * (end - start);
+    const auto q = follower.Next(p, *configuration, path.q.back());
+    if (!q) return {std::nullopt, p};
+    path.q.push_back(*q);
+  }
+  return {path, end};
+}
+
+TimedLine WithTimes(const LinePath& path, const Pace& pace, const JointRates& rates) {
+  const std::size_t count = path.q.size();
+  const double length = path.step * static_cast<double>(count - 1);
+  if (length < 1e-9) return {JointTrajectory({{0, {path.q.back(), JointVector::Zero()}}}), 0};
+  std::vector<Derivatives> derivatives;
+  std::vector<PointLimits> limits;
+  std::size_t final_point = count - 1;  // the first in the final length
+  for (std::size_t i = 0; i < count; ++i) {
+    const bool final = path.step * static_cast<double>(count - 1 - i) <= pace.final_length;
+    if (final) final_point = std::min(final_point, i);
+    derivatives.push_back(DerivativesAt(path, i));
+    limits.push_back(LimitsAt(derivatives[i], final ? pace.final_speed : pace.speed, rates));
+  }
+  const std::vector<double> speed = CompatibleSpeeds(limits, path.step);
+  std::vector<JointTrajectory::Knot> knots;
+  double time = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) time += 2 * path.step / (speed[i - 1] + speed[i]);
+    knots.push_back({time, {path.q[i], speed[i] * derivatives[i].first}});
+  }
+  const double final_from = knots[final_point].time;
+  return {JointTrajectory(std::move(knots)), final_from};
+}
+
+}  // namespace assay::exec

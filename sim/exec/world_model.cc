@@ -1,0 +1,24 @@
+#include "sim/exec/world_model.h"
+
+namespace assay::exec {
+
+WorldModel::WorldModel(const domain::Problem& problem) {
+  for (const domain::Part& part : problem.parts) X_WorldPart_.push_back(part.X_WorldPart);
+}
+
+Pose WorldModel::PartPose(PartId part, const Pose& X_WorldTool) const {
+  if (part == held_) return X_WorldTool * hold_.X_PartTool.inverse();
+  return X_WorldPart_[part.index()];
+}
+
+void WorldModel::Take(PartId part, const plan::Hold& hold) {
+  held_ = part;
+  hold_ = hold;
+}
+
+void WorldModel::LetGo(PartId part, const Pose& X_WorldPart) {
+  X_WorldPart_[part.index()] = X_WorldPart;
+  held_ = PartId::None();
+}
+
+}  // namespace assay::exec

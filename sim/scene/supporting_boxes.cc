@@ -1,0 +1,64 @@
+#include "sim/scene/supporting_boxes.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace assay::scene {
+namespace {
+
+using geometry::Box;
+using geometry::Vector3;
+
+constexpr double kTolerance = 1e-9;  // metres; and of axes
+
+bool InHull(const geometry::ConvexHull& hull, const Box& box) {
+  const auto corners = box.Corners();
+  return std::ranges::all_of(hull.facets, [&](const geometry::Facet& facet) {
+    return std::ranges::all_of(corners, [&](const Vector3& corner) {
+      return facet.normal.dot(corner) <= facet.offset + kTolerance;
+    });
+  });
+}
+
+bool ShareAxes(const Box& a, const Box& b) {
+  return a.X_FrameBox.linear().isApprox(b.X_FrameBox.linear(), kTolerance);
+}
+
+// The box with a's axes around both.
+Box Around(const Box& a, const Box& b) {
+  const Vector3 center_b = a.X_FrameBox.inverse() * b.X_FrameBox.translation();
+  const Vector3 low = (-a.half_extents).cwiseMin(center_b - b.half_extents);
+  const Vector3 high = a.half_extents.cwiseMax(center_b + b.half_extents);
+  return Box::FromCorners(low, high).Transformed(a.X_FrameBox);
+}
+
+// The first pair that one box inside the hull can replace.
+struct Merger {
+  std::size_t first = 0;
+  std::size_t second = 0;
+  Box around;
+};
+
+std::optional<Merger> FindMerger(const std::vector<Box>& boxes, const geometry::ConvexHull& hull) {
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      if (!ShareAxes(boxes[i], boxes[j])) continue;
+      const Box around = Around(boxes[i], boxes[j]);
+      if (InHull(hull, around)) return Merger{i, j, around};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Box> SupportingBoxes(const domain::PartModel& part) {
+  std::vector<Box> boxes = part.boxes();
+  while (const std::optional<Merger> merger = FindMerger(boxes, part.hull())) {
+    boxes[merger->first] = merger->around;
+    boxes.erase(boxes.begin() + static_cast<std::ptrdiff_t>(merger->second));
+  }
+  return boxes;
+}
+
+}  // namespace assay::scene

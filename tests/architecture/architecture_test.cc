@@ -1,0 +1,135 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "tests/architecture/include_rules.h"
+#include "tests/architecture/library_table.h"
+
+namespace assay::architecture {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+using ::testing::UnorderedElementsAre;
+
+const std::filesystem::path kTree = ASSAY_SOURCE_DIR;
+
+TEST(SourceTree, IncludesStayInsideTheTable) { EXPECT_THAT(CrossedBorders(kTree), IsEmpty()); }
+TEST(SourceTree, PlannerKnowsNoSimulator) { EXPECT_THAT(CrossedMujocoLine(kTree), IsEmpty()); }
+TEST(SourceTree, OwnHeaderComesFirst) { EXPECT_THAT(OwnHeaderNotFirst(kTree), IsEmpty()); }
+TEST(SourceTree, HeadersAreLight) { EXPECT_THAT(HeavyHeaders(kTree), IsEmpty()); }
+TEST(SourceTree, EveryFileHasALibrary) { EXPECT_THAT(FilesOfNoLibrary(kTree), IsEmpty()); }
+
+TEST(SourceTree, TheTableIsRead) {
+  EXPECT_THAT(LibraryTable::Read(kTree).folders(),
+              IsSupersetOf({"planner/base", "planner/geometry", "planner/posting", "sim/scene"}));
+}
+
+// Planners of different papers meet in planner/assembly only.
+TEST(SourceTree, PlannersDoNotKnowEachOther) {
+  const LibraryTable table = LibraryTable::Read(kTree);
+  const std::vector<std::string> planners = {"planner/posting", "planner/finemotion",
+                                             "planner/contingent"};
+  for (const std::string& planner : table.folders()) {
+    if (std::ranges::find(planners, planner) == planners.end()) continue;
+    for (const std::string& other : planners) {
+      if (other == planner) continue;
+      EXPECT_THAT(table.OpenTo(planner), Not(Contains(other))) << planner;
+    }
+  }
+}
+
+TEST(SourceTree, PlannerLibrariesUsePlannerLibraries) {
+  const LibraryTable table = LibraryTable::Read(kTree);
+  for (const std::string& folder : table.folders()) {
+    if (!folder.starts_with("planner/")) continue;
+    for (const std::string& open : table.OpenTo(folder)) {
+      EXPECT_TRUE(open.starts_with("planner/")) << folder << " uses " << open;
+    }
+  }
+}
+
+// A small tree that breaks every rule once, so that each rule is seen to bite.
+class BrokenTree : public ::testing::Test {
+ protected:
+  BrokenTree() {
+    Write("CMakeLists.txt",
+          "# assay_library(planner/ghost)\n"
+          "assay_library(planner/base LINKS fmt::fmt)\n"
+          "assay_library(planner/geometry USES base\n  HIDES fcl)\n"
+          "assay_library(planner/plan USES geometry)\n"
+          "assay_library(sim/scene USES plan)\n");
+  }
+  ~BrokenTree() override { std::filesystem::remove_all(root_); }
+
+  void Write(const std::string& file, const std::string& text) const {
+    std::filesystem::create_directories((root_ / file).parent_path());
+    std::ofstream(root_ / file) << text;
+  }
+
+  const std::filesystem::path root_ =
+      std::filesystem::path(::testing::TempDir()) /
+      ("assay-broken-tree-" +
+       std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
+};
+
+TEST_F(BrokenTree, TableIsClosedUnderUse) {
+  const LibraryTable table = LibraryTable::Read(root_);
+  EXPECT_THAT(table.folders(),
+              ElementsAre("planner/base", "planner/geometry", "planner/plan", "sim/scene"));
+  EXPECT_THAT(table.OpenTo("planner/plan"),
+              UnorderedElementsAre("planner/plan", "planner/geometry", "planner/base"));
+}
+
+TEST_F(BrokenTree, UnknownLibraryInTheTable) {
+  Write("CMakeLists.txt", "assay_library(planner/base USES nothing)\n");
+  EXPECT_THROW(LibraryTable::Read(root_), std::runtime_error);
+}
+
+TEST_F(BrokenTree, BordersAreSeen) {
+  Write("planner/geometry/box.h", "#pragma once\n#include \"planner/base/id.h\"\n");
+  Write("planner/geometry/hull.cc", "\n#include \"planner/plan/plan.h\"\n#include \"box.h\"\n");
+  EXPECT_THAT(
+      CrossedBorders(root_),
+      ElementsAre("planner/geometry/hull.cc:2: planner/plan/plan.h: is not of a library that "
+                  "planner/geometry uses",
+                  "planner/geometry/hull.cc:3: box.h: is not written from the root"));
+}
+
+TEST_F(BrokenTree, MujocoLineIsSeen) {
+  Write("planner/plan/plan.cc", "#include <mujoco/mujoco.h>\n#include \"sim/scene/scene.h\"\n");
+  Write("sim/scene/scene.cc", "#include <mujoco/mujoco.h>\n");
+  EXPECT_THAT(
+      CrossedMujocoLine(root_),
+      ElementsAre("planner/plan/plan.cc:1: mujoco/mujoco.h: the planner knows no simulator",
+                  "planner/plan/plan.cc:2: sim/scene/scene.h: the planner knows no simulator"));
+}
+
+TEST_F(BrokenTree, LateOwnHeaderIsSeen) {
+  Write("planner/base/id.h", "#pragma once\n");
+  Write("planner/base/id.cc", "#include <string>\n#include \"planner/base/id.h\"\n");
+  Write("planner/base/main.cc", "#include <string>\n");
+  EXPECT_THAT(OwnHeaderNotFirst(root_),
+              ElementsAre("planner/base/id.cc:1: does not include planner/base/id.h first"));
+}
+
+TEST_F(BrokenTree, HeavyHeaderIsSeen) {
+  Write("planner/geometry/hull.h", "#include <Eigen/Geometry>\n  #  include <fcl/fcl.h>\n");
+  EXPECT_THAT(HeavyHeaders(root_),
+              ElementsAre("planner/geometry/hull.h:2: fcl/fcl.h: belongs into the .cc file"));
+}
+
+TEST_F(BrokenTree, StrayFileIsSeen) {
+  Write("planner/stray/stray.cc", "");
+  Write("sim/cli/main.cc", "");
+  EXPECT_THAT(FilesOfNoLibrary(root_),
+              ElementsAre("planner/stray/stray.cc:1: no line of the table of libraries covers it"));
+}
+
+}  // namespace
+}  // namespace assay::architecture

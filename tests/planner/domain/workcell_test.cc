@@ -1,0 +1,158 @@
+#include "planner/domain/workcell.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "planner/base/input_error.h"
+
+namespace assay::domain {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+std::filesystem::path FileOf(const std::string& workcell) {
+  return std::filesystem::path(ASSAY_SOURCE_DIR) / "models/workcells" / workcell / "workcell.yaml";
+}
+
+class AnyWorkcell : public testing::TestWithParam<const char*> {
+ protected:
+  const std::shared_ptr<const Workcell> workcell_ = Workcell::Load(FileOf(GetParam()));
+};
+INSTANTIATE_TEST_SUITE_P(Workcell, AnyWorkcell, testing::Values("puma762-table", "narrow-table"));
+
+TEST_P(AnyWorkcell, IsNamedByItsFolder) { EXPECT_EQ(workcell_->name(), GetParam()); }
+
+TEST_P(AnyWorkcell, HomeIsStraightDownAtSafeHeight) {
+  const geometry::Pose X_WorldTool = workcell_->X_WorldBase() *
+                                     workcell_->arm().Forward(workcell_->home()) *
+                                     workcell_->gripper().X_FlangeTool();
+  EXPECT_NEAR(X_WorldTool.linear()(2, 2), -1, 1e-9);
+  EXPECT_NEAR(X_WorldTool.translation().z(), workcell_->rules().safe_height, 1e-4);
+  EXPECT_GT(geometry::Depth(workcell_->table().top, X_WorldTool.translation().head<2>()), 0.1);
+  EXPECT_EQ(workcell_->arm().IndicatorsOf(workcell_->home()).elbow, kinematics::Elbow::kAbove);
+}
+
+TEST_P(AnyWorkcell, FlangeForUndoesTheGripperAndTheBase) {
+  const geometry::Pose X_WorldTool =
+      geometry::Translation(0.5, -0.1, 0.2) * geometry::RotationX(3) * geometry::RotationZ(1);
+  const geometry::Pose back = workcell_->X_WorldBase() * workcell_->FlangeFor(X_WorldTool) *
+                              workcell_->gripper().X_FlangeTool();
+  EXPECT_TRUE(back.isApprox(X_WorldTool, 1e-12));
+}
+
+TEST_P(AnyWorkcell, PlacementsAreOnTheTableAndDiffer) {
+  std::set<std::tuple<double, double, double>> seen;
+  for (const Placement& p : workcell_->placements()) {
+    EXPECT_GE(geometry::Depth(workcell_->table().top, {p.x, p.y}), 0);
+    EXPECT_TRUE(seen.insert({p.x, p.y, p.yaw}).second);
+  }
+}
+
+TEST(Workcell, ReadsTheRules) {
+  const auto workcell = Workcell::Load(FileOf("puma762-table"));
+  EXPECT_NEAR(workcell->rules().tool_lean, 60 * kDegree, 1e-12);
+  EXPECT_NEAR(workcell->rules().approach_step, 15 * kDegree, 1e-12);
+  EXPECT_EQ(workcell->rules().friction, 0.25);
+  EXPECT_EQ(workcell->rules().grip_force, 100);
+  EXPECT_EQ(workcell->rules().part_gap, 0.015);
+  EXPECT_NEAR(workcell->joint_acceleration()[1], 150 * kDegree, 1e-12);
+}
+
+// 5 by 7 places, 12 yaws; distance from (0.60, 0.00) first, then x, y and yaw.
+TEST(Workcell, PlacementsComeNearestFirst) {
+  const auto workcell = Workcell::Load(FileOf("puma762-table"));
+  const std::vector<Placement>& placements = workcell->placements();
+  ASSERT_EQ(placements.size(), 5u * 7u * 12u);
+  const auto distance = [](const Placement& p) { return std::hypot(p.x - 0.60, p.y); };
+  for (std::size_t i = 1; i < placements.size(); ++i) {
+    const Placement& before = placements[i - 1];
+    const Placement& p = placements[i];
+    EXPECT_GE(distance(p), distance(before) - 1e-9) << i;
+    if (p.x == before.x && p.y == before.y) {
+      EXPECT_NEAR(p.yaw - before.yaw, 30 * kDegree, 1e-12);
+    }
+  }
+  EXPECT_EQ(placements[0].yaw, 0);
+}
+
+TEST(Workcell, PlacementTurnsBeforeItMoves) {
+  const Placement placement = {.x = 1, .y = 2, .yaw = std::numbers::pi / 2};
+  EXPECT_TRUE((placement.X_WorldTable() * geometry::Vector3(1, 0, 3))
+                  .isApprox(geometry::Vector3(1, 3, 3), 1e-12));
+}
+
+TEST(Workcell, WithRulesChangesNothingElse) {
+  const auto workcell = Workcell::Load(FileOf("puma762-table"));
+  WorkcellRules rules = workcell->rules();
+  rules.tool_lean = 0.1;
+  const auto changed = workcell->WithRules(rules);
+  EXPECT_EQ(changed->rules().tool_lean, 0.1);
+  EXPECT_NEAR(workcell->rules().tool_lean, 60 * kDegree, 1e-12);
+  EXPECT_EQ(changed->placements().size(), workcell->placements().size());
+  EXPECT_EQ(&changed->arm(), &workcell->arm());
+}
+
+// A file in the workcells' folder would be found by scenarios, so that the wrong ones go, beside
+// copies of the robot and the gripper, into a folder of their own.
+class WrongWorkcell : public testing::Test {
+ protected:
+  WrongWorkcell() : folder_(std::filesystem::path(testing::TempDir()) / "assay_wrong_workcell") {
+    std::stringstream text;
+    text << std::ifstream(FileOf("puma762-table")).rdbuf();
+    text_ = text.str();
+    std::filesystem::create_directories(folder_ / "workcells/wrong");
+    const std::filesystem::path models = std::filesystem::path(ASSAY_SOURCE_DIR) / "models";
+    for (const char* kind : {"robots", "grippers"}) {
+      std::filesystem::copy(models / kind, folder_ / kind,
+                            std::filesystem::copy_options::recursive |
+                                std::filesystem::copy_options::overwrite_existing);
+    }
+  }
+  ~WrongWorkcell() override { std::filesystem::remove_all(folder_); }
+
+  std::string MessageWith(const std::string& old_text, const std::string& new_text) {
+    std::string text = text_;
+    text.replace(text.find(old_text), old_text.size(), new_text);
+    const std::filesystem::path file = folder_ / "workcells/wrong/workcell.yaml";
+    std::ofstream(file) << text;
+    try {
+      Workcell::Load(file);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+ private:
+  std::filesystem::path folder_;
+  std::string text_;
+};
+
+TEST_F(WrongWorkcell, IsRefused) {
+  EXPECT_EQ(MessageWith("tool_lean", "tool_lean"), "no error");
+  EXPECT_THAT(MessageWith("tool_lean", "toollean"), HasSubstr("missing key 'tool_lean'"));
+  EXPECT_THAT(MessageWith("rules:\n", "rules:\n  gap: 3\n"), HasSubstr("unknown name 'gap'"));
+  EXPECT_THAT(MessageWith("safe_height: 0.40", "safe_height: -1"), HasSubstr("-1 is out of range"));
+  EXPECT_THAT(MessageWith("puma762.urdf", "puma763.urdf"), HasSubstr("there is no file"));
+  EXPECT_THAT(MessageWith("215.0166", "300"), HasSubstr("outside the joint limits"));
+  EXPECT_THAT(MessageWith("[90, 150", "[90, 0"), HasSubstr("not positive"));
+  EXPECT_THAT(MessageWith("[0.30, 1.05]", "[1.05, 0.30]"), HasSubstr("the range goes down"));
+  EXPECT_THAT(MessageWith("[0.30, 1.05]", "[0.30, 0.30]"), HasSubstr("no area"));
+  EXPECT_THAT(MessageWith("step: 0.10", "step: 0.001"), HasSubstr("601 places"));
+  EXPECT_THAT(MessageWith("yaws: 12", "yaws: 0"), HasSubstr("from 1 to 72"));
+  EXPECT_THAT(MessageWith("[0, 0, 1], [0, 0, 0.62]", "[0, 0, 2], [0, 0, 0.62]"),
+              HasSubstr("cannot be in a unit axis"));
+}
+
+}  // namespace
+}  // namespace assay::domain

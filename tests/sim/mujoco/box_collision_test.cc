@@ -1,0 +1,83 @@
+#include "sim/mujoco/box_collision.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "planner/base/random.h"
+#include "sim/mujoco/contact.h"
+
+namespace assay::mujoco {
+namespace {
+
+using geometry::Pose;
+using geometry::Vector3;
+
+// Contacts of this pair alone; the upper box is put by the test.
+std::string Pair(const Vector3& lower, const Vector3& upper) {
+  return fmt::format(R"(<mujoco><worldbody>
+    <geom name="lower" type="box" size="{} {} {}"/>
+    <body name="upper"><freejoint/><geom type="box" size="{} {} {}" mass="1"/></body>
+    </worldbody></mujoco>)",
+                     lower.x(), lower.y(), lower.z(), upper.x(), upper.y(), upper.z());
+}
+
+void Put(const Pose& X_WorldUpper, Data& data) {
+  const Vector3 p = X_WorldUpper.translation();
+  const Eigen::Quaterniond turn(X_WorldUpper.linear());
+  const double values[7] = {p.x(), p.y(), p.z(), turn.w(), turn.x(), turn.y(), turn.z()};
+  std::copy(values, values + 7, data.qpos().begin());
+  data.Forward();
+}
+
+double Magnitude(RandomStream& random, double low, double high) {
+  return std::exp(random.Uniform(std::log(low), std::log(high)));
+}
+
+struct Case {
+  double tilt = 0;   // radians
+  double depth = 0;  // metres
+  Pose X_WorldUpper = Pose::Identity();
+};
+
+constexpr double kLowerHeight = 0.02;  // half
+const Vector3 kUpper(0.03556, 0.009275, 0.08255);
+
+// The upper box with its x face on the lower box's z face, anywhere and turned anyhow.
+Case Draw(RandomStream& random) {
+  Case drawn;
+  drawn.tilt = Magnitude(random, 1e-18, 1e-10);
+  drawn.depth = Magnitude(random, 1e-10, 1e-6) + 0.1 * drawn.tilt;
+  const double direction = random.Uniform(0, 6.3);
+  const Vector3 axis(std::cos(direction), std::sin(direction), 0);
+  const Pose tilt(Eigen::AngleAxisd(drawn.tilt, axis));
+  const double x = random.Uniform(-0.25, 0.25);
+  const double y = random.Uniform(-0.5, 0.5);
+  drawn.X_WorldUpper = geometry::Translation(x, y, kLowerHeight + kUpper.x() - drawn.depth) * tilt *
+                       geometry::RotationZ(random.Uniform(-3.2, 3.2)) *
+                       geometry::RotationY(std::numbers::pi / 2);
+  return drawn;
+}
+
+// Faces parallel to within rounding: the four corners touch, as deep as the boxes overlap.
+TEST(BoxCollision, NearlyParallelFacesTouchNoDeeperThanTheyOverlap) {
+  const Model model = Model::FromMjcf(Pair({0.375, 0.65, kLowerHeight}, kUpper));
+  Data data(model);
+  RandomStream random(20, "nearly parallel boxes");
+  for (int i = 0; i < 100000; ++i) {
+    const Case drawn = Draw(random);
+    Put(drawn.X_WorldUpper, data);
+    const auto contacts = ContactsBetween(data, BodyId(0), model.Body("upper"));
+    ASSERT_EQ(contacts.size(), 4u) << "pose " << i << " of seed 20, tilt " << drawn.tilt;
+    for (const Contact& contact : contacts) {
+      ASSERT_NEAR(contact.distance, -drawn.depth, 0.2 * drawn.tilt + 1e-12);
+      const Vector3 corner = (drawn.X_WorldUpper.inverse() * contact.position).cwiseAbs();
+      ASSERT_LT((corner - kUpper).norm(), 1e-6);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assay::mujoco

@@ -1,0 +1,65 @@
+#include "sim/mujoco/contact.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace assay::mujoco {
+namespace {
+
+using geometry::Vector3;
+
+// On a slope of 10 degrees with friction to hold it, so that forces have tangential parts.
+constexpr char kBoxOnSlope[] = R"(<mujoco>
+  <option timestep="0.001" cone="elliptic" impratio="10"/>
+  <worldbody>
+    <geom name="slope" type="box" size="1 1 0.1" pos="0 0 -0.1" friction="0.5"/>
+    <body name="box" pos="0 0 0.0499">
+      <freejoint/><geom type="box" size="0.05 0.05 0.05" mass="2" friction="0.5"/></body>
+  </worldbody>
+</mujoco>)";
+
+std::string Sloped() {
+  std::string mjcf = kBoxOnSlope;
+  const std::string gravity = "gravity=\"1.7034 0 -9.6610\" ";  // 9.81 turned by 10 degrees
+  return mjcf.insert(mjcf.find("<option ") + 8, gravity);
+}
+
+Vector3 Sum(const std::vector<Contact>& contacts) {
+  Vector3 sum = Vector3::Zero();
+  for (const Contact& contact : contacts) sum += contact.force_on_b;
+  return sum;
+}
+
+TEST(Contacts, AtRestTheyCarryTheWeight) {
+  const Model model = Model::FromMjcf(Sloped());
+  Data data(model);
+  for (int i = 0; i < 1000; ++i) data.Step();
+  const Vector3 weight = 2 * Vector3(1.7034, 0, -9.6610);
+  const auto on_box = ContactsBetween(data, BodyId(0), model.Body("box"));
+  ASSERT_GE(on_box.size(), 3u);
+  EXPECT_LT((Sum(on_box) + weight).norm(), 1e-3 * weight.norm());
+  for (const Contact& contact : on_box) {
+    EXPECT_NEAR(contact.normal.z(), 1, 1e-3);
+    EXPECT_EQ(contact.body_b, model.Body("box"));
+    EXPECT_EQ(contact.geom_a, model.Geom("slope"));
+    EXPECT_LE(contact.distance, 0);
+  }
+}
+
+TEST(Contacts, SwappingTheBodiesTurnsForcesAndNormals) {
+  const Model model = Model::FromMjcf(Sloped());
+  Data data(model);
+  for (int i = 0; i < 100; ++i) data.Step();
+  const auto on_box = ContactsBetween(data, BodyId(0), model.Body("box"));
+  const auto on_slope = ContactsBetween(data, model.Body("box"), BodyId(0));
+  ASSERT_EQ(on_box.size(), on_slope.size());
+  for (std::size_t i = 0; i < on_box.size(); ++i) {
+    EXPECT_EQ(on_box[i].force_on_b, -on_slope[i].force_on_b);
+    EXPECT_EQ(on_box[i].normal, -on_slope[i].normal);
+    EXPECT_EQ(on_box[i].geom_a, on_slope[i].geom_b);
+  }
+  EXPECT_EQ(Contacts(data).size(), on_box.size());
+}
+
+}  // namespace
+}  // namespace assay::mujoco

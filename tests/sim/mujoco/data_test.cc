@@ -1,0 +1,130 @@
+#include "sim/mujoco/data.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <filesystem>
+#include <limits>
+
+namespace assay::mujoco {
+namespace {
+
+// A pile that is kept moving, so that steps depend on contacts, on the solver's start, on a weld,
+// on controls and on applied forces.
+constexpr char kPile[] = R"(<mujoco>
+  <option timestep="0.001" cone="elliptic"/>
+  <worldbody>
+    <geom type="plane" size="1 1 1"/>
+    <body name="a" pos="0 0 0.11"><freejoint/><geom type="box" size="0.1 0.1 0.1"/></body>
+    <body name="b" pos="0.05 0 0.33" euler="10 20 30"><freejoint/>
+      <geom type="box" size="0.1 0.1 0.1"/></body>
+    <body name="arm" pos="0.5 0 0.3"><joint name="hinge" axis="0 1 0"/>
+      <geom type="capsule" fromto="0 0 0 -0.3 0 0" size="0.03"/></body>
+  </worldbody>
+  <equality><weld name="weld" body1="a" body2="b" active="false" solref="0.002 1"/></equality>
+  <actuator><position joint="hinge" kp="5"/></actuator>
+</mujoco>)";
+
+void Steps(Data& data, int count) {
+  for (int i = 0; i < count; ++i) {
+    data.ctrl()[0] = 0.001 * i;
+    data.qfrc_applied()[0] = data.qfrc_bias()[14];  // reads what Step and Restore leave behind
+    data.Step();
+  }
+}
+
+TEST(Data, StepsAfterRestoreAreTheStepsAfterSave) {
+  const Model model = Model::FromMjcf(kPile);
+  Data data(model);
+  Steps(data, 150);
+  const State saved = data.Save();
+  Steps(data, 200);
+  const State end = data.Save();
+  EXPECT_GT(data.get()->ncon, 0);
+
+  data.Restore(saved);
+  EXPECT_TRUE(data.Save() == saved);
+  Steps(data, 200);
+  EXPECT_TRUE(data.Save() == end);
+
+  Data other(model);
+  other.Restore(saved);
+  Steps(other, 200);
+  EXPECT_TRUE(other.Save() == end);
+}
+
+TEST(Data, RestoresWelds) {
+  const Model model = Model::FromMjcf(kPile);
+  Data data(model);
+  Steps(data, 150);
+  data.ActivateWeldHere(model.Equality("weld"));
+  const State saved = data.Save();
+  Steps(data, 100);
+  const State end = data.Save();
+  data.Deactivate(model.Equality("weld"));
+  Steps(data, 100);
+  data.Restore(saved);
+  EXPECT_TRUE(data.IsActive(model.Equality("weld")));
+  Steps(data, 100);
+  EXPECT_TRUE(data.Save() == end);
+}
+
+TEST(Data, WeldHoldsTheBodiesWhereTheyWere) {
+  const Model model = Model::FromMjcf(kPile);
+  Data data(model);
+  const auto relative = [&] {
+    return data.BodyPose(model.Body("a")).inverse() * data.BodyPose(model.Body("b"));
+  };
+  const geometry::Pose before = relative();
+  data.ActivateWeldHere(model.Equality("weld"));
+  Steps(data, 1000);
+  EXPECT_LT((relative().translation() - before.translation()).norm(), 0.002);
+  EXPECT_LT(geometry::AngleBetween(relative().linear(), before.linear()), 0.02);
+}
+
+TEST(Data, SimulationsOfOneModelDoNotShareTheirWelds) {
+  const Model model = Model::FromMjcf(kPile);
+  Data first(model);
+  Data second(model);
+  first.ActivateWeldHere(model.Equality("weld"));
+  EXPECT_TRUE(first.IsActive(model.Equality("weld")));
+  EXPECT_FALSE(second.IsActive(model.Equality("weld")));
+  EXPECT_EQ(model.get()->eq_active[0], 0);
+}
+
+TEST(Data, PosesAfterAStepBelongToThePresent) {
+  const Model model = Model::FromMjcf(kPile);
+  Data data(model);
+  Steps(data, 50);
+  const geometry::Pose stepped = data.BodyPose(model.Body("b"));
+  data.Forward();
+  EXPECT_TRUE(stepped.isApprox(data.BodyPose(model.Body("b")), 1e-15));
+}
+
+TEST(Data, CountsTheEnginesWarnings) {
+  const Model model = Model::FromMjcf(kPile);
+  Data data(model);
+  Steps(data, 10);
+  EXPECT_THAT(data.Warnings(), testing::IsEmpty());
+  data.qvel()[0] = std::numeric_limits<double>::quiet_NaN();
+  data.Step();
+  ASSERT_THAT(data.Warnings(), testing::SizeIs(1));
+  EXPECT_GE(data.Warnings()[0].count, 1);
+  EXPECT_THAT(data.Warnings()[0].text, testing::HasSubstr("QVEL"));
+  EXPECT_FALSE(std::filesystem::exists("MUJOCO_LOG.TXT"));
+}
+
+TEST(DataDeathTest, AnEngineErrorStopsTheProgramWithItsMessage) {
+  const Model model = Model::FromMjcf(kPile);
+  EXPECT_DEATH(mju_error("the stack is full"), "the stack is full");
+}
+
+TEST(DataDeathTest, AStateOfAnotherModelIsOurMistake) {
+  Data data(Model::FromMjcf(kPile));
+  Data other(Model::FromMjcf("<mujoco/>"));
+  EXPECT_DEATH(other.Restore(data.Save()), "another model");
+}
+
+}  // namespace
+}  // namespace assay::mujoco

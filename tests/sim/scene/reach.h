@@ -1,0 +1,28 @@
+#pragma once
+
+#include "planner/base/check.h"
+#include "planner/domain/workcell.h"
+
+namespace assay::scene {
+
+// The tool pointing straight down, closing along the world's y.
+inline geometry::Pose ToolDown(double x, double y, double z) {
+  return geometry::PoseFromColumns({-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {x, y, z});
+}
+
+// Joint values, near home, that bring the tool there.
+inline kinematics::JointVector JointsFor(const domain::Workcell& workcell,
+                                         const geometry::Pose& X_WorldTool) {
+  const auto solutions = workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool));
+  std::optional<kinematics::JointVector> best;
+  for (const auto& solution : solutions) {
+    const auto q = workcell.arm().NearestInRange(solution.q, workcell.home());
+    if (!q) continue;
+    const auto distance = [&](const auto& joints) { return (joints - workcell.home()).norm(); };
+    if (!best || distance(*q) < distance(*best)) best = q;
+  }
+  ASSAY_CHECK(best.has_value(), "out of reach");
+  return *best;
+}
+
+}  // namespace assay::scene

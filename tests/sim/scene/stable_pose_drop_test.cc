@@ -1,0 +1,71 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "planner/base/random.h"
+#include "sim/scene/scene.h"
+#include "tests/sim/scene/all_parts.h"
+
+namespace assay::scene {
+namespace {
+
+using domain::StablePose;
+
+// Every computed stable pose, tried against physics: dropped from 2 mm, tilted by up to a degree,
+// a part must come to rest in that stable pose.
+class StablePosesOf : public testing::TestWithParam<std::string> {};
+
+constexpr double kDropHeight = 0.002;     // m
+constexpr double kLargestTilt = kDegree;  // of the disturbance
+constexpr double kSeconds = 1.0;
+constexpr int kDrops = 3;
+const geometry::Pose kMiddle = geometry::Translation(0.7, 0, 0);
+
+geometry::Pose Disturbed(const StablePose& pose, const domain::PartModel& model,
+                         RandomStream& random) {
+  const double direction = random.Uniform(0, 2 * std::numbers::pi);
+  const Vector3 axis(std::cos(direction), std::sin(direction), 0);
+  const geometry::Pose tilt(Eigen::AngleAxisd(random.Uniform(0, kLargestTilt), axis));
+  geometry::Pose X = kMiddle * tilt * pose.X_TablePart;
+  double lowest = 1;
+  for (const Vector3& vertex : model.hull().vertices) lowest = std::min(lowest, (X * vertex).z());
+  return geometry::Translation(0, 0, kDropHeight - lowest) * X;
+}
+
+// The angle between the directions that point down in the part.
+double AngleFrom(const StablePose& pose, const geometry::Pose& X_WorldPart) {
+  const Vector3 down_now = X_WorldPart.linear().row(2);
+  const Vector3 down_then = pose.X_TablePart.linear().row(2);
+  return std::atan2(down_now.cross(down_then).norm(), down_now.dot(down_then));
+}
+
+TEST_P(StablePosesOf, SurviveADrop) {
+  const auto model =
+      domain::PartModel::Load(ModelsFolder() / "parts" / GetParam() / "part.yaml", 0.0005);
+  domain::Problem problem = ProblemWith({});
+  problem.parts.push_back({.name = GetParam(), .model = model, .X_WorldPart = kMiddle});
+  const Scene scene(problem, {.timestep = 0.001});
+  mujoco::Data data = scene.Start();
+  RandomStream random(7, "drop " + GetParam());
+  ASSERT_FALSE(model->stable_poses().empty());
+  for (const StablePose& pose : model->stable_poses()) {
+    for (int drop = 0; drop < kDrops; ++drop) {
+      scene.SetPart(data, domain::PartId(0), Disturbed(pose, *model, random));
+      for (int i = 0; i < kSeconds / 0.001; ++i) data.Step();
+      const double angle = AngleFrom(pose, scene.TruePose(data, domain::PartId(0)));
+      EXPECT_LT(angle, 0.5 * kDegree)
+          << pose.label << " " << pose.name << ", drop " << drop << " of seed 7, tipping margin "
+          << pose.tilt_margin / kDegree << " degrees";
+    }
+  }
+  EXPECT_TRUE(data.Warnings().empty());
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, StablePosesOf, testing::ValuesIn(AllParts()), [](const auto& part) {
+  std::string name = part.param;
+  std::erase(name, '-');
+  return name;
+});
+
+}  // namespace
+}  // namespace assay::scene
