@@ -155,7 +155,12 @@ LabelSet PartialPlan::Labels(VariableId variable) const {
   return network_.labels(NodeOf(variable));
 }
 
-std::optional<Threat> PartialPlan::PopThreat() { return Pop(goals_.threats); }
+std::optional<Threat> PartialPlan::PopThreat() {
+  std::optional<Threat> threat = Pop(goals_.threats);
+  while (threat && !IsThreat(*threat)) threat = Pop(goals_.threats);
+  return threat;
+}
+
 std::optional<OperationalGoal> PartialPlan::PopOperational() { return Pop(goals_.operational); }
 std::optional<GeometricGoalRef> PartialPlan::PopGeometric() { return Pop(goals_.geometric); }
 

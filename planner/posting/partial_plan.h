@@ -78,6 +78,7 @@ class PartialPlan {
   // The labels that it can still have.
   network::LabelSet Labels(VariableId variable) const;
 
+  // The next of each stack. Threats that orderings have meanwhile resolved are passed over.
   std::optional<Threat> PopThreat();
   std::optional<OperationalGoal> PopOperational();
   std::optional<GeometricGoalRef> PopGeometric();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "planner/base/budget.h"
 #include "planner/base/check.h"
@@ -93,7 +94,6 @@ class PostingPlanner {
   }
 
   bool Protect(const PartialPlan& plan, const Threat& threat) {
-    if (!plan.IsThreat(threat)) return Refine(plan);
     Trace("{} threatens {} of {}", plan.Text(threat.violator),
           plan.Text(plan.ConditionOf(threat.link.consumer, threat.link.precondition)),
           plan.Text(threat.link.consumer));
@@ -166,11 +166,30 @@ class PostingPlanner {
     return !has_instance && !instance_choices_.Exhausted() && ClearTheWay(plan, search.blockers());
   }
 
+  // Decisions taken in another order can lead to the same instance again.
   bool Accept(plan::Plan instance) {
+    if (!seen_.insert(Signature(instance)).second) return false;
     ++instances_;
     if (options_.accept && !options_.accept(instance)) return false;
     plan_ = std::move(instance);
     return true;
+  }
+
+  // What tells instances apart: actions and labels, in the order of execution.
+  static std::string Signature(const plan::Plan& plan) {
+    std::string signature;
+    for (plan::StepId id : plan.ExecutionOrder()) {
+      const plan::Action& action = plan.step(id).action;
+      signature += std::to_string(action.index());
+      if (const auto* pickup = std::get_if<plan::Pickup>(&action)) {
+        signature += fmt::format(" {} {};", pickup->part.index(), pickup->hold.grasp);
+      } else if (const auto* putdown = std::get_if<plan::Putdown>(&action)) {
+        signature += fmt::format(" {} {};", putdown->part.index(), putdown->to.position);
+      } else {
+        signature += fmt::format(" {};", std::get<plan::Assemble>(action).mating.index());
+      }
+    }
+    return signature;
   }
 
   bool ClearTheWay(const PartialPlan& plan, const std::set<Blocker>& blockers) {
@@ -197,6 +216,7 @@ class PostingPlanner {
   Budget instance_choices_;
   std::int64_t complete_plans_ = 0;
   std::int64_t instances_ = 0;
+  std::set<std::string> seen_;  // signatures of instances
   int limit_ = 0;
   bool cut_off_ = false;  // whether a refinement was left out because of the limit
   std::size_t depth_ = 0;

@@ -134,8 +134,9 @@ TEST_F(ExamplePlan, SeparationKeepsTheTwoPositionsApart) {
   const StepId assemble = EstablishByNewStep(plan);
   plan.PopOperational();                            // holding(peg) is left aside
   const StepId putdown = EstablishByNewStep(plan);  // part_location(block, pos)
-  const StepId pickup = EstablishByNewStep(plan);   // holding(block, grasp)
-  plan.PopOperational();                            // gripper(open)
+  const OperationalGoal holding = *plan.PopOperational();
+  const StepId pickup = plan.AddStep(plan.Establishers(holding).front());  // tied to no goal
+  plan.PopOperational();                                                   // gripper(open)
   const OperationalGoal location = *plan.PopOperational();
   const StepId other = plan.AddStep(plan.Establishers(location).front());  // a second putdown
   ASSERT_TRUE(plan.Establish(other, location));

@@ -43,7 +43,10 @@ TEST_P(StablePosesOf, SurviveADrop) {
   const auto model =
       domain::PartModel::Load(ModelsFolder() / "parts" / GetParam() / "part.yaml", 0.0005);
   domain::Problem problem = ProblemWith({});
-  problem.parts.push_back({.name = GetParam(), .model = model, .X_WorldPart = kMiddle});
+  domain::Part& part = problem.parts.emplace_back();
+  part.name = GetParam();
+  part.model = model;
+  part.X_WorldPart = kMiddle;
   const Scene scene(problem, {.timestep = 0.001});
   mujoco::Data data = scene.Start();
   RandomStream random(7, "drop " + GetParam());

@@ -1,0 +1,47 @@
+#include "sim/cli/exit_code.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace assay::cli {
+namespace {
+
+struct Meaning {
+  ExitCode code;
+  const char* text;
+};
+
+constexpr std::array kMeanings = {
+    Meaning{ExitCode::kDone, "done, and everything asked for holds"},
+    Meaning{ExitCode::kWrongCommandLine, "wrong command line"},
+    Meaning{ExitCode::kWrongInput, "wrong input file"},
+    Meaning{ExitCode::kEnvironment, "the environment lacks something (renderer, room on the disk)"},
+    Meaning{ExitCode::kNoPlan, "proved that there is no plan (label: no labeling)"},
+    Meaning{ExitCode::kBudgetSpent, "the budget was spent before an answer"},
+    Meaning{ExitCode::kFailed, "a prediction or check was violated, or a trial failed"},
+};
+
+}  // namespace
+
+ExitCode ExitCodeOf(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kFound:
+      return ExitCode::kDone;
+    case Outcome::kNone:
+      return ExitCode::kNoPlan;
+    case Outcome::kBudget:
+      return ExitCode::kBudgetSpent;
+  }
+  return ExitCode::kDone;
+}
+
+std::string ExitCodeTable() {
+  std::string text = "Exit codes:\n";
+  for (const Meaning& meaning : kMeanings) {
+    text += fmt::format("  {:2}  {}\n", static_cast<int>(meaning.code), meaning.text);
+  }
+  return text;
+}
+
+}  // namespace assay::cli

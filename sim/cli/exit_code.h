@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "planner/base/outcome.h"
+
+namespace assay::cli {
+
+// What the program's exit tells. A broken invariant of the program itself ends it by SIGABRT.
+enum class ExitCode {
+  kDone = 0,
+  kWrongCommandLine = 2,
+  kWrongInput = 3,
+  kEnvironment = 4,
+  kNoPlan = 10,
+  kBudgetSpent = 11,
+  kFailed = 12,
+};
+
+ExitCode ExitCodeOf(Outcome outcome);
+
+// All codes with their meaning, one line each, for the help.
+std::string ExitCodeTable();
+
+}  // namespace assay::cli

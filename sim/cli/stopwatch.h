@@ -1,0 +1,18 @@
+#pragma once
+
+#include <chrono>
+
+namespace assay::cli {
+
+// Wall time, for people only: nothing is decided by it.
+class Stopwatch {
+ public:
+  double Seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,13 @@
+#include "sim/cli/verb.h"
+
+#include <array>
+
+namespace assay::cli {
+
+std::span<const Verb* const> Verbs() {
+  static constexpr std::array kVerbs = {&kCheck,  &kPlan,  &kRun,    &kRender,
+                                        &kExport, &kLabel, &kDoctor, &kList};
+  return kVerbs;
+}
+
+}  // namespace assay::cli
