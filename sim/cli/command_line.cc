@@ -11,6 +11,7 @@
 #include "planner/base/document.h"
 #include "planner/base/input_error.h"
 #include "sim/cli/console.h"
+#include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
@@ -32,9 +33,10 @@ class CommandLine {
     app_.name("assay");
     app_.set_version_flag("--version", "assay " ASSAY_VERSION);
     app_.require_subcommand(1);
-    app_.footer(fmt::format("assay VERB --help tells more, with an example.\n\n{}"
-                            "\nExample:\n  assay run scenarios/spar-fig13.yaml --renders -o out",
-                            ExitCodeTable()));
+    app_.footer(
+        fmt::format("assay VERB --help tells more, with an example.\n\n{}"
+                    "\nExample:\n  assay run scenarios/spar-fig13.yaml --renders -o out",
+                    ExitCodeTable()));
     for (const Verb* verb : Verbs()) AddVerb(*verb);
   }
 
@@ -81,7 +83,8 @@ class CommandLine {
     for (const Verb* verb : Verbs()) names.push_back(verb->name);
     if (arguments_.size() < 2) return fmt::format("a verb is missing: {}", fmt::join(names, ", "));
     const std::string& first = arguments_[1];
-    if (first.starts_with("-")) return fmt::format("{} is not an option before the verb", Quoted(first));
+    if (first.starts_with("-"))
+      return fmt::format("{} is not an option before the verb", Quoted(first));
     if (std::ranges::find(names, first) != names.end()) return error.what();
     return fmt::format("there is no verb {}{}", Quoted(first), DidYouMean(first, names));
   }
@@ -114,6 +117,9 @@ ExitCode RunCommandLine(const std::vector<std::string>& arguments) {
   } catch (const InputError& error) {
     PrintError(error.what());
     return ExitCode::kWrongInput;
+  } catch (const UsageError& error) {
+    PrintError(error.what());
+    return ExitCode::kWrongCommandLine;
   } catch (const EnvironmentError& error) {
     PrintError(error.what());
   } catch (const std::system_error& error) {

@@ -32,12 +32,11 @@ fs::path FindUpwards(fs::path folder) {
 fs::path FindModels(const fs::path& given, const fs::path& input) {
   if (!given.empty()) return given;
   std::error_code ignored;
-  const std::array starts = {fs::absolute(input, ignored).parent_path(),
-                             fs::current_path(ignored),
+  const std::array starts = {fs::absolute(input, ignored).parent_path(), fs::current_path(ignored),
                              fs::read_symlink("/proc/self/exe", ignored).parent_path()};
   for (const fs::path& start : starts) {
-    if (fs::path found = FindUpwards(start); !found.empty()) return found.lexically_proximate(
-        fs::current_path(ignored));
+    if (fs::path found = FindUpwards(start); !found.empty())
+      return found.lexically_proximate(fs::current_path(ignored));
   }
   throw EnvironmentError("no folder 'models' with parts and workcells; name it with --models");
 }

@@ -18,8 +18,8 @@ using Execution = std::function<ExitCode()>;
 // what it does.
 struct Verb {
   const char* name;
-  const char* summary;                     // one line
-  const char* example;                     // command lines, for the help
+  const char* summary;                      // one line
+  const char* example;                      // command lines, for the help
   Execution (*declare)(CLI::App& command);  // adds its arguments to the command
 };
 

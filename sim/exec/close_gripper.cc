@@ -25,7 +25,7 @@ Progress CloseUntilStill(double expected_width, Execution& execution) {
     const bool near = target < expected_width + kTouchMargin;
     target = std::max(0.0, target - 2 * (near ? kTouchSpeed : kClosingSpeed) * data.timestep());
     scene.CommandGripper(data, target);
-    if (Progress failure = execution.Stay(data.timestep(), Stepping::kContact)) return failure;
+    if (Progress failure = execution.Stay(0, Stepping::kContact)) return failure;
     if (std::abs(scene.OpeningSpeed(data)) > kStill) still_since = data.time();
   }
   scene.CommandGripper(data, 0);

@@ -57,31 +57,40 @@ Moment Execution::Now() const {
   return now;
 }
 
+// The servos bring the arm to a state by the time the step begins: after it, the arm is where the
+// trajectory is one step later.
 Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from) {
   double time = 0;
   while (time < trajectory.duration()) {
-    const Stepping stepping = time < fine_from ? Stepping::kFree : Stepping::kContact;
-    const double before = data_.time();
-    if (Progress failure = Step(trajectory.At(time), stepping)) return failure;
-    time += data_.time() - before;
-  }
-  return Stay(0, Stepping::kFree);
-}
-
-Progress Execution::Stay(double seconds, Stepping stepping) {
-  commanded_.qd.setZero();
-  const double end = data_.time() + seconds;
-  while (data_.time() < end) {
-    if (Progress failure = Step(commanded_, stepping)) return failure;
+    SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
+    servo_.Command(data_, commanded_.q, commanded_.qd);
+    time += data_.timestep();
+    commanded_ = trajectory.At(time);
+    if (Progress failure = Step()) return failure;
   }
   return std::nullopt;
 }
 
-Progress Execution::Step(const JointState& commanded, Stepping stepping) {
-  commanded_ = commanded;
+Progress Execution::Stay(double seconds, Stepping stepping) {
+  commanded_.qd.setZero();
+  SetStepping(stepping);
+  const double end = data_.time() + seconds;
+  do {
+    servo_.Command(data_, commanded_.q, commanded_.qd);
+    if (Progress failure = Step()) return failure;
+  } while (data_.time() < end);
+  return std::nullopt;
+}
+
+// A held part creeps in the pads by an amount that grows with the timestep, whatever the friction:
+// large steps are for the empty hand.
+void Execution::SetStepping(Stepping stepping) {
   const double fine = scene_.options().timestep;
-  data_.SetTimestep(stepping == Stepping::kFree ? std::max(fine, options_.free_timestep) : fine);
-  servo_.Command(data_, commanded.q, commanded.qd);
+  const bool free = stepping == Stepping::kFree && world_.held().IsNone();
+  data_.SetTimestep(free ? std::max(fine, options_.free_timestep) : fine);
+}
+
+Progress Execution::Step() {
   data_.Step();
   SampleIfDue();
   return Watch();

@@ -20,7 +20,7 @@ using Progress = std::optional<Failure>;  // none: it goes on
 // How finely time is divided.
 enum class Stepping {
   kContact,  // the scene's timestep
-  kFree,     // ExecutorOptions::free_timestep
+  kFree,     // ExecutorOptions::free_timestep, if the hand is empty
 };
 
 // A plan on its way: the simulation, what the arm was last told, the world model and the trace.
@@ -40,13 +40,14 @@ class Execution {
 
   // The arm follows the trajectory, from `fine_from` (seconds from its start) on in small steps.
   Progress Follow(const JointTrajectory& trajectory, double fine_from);
-  // The arm stays where it was last told to be.
+  // The arm stays where it was last told to be, for at least one timestep.
   Progress Stay(double seconds, Stepping stepping);
-  // One timestep towards the commanded state, with everything that belongs to it: the trace's
-  // series, and the watch over force and engine.
-  Progress Step(const JointState& commanded, Stepping stepping);
 
  private:
+  void SetStepping(Stepping stepping);
+  // One timestep with everything that belongs to it: the trace's series, and the watch over force
+  // and engine.
+  Progress Step();
   void SampleIfDue();
   Progress Watch();
 

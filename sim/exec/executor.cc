@@ -42,7 +42,7 @@ Progress Rest(Execution& execution) {
   rest.parts.resize(static_cast<std::size_t>(scene.part_count()));
   const double end = data.time() + kRestDuration;
   while (data.time() < end) {
-    if (Progress failure = execution.Stay(data.timestep(), Stepping::kContact)) return failure;
+    if (Progress failure = execution.Stay(0, Stepping::kContact)) return failure;
     for (std::size_t i = 0; i < rest.parts.size(); ++i) {
       const scene::Twist twist = scene.TrueTwist(data, PartId(i));
       rest.parts[i].linear = std::max(rest.parts[i].linear, twist.linear.norm());

@@ -10,7 +10,7 @@ namespace assay::exec {
 
 struct ExecutorOptions {
   double sample_rate = 50;       // moments of the trace's series per simulated second
-  double free_timestep = 0.002;  // seconds, where nothing is touched; else the scene's timestep
+  double free_timestep = 0.002;  // seconds, while the empty hand touches nothing
   double force_limit = 300;      // newtons at the wrist, then the arm stops
   // Told of the end of each step as it comes, with the simulation: to take a picture of it.
   std::function<void(const StepEnd&, const mujoco::Data&)> on_step_end = {};

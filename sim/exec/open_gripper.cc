@@ -29,7 +29,7 @@ Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execu
     const Stepping stepping = open.release ? Stepping::kContact : Stepping::kFree;
     target = std::min(wide, target + 2 * speed * data.timestep());
     scene.CommandGripper(data, target);
-    if (Progress failure = execution.Stay(data.timestep(), stepping)) return failure;
+    if (Progress failure = execution.Stay(0, stepping)) return failure;
   }
   return open.release ? execution.Stay(kSettle, Stepping::kContact) : std::nullopt;
 }

@@ -23,8 +23,8 @@ struct Moment {
   double time = 0;  // simulated seconds since the start
   TrueAndBelieved tool;
   std::vector<TrueAndBelieved> parts = {};  // by PartId
-  double opening = 0;                  // metres between the pads
-  scene::Wrench wrist;                 // Scene::WristWrench
+  double opening = 0;                       // metres between the pads
+  scene::Wrench wrist;                      // Scene::WristWrench
   // Names of bodies that touch, each pair once, in alphabetical order.
   std::vector<std::pair<std::string, std::string>> contacts = {};
 };

@@ -77,8 +77,16 @@ std::span<const double> Data::sensordata() const {
   return SpanOf(data_->sensordata, own_model_->nsensordata);
 }
 
+// The engine moves a free body along the tangent of the arc that the arm carries it on, so that a
+// part which is held by friction wanders outward in the pads by J' qd dt / 2 a second: half a
+// millimetre on a way across the table. With half a step of acceleration added to every position,
+// contacts are evaluated in the middle of the way to the next position, as in the leapfrog scheme,
+// and the first-order error is gone.
 void Data::Step() {
+  std::vector<double> gain(qvel().begin(), qvel().end());
   mj_step(own_model_.get(), data_.get());
+  for (std::size_t i = 0; i < gain.size(); ++i) gain[i] = data_->qvel[i] - gain[i];
+  mj_integratePos(own_model_.get(), data_->qpos, gain.data(), timestep() / 2);
   Refresh();
 }
 

@@ -144,13 +144,13 @@ TEST_F(WrongWorkcell, IsRefused) {
   EXPECT_THAT(MessageWith("rules:\n", "rules:\n  gap: 3\n"), HasSubstr("unknown name 'gap'"));
   EXPECT_THAT(MessageWith("safe_height: 0.40", "safe_height: -1"), HasSubstr("-1 is out of range"));
   EXPECT_THAT(MessageWith("puma762.urdf", "puma763.urdf"), HasSubstr("there is no file"));
-  EXPECT_THAT(MessageWith("215.0166", "300"), HasSubstr("outside the joint limits"));
+  EXPECT_THAT(MessageWith("196.7716", "300"), HasSubstr("outside the joint limits"));
   EXPECT_THAT(MessageWith("[90, 150", "[90, 0"), HasSubstr("not positive"));
   EXPECT_THAT(MessageWith("[0.30, 1.05]", "[1.05, 0.30]"), HasSubstr("the range goes down"));
   EXPECT_THAT(MessageWith("[0.30, 1.05]", "[0.30, 0.30]"), HasSubstr("no area"));
   EXPECT_THAT(MessageWith("step: 0.10", "step: 0.001"), HasSubstr("601 places"));
   EXPECT_THAT(MessageWith("yaws: 12", "yaws: 0"), HasSubstr("from 1 to 72"));
-  EXPECT_THAT(MessageWith("[0, 0, 1], [0, 0, 0.62]", "[0, 0, 2], [0, 0, 0.62]"),
+  EXPECT_THAT(MessageWith("[0, 0, 1], [-0.15, 0, 0.70]", "[0, 0, 2], [-0.15, 0, 0.70]"),
               HasSubstr("cannot be in a unit axis"));
 }
 

@@ -287,7 +287,7 @@ TEST_F(FourStepPlan, FindsAnUnreachablePlace) {
 
 TEST_F(FourStepPlan, FindsALineOnWhichAJointMeetsItsLimit) {
   Start start = BlockOnEnd();
-  start.peg = "{stable: on-side, at: [24, -8], yaw: 0}";
+  start.peg = "{stable: on-side, at: [16, -6], yaw: 0}";
   problem_ = PegAndBlock(start);
   TakePeg().from = PlaceNow(problem_, kPeg);
   EXPECT_THAT(Flaws(), FlawAt(2, "none goes on continuously along the straight line"));

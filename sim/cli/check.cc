@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "planner/base/input_error.h"
+#include "planner/domain/part_file.h"
+#include "planner/domain/problem_file.h"
+#include "sim/cli/console.h"
+#include "sim/cli/file_format.h"
+#include "sim/cli/models_folder.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/part_report.h"
+#include "sim/cli/plan_report.h"
+#include "sim/cli/planned_problem.h"
+#include "sim/cli/problem_report.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/verb.h"
+#include "sim/cli/workcell_report.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct Options {
+  std::vector<fs::path> files;
+  fs::path models;
+  fs::path output;
+  std::string workcell = "puma762-table";  // whose gripper takes a part
+  double clearance_mm = 0.5;               // of a part's holes
+  bool json = false;
+};
+
+Report CheckPart(const Document& document, const fs::path& file, const Options& options) {
+  const auto part = domain::PartFile::Read(document, options.clearance_mm / 1000);
+  const auto workcell = domain::Workcell::Load(FindModels(options.models, file) / "workcells" /
+                                               options.workcell / "workcell.yaml");
+  const kinematics::Gripper& gripper = workcell->gripper();
+  return ReportOn(*part,
+                  domain::ComputeGrasps(*part, gripper,
+                                        {workcell->rules().approach_step, gripper.max_opening()}));
+}
+
+Report CheckFile(const fs::path& file, const Options& options) {
+  const Document document = Document::Load(file);
+  switch (FormatOf(document)) {
+    case FileFormat::kScenario:
+      return ReportOn(domain::ReadProblem(document, FindModels(options.models, file)));
+    case FileFormat::kPart:
+      return CheckPart(document, file, options);
+    case FileFormat::kWorkcell:
+      return ReportOn(*domain::Workcell::Load(file));
+    case FileFormat::kPlan: {
+      const PlannedProblem planned = LoadPlan(document, file, options.models);
+      return ReportOn(planned.problem, planned.result);
+    }
+  }
+  return {};
+}
+
+// Reports on all files; a wrong one does not keep the others from being looked at.
+struct Summary {
+  Json files = Json::array();
+  std::string text;
+  bool all_right = true;  // as input
+  bool all_hold = true;
+
+  void Add(const fs::path& file, const Options& options) {
+    try {
+      const Progress progress("checking " + file.string());
+      Report report = CheckFile(file, options);
+      Json json = {{"file", file.string()}, {"holds", report.holds}};
+      json.update(report.json);
+      files.push_back(std::move(json));
+      text += (text.empty() ? "" : "\n") + report.text;
+      all_hold = all_hold && report.holds;
+    } catch (const InputError& error) {
+      PrintError(error.what());
+      files.push_back({{"file", file.string()}, {"holds", false}, {"error", error.what()}});
+      all_right = false;
+    }
+  }
+};
+
+ExitCode Execute(const Options& options) {
+  RequireWritable(options.output);
+  Summary summary;
+  for (const fs::path& file : options.files) summary.Add(file, options);
+  const std::string json = Json{{"files", summary.files}}.dump(2) + "\n";
+  Print(options.json ? json : summary.text);
+  if (!options.output.empty()) WriteFile(options.output, json);
+  if (!summary.all_right) return ExitCode::kWrongInput;
+  return summary.all_hold ? ExitCode::kDone : ExitCode::kFailed;
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("file", options->files, "scenario, part, workcell and plan files")->required();
+  command.add_flag("--json", options->json, "print the reports as JSON");
+  command.add_option("-o,--output", options->output, "write the reports, as JSON, to this file");
+  command.add_option("--workcell", options->workcell, "the workcell whose gripper takes a part")
+      ->capture_default_str();
+  command.add_option("--clearance", options->clearance_mm, "clearance of a part's holes, mm")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  command.add_option("--models", options->models, "folder with parts/ and workcells/")
+      ->check(CLI::ExistingDirectory);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace
+
+const Verb kCheck = {
+    .name = "check",
+    .summary = "checks scenario, part, workcell and plan files, and tells what they come to",
+    .example = "assay check scenarios/spar-fig13.yaml models/parts/block/part.yaml",
+    .declare = Declare,
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,73 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "sim/cli/console.h"
+#include "sim/cli/dot.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/plan_text.h"
+#include "sim/cli/planned_problem.h"
+#include "sim/cli/verb.h"
+#include "sim/scene/mjcf.h"
+
+namespace assay::cli {
+namespace {
+
+struct Options {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  std::filesystem::path models;
+  bool mjcf = false;
+  bool dot = false;
+};
+
+void Deliver(const std::string& text, const Options& options) {
+  if (options.output.empty()) {
+    Print(text);
+  } else {
+    WriteFile(options.output, text);
+  }
+}
+
+ExitCode ExportMjcf(const Options& options) {
+  Deliver(scene::ToMjcf(LoadProblem(options.input, options.models), {}), options);
+  return ExitCode::kDone;
+}
+
+ExitCode ExportDot(const Options& options) {
+  const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
+  if (planned.result.outcome == Outcome::kFound) {
+    Deliver(OrderingGraphToDot(planned.problem, planned.result.plan), options);
+  } else {
+    Print(Text(planned.problem, planned.result));
+  }
+  return ExitCodeOf(planned.result.outcome);
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("scenario", options->input, "scenario file; for --dot also a plan file")
+      ->required();
+  CLI::Option_group* const what = command.add_option_group("what");
+  what->add_flag("--mjcf", options->mjcf, "the scene as a model for MuJoCo");
+  what->add_flag("--dot", options->dot, "the plan's ordering graph for Graphviz");
+  what->require_option(1);
+  command.add_option("-o,--output", options->output, "write to this file instead of printing");
+  command.add_option("--models", options->models, "folder with parts/ and workcells/")
+      ->check(CLI::ExistingDirectory);
+  return [options] {
+    RequireWritable(options->output);
+    return options->mjcf ? ExportMjcf(*options) : ExportDot(*options);
+  };
+}
+
+}  // namespace
+
+const Verb kExport = {
+    .name = "export",
+    .summary = "writes a scenario's scene, or its plan's ordering graph, for other programs",
+    .example = "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml",
+    .declare = Declare,
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "planner/base/document.h"
+
+namespace assay::cli {
+
+// What a file says it is, by its key `format`.
+enum class FileFormat { kScenario, kPart, kWorkcell, kPlan };
+
+// Throws InputError if the key is missing or names none of these.
+FileFormat FormatOf(const Document& document);
+
+}  // namespace assay::cli

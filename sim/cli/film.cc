@@ -1,0 +1,101 @@
+#include "sim/cli/film.h"
+
+#include <fmt/format.h>
+#include <mujoco/mujoco.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "sim/cli/output_file.h"
+#include "sim/cli/usage_error.h"
+
+namespace assay::cli {
+namespace {
+
+constexpr int kMostPixels = 4096;  // each way
+
+struct Size {
+  int width = 0;
+  int height = 0;
+};
+
+std::optional<int> ReadPixels(std::string_view text) {
+  int pixels = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, pixels);
+  if (error != std::errc() || rest != end || pixels < 1 || pixels > kMostPixels) return {};
+  return pixels;
+}
+
+std::optional<Size> ReadSize(std::string_view text) {
+  const std::size_t x = text.find('x');
+  if (x == std::string_view::npos) return {};
+  const std::optional<int> width = ReadPixels(text.substr(0, x));
+  const std::optional<int> height = ReadPixels(text.substr(x + 1));
+  if (!width || !height) return {};
+  return Size{*width, *height};
+}
+
+std::string ExplainSize(const std::string& text) {
+  if (ReadSize(text)) return "";
+  return fmt::format("'{}' is no size; allowed: WIDTHxHEIGHT, each 1 to {}", text, kMostPixels);
+}
+
+mujoco::CameraId FindCamera(const mujoco::Model& model, const std::string& name) {
+  const mujoco::CameraId camera = model.FindCamera(name);
+  if (!camera.IsNone()) return camera;
+  std::vector<std::string> names;
+  for (int i = 0; i < model.get()->ncam; ++i) names.push_back(model.Name(mujoco::CameraId(i)));
+  throw UsageError(
+      fmt::format("there is no camera '{}'; allowed: {}", name, fmt::join(names, ", ")));
+}
+
+render::Renderer RendererFor(const mujoco::Model& model, const std::string& size_text) {
+  const std::optional<Size> size = ReadSize(size_text);
+  if (!size) throw UsageError(ExplainSize(size_text));
+  return render::Renderer(model, size->width, size->height);
+}
+
+}  // namespace
+
+void AddPictureOptions(CLI::App& command, PictureOptions& options) {
+  command.add_option("--camera", options.camera, "camera of the pictures: overview, close, ...")
+      ->capture_default_str();
+  command.add_option("--size", options.size, "size of each picture in pixels")
+      ->type_name("WIDTHxHEIGHT")
+      ->check(CLI::Validator(ExplainSize, "", "size"))
+      ->capture_default_str();
+}
+
+Film::Film(const scene::Scene& scene, const PictureOptions& options)
+    : renderer_(RendererFor(scene.model(), options.size)),
+      camera_(FindCamera(scene.model(), options.camera)) {}
+
+void Film::Take(std::string name, std::string caption, const mujoco::Data& data) {
+  pictures_.push_back({fmt::format("{:02}-{}.png", pictures_.size(), name),
+                       {std::move(caption), renderer_.Render(data, camera_)}});
+}
+
+void Film::TakeStart(const mujoco::Data& data) { Take("start", "start", data); }
+
+void Film::TakeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
+  Take(end.name, fmt::format("{} {}", pictures_.size(), end.action), data);
+}
+
+void Film::Write(const std::filesystem::path& folder) const {
+  std::vector<render::CaptionedImage> sheet;
+  for (const Picture& picture : pictures_) {
+    sheet.push_back(picture.captioned);
+    WriteFileBy(folder / picture.name, [&](const std::filesystem::path& file) {
+      render::WritePng(picture.captioned.image, file);
+    });
+  }
+  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet.size()))));
+  WriteFileBy(folder / "contact-sheet.png", [&](const std::filesystem::path& file) {
+    render::WritePng(render::ContactSheet(sheet, columns), file);
+  });
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/domain/grasp.h"
+#include "planner/domain/part_model.h"
+#include "sim/cli/report.h"
+
+namespace assay::cli {
+
+// The computed stable poses and grasps of a part.
+Report ReportOn(const domain::PartModel& part, const std::vector<domain::Grasp>& grasps);
+
+// "7 8"; "-" if there are none.
+std::string FeatureText(const std::vector<domain::FeatureNumber>& numbers);
+// "BP5 on-back".
+std::string StablePoseText(const domain::PartModel& part, domain::StablePoseId pose);
+
+std::string StablePoseTable(const domain::PartModel& part);
+nlohmann::ordered_json StablePosesToJson(const domain::PartModel& part);
+
+}  // namespace assay::cli

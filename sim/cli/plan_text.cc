@@ -1,0 +1,83 @@
+#include "sim/cli/plan_text.h"
+
+#include <fmt/format.h>
+
+#include "sim/cli/table.h"
+
+namespace assay::cli {
+namespace {
+
+using domain::Problem;
+
+std::string FeaturesText(const domain::Mating& mating) {
+  std::vector<int> of_held, of_fixed;
+  for (const auto& [held, fixed] : mating.features) {
+    of_held.push_back(held.index());
+    of_fixed.push_back(fixed.index());
+  }
+  return fmt::format("[[{}], [{}]]", fmt::join(of_held, ", "), fmt::join(of_fixed, ", "));
+}
+
+struct ActionText {
+  const Problem& problem;
+
+  std::string operator()(const plan::Pickup& a) const {
+    return fmt::format("pickup({}, {}, {})", problem.part(a.part).name, a.hold.grasp,
+                       a.from.position);
+  }
+  std::string operator()(const plan::Putdown& a) const {
+    return fmt::format("putdown({}, {}, {})", problem.part(a.part).name, a.hold.grasp,
+                       a.to.position);
+  }
+  std::string operator()(const plan::Assemble& a) const {
+    const domain::Mating& mating = problem.mating(a.mating);
+    return fmt::format("assemble({}, {}, {}, {}, {})", problem.part(mating.held).name,
+                       problem.part(mating.fixed).name, FeaturesText(mating), a.hold.grasp,
+                       a.fixed.position);
+  }
+};
+
+}  // namespace
+
+std::string Text(const Problem& problem, const plan::Action& action) {
+  return std::visit(ActionText{problem}, action);
+}
+
+std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
+  Table table({{"executed", Align::kRight}, {"inserted", Align::kRight}, {"id"}, {"action"}});
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    const plan::PlannedStep& step = plan.step(id);
+    table.Add({std::to_string(step.executed), std::to_string(step.inserted), step.name,
+               Text(problem, step.action)});
+  }
+  return table.Text();
+}
+
+std::string Text(const Problem& problem, const plan::PlanResult& result) {
+  switch (result.outcome) {
+    case Outcome::kFound:
+      return PlanTable(problem, result.plan);
+    case Outcome::kNone:
+      return fmt::format("No plan exists. These cannot hold together:\n  - {}\n",
+                         fmt::join(result.conflict, "\n  - "));
+    case Outcome::kBudget:
+      return "The budget was spent before an answer; --budget gives a greater one.\n";
+  }
+  return "";
+}
+
+std::string Text(const plan::Plan& plan, const plan::CheckReport& report) {
+  if (report.flaws.empty()) {
+    return fmt::format(
+        "checked: {}{} of the steps, no flaws\n", report.all_orders ? "all " : "",
+        report.linearizations == 1 ? "1 order" : fmt::format("{} orders", report.linearizations));
+  }
+  std::string text = fmt::format("{} flaws:\n", report.flaws.size());
+  for (const plan::Flaw& flaw : report.flaws) {
+    const std::string where = flaw.step.IsNone() ? "plan" : plan.step(flaw.step).name;
+    text += fmt::format("  {}: {}\n", where, flaw.what);
+  }
+  return text;
+}
+
+}  // namespace assay::cli

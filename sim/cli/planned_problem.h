@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "planner/base/document.h"
+#include "planner/domain/problem.h"
+#include "planner/plan/checker.h"
+#include "planner/plan/plan.h"
+#include "planner/posting/posting_planner.h"
+
+namespace assay::cli {
+
+// What verbs work on that take a scenario or a plan file.
+struct PlannedProblem {
+  std::string scenario;  // path of the scenario, as the user gave it
+  domain::Problem problem;
+  plan::PlanResult result;
+};
+
+// All throw InputError for what is wrong in a file. `models`: the folder given, or empty.
+domain::Problem LoadProblem(const std::filesystem::path& scenario,
+                            const std::filesystem::path& models);
+
+// A plan file, with the problem in the scenario that it names: a path from the working directory
+// or, if there is no such file, from the plan file's folder.
+PlannedProblem LoadPlan(const Document& plan_file, const std::filesystem::path& file,
+                        const std::filesystem::path& models);
+
+// A plan file is read; for a scenario a plan is made.
+PlannedProblem LoadOrMakePlan(const std::filesystem::path& file,
+                              const std::filesystem::path& models);
+
+// The planner, with progress for people on a terminal.
+plan::PlanResult MakePlan(const domain::Problem& problem, const posting::PlannerOptions& options);
+
+// The independent checker, over at most this many orders of the steps.
+inline constexpr int kMostLinearizations = 1000;
+plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan);
+
+}  // namespace assay::cli

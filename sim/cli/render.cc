@@ -1,0 +1,75 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "sim/cli/console.h"
+#include "sim/cli/film.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/plan_text.h"
+#include "sim/cli/planned_problem.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/verb.h"
+#include "sim/exec/executor.h"
+
+namespace assay::cli {
+namespace {
+
+struct Options {
+  std::filesystem::path input;
+  std::filesystem::path folder;
+  std::filesystem::path models;
+  PictureOptions pictures;
+};
+
+exec::Trace ExecuteFilmed(const PlannedProblem& planned, const scene::Scene& scene, Film& film) {
+  const Progress progress("executing the plan for " + planned.problem.name);
+  mujoco::Data data = scene.Start();
+  film.TakeStart(data);
+  exec::ExecutorOptions executor;
+  executor.on_step_end = [&](const exec::StepEnd& end, const mujoco::Data& at_end) {
+    film.TakeStepEnd(end, at_end);
+  };
+  return exec::Execute(planned.problem, planned.result.plan, scene, data, executor);
+}
+
+ExitCode Execute(const Options& options) {
+  MakeFolder(options.folder);
+  const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
+  if (planned.result.outcome != Outcome::kFound) {
+    Print(Text(planned.problem, planned.result));
+    return ExitCodeOf(planned.result.outcome);
+  }
+  const scene::Scene scene(planned.problem, {});
+  Film film(scene, options.pictures);
+  const exec::Trace trace = ExecuteFilmed(planned, scene, film);
+  film.Write(options.folder);
+  Print(fmt::format("{} pictures and contact-sheet.png in {}\n", film.size(),
+                    options.folder.string()));
+  if (trace.end().outcome == exec::ExecutionOutcome::kDone) return ExitCode::kDone;
+  Print(fmt::format("the execution ended early: {}: {}\n", exec::Name(trace.end().outcome),
+                    trace.end().reason));
+  return ExitCode::kFailed;
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("input", options->input, "scenario file, or plan file")->required();
+  command.add_option("-o,--output", options->folder, "folder for the pictures")->required();
+  AddPictureOptions(command, options->pictures);
+  command.add_option("--models", options->models, "folder with parts/ and workcells/")
+      ->check(CLI::ExistingDirectory);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace
+
+const Verb kRender = {
+    .name = "render",
+    .summary = "takes pictures of the start and of every step's end",
+    .example = "assay render scenarios/spar-fig13.yaml -o out/fig13 --camera close --size 640x480",
+    .declare = Declare,
+};
+
+}  // namespace assay::cli

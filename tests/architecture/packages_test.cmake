@@ -1,0 +1,20 @@
+# cmake -DSOURCE=... -P packages_test.cmake: every line of packages.txt is an installed Debian package
+# and says what it is for. Prints "not Debian" where that cannot be asked.
+cmake_minimum_required(VERSION 3.25)
+find_program(dpkg_query dpkg-query)
+if(NOT dpkg_query)
+  message("not Debian")
+  return()
+endif()
+file(STRINGS ${SOURCE}/packages.txt lines REGEX "^[^#]")
+foreach(line IN LISTS lines)
+  if(NOT line MATCHES "^([a-z0-9.+-]+) +# .")
+    message(SEND_ERROR "packages.txt: not `package  # what for`: ${line}")
+    continue()
+  endif()
+  execute_process(COMMAND ${dpkg_query} -W -f \${db:Status-Status} ${CMAKE_MATCH_1}
+                  OUTPUT_VARIABLE status ERROR_QUIET)
+  if(NOT status STREQUAL "installed")
+    message(SEND_ERROR "packages.txt: ${CMAKE_MATCH_1} is not installed")
+  endif()
+endforeach()
