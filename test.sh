@@ -6,29 +6,33 @@ root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 source "$root/.ci/setup"
 cd "$root"
 
-# The planner configures, builds and passes its tests with everything of the simulator hidden.
+# The planner builds and passes its tests without anything of the simulator.
 test_planner_only() {
   build planner-only
   quietly ctest --preset planner-only
 }
 
-# Under the address and undefined-behaviour sanitizers: the readers of files, and the planner.
+# The readers of files and the planner, under the address and undefined-behaviour sanitizers.
 test_with_sanitizers() {
-  build asan-ubsan base_test network_test
-  quietly ctest --preset asan-ubsan -R '^(base|network)\.'
+  local libraries=(base geometry kinematics network domain plan posting)
+  build asan-ubsan "${libraries[@]/%/_test}"
+  quietly ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${libraries[*]}"))\."
 }
 
-# The lines of README.md's ```sh blocks that call this repository's scripts or the program.
+# Prints the commands in README.md's ```sh blocks that call the program or the scripts here.
 readme_commands() {
-  sed -n '/^```sh$/,/^```$/p' README.md | grep -E '^(\./|assay )' | grep -vE '^\./test\.sh|^\.ci/'
+  sed -n '/^```sh$/,/^```$/p' README.md | sed ':more; /\\$/ { N; s/\\\n//; b more }' |
+    grep -E '^(\./|assay )' | grep -v '^\./test\.sh'
 }
 
 test_readme_commands() {
-  local command
-  while read -r command; do
-    echo "README: $command" >&2
+  local commands command
+  mapfile -t commands < <(readme_commands)
+  [ ${#commands[@]} -gt 0 ] || { echo "README.md shows no commands" >&2; return 1; }
+  for command in "${commands[@]}"; do
+    echo "README.md: $command" >&2
     PATH="$root/build/release/bin:$PATH" quietly bash -euo pipefail -c "$command"
-  done < <(readme_commands)
+  done
 }
 
 install_missing_packages

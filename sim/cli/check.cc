@@ -9,7 +9,6 @@
 
 #include "planner/base/input_error.h"
 #include "planner/domain/part_file.h"
-#include "planner/domain/problem_file.h"
 #include "sim/cli/console.h"
 #include "sim/cli/file_format.h"
 #include "sim/cli/models_folder.h"
@@ -51,7 +50,7 @@ Report CheckFile(const fs::path& file, const Options& options) {
   const Document document = Document::Load(file);
   switch (FormatOf(document)) {
     case FileFormat::kScenario:
-      return ReportOn(domain::ReadProblem(document, FindModels(options.models, file)));
+      return ReportOn(LoadScenario(file, options.models).problem);
     case FileFormat::kPart:
       return CheckPart(document, file, options);
     case FileFormat::kWorkcell:

@@ -33,6 +33,8 @@ class CommandLine {
     app_.name("assay");
     app_.set_version_flag("--version", "assay " ASSAY_VERSION);
     app_.require_subcommand(1);
+    app_.get_formatter()->label("SUBCOMMAND", "VERB");
+    app_.get_formatter()->label("Subcommands", "Verbs");
     app_.footer(
         fmt::format("assay VERB --help tells more, with an example.\n\n{}"
                     "\nExample:\n  assay run scenarios/spar-fig13.yaml --renders -o out",
@@ -72,9 +74,9 @@ class CommandLine {
 
   std::string Explain(const CLI::ParseError& error) const {
     const std::vector<CLI::App*> verbs = app_.get_subcommands();
-    if (verbs.empty()) return fmt::format("{}; see assay --help", ExplainWithoutVerb(error));
+    if (verbs.empty()) return fmt::format("{} (see assay --help)", ExplainWithoutVerb(error));
     const std::string name = verbs.back()->get_name();
-    return fmt::format("{}: {}; see assay {} --help", name, ExplainInVerb(error, *verbs.back()),
+    return fmt::format("{}: {} (see assay {} --help)", name, ExplainInVerb(error, *verbs.back()),
                        name);
   }
 

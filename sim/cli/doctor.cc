@@ -30,7 +30,7 @@ double MemoryInGigabytes() {
 
 std::string ModelsFolder() {
   try {
-    return FindModels({}, ".").string();
+    return FindModelsHere({}).string();
   } catch (const EnvironmentError&) {
     return "";
   }
@@ -55,7 +55,7 @@ std::vector<std::string> Remedies(const Json& facts) {
         "no OpenGL renderer, so no pictures: apt-get install libosmesa6 (or libegl1)");
   }
   if (facts["models"] == "") {
-    remedies.push_back("no folder 'models' found from here: give it with --models");
+    remedies.push_back("no folder 'models' found from here: name it with --models");
   }
   return remedies;
 }

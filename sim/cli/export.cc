@@ -30,7 +30,8 @@ void Deliver(const std::string& text, const Options& options) {
 }
 
 ExitCode ExportMjcf(const Options& options) {
-  Deliver(scene::ToMjcf(LoadProblem(options.input, options.models), {}), options);
+  const scenario::Scenario scenario = LoadScenario(options.input, options.models);
+  Deliver(scene::ToMjcf(scenario.problem, scenario.simulation.scene), options);
   return ExitCode::kDone;
 }
 

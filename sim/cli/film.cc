@@ -61,40 +61,45 @@ render::Renderer RendererFor(const mujoco::Model& model, const std::string& size
 }  // namespace
 
 void AddPictureOptions(CLI::App& command, PictureOptions& options) {
-  command.add_option("--camera", options.camera, "camera of the pictures: overview, close, ...")
-      ->capture_default_str();
+  command.add_option("--camera", options.cameras, "cameras; the scenario's if left out");
   command.add_option("--size", options.size, "size of each picture in pixels")
       ->type_name("WIDTHxHEIGHT")
       ->check(CLI::Validator(ExplainSize, "", "size"))
       ->capture_default_str();
 }
 
-Film::Film(const scene::Scene& scene, const PictureOptions& options)
+Film::Film(const scene::Scene& scene, const std::vector<std::string>& cameras_of_scenario,
+           const PictureOptions& options)
     : renderer_(RendererFor(scene.model(), options.size)),
-      camera_(FindCamera(scene.model(), options.camera)) {}
+      cameras_(options.cameras.empty() ? cameras_of_scenario : options.cameras) {
+  for (const std::string& camera : cameras_) FindCamera(scene.model(), camera);
+}
 
-void Film::Take(std::string name, std::string caption, const mujoco::Data& data) {
-  pictures_.push_back({fmt::format("{:02}-{}.png", pictures_.size(), name),
-                       {std::move(caption), renderer_.Render(data, camera_)}});
+void Film::Take(const std::string& name, const std::string& caption, const mujoco::Data& data) {
+  const std::size_t number = sheet_.size();
+  for (const std::string& camera : cameras_) {
+    const bool first = camera == cameras_.front();
+    const std::string suffix = first ? "" : "-" + camera;
+    pictures_.push_back({fmt::format("{:02}-{}{}.png", number, name, suffix),
+                         renderer_.Render(data, FindCamera(data.model(), camera))});
+    if (first) sheet_.push_back({caption, pictures_.back().image});
+  }
 }
 
 void Film::TakeStart(const mujoco::Data& data) { Take("start", "start", data); }
 
 void Film::TakeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
-  Take(end.name, fmt::format("{} {}", pictures_.size(), end.action), data);
+  Take(end.name, fmt::format("{} {}", sheet_.size(), end.action), data);
 }
 
 void Film::Write(const std::filesystem::path& folder) const {
-  std::vector<render::CaptionedImage> sheet;
   for (const Picture& picture : pictures_) {
-    sheet.push_back(picture.captioned);
-    WriteFileBy(folder / picture.name, [&](const std::filesystem::path& file) {
-      render::WritePng(picture.captioned.image, file);
-    });
+    WriteFileBy(folder / picture.file,
+                [&](const std::filesystem::path& file) { render::WritePng(picture.image, file); });
   }
-  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet.size()))));
+  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet_.size()))));
   WriteFileBy(folder / "contact-sheet.png", [&](const std::filesystem::path& file) {
-    render::WritePng(render::ContactSheet(sheet, columns), file);
+    render::WritePng(render::ContactSheet(sheet_, columns), file);
   });
 }
 

@@ -17,8 +17,8 @@ namespace assay::cli {
 
 // How pictures are taken.
 struct PictureOptions {
-  std::string camera = "overview";
-  std::string size = "960x720";  // pixels, WIDTHxHEIGHT
+  std::vector<std::string> cameras = {};  // empty: the scenario's
+  std::string size = "960x720";           // pixels, WIDTHxHEIGHT
 };
 
 // Adds --camera and --size.
@@ -28,25 +28,27 @@ void AddPictureOptions(CLI::App& command, PictureOptions& options);
 class Film {
  public:
   // Throws EnvironmentError if there is no renderer, UsageError if there is no such camera.
-  Film(const scene::Scene& scene, const PictureOptions& options);
+  Film(const scene::Scene& scene, const std::vector<std::string>& cameras_of_scenario,
+       const PictureOptions& options);
 
   void TakeStart(const mujoco::Data& data);
   void TakeStepEnd(const exec::StepEnd& end, const mujoco::Data& data);
 
-  // One file for each picture, "02-action_3.png", and contact-sheet.png.
+  // One file for each picture, "02-action_3.png" by the first camera, "02-action_3-close.png" by
+  // the others, and contact-sheet.png with those of the first.
   void Write(const std::filesystem::path& folder) const;
-  int size() const { return static_cast<int>(pictures_.size()); }
 
  private:
   struct Picture {
-    std::string name;
-    render::CaptionedImage captioned;
+    std::string file;
+    render::Image image;
   };
-  void Take(std::string name, std::string caption, const mujoco::Data& data);
+  void Take(const std::string& name, const std::string& caption, const mujoco::Data& data);
 
   render::Renderer renderer_;
-  mujoco::CameraId camera_;
+  std::vector<std::string> cameras_;
   std::vector<Picture> pictures_;
+  std::vector<render::CaptionedImage> sheet_;
 };
 
 }  // namespace assay::cli

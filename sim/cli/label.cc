@@ -40,7 +40,8 @@ std::string Word(Outcome outcome) {
 
 Json ToJson(const network::NamedLabeling& labeling) {
   Json json = Json::object();
-  for (const auto& [node, label] : labeling) json[node] = label;
+  auto& object = json.get_ref<Json::object_t&>();
+  for (const auto& [node, label] : labeling) object.emplace_back(node, label);
   return json;
 }
 
@@ -93,10 +94,11 @@ Execution Declare(CLI::App& command) {
       add_request("--count", LabelRequest::kCount, "how many labelings, without listing them");
   first->excludes(all)->excludes(count);
   all->excludes(count);
-  command.add_flag("--json", "JSON, which is what is printed anyway");
+  command.add_flag_callback(
+      "--json", [] {}, "JSON, which is what is printed anyway");
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
   command.add_option("--budget", options->budget, "how many nodes of the search tree to visit")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 60))
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   return [options] { return Execute(*options); };
 }

@@ -100,7 +100,7 @@ std::string ForPeople(const char* kind, const Entries& entries) {
 }
 
 ExitCode Execute(const Options& options) {
-  const fs::path models = FindModels(options.models, ".");
+  const fs::path models = FindModelsHere(options.models);
   Json json;
   std::string text;
   for (const Kind& kind : kKinds) {

@@ -4,11 +4,13 @@
 
 namespace assay::cli {
 
-// The folder with parts/ and workcells/: the one given, if any; else a folder `models` (or
-// `share/assay/models`, where assay is installed) in the folder of the input file, in one that it
-// lies in, or in the same way from the working directory or from the program. Throws
-// EnvironmentError if there is none.
+// The folder with parts/ and workcells/: the one given, if any, else the one that belongs to the
+// input file. Throws InputError if there is none.
 std::filesystem::path FindModels(const std::filesystem::path& given,
                                  const std::filesystem::path& input);
+
+// For verbs without an input file: the one given, else the one that belongs to the working
+// directory, else the one that was installed. Throws EnvironmentError if there is none.
+std::filesystem::path FindModelsHere(const std::filesystem::path& given);
 
 }  // namespace assay::cli

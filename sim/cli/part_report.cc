@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "sim/cli/table.h"
@@ -22,10 +23,6 @@ Json ToJson(const std::vector<FeatureNumber>& numbers) {
 }
 
 Json ToJson(const geometry::Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
-std::string DirectionText(const geometry::Vector3& v) {
-  return fmt::format("{:.3f} {:.3f} {:.3f}", v.x() + 0.0, v.y() + 0.0, v.z() + 0.0);
-}
 
 std::string GraspTable(const std::vector<domain::Grasp>& grasps) {
   Table table({{"grasp"}, {"width mm", Align::kRight}, {"approach"}, {"closing"}, {"hides"}});
@@ -51,6 +48,12 @@ Json GraspsToJson(const std::vector<domain::Grasp>& grasps) {
 }
 
 }  // namespace
+
+// Three decimals, and no "-0.000".
+std::string DirectionText(const geometry::Vector3& v) {
+  const auto rounded = [](double x) { return std::round(1000 * x) / 1000 + 0.0; };
+  return fmt::format("{:.3f} {:.3f} {:.3f}", rounded(v.x()), rounded(v.y()), rounded(v.z()));
+}
 
 std::string FeatureText(const std::vector<FeatureNumber>& numbers) {
   std::vector<int> plain;

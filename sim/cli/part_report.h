@@ -13,6 +13,8 @@ Report ReportOn(const domain::PartModel& part, const std::vector<domain::Grasp>&
 
 // "7 8"; "-" if there are none.
 std::string FeatureText(const std::vector<domain::FeatureNumber>& numbers);
+// "1.000 0.000 0.000".
+std::string DirectionText(const geometry::Vector3& v);
 // "BP5 on-back".
 std::string StablePoseText(const domain::PartModel& part, domain::StablePoseId pose);
 

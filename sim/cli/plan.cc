@@ -48,7 +48,7 @@ Answer MakeInstances(const domain::Problem& problem, const Options& options) {
   if (options.trace) {
     planner.trace = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   }
-  answer.result = MakePlan(problem, planner);
+  answer.result = PlanWithProgress(problem, planner);
   // Fewer than were asked for are an answer, too.
   if (!answer.instances.empty()) {
     answer.result.outcome = Outcome::kFound;
@@ -82,7 +82,7 @@ std::string ForPeople(const Answer& answer, const domain::Problem& problem, cons
 
 ExitCode Execute(const Options& options) {
   RequireWritable(options.output);
-  const domain::Problem problem = LoadProblem(options.scenario, options.models);
+  const domain::Problem problem = LoadScenario(options.scenario, options.models).problem;
   const Stopwatch stopwatch;
   const Answer answer = MakeInstances(problem, options);
   const double seconds = stopwatch.Seconds();
@@ -120,7 +120,7 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::Range(1, 1'000'000));
   command.add_flag("--check", options->check, "check the plan with the independent checker");
   command.add_option("--budget", options->budget, "how many partial plans to look at")
-      ->check(CLI::Range(std::int64_t{1}, std::int64_t{1} << 60))
+      ->check(CLI::PositiveNumber)
       ->capture_default_str();
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

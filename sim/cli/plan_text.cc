@@ -68,11 +68,13 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
 
 std::string Text(const plan::Plan& plan, const plan::CheckReport& report) {
   if (report.flaws.empty()) {
-    return fmt::format(
-        "checked: {}{} of the steps, no flaws\n", report.all_orders ? "all " : "",
-        report.linearizations == 1 ? "1 order" : fmt::format("{} orders", report.linearizations));
+    return fmt::format("no flaws in {}{}\n",
+                       report.linearizations == 1
+                           ? "1 order of the steps"
+                           : fmt::format("{} orders of the steps", report.linearizations),
+                       report.all_orders ? " (all there are)" : " (there are more)");
   }
-  std::string text = fmt::format("{} flaws:\n", report.flaws.size());
+  std::string text = fmt::format("flaws: {}\n", report.flaws.size());
   for (const plan::Flaw& flaw : report.flaws) {
     const std::string where = flaw.step.IsNone() ? "plan" : plan.step(flaw.step).name;
     text += fmt::format("  {}: {}\n", where, flaw.what);

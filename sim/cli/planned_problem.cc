@@ -1,9 +1,6 @@
 #include "sim/cli/planned_problem.h"
 
-#include "planner/domain/problem_file.h"
 #include "planner/plan/plan_file.h"
-#include "sim/cli/file_format.h"
-#include "sim/cli/models_folder.h"
 #include "sim/cli/progress.h"
 
 namespace assay::cli {
@@ -19,30 +16,31 @@ fs::path FindScenario(const fs::path& named, const fs::path& plan_file) {
 
 }  // namespace
 
-domain::Problem LoadProblem(const fs::path& scenario, const fs::path& models) {
-  const Document document = Document::Load(scenario);
-  return domain::ReadProblem(document, FindModels(models, scenario));
+scenario::Scenario LoadScenario(const fs::path& file, const fs::path& models) {
+  return models.empty() ? scenario::Load(file) : scenario::Load(file, models);
 }
 
 PlannedProblem LoadPlan(const Document& plan_file, const fs::path& file, const fs::path& models) {
-  const fs::path scenario = FindScenario(plan::ScenarioOf(plan_file), file);
-  domain::Problem problem = LoadProblem(scenario, models);
-  plan::PlanResult result = plan::ReadPlan(plan_file, problem);
-  return {scenario.string(), std::move(problem), std::move(result)};
+  const fs::path path = FindScenario(plan::ScenarioOf(plan_file), file);
+  scenario::Scenario scenario = LoadScenario(path, models);
+  plan::PlanResult result = plan::ReadPlan(plan_file, scenario.problem);
+  return {path.string(), std::move(scenario.problem), std::move(scenario.simulation),
+          std::move(result)};
 }
 
 PlannedProblem LoadOrMakePlan(const fs::path& file, const fs::path& models) {
   const Document document = Document::Load(file);
-  const Value format = document.root().At("format");
-  if (format.OneOf({"assay-scenario/1", "assay-plan/1"}) == 1) {
+  if (document.root().At("format").OneOf({"assay-scenario/1", "assay-plan/1"}) == 1) {
     return LoadPlan(document, file, models);
   }
-  domain::Problem problem = domain::ReadProblem(document, FindModels(models, file));
-  plan::PlanResult result = MakePlan(problem, {});
-  return {file.string(), std::move(problem), std::move(result)};
+  scenario::Scenario scenario = LoadScenario(file, models);
+  plan::PlanResult result = PlanWithProgress(scenario.problem, {});
+  return {file.string(), std::move(scenario.problem), std::move(scenario.simulation),
+          std::move(result)};
 }
 
-plan::PlanResult MakePlan(const domain::Problem& problem, const posting::PlannerOptions& options) {
+plan::PlanResult PlanWithProgress(const domain::Problem& problem,
+                                  const posting::PlannerOptions& options) {
   const Progress progress("planning " + problem.name);
   return posting::MakePlan(problem, options);
 }

@@ -8,19 +8,21 @@
 #include "planner/plan/checker.h"
 #include "planner/plan/plan.h"
 #include "planner/posting/posting_planner.h"
+#include "sim/scenario/scenario.h"
 
 namespace assay::cli {
 
 // What verbs work on that take a scenario or a plan file.
 struct PlannedProblem {
-  std::string scenario;  // path of the scenario, as the user gave it
+  std::string scenario;  // path of the scenario file, as the user gave it
   domain::Problem problem;
+  scenario::Simulation simulation;
   plan::PlanResult result;
 };
 
 // All throw InputError for what is wrong in a file. `models`: the folder given, or empty.
-domain::Problem LoadProblem(const std::filesystem::path& scenario,
-                            const std::filesystem::path& models);
+scenario::Scenario LoadScenario(const std::filesystem::path& file,
+                                const std::filesystem::path& models);
 
 // A plan file, with the problem in the scenario that it names: a path from the working directory
 // or, if there is no such file, from the plan file's folder.
@@ -32,7 +34,8 @@ PlannedProblem LoadOrMakePlan(const std::filesystem::path& file,
                               const std::filesystem::path& models);
 
 // The planner, with progress for people on a terminal.
-plan::PlanResult MakePlan(const domain::Problem& problem, const posting::PlannerOptions& options);
+plan::PlanResult PlanWithProgress(const domain::Problem& problem,
+                                  const posting::PlannerOptions& options);
 
 // The independent checker, over at most this many orders of the steps.
 inline constexpr int kMostLinearizations = 1000;

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <set>
 
 #include "planner/domain/reachability.h"
-#include "sim/cli/effective_clearance.h"
+#include "sim/check/effective_clearance.h"
 #include "sim/cli/part_report.h"
 #include "sim/cli/table.h"
 
@@ -66,35 +67,46 @@ void AddStablePoses(const Problem& problem, Report& report) {
   }
 }
 
+// Whether something of the held part goes into a hole of the fixed part, where it has play.
+bool HasPlay(const Problem& problem, const domain::Mating& mating) {
+  const auto& [of_held, of_fixed] = mating.features.front();
+  return problem.part(mating.held).model->FindFeature(of_held)->mouths.empty() &&
+         !problem.part(mating.fixed).model->FindFeature(of_fixed)->mouths.empty();
+}
+
+bool Holds(const check::Play& play) {
+  return std::abs(play.RelativeDifference()) <= check::kPlayTolerance;
+}
+
 void AddClearances(const Problem& problem, Report& report) {
-  const scene::Scene scene(problem, {});
   Table table({{"mating"},
-               {"clearance mm", Align::kRight},
-               {"in the engine: +x", Align::kRight},
-               {"-x", Align::kRight},
-               {"+y", Align::kRight},
-               {"-y", Align::kRight},
+               {"along"},
+               {"play mm", Align::kRight},
+               {"in the engine", Align::kRight},
+               {"off by %", Align::kRight},
                {"verdict"}});
-  report.json["clearances"] = Json::array();
-  for (const EffectiveClearance& clearance : MeasureClearances(problem, scene)) {
-    const domain::Mating& mating = problem.mating(clearance.mating);
+  Json& json = report.json["clearances"] = Json::array();
+  for (std::size_t m = 0; m < problem.matings.size(); ++m) {
+    const domain::Mating& mating = problem.matings[m];
+    if (!HasPlay(problem, mating)) continue;
     const std::string& held = problem.part(mating.held).name;
     const std::string& fixed = problem.part(mating.fixed).name;
-    const bool holds = clearance.worst_deviation <= kClearanceDeviation;
-    std::vector<std::string> row = {fmt::format("{} in {}", held, fixed),
-                                    fmt::format("{:.4f}", 1000 * clearance.nominal)};
-    for (const double gap : clearance.gaps) row.push_back(fmt::format("{:.4f}", 1000 * gap));
-    row.push_back(holds ? "holds" : fmt::format("{:.0f} % off", 100 * clearance.worst_deviation));
-    table.Add(std::move(row));
-    report.json["clearances"].push_back({{"held", held},
-                                         {"fixed", fixed},
-                                         {"nominal", clearance.nominal},
-                                         {"effective", clearance.gaps},
-                                         {"deviation", clearance.worst_deviation},
-                                         {"holds", holds}});
-    report.holds = report.holds && holds;
+    for (const check::Play& play : check::EffectiveClearance(problem, domain::MatingId(m))) {
+      table.Add({fmt::format("{} in {}", held, fixed), DirectionText(play.axis),
+                 fmt::format("{:.3f}", 1000 * play.nominal),
+                 fmt::format("{:.3f}", 1000 * play.measured),
+                 fmt::format("{:.1f}", 100 * play.RelativeDifference()),
+                 Holds(play) ? "holds" : "violated"});
+      json.push_back({{"held", held},
+                      {"fixed", fixed},
+                      {"axis", {play.axis.x(), play.axis.y(), play.axis.z()}},
+                      {"nominal", play.nominal / 2},
+                      {"effective", play.measured / 2},
+                      {"holds", Holds(play)}});
+      report.holds = report.holds && Holds(play);
+    }
   }
-  if (!report.json["clearances"].empty()) report.text += "\n" + table.Text();
+  if (!json.empty()) report.text += fmt::format("\n{}", table.Text());
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/trial.h"
 #include "sim/cli/verb.h"
-#include "sim/exec/executor.h"
 
 namespace assay::cli {
 namespace {
@@ -23,17 +23,6 @@ struct Options {
   PictureOptions pictures;
 };
 
-exec::Trace ExecuteFilmed(const PlannedProblem& planned, const scene::Scene& scene, Film& film) {
-  const Progress progress("executing the plan for " + planned.problem.name);
-  mujoco::Data data = scene.Start();
-  film.TakeStart(data);
-  exec::ExecutorOptions executor;
-  executor.on_step_end = [&](const exec::StepEnd& end, const mujoco::Data& at_end) {
-    film.TakeStepEnd(end, at_end);
-  };
-  return exec::Execute(planned.problem, planned.result.plan, scene, data, executor);
-}
-
 ExitCode Execute(const Options& options) {
   MakeFolder(options.folder);
   const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
@@ -41,15 +30,17 @@ ExitCode Execute(const Options& options) {
     Print(Text(planned.problem, planned.result));
     return ExitCodeOf(planned.result.outcome);
   }
-  const scene::Scene scene(planned.problem, {});
-  Film film(scene, options.pictures);
-  const exec::Trace trace = ExecuteFilmed(planned, scene, film);
+  const scene::Scene scene(planned.problem, planned.simulation.scene);
+  Film film(scene, planned.simulation.cameras, options.pictures);
+  const Trial trial = [&] {
+    const Progress progress("executing the plan for " + planned.problem.name);
+    return RunTrial({planned.problem, planned.result.plan, scene}, 1, &film);
+  }();
   film.Write(options.folder);
-  Print(fmt::format("{} pictures and contact-sheet.png in {}\n", film.size(),
-                    options.folder.string()));
-  if (trace.end().outcome == exec::ExecutionOutcome::kDone) return ExitCode::kDone;
-  Print(fmt::format("the execution ended early: {}: {}\n", exec::Name(trace.end().outcome),
-                    trace.end().reason));
+  Print(fmt::format("pictures and contact-sheet.png in {}\n", options.folder.string()));
+  const exec::ExecutionEnd& end = trial.trace.end();
+  if (end.outcome == exec::ExecutionOutcome::kDone) return ExitCode::kDone;
+  Print(fmt::format("the execution ended early: {}: {}\n", exec::Name(end.outcome), end.reason));
   return ExitCode::kFailed;
 }
 

@@ -9,6 +9,7 @@ namespace assay::exec {
 namespace {
 
 constexpr double kRestDuration = 0.5;  // seconds
+constexpr double kCalmDown = 0.1;      // seconds before, for the change to small timesteps
 
 Progress RunAll(std::span<const Command> commands, Execution& execution) {
   for (std::size_t i = 0; i < commands.size(); ++i) {
@@ -38,6 +39,7 @@ Progress RunStep(const plan::Plan& plan, const StepCommands& step, const Executo
 Progress Rest(Execution& execution) {
   const scene::Scene& scene = execution.scene();
   mujoco::Data& data = execution.data();
+  if (Progress failure = execution.Stay(kCalmDown, Stepping::kContact)) return failure;
   RestRecord rest{.duration = kRestDuration};
   rest.parts.resize(static_cast<std::size_t>(scene.part_count()));
   const double end = data.time() + kRestDuration;

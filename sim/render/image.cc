@@ -4,7 +4,9 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include <algorithm>
 #include <fstream>
+#include <iterator>
 
 #include "planner/base/check.h"
 #include "planner/base/input_error.h"
@@ -37,9 +39,9 @@ struct SheetLayout {
 
   explicit SheetLayout(int image_width)
       : margin(std::max(6, image_width / 40)),
-        caption(std::max(18, image_width / 14)),
+        caption(std::max(18, image_width / 20)),
         font_scale(caption / 40.0),
-        thickness(std::max(1, caption / 22)) {}
+        thickness(std::max(1, caption / 30)) {}
 };
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
@@ -80,7 +82,9 @@ void WritePng(const Image& image, const std::filesystem::path& file) {
 }
 
 Image ReadImage(const std::filesystem::path& file) {
-  const cv::Mat bgr = cv::imread(file.string(), cv::IMREAD_COLOR);
+  std::ifstream stream(file, std::ios::binary);
+  const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
+  const cv::Mat bgr = bytes.empty() ? cv::Mat() : cv::imdecode(bytes, cv::IMREAD_COLOR);
   if (bgr.empty()) throw InputError({file.string()}, "cannot be read as a picture", "PNG, JPEG");
   cv::Mat rgb;
   cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);

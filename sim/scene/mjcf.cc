@@ -34,7 +34,7 @@ void AddOption(const SceneOptions& options, XmlElement& mujoco) {
       .Set("tolerance", 1e-10)
       .Set("cone", "elliptic")
       .Set("impratio", 10);
-  mujoco.Add("size").Set("njmax", "1500").Set("nconmax", "400");
+  mujoco.Add("size").Set("njmax", "1000").Set("nconmax", "300");
 }
 
 XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {

@@ -1,9 +1,5 @@
 #include "sim/scene/robot_mjcf.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
-
 #include "planner/base/check.h"
 #include "sim/scene/servo_gains.h"
 

@@ -2,8 +2,6 @@
 
 #include <mujoco/mujoco.h>
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "planner/base/check.h"

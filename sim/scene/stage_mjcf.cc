@@ -113,14 +113,15 @@ Group PartGroup(const Problem& problem) {
 
 void AddCameras(const Problem& problem, XmlElement& worldbody) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();
-  const Vector3 cell(table.x() * 0.5, 0, 0.3);
+  const Vector3 cell(table.x() * 0.45, 0, 0.38);
   const Group parts = PartGroup(problem);
-  const double distance = 0.75 + 2 * parts.radius;
-  const Vector3 close = Vector3(0.85, -0.8, 0.85).normalized() * distance;
-  AddCamera({"overview", Vector3(cell.x() + 2.3, -2.1, 1.35), cell, 40}, worldbody);
+  const double distance = 0.5 + 1.8 * parts.radius;
+  const Vector3 close = Vector3(0.8, -0.75, 0.75).normalized() * distance;
+  AddCamera({"overview", Vector3(cell.x() + 2.3, -2.3, 1.5), cell, 42}, worldbody);
   AddCamera({"close", parts.center + close, parts.center, 35}, worldbody);
-  AddCamera({"side", Vector3(table.x(), -1.9, 0.45), {table.x() - 0.1, 0, 0.3}, 40}, worldbody);
-  AddCamera({"top", Vector3(table.x(), 0, 2.2), {table.x(), 0, 0}, 40}, worldbody);
+  AddCamera({"side", Vector3(table.x() * 0.7, -3.2, 0.7), {table.x() * 0.5, 0, 0.48}, 38},
+            worldbody);
+  AddCamera({"top", Vector3(table.x() - 0.05, 0, 2.6), {table.x() - 0.05, 0, 0}, 36}, worldbody);
 }
 
 void AddLights(const Problem& problem, XmlElement& worldbody) {
@@ -130,14 +131,14 @@ void AddLights(const Problem& problem, XmlElement& worldbody) {
       .Set("castshadow", "true")
       .Set("pos", {table.x() + 1.0, -1.6, 2.6})
       .Set("dir", {-0.35, 0.55, -1})
-      .Set("diffuse", {0.6, 0.58, 0.54})
+      .Set("diffuse", {0.60, 0.58, 0.54})
       .Set("specular", {0.25, 0.25, 0.25});
   worldbody.Add("light")
       .Set("directional", "true")
       .Set("castshadow", "false")
       .Set("pos", {table.x() + 1.5, 1.5, 2})
       .Set("dir", {-1, -0.6, -0.7})
-      .Set("diffuse", {0.22, 0.24, 0.28})
+      .Set("diffuse", {0.16, 0.18, 0.22})
       .Set("specular", {0.05, 0.05, 0.05});
 }
 
@@ -169,7 +170,7 @@ void AddMaterials(XmlElement& asset) {
       .Set("specular", 0.1);
   asset.Add("material")
       .Set("name", "table")
-      .Set("rgba", {0.80, 0.79, 0.76, 1})
+      .Set("rgba", {0.84, 0.80, 0.73, 1})
       .Set("specular", 0.15);
   asset.Add("material").Set("name", "paint").Set("specular", 0.35).Set("shininess", 0.6);
   asset.Add("material").Set("name", "part").Set("specular", 0.15).Set("shininess", 0.3);
@@ -192,8 +193,8 @@ void AddVisualSettings(const Problem& problem, XmlElement& mujoco) {
   mujoco.Add("statistic").Set("center", {table.x() * 0.5, 0, 0.3}).Set("extent", 1.6);
   XmlElement& visual = mujoco.Add("visual");
   visual.Add("headlight")
-      .Set("ambient", {0.33, 0.33, 0.34})
-      .Set("diffuse", {0.18, 0.18, 0.18})
+      .Set("ambient", {0.30, 0.30, 0.31})
+      .Set("diffuse", {0.14, 0.14, 0.14})
       .Set("specular", {0.05, 0.05, 0.05});
   visual.Add("quality").Set("shadowsize", "4096").Set("offsamples", "4");
   visual.Add("map").Set("znear", 0.01).Set("zfar", 20).Set("shadowclip", 1.1);

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "planner/base/random.h"
+#include "planner/geometry/box.h"
 #include "sim/mujoco/contact.h"
 
 namespace assay::mujoco {
@@ -45,24 +47,35 @@ struct Case {
 constexpr double kLowerHeight = 0.02;  // half
 const Vector3 kUpper(0.03556, 0.009275, 0.08255);
 
-// The upper box with its x face on the lower box's z face, anywhere and turned anyhow.
+// The upper box with its x face on the lower box's z face, anywhere, turned anyhow, and tilted
+// about one of its edges or about any direction.
 Case Draw(RandomStream& random) {
   Case drawn;
-  drawn.tilt = Magnitude(random, 1e-18, 1e-10);
-  drawn.depth = Magnitude(random, 1e-10, 1e-6) + 0.1 * drawn.tilt;
-  const double direction = random.Uniform(0, 6.3);
+  drawn.tilt = Magnitude(random, 1e-18, 1e-4);
+  drawn.depth = Magnitude(random, 1e-10, 1e-6) + 0.04 * drawn.tilt;
+  const double yaw = random.Uniform(-3.2, 3.2);
+  const double directions[] = {yaw, yaw + std::numbers::pi / 2, random.Uniform(0, 6.3)};
+  const double direction = directions[random.Index(3)];
   const Vector3 axis(std::cos(direction), std::sin(direction), 0);
   const Pose tilt(Eigen::AngleAxisd(drawn.tilt, axis));
   const double x = random.Uniform(-0.25, 0.25);
   const double y = random.Uniform(-0.5, 0.5);
   drawn.X_WorldUpper = geometry::Translation(x, y, kLowerHeight + kUpper.x() - drawn.depth) * tilt *
-                       geometry::RotationZ(random.Uniform(-3.2, 3.2)) *
-                       geometry::RotationY(std::numbers::pi / 2);
+                       geometry::RotationZ(yaw) * geometry::RotationY(std::numbers::pi / 2);
   return drawn;
 }
 
-// Faces parallel to within rounding: the four corners touch, as deep as the boxes overlap.
-TEST(BoxCollision, NearlyParallelFacesTouchNoDeeperThanTheyOverlap) {
+// How many corners of the upper box are in the lower one by more than `depth`.
+std::size_t CornersDeeperThan(double depth, const Pose& X_WorldUpper) {
+  const geometry::Box box{X_WorldUpper, kUpper};
+  const auto corners = box.Corners();
+  return static_cast<std::size_t>(std::ranges::count_if(
+      corners, [&](const Vector3& corner) { return kLowerHeight - corner.z() > depth; }));
+}
+
+// The corners that are in the lower box touch, no deeper than they are in, and nothing else does.
+TEST(BoxCollision, OfNearlyParallelFacesTheCornersTouch) {
+  constexpr double kRounding = 1e-11;  // metres
   const Model model = Model::FromMjcf(Pair({0.375, 0.65, kLowerHeight}, kUpper));
   Data data(model);
   RandomStream random(20, "nearly parallel boxes");
@@ -70,11 +83,13 @@ TEST(BoxCollision, NearlyParallelFacesTouchNoDeeperThanTheyOverlap) {
     const Case drawn = Draw(random);
     Put(drawn.X_WorldUpper, data);
     const auto contacts = ContactsBetween(data, BodyId(0), model.Body("upper"));
-    ASSERT_EQ(contacts.size(), 4u) << "pose " << i << " of seed 20, tilt " << drawn.tilt;
+    SCOPED_TRACE(testing::Message() << "pose " << i << " of seed 20, tilt " << drawn.tilt);
+    ASSERT_GE(contacts.size(), CornersDeeperThan(kRounding, drawn.X_WorldUpper));
+    ASSERT_LE(contacts.size(), CornersDeeperThan(-kRounding, drawn.X_WorldUpper));
     for (const Contact& contact : contacts) {
-      ASSERT_NEAR(contact.distance, -drawn.depth, 0.2 * drawn.tilt + 1e-12);
+      ASSERT_GE(contact.distance, -drawn.depth - 0.1 * drawn.tilt - kRounding);
       const Vector3 corner = (drawn.X_WorldUpper.inverse() * contact.position).cwiseAbs();
-      ASSERT_LT((corner - kUpper).norm(), 1e-6);
+      ASSERT_LT((corner - kUpper).norm(), 2e-5);
     }
   }
 }

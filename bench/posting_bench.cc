@@ -1,0 +1,45 @@
+#include <benchmark/benchmark.h>
+
+#include <string>
+
+#include "planner/domain/problem_file.h"
+#include "planner/posting/posting_planner.h"
+
+namespace assay {
+namespace {
+
+const std::string kRoot = ASSAY_SOURCE_DIR;
+
+Document Load(const std::string& scenario) {
+  return Document::Load(kRoot + "/scenarios/" + scenario + ".yaml");
+}
+
+// Reading: scenario, workcell, URDF and part files, with stable poses and grasps computed.
+void ReadScenario(benchmark::State& state, const std::string& scenario) {
+  const Document document = Load(scenario);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(domain::ReadProblem(document, kRoot + "/models"));
+  }
+}
+
+void PlanScenario(benchmark::State& state, const std::string& scenario) {
+  const domain::Problem problem = domain::ReadProblem(Load(scenario), kRoot + "/models");
+  plan::PlanResult result;
+  for (auto _ : state) result = posting::MakePlan(problem, {});
+  state.counters["actions"] = static_cast<double>(result.plan.steps.size());
+  for (const auto& [name, count] : result.counters) {
+    state.counters[name] = static_cast<double>(count);
+  }
+}
+
+BENCHMARK_CAPTURE(ReadScenario, fig13, "spar-fig13")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlanScenario, fig13, "spar-fig13")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlanScenario, fig14, "spar-fig14")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlanScenario, fig15, "spar-fig15")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlanScenario, fig16, "spar-fig16")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlanScenario, two_pegs, "two-pegs")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlanScenario, clutter, "clutter")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(PlanScenario, impossible, "impossible")->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace assay

@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "planner/plan/plan_file.h"
+#include "sim/cli/console.h"
+#include "sim/cli/film.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/plan_text.h"
+#include "sim/cli/planned_problem.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/stopwatch.h"
+#include "sim/cli/trial.h"
+#include "sim/cli/trial_report.h"
+#include "sim/cli/verb.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path input;
+  fs::path folder;  // empty: nothing is written
+  fs::path models;
+  int trials = 1;
+  int jobs = 1;
+  std::optional<std::uint64_t> seed;
+  std::optional<scene::GraspMode> grasp;
+  PictureOptions pictures;
+  bool renders = false;
+  bool json = false;
+};
+
+// What is kept of each trial.
+struct Summary {
+  check::TrialOutcome outcome;
+  std::string reason;
+};
+
+class Run {
+ public:
+  Run(const Options& options, const PlannedProblem& planned)
+      : options_(options),
+        planned_(planned),
+        seed_(options.seed.value_or(planned.simulation.seed)),
+        scene_(planned.problem, SceneOptions()),
+        summaries_(options.trials) {}
+
+  ExitCode Execute() {
+    std::optional<Film> film;
+    if (options_.renders) film.emplace(scene_, planned_.simulation.cameras, options_.pictures);
+    RunTrials({planned_.problem, planned_.result.plan, scene_},
+              {options_.trials, options_.jobs, film ? &*film : nullptr},
+              [this](Trial trial) { Keep(std::move(trial)); });
+    progress_.reset();
+    const Json result = Result();
+    Json printed = result;
+    printed["seconds"] = stopwatch_.Seconds();
+    Print(options_.json ? printed.dump(2) + "\n" : Report());
+    if (!options_.folder.empty()) {
+      WriteFile(options_.folder / "result.json", result.dump(2) + "\n");
+      if (film) film->Write(options_.folder);
+    }
+    return Succeeded() == options_.trials ? ExitCode::kDone : ExitCode::kFailed;
+  }
+
+ private:
+  scene::SceneOptions SceneOptions() const {
+    scene::SceneOptions scene = planned_.simulation.scene;
+    scene.grasp = options_.grasp.value_or(scene.grasp);
+    return scene;
+  }
+
+  void Keep(Trial trial) {
+    if (!options_.folder.empty()) WriteTrace(trial);
+    const std::lock_guard lock(mutex_);
+    summaries_[trial.number - 1] = {trial.verdict.outcome, trial.verdict.reason};
+    progress_->Tell(fmt::format("{} of {} trials", ++done_, options_.trials));
+    if (trial.number == 1) first_ = std::move(trial);
+  }
+
+  void WriteTrace(const Trial& trial) const {
+    std::ostringstream text;
+    exec::WriteTrace(trial.trace, text);
+    const std::string name =
+        trial.number == 1 ? "trace.jsonl" : fmt::format("trace-{}.jsonl", trial.number);
+    WriteFile(options_.folder / name, text.str());
+  }
+
+  int Succeeded() const {
+    return static_cast<int>(
+        std::ranges::count(summaries_, check::TrialOutcome::kSucceeded, &Summary::outcome));
+  }
+
+  // The failures by their name.
+  std::map<std::string, int> Failures() const {
+    std::map<std::string, int> failures;
+    for (const Summary& summary : summaries_) {
+      if (summary.outcome == check::TrialOutcome::kSucceeded) continue;
+      ++failures[std::string(check::Name(summary.outcome))];
+    }
+    return failures;
+  }
+
+  // The command that executes again what failed.
+  std::string ReplayCommand() const {
+    const bool weld = scene_.options().grasp == scene::GraspMode::kWeld;
+    return fmt::format("assay run {} --seed {}{}", options_.input.string(), seed_,
+                       weld ? " --grasp weld" : "");
+  }
+
+  Json Result() const {
+    const int succeeded = Succeeded();
+    Json result = {{"trials", options_.trials},
+                   {"succeeded", succeeded},
+                   {"failed", Failures()},
+                   {"verdicts", {{"contained", 0}, {"violated", 0}, {"inconclusive", 0}}},
+                   {"worst", Json::array()},
+                   {"replay", Json::array()}};
+    if (succeeded < options_.trials) result["replay"].push_back(ReplayCommand());
+    result["scenario"] = planned_.scenario;
+    result["seed"] = seed_;
+    result["grasp"] = scene_.options().grasp == scene::GraspMode::kWeld ? "weld" : "friction";
+    result["first"] = ToJson(planned_.problem, planned_.result.plan, *first_);
+    return result;
+  }
+
+  std::string Report() const {
+    std::string text = ForPeople(planned_.problem, planned_.result.plan, *first_);
+    const int succeeded = Succeeded();
+    text += fmt::format("\n{} of {} trials succeeded\n", succeeded, options_.trials);
+    for (const auto& [name, count] : Failures()) text += fmt::format("{}: {}\n", name, count);
+    if (succeeded < options_.trials) {
+      const auto failed = std::ranges::find_if(summaries_, [](const Summary& summary) {
+        return summary.outcome != check::TrialOutcome::kSucceeded;
+      });
+      text += fmt::format("trial {}: {}\nagain: {}\n", failed - summaries_.begin() + 1,
+                          failed->reason, ReplayCommand());
+    }
+    if (!options_.folder.empty()) text += fmt::format("files in {}\n", options_.folder.string());
+    return text;
+  }
+
+  const Options& options_;
+  const PlannedProblem& planned_;
+  const std::uint64_t seed_;
+  const scene::Scene scene_;
+  const Stopwatch stopwatch_;
+  std::mutex mutex_;
+  std::vector<Summary> summaries_;  // by number, less 1
+  std::optional<Trial> first_;
+  int done_ = 0;
+  std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing the plan");
+};
+
+void WritePlan(const Options& options, const PlannedProblem& planned) {
+  const Json plan = plan::ToJson(planned.result, planned.problem, planned.scenario);
+  WriteFile(options.folder / "plan.json", plan.dump(2) + "\n");
+}
+
+ExitCode Execute(const Options& options) {
+  if (!options.folder.empty()) MakeFolder(options.folder);
+  const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
+  if (!options.folder.empty()) WritePlan(options, planned);
+  if (planned.result.outcome != Outcome::kFound) {
+    Print(Text(planned.problem, planned.result));
+    return ExitCodeOf(planned.result.outcome);
+  }
+  const plan::CheckReport check = CheckPlan(planned.problem, planned.result.plan);
+  if (!check.flaws.empty()) {
+    Print(Text(planned.result.plan, check));
+    return ExitCode::kFailed;
+  }
+  return Run(options, planned).Execute();
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("input", options->input, "scenario file, or plan file")->required();
+  CLI::Option* const folder = command.add_option(
+      "-o,--output", options->folder, "folder for plan.json, trace.jsonl, result.json, pictures");
+  command.add_option("--trials", options->trials, "how many trials")->check(CLI::PositiveNumber);
+  command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
+  command.add_option("--seed", options->seed, "of all that is random; the scenario's if left out");
+  static const std::map<std::string, scene::GraspMode> kGraspModes = {
+      {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}};
+  command.add_option("--grasp", options->grasp, "how the gripper holds parts: friction or weld")
+      ->transform(CLI::CheckedTransformer(kGraspModes));
+  command.add_flag("--renders", options->renders, "take pictures of the start and each step's end")
+      ->needs(folder);
+  AddPictureOptions(command, options->pictures);
+  command.add_flag("--json", options->json, "print the result as JSON");
+  command.add_option("--models", options->models, "folder with parts/ and workcells/")
+      ->check(CLI::ExistingDirectory);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace
+
+const Verb kRun = {
+    .name = "run",
+    .summary = "executes a plan in physics and judges what came of it",
+    .example = "assay run scenarios/spar-fig13.yaml --renders -o out/fig13",
+    .declare = Declare,
+};
+
+}  // namespace assay::cli

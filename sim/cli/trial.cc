@@ -1,0 +1,80 @@
+#include "sim/cli/trial.h"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "sim/exec/executor.h"
+
+namespace assay::cli {
+namespace {
+
+// Hands out the numbers of trials, and keeps the first exception.
+class Queue {
+ public:
+  explicit Queue(int trials) : trials_(trials) {}
+
+  int Next() { return failed_ ? trials_ + 1 : ++last_; }
+  bool Has(int number) const { return number <= trials_; }
+
+  void Fail(std::exception_ptr error) {
+    const std::lock_guard lock(mutex_);
+    if (!error_) error_ = std::move(error);
+    failed_ = true;
+  }
+  void Rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
+ private:
+  const int trials_;
+  std::atomic<int> last_ = 0;
+  std::atomic<bool> failed_ = false;
+  std::mutex mutex_;
+  std::exception_ptr error_;
+};
+
+}  // namespace
+
+Trial RunTrial(const Experiment& experiment, int number, Film* film) {
+  mujoco::Data data = experiment.scene.Start();
+  exec::ExecutorOptions options;
+  if (film != nullptr) {
+    film->TakeStart(data);
+    options.on_step_end = [film](const exec::StepEnd& end, const mujoco::Data& at_end) {
+      film->TakeStepEnd(end, at_end);
+    };
+  }
+  exec::Trace trace =
+      exec::Execute(experiment.problem, experiment.plan, experiment.scene, data, options);
+  check::Verdict verdict = check::Judge(experiment.problem, trace, {});
+  return {number, std::move(trace), std::move(verdict)};
+}
+
+void RunTrials(const Experiment& experiment, const TrialPlan& plan,
+               const std::function<void(Trial)>& done) {
+  Queue queue(plan.trials);
+  const auto work = [&](int first) {
+    try {
+      for (int number = first; queue.Has(number); number = queue.Next()) {
+        done(RunTrial(experiment, number, number == 1 ? plan.film : nullptr));
+      }
+    } catch (...) {
+      queue.Fail(std::current_exception());
+    }
+  };
+  {
+    const int first = queue.Next();
+    std::vector<std::jthread> threads;
+    for (int i = 1; i < std::min(plan.jobs, plan.trials); ++i) {
+      threads.emplace_back([&] { work(queue.Next()); });
+    }
+    work(first);
+  }
+  queue.Rethrow();
+}
+
+}  // namespace assay::cli

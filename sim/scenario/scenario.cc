@@ -1,0 +1,67 @@
+#include "sim/scenario/scenario.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "planner/base/document.h"
+#include "planner/domain/problem_file.h"
+#include "planner/domain/units.h"
+#include "sim/scenario/models_folder.h"
+
+namespace assay::scenario {
+namespace {
+
+// Contacts are tuned for half a millisecond; twice that is the longest with which a held part still
+// slips by less than the clearances that are usual.
+constexpr domain::Range kTimesteps = {1e-5, 0.001};
+
+std::vector<std::string> ReadCameras(const Value& value) {
+  static const std::vector<std::string> kCameras = {"overview", "close", "side", "top"};
+  std::vector<std::string> cameras;
+  for (const Value& item : value.Items()) {
+    const std::string& camera = kCameras[static_cast<std::size_t>(item.OneOf(kCameras))];
+    if (std::ranges::find(cameras, camera) != cameras.end()) {
+      item.Fail("the camera is given twice", "each camera once");
+    }
+    cameras.push_back(camera);
+  }
+  return cameras;
+}
+
+scene::GraspMode ReadGrasp(const Value& value) {
+  return value.OneOf({"friction", "weld"}) == 0 ? scene::GraspMode::kFriction
+                                                : scene::GraspMode::kWeld;
+}
+
+Simulation ReadSimulation(const Value& root) {
+  Simulation simulation{.cameras = {"overview", "close"}};
+  const std::optional<Value> map = root.Find("simulation");
+  if (!map) return simulation;
+  map->AllowOnly({"seed", "grasp", "timestep", "cameras"});
+  if (const auto seed = map->Find("seed")) {
+    simulation.seed = static_cast<std::uint64_t>(seed->Integer(0, std::numeric_limits<int>::max()));
+  }
+  if (const auto grasp = map->Find("grasp")) simulation.scene.grasp = ReadGrasp(*grasp);
+  if (const auto timestep = map->Find("timestep")) {
+    simulation.scene.timestep = domain::ReadWithin(*timestep, 1, kTimesteps);
+  }
+  if (const auto cameras = map->Find("cameras")) simulation.cameras = ReadCameras(*cameras);
+  return simulation;
+}
+
+}  // namespace
+
+Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {
+  const Document document = Document::Load(file);
+  document.RequireFormat("assay-scenario/1");
+  Simulation simulation = ReadSimulation(document.root());
+  return {domain::ReadProblem(document, RequireModels(models)), std::move(simulation)};
+}
+
+Scenario Load(const std::filesystem::path& file) {
+  // A file that cannot be read is to be named before its models are looked for.
+  Document::Load(file);
+  return Load(file, FindModels(file));
+}
+
+}  // namespace assay::scenario

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "planner/domain/problem.h"
+#include "sim/scene/mjcf.h"
+
+namespace assay::scenario {
+
+// What a scenario says about its simulation. The planner does not know it.
+struct Simulation {
+  std::uint64_t seed = 0;                 // of all that is random
+  scene::SceneOptions scene = {};         // keys grasp and timestep
+  std::vector<std::string> cameras = {};  // for pictures, in this order
+};
+
+// A scenario file as a whole.
+struct Scenario {
+  domain::Problem problem;
+  Simulation simulation;
+};
+
+// Reads a scenario file ("assay-scenario/1") with the models of FindModels. Its key `simulation`:
+// {seed: 0 or more, grasp: friction or weld, timestep: seconds, cameras: [names]}, all of which may
+// be left out. Throws InputError.
+Scenario Load(const std::filesystem::path& file);
+// The same with these models.
+Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models);
+
+}  // namespace assay::scenario

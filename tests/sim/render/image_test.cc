@@ -1,0 +1,85 @@
+#include "sim/render/image.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "planner/base/input_error.h"
+#include "planner/base/random.h"
+
+namespace assay::render {
+namespace {
+
+std::filesystem::path Scratch(const std::string& name) {
+  return std::filesystem::path(testing::TempDir()) / name;
+}
+
+Image Noise(int width, int height) {
+  Image image{width, height, {}};
+  RandomStream random(3, "noise");
+  for (int i = 0; i < 3 * width * height; ++i) {
+    image.rgb.push_back(static_cast<std::uint8_t>(random.Index(256)));
+  }
+  return image;
+}
+
+Image Plain(int width, int height, std::uint8_t value) {
+  return {width, height, std::vector<std::uint8_t>(std::size_t{3} * width * height, value)};
+}
+
+TEST(WritePng, KeepsEveryPixel) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {7, 5}, {64, 33}}) {
+    const Image image = Noise(width, height);
+    WritePng(image, Scratch("noise.png"));
+    EXPECT_TRUE(ReadImage(Scratch("noise.png")) == image);
+  }
+}
+
+TEST(WritePng, SaysThatAFileCannotBeWritten) {
+  EXPECT_THROW(WritePng(Noise(4, 4), "/nowhere/picture.png"), EnvironmentError);
+}
+
+TEST(WritePng, SaysThatTheDiskIsFull) {
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full on this machine";
+  EXPECT_THROW(WritePng(Noise(400, 400), "/dev/full"), EnvironmentError);
+}
+
+TEST(ReadImage, RefusesWhatIsNoPicture) {
+  std::ofstream(Scratch("text.png")) << "no picture";
+  EXPECT_THROW(ReadImage(Scratch("text.png")), InputError);
+  EXPECT_THROW(ReadImage(Scratch("absent.png")), InputError);
+}
+
+TEST(ContactSheet, PutsImagesInRows) {
+  std::vector<CaptionedImage> images;
+  for (int i = 0; i < 5; ++i) {
+    images.push_back({"step", Plain(80, 60, static_cast<std::uint8_t>(40 * i))});
+  }
+  const Image sheet = ContactSheet(images, 3);
+  EXPECT_GT(sheet.width, 3 * 80);
+  EXPECT_LT(sheet.width, 4 * 80);
+  EXPECT_GT(sheet.height, 2 * 60);
+  EXPECT_LT(sheet.height, 3 * 60);
+  // The fourth image begins the second row.
+  const int x = (sheet.width - 3 * 80) / 4 + 40;
+  const int y = sheet.height * 3 / 4 - 15;
+  EXPECT_EQ(sheet.rgb[3 * (std::size_t(y) * sheet.width + x)], 120);
+}
+
+TEST(ContactSheet, HasNoEmptyColumns) {
+  const std::vector<CaptionedImage> two(2, {"step", Plain(50, 50, 9)});
+  EXPECT_EQ(ContactSheet(two, 8), ContactSheet(two, 2));
+}
+
+TEST(ContactSheet, CutsCaptionsThatAreTooLong) {
+  const std::vector<CaptionedImage> short_one = {{"a", Plain(120, 50, 9)}};
+  const std::vector<CaptionedImage> long_one = {{std::string(500, 'a'), Plain(120, 50, 9)}};
+  const Image sheet = ContactSheet(long_one, 1);
+  EXPECT_EQ(sheet.width, ContactSheet(short_one, 1).width);
+  for (int y = 0; y < sheet.height; ++y) {  // the right margin stays white
+    EXPECT_EQ(sheet.rgb[3 * (std::size_t(y) * sheet.width + sheet.width - 2)], 255);
+  }
+}
+
+}  // namespace
+}  // namespace assay::render
