@@ -1,9 +1,10 @@
 #include "planner/posting/partial_plan.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
-#include <type_traits>
 #include <utility>
+#include <variant>
 
 #include "planner/base/check.h"
 
@@ -40,6 +41,10 @@ LabelSet SetOf(int size, const std::vector<int>& labels) {
 
 bool Same(const CausalLink& a, const CausalLink& b) {
   return a.consumer == b.consumer && a.precondition == b.precondition && a.producer == b.producer;
+}
+
+std::shared_ptr<const network::Relation> DifferentLabels(int count) {
+  return network::Relation::Where(count, count, [](int a, int b) { return a != b; });
 }
 
 std::vector<int> AllStablePoses(const domain::Part& part) {
@@ -288,44 +293,78 @@ void PartialPlan::Unlink(const CausalLink& link) {
   RebuildNetwork();
 }
 
-void PartialPlan::RebuildNetwork() {
-  network_ = network::Network();
+// The labels that variables begin with, and the separations.
+network::Network PartialPlan::WithoutGeometricGoals() const {
+  network::Network network;
   for (const ActionTemplate& action : steps_) {
-    for (const auto& initial : action.initial) AddNode(initial.variable, initial.labels);
-  }
-  for (const GeometricGoalRef& ref : satisfied_geometric_) {
-    const bool consistent = PostConstraint(step(ref.consumer).geometric[ref.goal].constraint);
-    ASSAY_CHECK(consistent, "fewer constraints than before cannot be inconsistent");
+    for (const auto& initial : action.initial) {
+      network.AddNode(SetOf(LabelCount(initial.variable), initial.labels));
+    }
   }
   for (const auto& [a, b] : separations_) {
-    network_.AddArc(NodeOf(a), NodeOf(b),
-                    network::Relation::Where(LabelCount(a), LabelCount(b),
-                                             [](int x, int y) { return x != y; }));
+    network.AddArc(NodeOf(a), NodeOf(b), DifferentLabels(LabelCount(a)));
   }
+  return network;
 }
 
-bool PartialPlan::PostConstraint(const GeometricConstraint& constraint) {
+void PartialPlan::RebuildNetwork() {
+  network_ = WithoutGeometricGoals();
+  for (const GeometricGoalRef& ref : satisfied_geometric_) {
+    Add(network_, NetworkConstraint(ConstraintOf(ref)));
+  }
+  const Outcome outcome = network_.Decide();
+  ASSAY_CHECK(outcome == Outcome::kFound, "fewer constraints than before cannot be inconsistent");
+}
+
+network::Constraint PartialPlan::NetworkConstraint(const GeometricConstraint& constraint) const {
   switch (constraint.kind) {
     case ConstraintKind::kMember:
-    case ConstraintKind::kInPositionClass: {
-      const LabelSet labels = SetOf(LabelCount(constraint.subject()), constraint.labels);
-      return network_.Restrict(NodeOf(constraint.subject()), labels) == Outcome::kFound;
-    }
+    case ConstraintKind::kInPositionClass:
+      return network::UnaryConstraint{
+          .node = NodeOf(constraint.subject()),
+          .allowed = SetOf(LabelCount(constraint.subject()), constraint.labels)};
     case ConstraintKind::kReachable:
-      return network_.Post(NodeOf(constraint.grasp), NodeOf(constraint.position),
-                           relations_->Reachable(variables_[constraint.grasp].part)) ==
-             Outcome::kFound;
+      return network::BinaryConstraint{
+          .a = NodeOf(constraint.grasp),
+          .b = NodeOf(constraint.position),
+          .relation = relations_->Reachable(variables_[constraint.grasp].part)};
     case ConstraintKind::kMateReachable:
-      return network_.Post(NodeOf(constraint.grasp), NodeOf(constraint.position),
-                           relations_->MateReachable(constraint.mating)) == Outcome::kFound;
+      return network::BinaryConstraint{.a = NodeOf(constraint.grasp),
+                                       .b = NodeOf(constraint.position),
+                                       .relation = relations_->MateReachable(constraint.mating)};
   }
-  return false;
+  ASSAY_CHECK(false, "a kind of constraint that the switch does not know");
+  return network::UnaryConstraint{};
+}
+
+const GeometricConstraint& PartialPlan::ConstraintOf(const GeometricGoalRef& goal) const {
+  return step(goal.consumer).geometric[goal.goal].constraint;
 }
 
 bool PartialPlan::Post(const GeometricGoalRef& goal) {
-  if (!PostConstraint(step(goal.consumer).geometric[goal.goal].constraint)) return false;
+  const network::Constraint constraint = NetworkConstraint(ConstraintOf(goal));
+  const auto* unary = std::get_if<network::UnaryConstraint>(&constraint);
+  const auto* binary = std::get_if<network::BinaryConstraint>(&constraint);
+  const Outcome outcome = unary ? network_.Restrict(unary->node, unary->allowed)
+                                : network_.Post(binary->a, binary->b, binary->relation);
+  if (outcome != Outcome::kFound) return false;
   satisfied_geometric_.push_back(goal);
   return true;
+}
+
+std::vector<std::string> PartialPlan::WhyRefused(const GeometricGoalRef& goal) const {
+  std::vector<GeometricGoalRef> goals = satisfied_geometric_;
+  goals.push_back(goal);
+  std::vector<network::Constraint> constraints;
+  for (const GeometricGoalRef& ref : goals) {
+    constraints.push_back(NetworkConstraint(ConstraintOf(ref)));
+  }
+  Budget unlimited(std::numeric_limits<std::int64_t>::max());
+  const network::Conflict conflict =
+      network::MinimalConflict(WithoutGeometricGoals(), constraints, unlimited);
+  std::vector<std::string> words;
+  for (int index : conflict.constraints) words.push_back(Text(ConstraintOf(goals[index])));
+  return words;
 }
 
 void PartialPlan::RequireMoved(StepId consumer, PartId part) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/domain/action_template.h"
+#include "planner/network/conflict.h"
 #include "planner/network/network.h"
 #include "planner/posting/geometric_relations.h"
 #include "planner/posting/ordering_graph.h"
@@ -71,6 +72,7 @@ class PartialPlan {
   const std::vector<GeometricGoalRef>& satisfied_geometric() const { return satisfied_geometric_; }
 
   const domain::Condition& ConditionOf(StepId consumer, int precondition) const;
+  const domain::GeometricConstraint& ConstraintOf(const GeometricGoalRef& goal) const;
   // The variable that a precondition's variable is bound to; itself if it is a step's own.
   VariableId Resolve(VariableId variable) const;
   // The node of a variable that is bound or a step's own.
@@ -101,6 +103,9 @@ class PartialPlan {
   // ---- Geometric refinements (Spar, "Satisfying Geometric Goals") --------------------------
   // Posts the constraint to the network. False if no labeling would be left.
   bool Post(const GeometricGoalRef& goal);
+  // Of a goal whose constraint was refused: a minimal set of constraints, with that of the goal the
+  // last, that no labeling satisfies together, in words.
+  std::vector<std::string> WhyRefused(const GeometricGoalRef& goal) const;
   // One more operational and geometric goal of a step: that the part is somewhere else than where
   // it was at the start.
   void RequireMoved(StepId consumer, domain::PartId part);
@@ -117,11 +122,12 @@ class PartialPlan {
   void AddNode(VariableId variable, const std::vector<int>& labels);
   int LabelCount(VariableId variable) const;
   bool HasNode(VariableId variable) const;
-  bool PostConstraint(const domain::GeometricConstraint& constraint);
+  network::Constraint NetworkConstraint(const domain::GeometricConstraint& constraint) const;
   bool MayCodesignate(VariableId a, VariableId b) const;
   void FindThreatsOf(StepId step);
   void FindThreatsTo(const CausalLink& link);
   void Unlink(const CausalLink& link);
+  network::Network WithoutGeometricGoals() const;
   void RebuildNetwork();
 
   const domain::Problem* problem_;

@@ -147,10 +147,15 @@ class PostingPlanner {
   }
 
   bool Satisfy(const PartialPlan& plan, const GeometricGoalRef& goal) {
-    const auto& constraint = plan.step(goal.consumer).geometric[goal.goal].constraint;
     PartialPlan posted = plan;
     const bool consistent = posted.Post(goal);
-    Trace("post {}: {}", plan.Text(constraint), consistent ? "consistent" : "inconsistent");
+    if (options_.trace) {
+      Trace("post {}: {}", plan.Text(plan.ConstraintOf(goal)),
+            consistent ? "consistent" : "inconsistent with");
+      if (!consistent) {
+        for (const std::string& reason : plan.WhyRefused(goal)) Trace("  {}", reason);
+      }
+    }
     return consistent && Refine(posted);
   }
 

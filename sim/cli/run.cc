@@ -13,6 +13,7 @@
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
 #include "sim/cli/output_file.h"
+#include "sim/cli/plan_report.h"
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
@@ -162,23 +163,25 @@ class Run {
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing the plan");
 };
 
-void WritePlan(const Options& options, const PlannedProblem& planned) {
-  const Json plan = plan::ToJson(planned.result, planned.problem, planned.scenario);
-  WriteFile(options.folder / "plan.json", plan.dump(2) + "\n");
+// Says why nothing is executed.
+ExitCode Refuse(const std::string& text, const Json& json, const Options& options, ExitCode code) {
+  Print(options.json ? json.dump(2) + "\n" : text);
+  return code;
 }
 
 ExitCode Execute(const Options& options) {
   if (!options.folder.empty()) MakeFolder(options.folder);
   const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
-  if (!options.folder.empty()) WritePlan(options, planned);
-  if (planned.result.outcome != Outcome::kFound) {
-    Print(Text(planned.problem, planned.result));
-    return ExitCodeOf(planned.result.outcome);
+  const plan::PlanResult& result = planned.result;
+  Json plan_file = plan::ToJson(result, planned.problem, planned.scenario);
+  if (!options.folder.empty()) WriteFile(options.folder / "plan.json", plan_file.dump(2) + "\n");
+  if (result.outcome != Outcome::kFound) {
+    return Refuse(Text(planned.problem, result), plan_file, options, ExitCodeOf(result.outcome));
   }
-  const plan::CheckReport check = CheckPlan(planned.problem, planned.result.plan);
+  const plan::CheckReport check = CheckPlan(planned.problem, result.plan);
   if (!check.flaws.empty()) {
-    Print(Text(planned.result.plan, check));
-    return ExitCode::kFailed;
+    plan_file["check"] = ToJson(result.plan, check);
+    return Refuse(Text(result.plan, check), plan_file, options, ExitCode::kFailed);
   }
   return Run(options, planned).Execute();
 }

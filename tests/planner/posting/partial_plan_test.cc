@@ -168,7 +168,10 @@ TEST_F(ExamplePlan, AnInconsistentConstraintIsRefused) {
   ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOperational()));  // part_location
   ASSERT_TRUE(plan.Post({.consumer = assemble, .goal = 1}));                 // on its back
   ASSERT_TRUE(plan.Post({.consumer = pickup, .goal = 0}));                   // reachable face down
-  EXPECT_FALSE(plan.Post({.consumer = putdown, .goal = 0}));  // no grasp is reachable in both
+  const GeometricGoalRef both{.consumer = putdown, .goal = 0};
+  EXPECT_FALSE(plan.Post(both));  // no grasp is reachable in both
+  EXPECT_EQ(plan.WhyRefused(both).size(), 3u);
+  EXPECT_EQ(plan.WhyRefused(both).back(), plan.Text(plan.ConstraintOf(both)));
 }
 
 }  // namespace
