@@ -308,7 +308,8 @@ PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
   plan_file.RequireFormat(kFormat);
   const Value& root = plan_file.root();
   root.AllowOnly({"format", "scenario", "problem", "outcome", "actions", "ordering",
-                  "verifications", "recoveries", "errors", "conflict", "counters", "seconds"});
+                  "verifications", "recoveries", "errors", "conflict", "counters", "seconds",
+                  "instances", "check"});
   root.At("scenario").Text();
   PlanResult result;
   result.plan.problem = root.At("problem").Text();

@@ -47,17 +47,10 @@ Json Examine() {
           {"models", ModelsFolder()}};
 }
 
-// What to do about what is missing.
+// What to do about what is missing. Models are not: a scenario brings its own.
 std::vector<std::string> Remedies(const Json& facts) {
-  std::vector<std::string> remedies;
-  if (facts["renderer"] == "") {
-    remedies.push_back(
-        "no OpenGL renderer, so no pictures: apt-get install libosmesa6 (or libegl1)");
-  }
-  if (facts["models"] == "") {
-    remedies.push_back("no folder 'models' found from here: name it with --models");
-  }
-  return remedies;
+  if (facts["renderer"] != "") return {};
+  return {"no OpenGL renderer, so no pictures: apt-get install libosmesa6 (or libegl1)"};
 }
 
 std::string ForPeople(const Json& facts, const std::vector<std::string>& remedies) {

@@ -70,10 +70,10 @@ void RequireWritable(const fs::path& file) {
     Fail(file, std::make_error_code(std::errc::is_a_directory));
   }
   const fs::path folder = FolderOf(file);
-  if (access(folder.c_str(), W_OK | X_OK) != 0) Fail(file, LastError());
-  if (!fs::is_directory(folder, error)) {
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error)) {
     Fail(file, std::make_error_code(std::errc::not_a_directory));
   }
+  if (access(folder.c_str(), W_OK | X_OK) != 0) Fail(file, LastError());
 }
 
 void WriteFileBy(const fs::path& file, const std::function<void(const fs::path&)>& write) {

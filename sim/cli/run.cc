@@ -193,7 +193,8 @@ Execution Declare(CLI::App& command) {
       "-o,--output", options->folder, "folder for plan.json, trace.jsonl, result.json, pictures");
   command.add_option("--trials", options->trials, "how many trials")->check(CLI::PositiveNumber);
   command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
-  command.add_option("--seed", options->seed, "of all that is random; the scenario's if left out");
+  command.add_option("--seed", options->seed, "of all that is random; the scenario's if left out")
+      ->check(CLI::NonNegativeNumber);
   static const std::map<std::string, scene::GraspMode> kGraspModes = {
       {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}};
   command.add_option("--grasp", options->grasp, "how the gripper holds parts: friction or weld")

@@ -126,5 +126,47 @@ TEST(DataDeathTest, AStateOfAnotherModelIsOurMistake) {
   EXPECT_DEATH(other.Restore(data.Save()), "another model");
 }
 
+TEST(Data, RestoresTheTimestep) {
+  const Model model = Model::FromMjcf(kPile);
+  Data data(model);
+  EXPECT_EQ(data.timestep(), 0.001);
+  const State saved = data.Save();
+  data.SetTimestep(0.0005);
+  data.Step();
+  EXPECT_EQ(data.time(), 0.0005);
+  data.Restore(saved);
+  EXPECT_EQ(data.timestep(), 0.001);
+  EXPECT_EQ(model.timestep(), 0.001);
+}
+
+// A box on a turntable, held by friction that is ample for its centripetal acceleration of
+// 0.3 m/s^2. Moved along tangents it would wander outward by half of that times the timestep: by
+// 0.3 mm in two seconds.
+constexpr char kTurntable[] = R"(<mujoco>
+  <option timestep="0.001" cone="elliptic" impratio="100" tolerance="1e-12"/>
+  <default><geom solref="0.002 1" solimp="0.99 0.9999 0.00001" friction="1"/></default>
+  <worldbody>
+    <body name="table"><joint name="turn" axis="0 0 1" armature="1000"/>
+      <geom type="box" size="0.5 0.5 0.05"/></body>
+    <body name="box" pos="0.3 0 0.07"><freejoint/><geom type="box" size="0.02 0.02 0.02"/></body>
+  </worldbody>
+</mujoco>)";
+
+TEST(Data, AFreeBodyGoesWithWhatCarriesIt) {
+  Data data(Model::FromMjcf(kTurntable));
+  data.qvel()[0] = 1;  // the table's; then the box's: with it, and turning
+  data.qvel()[2] = 0.3;
+  data.qvel()[6] = 1;
+  data.Forward();
+  const BodyId table = data.model().Body("table");
+  const BodyId box = data.model().Body("box");
+  const auto X_TableBox = [&] { return data.BodyPose(table).inverse() * data.BodyPose(box); };
+  for (int i = 0; i < 100; ++i) data.Step();
+  const geometry::Pose before = X_TableBox();
+  for (int i = 0; i < 2000; ++i) data.Step();
+  EXPECT_LT((X_TableBox().translation() - before.translation()).norm(), 2e-6);
+  EXPECT_NEAR(data.qpos()[0], 2.1, 0.01);
+}
+
 }  // namespace
 }  // namespace assay::mujoco

@@ -1,0 +1,53 @@
+#include "sim/check/effective_clearance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "planner/domain/problem_file.h"
+
+namespace assay::check {
+namespace {
+
+// Figure 15 with another clearance, in millimetres.
+domain::Problem WithClearance(double millimetres) {
+  std::ifstream file(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml");
+  std::stringstream text;
+  text << file.rdbuf() << "clearance: " << millimetres / 25.4 << "\n";
+  return domain::ReadProblem(Document::Parse(text.str(), "scenario.yaml"),
+                             ASSAY_SOURCE_DIR "/models");
+}
+
+TEST(EffectiveClearance, IsTheNominalOne) {
+  for (const double clearance : {0.05, 0.5, 1.0}) {
+    const domain::Problem problem = WithClearance(clearance);
+    for (const Play& play : EffectiveClearance(problem, domain::MatingId(0))) {
+      EXPECT_NEAR(play.nominal, 2e-3 * clearance, 1e-8);
+      EXPECT_LT(std::abs(play.RelativeDifference()), 0.01) << clearance << " mm";
+    }
+  }
+}
+
+TEST(EffectiveClearance, LooksAcrossTheHole) {
+  const domain::Problem problem = WithClearance(0.5);
+  const auto plays = EffectiveClearance(problem, domain::MatingId(0));
+  for (const Play& play : plays) {
+    EXPECT_NEAR(play.axis.dot(problem.matings[0].mating_vector), 0, 1e-12);
+  }
+  EXPECT_NEAR(plays[0].axis.dot(plays[1].axis), 0, 1e-12);
+}
+
+// Parts that do not have the clearance that the problem claims are found out.
+TEST(EffectiveClearance, TellsWhenThePartsAreOtherwise) {
+  domain::Problem problem = WithClearance(0.5);
+  problem.clearance = 0.0004;
+  for (const Play& play : EffectiveClearance(problem, domain::MatingId(0))) {
+    EXPECT_NEAR(play.RelativeDifference(), 0.25, 0.01);
+    EXPECT_GT(std::abs(play.RelativeDifference()), kPlayTolerance);
+  }
+}
+
+}  // namespace
+}  // namespace assay::check

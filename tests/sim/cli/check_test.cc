@@ -1,0 +1,88 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+const std::string kBlock = kTree / "models/parts/block/part.yaml";
+const std::string kTable = kTree / "models/workcells/puma762-table/workcell.yaml";
+
+TEST(Check, ScenarioHoldsWithItsClearances) {
+  const Ended ended = Assay({"check", kTwoActions, "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto report = ended.Json()["files"][0];
+  EXPECT_THAT(report["parts"], SizeIs(2));
+  EXPECT_THAT(report["parts"][0]["stable_poses"], SizeIs(6));
+  EXPECT_GT(report["parts"][1]["reachable_at_start"], 0);
+  ASSERT_THAT(report["clearances"], SizeIs(2));  // along both sides of the hole
+  for (const auto& clearance : report["clearances"]) {
+    EXPECT_EQ(clearance["nominal"], 0.0005);
+    EXPECT_NEAR(clearance["effective"], 0.0005, 0.05 * 0.0005);
+  }
+}
+
+TEST(Check, EveryScenarioHolds) {
+  std::vector<std::string> arguments = {"check", "--json"};
+  for (const auto& entry : std::filesystem::directory_iterator(kTree / "scenarios")) {
+    if (entry.path().extension() == ".yaml") arguments.push_back(entry.path());
+  }
+  const Ended ended = Assay(arguments);
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  EXPECT_EQ(ended.Json()["files"].size(), arguments.size() - 2);
+}
+
+TEST(Check, PartsAndWorkcells) {
+  const Ended ended = Assay({"check", kBlock, kTable});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("face-down"), HasSubstr("BG1 "), HasSubstr("tool_lean")));
+}
+
+TEST(Check, GoesOnAfterAWrongFile) {
+  const Folder folder;
+  const std::string wrong = folder.Write("wrong.yaml", "format: assay-prat/1\n");
+  const Ended ended = Assay({"check", wrong, kTable, "--json"});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, StartsWith("assay: " + wrong + ":1:9: "));
+  EXPECT_THAT(ended.err, HasSubstr("assay-part/1"));
+  EXPECT_TRUE(ended.Json()["files"][0].contains("error"));
+  EXPECT_EQ(ended.Json()["files"][1]["workcell"], "puma762-table");
+}
+
+// A plan whose part is somewhere else than the plan believes.
+class FlawedPlan : public ::testing::Test {
+ protected:
+  FlawedPlan() {
+    auto plan = Assay({"plan", kTwoActions, "--json"}).Json();
+    plan["actions"][1]["place"]["X_WorldPart"][3][0] = 0.7;
+    file_ = folder_.Write("plan.json", plan.dump());
+  }
+
+  const Folder folder_;
+  std::string file_;
+};
+
+TEST_F(FlawedPlan, IsFoundOut) {
+  const Ended ended = Assay({"check", file_, "--json"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  EXPECT_EQ(ended.Json()["files"][0]["holds"], false);
+  EXPECT_THAT(ended.Json()["files"][0]["check"]["flaws"], Not(IsEmpty()));
+}
+
+TEST_F(FlawedPlan, IsNotExecuted) {
+  const Ended ended = Assay({"run", file_, "-o", folder_ / "out"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("flaws: "));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/trace.jsonl"));
+}
+
+}  // namespace
+}  // namespace assay::cli

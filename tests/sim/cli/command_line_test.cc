@@ -1,0 +1,109 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::MatchesRegex;
+using ::testing::StartsWith;
+
+const std::vector<std::string> kVerbs = {"check",  "plan",  "run",    "render",
+                                         "export", "label", "doctor", "list"};
+
+TEST(Help, ListsVerbsAndExitCodes) {
+  const Ended ended = Assay({"--help"});
+  EXPECT_EQ(ended.code, 0);
+  for (const std::string& verb : kVerbs) EXPECT_THAT(ended.out, HasSubstr("\n  " + verb + " "));
+  for (const char* code : {"   0  ", "   2  ", "   3  ", "   4  ", "  10  ", "  11  ", "  12  "}) {
+    EXPECT_THAT(ended.out, HasSubstr(std::string("\n") + code));
+  }
+}
+
+TEST(Help, OfEveryVerbHasAnExampleOfTheVerb) {
+  for (const std::string& verb : kVerbs) {
+    const Ended ended = Assay({verb, "--help"});
+    EXPECT_EQ(ended.code, 0) << verb;
+    EXPECT_THAT(ended.out, HasSubstr("Example:\n  assay " + verb)) << verb;
+  }
+}
+
+TEST(Version, IsPrinted) {
+  const Ended ended = Assay({"--version"});
+  EXPECT_EQ(ended.code, 0);
+  EXPECT_THAT(ended.out, MatchesRegex("assay [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+// Wrong command lines end with 2 and one line that says where help is.
+class WrongCommandLine : public ::testing::Test {
+ protected:
+  static std::string Error(const std::vector<std::string>& arguments) {
+    const Ended ended = Assay(arguments);
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_THAT(ended.err, AllOf(StartsWith("assay: "), HasSubstr("--help"), EndsWith("\n")));
+    EXPECT_EQ(std::ranges::count(ended.err, '\n'), 1);
+    return ended.err;
+  }
+};
+
+TEST_F(WrongCommandLine, NoVerb) { EXPECT_THAT(Error({}), HasSubstr("plan, run")); }
+
+TEST_F(WrongCommandLine, MistypedVerb) {
+  EXPECT_THAT(Error({"plna", kTwoActions}), HasSubstr("did you mean 'plan'?"));
+}
+
+TEST_F(WrongCommandLine, MistypedOption) {
+  EXPECT_THAT(Error({"plan", kTwoActions, "--bugdet", "5"}), HasSubstr("did you mean '--budget'?"));
+  EXPECT_THAT(Error({"run", "--trails=3", kTwoActions}), HasSubstr("did you mean '--trials'?"));
+}
+
+TEST_F(WrongCommandLine, OptionBeforeTheVerb) { Error({"--json", "plan", kTwoActions}); }
+
+TEST_F(WrongCommandLine, MissingArgument) {
+  for (const char* verb : {"plan", "check", "run", "render", "export", "label"}) {
+    EXPECT_THAT(Error({verb}), HasSubstr("required")) << verb;
+  }
+}
+
+TEST_F(WrongCommandLine, ArgumentTooMany) {
+  EXPECT_THAT(Error({"plan", kTwoActions, "more"}), HasSubstr("'more'"));
+}
+
+TEST_F(WrongCommandLine, ValuesOutOfRange) {
+  Error({"plan", kTwoActions, "--budget", "0"});
+  Error({"plan", kTwoActions, "--budget", "many"});
+  Error({"plan", kTwoActions, "--instances", "-1"});
+  Error({"run", kTwoActions, "--trials", "0"});
+  Error({"run", kTwoActions, "--jobs", "0"});
+  Error({"run", kTwoActions, "--seed", "-1"});
+  Error({"run", kTwoActions, "--grasp", "glue"});
+  Error({"plan", kTwoActions, "--models", "/no/such/folder"});
+  Error({"list", "robots"});
+}
+
+TEST_F(WrongCommandLine, PictureSizes) {
+  for (const char* size : {"640", "0x480", "640x", "x", "640x480x3", "-1x2", "5000x10", "6.4x4"}) {
+    EXPECT_THAT(Error({"render", kTwoActions, "-o", "out", "--size", size}),
+                HasSubstr("WIDTHxHEIGHT"))
+        << size;
+  }
+}
+
+TEST_F(WrongCommandLine, PicturesNeedAFolder) { Error({"run", kTwoActions, "--renders"}); }
+
+TEST_F(WrongCommandLine, ExportsOneThing) {
+  Error({"export", kTwoActions});
+  Error({"export", kTwoActions, "--mjcf", "--dot"});
+}
+
+TEST_F(WrongCommandLine, RequestsThatExcludeEachOther) {
+  Error({"label", "network.json", "--all", "--count"});
+}
+
+}  // namespace
+}  // namespace assay::cli

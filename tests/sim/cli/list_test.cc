@@ -1,0 +1,41 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli {
+namespace {
+
+using ::testing::AnyOf;
+using ::testing::HasSubstr;
+
+TEST(List, HasEverythingWithALine) {
+  const auto json = Assay({"list", "--json", "--models", kTree / "models"}).Json();
+  for (const char* kind : {"scenarios", "parts", "workcells", "actions"}) {
+    ASSERT_GT(json[kind].size(), 0) << kind;
+    for (const auto& entry : json[kind]) {
+      EXPECT_NE(entry["name"], "");
+      EXPECT_NE(entry["text"], "") << entry["name"];
+    }
+  }
+  EXPECT_EQ(json["actions"].size(), 3);
+}
+
+TEST(List, OneKind) {
+  const Ended ended = Assay({"list", "actions", "--models", kTree / "models"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("putdown"));
+  EXPECT_THAT(ended.out, ::testing::Not(HasSubstr("scenarios")));
+}
+
+TEST(Doctor, TellsTheVersionsAndTheRenderer) {
+  const Ended ended = Assay({"doctor", "--json"});
+  const auto json = ended.Json();
+  EXPECT_EQ(json["mujoco"], "2.2.2");
+  EXPECT_GE(json["cores"], 1);
+  EXPECT_THAT(json["renderer"], AnyOf("OSMesa", "EGL", ""));
+  EXPECT_EQ(ended.code, json["renderer"] == "" ? 4 : 0);
+}
+
+}  // namespace
+}  // namespace assay::cli

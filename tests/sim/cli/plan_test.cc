@@ -1,0 +1,92 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+constexpr const char* kSchema = "planner/plan/plan.schema.json";
+
+// Figure 15: pickup of the peg, assemble; the planner inserts them the other way round.
+TEST(Plan, TableIsInTheOrderOfExecution) {
+  const Ended ended = Assay({"plan", kTwoActions});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const std::size_t pickup = ended.out.find("1         2  action_2  pickup(peg, ");
+  const std::size_t assemble = ended.out.find("2         1  action_1  assemble(peg, block, ");
+  ASSERT_NE(pickup, std::string::npos) << ended.out;
+  ASSERT_NE(assemble, std::string::npos) << ended.out;
+  EXPECT_LT(pickup, assemble);
+}
+
+TEST(Plan, JsonFollowsTheSchemaAndHasSeconds) {
+  const Ended ended = Assay({"plan", kTwoActions, "--json", "--instances", "3", "--check"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(SchemaErrors(kSchema, ended.Json()), IsEmpty());
+  EXPECT_GE(ended.Json()["seconds"], 0);
+  EXPECT_EQ(ended.Json()["instances"].size(), 3);
+  EXPECT_EQ(ended.Json()["instances"][0]["actions"], ended.Json()["actions"]);
+  EXPECT_NE(ended.Json()["instances"][0], ended.Json()["instances"][1]);
+  EXPECT_THAT(ended.Json()["check"]["flaws"], IsEmpty());
+}
+
+TEST(Plan, FileIsTheSameEachTimeAndHasNoSeconds) {
+  const Folder folder;
+  ASSERT_EQ(Assay({"plan", kTwoActions, "-o", folder / "a.json"}).code, 0);
+  ASSERT_EQ(Assay({"plan", kTwoActions, "-o", folder / "b.json", "--json", "--check"}).code, 0);
+  EXPECT_EQ(TextOf(folder / "a.json"), TextOf(folder / "b.json"));
+  EXPECT_THAT(SchemaErrors(kSchema, JsonOf(folder / "a.json")), IsEmpty());
+  EXPECT_FALSE(JsonOf(folder / "a.json").contains("seconds"));
+  EXPECT_THAT(folder.Contents(), ElementsAre("a.json", "b.json"));
+}
+
+// What is printed with --json can be checked and executed like a plan file.
+TEST(Plan, PrintedJsonIsAPlanFile) {
+  const Folder folder;
+  const Ended planned = Assay({"plan", kTwoActions, "--json", "--instances", "2", "--check"});
+  const Ended checked = Assay({"check", folder.Write("plan.json", planned.out)});
+  EXPECT_EQ(checked.code, 0) << checked.err;
+}
+
+TEST(Plan, TraceGoesToStandardError) {
+  const Ended silent = Assay({"plan", kTwoActions});
+  const Ended traced = Assay({"plan", kTwoActions, "--trace"});
+  EXPECT_EQ(silent.err, "");
+  EXPECT_THAT(traced.err, HasSubstr("goal assembled(peg, block)"));
+}
+
+TEST(Plan, ProofThatThereIsNoneListsTheConflict) {
+  const Folder folder;
+  const Ended ended = Assay({"plan", kImpossible, "-o", folder / "plan.json"});
+  EXPECT_EQ(ended.code, 10) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("  - block starts face-down"));
+  const auto json = JsonOf(folder / "plan.json");
+  EXPECT_EQ(json["outcome"], "none");
+  EXPECT_GE(json["conflict"].size(), 2);
+}
+
+TEST(Plan, SpentBudget) {
+  const Ended ended = Assay({"plan", kTwoActions, "--budget", "2", "--json"});
+  EXPECT_EQ(ended.code, 11) << ended.err;
+  EXPECT_EQ(ended.Json()["outcome"], "budget");
+}
+
+TEST(Plan, WrongInput) {
+  const Folder folder;
+  const std::string wrong =
+      folder.Write("wrong.yaml", "format: assay-scenario/1\nwrokcell: puma762-table\n");
+  const Ended ended = Assay({"plan", wrong, "--models", kTree / "models"});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, StartsWith("assay: " + wrong + ":2:1: "));
+  EXPECT_THAT(ended.err, HasSubstr("workcell"));
+  EXPECT_EQ(Assay({"plan", folder / "none.yaml"}).code, 3);
+}
+
+}  // namespace
+}  // namespace assay::cli

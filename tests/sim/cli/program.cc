@@ -1,0 +1,86 @@
+#include "tests/sim/cli/program.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "tests/oracle/json_schema.h"
+
+namespace assay::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// For the shell, as one word.
+std::string Quoted(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string TestName() {
+  const auto* const test = ::testing::UnitTest::GetInstance()->current_test_info();
+  std::string name = std::string(test->test_suite_name()) + "-" + test->name();
+  std::ranges::replace(name, '/', '-');
+  return name;
+}
+
+}  // namespace
+
+std::string TextOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  EXPECT_TRUE(in) << file;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+nlohmann::json JsonOf(const fs::path& file) { return nlohmann::json::parse(TextOf(file)); }
+
+Ended Assay(const std::vector<std::string>& arguments, const std::string& out) {
+  const Folder streams;
+  std::string command = Quoted(ASSAY_PROGRAM);
+  for (const std::string& argument : arguments) command += ' ' + Quoted(argument);
+  command += " >" + Quoted(out.empty() ? streams / "out" : out) + " 2>" + Quoted(streams / "err");
+  const int status = std::system(command.c_str());
+  return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
+          .out = out.empty() ? TextOf(streams / "out") : "",
+          .err = TextOf(streams / "err")};
+}
+
+std::vector<std::string> SchemaErrors(const std::string& schema, const nlohmann::json& document) {
+  return oracle::JsonSchema(JsonOf(kTree / schema)).Errors(document);
+}
+
+Folder::Folder() {
+  static int count = 0;
+  path_ = fs::path(::testing::TempDir()) /
+          ("assay-" + TestName() + "-" + std::to_string(getpid()) + "-" + std::to_string(++count));
+  fs::create_directories(path_);
+}
+
+Folder::~Folder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+std::string Folder::Write(const std::string& name, const std::string& text) const {
+  std::ofstream(path_ / name, std::ios::binary) << text;
+  return path_ / name;
+}
+
+std::vector<std::string> Folder::Contents() const {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(path_)) {
+    names.push_back(entry.path().filename());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace assay::cli {
+
+inline const std::filesystem::path kTree = ASSAY_SOURCE_DIR;
+inline const std::string kTwoActions = kTree / "scenarios/spar-fig15.yaml";
+inline const std::string kImpossible = kTree / "scenarios/impossible.yaml";
+
+// What the program left behind.
+struct Ended {
+  int code = -1;  // of its exit; -1: it did not exit by itself
+  std::string out;
+  std::string err;
+
+  nlohmann::json Json() const { return nlohmann::json::parse(out); }
+};
+
+// Runs the built program. `out`: where its standard output goes instead of into Ended::out.
+Ended Assay(const std::vector<std::string>& arguments, const std::string& out = "");
+
+std::string TextOf(const std::filesystem::path& file);
+nlohmann::json JsonOf(const std::filesystem::path& file);
+
+// What is wrong with the document by a schema of the source tree.
+std::vector<std::string> SchemaErrors(const std::string& schema, const nlohmann::json& document);
+
+// A folder of its own for each test, removed at the end.
+class Folder {
+ public:
+  Folder();
+  ~Folder();
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string operator/(const std::string& name) const { return path_ / name; }
+  std::string Write(const std::string& name, const std::string& text) const;
+  std::vector<std::string> Contents() const;  // names, sorted
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,82 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+// One trial, with pictures.
+TEST(Run, AssemblesThePegAndLeavesItsFiles) {
+  const Folder folder;
+  const Ended ended = Assay({"run", kTwoActions, "-o", folder / "out", "--renders", "--size",
+                             "64x48", "--camera", "close"});
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  EXPECT_THAT(ended.out, HasSubstr("pickup(peg, "));
+  EXPECT_THAT(ended.out, HasSubstr("seated depth of peg in block"));
+  EXPECT_THAT(ended.out, HasSubstr("1 of 1 trials succeeded"));
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "out")) {
+    files.push_back(entry.path().filename());
+  }
+  std::ranges::sort(files);
+  EXPECT_THAT(files, ElementsAre("00-start.png", "01-action_2.png", "02-action_1.png",
+                                 "contact-sheet.png", "plan.json", "result.json", "trace.jsonl"));
+}
+
+// Trials from a plan file on two threads leave the same bytes as one from the scenario.
+TEST(Run, NumberOfThreadsChangesNothing) {
+  const Folder folder;
+  const Ended one = Assay({"run", kTwoActions, "-o", folder / "one", "--trials", "2", "--json"});
+  const Ended two = Assay({"run", folder / "one/plan.json", "-o", folder / "two", "--trials", "2",
+                           "--jobs", "2", "--json"});
+  ASSERT_EQ(one.code, 0) << one.err;
+  ASSERT_EQ(two.code, 0) << two.err;
+  for (const char* file : {"plan.json", "trace.jsonl", "trace-2.jsonl", "result.json"}) {
+    EXPECT_EQ(TextOf(folder / ("one/" + std::string(file))),
+              TextOf(folder / ("two/" + std::string(file))))
+        << file;
+  }
+  EXPECT_THAT(SchemaErrors("sim/cli/run.schema.json", one.Json()), IsEmpty());
+  EXPECT_THAT(SchemaErrors("sim/cli/run.schema.json", JsonOf(folder / "two/result.json")),
+              IsEmpty());
+  EXPECT_EQ(one.Json()["trials"], 2);
+  EXPECT_EQ(one.Json()["succeeded"], 2);
+  EXPECT_FALSE(JsonOf(folder / "one/result.json").contains("seconds"));
+}
+
+TEST(Run, WhatHasNoPlanIsNotExecuted) {
+  const Ended ended = Assay({"run", kImpossible});
+  EXPECT_EQ(ended.code, 10) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("No plan exists"));
+}
+
+TEST(Render, UnknownCamera) {
+  const Folder folder;
+  const Ended ended =
+      Assay({"render", kTwoActions, "-o", folder / "out", "--size", "64x48", "--camera", "clsoe"});
+  EXPECT_EQ(ended.code, 2);
+  EXPECT_THAT(ended.err, HasSubstr("close"));
+}
+
+TEST(Export, Mjcf) {
+  const Folder folder;
+  const Ended ended = Assay({"export", kTwoActions, "--mjcf", "-o", folder / "scene.xml"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(TextOf(folder / "scene.xml"), StartsWith("<mujoco"));
+}
+
+TEST(Export, Dot) {
+  const Ended ended = Assay({"export", kTwoActions, "--dot"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, StartsWith("digraph "));
+  EXPECT_THAT(ended.out, HasSubstr("\"action_2\" -> \"action_1\";"));
+}
+
+}  // namespace
+}  // namespace assay::cli

@@ -1,0 +1,120 @@
+#include "sim/scenario/scenario.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "planner/base/input_error.h"
+#include "sim/scenario/models_folder.h"
+
+namespace assay::scenario {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const fs::path kRoot = ASSAY_SOURCE_DIR;
+
+// A folder of its own for each test, removed afterwards.
+class ScenarioFile : public testing::Test {
+ protected:
+  ScenarioFile()
+      : folder_(fs::path(testing::TempDir()) /
+                testing::UnitTest::GetInstance()->current_test_info()->name()) {
+    fs::create_directories(folder_);
+  }
+  ~ScenarioFile() override { fs::remove_all(folder_); }
+
+  // Figure 15 with more lines at its end.
+  fs::path Write(const std::string& more) const {
+    std::ifstream original(kRoot / "scenarios/spar-fig15.yaml");
+    std::ofstream(folder_ / "scenario.yaml") << original.rdbuf() << more;
+    return folder_ / "scenario.yaml";
+  }
+  Simulation Read(const std::string& more) const {
+    return Load(Write(more), kRoot / "models").simulation;
+  }
+  std::string ErrorOf(const std::string& more) const {
+    try {
+      Read(more);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(ScenarioFile, SaysHowToSimulate) {
+  const Simulation simulation =
+      Read("simulation: {seed: 7, grasp: weld, timestep: 0.00025, cameras: [top, side]}\n");
+  EXPECT_EQ(simulation.seed, 7u);
+  EXPECT_EQ(simulation.scene.grasp, scene::GraspMode::kWeld);
+  EXPECT_EQ(simulation.scene.timestep, 0.00025);
+  EXPECT_THAT(simulation.cameras, ElementsAre("top", "side"));
+}
+
+TEST_F(ScenarioFile, NeedNotSayIt) {
+  const Simulation simulation = Read("");
+  EXPECT_EQ(simulation.seed, 0u);
+  EXPECT_EQ(simulation.scene.grasp, scene::GraspMode::kFriction);
+  EXPECT_EQ(simulation.scene.timestep, scene::SceneOptions().timestep);
+  EXPECT_THAT(simulation.cameras, ElementsAre("overview", "close"));
+}
+
+TEST_F(ScenarioFile, WrongValuesAreRefusedWithTheirPlace) {
+  EXPECT_THAT(ErrorOf("simulation: {grasp: glue}\n"), HasSubstr("friction, weld"));
+  EXPECT_THAT(ErrorOf("simulation: {grap: weld}\n"), HasSubstr("grasp"));
+  EXPECT_THAT(ErrorOf("simulation: {seed: -1}\n"), HasSubstr("scenario.yaml:"));
+  EXPECT_THAT(ErrorOf("simulation: {timestep: 0.1}\n"), HasSubstr("0.001"));
+  EXPECT_THAT(ErrorOf("simulation: {cameras: [clos]}\n"), HasSubstr("close"));
+  EXPECT_THAT(ErrorOf("simulation: {cameras: [top, top]}\n"), HasSubstr("each camera once"));
+}
+
+TEST_F(ScenarioFile, ReadsTheProblemToo) {
+  const domain::Problem problem = Load(Write(""), kRoot / "models").problem;
+  EXPECT_EQ(problem.name, "scenario");
+  EXPECT_EQ(problem.parts.size(), 2u);
+}
+
+TEST_F(ScenarioFile, ModelsStandBesideItOrAbove) {
+  fs::create_directories(folder_ / "models/workcells");
+  fs::create_directories(folder_ / "deep/down");
+  const fs::path models = fs::canonical(folder_ / "models");
+  EXPECT_EQ(FindModels(folder_ / "scenario.yaml"), models);
+  EXPECT_EQ(FindModels(folder_ / "deep/down/scenario.yaml"), models);
+}
+
+TEST_F(ScenarioFile, TheNearestModelsCount) {
+  fs::create_directories(folder_ / "models/workcells");
+  fs::create_directories(folder_ / "deep/models/workcells");
+  EXPECT_EQ(FindModels(folder_ / "deep/scenario.yaml"), fs::canonical(folder_ / "deep/models"));
+}
+
+TEST_F(ScenarioFile, WithoutModelsIsRefused) {
+  EXPECT_THROW(Load(Write("")), InputError);
+  EXPECT_THROW(RequireModels(folder_), InputError);
+}
+
+TEST_F(ScenarioFile, ThatIsNotThereIsNamed) {
+  try {
+    Load(folder_ / "nothing.yaml");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nothing.yaml"));
+  }
+}
+
+TEST(Scenarios, AllCanBeLoaded) {
+  for (const auto& entry : fs::directory_iterator(kRoot / "scenarios")) {
+    if (entry.path().extension() != ".yaml") continue;
+    EXPECT_EQ(Load(entry.path()).problem.name, entry.path().stem());
+  }
+}
+
+}  // namespace
+}  // namespace assay::scenario
