@@ -75,7 +75,7 @@ struct Summary {
       const Progress progress("checking " + file.string());
       Report report = CheckFile(file, options);
       Json json = {{"file", file.string()}, {"holds", report.holds}};
-      json.update(report.json);
+      json.update(*report.json);
       files.push_back(std::move(json));
       text += (text.empty() ? "" : "\n") + report.text;
       all_hold = all_hold && report.holds;

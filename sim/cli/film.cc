@@ -14,6 +14,7 @@
 namespace assay::cli {
 namespace {
 
+constexpr const char* kContactSheet = "contact-sheet.png";
 constexpr int kMostPixels = 4096;  // each way
 
 struct Size {
@@ -98,9 +99,16 @@ void Film::Write(const std::filesystem::path& folder) const {
                 [&](const std::filesystem::path& file) { render::WritePng(picture.image, file); });
   }
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet_.size()))));
-  WriteFileBy(folder / "contact-sheet.png", [&](const std::filesystem::path& file) {
+  WriteFileBy(folder / kContactSheet, [&](const std::filesystem::path& file) {
     render::WritePng(render::ContactSheet(sheet_, columns), file);
   });
+}
+
+std::vector<std::string> Film::FileNames() const {
+  std::vector<std::string> names;
+  for (const Picture& picture : pictures_) names.push_back(picture.file);
+  names.push_back(kContactSheet);
+  return names;
 }
 
 }  // namespace assay::cli

@@ -37,6 +37,7 @@ class Film {
   // One file for each picture, "02-action_3.png" by the first camera, "02-action_3-close.png" by
   // the others, and contact-sheet.png with those of the first.
   void Write(const std::filesystem::path& folder) const;
+  std::vector<std::string> FileNames() const;
 
  private:
   struct Picture {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "sim/cli/table.h"
@@ -93,10 +94,10 @@ Report ReportOn(const PartModel& part, const std::vector<domain::Grasp>& grasps)
       fmt::format("part {}: {:.3f} kg, {} features, {} stable poses, {} grasps\n\n{}\n{}",
                   part.name(), part.mass().mass, part.features().size(), part.stable_poses().size(),
                   grasps.size(), StablePoseTable(part), GraspTable(grasps));
-  report.json = {{"part", part.name()},
-                 {"mass", part.mass().mass},
-                 {"stable_poses", StablePosesToJson(part)},
-                 {"grasps", GraspsToJson(grasps)}};
+  report.json = std::make_shared<const Json>(Json{{"part", part.name()},
+                                                  {"mass", part.mass().mass},
+                                                  {"stable_poses", StablePosesToJson(part)},
+                                                  {"grasps", GraspsToJson(grasps)}});
   return report;
 }
 

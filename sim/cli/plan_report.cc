@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
 
 namespace assay::cli {
-namespace {
 
 using Json = nlohmann::ordered_json;
-
-}  // namespace
 
 Json ToJson(const plan::Plan& plan, const plan::CheckReport& report) {
   Json flaws = Json::array();
@@ -24,12 +22,14 @@ Json ToJson(const plan::Plan& plan, const plan::CheckReport& report) {
 Report ReportOn(const domain::Problem& problem, const plan::PlanResult& result) {
   Report report;
   report.text = fmt::format("plan for {}\n{}", problem.name, Text(problem, result));
-  report.json = {{"plan", problem.name}};
-  if (result.outcome != Outcome::kFound) return report;
-  const plan::CheckReport check = CheckPlan(problem, result.plan);
-  report.text += Text(result.plan, check);
-  report.json["check"] = ToJson(result.plan, check);
-  report.holds = check.flaws.empty();
+  Json json = {{"plan", problem.name}};
+  if (result.outcome == Outcome::kFound) {
+    const plan::CheckReport check = CheckPlan(problem, result.plan);
+    report.text += Text(result.plan, check);
+    report.holds = check.flaws.empty();
+    json["check"] = ToJson(result.plan, check);
+  }
+  report.json = std::make_shared<const Json>(std::move(json));
   return report;
 }
 

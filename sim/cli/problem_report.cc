@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "planner/domain/reachability.h"
@@ -16,6 +17,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 using domain::PartId;
 using domain::Problem;
+
+// A report on its way.
+struct Draft {
+  std::string text;
+  Json json;
+  bool holds = true;
+};
 
 // How many grasps reach the part where it is at the start, other parts left aside.
 int CountReachable(const Problem& problem, PartId id) {
@@ -32,7 +40,7 @@ std::string PositionText(const geometry::Pose& X) {
   return fmt::format("{:.1f} {:.1f} {:.1f}", mm.x(), mm.y(), mm.z());
 }
 
-void AddParts(const Problem& problem, Report& report) {
+void AddParts(const Problem& problem, Draft& report) {
   Table table({{"part"},
                {"model"},
                {"stable poses", Align::kRight},
@@ -58,7 +66,7 @@ void AddParts(const Problem& problem, Report& report) {
   report.text += table.Text();
 }
 
-void AddStablePoses(const Problem& problem, Report& report) {
+void AddStablePoses(const Problem& problem, Draft& report) {
   std::set<std::string> told;
   for (const domain::Part& part : problem.parts) {
     if (!told.insert(part.model->name()).second) continue;
@@ -78,7 +86,7 @@ bool Holds(const check::Play& play) {
   return std::abs(play.RelativeDifference()) <= check::kPlayTolerance;
 }
 
-void AddClearances(const Problem& problem, Report& report) {
+void AddClearances(const Problem& problem, Draft& report) {
   Table table({{"mating"},
                {"along"},
                {"play mm", Align::kRight},
@@ -112,7 +120,7 @@ void AddClearances(const Problem& problem, Report& report) {
 }  // namespace
 
 Report ReportOn(const Problem& problem) {
-  Report report;
+  Draft report;
   report.text = fmt::format("scenario {}: {}\nworkcell {}, {} parts, {} goals\n\n", problem.name,
                             problem.title, problem.workcell->name(), problem.parts.size(),
                             problem.goals.size());
@@ -123,7 +131,8 @@ Report ReportOn(const Problem& problem) {
   AddParts(problem, report);
   AddStablePoses(problem, report);
   AddClearances(problem, report);
-  return report;
+  return {std::move(report.text), std::make_shared<const Json>(std::move(report.json)),
+          report.holds};
 }
 
 }  // namespace assay::cli

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
@@ -16,12 +17,28 @@
 namespace assay::cli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct Options {
   std::filesystem::path input;
   std::filesystem::path folder;
   std::filesystem::path models;
   PictureOptions pictures;
+  bool json = false;
 };
+
+Json ToJson(const Film& film, const exec::ExecutionEnd& end) {
+  return {
+      {"pictures", film.FileNames()}, {"outcome", exec::Name(end.outcome)}, {"reason", end.reason}};
+}
+
+std::string ForPeople(const Film& film, const exec::ExecutionEnd& end) {
+  std::string text = fmt::format("{}\n", fmt::join(film.FileNames(), "\n"));
+  if (end.outcome != exec::ExecutionOutcome::kDone) {
+    text += fmt::format("the execution ended early: {}: {}\n", exec::Name(end.outcome), end.reason);
+  }
+  return text;
+}
 
 ExitCode Execute(const Options& options) {
   MakeFolder(options.folder);
@@ -37,11 +54,10 @@ ExitCode Execute(const Options& options) {
     return RunTrial({planned.problem, planned.result.plan, scene}, 1, &film);
   }();
   film.Write(options.folder);
-  Print(fmt::format("pictures and contact-sheet.png in {}\n", options.folder.string()));
   const exec::ExecutionEnd& end = trial.trace.end();
-  if (end.outcome == exec::ExecutionOutcome::kDone) return ExitCode::kDone;
-  Print(fmt::format("the execution ended early: {}: {}\n", exec::Name(end.outcome), end.reason));
-  return ExitCode::kFailed;
+  Print(options.json ? ToJson(film, end).dump(2) + "\n" : ForPeople(film, end));
+  const bool done = end.outcome == exec::ExecutionOutcome::kDone;
+  return done ? ExitCode::kDone : ExitCode::kFailed;
 }
 
 Execution Declare(CLI::App& command) {
@@ -49,6 +65,7 @@ Execution Declare(CLI::App& command) {
   command.add_option("input", options->input, "scenario file, or plan file")->required();
   command.add_option("-o,--output", options->folder, "folder for the pictures")->required();
   AddPictureOptions(command, options->pictures);
+  command.add_flag("--json", options->json, "print the pictures' names as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);
   return [options] { return Execute(*options); };

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace assay::cli {
@@ -8,7 +9,7 @@ namespace assay::cli {
 // What `check` says about a file: for people, for programs, and whether everything in it holds.
 struct Report {
   std::string text;
-  nlohmann::ordered_json json;
+  std::shared_ptr<const nlohmann::ordered_json> json;  // an object
   bool holds = true;
 };
 

@@ -41,6 +41,16 @@ struct Options {
   bool json = false;
 };
 
+std::string Word(scene::GraspMode mode) {
+  switch (mode) {
+    case scene::GraspMode::kFriction:
+      return "friction";
+    case scene::GraspMode::kWeld:
+      return "weld";
+  }
+  return "";
+}
+
 // What is kept of each trial.
 struct Summary {
   check::TrialOutcome outcome;
@@ -114,9 +124,10 @@ class Run {
 
   // The command that executes again what failed.
   std::string ReplayCommand() const {
-    const bool weld = scene_.options().grasp == scene::GraspMode::kWeld;
-    return fmt::format("assay run {} --seed {}{}", options_.input.string(), seed_,
-                       weld ? " --grasp weld" : "");
+    std::string command = fmt::format("assay run {} --seed {}", options_.input.string(), seed_);
+    if (options_.grasp) command += fmt::format(" --grasp {}", Word(*options_.grasp));
+    if (!options_.models.empty()) command += fmt::format(" --models {}", options_.models.string());
+    return command;
   }
 
   Json Result() const {
@@ -130,7 +141,7 @@ class Run {
     if (succeeded < options_.trials) result["replay"].push_back(ReplayCommand());
     result["scenario"] = planned_.scenario;
     result["seed"] = seed_;
-    result["grasp"] = scene_.options().grasp == scene::GraspMode::kWeld ? "weld" : "friction";
+    result["grasp"] = Word(scene_.options().grasp);
     result["first"] = ToJson(planned_.problem, planned_.result.plan, *first_);
     return result;
   }

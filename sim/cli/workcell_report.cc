@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "sim/cli/table.h"
@@ -49,10 +50,10 @@ Report ReportOn(const domain::Workcell& workcell) {
   report.text =
       fmt::format("workcell {}: gripper opens {:.1f} mm, {} placements\n\n{}", workcell.name(),
                   1000 * opening, workcell.placements().size(), table.Text());
-  report.json = {{"workcell", workcell.name()},
-                 {"max_opening", opening},
-                 {"placements", workcell.placements().size()},
-                 {"rules", rules}};
+  report.json = std::make_shared<const Json>(Json{{"workcell", workcell.name()},
+                                                  {"max_opening", opening},
+                                                  {"placements", workcell.placements().size()},
+                                                  {"rules", rules}});
   return report;
 }
 

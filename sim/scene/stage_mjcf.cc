@@ -115,10 +115,13 @@ void AddCameras(const Problem& problem, XmlElement& worldbody) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();
   const Vector3 cell(table.x() * 0.45, 0, 0.38);
   const Group parts = PartGroup(problem);
-  const double distance = 0.5 + 1.8 * parts.radius;
-  const Vector3 close = Vector3(0.8, -0.75, 0.75).normalized() * distance;
+  // The parts with the hand above them, also where it holds one at the safe height.
+  const double reach = parts.radius + problem.workcell->rules().safe_height;
+  const Vector3 middle =
+      parts.center + Vector3(0.05, 0, 0.4 * problem.workcell->rules().safe_height);
+  const Vector3 close = Vector3(0.8, -0.75, 0.6).normalized() * 2 * reach;
   AddCamera({"overview", Vector3(cell.x() + 2.3, -2.3, 1.5), cell, 42}, worldbody);
-  AddCamera({"close", parts.center + close, parts.center, 35}, worldbody);
+  AddCamera({"close", middle + close, middle, 35}, worldbody);
   AddCamera({"side", Vector3(table.x() * 0.7, -3.2, 0.7), {table.x() * 0.5, 0, 0.48}, 38},
             worldbody);
   AddCamera({"top", Vector3(table.x() - 0.05, 0, 2.6), {table.x() - 0.05, 0, 0}, 36}, worldbody);

@@ -56,6 +56,33 @@ TEST(Run, WhatHasNoPlanIsNotExecuted) {
   EXPECT_THAT(ended.out, HasSubstr("No plan exists"));
 }
 
+// Too weak a grip: the peg slips out of the hand, which is judged and not believed.
+TEST(Run, TrialThatFails) {
+  const Folder folder;
+  const std::string weak =
+      folder.Write("weak.yaml", TextOf(kTwoActions) + "rules: {grip_force: 0.5}\n");
+  const Ended ended = Assay({"run", weak, "--models", kTree / "models", "--json"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  const auto json = ended.Json();
+  EXPECT_THAT(SchemaErrors("sim/cli/run.schema.json", json), IsEmpty());
+  EXPECT_EQ(json["succeeded"], 0);
+  EXPECT_EQ(json["failed"].size(), 1);
+  EXPECT_NE(json["first"]["reason"], "");
+  EXPECT_EQ(json["replay"][0],
+            "assay run " + weak + " --seed 0 --models " + (kTree / "models").string());
+}
+
+TEST(Render, TellsItsFiles) {
+  const Folder folder;
+  const Ended ended = Assay({"render", kTwoActions, "-o", folder / "out", "--size", "32x24",
+                             "--camera", "top", "close", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.Json()["pictures"].size(), 7);  // three moments by two cameras, and all
+  for (const std::string name : ended.Json()["pictures"]) {
+    EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + name))) << name;
+  }
+}
+
 TEST(Render, UnknownCamera) {
   const Folder folder;
   const Ended ended =
