@@ -17,6 +17,7 @@
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/scattered_run.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/trial.h"
 #include "sim/cli/trial_report.h"
@@ -39,6 +40,8 @@ struct Options {
   PictureOptions pictures;
   bool renders = false;
   bool json = false;
+  bool scatter = false;
+  std::optional<int> trial;  // the only one of the scattered trials
 };
 
 std::string Word(scene::GraspMode mode) {
@@ -180,8 +183,22 @@ ExitCode Refuse(const std::string& text, const Json& json, const Options& option
   return code;
 }
 
+ExitCode ExecuteScattered(const Options& options) {
+  scenario::Scenario scenario = LoadScenario(options.input, options.models);
+  scenario.simulation.scene.grasp = options.grasp.value_or(scenario.simulation.scene.grasp);
+  return RunScattered({.scenario = options.input,
+                       .folder = options.folder,
+                       .trials = options.trials,
+                       .jobs = options.jobs,
+                       .only = options.trial,
+                       .seed = options.seed.value_or(scenario.simulation.seed),
+                       .json = options.json},
+                      scenario);
+}
+
 ExitCode Execute(const Options& options) {
   if (!options.folder.empty()) MakeFolder(options.folder);
+  if (options.scatter) return ExecuteScattered(options);
   const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
   const plan::PlanResult& result = planned.result;
   Json plan_file = plan::ToJson(result, planned.problem, planned.scenario);
@@ -213,6 +230,12 @@ Execution Declare(CLI::App& command) {
   command.add_flag("--renders", options->renders, "take pictures of the start and each step's end")
       ->needs(folder);
   AddPictureOptions(command, options->pictures);
+  CLI::Option* const scatter = command.add_flag(
+      "--scatter", options->scatter,
+      "in each trial the parts lie at other places, drawn from the seed, and a plan is made anew");
+  command.add_option("--trial", options->trial, "run only this one of the scattered trials")
+      ->check(CLI::PositiveNumber)
+      ->needs(scatter);
   command.add_flag("--json", options->json, "print the result as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

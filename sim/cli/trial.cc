@@ -54,14 +54,11 @@ Trial RunTrial(const Experiment& experiment, int number, Film* film) {
   return {number, std::move(trace), std::move(verdict)};
 }
 
-void RunTrials(const Experiment& experiment, const TrialPlan& plan,
-               const std::function<void(Trial)>& done) {
-  Queue queue(plan.trials);
-  const auto work = [&](int first) {
+void ForEachTrial(int trials, int jobs, const std::function<void(int)>& work) {
+  Queue queue(trials);
+  const auto work_through = [&](int first) {
     try {
-      for (int number = first; queue.Has(number); number = queue.Next()) {
-        done(RunTrial(experiment, number, number == 1 ? plan.film : nullptr));
-      }
+      for (int number = first; queue.Has(number); number = queue.Next()) work(number);
     } catch (...) {
       queue.Fail(std::current_exception());
     }
@@ -69,12 +66,19 @@ void RunTrials(const Experiment& experiment, const TrialPlan& plan,
   {
     const int first = queue.Next();
     std::vector<std::jthread> threads;
-    for (int i = 1; i < std::min(plan.jobs, plan.trials); ++i) {
-      threads.emplace_back([&] { work(queue.Next()); });
+    for (int i = 1; i < std::min(jobs, trials); ++i) {
+      threads.emplace_back([&] { work_through(queue.Next()); });
     }
-    work(first);
+    work_through(first);
   }
   queue.Rethrow();
+}
+
+void RunTrials(const Experiment& experiment, const TrialPlan& plan,
+               const std::function<void(Trial)>& done) {
+  ForEachTrial(plan.trials, plan.jobs, [&](int number) {
+    done(RunTrial(experiment, number, number == 1 ? plan.film : nullptr));
+  });
 }
 
 }  // namespace assay::cli

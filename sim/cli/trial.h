@@ -29,6 +29,10 @@ struct Trial {
 // `film` takes pictures, unless it is null.
 Trial RunTrial(const Experiment& experiment, int number, Film* film);
 
+// Calls `work` with the numbers 1 .. trials on that many threads; number 1 on this one. Throws what
+// `work` threw first, after which no more numbers are handed out.
+void ForEachTrial(int trials, int jobs, const std::function<void(int number)>& work);
+
 struct TrialPlan {
   int trials = 1;
   int jobs = 1;          // threads
