@@ -187,6 +187,7 @@ ExitCode ExecuteScattered(const Options& options) {
   scenario::Scenario scenario = LoadScenario(options.input, options.models);
   scenario.simulation.scene.grasp = options.grasp.value_or(scenario.simulation.scene.grasp);
   return RunScattered({.scenario = options.input,
+                       .models = options.models,
                        .folder = options.folder,
                        .trials = options.trials,
                        .jobs = options.jobs,

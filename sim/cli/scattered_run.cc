@@ -104,10 +104,12 @@ class Scattering {
     return found == outcomes.end() ? 0 : found->second;
   }
 
+  bool Welds() const { return scenario_.simulation.scene.grasp == scene::GraspMode::kWeld; }
+
   std::string ReplayCommand(int number) const {
-    return fmt::format(
-        "assay run {} --scatter --seed {} --trial {}{}", run_.scenario.string(), run_.seed, number,
-        scenario_.simulation.scene.grasp == scene::GraspMode::kWeld ? " --grasp weld" : "");
+    return fmt::format("assay run {} --scatter --seed {} --trial {}{}{}", run_.scenario.string(),
+                       run_.seed, number, Welds() ? " --grasp weld" : "",
+                       run_.models.empty() ? "" : " --models " + run_.models.string());
   }
 
   Json Result() const {
@@ -121,6 +123,7 @@ class Scattering {
                    {"replay", Json::array()},
                    {"scenario", run_.scenario.string()},
                    {"seed", run_.seed},
+                   {"grasp", Welds() ? "weld" : "friction"},
                    {"rows", Json::array()}};
     for (const auto& [number, row] : rows_) {
       if (row.outcome != kSucceeded) result["replay"].push_back(ReplayCommand(number));

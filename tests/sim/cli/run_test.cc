@@ -50,6 +50,24 @@ TEST(Run, NumberOfThreadsChangesNothing) {
   EXPECT_FALSE(JsonOf(folder / "one/result.json").contains("seconds"));
 }
 
+// Each trial draws from a stream of its own: alone it comes out as among others.
+TEST(Run, ScatteredTrialsDependOnTheirNumberAlone) {
+  const Folder folder;
+  const auto scatter = [&](const std::string& out, const std::vector<std::string>& more) {
+    std::vector<std::string> arguments = {"run", kTwoActions, "--scatter", "--seed",
+                                          "4",   "-o",        folder / out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(Assay(arguments).code, 0);
+    return JsonOf(folder / (out + "/result.json"));
+  };
+  const auto both = scatter("both", {"--trials", "2", "--jobs", "2"});
+  EXPECT_THAT(SchemaErrors("sim/cli/run.schema.json", both), IsEmpty());
+  ASSERT_EQ(both["rows"].size(), 2u);
+  const auto second = scatter("second", {"--trial", "2"});
+  ASSERT_EQ(second["rows"].size(), 1u);
+  EXPECT_EQ(second["rows"][0], both["rows"][1]);
+}
+
 TEST(Run, WhatHasNoPlanIsNotExecuted) {
   const Ended ended = Assay({"run", kImpossible});
   EXPECT_EQ(ended.code, 10) << ended.err;
