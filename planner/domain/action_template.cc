@@ -7,13 +7,13 @@
 #include "planner/domain/actions/actions.h"
 
 namespace assay::domain {
-namespace {
-
 std::string LabelName(const Problem& problem, const PlanVariable& variable, int label) {
   const Part& part = problem.part(variable.part);
   if (variable.kind == VariableKind::kGrasp) return (*part.grasps)[label].label;
   return label == InitialLabel(part) ? "initial" : part.model->stable_poses()[label].label;
 }
+
+namespace {
 
 // A list that a person wants to see whole is short; of a long one the count is enough.
 std::string LabelList(const Problem& problem, const PlanVariable& variable,

@@ -72,6 +72,8 @@ struct ActionRule {
 std::span<const ActionRule> ActionRules();
 
 std::string_view Name(ActionKind kind);
+// "BG3", "BP2", "initial".
+std::string LabelName(const Problem& problem, const PlanVariable& variable, int label);
 std::string Text(const Problem& problem, const PlanVariables& variables,
                  const GeometricConstraint& constraint);
 std::string Text(const Problem& problem, const PlanVariables& variables,

@@ -167,6 +167,7 @@ class PostingPlanner {
       has_instance = true;
       return Accept(WriteOut(plan, instance));
     });
+    if (accepted && options_.show_family) options_.show_family(plan);
     if (accepted) return true;
     return !has_instance && !instance_choices_.Exhausted() && ClearTheWay(plan, search.blockers());
   }

@@ -9,11 +9,15 @@
 
 namespace assay::posting {
 
+class PartialPlan;
+
 struct PlannerOptions {
   std::int64_t partial_plans = 200'000;       // budget of the first phase
   std::int64_t instance_choices = 5'000'000;  // budget for making instances, in values tried
   // Asked of each plan instance in turn: the first that it accepts is the plan. Empty: the first.
   std::function<bool(const plan::Plan&)> accept = {};
+  // Shown the partial plan, the family that the plan is an instance of; may be empty.
+  std::function<void(const PartialPlan&)> show_family = {};
   // Told of every decision as it is taken, one line each, indented by depth; may be empty.
   std::function<void(const std::string&)> trace = {};
 };

@@ -31,4 +31,44 @@ std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan&
   return text + "}\n";
 }
 
+namespace {
+
+// The labels themselves where they are few, else how many.
+std::string LabelsOf(const posting::PartialPlan& plan, domain::VariableId variable) {
+  constexpr int kFew = 6;
+  const network::LabelSet labels = plan.Labels(variable);
+  if (labels.count() > kFew) return fmt::format("{} labels", labels.count());
+  std::string text;
+  for (int label : labels) {
+    text += fmt::format("{}{}", text.empty() ? "" : " ",
+                        domain::LabelName(plan.problem(), plan.variables()[variable], label));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string ConstraintNetworkToDot(const posting::PartialPlan& plan) {
+  std::string text =
+      fmt::format("graph {} {{\n  node [shape=ellipse];\n", Quoted(plan.problem().name));
+  for (const domain::ActionTemplate& action : plan.steps()) {
+    for (const domain::InitialConstraint& initial : action.initial) {
+      const std::string& name = plan.variables()[initial.variable].name;
+      text += fmt::format("  {} [label={}];\n", Quoted(name),
+                          Quoted(name + ": " + LabelsOf(plan, initial.variable)));
+    }
+  }
+  for (const posting::GeometricGoalRef& goal : plan.satisfied_geometric()) {
+    const domain::GeometricConstraint& constraint = plan.ConstraintOf(goal);
+    if (constraint.grasp.IsNone() || constraint.position.IsNone()) continue;
+    const auto name = [&](domain::VariableId id) {
+      return Quoted(plan.variables()[plan.Resolve(id)].name);
+    };
+    text +=
+        fmt::format("  {} -- {} [label={}];\n", name(constraint.grasp), name(constraint.position),
+                    constraint.mating.IsNone() ? "reachable" : "mate_reachable");
+  }
+  return text + "}\n";
+}
+
 }  // namespace assay::cli

@@ -4,11 +4,16 @@
 
 #include "planner/domain/problem.h"
 #include "planner/plan/plan.h"
+#include "planner/posting/partial_plan.h"
 
 namespace assay::cli {
 
 // The ordering graph of a plan in the language of Graphviz: a node for each step, with its place in
 // the order of execution, and an arrow to each step that comes after it.
 std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan& plan);
+
+// The constraint network of a partial plan: a node for each plan variable with its labels that are
+// left, and an arc for each constraint between two of them (Spar, figures 9 and 10).
+std::string ConstraintNetworkToDot(const posting::PartialPlan& plan);
 
 }  // namespace assay::cli

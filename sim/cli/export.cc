@@ -8,6 +8,7 @@
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/verb.h"
+#include "sim/exec/command_file.h"
 #include "sim/scene/mjcf.h"
 
 namespace assay::cli {
@@ -19,6 +20,8 @@ struct Options {
   std::filesystem::path models;
   bool mjcf = false;
   bool dot = false;
+  bool network = false;
+  bool commands = false;
 };
 
 void Deliver(const std::string& text, const Options& options) {
@@ -35,30 +38,57 @@ ExitCode ExportMjcf(const Options& options) {
   return ExitCode::kDone;
 }
 
-ExitCode ExportDot(const Options& options) {
+// What `write` makes of a plan; if there is none, why.
+ExitCode ExportPlan(const Options& options,
+                    std::string (*write)(const domain::Problem&, const plan::Plan&)) {
   const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
   if (planned.result.outcome == Outcome::kFound) {
-    Deliver(OrderingGraphToDot(planned.problem, planned.result.plan), options);
+    Deliver(write(planned.problem, planned.result.plan), options);
   } else {
     Print(Text(planned.problem, planned.result));
   }
   return ExitCodeOf(planned.result.outcome);
 }
 
+std::string CommandFileText(const domain::Problem& problem, const plan::Plan& plan) {
+  return exec::Text(problem, plan, exec::CommandFileOf(problem, plan));
+}
+
+ExitCode ExportNetwork(const Options& options) {
+  const scenario::Scenario scenario = LoadScenario(options.input, options.models);
+  std::string dot;
+  const plan::PlanResult result =
+      PlanWithProgress(scenario.problem, {.show_family = [&](const posting::PartialPlan& plan) {
+                         dot = ConstraintNetworkToDot(plan);
+                       }});
+  if (result.outcome == Outcome::kFound) {
+    Deliver(dot, options);
+  } else {
+    Print(Text(scenario.problem, result));
+  }
+  return ExitCodeOf(result.outcome);
+}
+
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("scenario", options->input, "scenario file; for --dot also a plan file")
+  command
+      .add_option("scenario", options->input,
+                  "scenario file; for --dot and --commands also a plan file")
       ->required();
   CLI::Option_group* const what = command.add_option_group("what");
   what->add_flag("--mjcf", options->mjcf, "the scene as a model for MuJoCo");
   what->add_flag("--dot", options->dot, "the plan's ordering graph for Graphviz");
+  what->add_flag("--network", options->network, "the plan's constraint network for Graphviz");
+  what->add_flag("--commands", options->commands, "what the robot is told, command by command");
   what->require_option(1);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);
   return [options] {
     RequireWritable(options->output);
-    return options->mjcf ? ExportMjcf(*options) : ExportDot(*options);
+    if (options->mjcf) return ExportMjcf(*options);
+    if (options->network) return ExportNetwork(*options);
+    return ExportPlan(*options, options->dot ? OrderingGraphToDot : CommandFileText);
   };
 }
 
@@ -66,7 +96,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kExport = {
     .name = "export",
-    .summary = "writes a scenario's scene, or its plan's ordering graph, for other programs",
+    .summary = "writes a scenario's scene, or graphs and commands of its plan",
     .example = "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml",
     .declare = Declare,
 };

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 #include "tests/sim/cli/program.h"
 
 namespace assay::cli {
@@ -121,6 +123,28 @@ TEST(Export, Dot) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, StartsWith("digraph "));
   EXPECT_THAT(ended.out, HasSubstr("\"action_2\" -> \"action_1\";"));
+}
+
+// Spar, figure 9: the path init_pos_1 - grasp_2 - pos_1 - grasp_1 - init_pos_2.
+TEST(Export, NetworkOfTheWorkedExample) {
+  const Ended ended = Assay({"export", kTree / "scenarios/spar-example.yaml", "--network"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  int reachable = 0;
+  int mate_reachable = 0;
+  std::istringstream lines(ended.out);
+  for (std::string line; std::getline(lines, line);) {
+    reachable += line.ends_with("[label=reachable];");
+    mate_reachable += line.ends_with("[label=mate_reachable];");
+  }
+  EXPECT_EQ(reachable, 3);
+  EXPECT_EQ(mate_reachable, 1);
+}
+
+TEST(Export, CommandsOfThePrimitives) {
+  const Ended ended = Assay({"export", kTwoActions, "--commands"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("pickup(peg"));
+  EXPECT_THAT(ended.out, HasSubstr("close"));
 }
 
 }  // namespace
