@@ -17,6 +17,11 @@ VariableId PlanVariables::Add(VariableKind kind, PartId part) {
   return Push({.kind = kind, .part = part, .name = name});
 }
 
+VariableId PlanVariables::AddFree(VariableKind kind, PartId part) {
+  return Push(
+      {.kind = kind, .part = part, .name = kind == VariableKind::kGrasp ? "Grasp" : "Position"});
+}
+
 VariableId PlanVariables::AddInitialPosition(PartId part) {
   return Push({.kind = VariableKind::kPosition,
                .part = part,

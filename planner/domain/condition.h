@@ -21,7 +21,10 @@ struct PlanVariable {
 // The plan variables of one plan, which gives each a fresh name.
 class PlanVariables {
  public:
+  // A variable of a step's own: "grasp_1", "pos_1".
   VariableId Add(VariableKind kind, PartId part);
+  // One that a precondition brings, to be bound to the establisher's: "Grasp", "Position".
+  VariableId AddFree(VariableKind kind, PartId part);
   VariableId AddInitialPosition(PartId part);
 
   const PlanVariable& operator[](VariableId id) const { return variables_[id.index()]; }

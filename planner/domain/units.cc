@@ -103,8 +103,9 @@ Vector3 ReadVector3(const Value& value, const Units& units) {
 
 Pose ReadColumns(const Value& value, const Units& units) {
   const auto columns = ItemsOf(value, 4, "four columns: the axes x, y, z and the position");
+  // One by one: Eigen's comma initializer aborts when it is left halfway by an exception.
   Matrix3 R;
-  R << ReadAxis(columns[0]), ReadAxis(columns[1]), ReadAxis(columns[2]);
+  for (int axis = 0; axis < 3; ++axis) R.col(axis) = ReadAxis(columns[axis]);
   RequireOrthonormal(value, R);
   return geometry::PoseFromColumns(R.col(0), R.col(1), R.col(2), ReadVector3(columns[3], units));
 }

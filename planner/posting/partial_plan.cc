@@ -87,7 +87,7 @@ void PartialPlan::AddGoals() {
       continue;
     }
     const auto& located = std::get<LocatedGoal>(goal);
-    const VariableId position = variables_.Add(VariableKind::kPosition, located.part);
+    const VariableId position = variables_.AddFree(VariableKind::kPosition, located.part);
     std::vector<int> labels;
     for (domain::StablePoseId pose : located.stable_poses) labels.push_back(pose.index());
     if (std::ranges::count(located.stable_poses, problem_->part(located.part).resting) > 0) {
@@ -368,7 +368,7 @@ std::vector<std::string> PartialPlan::WhyRefused(const GeometricGoalRef& goal) c
 }
 
 void PartialPlan::RequireMoved(StepId consumer, PartId part) {
-  const VariableId position = variables_.Add(VariableKind::kPosition, part);
+  const VariableId position = variables_.AddFree(VariableKind::kPosition, part);
   binding_.push_back(VariableId::None());
   nodes_.push_back(NodeId::None());
   ActionTemplate& action = steps_[consumer.index()];
@@ -383,14 +383,26 @@ void PartialPlan::RequireMoved(StepId consumer, PartId part) {
       {.consumer = consumer, .goal = static_cast<int>(action.geometric.size()) - 1});
 }
 
+VariableId PartialPlan::ResolveIfAny(VariableId variable) const {
+  return variable.IsNone() ? variable : Resolve(variable);
+}
+
 std::string PartialPlan::Text(StepId id) const {
-  return domain::Text(*problem_, variables_, step(id));
+  ActionTemplate bound = step(id);
+  bound.grasp = ResolveIfAny(bound.grasp);
+  bound.position = ResolveIfAny(bound.position);
+  return domain::Text(*problem_, variables_, bound);
 }
 std::string PartialPlan::Text(const Condition& condition) const {
-  return domain::Text(*problem_, variables_, condition);
+  Condition bound = condition;
+  bound.variable = ResolveIfAny(bound.variable);
+  return domain::Text(*problem_, variables_, bound);
 }
 std::string PartialPlan::Text(const GeometricConstraint& constraint) const {
-  return domain::Text(*problem_, variables_, constraint);
+  GeometricConstraint bound = constraint;
+  bound.grasp = ResolveIfAny(bound.grasp);
+  bound.position = ResolveIfAny(bound.position);
+  return domain::Text(*problem_, variables_, bound);
 }
 
 }  // namespace assay::posting

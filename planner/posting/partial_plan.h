@@ -110,6 +110,7 @@ class PartialPlan {
   // it was at the start.
   void RequireMoved(StepId consumer, domain::PartId part);
 
+  // In words, with variables by the names of those that they are bound to.
   std::string Text(StepId step) const;
   std::string Text(const domain::Condition& condition) const;
   std::string Text(const domain::GeometricConstraint& constraint) const;
@@ -123,6 +124,7 @@ class PartialPlan {
   int LabelCount(VariableId variable) const;
   bool HasNode(VariableId variable) const;
   network::Constraint NetworkConstraint(const domain::GeometricConstraint& constraint) const;
+  VariableId ResolveIfAny(VariableId variable) const;
   bool MayCodesignate(VariableId a, VariableId b) const;
   void FindThreatsOf(StepId step);
   void FindThreatsTo(const CausalLink& link);

@@ -33,7 +33,7 @@ inline std::vector<Labeling> LabelingsByEnumeration(const std::vector<LabelSet>&
   std::vector<Labeling> found;
   Labeling labeling{std::vector<Label>(nodes.size(), 0)};
   for (const LabelSet& labels : nodes) {
-    if (labels.size() == 0) return found;
+    if (labels.empty()) return found;
   }
   while (true) {
     if (Holds(nodes, arcs, labeling)) found.push_back(labeling);

@@ -8,8 +8,8 @@ std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& con
                                     PlanVariables& variables) {
   if (condition.predicate != Predicate::kAssembled) return {};
   const Mating& mating = problem.mating(condition.mating);
-  const VariableId grasp = variables.Add(VariableKind::kGrasp, mating.held);
-  const VariableId position = variables.Add(VariableKind::kPosition, mating.fixed);
+  const VariableId grasp = variables.AddFree(VariableKind::kGrasp, mating.held);
+  const VariableId position = variables.AddFree(VariableKind::kPosition, mating.fixed);
   return {{.kind = ActionKind::kAssemble,
            .part = mating.held,
            .mating = condition.mating,

@@ -24,7 +24,7 @@ void DeleteMatings(const Problem& problem, PartId part, std::vector<Condition>& 
 
 ActionTemplate Pickup(const Problem& problem, PartId part, PlanVariables& variables) {
   const VariableId grasp = variables.Add(VariableKind::kGrasp, part);
-  const VariableId position = variables.Add(VariableKind::kPosition, part);
+  const VariableId position = variables.AddFree(VariableKind::kPosition, part);
   ActionTemplate pickup{
       .kind = ActionKind::kPickup,
       .part = part,

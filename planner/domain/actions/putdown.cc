@@ -12,7 +12,7 @@ std::vector<int> AllStablePoses(const Part& part) {
 }
 
 ActionTemplate Putdown(const Problem& problem, PartId part, PlanVariables& variables) {
-  const VariableId grasp = variables.Add(VariableKind::kGrasp, part);
+  const VariableId grasp = variables.AddFree(VariableKind::kGrasp, part);
   const VariableId position = variables.Add(VariableKind::kPosition, part);
   return {.kind = ActionKind::kPutdown,
           .part = part,

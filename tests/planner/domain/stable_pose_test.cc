@@ -100,7 +100,8 @@ TEST(StablePoseTest, ThePartLiesOnTheTableWithItsCentreOverTheSupport) {
 // from above, along the table's x.
 TEST(StablePoseTest, YawZeroIsReadOffTheFirstAxisThatLies) {
   for (const std::string& name : PartNames()) {
-    for (const StablePose& pose : LoadPart(name)->stable_poses()) {
+    const auto part = LoadPart(name);
+    for (const StablePose& pose : part->stable_poses()) {
       const geometry::Matrix3 R = pose.X_TablePart.linear();
       int axis = 0;
       while (std::abs(R(2, axis)) > std::sqrt(0.5)) ++axis;

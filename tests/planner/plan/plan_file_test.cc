@@ -114,8 +114,9 @@ TEST(PlanFile, SpeaksInTheWordsOfTheScenario) {
 }
 
 TEST(PlanFile, PoseIsWrittenAsColumns) {
-  const Json pose = ToJson(Planned())["actions"][1]["place"]["X_WorldPart"];
-  const Pose& X = std::get<Putdown>(Planned().plan.steps[1].action).to.X_WorldPart;
+  const PlanResult result = Planned();
+  const Json pose = ToJson(result)["actions"][1]["place"]["X_WorldPart"];
+  const Pose& X = std::get<Putdown>(result.plan.steps[1].action).to.X_WorldPart;
   for (int column = 0; column < 4; ++column) {
     for (int row = 0; row < 3; ++row) {
       EXPECT_EQ(pose[column][row].get<double>(), X.matrix()(row, column));

@@ -48,8 +48,8 @@ TEST_F(ExamplePlan, AssembleBringsTheGoalsOfFigure6) {
   const StepId assemble = EstablishByNewStep(plan);
   EXPECT_EQ(plan.step(assemble).kind, ActionKind::kAssemble);
   ASSERT_EQ(plan.goals().operational.size(), 2u);
-  EXPECT_EQ(plan.Text(plan.ConditionOf(assemble, 0)), "holding(peg, grasp_1)");
-  EXPECT_EQ(plan.Text(plan.ConditionOf(assemble, 1)), "part_location(block, pos_1)");
+  EXPECT_EQ(plan.Text(plan.ConditionOf(assemble, 0)), "holding(peg, Grasp)");
+  EXPECT_EQ(plan.Text(plan.ConditionOf(assemble, 1)), "part_location(block, Position)");
   ASSERT_EQ(plan.goals().geometric.size(), 3u);
   EXPECT_EQ(plan.step(assemble).geometric[0].constraint.kind, domain::ConstraintKind::kMember);
   EXPECT_EQ(plan.step(assemble).geometric[1].constraint.kind,
