@@ -18,7 +18,7 @@ struct Mating {
   PartId held;
   PartId fixed;
   std::vector<std::pair<FeatureNumber, FeatureNumber>> features;  // of held, of fixed
-  geometry::Pose X_FixedHeld;      // Ta
+  geometry::Pose X_FixedHeld;                                     // Ta
   geometry::Vector3 mating_vector;  // metres, frame of the fixed part; the motion starts at
                                     // X_FixedHeld displaced by minus this vector
 };

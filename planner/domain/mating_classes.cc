@@ -29,7 +29,7 @@ std::vector<int> PositionList(const Problem& problem, const Mating& mating) {
   for (int p = 0; p < InitialLabel(fixed); ++p) {
     if (AllowsMating(problem, mating, StablePoseId(p))) labels.push_back(p);
   }
-  if (!fixed.resting.IsNone() && AllowsMating(problem, mating, fixed.resting)) {
+  if (!fixed.position_class.IsNone() && AllowsMating(problem, mating, fixed.position_class)) {
     labels.push_back(InitialLabel(fixed));
   }
   return labels;

@@ -28,7 +28,12 @@ struct Part {
   std::shared_ptr<const PartModel> model;
   std::shared_ptr<const std::vector<Grasp>> grasps;  // by the workcell's gripper; shared by model
   Pose X_WorldPart = Pose::Identity();               // at the start; for an assembled part, derived
-  StablePoseId resting;                              // at the start; None: leaning or assembled
+  // At the start. resting: None if it leans, lies on another part or is assembled. hidden: the
+  // features that the table or other parts cover. position_class: the stable pose that it rests
+  // in, else the one that hides the same features.
+  StablePoseId resting = StablePoseId::None();
+  std::vector<FeatureNumber> hidden = {};
+  StablePoseId position_class = StablePoseId::None();
   PoseError error;
 };
 

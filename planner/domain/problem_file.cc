@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "planner/domain/occlusion.h"
 #include "planner/domain/reachability.h"
 #include "planner/domain/resting.h"
 #include "planner/domain/workcell_file.h"
@@ -155,6 +156,7 @@ class ProblemFile {
   void CheckOnTable(const Value& pose, PartId id) const;
   void CheckAboveTable(const Value& place, const Part& part) const;
   void CheckApart() const;
+  void FindOcclusions();
   MatingId ReadMating(const Value& value);
   void ReadFeatures(const Value& features, Mating& mating) const;
   Vector3 ReadMatingVector(const Value& value) const;
@@ -198,7 +200,21 @@ ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& 
   ReadParts(root.At("parts"));
   ReadInitially(root);
   PlaceParts();
+  FindOcclusions();
   ReadGoals(goals);
+}
+
+void ProblemFile::FindOcclusions() {
+  std::vector<PlacedPart> placed;
+  for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+    placed.push_back({.part = PartId(p), .X_WorldPart = problem_.parts[p].X_WorldPart});
+  }
+  for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+    Part& part = problem_.parts[p];
+    part.hidden = OccludedFeatures(problem_, PartId(p), part.X_WorldPart, placed);
+    part.position_class =
+        part.resting.IsNone() ? PoseThatHides(*part.model, part.hidden) : part.resting;
+  }
 }
 
 void ProblemFile::ReadWorkcell(const Value& root) {

@@ -86,11 +86,10 @@ bool AreDisjoint(const std::vector<FeatureNumber>& a, const std::vector<FeatureN
 }
 
 // The features that the table hides: by Spar, those of the stable pose that the pose corresponds
-// to. A part that leans on another touches the table with edges and corners alone.
+// to. Parts are put down in stable poses only, so in another it is where it was at the start.
 const std::vector<FeatureNumber>& HiddenAt(const Part& part, const Pose& X_WorldPart) {
-  static const std::vector<FeatureNumber> kNothing;
   const StablePoseId resting = StablePoseAt(part, X_WorldPart);
-  return resting.IsNone() ? kNothing : part.model->stable_poses()[resting.index()].hidden;
+  return resting.IsNone() ? part.hidden : part.model->stable_poses()[resting.index()].hidden;
 }
 
 bool LeansLittle(const Workcell& workcell, const Pose& X_WorldTool) {

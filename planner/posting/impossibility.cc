@@ -180,7 +180,7 @@ class RelaxedProblem {
     for (int p = 0; p < domain::InitialLabel(fixed); ++p) {
       if (allowed(StablePoseId(p))) labels.push_back(p);
     }
-    if (!fixed.resting.IsNone() && allowed(fixed.resting)) {
+    if (!fixed.position_class.IsNone() && allowed(fixed.position_class)) {
       labels.push_back(domain::InitialLabel(fixed));
     }
     return labels;
@@ -205,7 +205,7 @@ std::string RelaxedProblem::Describe(const Constraint& constraint) const {
   }
   if (constraint.kind == Kind::kStart) {
     const Part& part = problem_.parts[constraint.index];
-    if (part.resting.IsNone()) return fmt::format("{} starts leaning", part.name);
+    if (part.resting.IsNone()) return fmt::format("{} starts on another part", part.name);
     const auto& pose = part.model->stable_poses()[part.resting.index()];
     return fmt::format("{} starts {}", part.name, pose.name.empty() ? pose.label : pose.name);
   }

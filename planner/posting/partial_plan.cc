@@ -130,11 +130,17 @@ void PartialPlan::OpenPreconditions(StepId step) {
   // Pushed in reverse, so that the first precondition is served first.
   const ActionTemplate& action = steps_[step.index()];
   for (int i = static_cast<int>(action.preconditions.size()) - 1; i >= 0; --i) {
-    goals_.operational.push_back({.consumer = step, .precondition = i});
+    Open({.consumer = step, .precondition = i});
   }
   for (int i = static_cast<int>(action.geometric.size()) - 1; i >= 0; --i) {
     goals_.geometric.push_back({.consumer = step, .goal = i});
   }
+}
+
+void PartialPlan::Open(OperationalGoal goal) {
+  const bool orders_only =
+      ConditionOf(goal.consumer, goal.precondition).variable.IsNone() && goal.consumer != kFinish;
+  (orders_only ? goals_.ordering : goals_.operational).push_back(std::move(goal));
 }
 
 const Condition& PartialPlan::ConditionOf(StepId consumer, int precondition) const {
@@ -168,6 +174,7 @@ std::optional<Threat> PartialPlan::PopThreat() {
 
 std::optional<OperationalGoal> PartialPlan::PopOperational() { return Pop(goals_.operational); }
 std::optional<GeometricGoalRef> PartialPlan::PopGeometric() { return Pop(goals_.geometric); }
+std::optional<OperationalGoal> PartialPlan::PopOrdering() { return Pop(goals_.ordering); }
 
 std::vector<ActionTemplate> PartialPlan::Establishers(const OperationalGoal& goal) {
   std::vector<ActionTemplate> actions;
@@ -204,8 +211,10 @@ bool PartialPlan::Establish(StepId producer, const OperationalGoal& goal) {
   const auto add = std::ranges::find_if(step(producer).adds,
                                         [&](const Condition& a) { return Unify(a, condition); });
   if (!condition.variable.IsNone()) binding_[condition.variable.index()] = add->variable;
-  links_.push_back(
-      {.producer = producer, .consumer = goal.consumer, .precondition = goal.precondition});
+  links_.push_back({.producer = producer,
+                    .consumer = goal.consumer,
+                    .precondition = goal.precondition,
+                    .after = goal.after});
   FindThreatsTo(links_.back());
   return true;
 }
@@ -267,10 +276,12 @@ bool PartialPlan::Separate(const Threat& threat) {
 }
 
 void PartialPlan::Reopen(const Threat& threat) {
+  std::vector<StepId> after = threat.link.after;
+  after.push_back(threat.violator);
   Unlink(threat.link);
-  goals_.operational.push_back({.consumer = threat.link.consumer,
-                                .precondition = threat.link.precondition,
-                                .after = {threat.violator}});
+  Open({.consumer = threat.link.consumer,
+        .precondition = threat.link.precondition,
+        .after = std::move(after)});
 }
 
 // Geometric goals that the condition qualifies constrained the variable that it was bound to; they

@@ -14,16 +14,18 @@ namespace assay::posting {
 
 using domain::VariableId;
 
-// producer makes true what consumer needs as its precondition number `precondition`.
-struct CausalLink {
-  StepId producer;
-  StepId consumer;
-  int precondition;
-};
-
 // An operational goal: the condition must hold just before the consumer. Its establisher must come
 // after each of the steps in `after`, which undo it.
 struct OperationalGoal {
+  StepId consumer;
+  int precondition;
+  std::vector<StepId> after = {};
+};
+
+// producer makes true what consumer needs as its precondition number `precondition`. Any other
+// producer must come after `after`, as this one does.
+struct CausalLink {
+  StepId producer;
   StepId consumer;
   int precondition;
   std::vector<StepId> after = {};
@@ -41,11 +43,15 @@ struct Threat {
   StepId violator;
 };
 
-// The goals that are still open, by type; each stack's top is its back.
+// The goals that are still open, by type; each stack's top is its back. They are served in this
+// order: geometric goals when no operational one is left that they could depend on (Spar), and
+// last the operational goals without a plan variable, gripper(open): how these are established
+// only orders steps, and there is no use in ordering steps that no geometry allows.
 struct GoalStacks {
   std::vector<Threat> threats;
   std::vector<OperationalGoal> operational;
   std::vector<GeometricGoalRef> geometric;
+  std::vector<OperationalGoal> ordering;
 };
 
 // A family of plans: steps without an order of their own, and separate constraints on when and how
@@ -84,6 +90,7 @@ class PartialPlan {
   std::optional<Threat> PopThreat();
   std::optional<OperationalGoal> PopOperational();
   std::optional<GeometricGoalRef> PopGeometric();
+  std::optional<OperationalGoal> PopOrdering();
 
   // ---- Operational refinements (Spar, "Satisfying Operational Goals") ----------------------
   // Fresh instances of all actions that could establish the goal.
@@ -97,7 +104,8 @@ class PartialPlan {
   bool IsThreat(const Threat& threat) const;  // under the constraints so far
   bool Promote(const Threat& threat);         // prior_to(consumer, violator)
   bool Separate(const Threat& threat);        // the two must not codesignate
-  // The goal goes back on its stack, to be established after the violator.
+  // The goal goes back on its stack, to be established after the violator, and after those that
+  // threatened it before: so it goes back once for each step of the plan at most.
   void Reopen(const Threat& threat);
 
   // ---- Geometric refinements (Spar, "Satisfying Geometric Goals") --------------------------
@@ -120,6 +128,7 @@ class PartialPlan {
   void AddGoals();
   StepId Append(domain::ActionTemplate action);
   void OpenPreconditions(StepId step);
+  void Open(OperationalGoal goal);
   void AddNode(VariableId variable, const std::vector<int>& labels);
   int LabelCount(VariableId variable) const;
   bool HasNode(VariableId variable) const;

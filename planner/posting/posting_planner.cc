@@ -74,7 +74,7 @@ class PostingPlanner {
   }
 
   // Refines the partial plan so that it satisfies one more goal, in every way until one leads to a
-  // plan. Threats come before operational goals, and these before geometric ones.
+  // plan; goals in the order of the stacks.
   bool Refine(const PartialPlan& plan) {
     if (!partial_plans_.Spend()) return false;
     ++depth_;
@@ -86,6 +86,8 @@ class PostingPlanner {
       found = Satisfy(next, *operational);
     } else if (const auto geometric = next.PopGeometric()) {
       found = Satisfy(next, *geometric);
+    } else if (const auto ordering = next.PopOrdering()) {
+      found = Satisfy(next, *ordering);
     } else {
       found = Complete(next);
     }

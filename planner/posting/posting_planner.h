@@ -12,8 +12,8 @@ namespace assay::posting {
 class PartialPlan;
 
 struct PlannerOptions {
-  std::int64_t partial_plans = 200'000;       // budget of the first phase
-  std::int64_t instance_choices = 5'000'000;  // budget for making instances, in values tried
+  std::int64_t partial_plans = 200'000;     // budget of the first phase
+  std::int64_t instance_choices = 100'000;  // budget for making instances, in values tried
   // Asked of each plan instance in turn: the first that it accepts is the plan. Empty: the first.
   std::function<bool(const plan::Plan&)> accept = {};
   // Shown the partial plan, the family that the plan is an instance of; may be empty.

@@ -92,7 +92,7 @@ TEST_F(ExamplePlan, AThreatenedGripperIsReopenedByThePutdown) {
   PartialPlan plan(problem_, relations_);
   EstablishByNewStep(plan);                                                  // action_1: assemble
   const StepId pickup_peg = EstablishByNewStep(plan);                        // action_2
-  ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOperational()));  // gripper(open)
+  ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOrdering()));     // gripper(open)
   ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOperational()));  // part_location(peg)
   const StepId putdown = EstablishByNewStep(plan);  // action_3: for part_location(block)
   ASSERT_EQ(plan.step(putdown).kind, ActionKind::kPutdown);
@@ -105,7 +105,7 @@ TEST_F(ExamplePlan, AThreatenedGripperIsReopenedByThePutdown) {
   ASSERT_TRUE(plan.IsThreat(*threat));
 
   plan.Reopen(*threat);
-  const OperationalGoal gripper = *plan.PopOperational();
+  const OperationalGoal gripper = *plan.PopOrdering();
   EXPECT_EQ(plan.Text(plan.ConditionOf(gripper.consumer, gripper.precondition)), "gripper(open)");
   ASSERT_TRUE(plan.CanEstablish(putdown, gripper));
   ASSERT_TRUE(plan.Establish(putdown, gripper));
@@ -117,7 +117,7 @@ TEST_F(ExamplePlan, PromotionPutsTheViolatorAfterTheConsumer) {
   PartialPlan plan(problem_, relations_);
   EstablishByNewStep(plan);
   const StepId pickup_peg = EstablishByNewStep(plan);
-  ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOperational()));
+  ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOrdering()));
   ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOperational()));
   EstablishByNewStep(plan);
   const StepId pickup_block = EstablishByNewStep(plan);
@@ -136,7 +136,6 @@ TEST_F(ExamplePlan, SeparationKeepsTheTwoPositionsApart) {
   const StepId putdown = EstablishByNewStep(plan);  // part_location(block, pos)
   const OperationalGoal holding = *plan.PopOperational();
   const StepId pickup = plan.AddStep(plan.Establishers(holding).front());  // tied to no goal
-  plan.PopOperational();                                                   // gripper(open)
   const OperationalGoal location = *plan.PopOperational();
   const StepId other = plan.AddStep(plan.Establishers(location).front());  // a second putdown
   ASSERT_TRUE(plan.Establish(other, location));
@@ -164,7 +163,6 @@ TEST_F(ExamplePlan, AnInconsistentConstraintIsRefused) {
   plan.PopOperational();
   const StepId putdown = EstablishByNewStep(plan);
   const StepId pickup = EstablishByNewStep(plan);
-  ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOperational()));  // gripper(open)
   ASSERT_TRUE(plan.Establish(PartialPlan::kStart, *plan.PopOperational()));  // part_location
   ASSERT_TRUE(plan.Post({.consumer = assemble, .goal = 1}));                 // on its back
   ASSERT_TRUE(plan.Post({.consumer = pickup, .goal = 0}));                   // reachable face down
