@@ -16,7 +16,7 @@ test_planner_only() {
 test_with_sanitizers() {
   local libraries=(base geometry kinematics network domain plan posting)
   build asan-ubsan "${libraries[@]/%/_test}"
-  quietly ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${libraries[*]}"))\."
+  ASSAY_MUTATIONS=10000 quietly ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${libraries[*]}"))\."
 }
 
 # Prints the commands in README.md's ```sh blocks that call the program or the scripts here.

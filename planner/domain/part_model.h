@@ -55,6 +55,8 @@ struct Feature {
   Pose X_PartFeature;         // the mating frame: origin on the axis at the mouth, z along the
                               // axis, outward; of a shaft: at the centre of its tip; of a face:
                               // at its centroid, z = normal
+
+  bool is_plain_face() const { return faces.size() == 1 && mouths.empty(); }
 };
 
 // What the part file says, with everything that is computed from it. Immutable and shared: two

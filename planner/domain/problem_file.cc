@@ -17,6 +17,7 @@
 namespace assay::domain {
 namespace {
 
+constexpr double kFeatureOffset = 0.001;      // metres that mating features may be off their axis
 constexpr double kDefaultClearance = 0.0005;  // metres
 constexpr Range kClearances = {1e-6, 0.01};   // metres
 constexpr Range kLengthErrors = {-1, 1};      // metres
@@ -160,6 +161,7 @@ class ProblemFile {
   MatingId ReadMating(const Value& value);
   void ReadFeatures(const Value& features, Mating& mating) const;
   Vector3 ReadMatingVector(const Value& value) const;
+  void CheckFeaturesMeet(const Value& value, const Mating& mating) const;
   void CheckMating(const Value& value, const Mating& mating) const;
   void ReadGoals(const Value& goals);
   void ReadGoal(const Value& goal);
@@ -452,6 +454,24 @@ Vector3 ProblemFile::ReadMatingVector(const Value& value) const {
 }
 
 // The parts, moved along the mating vector, must fit into each other.
+// Shafts and holes that mate lie on one axis, to within what the clearance leaves open.
+void ProblemFile::CheckFeaturesMeet(const Value& value, const Mating& mating) const {
+  for (const auto& [of_held, of_fixed] : mating.features) {
+    const Feature& held = *problem_.part(mating.held).model->FindFeature(of_held);
+    const Feature& fixed = *problem_.part(mating.fixed).model->FindFeature(of_fixed);
+    if (held.is_plain_face() || fixed.is_plain_face()) continue;
+    const Vector3 offset =
+        fixed.X_PartFeature.inverse() * mating.X_FixedHeld * held.X_PartFeature.translation();
+    const double beside = offset.head<2>().norm();
+    const double most = problem_.clearance + kFeatureOffset;
+    if (beside <= most) continue;
+    value.At("features")
+        .Fail(fmt::format("in the mated pose feature {} lies {:.4g} beside feature {}",
+                          of_held.index(), InFileUnits(beside), of_fixed.index()),
+              fmt::format("features whose axes are at most {:.4g} apart", InFileUnits(most)));
+  }
+}
+
 void ProblemFile::CheckMating(const Value& value, const Mating& mating) const {
   const auto& held = problem_.part(mating.held).model->shape();
   const auto& fixed = problem_.part(mating.fixed).model->shape();
@@ -469,6 +489,7 @@ void ProblemFile::CheckMating(const Value& value, const Mating& mating) const {
                           InFileUnits(before_end * mating.mating_vector.norm())),
               allowed);
   }
+  CheckFeaturesMeet(value, mating);
 }
 
 void ProblemFile::ReadGoals(const Value& goals) {

@@ -9,6 +9,7 @@
 
 #include "planner/plan/action_check.h"
 #include "planner/plan/goal_check.h"
+#include "planner/plan/label_check.h"
 #include "planner/plan/linearization.h"
 #include "planner/plan/world_state.h"
 
@@ -140,6 +141,11 @@ CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_lin
                                             return Visit::kContinue;
                                           });
   report.flaws = simulation.TakeFlaws();
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    for (std::string& label : MisleadingLabels(problem, plan.steps[i].action)) {
+      report.flaws.push_back({StepId(i), std::move(label)});
+    }
+  }
 
   const auto [first, second] = FirstBroken(plan.ordering, execution);
   if (!first.IsNone()) {

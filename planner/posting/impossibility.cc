@@ -27,7 +27,15 @@ using network::Relation;
 namespace {
 
 // Constraints of a problem, each of which can be left out.
-enum class Kind { kGraspCondition, kStart, kFeaturesOffTable, kFrictionCone, kFeaturesOffPads };
+enum class Kind {
+  kGraspCondition,
+  kStart,
+  kMatedStart,
+  kLocated,
+  kFeaturesOffTable,
+  kFrictionCone,
+  kFeaturesOffPads
+};
 struct Constraint {
   Kind kind;
   int index;  // of the condition in kConditions, of the part or of the mating
@@ -86,13 +94,21 @@ class RelaxedProblem {
     for (std::size_t c = 0; c < kConditions.size(); ++c) {
       constraints.push_back({Kind::kGraspCondition, static_cast<int>(c)});
     }
+    for (int p = static_cast<int>(problem_.parts.size()) - 1; p >= 0; --p) {
+      constraints.push_back({Kind::kStart, p});
+    }
     for (std::size_t m = 0; m < problem_.matings.size(); ++m) {
       for (Kind kind : {Kind::kFeaturesOffPads, Kind::kFeaturesOffTable, Kind::kFrictionCone}) {
         constraints.push_back({kind, static_cast<int>(m)});
       }
     }
-    for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
-      constraints.push_back({Kind::kStart, static_cast<int>(p)});
+    for (std::size_t i = 0; i < problem_.assembled.size(); ++i) {
+      constraints.push_back({Kind::kMatedStart, static_cast<int>(i)});
+    }
+    for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
+      if (std::holds_alternative<domain::LocatedGoal>(problem_.goals[g])) {
+        constraints.push_back({Kind::kLocated, static_cast<int>(g)});
+      }
     }
     return constraints;
   }
@@ -139,6 +155,14 @@ class RelaxedProblem {
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
       geometry.reachable.push_back(reach_[p].Without(left_out));
       geometry.start.push_back(StartWith(constraints, static_cast<int>(p)));
+      geometry.movable.push_back(MovableWith(constraints, PartId(p)));
+    }
+    geometry.located.resize(problem_.parts.size());
+    for (std::size_t g = 0; g < problem_.goals.size(); ++g) {
+      const auto* located = std::get_if<domain::LocatedGoal>(&problem_.goals[g]);
+      if (located && Has(constraints, Kind::kLocated, static_cast<int>(g))) {
+        geometry.located[located->part.index()] = LocatedLabels(problem_, *located);
+      }
     }
     for (std::size_t m = 0; m < problem_.matings.size(); ++m) {
       geometry.mate_reachable.push_back(mate_[m].Without(left_out));
@@ -154,6 +178,15 @@ class RelaxedProblem {
     std::vector<int> anywhere(initial + 1);
     std::iota(anywhere.begin(), anywhere.end(), 0);
     return anywhere;
+  }
+
+  bool MovableWith(const std::vector<Constraint>& constraints, PartId part) const {
+    for (std::size_t i = 0; i < problem_.assembled.size(); ++i) {
+      const Mating& mating = problem_.mating(problem_.assembled[i]);
+      if (mating.held != part && mating.fixed != part) continue;
+      if (Has(constraints, Kind::kMatedStart, static_cast<int>(i))) return false;
+    }
+    return true;
   }
 
   std::vector<int> GraspListWith(const std::vector<Constraint>& constraints, MatingId id) const {
@@ -191,41 +224,73 @@ class RelaxedProblem {
   std::vector<ConditionTable> mate_;   // by mating
 };
 
-std::string FeatureList(const Mating& mating, bool of_held) {
+enum class Side { kHeld, kFixed };
+
+std::string FeatureList(const Mating& mating, Side side) {
   std::string text;
   for (const auto& [held, fixed] : mating.features) {
-    text += fmt::format("{}{}", text.empty() ? "" : ", ", (of_held ? held : fixed).index());
+    text +=
+        fmt::format("{}{}", text.empty() ? "" : ", ", (side == Side::kHeld ? held : fixed).index());
   }
   return text;
 }
 
+std::string PoseName(const Part& part, StablePoseId id) {
+  const domain::StablePose& pose = part.model->stable_poses()[id.index()];
+  return pose.name.empty() ? pose.label : pose.name;
+}
+
+std::string DescribeStart(const Part& part) {
+  return part.resting.IsNone()
+             ? fmt::format("{} does not start on the table by itself", part.name)
+             : fmt::format("{} starts {}", part.name, PoseName(part, part.resting));
+}
+
+std::string DescribeLocated(const Problem& problem, const domain::LocatedGoal& goal) {
+  std::string poses;
+  for (StablePoseId pose : goal.stable_poses) {
+    poses +=
+        fmt::format("{}{}", poses.empty() ? "" : " or ", PoseName(problem.part(goal.part), pose));
+  }
+  return fmt::format("{} is to end {}", problem.part(goal.part).name, poses);
+}
+
+std::string DescribeMating(const Problem& problem, const Mating& mating, Kind kind) {
+  const std::string& held = problem.part(mating.held).name;
+  const std::string& fixed = problem.part(mating.fixed).name;
+  if (kind == Kind::kMatedStart) {
+    return fmt::format("{} and {} are mated at the start, and mated parts are not moved", held,
+                       fixed);
+  }
+  if (kind == Kind::kFeaturesOffPads) {
+    return fmt::format("the pads leave features {} of {} free while it is mated",
+                       FeatureList(mating, Side::kHeld), held);
+  }
+  if (kind == Kind::kFeaturesOffTable) {
+    return fmt::format("the table leaves features {} of {} free while {} is mated with it",
+                       FeatureList(mating, Side::kFixed), fixed, held);
+  }
+  return fmt::format(
+      "the mating vector of {} into {} points down into the friction cone (friction {})", held,
+      fixed, problem.workcell->rules().friction);
+}
+
 std::string RelaxedProblem::Describe(const Constraint& constraint) const {
-  if (constraint.kind == Kind::kGraspCondition) {
-    return domain::Describe(problem_, kConditions[constraint.index]);
-  }
-  if (constraint.kind == Kind::kStart) {
-    const Part& part = problem_.parts[constraint.index];
-    if (part.resting.IsNone()) return fmt::format("{} starts on another part", part.name);
-    const auto& pose = part.model->stable_poses()[part.resting.index()];
-    return fmt::format("{} starts {}", part.name, pose.name.empty() ? pose.label : pose.name);
-  }
-  const Mating& mating = problem_.matings[constraint.index];
-  const std::string& held = problem_.part(mating.held).name;
-  const std::string& fixed = problem_.part(mating.fixed).name;
   switch (constraint.kind) {
-    case Kind::kFeaturesOffPads:
-      return fmt::format("the pads leave features {} of {} free while it is mated",
-                         FeatureList(mating, true), held);
-    case Kind::kFeaturesOffTable:
-      return fmt::format("the table leaves features {} of {} free while {} is mated with it",
-                         FeatureList(mating, false), fixed, held);
-    case Kind::kFrictionCone:
-      return fmt::format(
-          "the mating vector of {} into {} points down into the friction cone (friction {})", held,
-          fixed, problem_.workcell->rules().friction);
     case Kind::kGraspCondition:
+      return domain::Describe(problem_, kConditions[constraint.index]);
     case Kind::kStart:
-      break;
+      return DescribeStart(problem_.parts[constraint.index]);
+    case Kind::kLocated:
+      return DescribeLocated(problem_,
+                             std::get<domain::LocatedGoal>(problem_.goals[constraint.index]));
+    case Kind::kMatedStart:
+      return DescribeMating(problem_, problem_.mating(problem_.assembled[constraint.index]),
+                            constraint.kind);
+    case Kind::kFeaturesOffTable:
+    case Kind::kFrictionCone:
+    case Kind::kFeaturesOffPads:
+      return DescribeMating(problem_, problem_.matings[constraint.index], constraint.kind);
   }
   return {};
 }

@@ -44,52 +44,40 @@ std::vector<int> LeastPutdowns(const Relation& reachable, const std::vector<int>
   return putdowns;
 }
 
-// The least number of actions that bring each part where one goal wants it.
+// What the goals ask of each part, and the least number of actions that it takes.
 class PartDemands {
  public:
   PartDemands(const Problem& problem, const LabelGeometry& geometry)
-      : problem_(problem), geometry_(geometry), actions_(problem.parts.size(), 0) {
+      : problem_(problem), geometry_(geometry), demands_(problem.parts.size()) {
     for (std::size_t p = 0; p < problem.parts.size(); ++p) {
-      putdowns_.push_back(LeastPutdowns(*geometry.reachable[p], geometry.start[p],
-                                        domain::InitialLabel(problem.parts[p])));
+      const int stable_poses = geometry.movable[p] ? domain::InitialLabel(problem.parts[p]) : 0;
+      demands_[p].putdowns = LeastPutdowns(*geometry.reachable[p], geometry.start[p], stable_poses);
+      if (!geometry.located[p].empty()) RestIn(demands_[p], geometry.located[p]);
     }
-  }
-
-  void Add(const LocatedGoal& goal) {
-    int least = kUnreachable;
-    for (domain::StablePoseId pose : goal.stable_poses) {
-      least = std::min(least, putdowns_[goal.part.index()][pose.index()]);
-    }
-    for (int position : geometry_.start[goal.part.index()]) {
-      const domain::Part& part = problem_.part(goal.part);
-      const int resting = position == domain::InitialLabel(part) ? part.resting.index() : position;
-      const bool there = std::ranges::any_of(goal.stable_poses,
-                                             [&](auto pose) { return pose.index() == resting; });
-      if (there) least = 0;
-    }
-    Demand(goal.part, 2 * least);
   }
 
   void Add(MatingId id) {
     const Mating& mating = problem_.mating(id);
     int least_held = kUnreachable;
-    int least_fixed = kUnreachable;
-    for (int grasp : geometry_.grasp_list[id.index()]) {
-      const int held = LeastPutdownsToTake(mating.held, grasp);
-      for (int position : geometry_.position_list[id.index()]) {
+    std::vector<int> positions;
+    for (int position : geometry_.position_list[id.index()]) {
+      int least = kUnreachable;
+      for (int grasp : geometry_.grasp_list[id.index()]) {
         if (!geometry_.mate_reachable[id.index()]->Allows(grasp, position)) continue;
-        least_held = std::min(least_held, held);
-        least_fixed = std::min(least_fixed, putdowns_[mating.fixed.index()][position]);
+        least = std::min(least, LeastPutdownsToTake(mating.held, grasp));
       }
+      if (least < kUnreachable) positions.push_back(position);
+      least_held = std::min(least_held, least);
     }
-    Demand(mating.held, 2 * least_held + 1);
-    Demand(mating.fixed, 2 * least_fixed);
+    demands_[mating.held.index()].taken = 2 * least_held + 1;
+    RestIn(demands_[mating.fixed.index()], positions);
     ++assembles_;
   }
 
   std::optional<int> Total() const {
     int total = assembles_;
-    for (int actions : actions_) {
+    for (const Demand& demand : demands_) {
+      const int actions = Actions(demand);
       if (actions >= kUnreachable) return std::nullopt;
       total += actions;
     }
@@ -97,38 +85,68 @@ class PartDemands {
   }
 
  private:
+  struct Demand {
+    std::vector<int> putdowns = {};  // by position: the least number that brings the part there
+    std::optional<int> taken = {};   // actions until it is in the hand for its mating
+    bool rests = false;              // at the end, in one of `ends`
+    std::vector<int> ends = {};      // positions, increasing
+  };
+
+  static void RestIn(Demand& demand, std::vector<int> positions) {
+    std::ranges::sort(positions);
+    if (demand.rests) {
+      std::vector<int> both;
+      std::ranges::set_intersection(demand.ends, positions, std::back_inserter(both));
+      positions = std::move(both);
+    }
+    demand.rests = true;
+    demand.ends = std::move(positions);
+  }
+
+  // A mated part rests nowhere by itself.
+  static int Actions(const Demand& demand) {
+    if (demand.taken) return demand.rests ? kUnreachable : *demand.taken;
+    if (!demand.rests) return 0;
+    int least = kUnreachable;
+    for (int position : demand.ends) least = std::min(least, 2 * demand.putdowns[position]);
+    return least;
+  }
+
   int LeastPutdownsToTake(PartId part, int grasp) const {
+    if (!geometry_.movable[part.index()]) return kUnreachable;
     int least = kUnreachable;
     const Relation& reachable = *geometry_.reachable[part.index()];
     for (int position = 0; position < reachable.columns(); ++position) {
       if (reachable.Allows(grasp, position)) {
-        least = std::min(least, putdowns_[part.index()][position]);
+        least = std::min(least, demands_[part.index()].putdowns[position]);
       }
     }
     return least;
   }
 
-  void Demand(PartId part, int actions) {
-    actions_[part.index()] = std::max(actions_[part.index()], actions);
-  }
-
   const Problem& problem_;
   const LabelGeometry& geometry_;
-  std::vector<std::vector<int>> putdowns_;  // by part and position
-  std::vector<int> actions_;                // by part
+  std::vector<Demand> demands_;  // by part
   int assembles_ = 0;
 };
 
 }  // namespace
 
+std::vector<int> LocatedLabels(const Problem& problem, const LocatedGoal& goal) {
+  const domain::Part& part = problem.part(goal.part);
+  std::vector<int> labels;
+  for (domain::StablePoseId pose : goal.stable_poses) labels.push_back(pose.index());
+  if (std::ranges::count(goal.stable_poses, part.resting) > 0) {
+    labels.push_back(domain::InitialLabel(part));
+  }
+  return labels;
+}
+
 std::optional<int> LeastActions(const Problem& problem, const LabelGeometry& geometry) {
   PartDemands demands(problem, geometry);
   for (const domain::Goal& goal : problem.goals) {
-    if (const auto* located = std::get_if<LocatedGoal>(&goal)) {
-      demands.Add(*located);
-    } else if (std::ranges::count(problem.assembled, std::get<MatingId>(goal)) == 0) {
-      demands.Add(std::get<MatingId>(goal));
-    }
+    const auto* mating = std::get_if<MatingId>(&goal);
+    if (mating && std::ranges::count(problem.assembled, *mating) == 0) demands.Add(*mating);
   }
   return demands.Total();
 }

@@ -11,9 +11,12 @@ namespace assay::posting {
 
 // The geometry of a problem as sets of labels, each part and each mating by itself.
 struct LabelGeometry {
-  // By part: reachable(grasp, position), and the positions that it may start in.
+  // By part: reachable(grasp, position), the positions that it may start in, whether it can be
+  // taken from there (mated parts cannot), and those that the goals want it to end in.
   std::vector<std::shared_ptr<const network::Relation>> reachable;
   std::vector<std::vector<int>> start;
+  std::vector<bool> movable;
+  std::vector<std::vector<int>> located;  // empty: any
   // By mating: mate_reachable(grasp, position), GraspList and PositionList.
   std::vector<std::shared_ptr<const network::Relation>> mate_reachable;
   std::vector<std::vector<int>> grasp_list;
@@ -24,8 +27,11 @@ struct LabelGeometry {
 //
 // A part gets from one position to the next only by a grasp that is reachable in both, so its ways
 // are the paths of a graph over positions: its regrasp graph (Tournassoud, Lozano-Perez and Mazer
-// 1987). What other parts do cannot shorten them. The bound adds, over parts, the longest of the
-// shortest paths that the goals ask of it.
+// 1987). What other parts do cannot shorten them. A part that something is mated with stays, so
+// that it ends in a position that all its goals allow. The bound adds the shortest paths.
 std::optional<int> LeastActions(const domain::Problem& problem, const LabelGeometry& geometry);
+
+// The positions that a located goal allows; the one at the start if the part rests so there.
+std::vector<int> LocatedLabels(const domain::Problem& problem, const domain::LocatedGoal& goal);
 
 }  // namespace assay::posting

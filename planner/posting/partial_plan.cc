@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "planner/base/check.h"
+#include "planner/posting/least_actions.h"
 
 namespace assay::posting {
 
@@ -88,14 +89,9 @@ void PartialPlan::AddGoals() {
     }
     const auto& located = std::get<LocatedGoal>(goal);
     const VariableId position = variables_.AddFree(VariableKind::kPosition, located.part);
-    std::vector<int> labels;
-    for (domain::StablePoseId pose : located.stable_poses) labels.push_back(pose.index());
-    if (std::ranges::count(located.stable_poses, problem_->part(located.part).resting) > 0) {
-      labels.push_back(domain::InitialLabel(problem_->part(located.part)));
-    }
     finish.geometric.push_back({.constraint = {.kind = ConstraintKind::kInPositionClass,
                                                .position = position,
-                                               .labels = std::move(labels)},
+                                               .labels = LocatedLabels(*problem_, located)},
                                 .qualifies = {static_cast<int>(finish.preconditions.size())}});
     finish.preconditions.push_back(Condition::Located(located.part, position));
   }
@@ -216,6 +212,7 @@ bool PartialPlan::Establish(StepId producer, const OperationalGoal& goal) {
                     .precondition = goal.precondition,
                     .after = goal.after});
   FindThreatsTo(links_.back());
+  FindThreatsOf(goal.consumer);  // what it deletes is known better now
   return true;
 }
 
@@ -302,6 +299,8 @@ void PartialPlan::Unlink(const CausalLink& link) {
   goals_.geometric.insert(goals_.geometric.end(), first.begin(), first.end());
   satisfied_geometric_.erase(first.begin(), first.end());
   RebuildNetwork();
+  // Label sets have grown, so that conditions may codesignate that could not before.
+  for (std::size_t s = 0; s < steps_.size(); ++s) FindThreatsOf(StepId(s));
 }
 
 // The labels that variables begin with, and the separations.

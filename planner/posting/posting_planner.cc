@@ -13,6 +13,7 @@
 #include "planner/posting/instance.h"
 #include "planner/posting/least_actions.h"
 #include "planner/posting/partial_plan.h"
+#include "planner/posting/world.h"
 
 namespace assay::posting {
 namespace {
@@ -52,6 +53,13 @@ class PostingPlanner {
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
       geometry.reachable.push_back(relations_.Reachable(domain::PartId(p)));
       geometry.start.push_back({domain::InitialLabel(problem_.parts[p])});
+      geometry.movable.push_back(!World(problem_).mated(domain::PartId(p)));
+    }
+    geometry.located.resize(problem_.parts.size());
+    for (const domain::Goal& goal : problem_.goals) {
+      if (const auto* located = std::get_if<domain::LocatedGoal>(&goal)) {
+        geometry.located[located->part.index()] = LocatedLabels(problem_, *located);
+      }
     }
     for (std::size_t m = 0; m < problem_.matings.size(); ++m) {
       geometry.mate_reachable.push_back(relations_.MateReachable(domain::MatingId(m)));

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -98,7 +99,7 @@ Execution Declare(CLI::App& command) {
       "--json", [] {}, "JSON, which is what is printed anyway");
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
   command.add_option("--budget", options->budget, "how many nodes of the search tree to visit")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();
   return [options] { return Execute(*options); };
 }

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -120,7 +121,7 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::Range(1, 1'000'000));
   command.add_flag("--check", options->check, "check the plan with the independent checker");
   command.add_option("--budget", options->budget, "how many partial plans to look at")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

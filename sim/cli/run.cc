@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -220,7 +221,8 @@ Execution Declare(CLI::App& command) {
   command.add_option("input", options->input, "scenario file, or plan file")->required();
   CLI::Option* const folder = command.add_option(
       "-o,--output", options->folder, "folder for plan.json, trace.jsonl, result.json, pictures");
-  command.add_option("--trials", options->trials, "how many trials")->check(CLI::PositiveNumber);
+  command.add_option("--trials", options->trials, "how many trials")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
   command.add_option("--seed", options->seed, "of all that is random; the scenario's if left out")
       ->check(CLI::NonNegativeNumber);
@@ -235,7 +237,7 @@ Execution Declare(CLI::App& command) {
       "--scatter", options->scatter,
       "in each trial the parts lie at other places, drawn from the seed, and a plan is made anew");
   command.add_option("--trial", options->trial, "run only this one of the scattered trials")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->needs(scatter);
   command.add_flag("--json", options->json, "print the result as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")

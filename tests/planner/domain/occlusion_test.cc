@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "planner/domain/condition.h"
 #include "planner/domain/mating_classes.h"
 #include "planner/domain/problem_file.h"
 

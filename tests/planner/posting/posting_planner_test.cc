@@ -169,6 +169,61 @@ goal:
   EXPECT_EQ(std::ranges::count(plan, "assemble peg block"), 1);
 }
 
+// Each brick takes two manipulations by itself; their order is free, and the hand serves one at a
+// time.
+TEST(PostingPlanner, GoalsOfManyPartsAreMetTogether) {
+  std::string parts;
+  std::string goals;
+  for (int i = 0; i < 4; ++i) {
+    parts += fmt::format("  brick{}: {{model: brick, pose: {{stable: upright, at: [{}, {}]}}}}\n",
+                         i, 20 + 6 * (i % 2), -6 + 12 * (i / 2));
+    goals += fmt::format("  - located: {{part: brick{}, stable: [on-front]}}\n", i);
+  }
+  const domain::Problem problem = ScenarioFrom(
+      "format: assay-scenario/1\nunits: {length: inch, angle: degree}\n"
+      "workcell: puma762-table\nparts:\n" +
+      parts + "goal:\n" + goals);
+  const auto plan = PlanOf(problem);
+  EXPECT_THAT(plan.size(), ::testing::Ge(8u));
+  EXPECT_EQ(std::ranges::count_if(plan,
+                                  [](const std::string& step) {
+                                    return step.starts_with("putdown") &&
+                                           step.ends_with("on-front");
+                                  }),
+            4);
+}
+
+// A part that something is to be mated with stays where it is then.
+TEST(PostingPlanner, GoalsThatContradictEachOtherAreToldApart) {
+  const plan::PlanResult result =
+      MakePlan(ScenarioFrom(PegAndBlock("{stable: face-down, at: [22, 6], yaw: 30}",
+                                        "{stable: on-side, at: [20, -8], yaw: -120}",
+                                        "  - located: {part: block, stable: [face-down]}\n")),
+               {});
+  EXPECT_EQ(result.outcome, Outcome::kNone);
+  EXPECT_THAT(result.conflict, ::testing::Contains("block is to end face-down"));
+}
+
+TEST(PostingPlanner, MatedPartsStayMated) {
+  const std::string mating =
+      "  - assembled: {held: peg, fixed: block, features: [[7, 8], [7, 8]],\n"
+      "      pose: {columns: [[-1, 0, 0], [0, 1, 0], [0, 0, -1], [3, 0, 3.25]]},\n"
+      "      mating_vector: [-4, 0, 0]}\n";
+  const std::string text =
+      "format: assay-scenario/1\nunits: {length: inch, angle: degree}\n"
+      "workcell: puma762-table\nparts:\n"
+      "  block: {model: block, pose: {stable: on-back, at: [22, 6]}}\n  peg: {model: peg}\n"
+      "initially:\n" +
+      mating + "goal:\n";
+  const plan::PlanResult kept = MakePlan(ScenarioFrom(text + mating), {});
+  EXPECT_EQ(kept.outcome, Outcome::kFound);
+  EXPECT_TRUE(kept.plan.steps.empty());
+  const plan::PlanResult moved =
+      MakePlan(ScenarioFrom(text + "  - located: {part: block, stable: [on-end]}\n"), {});
+  EXPECT_EQ(moved.outcome, Outcome::kNone);
+  EXPECT_THAT(moved.conflict, ::testing::Contains(HasSubstr("are mated at the start")));
+}
+
 TEST(PostingPlanner, TheImpossibleScenarioSaysWhy) {
   const plan::PlanResult result = MakePlan(LoadScenario("impossible"), {});
   EXPECT_EQ(result.outcome, Outcome::kNone);
