@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "planner/base/random.h"
+#include "tests/scratch_file.h"
 
 namespace assay {
 namespace {
@@ -326,8 +327,7 @@ TEST(ParseTest, SurvivesHostileNesting) {
 }
 
 TEST(LoadTest, ReadsAFileAndNamesIt) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "assay_document_test.yaml";
+  const std::filesystem::path file = ScratchFile("document.yaml");
   std::ofstream(file) << "format: assay-scenario/1\nx: y\n";
   const Document document = Document::Load(file);
   document.RequireFormat("assay-scenario/1");
@@ -344,8 +344,7 @@ TEST(LoadTest, RefusesMissingFilesAndDirectories) {
 }
 
 TEST(LoadTest, RefusesTooLargeAFile) {
-  const std::filesystem::path file =
-      std::filesystem::path(testing::TempDir()) / "assay_document_test_large";
+  const std::filesystem::path file = ScratchFile("large.yaml");
   std::ofstream(file) << "a";
   std::filesystem::resize_file(file, (std::uintmax_t{8} << 20) + 1);
   EXPECT_THAT(Error([&] { Document::Load(file); }),

@@ -12,6 +12,7 @@
 #include <tuple>
 
 #include "planner/base/input_error.h"
+#include "tests/scratch_file.h"
 
 namespace assay::domain {
 namespace {
@@ -106,7 +107,7 @@ TEST(Workcell, WithRulesChangesNothingElse) {
 // copies of the robot and the gripper, into a folder of their own.
 class WrongWorkcell : public testing::Test {
  protected:
-  WrongWorkcell() : folder_(std::filesystem::path(testing::TempDir()) / "assay_wrong_workcell") {
+  WrongWorkcell() : folder_(ScratchFile("workcell")) {
     std::stringstream text;
     text << std::ifstream(FileOf("puma762-table")).rdbuf();
     text_ = text.str();

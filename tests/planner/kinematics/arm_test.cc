@@ -12,6 +12,7 @@
 #include "planner/base/input_error.h"
 #include "planner/base/random.h"
 #include "tests/oracle/forward_kinematics.h"
+#include "tests/scratch_file.h"
 
 namespace assay::kinematics {
 namespace {
@@ -36,7 +37,7 @@ std::string PumaText() {
 }
 
 std::filesystem::path WriteUrdf(const std::string& name, const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / name;
+  const std::filesystem::path path = ScratchFile(name);
   std::ofstream(path) << text;
   return path;
 }

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "planner/base/input_error.h"
+#include "tests/scratch_file.h"
 
 namespace assay::kinematics {
 namespace {
@@ -91,7 +92,7 @@ TEST_P(WrongGripperFile, IsRefused) {
        at = text.find(from, at + std::string(GetParam().to).size())) {
     text.replace(at, from.size(), GetParam().to);
   }
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "gripper.urdf";
+  const std::filesystem::path path = ScratchFile("gripper.urdf");
   std::ofstream(path) << text;
   try {
     Gripper::FromUrdf(path);

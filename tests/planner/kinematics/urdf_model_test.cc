@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "planner/base/input_error.h"
+#include "tests/scratch_file.h"
 
 namespace assay::kinematics {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 const std::filesystem::path kModels = std::filesystem::path(ASSAY_SOURCE_DIR) / "models";
 
 std::filesystem::path WriteUrdf(const std::string& text) {
-  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "model.urdf";
+  const std::filesystem::path path = ScratchFile("model.urdf");
   std::ofstream(path) << text;
   return path;
 }

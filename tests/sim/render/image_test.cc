@@ -6,13 +6,11 @@
 
 #include "planner/base/input_error.h"
 #include "planner/base/random.h"
+#include "tests/scratch_file.h"
 
 namespace assay::render {
 namespace {
 
-std::filesystem::path Scratch(const std::string& name) {
-  return std::filesystem::path(testing::TempDir()) / name;
-}
 
 Image Noise(int width, int height) {
   Image image{width, height, {}};
@@ -30,8 +28,8 @@ Image Plain(int width, int height, std::uint8_t value) {
 TEST(WritePng, KeepsEveryPixel) {
   for (const auto& [width, height] : {std::pair{1, 1}, {7, 5}, {64, 33}}) {
     const Image image = Noise(width, height);
-    WritePng(image, Scratch("noise.png"));
-    EXPECT_TRUE(ReadImage(Scratch("noise.png")) == image);
+    WritePng(image, ScratchFile("noise.png"));
+    EXPECT_TRUE(ReadImage(ScratchFile("noise.png")) == image);
   }
 }
 
@@ -45,9 +43,9 @@ TEST(WritePng, SaysThatTheDiskIsFull) {
 }
 
 TEST(ReadImage, RefusesWhatIsNoPicture) {
-  std::ofstream(Scratch("text.png")) << "no picture";
-  EXPECT_THROW(ReadImage(Scratch("text.png")), InputError);
-  EXPECT_THROW(ReadImage(Scratch("absent.png")), InputError);
+  std::ofstream(ScratchFile("text.png")) << "no picture";
+  EXPECT_THROW(ReadImage(ScratchFile("text.png")), InputError);
+  EXPECT_THROW(ReadImage(ScratchFile("absent.png")), InputError);
 }
 
 TEST(ContactSheet, PutsImagesInRows) {
