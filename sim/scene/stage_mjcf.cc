@@ -119,7 +119,7 @@ void AddCameras(const Problem& problem, XmlElement& worldbody) {
   const double reach = parts.radius + problem.workcell->rules().safe_height;
   const Vector3 middle =
       parts.center + Vector3(0.05, 0, 0.4 * problem.workcell->rules().safe_height);
-  const Vector3 close = Vector3(0.8, -0.75, 0.6).normalized() * 2 * reach;
+  const Vector3 close = Vector3(0.8, -0.75, 0.6).normalized() * 1.8 * reach;
   AddCamera({"overview", Vector3(cell.x() + 2.3, -2.3, 1.5), cell, 42}, worldbody);
   AddCamera({"close", middle + close, middle, 35}, worldbody);
   AddCamera({"side", Vector3(table.x() * 0.7, -3.2, 0.7), {table.x() * 0.5, 0, 0.48}, 38},
