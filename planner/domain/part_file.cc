@@ -25,6 +25,7 @@ constexpr double kThinnestWall = 1e-5;          // that a pocket may leave, metr
 constexpr double kLeastCut = 1e-12;             // of a pocket, cubic metres
 constexpr double kAligned = 1e-6;               // between unit vectors that should be equal
 constexpr double kRounding = 1e-9;              // metres
+constexpr Range kChamfers = {0, 0.02};          // metres
 
 std::string ReadName(const Value& value) {
   std::string name = value.Text();
@@ -316,6 +317,9 @@ Feature PartFile::ReadFeature(const Value& entry, const PartModel& model) const 
     entry.Fail("a feature is a face, a hole or a shaft", "one of the keys face, hole, shaft");
   }
   if (const auto what = entry.Find("what")) feature.description = ReadName(*what);
+  if (const auto chamfer = entry.Find("chamfer")) {
+    feature.chamfer = ReadWithin(*chamfer, units_.length, kChamfers);
+  }
   return feature;
 }
 
@@ -337,7 +341,7 @@ void PartFile::ReadFace(const Value& entry, const PartModel& model, Feature& fea
 }
 
 void PartFile::ReadHole(const Value& entry, const PartModel& model, Feature& feature) const {
-  entry.AllowOnly({"hole", "axis", "what"});
+  entry.AllowOnly({"hole", "axis", "what", "chamfer"});
   const Pocket& pocket = PocketNamed(entry.At("hole"));
   const Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
   const Box whole = solid.whole.Transformed(solid.X_PartSolid);
@@ -361,7 +365,7 @@ void PartFile::ReadHole(const Value& entry, const PartModel& model, Feature& fea
 
 // The tip is where the solids reach farthest along the axis; the axis runs through the first one.
 void PartFile::ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const {
-  entry.AllowOnly({"shaft", "axis", "what"});
+  entry.AllowOnly({"shaft", "axis", "what", "chamfer"});
   const std::vector<int> names = SolidsNamed(entry.At("shaft"));
   const Solid& first = solids_[static_cast<std::size_t>(names.front())];
   const Box core = first.whole.Transformed(first.X_PartSolid);

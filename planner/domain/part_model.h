@@ -55,6 +55,9 @@ struct Feature {
   Pose X_PartFeature;         // the mating frame: origin on the axis at the mouth, z along the
                               // axis, outward; of a shaft: at the centre of its tip; of a face:
                               // at its centroid, z = normal
+  // Of a hole's mouth or of a shaft's tip: how far its edges are bevelled, across the axis and
+  // along it, metres. The boxes do not show it.
+  double chamfer = 0;
 
   bool is_plain_face() const { return faces.size() == 1 && mouths.empty(); }
 };

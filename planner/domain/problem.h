@@ -9,18 +9,10 @@
 #include "planner/domain/grasp.h"
 #include "planner/domain/mating.h"
 #include "planner/domain/part_model.h"
+#include "planner/domain/pose_error.h"
 #include "planner/domain/workcell.h"
 
 namespace assay::domain {
-
-// Half-widths or intervals of what is not known exactly about a pose: metres and radians.
-struct Interval {
-  double low = 0;
-  double high = 0;
-};
-struct PoseError {
-  Interval x, y, z, theta;
-};
 
 // A part of a problem: a named copy of a model, and where it is at the start.
 struct Part {
@@ -59,7 +51,7 @@ struct Problem {
   std::vector<MatingId> assembled;  // true at the start
   std::vector<Goal> goals;
   PoseError gripper_error;
-  std::vector<std::string> sensors;  // that the workcell has: "overhead-camera"
+  std::vector<std::string> sensors;  // of the workcell that may be used: "overhead-camera"
   double clearance = 0;              // metres on each side of a mated shaft
 
   const Part& part(PartId id) const { return parts[id.index()]; }

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <utility>
 
+#include "planner/domain/mating_file.h"
 #include "planner/domain/occlusion.h"
+#include "planner/domain/pose_error_file.h"
 #include "planner/domain/reachability.h"
 #include "planner/domain/resting.h"
 #include "planner/domain/workcell_file.h"
@@ -20,12 +20,7 @@ namespace {
 constexpr double kFeatureOffset = 0.001;      // metres that mating features may be off their axis
 constexpr double kDefaultClearance = 0.0005;  // metres
 constexpr Range kClearances = {1e-6, 0.01};   // metres
-constexpr Range kLengthErrors = {-1, 1};      // metres
-constexpr Range kAngleErrors = {-std::numbers::pi, std::numbers::pi};
-constexpr double kShortestMatingVector = 1e-6;  // metres
-constexpr double kLongestMatingVector = 2;      // metres
-constexpr double kMatingStep = 0.005;           // metres between looks along a mating vector
-constexpr double kSamePose = 1e-9;              // of two matings that are written twice
+constexpr double kSamePose = 1e-9;            // of two matings that are written twice
 
 // The folders of `folder` that hold `file`, by name.
 std::vector<std::string> FoldersWith(const std::filesystem::path& folder, const char* file) {
@@ -54,50 +49,10 @@ std::string ReadOptionalText(const Value& root, std::string_view key) {
   return text ? text->Text() : "";
 }
 
-Interval ReadInterval(const Value& value, double unit, const Range& range) {
-  if (!value.IsList()) {
-    const double half_width = ReadWithin(value, unit, range);
-    if (half_width < 0) {
-      value.Fail(fmt::format("the half-width {} is negative", value.Text()), "0 or more");
-    }
-    return {-half_width, half_width};
-  }
-  const std::vector<Value> ends = value.Items();
-  if (ends.size() != 2) {
-    value.Fail(fmt::format("a list of length {}", ends.size()), "a half-width or [low, high]");
-  }
-  const Interval interval = {ReadWithin(ends[0], unit, range), ReadWithin(ends[1], unit, range)};
-  if (interval.low > interval.high) {
-    value.Fail(fmt::format("the interval goes down, from {} to {}", ends[0].Text(), ends[1].Text()),
-               "[low, high]");
-  }
-  return interval;
-}
-
 // What is left out is known exactly.
 PoseError ReadError(const Value& owner, const Units& units) {
-  PoseError error;
-  const std::optional<Value> given = owner.Find("error");
-  if (!given) return error;
-  given->AllowOnly({"x", "y", "z", "theta"});
-  if (const auto x = given->Find("x")) error.x = ReadInterval(*x, units.length, kLengthErrors);
-  if (const auto y = given->Find("y")) error.y = ReadInterval(*y, units.length, kLengthErrors);
-  if (const auto z = given->Find("z")) error.z = ReadInterval(*z, units.length, kLengthErrors);
-  if (const auto theta = given->Find("theta")) {
-    error.theta = ReadInterval(*theta, units.angle, kAngleErrors);
-  }
-  return error;
-}
-
-FeatureNumber ReadFeature(const Value& value, const Part& part) {
-  const FeatureNumber number(value.Integer(0, 9999));
-  if (part.model->FindFeature(number) != nullptr) return number;
-  std::vector<std::string> known;
-  for (const Feature& feature : part.model->features()) {
-    known.push_back(fmt::format("{} ({})", feature.number.index(), feature.description));
-  }
-  value.Fail(fmt::format("part '{}' has no feature {}", part.name, number.index()),
-             fmt::format("{}", fmt::join(known, ", ")));
+  const std::optional<Value> error = owner.Find("error");
+  return error ? ReadPoseError(*error, units, {}) : PoseError{};
 }
 
 bool IsSameMating(const Mating& a, const Mating& b) {
@@ -158,11 +113,7 @@ class ProblemFile {
   void CheckAboveTable(const Value& place, const Part& part) const;
   void CheckApart() const;
   void FindOcclusions();
-  MatingId ReadMating(const Value& value);
-  void ReadFeatures(const Value& features, Mating& mating) const;
-  Vector3 ReadMatingVector(const Value& value) const;
-  void CheckFeaturesMeet(const Value& value, const Mating& mating) const;
-  void CheckMating(const Value& value, const Mating& mating) const;
+  MatingId AddMating(const Value& value);
   void ReadGoals(const Value& goals);
   void ReadGoal(const Value& goal);
   LocatedGoal ReadLocated(const Value& located) const;
@@ -266,11 +217,17 @@ ProblemFile::Model ProblemFile::ReadModel(const Value& name) {
 }
 
 void ProblemFile::ReadSensing(const Value& root) {
-  static const std::vector<std::string> kSensors = {"overhead-camera"};
   const std::optional<Value> sensing = root.Find("sensing");
   if (!sensing) return;
+  std::vector<std::string> known;
+  for (const SensorModel& sensor : problem_.workcell->uncertainty_operations().sensors) {
+    known.push_back(sensor.name);
+  }
   for (const Value& item : sensing->Items()) {
-    const std::string& sensor = kSensors[item.OneOf(kSensors)];
+    if (known.empty()) {
+      item.Fail(fmt::format("the workcell '{}' has no sensor", problem_.workcell->name()), "[]");
+    }
+    const std::string& sensor = known[item.OneOf(known)];
     if (std::ranges::find(problem_.sensors, sensor) != problem_.sensors.end()) {
       item.Fail(fmt::format("'{}' is given twice", sensor), "each sensor once");
     }
@@ -288,7 +245,7 @@ void ProblemFile::ReadInitially(const Value& root) {
 }
 
 void ProblemFile::ReadInitialMating(const Value& value) {
-  const MatingId id = ReadMating(value);
+  const MatingId id = AddMating(value);
   const PartId held = problem_.mating(id).held;
   const std::string& name = problem_.part(held).name;
   if (!mating_of_[held.index()].IsNone()) {
@@ -403,93 +360,14 @@ void ProblemFile::CheckApart() const {
   }
 }
 
-MatingId ProblemFile::ReadMating(const Value& value) {
-  value.AllowOnly({"held", "fixed", "features", "pose", "mating_vector"});
-  Mating mating;
-  mating.held = ReadPartName(value.At("held"));
-  mating.fixed = ReadPartName(value.At("fixed"));
-  if (mating.held == mating.fixed) {
-    value.At("fixed").Fail(
-        fmt::format("part '{}' is to be mated with itself", names_[mating.held.index()]),
-        "two parts");
-  }
-  ReadFeatures(value.At("features"), mating);
-  const Value pose = value.At("pose");
-  pose.AllowOnly({"columns"});
-  mating.X_FixedHeld = ReadColumns(pose.At("columns"), units_);
-  mating.mating_vector = ReadMatingVector(value.At("mating_vector"));
-  CheckMating(value, mating);
+// A mating that is written twice, at the start and as a goal, is one.
+MatingId ProblemFile::AddMating(const Value& value) {
+  Mating mating = ReadMating(value, problem_, units_);
   const auto known = std::ranges::find_if(
       problem_.matings, [&](const Mating& other) { return IsSameMating(mating, other); });
   const MatingId id(static_cast<std::size_t>(known - problem_.matings.begin()));
   if (known == problem_.matings.end()) problem_.matings.push_back(std::move(mating));
   return id;
-}
-
-void ProblemFile::ReadFeatures(const Value& features, Mating& mating) const {
-  const std::vector<Value> lists = features.Items();
-  if (lists.size() != 2 || lists[0].Items().size() != lists[1].Items().size() ||
-      lists[0].Items().empty()) {
-    features.Fail("the features do not pair",
-                  "[[of the held part], [of the fixed part]], as many of each");
-  }
-  const std::vector<Value> held = lists[0].Items();
-  const std::vector<Value> fixed = lists[1].Items();
-  for (std::size_t i = 0; i < held.size(); ++i) {
-    mating.features.emplace_back(ReadFeature(held[i], problem_.part(mating.held)),
-                                 ReadFeature(fixed[i], problem_.part(mating.fixed)));
-  }
-}
-
-Vector3 ProblemFile::ReadMatingVector(const Value& value) const {
-  const Vector3 vector = ReadVector3(value, units_);
-  if (vector.norm() < kShortestMatingVector) {
-    value.Fail("the mating vector is zero", "the way from where the mating starts");
-  }
-  if (vector.norm() > kLongestMatingVector) {
-    value.Fail(fmt::format("the mating vector is {:.4g} long", InFileUnits(vector.norm())),
-               fmt::format("at most {:.4g}", InFileUnits(kLongestMatingVector)));
-  }
-  return vector;
-}
-
-// The parts, moved along the mating vector, must fit into each other.
-// Shafts and holes that mate lie on one axis, to within what the clearance leaves open.
-void ProblemFile::CheckFeaturesMeet(const Value& value, const Mating& mating) const {
-  for (const auto& [of_held, of_fixed] : mating.features) {
-    const Feature& held = *problem_.part(mating.held).model->FindFeature(of_held);
-    const Feature& fixed = *problem_.part(mating.fixed).model->FindFeature(of_fixed);
-    if (held.is_plain_face() || fixed.is_plain_face()) continue;
-    const Vector3 offset =
-        fixed.X_PartFeature.inverse() * mating.X_FixedHeld * held.X_PartFeature.translation();
-    const double beside = offset.head<2>().norm();
-    const double most = problem_.clearance + kFeatureOffset;
-    if (beside <= most) continue;
-    value.At("features")
-        .Fail(fmt::format("in the mated pose feature {} lies {:.4g} beside feature {}",
-                          of_held.index(), InFileUnits(beside), of_fixed.index()),
-              fmt::format("features whose axes are at most {:.4g} apart", InFileUnits(most)));
-  }
-}
-
-void ProblemFile::CheckMating(const Value& value, const Mating& mating) const {
-  const auto& held = problem_.part(mating.held).model->shape();
-  const auto& fixed = problem_.part(mating.fixed).model->shape();
-  const double allowance = problem_.workcell->rules().contact_allowance;
-  const int steps = static_cast<int>(std::ceil(mating.mating_vector.norm() / kMatingStep));
-  for (int i = 0; i <= steps; ++i) {
-    const double before_end = static_cast<double>(i) / steps;
-    const Pose X_FixedHeld =
-        geometry::Translation(-before_end * mating.mating_vector) * mating.X_FixedHeld;
-    if (!Overlaps(held, X_FixedHeld, fixed, Pose::Identity(), allowance)) continue;
-    const std::string allowed = fmt::format("an overlap of at most {:.4g}", InFileUnits(allowance));
-    if (i == 0) value.At("pose").Fail("the parts overlap in the mated pose", allowed);
-    value.At("mating_vector")
-        .Fail(fmt::format("the parts overlap on the way, {:.4g} before its end",
-                          InFileUnits(before_end * mating.mating_vector.norm())),
-              allowed);
-  }
-  CheckFeaturesMeet(value, mating);
 }
 
 void ProblemFile::ReadGoals(const Value& goals) {
@@ -505,7 +383,7 @@ void ProblemFile::ReadGoal(const Value& goal) {
               "one of assembled, located");
   }
   if (const auto assembled = goal.Find("assembled")) {
-    const MatingId id = ReadMating(*assembled);
+    const MatingId id = AddMating(*assembled);
     if (std::ranges::find(problem_.goals, Goal(id)) != problem_.goals.end()) {
       assembled->Fail("this goal is given twice", "each goal once");
     }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/domain/uncertainty_operations.h"
 #include "planner/geometry/collision.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/pose.h"
@@ -39,6 +40,11 @@ struct WorkcellRules {
   double grip_force = 0;         // N
   double part_gap = 0;           // least horizontal gap to leave to other parts, metres
   double contact_allowance = 0;  // overlap that a geometric test forgives, metres
+  double pad_margin = 0;         // contact points must stay so far inside the pads' edges, metres
+  // How far a guarded descent, of a putdown or of a mating, may end before or beyond the height
+  // that is expected: it goes on until it meets resistance. Metres.
+  double guarded_travel = 0;
+  double lateral_compliance = 0;  // how far the wrist yields sideways in a mating; 0: rigid; metres
 };
 
 class Workcell {
@@ -58,6 +64,7 @@ class Workcell {
   const kinematics::JointVector& joint_acceleration() const { return joint_acceleration_; }
   // Where parts may be put down, best first.
   const std::vector<Placement>& placements() const { return placements_; }
+  const UncertaintyOperations& uncertainty_operations() const { return uncertainty_operations_; }
 
   // The flange pose, in the arm's base frame, that brings the tool to X_WorldTool.
   geometry::Pose FlangeFor(const geometry::Pose& X_WorldTool) const;
@@ -83,6 +90,7 @@ class Workcell {
   kinematics::JointVector home_ = kinematics::JointVector::Zero();
   kinematics::JointVector joint_acceleration_ = kinematics::JointVector::Zero();
   std::vector<Placement> placements_;
+  UncertaintyOperations uncertainty_operations_;
 };
 
 }  // namespace assay::domain

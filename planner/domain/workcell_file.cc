@@ -9,6 +9,8 @@
 #include <string>
 #include <tuple>
 
+#include "planner/domain/uncertainty_operations_file.h"
+
 namespace assay::domain {
 namespace {
 
@@ -28,8 +30,8 @@ struct Rule {
 };
 
 // Approach directions finer than 5 degrees, or contact allowances of more than a few millimetres,
-// are slips of a unit rather than wishes.
-constexpr std::array<Rule, 9> kRules = {{
+// are slips of a unit rather than wishes; so are the other lengths that are bounded tightly.
+constexpr std::array<Rule, 12> kRules = {{
     {"tool_lean", &WorkcellRules::tool_lean, Dimension::kAngle, {0, kPi / 2}},
     {"approach_step", &WorkcellRules::approach_step, Dimension::kAngle, {kPi / 36, kPi / 2}},
     {"approach_distance", &WorkcellRules::approach_distance, Dimension::kLength, {0.001, 0.5}},
@@ -39,6 +41,9 @@ constexpr std::array<Rule, 9> kRules = {{
     {"grip_force", &WorkcellRules::grip_force, Dimension::kNumber, {0.1, 1000}},
     {"part_gap", &WorkcellRules::part_gap, Dimension::kLength, {0, 0.5}},
     {"contact_allowance", &WorkcellRules::contact_allowance, Dimension::kLength, {0, 0.005}},
+    {"pad_margin", &WorkcellRules::pad_margin, Dimension::kLength, {0, 0.01}},
+    {"guarded_travel", &WorkcellRules::guarded_travel, Dimension::kLength, {0, 0.05}},
+    {"lateral_compliance", &WorkcellRules::lateral_compliance, Dimension::kLength, {0, 0.05}},
 }};
 
 double UnitOf(Dimension dimension, const Units& units) {
@@ -118,8 +123,8 @@ WorkcellFile::WorkcellFile(const std::filesystem::path& file)
   const Document document = Document::Load(file);
   document.RequireFormat("assay-workcell/1");
   const Value& root = document.root();
-  root.AllowOnly(
-      {"format", "description", "units", "robot", "gripper", "table", "rules", "placements"});
+  root.AllowOnly({"format", "description", "units", "robot", "gripper", "table", "rules",
+                  "placements", "sensors", "verifications", "recoveries"});
   if (const auto description = root.Find("description")) description->Text();
   units_ = ReadUnits(root);
   workcell_->name_ = folder_.filename().string();
@@ -128,6 +133,7 @@ WorkcellFile::WorkcellFile(const std::filesystem::path& file)
   ReadTable(root.At("table"));
   ReadAllRules(root.At("rules"));
   ReadPlacements(root.At("placements"));
+  workcell_->uncertainty_operations_ = ReadUncertaintyOperations(root, units_);
 }
 
 void WorkcellFile::ReadRobot(const Value& robot) {

@@ -35,20 +35,25 @@ struct Handling {
   Pose X_WorldTool() const { return X_WorldPart * hold.X_PartTool; }
 };
 
+// None if the hand does nothing.
 struct HandlingOf {
   const domain::Problem& problem;
 
-  Handling operator()(const Pickup& pickup) const {
-    return {pickup.part, pickup.hold, pickup.from.X_WorldPart, Vector3::Zero()};
+  std::optional<Handling> operator()(const Pickup& pickup) const {
+    return Handling{pickup.part, pickup.hold, pickup.from.X_WorldPart};
   }
-  Handling operator()(const Putdown& putdown) const {
-    return {putdown.part, putdown.hold, putdown.to.X_WorldPart, Vector3::Zero()};
+  std::optional<Handling> operator()(const Putdown& putdown) const {
+    return Handling{putdown.part, putdown.hold, putdown.to.X_WorldPart};
   }
-  Handling operator()(const Assemble& assemble) const {
+  std::optional<Handling> operator()(const Assemble& assemble) const {
     const domain::Mating& mating = problem.mating(assemble.mating);
     const Pose& X_WorldFixed = assemble.fixed.X_WorldPart;
-    return {mating.held, assemble.hold, X_WorldFixed * mating.X_FixedHeld,
-            X_WorldFixed.linear() * mating.mating_vector};
+    return Handling{mating.held, assemble.hold, X_WorldFixed * mating.X_FixedHeld,
+                    X_WorldFixed.linear() * mating.mating_vector};
+  }
+  std::optional<Handling> operator()(const Sense&) const { return std::nullopt; }
+  std::optional<Handling> operator()(const Squeeze& squeeze) const {
+    return Handling{squeeze.part, squeeze.hold, squeeze.at.X_WorldPart};
   }
 };
 
@@ -96,11 +101,11 @@ double LowestOf(const Sweep& sweep) {
 
 class ActionChecker::Examination {
  public:
-  Examination(const ActionChecker& checker, const WorldState& before, const Action& action)
+  Examination(const ActionChecker& checker, const WorldState& before, const Handling& handling)
       : problem_(checker.problem_),
         cell_(*checker.problem_.workcell),
         centers_(checker.centers_),
-        handling_(std::visit(HandlingOf{checker.problem_}, action)),
+        handling_(handling),
         allowance_(cell_.rules().contact_allowance + kRounding) {
     CollectObstacles(before);
   }
@@ -194,7 +199,10 @@ class ActionChecker::Examination {
     if (const std::optional<std::string> why = WhyOutOfReach(cell_, lines)) Report("{}", *why);
   }
 
+  // The hand does no more than at any grasp.
   void ExamineOwn(const Pickup&) {}
+  void ExamineOwn(const Squeeze&) {}
+  void ExamineOwn(const Sense&) {}
 
   void ExamineOwn(const Putdown& putdown) {
     const Pose& X_WorldPart = putdown.to.X_WorldPart;
@@ -306,7 +314,9 @@ ActionChecker::ActionChecker(const domain::Problem& problem) : problem_(problem)
 
 std::vector<std::string> ActionChecker::BrokenConditions(const WorldState& before,
                                                          const Action& action) const {
-  return Examination(*this, before, action).Run(action);
+  const std::optional<Handling> handling = std::visit(HandlingOf{problem_}, action);
+  if (!handling) return {};
+  return Examination(*this, before, *handling).Run(action);
 }
 
 }  // namespace assay::plan

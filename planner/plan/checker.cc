@@ -32,6 +32,8 @@ struct SpeaksOf {
   bool operator()(const Assemble& assemble) const {
     return IsIndexOf(assemble.mating, problem.matings);
   }
+  bool operator()(const Sense& sense) const { return IsIndexOf(sense.part, problem.parts); }
+  bool operator()(const Squeeze& squeeze) const { return IsIndexOf(squeeze.part, problem.parts); }
 };
 
 // What makes a plan no plan at all, so that no order of it can be gone through.

@@ -10,15 +10,15 @@
 #include "planner/base/id.h"
 #include "planner/base/outcome.h"
 #include "planner/domain/mating.h"
+#include "planner/domain/uncertainty_operations.h"
 #include "planner/geometry/pose.h"
+#include "planner/plan/certificate.h"
 
 namespace assay::plan {
 
 using domain::MatingId;
 using domain::PartId;
 using geometry::Pose;
-
-using StepId = Id<struct StepTag>;  // index in Plan::steps, which is the order of insertion
 
 // How the hand holds a part. Complete in itself: who executes a plan need not compute grasps.
 struct Hold {
@@ -51,22 +51,65 @@ struct Assemble {
   Place fixed;  // of the fixed part
 };
 
-using Action = std::variant<Pickup, Putdown, Assemble>;
+// A sensor of the workcell looks at a part that lies free: what is believed of the part's pose is
+// then as good as the sensor.
+struct Sense {
+  PartId part;
+  std::string sensor;
+  Place at;
+};
+
+// The pads close on a part and open again, to bring it to where the hand is: the manipulation that
+// reduces uncertainty (Spar, "Satisfying Uncertainty-Reduction Goals").
+struct Squeeze {
+  PartId part;
+  Hold hold;
+  Place at;
+};
+
+using Action = std::variant<Pickup, Putdown, Assemble, Sense, Squeeze>;
 
 struct PlannedStep {
   std::string name;  // "action_3"
   Action action;
   int inserted = 0;  // position in the order in which the planner added the steps, from 1
   int executed = 0;  // position in the order of execution, from 1
+  Certificate certificate = {};
 };
 
-// A plan instance: every plan variable has its value (Spar, "Representation of Plans").
+// A check after a step whose preconditions could not be proved: a measured quantity against what it
+// is when the step went well (Spar, figure 11).
+struct Verification {
+  StepId step;  // that it follows
+  std::string name;
+  domain::MeasuredQuantity quantity;
+  double expected = 0;   // metres
+  double tolerance = 0;  // metres, on both sides
+  std::string below;     // error signalled if less than expected - tolerance; empty: none
+  std::string above;     // likewise if more
+};
+
+// What is done when a verification signals an error (Spar, figure 12).
+struct Recovery {
+  StepId step;  // whose failure it mends
+  std::string error;
+  domain::RecoveryStrategy strategy;
+  double radius = 0;  // metres, of a groping search
+  double pitch = 0;   // metres, between its tries
+};
+
+// A plan instance: every plan variable has its value (Spar, "Representation of Plans"); with the
+// error count, the verifications and the recoveries an augmented plan instance.
 struct Plan {
   std::string problem;                                   // name of the scenario
   std::vector<PlannedStep> steps = {};                   // in the order of insertion
   std::vector<std::pair<StepId, StepId>> ordering = {};  // first before second; the order of
                                                          // execution is one of its linearizations,
                                                          // and every other one works too
+  std::vector<Verification> verifications = {};
+  std::vector<Recovery> recoveries = {};
+  int errors = 0;  // actions whose uncertainty-reduction goals are not met (Spar's error count)
+
   const PlannedStep& step(StepId id) const { return steps[id.index()]; }
   std::vector<StepId> ExecutionOrder() const;
 };

@@ -8,7 +8,10 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "planner/base/check.h"
+#include "planner/plan/certificate_file.h"
 #include "planner/plan/linearization.h"
+#include "planner/plan/recovery_file.h"
 
 namespace assay::plan {
 namespace {
@@ -24,7 +27,8 @@ constexpr double kLargestCount = 9007199254740992.0;  // 2^53: greater ones are 
 // The words of the format, in the order of the enum Outcome.
 const std::vector<std::string> kOutcomes = {"planned", "none", "budget"};
 // In the order of the alternatives of Action.
-const std::vector<std::string> kActions = {"pickup", "putdown", "assemble"};
+enum class ActionName { kPickup, kPutdown, kAssemble, kSense, kSqueeze };
+const std::vector<std::string> kActions = {"pickup", "putdown", "assemble", "sense", "squeeze"};
 
 Json VectorToJson(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
@@ -74,27 +78,61 @@ struct ArgumentsOf {
             {"grasp", assemble.hold.grasp},
             {"position", assemble.fixed.position}};
   }
+  Json operator()(const Sense& sense) const {
+    return {{"part", problem.part(sense.part).name},
+            {"sensor", sense.sensor},
+            {"position", sense.at.position}};
+  }
+  Json operator()(const Squeeze& squeeze) const {
+    return {{"part", problem.part(squeeze.part).name},
+            {"grasp", squeeze.hold.grasp},
+            {"position", squeeze.at.position}};
+  }
 };
 
-const Hold& HoldOf(const Action& action) {
-  return std::visit([](const auto& a) -> const Hold& { return a.hold; }, action);
-}
+// Null if the hand holds nothing in the action.
+struct HoldOf {
+  const Hold* operator()(const Sense&) const { return nullptr; }
+  const Hold* operator()(const auto& a) const { return &a.hold; }
+};
 
 const Place& PlaceOf(const Pickup& pickup) { return pickup.from; }
 const Place& PlaceOf(const Putdown& putdown) { return putdown.to; }
 const Place& PlaceOf(const Assemble& assemble) { return assemble.fixed; }
+const Place& PlaceOf(const Sense& sense) { return sense.at; }
+const Place& PlaceOf(const Squeeze& squeeze) { return squeeze.at; }
 const Place& PlaceOf(const Action& action) {
   return std::visit([](const auto& a) -> const Place& { return PlaceOf(a); }, action);
 }
 
+std::vector<std::string> NamesOf(const std::vector<PlannedStep>& steps) {
+  std::vector<std::string> names;
+  for (const PlannedStep& step : steps) names.push_back(step.name);
+  return names;
+}
+
 Json StepToJson(const PlannedStep& step, const domain::Problem& problem) {
-  return {{"id", step.name},
-          {"name", kActions[step.action.index()]},
-          {"arguments", std::visit(ArgumentsOf{problem}, step.action)},
-          {"inserted", step.inserted},
-          {"executed", step.executed},
-          {"hold", HoldToJson(HoldOf(step.action))},
-          {"place", PlaceToJson(PlaceOf(step.action))}};
+  Json json = {{"id", step.name},
+               {"name", kActions[step.action.index()]},
+               {"arguments", std::visit(ArgumentsOf{problem}, step.action)},
+               {"inserted", step.inserted},
+               {"executed", step.executed}};
+  if (const Hold* hold = std::visit(HoldOf{}, step.action)) json["hold"] = HoldToJson(*hold);
+  json["place"] = PlaceToJson(PlaceOf(step.action));
+  return json;
+}
+
+Json ActionsToJson(const Plan& plan, const domain::Problem& problem) {
+  const std::vector<std::string> names = NamesOf(plan.steps);
+  Json actions = Json::array();
+  for (const PlannedStep& step : plan.steps) {
+    Json json = StepToJson(step, problem);
+    if (step.certificate != Certificate{}) {
+      json["certificate"] = ToJson(step.certificate, problem, names);
+    }
+    actions.push_back(std::move(json));
+  }
+  return actions;
 }
 
 Json OrderingToJson(const Plan& plan) {
@@ -186,22 +224,59 @@ MatingId ReadMating(const Value& arguments, const domain::Problem& problem) {
   return MatingId(static_cast<int>(found - problem.matings.begin()));
 }
 
-Action ReadAction(const Value& action, const domain::Problem& problem) {
-  const int kind = action.At("name").OneOf(kActions);
-  const Value arguments = action.At("arguments");
-  if (kind == 2) {
-    arguments.AllowOnly(
-        {"held", "fixed", "features", "X_FixedHeld", "mating_vector", "grasp", "position"});
-    return Assemble{ReadMating(arguments, problem), ReadHold(action), ReadPlace(action)};
+std::string ReadSensor(const Value& name, const domain::Problem& problem) {
+  std::vector<std::string> known;
+  for (const auto& sensor : problem.workcell->uncertainty_operations().sensors) {
+    known.push_back(sensor.name);
   }
+  name.OneOf(known);
+  return name.Text();
+}
+
+Assemble ReadAssemble(const Value& action, const domain::Problem& problem) {
+  const Value arguments = action.At("arguments");
+  arguments.AllowOnly(
+      {"held", "fixed", "features", "X_FixedHeld", "mating_vector", "grasp", "position"});
+  return {ReadMating(arguments, problem), ReadHold(action), ReadPlace(action)};
+}
+
+Sense ReadSense(const Value& action, const domain::Problem& problem) {
+  action.AllowOnly({"id", "name", "arguments", "inserted", "executed", "place", "certificate"});
+  const Value arguments = action.At("arguments");
+  arguments.AllowOnly({"part", "sensor", "position"});
+  return {ReadPart(arguments.At("part"), problem), ReadSensor(arguments.At("sensor"), problem),
+          ReadPlace(action)};
+}
+
+// Pickup, putdown or squeeze.
+template <class Handling>
+Handling ReadHandling(const Value& action, const domain::Problem& problem) {
+  const Value arguments = action.At("arguments");
   arguments.AllowOnly({"part", "grasp", "position"});
-  const PartId part = ReadPart(arguments.At("part"), problem);
-  if (kind == 1) return Putdown{part, ReadHold(action), ReadPlace(action)};
-  return Pickup{part, ReadHold(action), ReadPlace(action)};
+  return {ReadPart(arguments.At("part"), problem), ReadHold(action), ReadPlace(action)};
+}
+
+Action ReadAction(const Value& action, const domain::Problem& problem) {
+  const auto name = static_cast<ActionName>(action.At("name").OneOf(kActions));
+  switch (name) {
+    case ActionName::kPickup:
+      return ReadHandling<Pickup>(action, problem);
+    case ActionName::kPutdown:
+      return ReadHandling<Putdown>(action, problem);
+    case ActionName::kAssemble:
+      return ReadAssemble(action, problem);
+    case ActionName::kSense:
+      return ReadSense(action, problem);
+    case ActionName::kSqueeze:
+      return ReadHandling<Squeeze>(action, problem);
+  }
+  ASSAY_CHECK(false, "an action that the switch does not know");
+  return {};
 }
 
 PlannedStep ReadStep(const Value& action, const domain::Problem& problem) {
-  action.AllowOnly({"id", "name", "arguments", "inserted", "executed", "hold", "place"});
+  action.AllowOnly(
+      {"id", "name", "arguments", "inserted", "executed", "hold", "place", "certificate"});
   const int most = std::numeric_limits<int>::max();
   return {action.At("id").Text(), ReadAction(action, problem),
           action.At("inserted").Integer(1, most), action.At("executed").Integer(1, most)};
@@ -236,8 +311,7 @@ void CheckNumbering(const std::vector<Value>& actions, const std::vector<Planned
 }
 
 Ordering ReadOrdering(const Value& ordering, const std::vector<PlannedStep>& steps) {
-  std::vector<std::string> names;
-  for (const PlannedStep& step : steps) names.push_back(step.name);
+  const std::vector<std::string> names = NamesOf(steps);
   Ordering pairs;
   for (const Value& pair : ordering.Items()) {
     const std::vector<Value> ids = pair.Items();
@@ -271,28 +345,43 @@ std::map<std::string, std::int64_t> ReadCounters(const Value& counters) {
   return counts;
 }
 
-// A PlanResult has no room for these yet, and nothing that a file says may be lost.
-void RequireNoUncertaintyPhase(const Value& root) {
-  for (const char* key : {"verifications", "recoveries"}) {
-    if (!root.At(key).Items().empty()) root.At(key).Fail("an entry that is not known", "[]");
+// What the second phase of planning adds to the steps.
+void ReadAugmentation(const Value& root, const domain::Problem& problem, Plan& plan) {
+  const std::vector<std::string> names = NamesOf(plan.steps);
+  const std::vector<Value> actions = root.At("actions").Items();
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const std::optional<Value> certificate = actions[i].Find("certificate");
+    if (certificate) plan.steps[i].certificate = ReadCertificate(*certificate, problem, names);
   }
-  root.At("errors").Integer(0, 0);
+  for (const Value& value : root.At("verifications").Items()) {
+    plan.verifications.push_back(ReadVerification(value, names));
+  }
+  for (const Value& value : root.At("recoveries").Items()) {
+    plan.recoveries.push_back(ReadRecovery(value, names));
+  }
+  plan.errors = root.At("errors").Integer(0, static_cast<int>(names.size()));
 }
 
 }  // namespace
 
 Json ToJson(const PlanResult& result, const domain::Problem& problem, const std::string& scenario) {
-  Json actions = Json::array();
-  for (const PlannedStep& step : result.plan.steps) actions.push_back(StepToJson(step, problem));
+  const Plan& plan = result.plan;
+  const std::vector<std::string> names = NamesOf(plan.steps);
+  Json verifications = Json::array();
+  for (const Verification& verification : plan.verifications) {
+    verifications.push_back(ToJson(verification, names));
+  }
+  Json recoveries = Json::array();
+  for (const Recovery& recovery : plan.recoveries) recoveries.push_back(ToJson(recovery, names));
   Json json = {{"format", kFormat},
                {"scenario", scenario},
-               {"problem", result.plan.problem},
+               {"problem", plan.problem},
                {"outcome", kOutcomes[static_cast<std::size_t>(result.outcome)]},
-               {"actions", actions},
-               {"ordering", OrderingToJson(result.plan)},
-               {"verifications", Json::array()},
-               {"recoveries", Json::array()},
-               {"errors", 0}};
+               {"actions", ActionsToJson(plan, problem)},
+               {"ordering", OrderingToJson(plan)},
+               {"verifications", verifications},
+               {"recoveries", recoveries},
+               {"errors", plan.errors}};
   if (result.outcome == Outcome::kNone) json["conflict"] = result.conflict;
   json["counters"] = Json::object();
   for (const auto& [name, count] : result.counters) json["counters"][name] = count;
@@ -319,7 +408,7 @@ PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
   for (const Value& action : actions) result.plan.steps.push_back(ReadStep(action, problem));
   CheckNumbering(actions, result.plan.steps);
   result.plan.ordering = ReadOrdering(root.At("ordering"), result.plan.steps);
-  RequireNoUncertaintyPhase(root);
+  ReadAugmentation(root, problem, result.plan);
   result.conflict = ReadConflict(root, result.outcome);
   result.counters = ReadCounters(root.At("counters"));
   return result;

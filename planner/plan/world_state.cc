@@ -36,6 +36,20 @@ class Preconditions {
     return findings_;
   }
 
+  Findings operator()(const Sense& sense) {
+    RequireSensor(sense.sensor);
+    RequireAt(sense.part, sense.at);
+    RequireNotIn(sense.part);
+    return findings_;
+  }
+
+  Findings operator()(const Squeeze& squeeze) {
+    RequireOpenGripper();
+    RequireAt(squeeze.part, squeeze.at);
+    RequireNotMated(squeeze.part);
+    return findings_;
+  }
+
  private:
   const std::string& NameOf(PartId part) const { return problem_.part(part).name; }
 
@@ -67,6 +81,19 @@ class Preconditions {
       findings_.push_back(fmt::format("{} cannot be taken alone: {} is mated into {}", NameOf(part),
                                       NameOf(mating.held), NameOf(mating.fixed)));
     }
+  }
+
+  void RequireSensor(const std::string& sensor) {
+    if (std::ranges::find(problem_.sensors, sensor) != problem_.sensors.end()) return;
+    findings_.push_back(fmt::format("the sensor {} is none that the problem allows", sensor));
+  }
+
+  // A part that sits in another is not free to be located on the table; one that has another in it
+  // is.
+  void RequireNotIn(PartId part) {
+    if (state_.part(part).status != PartStatus::kMated) return;
+    findings_.push_back(
+        fmt::format("{} does not lie free: it is mated into another part", NameOf(part)));
   }
 
   void RequireHolding(PartId part, const Hold& hold) {
@@ -115,6 +142,10 @@ class Effects {
          state_.part(mating.fixed).X_WorldPart * mating.X_FixedHeld);
     state_.assembled.push_back(assemble.mating);
   }
+
+  // They change what is known of a part, and nothing about where it is taken to be.
+  void operator()(const Sense&) {}
+  void operator()(const Squeeze&) {}
 
  private:
   void Move(PartId part, PartStatus status, const Pose& X_WorldPart) {

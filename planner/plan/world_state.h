@@ -8,8 +8,9 @@
 
 namespace assay::plan {
 
-// The checker's own account of the world and of what the three actions need and do: the templates
-// of Spar's figure 2, with whole poses in place of labels.
+// The checker's own account of the world and of what the actions need and do: the templates of
+// Spar's figure 2, with whole poses in place of labels, and the two actions that are about
+// uncertainty, which leave the world as it is.
 
 enum class PartStatus {
   kResting,  // at X_WorldPart, not mated into another part
@@ -41,8 +42,8 @@ std::string InMillimetres(const geometry::Vector3& p);
 WorldState InitialState(const domain::Problem& problem);
 
 // What the action needs and the state does not have, in words. A part that is mated into another,
-// or has another mated into it, cannot be picked up: the actions handle one part at a time. The
-// fixed part of an assemble action may itself be mated into a third.
+// or has another mated into it, cannot be picked up or squeezed: the actions handle one part at a
+// time. The fixed part of an assemble action may itself be mated into a third.
 std::vector<std::string> BrokenPreconditions(const domain::Problem& problem,
                                              const WorldState& state, const Action& action);
 

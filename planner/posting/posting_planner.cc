@@ -201,8 +201,12 @@ class PostingPlanner {
         signature += fmt::format(" {} {};", pickup->part.index(), pickup->hold.grasp);
       } else if (const auto* putdown = std::get_if<plan::Putdown>(&action)) {
         signature += fmt::format(" {} {};", putdown->part.index(), putdown->to.position);
-      } else {
-        signature += fmt::format(" {};", std::get<plan::Assemble>(action).mating.index());
+      } else if (const auto* assemble = std::get_if<plan::Assemble>(&action)) {
+        signature += fmt::format(" {};", assemble->mating.index());
+      } else if (const auto* sense = std::get_if<plan::Sense>(&action)) {
+        signature += fmt::format(" {} {};", sense->part.index(), sense->sensor);
+      } else if (const auto* squeeze = std::get_if<plan::Squeeze>(&action)) {
+        signature += fmt::format(" {} {};", squeeze->part.index(), squeeze->hold.grasp);
       }
     }
     return signature;

@@ -35,6 +35,13 @@ struct ActionText {
                        problem.part(mating.fixed).name, FeaturesText(mating), a.hold.grasp,
                        a.fixed.position);
   }
+  std::string operator()(const plan::Sense& a) const {
+    return fmt::format("sense({}, {}, {})", problem.part(a.part).name, a.sensor, a.at.position);
+  }
+  std::string operator()(const plan::Squeeze& a) const {
+    return fmt::format("squeeze({}, {}, {})", problem.part(a.part).name, a.hold.grasp,
+                       a.at.position);
+  }
 };
 
 }  // namespace

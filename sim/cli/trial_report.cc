@@ -15,14 +15,15 @@ using Json = nlohmann::ordered_json;
 using domain::PartId;
 using geometry::Vector3;
 
-// The part that an action handles.
-PartId PartOf(const domain::Problem& problem, const plan::Action& action) {
-  if (const auto* assemble = std::get_if<plan::Assemble>(&action)) {
-    return problem.mating(assemble->mating).held;
+// The part that an action handles or looks at.
+struct PartOf {
+  const domain::Problem& problem;
+
+  PartId operator()(const plan::Assemble& assemble) const {
+    return problem.mating(assemble.mating).held;
   }
-  if (const auto* pickup = std::get_if<plan::Pickup>(&action)) return pickup->part;
-  return std::get<plan::Putdown>(action).part;
-}
+  PartId operator()(const auto& action) const { return action.part; }
+};
 
 struct StepRow {
   const exec::StepEnd& end;
@@ -36,7 +37,7 @@ std::vector<StepRow> StepRows(const domain::Problem& problem, const plan::Plan& 
   double start = 0;
   for (const exec::StepEnd* end : trace.All<exec::StepEnd>()) {
     const exec::TrueAndBelieved& part =
-        end->moment.parts[PartOf(problem, plan.step(end->step).action).index()];
+        end->moment.parts[std::visit(PartOf{problem}, plan.step(end->step).action).index()];
     rows.push_back(
         {*end, end->moment.time - start, part.truth.translation() - part.believed.translation()});
     start = end->moment.time;

@@ -23,6 +23,7 @@ struct Verb {
   Execution (*declare)(CLI::App& command);  // adds its arguments to the command
 };
 
+extern const Verb kBound;
 extern const Verb kCheck;
 extern const Verb kDoctor;
 extern const Verb kExport;

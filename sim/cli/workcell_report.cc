@@ -33,6 +33,9 @@ constexpr std::array kRules = {
     Rule{"grip_force", &WorkcellRules::grip_force, "N", 1},
     Rule{"part_gap", &WorkcellRules::part_gap, "mm", 0.001},
     Rule{"contact_allowance", &WorkcellRules::contact_allowance, "mm", 0.001},
+    Rule{"pad_margin", &WorkcellRules::pad_margin, "mm", 0.001},
+    Rule{"guarded_travel", &WorkcellRules::guarded_travel, "mm", 0.001},
+    Rule{"lateral_compliance", &WorkcellRules::lateral_compliance, "mm", 0.001},
 };
 
 }  // namespace

@@ -4,6 +4,11 @@
 
 namespace assay::exec {
 
+Pose HomeTool(const domain::Workcell& workcell) {
+  return workcell.X_WorldBase() * workcell.arm().Forward(workcell.home()) *
+         workcell.gripper().X_FlangeTool();
+}
+
 Pose Retreated(const domain::Workcell& workcell, const Pose& X_WorldTool) {
   return X_WorldTool * geometry::Translation(0, 0, -workcell.rules().approach_distance);
 }

@@ -29,6 +29,9 @@ struct TextOf {
     return fmt::format("close on {} to {:.2f} mm", problem.part(close.part).name,
                        1e3 * close.hold.width);
   }
+  std::string operator()(const Look& look) const {
+    return fmt::format("look at {} with {}", problem.part(look.part).name, look.sensor);
+  }
 };
 
 }  // namespace

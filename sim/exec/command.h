@@ -44,7 +44,14 @@ struct CloseGripper {
   plan::Hold hold;
 };
 
-using Command = std::variant<MoveAtSafeHeight, MoveStraight, OpenGripper, CloseGripper>;
+// A sensor looks at a part. There is no camera in the simulation yet: nothing is measured, and what
+// is believed of the part stays what it was; the trace records it.
+struct Look {
+  PartId part;
+  std::string sensor;
+};
+
+using Command = std::variant<MoveAtSafeHeight, MoveStraight, OpenGripper, CloseGripper, Look>;
 
 // One line for people; millimetres, world frame.
 std::string Text(const domain::Problem& problem, const Command& command);

@@ -7,11 +7,6 @@
 namespace assay::exec {
 namespace {
 
-Pose HomeTool(const domain::Workcell& workcell) {
-  return workcell.X_WorldBase() * workcell.arm().Forward(workcell.home()) *
-         workcell.gripper().X_FlangeTool();
-}
-
 struct TextOf {
   const domain::Problem& problem;
 
@@ -24,6 +19,12 @@ struct TextOf {
   std::string operator()(const plan::Assemble& assemble) const {
     const domain::Mating& mating = problem.mating(assemble.mating);
     return fmt::format("assemble({}, {})", Name(mating.held), Name(mating.fixed));
+  }
+  std::string operator()(const plan::Sense& sense) const {
+    return fmt::format("sense({}, {})", Name(sense.part), sense.sensor);
+  }
+  std::string operator()(const plan::Squeeze& squeeze) const {
+    return fmt::format("squeeze({}, {})", Name(squeeze.part), squeeze.hold.grasp);
   }
   const std::string& Name(PartId part) const { return problem.part(part).name; }
 };

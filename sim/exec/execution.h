@@ -68,5 +68,6 @@ Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execut
 Progress Run(const MoveStraight& move, std::span<const Command> rest, Execution& execution);
 Progress Run(const OpenGripper& open, std::span<const Command> rest, Execution& execution);
 Progress Run(const CloseGripper& close, std::span<const Command> rest, Execution& execution);
+Progress Run(const Look& look, std::span<const Command> rest, Execution& execution);
 
 }  // namespace assay::exec

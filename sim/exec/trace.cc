@@ -40,6 +40,13 @@ class TraceWriter {
             {"opening", fact.opening}, {"pads_touch", fact.pads_touch},
             {"holds", fact.holds()}};
   }
+  Json operator()(const LookRecord& look) const {
+    return {{"kind", "look"},
+            {"time", look.time},
+            {"part", Name(look.part)},
+            {"sensor", look.sensor},
+            {"believed", ToJson(look.believed)}};
+  }
   Json operator()(const StepEnd& end) const {
     Json json = Of("step", end.moment);
     json["step"] = end.name;

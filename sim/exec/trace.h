@@ -45,6 +45,15 @@ struct GraspFact {
 };
 inline constexpr double kGraspTolerance = 0.001;  // metres
 
+// That a sensor was to look at a part, and where the part is believed to be. Nothing is measured
+// (Look).
+struct LookRecord {
+  double time = 0;
+  PartId part;
+  std::string sensor;
+  Pose believed;  // world frame
+};
+
 // The end point of a step (Spar, figure 17).
 struct StepEnd {
   plan::StepId step;
@@ -78,7 +87,7 @@ struct ExecutionEnd {
   Moment moment;
 };
 
-using TraceEvent = std::variant<Sample, GraspFact, StepEnd, RestRecord, ExecutionEnd>;
+using TraceEvent = std::variant<Sample, GraspFact, LookRecord, StepEnd, RestRecord, ExecutionEnd>;
 
 // All that is recorded about one execution, in the order of time.
 struct Trace {

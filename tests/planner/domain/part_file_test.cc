@@ -60,6 +60,14 @@ TEST(PartFileTest, ReadsEverything) {
   EXPECT_EQ(part->colors().front(), Eigen::Vector4f(1, 0, 0, 1));
 }
 
+TEST(PartFileTest, ShaftsAndHolesMayBeChamfered) {
+  std::string text = With("axis: [0, 0, 1]}", "axis: [0, 0, 1], chamfer: 1.5}");
+  const auto part = ParsePart(text);
+  EXPECT_NEAR(part->FindFeature(FeatureNumber(2))->chamfer, 0.0015, 1e-15);
+  EXPECT_EQ(part->FindFeature(FeatureNumber(3))->chamfer, 0);
+  EXPECT_EQ(part->mass().mass, ParsePart(kFile)->mass().mass) << "the boxes do not show it";
+}
+
 TEST(PartFileTest, EveryPartOfTheRepositoryLoads) {
   for (const std::string& name : PartNames()) {
     for (double clearance : {0.0, 0.0001, 0.0005, 0.002}) {
@@ -119,6 +127,10 @@ TEST(PartFileTest, EachSlipIsNamed) {
       {"upright: [0, 0, -1]", "upright: [0, 1, -1]", "30 degrees"},
       {"upright: [0, 0, -1]", "upright: [0, 0, -1], again: [0, 0.1, -1]",
        "already named 'upright'"},
+      {"axis: [0, 0, 1]}", "axis: [0, 0, 1], chamfer: -1}", "-1 is out of range"},
+      {"axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfer: 30}", "allowed: 0 to 20"},
+      {"axis: [1, 0, 0]}", "axis: [1, 0, 0], chamfr: 1}", "did you mean 'chamfer'"},
+      {"what: bottom", "chamfer: 1", "unknown key 'chamfer'"},
       {"solids:\n", "solids: {}\nextra:\n", "unknown key 'extra'"},
   };
   for (const Slip& slip : slips) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -51,6 +52,32 @@ TEST_P(AnyWorkcell, FlangeForUndoesTheGripperAndTheBase) {
   EXPECT_TRUE(back.isApprox(X_WorldTool, 1e-12));
 }
 
+// Spar, figures 11 and 12: nothing was grasped, and the hand gropes; something else was, and people
+// are called.
+TEST_P(AnyWorkcell, KnowsWhatToDoAboutUncertainty) {
+  const UncertaintyOperations& operations = workcell_->uncertainty_operations();
+  const SensorModel* camera = operations.FindSensor("overhead-camera");
+  ASSERT_NE(camera, nullptr);
+  EXPECT_EQ(camera->x, (Interval{-0.0003, 0.0003}));
+  EXPECT_NEAR(camera->theta.high, 0.2 * kDegree, 1e-15);
+  EXPECT_FALSE(std::isfinite(camera->z.high)) << "a camera from above does not measure the height";
+  EXPECT_EQ(operations.FindSensor("overhead-camra"), nullptr);
+
+  ASSERT_EQ(operations.verifications.size(), 3u);
+  const VerificationTemplate& opening = operations.verifications[0];
+  EXPECT_EQ(opening.name, "gripper-opening");
+  EXPECT_EQ(opening.after, VerifiedAction::kPickup);
+  EXPECT_EQ(opening.quantity, MeasuredQuantity::kGripperOpening);
+  EXPECT_EQ(opening.tolerance, 0.001);
+  const auto recovery = [&](const std::string& error) {
+    return *std::ranges::find(operations.recoveries, error, &RecoveryTemplate::error);
+  };
+  EXPECT_EQ(recovery(opening.below).strategy, RecoveryStrategy::kGropingSearch);
+  EXPECT_EQ(recovery(opening.below).radius, 0.010);
+  EXPECT_EQ(recovery(opening.below).pitch, 0.003);
+  EXPECT_EQ(recovery(opening.above).strategy, RecoveryStrategy::kCallOperator);
+}
+
 TEST_P(AnyWorkcell, PlacementsAreOnTheTableAndDiffer) {
   std::set<std::tuple<double, double, double>> seen;
   for (const Placement& p : workcell_->placements()) {
@@ -66,6 +93,9 @@ TEST(Workcell, ReadsTheRules) {
   EXPECT_EQ(workcell->rules().friction, 0.25);
   EXPECT_EQ(workcell->rules().grip_force, 100);
   EXPECT_EQ(workcell->rules().part_gap, 0.015);
+  EXPECT_EQ(workcell->rules().pad_margin, 0.001);
+  EXPECT_EQ(workcell->rules().guarded_travel, 0.008);
+  EXPECT_EQ(workcell->rules().lateral_compliance, 0);
   EXPECT_NEAR(workcell->joint_acceleration()[1], 150 * kDegree, 1e-12);
 }
 
@@ -100,6 +130,7 @@ TEST(Workcell, WithRulesChangesNothingElse) {
   EXPECT_EQ(changed->rules().tool_lean, 0.1);
   EXPECT_NEAR(workcell->rules().tool_lean, 60 * kDegree, 1e-12);
   EXPECT_EQ(changed->placements().size(), workcell->placements().size());
+  EXPECT_EQ(changed->uncertainty_operations().sensors.size(), 1u);
   EXPECT_EQ(&changed->arm(), &workcell->arm());
 }
 
@@ -150,6 +181,8 @@ TEST_F(WrongWorkcell, IsRefused) {
   EXPECT_THAT(MessageWith("[0.30, 1.05]", "[1.05, 0.30]"), HasSubstr("the range goes down"));
   EXPECT_THAT(MessageWith("[0.30, 1.05]", "[0.30, 0.30]"), HasSubstr("no area"));
   EXPECT_THAT(MessageWith("step: 0.10", "step: 0.001"), HasSubstr("601 places"));
+  EXPECT_THAT(MessageWith("sensors:", "sensrs:"), HasSubstr("did you mean 'sensors'"));
+  EXPECT_THAT(MessageWith("pad_margin: 0.001", "pad_margin: 1"), HasSubstr("1 is out of range"));
   EXPECT_THAT(MessageWith("yaws: 12", "yaws: 0"), HasSubstr("from 1 to 72"));
   EXPECT_THAT(MessageWith("[0, 0, 1], [-0.15, 0, 0.70]", "[0, 0, 2], [-0.15, 0, 0.70]"),
               HasSubstr("cannot be in a unit axis"));

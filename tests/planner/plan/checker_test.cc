@@ -186,6 +186,114 @@ TEST_F(FourStepPlan, FindsThatAMatedPartIsTaken) {
   EXPECT_THAT(flaws, FlawAt(-1, "one of them is in the hand"));
 }
 
+// Sensing and squeezing.
+
+// Figure 14's plan, and before the block is taken the camera looks at it and the hand squeezes it.
+class CarefulPlan : public testing::Test {
+ protected:
+  CarefulPlan() {
+    const Place start = PlaceNow(problem_, kBlock);
+    for (PlannedStep& step : plan_.steps) step.executed += 2;
+    plan_.steps.push_back({"action_5", Sense{kBlock, "overhead-camera", start}, 5, 1});
+    plan_.steps.push_back({"action_6", Squeeze{kBlock, BlockHold(), start}, 6, 2});
+    plan_.ordering.emplace_back(StepId(4), StepId(5));
+    plan_.ordering.emplace_back(StepId(5), StepId(0));
+  }
+  static domain::Problem WithCamera() {
+    Start start = BlockOnEnd();
+    start.sensing = "overhead-camera";
+    return PegAndBlock(start);
+  }
+
+  std::vector<Flaw> Flaws() const { return Check(problem_, plan_, kAllOrders).flaws; }
+  Sense& Look() { return std::get<Sense>(plan_.steps[4].action); }
+  Squeeze& Press() { return std::get<Squeeze>(plan_.steps[5].action); }
+  void ExecuteInTheOrder(const std::vector<int>& steps) {
+    plan_.ordering = {};
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      plan_.steps[static_cast<std::size_t>(steps[i])].executed = static_cast<int>(i) + 1;
+      if (i > 0) plan_.ordering.emplace_back(StepId(steps[i - 1]), StepId(steps[i]));
+    }
+  }
+
+  domain::Problem problem_ = WithCamera();
+  Plan plan_ = FourSteps(problem_);
+};
+
+TEST_F(CarefulPlan, IsAccepted) { EXPECT_THAT(Flaws(), IsEmpty()); }
+
+TEST_F(CarefulPlan, MayLookWhileTheHandHoldsAnotherPart) {
+  Look() = {kPeg, "overhead-camera", PlaceNow(problem_, kPeg)};
+  ExecuteInTheOrder({5, 0, 4, 1, 2, 3});
+  EXPECT_THAT(Flaws(), IsEmpty());
+}
+
+TEST_F(CarefulPlan, FindsASensorThatIsNotAllowed) {
+  problem_.sensors.clear();
+  EXPECT_THAT(Flaws(), FlawAt(4, "the sensor overhead-camera is none that the problem allows"));
+}
+
+TEST_F(CarefulPlan, FindsALookAtAnotherPlace) {
+  Look().at.X_WorldPart = Translation(0.001, 0, 0) * Look().at.X_WorldPart;
+  EXPECT_THAT(Flaws(), FlawAt(4, "part_location(block, initial) does not hold"));
+}
+
+TEST_F(CarefulPlan, FindsALookAtAPartInTheHand) {
+  ExecuteInTheOrder({5, 0, 4, 1, 2, 3});
+  EXPECT_THAT(Flaws(), FlawAt(4, "block is in the hand"));
+}
+
+TEST_F(CarefulPlan, FindsALookAtAPartThatIsMatedIntoAnother) {
+  const domain::Mating& mating = problem_.mating(kPegIntoBlock);
+  const Pose& X_WorldBlock = std::get<Putdown>(plan_.steps[1].action).to.X_WorldPart;
+  Look() = {kPeg, "overhead-camera", {"mated", X_WorldBlock * mating.X_FixedHeld}};
+  ExecuteInTheOrder({5, 0, 1, 2, 3, 4});
+  EXPECT_THAT(Flaws(), FlawAt(4, "peg does not lie free: it is mated into another part"));
+}
+
+TEST_F(CarefulPlan, FindsALookAtAPartThatTheProblemHasNot) {
+  Look().part = PartId(2);
+  EXPECT_THAT(Flaws(), FlawAt(4, "a part or mating that the problem has not"));
+  Look().part = kBlock;
+  Press().part = PartId(-1);
+  EXPECT_THAT(Flaws(), FlawAt(5, "a part or mating that the problem has not"));
+}
+
+TEST_F(CarefulPlan, FindsASqueezeWithAPartInTheHand) {
+  Press() = {kPeg, PlateHold(45 * kDegree), PlaceNow(problem_, kPeg)};
+  ExecuteInTheOrder({4, 0, 5, 1, 2, 3});
+  EXPECT_THAT(Flaws(), FlawAt(5, "gripper(open) does not hold: the hand holds block"));
+}
+
+TEST_F(CarefulPlan, FindsASqueezeAtAnotherPlace) {
+  Press().at.X_WorldPart = Translation(0, 0.001, 0) * Press().at.X_WorldPart;
+  EXPECT_THAT(Flaws(), FlawAt(5, "part_location(block, initial) does not hold"));
+}
+
+TEST_F(CarefulPlan, FindsASqueezeOfAPartWithAnotherInIt) {
+  Press().at = std::get<Putdown>(plan_.steps[1].action).to;
+  ExecuteInTheOrder({4, 0, 1, 2, 3, 5});
+  EXPECT_THAT(Flaws(), FlawAt(5, "block cannot be taken alone: peg is mated into block"));
+}
+
+TEST_F(CarefulPlan, ExaminesASqueezeLikeAPickup) {
+  Press().hold.width += 0.001;
+  EXPECT_THAT(Flaws(), FlawAt(5, "pad is not wholly on the surface of block"));
+  Press().hold = BlockHold();
+  Press().hold.X_PartTool = Press().hold.X_PartTool * RotationY(M_PI);
+  EXPECT_THAT(Flaws(), FlawAt(5, "the tool leans"));
+}
+
+TEST_F(CarefulPlan, FindsLabelsOfAnotherGraspOrPose) {
+  Press().hold.grasp = problem_.part(kBlock).grasps->front().label;
+  Look().at.position = problem_.part(kBlock).model->stable_poses()[0].label;
+  if (problem_.part(kBlock).resting == domain::StablePoseId(0)) {
+    Look().at.position = problem_.part(kBlock).model->stable_poses()[1].label;
+  }
+  EXPECT_THAT(Flaws(), FlawAt(5, "the hold is labelled"));
+  EXPECT_THAT(Flaws(), FlawAt(4, "the place of block is labelled"));
+}
+
 // Grasps.
 
 TEST_F(FourStepPlan, FindsAGraspBesideThePart) {

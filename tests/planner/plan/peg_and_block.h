@@ -25,6 +25,7 @@ struct Start {
   std::string block = "{stable: on-back, at: [24, 6], yaw: 0}";
   std::string peg = "{stable: on-side, at: [24, -8], yaw: 90}";
   std::string other_parts = "";  // whole lines of the scenario
+  std::string sensing = "";      // names of sensors
   std::string goals =
       "  - assembled: {held: peg, fixed: block, features: [[7, 8], [7, 8]],\n"
       "                pose: {columns: [[-1, 0, 0], [0, 1, 0], [0, 0, -1], [3, 0, 3.25]]},\n"
@@ -40,8 +41,9 @@ inline domain::Problem PegAndBlock(const Start& start) {
       "  block: {{model: block, pose: {}}}\n"
       "  peg: {{model: peg, pose: {}}}\n"
       "{}"
+      "sensing: [{}]\n"
       "goal:\n{}",
-      start.block, start.peg, start.other_parts, start.goals);
+      start.block, start.peg, start.other_parts, start.sensing, start.goals);
   return domain::ReadProblem(Document::Parse(scenario, "peg-and-block.yaml"),
                              ASSAY_SOURCE_DIR "/models");
 }

@@ -256,6 +256,11 @@ TEST(PostingPlanner, TheSameProblemGivesTheSameBytes) {
   EXPECT_EQ(bytes(), bytes());
 }
 
+struct LabelOf {
+  std::string operator()(const plan::Sense& sense) const { return sense.at.position; }
+  std::string operator()(const auto& action) const { return action.hold.grasp; }
+};
+
 // Instances come lazily, each with other labels, and each works.
 TEST(PostingPlanner, InstancesAreDistinctAndWork) {
   const domain::Problem problem = LoadScenario("spar-fig15");
@@ -265,7 +270,7 @@ TEST(PostingPlanner, InstancesAreDistinctAndWork) {
   options.accept = [&](const plan::Plan& plan) {
     std::string labels;
     for (const auto& step : plan.steps) {
-      labels += std::visit([](const auto& action) { return action.hold.grasp; }, step.action) + " ";
+      labels += std::visit(LabelOf{}, step.action) + " ";
     }
     EXPECT_TRUE(seen.insert(labels).second) << labels;
     wrong += !Flaws(problem, plan).empty();

@@ -9,10 +9,10 @@
 namespace assay::exec {
 namespace {
 
-// The kinds of the commands, as letters: safe height, line, open, close.
+// The kinds of the commands, as letters: safe height, line, open, close, look (W).
 std::string Kinds(const std::vector<Command>& commands) {
   std::string kinds;
-  for (const Command& command : commands) kinds += "SLOC"[command.index()];
+  for (const Command& command : commands) kinds += "SLOCW"[command.index()];
   return kinds;
 }
 
@@ -72,6 +72,37 @@ TEST_F(CommandFileTest, AssembleGoesAlongTheMatingVector) {
   const Pose mated = assemble.fixed.X_WorldPart * mating.X_FixedHeld * assemble.hold.X_PartTool;
   EXPECT_LE((Line(commands, 2).translation() - mated.translation()).norm(),
             kReleaseHeight * (1 + 1e-9));
+}
+
+// A squeeze is a pickup up to the closing, and a putdown from the opening on.
+TEST_F(CommandFileTest, SqueezeClosesAndLetsGoWhereThePartIs) {
+  const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
+  const plan::Squeeze squeeze{pickup.part, pickup.hold, pickup.from};
+  const std::vector<Command> up = CommandsFor(problem_, pickup);
+  const std::vector<Command> commands = CommandsFor(problem_, squeeze);
+  ASSERT_EQ(Kinds(commands), "OSLLCOLL");
+  for (const std::size_t line : {2u, 3u}) {
+    EXPECT_TRUE(Line(commands, line).isApprox(Line(up, line), 1e-12));
+  }
+  const auto& release = std::get<OpenGripper>(commands[5]).release;
+  ASSERT_TRUE(release.has_value());
+  EXPECT_EQ(release->part, pickup.part);
+  EXPECT_EQ(release->X_WorldPart.matrix(), pickup.from.X_WorldPart.matrix());
+  EXPECT_TRUE(Line(commands, 6).isApprox(Line(commands, 2), 1e-12)) << "out by the way in";
+  EXPECT_NEAR(Line(commands, 7).translation().z(), problem_.workcell->rules().safe_height, 1e-12);
+}
+
+TEST_F(CommandFileTest, SenseSendsTheArmHomeAndLooks) {
+  const plan::Place place{"initial", problem_.part(PartNamed(problem_, "block")).X_WorldPart};
+  const plan::Sense sense{PartNamed(problem_, "block"), "overhead-camera", place};
+  const std::vector<Command> commands = CommandsFor(problem_, sense);
+  ASSERT_EQ(Kinds(commands), "SW");
+  EXPECT_EQ(std::get<MoveAtSafeHeight>(commands[0]).X_WorldTool.matrix(),
+            CommandFileOf(problem_, plan_).home.X_WorldTool.matrix());
+  EXPECT_EQ(std::get<Look>(commands[1]).part, sense.part);
+  EXPECT_EQ(std::get<Look>(commands[1]).sensor, "overhead-camera");
+  EXPECT_EQ(Text(problem_, commands[1]), "look at block with overhead-camera");
+  EXPECT_EQ(Text(problem_, plan::Action(sense)), "sense(block, overhead-camera)");
 }
 
 TEST_F(CommandFileTest, TextNamesStepsAndCommands) {

@@ -34,6 +34,10 @@ Trace OneOfEach() {
                                .expected_width = 0.05,
                                .opening = 0.0512,
                                .pads_touch = true},
+                     LookRecord{.time = 0.75,
+                                .part = PartId(0),
+                                .sensor = "overhead-camera",
+                                .believed = geometry::Translation(1, 2, 4)},
                      StepEnd{plan::StepId(0), "action_1", "pickup(peg, PG1)", SomeMoment(1)},
                      RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
                      ExecutionEnd{.outcome = ExecutionOutcome::kOverload,
@@ -53,7 +57,7 @@ TEST(TraceTest, EveryLineFollowsTheSchema) {
   std::ifstream file(ASSAY_SOURCE_DIR "/sim/exec/trace.schema.json");
   const oracle::JsonSchema schema(Json::parse(file));
   const std::vector<Json> lines = Lines(OneOfEach());
-  ASSERT_EQ(lines.size(), 6u);
+  ASSERT_EQ(lines.size(), 7u);
   for (const Json& line : lines) EXPECT_THAT(schema.Errors(line), IsEmpty()) << line.dump(2);
 }
 
@@ -64,8 +68,10 @@ TEST(TraceTest, SaysWhatItWasGiven) {
   EXPECT_EQ(lines[1]["contacts"], Json::parse(R"([["part/peg", "world"]])"));
   EXPECT_EQ(lines[1]["wrist"]["torque"], Json::parse("[4.0, 5.0, 6.0]"));
   EXPECT_EQ(lines[2]["holds"], false);
-  EXPECT_EQ(lines[3]["action"], "pickup(peg, PG1)");
-  EXPECT_EQ(lines[5]["outcome"], "overload");
+  EXPECT_EQ(lines[3]["sensor"], "overhead-camera");
+  EXPECT_EQ(lines[3]["believed"]["position"], Json::parse("[1.0, 2.0, 4.0]"));
+  EXPECT_EQ(lines[4]["action"], "pickup(peg, PG1)");
+  EXPECT_EQ(lines[6]["outcome"], "overload");
 }
 
 // Of the two quaternions of a rotation the one with w >= 0: 3.5 rad about x is -2.78 rad.

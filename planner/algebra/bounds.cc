@@ -1,0 +1,191 @@
+#include "planner/algebra/bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "planner/algebra/ascent.h"
+#include "planner/algebra/branch_and_bound.h"
+#include "planner/algebra/centred.h"
+#include "planner/algebra/feasible_ascent.h"
+#include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/monotone.h"
+#include "planner/algebra/sup_inf.h"
+#include "planner/algebra/termwise.h"
+#include "planner/base/check.h"
+
+namespace assay::algebra {
+namespace {
+
+// What holds whatever the sign: a bound from above of e (sign = 1) or of -e (sign = -1). Each rung
+// can only lower the value, and every value is an upper bound by itself.
+class Ladder {
+ public:
+  Ladder(const Expression& e, int sign, const ConstraintSet& constraints,
+         const BoundRequest& request)
+      : e_(e), sign_(sign), constraints_(constraints), request_(request) {
+    stop_ = {.gap = request.gap, .evaluations = request.evaluations};
+    if (request.limit) stop_.limit = sign * *request.limit;
+    bound_.value = kInfinity;
+  }
+
+  Bound Climb() {
+    if (!constraints_.inequalities.empty() || request_.highest == Rung::kLinear) StepOnLinear();
+    if (!is_contradiction_ && !IsDone(Rung::kLinear)) ClimbOverBox();
+    return Answer();
+  }
+
+ private:
+  // The inequalities, by SUP/INF: what they say of the expression, and of the box.
+  void StepOnLinear() {
+    bound_.rung = Rung::kLinear;
+    const Expression sup = sign_ > 0 ? Sup(e_, {}, constraints_) : -Inf(e_, {}, constraints_);
+    if (sup.IsConstant()) Lower(sup.constant(), Rung::kLinear);
+    constraints_.box = TightenedBox(constraints_);
+    is_contradiction_ =
+        std::any_of(constraints_.box.begin(), constraints_.box.end(),
+                    [](const Interval& interval) { return !(interval.low <= interval.high); });
+    if (is_contradiction_) bound_.value = -kInfinity;
+  }
+
+  void ClimbOverBox() {
+    const Maximization problem = MaximizationOf(e_, sign_, constraints_);
+    Probe probe(problem);
+    StepOnTermwise(probe);
+    if (IsDone(Rung::kTermwise)) return;
+    const Maximization reduced = StepOnMonotone(probe);
+    if (IsDone(Rung::kMonotone)) return;
+    Probe reduced_probe(reduced);
+    StepOnCentred(reduced_probe);
+    if (IsDone(Rung::kCentred)) return;
+    StopRule stop = stop_;
+    stop.evaluations -= bound_.evaluations - reduced_probe.evaluations();
+    Lower(BranchAndBound(reduced_probe, bound_.value, stop), Rung::kBranchAndBound);
+    Learn(reduced_probe);
+  }
+
+  void StepOnTermwise(Probe& probe) {
+    Lower(TermwiseRange(probe.problem().form, constraints_.box).high, Rung::kTermwise);
+    ++bound_.evaluations;
+    FindFirstPoint(probe);
+    Learn(probe);
+  }
+
+  // Leaves the smaller problem that is left when monotone variables are set.
+  Maximization StepOnMonotone(Probe& probe) {
+    const Maximization& problem = probe.problem();
+    const MonotoneBox monotone = SetMonotoneVariables(probe, problem.box, problem.constrained);
+    const bool is_defined = probe.over_box().DefinedEverywhere();
+    Lower(monotone.range.high, Rung::kMonotone);
+    if (!problem.slacks.empty()) {
+      Lower(SetMonotoneVariables(probe, monotone.box).range.high, Rung::kMonotone);
+    } else {
+      probe.Offer(AscendToCorner(probe, monotone.box));
+    }
+    Learn(probe);
+    return is_defined ? Restricted(problem, monotone.box) : problem;
+  }
+
+  void StepOnCentred(Probe& probe) {
+    const MonotoneBox relaxed = SetMonotoneVariables(probe, probe.problem().box);
+    const bool is_defined = probe.over_box().DefinedEverywhere();
+    Lower(relaxed.range.high, Rung::kMonotone);
+    FindPoint(probe);
+    if (is_defined) {
+      Lower(UpperBoundByDerivatives(probe, relaxed.box, relaxed.gradient), Rung::kCentred);
+    }
+    Learn(probe);
+  }
+
+  // A point for the first rungs, for little work.
+  static void FindFirstPoint(Probe& probe) {
+    const Maximization& problem = probe.problem();
+    if (problem.slacks.empty()) {
+      if (!probe.Offer(AscendToCorner(probe, problem.box))) probe.Offer(CentreOf(problem.box));
+    } else {
+      FindPoint(probe);
+    }
+  }
+
+  static void FindPoint(Probe& probe) {
+    const Maximization& problem = probe.problem();
+    for (std::vector<double> start : {CentreOf(problem.box), AscendToCorner(probe, problem.box)}) {
+      if (problem.slacks.empty()) {
+        probe.Offer(AscendFrom(std::move(start), probe, problem.box));
+        continue;
+      }
+      const std::vector<double> feasible = ApproachFeasible(std::move(start), probe);
+      if (probe.SurelyFeasible(feasible)) probe.Offer(AscendFeasibly(feasible, probe));
+    }
+  }
+
+  void Lower(double value, Rung rung) {
+    if (!(value < bound_.value)) return;  // also if it is NaN
+    bound_.value = value;
+    bound_.rung = rung;
+  }
+
+  // Takes over what the probe has found and spent.
+  void Learn(const Probe& probe) {
+    if (&probe.problem() != counted_) spent_before_ = bound_.evaluations;
+    counted_ = &probe.problem();
+    bound_.evaluations = spent_before_ + probe.evaluations();
+    if (probe.has_best() && probe.best_value() > attained_) {
+      attained_ = probe.best_value();
+      bound_.at = FullPoint(probe.problem(), probe.best_point());
+    }
+  }
+
+  bool IsDone(Rung rung) const {
+    return rung >= request_.highest || stop_.IsMet(bound_.value, attained_);
+  }
+
+  Bound Answer() {
+    const bool is_finite = std::isfinite(bound_.value) && std::isfinite(attained_);
+    bound_.gap = is_finite ? std::max(0.0, RoundedUp(bound_.value - attained_)) : kInfinity;
+    bound_.value *= sign_;
+    return std::move(bound_);
+  }
+
+  const Expression& e_;
+  int sign_;
+  ConstraintSet constraints_;
+  const BoundRequest& request_;
+  StopRule stop_;
+  Bound bound_;
+  double attained_ = -kInfinity;
+  bool is_contradiction_ = false;
+  const Maximization* counted_ = nullptr;
+  std::int64_t spent_before_ = 0;
+};
+
+}  // namespace
+
+std::string_view Name(Rung rung) {
+  switch (rung) {
+    case Rung::kLinear:
+      return "linear";
+    case Rung::kTermwise:
+      return "termwise";
+    case Rung::kMonotone:
+      return "monotone";
+    case Rung::kCentred:
+      return "centred";
+    case Rung::kBranchAndBound:
+      return "branch-and-bound";
+  }
+  ASSAY_CHECK(false, "no such rung");
+}
+
+Bound BoundAbove(const Expression& e, const ConstraintSet& constraints,
+                 const BoundRequest& request) {
+  return Ladder(e, 1, constraints, request).Climb();
+}
+
+Bound BoundBelow(const Expression& e, const ConstraintSet& constraints,
+                 const BoundRequest& request) {
+  return Ladder(e, -1, constraints, request).Climb();
+}
+
+}  // namespace assay::algebra

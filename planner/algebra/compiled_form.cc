@@ -1,0 +1,238 @@
+#include "planner/algebra/compiled_form.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "planner/base/check.h"
+
+namespace assay::algebra {
+namespace {
+
+using Step = CompiledForm::Step;
+using Factor = NormalForm::Factor;
+
+class Compiler {
+ public:
+  explicit Compiler(std::span<const VariableId> variables) : variables_(variables) {
+    form_.affine.assign(variables.size(), true);
+  }
+
+  CompiledForm Compile(const NormalForm& form) {
+    std::vector<Term> terms;
+    for (const NormalForm::Term& term : form.terms) terms.push_back(Numbered(term));
+    count_of_factor_.assign(factors_.size(), 0);
+    step_of_factor_.assign(factors_.size(), -1);
+    const int value = AddSum(std::move(terms));
+    // The value stands last, also where it is a step that others share.
+    if (value + 1 != static_cast<int>(form_.steps.size())) {
+      AddBinary(Operator::kSum, value, AddConstant({0, 0}));
+    }
+    return std::move(form_);
+  }
+
+ private:
+  struct Term {
+    Interval coefficient;
+    std::vector<int> factors;  // numbers in factors_, increasing
+  };
+
+  Term Numbered(const NormalForm::Term& term) {
+    Term numbered{term.coefficient, {}};
+    for (const Factor& factor : term.factors) numbered.factors.push_back(NumberOf(factor));
+    std::sort(numbered.factors.begin(), numbered.factors.end());
+    return numbered;
+  }
+
+  int NumberOf(const Factor& factor) {
+    const std::size_t index = factor.atom.index();
+    if (index >= numbers_of_atom_.size()) numbers_of_atom_.resize(2 * index + 1);
+    std::vector<int>& numbers = numbers_of_atom_[index];
+    for (int number : numbers) {
+      if (factors_[number].exponent == factor.exponent) return number;
+    }
+    factors_.push_back(factor);
+    NoteAffineVariables(factor);
+    numbers.push_back(static_cast<int>(factors_.size()) - 1);
+    return numbers.back();
+  }
+
+  // A variable is affine if it occurs only as a factor of its own, to the first power.
+  void NoteAffineVariables(const Factor& factor) {
+    if (factor.atom.op() == Operator::kVariable && factor.exponent == 1) return;
+    for (VariableId variable : VariablesOfAtom(factor.atom))
+      form_.affine[NumberOf(variable)] = false;
+  }
+
+  int NumberOf(VariableId variable) const {
+    const auto at = std::lower_bound(variables_.begin(), variables_.end(), variable);
+    ASSAY_CHECK(at != variables_.end() && *at == variable, "variable {} is not in the list",
+                variable.index());
+    return static_cast<int>(at - variables_.begin());
+  }
+
+  int AddStep(const Step& step) {
+    form_.steps.push_back(step);
+    return static_cast<int>(form_.steps.size()) - 1;
+  }
+
+  int AddConstant(const Interval& value) {
+    form_.constants.push_back(value);
+    return AddStep({.op = Operator::kConstant, .a = static_cast<int>(form_.constants.size()) - 1});
+  }
+
+  int AddBinary(Operator op, int a, int b) { return AddStep({.op = op, .a = a, .b = b}); }
+
+  // Terms that hold the most frequent factor are summed without it and multiplied by it; so on with
+  // those that are left, until no two share one.
+  int AddSum(std::vector<Term> terms) {
+    int sum = -1;
+    const auto add = [&](int step) { sum = sum < 0 ? step : AddBinary(Operator::kSum, sum, step); };
+    while (terms.size() > 1) {
+      const int factor = SharedFactor(terms);
+      if (factor < 0) break;
+      std::vector<Term> sharing = ExtractSharing(factor, terms);
+      const int other = AddSum(std::move(sharing));
+      add(AddBinary(Operator::kProduct, AddFactor(factor), other));
+    }
+    for (const Term& term : terms) add(AddProduct(term));
+    return sum < 0 ? AddConstant({0, 0}) : sum;
+  }
+
+  // The factor that most terms hold, the first of several; -1 if none is in two terms.
+  int SharedFactor(const std::vector<Term>& terms) {
+    int best = -1;
+    int best_count = 1;
+    for (const Term& term : terms) {
+      for (int factor : term.factors) {
+        const int count = ++count_of_factor_[factor];
+        if (count > best_count || (count == best_count && count > 1 && factor < best)) {
+          best = factor;
+          best_count = count;
+        }
+      }
+    }
+    for (const Term& term : terms) {
+      for (int factor : term.factors) count_of_factor_[factor] = 0;
+    }
+    return best;
+  }
+
+  // Moves the terms that hold the factor out of `terms`, and the factor out of them.
+  static std::vector<Term> ExtractSharing(int factor, std::vector<Term>& terms) {
+    std::vector<Term> sharing, others;
+    for (Term& term : terms) {
+      const auto at = std::lower_bound(term.factors.begin(), term.factors.end(), factor);
+      const bool shares = at != term.factors.end() && *at == factor;
+      if (shares) term.factors.erase(at);
+      (shares ? sharing : others).push_back(std::move(term));
+    }
+    terms = std::move(others);
+    return sharing;
+  }
+
+  int AddProduct(const Term& term) {
+    if (term.factors.empty()) return AddConstant(term.coefficient);
+    int product = -1;
+    for (int factor : term.factors) {
+      const int step = AddFactor(factor);
+      product = product < 0 ? step : AddBinary(Operator::kProduct, product, step);
+    }
+    if (term.coefficient == Interval{1, 1}) return product;
+    const int coefficient = AddConstant(term.coefficient);
+    return AddBinary(Operator::kProduct, coefficient, product);
+  }
+
+  int AddFactor(int number) {
+    int& step = step_of_factor_[number];
+    if (step < 0) {
+      const Factor& factor = factors_[number];
+      const int atom = AddExpression(factor.atom);
+      step = factor.exponent == 1 ? atom : AddPower(atom, factor.exponent);
+    }
+    return step;
+  }
+
+  int AddPower(int base, int exponent) {
+    return AddStep({.op = Operator::kPower, .a = base, .exponent = exponent});
+  }
+
+  int AddExpression(const Expression& e) {
+    if (e.IsConstant()) return AddConstant({e.constant(), e.constant()});
+    const auto known = step_of_expression_.find(e.index());
+    if (known != step_of_expression_.end()) return known->second;
+    const int step = AddNode(e);
+    step_of_expression_[e.index()] = step;
+    return step;
+  }
+
+  int AddNode(const Expression& e) {
+    std::vector<int> operands;
+    for (const Expression& operand : e.operands()) operands.push_back(AddExpression(operand));
+    switch (e.op()) {
+      case Operator::kConstant:
+        return AddConstant({e.constant(), e.constant()});
+      case Operator::kVariable:
+        return AddStep({.op = Operator::kVariable, .a = NumberOf(e.variable())});
+      case Operator::kSum:
+      case Operator::kProduct: {
+        int step = operands[0];
+        for (std::size_t i = 1; i < operands.size(); ++i) {
+          step = AddBinary(e.op(), step, operands[i]);
+        }
+        return step;
+      }
+      case Operator::kPower:
+        return AddPower(operands[0], e.exponent());
+      case Operator::kQuotient: {
+        const int reciprocal = AddPower(operands[1], -1);
+        return AddBinary(Operator::kProduct, operands[0], reciprocal);
+      }
+      case Operator::kSin:
+      case Operator::kCos:
+        return AddSineAndCosine(e.op(), operands[0]);
+      case Operator::kSqrt:
+      case Operator::kAbs:
+        return AddStep({.op = e.op(), .a = operands[0]});
+      case Operator::kMin:
+      case Operator::kMax:
+        return AddBinary(e.op(), operands[0], operands[1]);
+    }
+    ASSAY_CHECK(false, "no such operator");
+  }
+
+  // Sine and cosine stand beside each other: each is the other's derivative.
+  int AddSineAndCosine(Operator wanted, int angle) {
+    const auto [at, is_new] = sine_of_.try_emplace(angle, static_cast<int>(form_.steps.size()));
+    const int sine = at->second;
+    if (is_new) {
+      AddBinary(Operator::kSin, angle, sine + 1);
+      AddBinary(Operator::kCos, angle, sine);
+    }
+    return wanted == Operator::kSin ? sine : sine + 1;
+  }
+
+  std::span<const VariableId> variables_;
+  CompiledForm form_;
+  std::vector<Factor> factors_;
+  std::vector<std::vector<int>> numbers_of_atom_;  // by its index: in factors_, by exponent
+  std::vector<int> count_of_factor_;               // scratch, all zero between uses
+  std::vector<int> step_of_factor_;                // -1: none yet
+  std::map<int, int> step_of_expression_;          // by Expression::index
+  std::map<int, int> sine_of_;                     // by the step of the angle
+};
+
+}  // namespace
+
+std::vector<VariableId> VariablesOfAtom(const Expression& atom) {
+  Expression inner = atom;
+  while (inner.operands().size() == 1) inner = inner.operands()[0];
+  if (inner.op() == Operator::kVariable) return {inner.variable()};
+  return VariablesOf(inner);
+}
+
+CompiledForm Compile(const NormalForm& form, std::span<const VariableId> variables) {
+  return Compiler(variables).Compile(form);
+}
+
+}  // namespace assay::algebra

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace assay::algebra {
+
+// A hash table of indices, for things that are stored elsewhere once each: open addressing, linear
+// probing. Deterministic: nothing iterates over it.
+class InternTable {
+ public:
+  // The stored index with this hash for which `is_equal(index)`, or -1.
+  template <class IsEqual>
+  int Find(std::uint64_t hash, const IsEqual& is_equal) const {
+    if (slots_.empty()) return -1;
+    for (std::size_t at = hash & mask(); slots_[at].index >= 0; at = (at + 1) & mask()) {
+      if (slots_[at].hash == hash && is_equal(slots_[at].index)) return slots_[at].index;
+    }
+    return -1;
+  }
+
+  // Of something that Find did not find.
+  void Insert(std::uint64_t hash, int index) {
+    if (2 * (count_ + 1) > slots_.size()) Grow();
+    Place({hash, index});
+    ++count_;
+  }
+
+ private:
+  struct Slot {
+    std::uint64_t hash = 0;
+    int index = -1;
+  };
+
+  std::size_t mask() const { return slots_.size() - 1; }
+
+  void Place(const Slot& slot) {
+    std::size_t at = slot.hash & mask();
+    while (slots_[at].index >= 0) at = (at + 1) & mask();
+    slots_[at] = slot;
+  }
+
+  void Grow() {
+    const std::vector<Slot> old = std::move(slots_);
+    slots_.assign(old.empty() ? 64 : 2 * old.size(), {});
+    for (const Slot& slot : old) {
+      if (slot.index >= 0) Place(slot);
+    }
+  }
+
+  std::vector<Slot> slots_;  // a power of two of them
+  std::size_t count_ = 0;
+};
+
+// `hash` with another word mixed in.
+inline std::uint64_t MixedHash(std::uint64_t hash, std::uint64_t word) {
+  const std::uint64_t mixed = (hash ^ word) * 0x9E3779B97F4A7C15U;
+  return mixed ^ (mixed >> 32U);
+}
+
+}  // namespace assay::algebra

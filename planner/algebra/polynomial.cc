@@ -1,0 +1,199 @@
+#include "planner/algebra/polynomial.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "planner/algebra/interval_arithmetic.h"
+#include "planner/base/check.h"
+
+namespace assay::algebra {
+
+namespace {
+
+using Polynomial = PolynomialAlgebra::Polynomial;
+using Term = PolynomialAlgebra::Term;
+
+constexpr int kLargestExponent = 1'000'000;
+constexpr Interval kOne = {1, 1};
+constexpr Interval kZero = {0, 0};
+
+// Merges equal monomials.
+class TermCollector {
+ public:
+  void Add(int monomial, const Interval& coefficient) {
+    const auto [found, is_new] = places_.try_emplace(monomial, terms_.size());
+    if (is_new) {
+      terms_.push_back({monomial, coefficient});
+    } else {
+      terms_[found->second].coefficient = terms_[found->second].coefficient + coefficient;
+    }
+  }
+
+  std::size_t size() const { return terms_.size(); }
+
+  Polynomial Finish() {
+    std::erase_if(terms_, [](const Term& term) { return term.coefficient == kZero; });
+    return std::move(terms_);
+  }
+
+ private:
+  Polynomial terms_;
+  std::unordered_map<int, std::size_t> places_;
+};
+
+std::uint64_t HashOf(std::span<const AtomPower> factors) {
+  std::uint64_t hash = factors.size();
+  for (const AtomPower& factor : factors) {
+    hash = MixedHash(hash, static_cast<std::uint64_t>(factor.atom) << 32U |
+                               static_cast<std::uint32_t>(factor.exponent));
+  }
+  return hash;
+}
+
+}  // namespace
+
+PolynomialAlgebra::PolynomialAlgebra() { Intern({}); }
+
+Polynomial PolynomialAlgebra::Constant(const Interval& value) const {
+  if (value == kZero) return {};
+  return {{.monomial = 0, .coefficient = value}};
+}
+
+Polynomial PolynomialAlgebra::Atom(int atom, int exponent) {
+  return {{.monomial = Intern({{atom, exponent}}), .coefficient = kOne}};
+}
+
+void PolynomialAlgebra::ReplaceSquare(int atom, Polynomial base, int power) {
+  squares_.try_emplace(atom, Square{.base = std::move(base), .power = power});
+}
+
+Polynomial PolynomialAlgebra::Sum(std::span<const Polynomial* const> terms) const {
+  TermCollector collector;
+  for (const Polynomial* polynomial : terms) {
+    for (const Term& term : *polynomial) collector.Add(term.monomial, term.coefficient);
+  }
+  return collector.Finish();
+}
+
+Polynomial PolynomialAlgebra::Negated(Polynomial a) const {
+  for (Term& term : a) term.coefficient = -term.coefficient;
+  return a;
+}
+
+std::optional<Polynomial> PolynomialAlgebra::Product(const Polynomial& a, const Polynomial& b,
+                                                     Budget& budget) {
+  budget.products -= static_cast<std::int64_t>(a.size()) * static_cast<std::int64_t>(b.size());
+  if (budget.products < 0) return std::nullopt;
+  TermCollector collector;
+  for (const Term& x : a) {
+    for (const Term& y : b) {
+      const Interval coefficient = x.coefficient * y.coefficient;
+      const Factorization factors = Merged(Factors(x.monomial), Factors(y.monomial));
+      if (!HasReplacedSquare(factors)) {
+        collector.Add(Intern(factors), coefficient);
+      } else {
+        const auto reduced = Reduced(factors, budget);
+        if (!reduced) return std::nullopt;
+        for (const Term& term : *reduced) {
+          collector.Add(term.monomial, coefficient * term.coefficient);
+        }
+      }
+      if (collector.size() > static_cast<std::size_t>(budget.most_terms)) return std::nullopt;
+    }
+  }
+  return collector.Finish();
+}
+
+std::optional<Polynomial> PolynomialAlgebra::Power(const Polynomial& a, int n, Budget& budget) {
+  if (a.size() == 1) return PowerOfTerm(a[0], n, budget);
+  std::optional<Polynomial> result = a;
+  for (int i = 1; i < n && result && !result->empty(); ++i) result = Product(*result, a, budget);
+  return result;
+}
+
+Term PolynomialAlgebra::PlainProduct(const Term& a, const Term& b) {
+  return {.monomial = Intern(Merged(Factors(a.monomial), Factors(b.monomial))),
+          .coefficient = a.coefficient * b.coefficient};
+}
+
+void PolynomialAlgebra::Sort(Polynomial& a) const {
+  std::ranges::sort(a, [&](const Term& x, const Term& y) {
+    return monomials_[x.monomial] < monomials_[y.monomial];
+  });
+}
+
+int PolynomialAlgebra::Intern(const Factorization& factors) {
+  const std::uint64_t hash = HashOf(factors);
+  const int known = table_.Find(hash, [&](int i) { return monomials_[i] == factors; });
+  if (known >= 0) return known;
+  monomials_.push_back(factors);
+  table_.Insert(hash, static_cast<int>(monomials_.size()) - 1);
+  return static_cast<int>(monomials_.size()) - 1;
+}
+
+PolynomialAlgebra::Factorization PolynomialAlgebra::Merged(std::span<const AtomPower> a,
+                                                           std::span<const AtomPower> b) {
+  Factorization merged;
+  merged.reserve(a.size() + b.size());
+  auto x = a.begin();
+  auto y = b.begin();
+  while (x != a.end() && y != b.end()) {
+    if (x->atom == y->atom) {
+      ASSAY_CHECK(x->exponent <= std::numeric_limits<int>::max() - y->exponent,
+                  "an exponent exceeds all bounds");
+      merged.push_back({x->atom, x->exponent + y->exponent});
+      ++x;
+      ++y;
+    } else {
+      merged.push_back(x->atom < y->atom ? *x++ : *y++);
+    }
+  }
+  merged.insert(merged.end(), x, a.end());
+  merged.insert(merged.end(), y, b.end());
+  return merged;
+}
+
+bool PolynomialAlgebra::HasReplacedSquare(const Factorization& factors) const {
+  return std::ranges::any_of(factors, [&](const AtomPower& factor) {
+    return factor.exponent > 1 && squares_.contains(factor.atom);
+  });
+}
+
+// The monomial with every square that has a replacement replaced.
+std::optional<Polynomial> PolynomialAlgebra::Reduced(const Factorization& factors, Budget& budget) {
+  Factorization kept;
+  Factorization replaced;  // with half the exponents
+  for (const AtomPower& factor : factors) {
+    if (factor.exponent == 1 || !squares_.contains(factor.atom)) {
+      kept.push_back(factor);
+      continue;
+    }
+    replaced.push_back({factor.atom, factor.exponent / 2});
+    if (factor.exponent % 2 != 0) kept.push_back({factor.atom, 1});
+  }
+  std::optional<Polynomial> result = Polynomial{{.monomial = Intern(kept), .coefficient = kOne}};
+  for (const auto& [atom, half] : replaced) {
+    const Square& square = squares_.at(atom);
+    const auto power = Power(square.base, square.power * half, budget);
+    if (!power) return std::nullopt;
+    result = Product(*result, *power, budget);
+    if (!result) return std::nullopt;
+  }
+  return result;
+}
+
+std::optional<Polynomial> PolynomialAlgebra::PowerOfTerm(const Term& a, int n, Budget& budget) {
+  Factorization factors(Factors(a.monomial).begin(), Factors(a.monomial).end());
+  for (AtomPower& factor : factors) {
+    if (std::int64_t{factor.exponent} * n > kLargestExponent) return std::nullopt;
+    factor.exponent *= n;
+  }
+  std::optional<Polynomial> result = Reduced(factors, budget);
+  if (!result) return std::nullopt;
+  const Interval coefficient = algebra::Power(a.coefficient, n);
+  for (Term& term : *result) term.coefficient = term.coefficient * coefficient;
+  return result;
+}
+
+}  // namespace assay::algebra

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "planner/algebra/expression.h"
+#include "planner/base/input_error.h"
+
+namespace assay::algebra {
+
+// "2 + 3*cos(tg)*dx^2 - min(x, sqrt(y))/4": numbers are written so that they read back as the same
+// doubles, and Parse(Text(e)) == e in the same pool, if Parse accepts its nesting and exponents and
+// its numbers are finite.
+std::string Text(const Expression& e);
+
+// Reads an expression over the pool's variables:
+//   sum     = ["-"] product { ("+" | "-") product }
+//   product = factor { ("*" | "/") factor }
+//   factor  = ["-"] atom [ "^" integer ]                   -x^2 = -(x^2); integer from -100 to 100
+//   atom    = number ["deg"] | name | name "(" sum {"," sum} ")" | "(" sum ")"
+// `place` is where the text begins; errors (InputError) name the place in it: unknown names with
+// the nearest known one, more than 200 levels of nesting, numbers that are not finite.
+Expression Parse(std::string_view text, ExpressionPool& pool, const FilePlace& place);
+
+}  // namespace assay::algebra

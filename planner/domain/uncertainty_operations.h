@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/base/interval.h"
+
+namespace assay::domain {
+
+// What can be done about uncertainty in a workcell: sensors, verification templates and recovery
+// templates, as its file states them (Spar, "Satisfying Uncertainty-Reduction Goals" and figures 11
+// and 12).
+
+// A sensor that measures the pose of a part that lies free on the table. After the measurement each
+// coordinate's error is within what the sensor promises; the whole line: it is not measured.
+struct SensorModel {
+  std::string name;  // "overhead-camera"
+  std::string description;
+  Interval x, y, z, theta;  // of the true pose about the measured one; metres, radians
+};
+
+enum class VerifiedAction { kPickup, kPutdown, kAssemble };
+enum class MeasuredQuantity {
+  kGripperOpening,  // metres between the pads, after closing
+  kToolHeight,      // metres of the tool above the table, where it met resistance
+};
+
+// A check that follows an action whose preconditions could not be proved.
+struct VerificationTemplate {
+  std::string name;
+  VerifiedAction after = VerifiedAction::kPickup;
+  MeasuredQuantity quantity = MeasuredQuantity::kGripperOpening;
+  double tolerance = 0;  // metres
+  std::string below;     // error to signal if less than expected; empty: none
+  std::string above;
+};
+
+enum class RecoveryStrategy {
+  kGropingSearch,  // the action again, from places in growing circles about the first one
+  kRetry,          // the action again
+  kCallOperator,
+};
+
+struct RecoveryTemplate {
+  std::string error;
+  RecoveryStrategy strategy = RecoveryStrategy::kCallOperator;
+  double radius = 0;  // metres, of a groping search
+  double pitch = 0;   // metres, between its tries
+};
+
+// The words for them in files, in the order of the enums.
+const std::vector<std::string>& VerifiedActionNames();
+const std::vector<std::string>& MeasuredQuantityNames();
+const std::vector<std::string>& RecoveryStrategyNames();
+
+struct UncertaintyOperations {
+  std::vector<SensorModel> sensors;
+  std::vector<VerificationTemplate> verifications;
+  std::vector<RecoveryTemplate> recoveries;
+
+  const SensorModel* FindSensor(std::string_view name) const;  // null if there is none
+};
+
+}  // namespace assay::domain

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/base/id.h"
+#include "planner/base/interval.h"
+#include "planner/domain/mating.h"
+
+namespace assay::plan {
+
+using StepId = Id<struct StepTag>;  // index in Plan::steps, which is the order of insertion
+
+// A bounded variable that a certificate speaks of: "dx_block", in [low, high], metres or radians.
+struct ErrorVariable {
+  std::string name;
+  Interval range;
+
+  bool operator==(const ErrorVariable&) const = default;
+};
+
+// Where the true pose of a part may be, relative to where it is believed to be: a box that contains
+// every error. In the world frame while it rests (x, y, z of its origin; theta about the world's
+// z), in the tool frame while it is held (of the grasped point; theta about the tool's z).
+struct ErrorSet {
+  domain::PartId part;
+  bool in_hand = false;
+  Interval x, y, z, theta;  // metres, radians
+
+  bool operator==(const ErrorSet&) const = default;
+};
+
+enum class Relation { kLess, kGreater };
+
+// expression < limit (or >), and what was proved of it: an uncertainty-reduction precondition.
+struct CertifiedPrecondition {
+  std::string condition;   // which: "between fingers", "pad contact", "landing height", "slide-in"
+  std::string meaning;     // for people: "contact 2 lies on the inner side of finger 1"
+  std::string expression;  // over the certificate's variables; planner/algebra/text.h reads it
+  Relation relation = Relation::kLess;
+  double limit = 0;
+  double bound = 0;   // SUP of the expression for <, INF for >; guaranteed, rounded outward
+  double margin = 0;  // from the bound to the limit; positive: proved
+  double gap = 0;     // how loose the bound may be
+  std::string rung;   // the method that gave it
+  std::vector<ErrorVariable> worst = {};  // the worst corner found; each range a single point
+
+  bool holds() const { return margin > 0; }
+  bool operator==(const CertifiedPrecondition&) const = default;
+};
+
+// What was done about preconditions that could not be proved at first.
+struct Resolution {
+  std::string resolver;            // "sensing", "squeezing", "verification"
+  std::vector<StepId> steps = {};  // that were inserted for this step, in order of execution
+  std::string why;                 // the precondition that failed, with its bound
+
+  bool operator==(const Resolution&) const = default;
+};
+
+// What is known before and after a step, and what was proved of it. Empty: the plan was made
+// without regard to uncertainty.
+struct Certificate {
+  std::vector<ErrorVariable> variables = {};  // input error sets: all that the preconditions name
+  std::vector<ErrorSet> before = {};          // of the parts that the step is about
+  std::vector<CertifiedPrecondition> preconditions = {};
+  std::vector<ErrorSet> after = {};  // output error sets of the same parts
+  std::vector<Resolution> resolutions = {};
+
+  bool operator==(const Certificate&) const = default;
+};
+
+}  // namespace assay::plan

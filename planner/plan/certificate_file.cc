@@ -1,0 +1,157 @@
+#include "planner/plan/certificate_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "planner/base/check.h"
+
+namespace assay::plan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// In the order of the enum Relation.
+const std::vector<std::string> kRelations = {"<", ">"};
+
+// JSON has no infinity.
+Json NumberToJson(double number) {
+  ASSAY_CHECK(!std::isnan(number), "a certificate holds a number that is none");
+  if (std::isfinite(number)) return number;
+  return number > 0 ? "inf" : "-inf";
+}
+
+double ReadNumber(const Value& value) {
+  if (value.IsScalar() && value.Text() == "inf") return kInfinity;
+  if (value.IsScalar() && value.Text() == "-inf") return -kInfinity;
+  return value.Number();
+}
+
+Json IntervalToJson(const Interval& interval) {
+  return Json::array({NumberToJson(interval.low), NumberToJson(interval.high)});
+}
+
+Interval ReadInterval(const Value& value) {
+  const std::vector<Value> ends = value.Items();
+  if (ends.size() != 2) value.Fail(fmt::format("{} ends", ends.size()), "[low, high]");
+  const Interval interval = {ReadNumber(ends[0]), ReadNumber(ends[1])};
+  if (interval.low > interval.high) value.Fail("the range goes down", "[low, high]");
+  return interval;
+}
+
+// A list, each of its items written or read in the same way.
+template <class T, class Write>
+Json ListToJson(const std::vector<T>& items, const Write& write) {
+  Json list = Json::array();
+  for (const T& item : items) list.push_back(write(item));
+  return list;
+}
+
+template <class T, class Read>
+std::vector<T> ReadList(const Value& list, const Read& read) {
+  std::vector<T> items;
+  for (const Value& item : list.Items()) items.push_back(read(item));
+  return items;
+}
+
+Json VariableToJson(const ErrorVariable& variable) {
+  return {{"name", variable.name}, {"range", IntervalToJson(variable.range)}};
+}
+
+ErrorVariable ReadVariable(const Value& value) {
+  value.AllowOnly({"name", "range"});
+  return {value.At("name").Text(), ReadInterval(value.At("range"))};
+}
+
+Json PreconditionToJson(const CertifiedPrecondition& precondition) {
+  return {{"condition", precondition.condition},
+          {"meaning", precondition.meaning},
+          {"expression", precondition.expression},
+          {"relation", kRelations[static_cast<std::size_t>(precondition.relation)]},
+          {"limit", NumberToJson(precondition.limit)},
+          {"bound", NumberToJson(precondition.bound)},
+          {"margin", NumberToJson(precondition.margin)},
+          {"gap", NumberToJson(precondition.gap)},
+          {"rung", precondition.rung},
+          {"worst", ListToJson(precondition.worst, VariableToJson)}};
+}
+
+CertifiedPrecondition ReadPrecondition(const Value& value) {
+  value.AllowOnly({"condition", "meaning", "expression", "relation", "limit", "bound", "margin",
+                   "gap", "rung", "worst"});
+  return {.condition = value.At("condition").Text(),
+          .meaning = value.At("meaning").Text(),
+          .expression = value.At("expression").Text(),
+          .relation = static_cast<Relation>(value.At("relation").OneOf(kRelations)),
+          .limit = ReadNumber(value.At("limit")),
+          .bound = ReadNumber(value.At("bound")),
+          .margin = ReadNumber(value.At("margin")),
+          .gap = ReadNumber(value.At("gap")),
+          .rung = value.At("rung").Text(),
+          .worst = ReadList<ErrorVariable>(value.At("worst"), ReadVariable)};
+}
+
+Json ErrorSetToJson(const ErrorSet& errors, const domain::Problem& problem) {
+  return {{"part", problem.part(errors.part).name}, {"in_hand", errors.in_hand},
+          {"x", IntervalToJson(errors.x)},          {"y", IntervalToJson(errors.y)},
+          {"z", IntervalToJson(errors.z)},          {"theta", IntervalToJson(errors.theta)}};
+}
+
+ErrorSet ReadErrorSet(const Value& value, const domain::Problem& problem) {
+  value.AllowOnly({"part", "in_hand", "x", "y", "z", "theta"});
+  std::vector<std::string> names;
+  for (const domain::Part& part : problem.parts) names.push_back(part.name);
+  return {.part = domain::PartId(value.At("part").OneOf(names)),
+          .in_hand = value.At("in_hand").Flag(),
+          .x = ReadInterval(value.At("x")),
+          .y = ReadInterval(value.At("y")),
+          .z = ReadInterval(value.At("z")),
+          .theta = ReadInterval(value.At("theta"))};
+}
+
+Json ResolutionToJson(const Resolution& resolution, const std::vector<std::string>& step_names) {
+  const auto name = [&](StepId step) { return step_names[step.index()]; };
+  return {{"resolver", resolution.resolver},
+          {"steps", ListToJson(resolution.steps, name)},
+          {"why", resolution.why}};
+}
+
+Resolution ReadResolution(const Value& value, const std::vector<std::string>& step_names) {
+  value.AllowOnly({"resolver", "steps", "why"});
+  const auto step = [&](const Value& name) { return StepId(name.OneOf(step_names)); };
+  return {.resolver = value.At("resolver").Text(),
+          .steps = ReadList<StepId>(value.At("steps"), step),
+          .why = value.At("why").Text()};
+}
+
+}  // namespace
+
+Json ToJson(const Certificate& certificate, const domain::Problem& problem,
+            const std::vector<std::string>& step_names) {
+  const auto set = [&](const ErrorSet& errors) { return ErrorSetToJson(errors, problem); };
+  const auto resolution = [&](const Resolution& r) { return ResolutionToJson(r, step_names); };
+  return {{"variables", ListToJson(certificate.variables, VariableToJson)},
+          {"before", ListToJson(certificate.before, set)},
+          {"preconditions", ListToJson(certificate.preconditions, PreconditionToJson)},
+          {"after", ListToJson(certificate.after, set)},
+          {"resolutions", ListToJson(certificate.resolutions, resolution)}};
+}
+
+Certificate ReadCertificate(const Value& value, const domain::Problem& problem,
+                            const std::vector<std::string>& step_names) {
+  value.AllowOnly({"variables", "before", "preconditions", "after", "resolutions"});
+  const auto set = [&](const Value& errors) { return ReadErrorSet(errors, problem); };
+  const auto resolution = [&](const Value& r) { return ReadResolution(r, step_names); };
+  return {
+      .variables = ReadList<ErrorVariable>(value.At("variables"), ReadVariable),
+      .before = ReadList<ErrorSet>(value.At("before"), set),
+      .preconditions = ReadList<CertifiedPrecondition>(value.At("preconditions"), ReadPrecondition),
+      .after = ReadList<ErrorSet>(value.At("after"), set),
+      .resolutions = ReadList<Resolution>(value.At("resolutions"), resolution)};
+}
+
+}  // namespace assay::plan

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/domain/problem.h"
+#include "planner/plan/plan.h"
+#include "planner/uncertainty/certify.h"
+
+namespace assay::posting {
+
+// Uncertainty-reduction goals of one step of a plan instance that could not be proved.
+struct UnmetGoals {
+  const domain::Problem& problem;
+  std::span<const plan::Action> actions;  // of the instance, in the order of execution
+  int step = 0;                           // whose goals they are: index in `actions`
+  std::vector<uncertainty::Unproved> goals;
+
+  // The parts whose errors occur in the goals, in increasing order.
+  std::vector<domain::PartId> Parts() const;
+};
+
+// An action to be executed right before actions[before].
+struct Insertion {
+  int before = 0;
+  plan::Action action;
+};
+
+// One thing to do about unmet goals: actions to insert, whose own preconditions are then proved
+// like any other's; or a way to execute the step that needs certain conditions no longer, because
+// it absorbs the error itself (fine motion) or finds out at run time (contingent plans).
+struct Remedy {
+  std::vector<Insertion> insertions = {};  // in the order of execution
+  std::vector<std::string> absorbs = {};   // conditions of the step (Precondition::condition)
+};
+
+// A way to reduce uncertainty. The uncertainty phase knows nothing else of it.
+class Resolver {
+ public:
+  virtual ~Resolver() = default;
+
+  virtual std::string_view name() const = 0;  // "sensing"
+  // Remedies worth trying, alone or together with others, best first. Operational and geometric
+  // preconditions of what they insert hold; uncertainty-reduction preconditions need not.
+  virtual std::vector<Remedy> Propose(const UnmetGoals& unmet) = 0;
+};
+
+}  // namespace assay::posting

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "planner/posting/resolver.h"
+
+namespace assay::posting {
+
+// Looks at parts whose errors make a goal fail: with each sensor that may be used, at the latest
+// moment before the step at which the part lies free, and at the latest at which the hand is empty
+// as well, so that a squeeze can follow (Spar, "Satisfying Uncertainty-Reduction Goals").
+class SensingResolver : public Resolver {
+ public:
+  std::string_view name() const override { return "sensing"; }
+  std::vector<Remedy> Propose(const UnmetGoals& unmet) override;
+};
+
+}  // namespace assay::posting

@@ -1,0 +1,97 @@
+#include "planner/posting/squeezing_resolver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planner/domain/reachability.h"
+#include "planner/posting/moment.h"
+
+namespace assay::posting {
+namespace {
+
+using domain::Grasp;
+using domain::GraspId;
+using domain::PartId;
+using geometry::Pose;
+using geometry::Vector3;
+
+// Closing directions that differ by less are the same.
+constexpr double kSameDirection = 5 * std::numbers::pi / 180;
+
+bool AreParallel(const Vector3& a, const Vector3& b) {
+  return std::abs(a.dot(b)) > std::cos(kSameDirection);
+}
+
+std::vector<domain::PlacedPart> OthersThan(const plan::WorldState& state, PartId part) {
+  std::vector<domain::PlacedPart> others;
+  for (std::size_t p = 0; p < state.parts.size(); ++p) {
+    if (PartId(p) != part) others.push_back({PartId(p), state.parts[p].X_WorldPart});
+  }
+  return others;
+}
+
+// Whether the hand gets there, open, and closes on the part without meeting another.
+bool IsFree(const domain::Problem& problem, const plan::WorldState& state, PartId part,
+            const Grasp& grasp, const Pose& X_WorldTool) {
+  const domain::Workcell& workcell = *problem.workcell;
+  const std::vector<domain::PlacedPart> others = OthersThan(state, part);
+  const double open = workcell.gripper().max_opening();
+  const Pose retreated =
+      X_WorldTool * geometry::Translation(0, 0, -workcell.rules().approach_distance);
+  return Obstacle(problem, X_WorldTool, grasp.width, others).IsNone() &&
+         Obstacle(problem, X_WorldTool, open, others).IsNone() &&
+         Obstacle(problem, retreated, open, others).IsNone();
+}
+
+// The part's grasps, those of the tool that leans least first.
+std::vector<GraspId> ByLean(const domain::Part& part, const Pose& X_WorldPart) {
+  std::vector<GraspId> order;
+  for (std::size_t g = 0; g < part.grasps->size(); ++g) order.emplace_back(g);
+  const auto height = [&](GraspId id) {  // of the approach's z: -1 is straight down; rounded, so
+                                         // that equal leans compare equal on every machine
+    const Pose X_WorldTool = X_WorldPart * (*part.grasps)[id.index()].X_PartTool;
+    return std::round(X_WorldTool.linear()(2, 2) * 1e9);
+  };
+  std::ranges::stable_sort(order, {}, height);
+  return order;
+}
+
+std::vector<plan::Squeeze> SqueezesOf(const domain::Problem& problem, const plan::WorldState& state,
+                                      PartId part_id, const plan::Place& at) {
+  const domain::Part& part = problem.part(part_id);
+  std::vector<plan::Squeeze> squeezes;
+  std::vector<Vector3> directions;
+  for (const GraspId id : ByLean(part, at.X_WorldPart)) {
+    const Grasp& grasp = (*part.grasps)[id.index()];
+    const Pose X_WorldTool = at.X_WorldPart * grasp.X_PartTool;
+    const Vector3 closing = X_WorldTool.linear().col(1);
+    if (std::ranges::any_of(directions,
+                            [&](const Vector3& d) { return AreParallel(d, closing); }) ||
+        !IsReachableAt(problem, part_id, id, at.X_WorldPart) ||
+        !IsFree(problem, state, part_id, grasp, X_WorldTool)) {
+      continue;
+    }
+    directions.push_back(closing);
+    squeezes.push_back({part_id, {grasp.label, grasp.X_PartTool, grasp.width}, at});
+  }
+  return squeezes;
+}
+
+}  // namespace
+
+std::vector<Remedy> SqueezingResolver::Propose(const UnmetGoals& unmet) {
+  const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
+  std::vector<Remedy> remedies;
+  for (const PartId part : unmet.Parts()) {
+    const auto moment = LatestGraspable(unmet.problem, states, unmet.step, part);
+    if (!moment) continue;
+    const plan::Place at = PlaceBefore(unmet, states, *moment, part);
+    for (const plan::Squeeze& squeeze : SqueezesOf(unmet.problem, states[*moment], part, at)) {
+      remedies.push_back({.insertions = {{*moment, squeeze}}});
+    }
+  }
+  return remedies;
+}
+
+}  // namespace assay::posting

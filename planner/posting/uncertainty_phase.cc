@@ -1,0 +1,302 @@
+#include "planner/posting/uncertainty_phase.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <tuple>
+
+#include "planner/posting/combinations.h"
+#include "planner/posting/sensing_resolver.h"
+#include "planner/posting/squeezing_resolver.h"
+#include "planner/posting/verification.h"
+
+namespace assay::posting {
+
+using plan::Resolution;
+using plan::StepId;
+using uncertainty::CertifiedStep;
+using uncertainty::UncertainWorld;
+using uncertainty::Unproved;
+
+std::vector<domain::PartId> UnmetGoals::Parts() const {
+  std::vector<domain::PartId> parts;
+  for (const Unproved& goal : goals)
+    parts.insert(parts.end(), goal.parts.begin(), goal.parts.end());
+  std::ranges::sort(parts);
+  const auto repeated = std::ranges::unique(parts);
+  parts.erase(repeated.begin(), repeated.end());
+  return parts;
+}
+
+namespace {
+
+// One step of the instance as it is augmented.
+struct Entry {
+  StepId id;
+  plan::Action action;
+  std::vector<Resolution> resolutions = {};
+  std::vector<std::string> absorbed = {};  // conditions that a remedy takes care of
+  bool given_up = false;                   // its goals cannot all be proved
+};
+
+// How far a step is from being proved; less is better.
+struct Shortfall {
+  std::size_t goals = 0;
+  double violation = 0;
+
+  bool IsLessThan(const Shortfall& other) const {
+    constexpr double kRelevant = 1e-9;  // metres and radians
+    return goals < other.goals || (goals == other.goals && violation < other.violation - kRelevant);
+  }
+};
+
+Shortfall ShortfallOf(const CertifiedStep& step) {
+  return {step.unproved.size(), step.Violation()};
+}
+
+void Absorb(const Entry& entry, CertifiedStep& step) {
+  std::erase_if(step.unproved, [&](const Unproved& unmet) {
+    return std::ranges::count(entry.absorbed, unmet.claim.condition) > 0;
+  });
+}
+
+// The goal that fails by most, in words.
+std::string WhyUnproved(const std::vector<Unproved>& unproved) {
+  const auto margin = [](const Unproved& unmet) { return unmet.claim.margin; };
+  const plan::CertifiedPrecondition& worst = std::ranges::min_element(unproved, {}, margin)->claim;
+  const bool less = worst.relation == plan::Relation::kLess;
+  return fmt::format("{}: {} {:.6g}, must be {} {:.6g}", worst.meaning, less ? "SUP" : "INF",
+                     worst.bound, less ? "<" : ">", worst.limit);
+}
+
+struct Candidate {
+  int resolver = 0;  // index in the options
+  Remedy remedy;
+};
+
+class Augmentation {
+ public:
+  Augmentation(const domain::Problem& problem, const plan::Plan& instance,
+               const UncertaintyOptions& options)
+      : problem_(problem), instance_(instance), options_(options) {
+    for (const StepId id : instance.ExecutionOrder()) {
+      entries_.push_back({.id = id, .action = instance.step(id).action});
+    }
+  }
+
+  AugmentedPlanInstance Run() {
+    while (!CertifyInOrder()) {
+    }
+    return WriteOut();
+  }
+
+ private:
+  struct Mended {
+    std::vector<Entry> entries;
+    int step = 0;  // where the mended step is now
+  };
+
+  // False if a remedy was inserted, so that all must be certified anew.
+  bool CertifyInOrder() {
+    UncertainWorld world(problem_, options_.propagation);
+    certified_.clear();
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      CertifiedStep step = CertifyStep(world, entries_[i].action, options_.bound);
+      Absorb(entries_[i], step);
+      const bool fails = !step.unproved.empty() && !entries_[i].given_up;
+      if (fails && Mend(static_cast<int>(i), step)) return false;
+      certified_.push_back(std::move(step));
+    }
+    return true;
+  }
+
+  // Whether remedies were applied that prove all the step's goals, or at least more of them. What
+  // cannot be proved is given up.
+  bool Mend(int step, const CertifiedStep& failed) {
+    const std::vector<Candidate> candidates = Candidates(step, failed);
+    std::vector<int> groups;
+    for (const Candidate& candidate : candidates) groups.push_back(candidate.resolver);
+    const std::string why = WhyUnproved(failed.unproved);
+    Shortfall least = ShortfallOf(failed);
+    std::optional<Mended> best;
+    const auto improves = [&](const std::vector<int>& chosen) {
+      ++combinations_;
+      Mended mended = With(step, candidates, chosen, why);
+      const std::optional<Shortfall> shortfall = ShortfallAfter(mended);
+      if (!shortfall || !shortfall->IsLessThan(least)) return false;
+      least = *shortfall;
+      best = std::move(mended);
+      return least.goals == 0;
+    };
+    const bool proved =
+        VisitCombinations(groups, options_.most_remedies, options_.combinations, improves);
+    if (best) {
+      entries_ = std::move(best->entries);
+      step = best->step;
+    }
+    if (!proved) GiveUp(entries_[step], why);
+    return best.has_value();
+  }
+
+  std::vector<Candidate> Candidates(int step, const CertifiedStep& failed) const {
+    std::vector<plan::Action> actions;
+    for (const Entry& entry : entries_) actions.push_back(entry.action);
+    const UnmetGoals unmet = {problem_, actions, step, failed.unproved};
+    std::vector<Candidate> candidates;
+    for (std::size_t r = 0; r < options_.resolvers.size(); ++r) {
+      for (Remedy& remedy : options_.resolvers[r]->Propose(unmet)) {
+        candidates.push_back({static_cast<int>(r), std::move(remedy)});
+      }
+    }
+    return candidates;
+  }
+
+  // The entries with the chosen remedies for a step applied.
+  Mended With(int step, const std::vector<Candidate>& candidates, const std::vector<int>& chosen,
+              const std::string& why) const {
+    Mended mended;
+    Entry target = entries_[step];
+    int next_id = static_cast<int>(entries_.size());
+    for (int position = 0; position < static_cast<int>(entries_.size()); ++position) {
+      for (const int c : chosen) {
+        for (const Insertion& insertion : candidates[c].remedy.insertions) {
+          if (insertion.before != position) continue;
+          const StepId id(next_id++);
+          mended.entries.push_back({.id = id, .action = insertion.action});
+          Note(target, NameOf(candidates[c]), why).steps.push_back(id);
+        }
+      }
+      if (position == step) mended.step = static_cast<int>(mended.entries.size());
+      mended.entries.push_back(entries_[position]);
+    }
+    for (const int c : chosen) {
+      const std::vector<std::string>& absorbs = candidates[c].remedy.absorbs;
+      target.absorbed.insert(target.absorbed.end(), absorbs.begin(), absorbs.end());
+      Note(target, NameOf(candidates[c]), why);
+    }
+    mended.entries[mended.step] = std::move(target);
+    return mended;
+  }
+
+  std::string NameOf(const Candidate& candidate) const {
+    return std::string(options_.resolvers[candidate.resolver]->name());
+  }
+
+  // The entry's resolution by this resolver, a new one if there is none.
+  static Resolution& Note(Entry& entry, const std::string& resolver, const std::string& why) {
+    const auto known = std::ranges::find(entry.resolutions, resolver, &Resolution::resolver);
+    if (known != entry.resolutions.end()) return *known;
+    return entry.resolutions.emplace_back(
+        Resolution{.resolver = resolver, .steps = {}, .why = why});
+  }
+
+  // None if another step up to the mended one is not proved and was not given up.
+  std::optional<Shortfall> ShortfallAfter(const Mended& mended) const {
+    UncertainWorld world(problem_, options_.propagation);
+    const auto first_new = std::ranges::find_if(mended.entries, [&](const Entry& entry) {
+      return entry.id.index() >= static_cast<int>(entries_.size());
+    });
+    const int unchanged =
+        std::min(mended.step, static_cast<int>(first_new - mended.entries.begin()));
+    for (int i = 0; i < unchanged; ++i) Propagate(world, mended.entries[i].action);
+    for (int i = unchanged; i <= mended.step; ++i) {
+      CertifiedStep step = CertifyStep(world, mended.entries[i].action, options_.bound);
+      Absorb(mended.entries[i], step);
+      if (i == mended.step) return ShortfallOf(step);
+      if (!step.unproved.empty() && !mended.entries[i].given_up) return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  static void GiveUp(Entry& entry, const std::string& why) {
+    entry.given_up = true;
+    Note(entry, "verification", why);
+  }
+
+  AugmentedPlanInstance WriteOut() {
+    AugmentedPlanInstance augmented = {.plan = instance_, .combinations = combinations_};
+    plan::Plan& plan = augmented.plan;
+    plan.steps.resize(entries_.size());
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      const Entry& entry = entries_[i];
+      plan::PlannedStep& step = plan.steps[entry.id.index()];
+      if (entry.id.index() >= static_cast<int>(instance_.steps.size())) {
+        step.name = fmt::format("action_{}", entry.id.index() + 1);
+        step.action = entry.action;
+        step.inserted = entry.id.index() + 1;
+      }
+      step.executed = static_cast<int>(i) + 1;
+      step.certificate = std::move(certified_[i].certificate);
+      step.certificate.resolutions = entry.resolutions;
+      if (certified_[i].unproved.empty()) continue;
+      augmented.violation += certified_[i].Violation();
+      ++plan.errors;
+      AddVerification(problem_, entry.id, step.action, plan);
+    }
+    if (entries_.size() > instance_.steps.size()) plan.ordering = OrderOfExecution();
+    return augmented;
+  }
+
+  // What was inserted was certified for this order.
+  std::vector<std::pair<StepId, StepId>> OrderOfExecution() const {
+    std::vector<std::pair<StepId, StepId>> ordering;
+    for (std::size_t i = 1; i < entries_.size(); ++i) {
+      ordering.emplace_back(entries_[i - 1].id, entries_[i].id);
+    }
+    return ordering;
+  }
+
+  const domain::Problem& problem_;
+  const plan::Plan& instance_;
+  const UncertaintyOptions& options_;
+  std::vector<Entry> entries_;            // in the order of execution
+  std::vector<CertifiedStep> certified_;  // of the entries
+  std::int64_t combinations_ = 0;
+};
+
+bool IsBetter(const AugmentedPlanInstance& a, const AugmentedPlanInstance& b) {
+  return std::tie(a.plan.errors, a.violation) < std::tie(b.plan.errors, b.violation);
+}
+
+UncertaintyOptions WithDefaults(UncertaintyOptions options) {
+  if (options.resolvers.empty()) {
+    options.resolvers = {std::make_shared<SensingResolver>(),
+                         std::make_shared<SqueezingResolver>()};
+  }
+  return options;
+}
+
+}  // namespace
+
+AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& instance,
+                              const UncertaintyOptions& options) {
+  const UncertaintyOptions complete = WithDefaults(options);
+  return Augmentation(problem, instance, complete).Run();
+}
+
+plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
+                                   const UncertaintyOptions& options) {
+  const UncertaintyOptions complete = WithDefaults(options);
+  std::optional<AugmentedPlanInstance> best;
+  std::int64_t instances = 0;
+  std::int64_t combinations = 0;
+  PlannerOptions first_phase = planner;
+  first_phase.accept = [&](const plan::Plan& instance) {
+    AugmentedPlanInstance augmented = Augmentation(problem, instance, complete).Run();
+    combinations += augmented.combinations;
+    if (!best || IsBetter(augmented, *best)) best = std::move(augmented);
+    const bool wanted = !planner.accept || planner.accept(best->plan);
+    return (best->plan.errors == 0 && wanted) || ++instances >= complete.instances;
+  };
+  plan::PlanResult result = MakePlan(problem, first_phase);
+  result.counters["remedies"] = combinations;
+  if (best) {
+    result.outcome = Outcome::kFound;
+    result.conflict.clear();
+    result.plan = std::move(best->plan);
+  }
+  return result;
+}
+
+}  // namespace assay::posting

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "planner/algebra/bounds.h"
+#include "planner/posting/posting_planner.h"
+#include "planner/posting/resolver.h"
+
+namespace assay::posting {
+
+struct UncertaintyOptions {
+  uncertainty::Propagation propagation = uncertainty::Propagation::kSound;
+  algebra::BoundRequest bound = {};
+  int most_remedies = 3;            // at once, for one step
+  std::int64_t combinations = 100;  // of remedies, tried for one step
+  std::int64_t instances = 20;      // plan instances looked at, of all plans of the first phase
+  std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
+};
+
+// A plan instance with its certificates, error count, verifications and recoveries (Spar,
+// "Satisfying Uncertainty-Reduction Goals").
+struct AugmentedPlanInstance {
+  plan::Plan plan;
+  double violation = 0;  // metres and radians: how far unproved bounds are beyond their limits
+  std::int64_t combinations = 0;  // tried
+};
+
+// Goes through the instance in the order of execution. For each action: certify its preconditions;
+// if one is not proved, look for the fewest remedies, sensing first, that prove all of them and
+// keep what is proved; else insert what helps most, count an error and add the workcell's
+// verification and recovery templates. Beyond the paper, remedies go in wherever their
+// preconditions hold, not only right before the step, and their own uncertainty goals are planned
+// for by further remedies.
+AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& instance,
+                              const UncertaintyOptions& options);
+
+// Both phases: plan instances of the first phase are augmented one after another until one has no
+// errors; else the one with the fewest, and among these the smallest violation. Beyond the paper,
+// the first phase is asked for further plans, not only for further instances of one.
+plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
+                                   const UncertaintyOptions& options);
+
+}  // namespace assay::posting

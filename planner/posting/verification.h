@@ -1,0 +1,14 @@
+#pragma once
+
+#include "planner/domain/problem.h"
+#include "planner/plan/plan.h"
+
+namespace assay::posting {
+
+// Prepares for the failure of a step that could not be proved: adds to the plan what the workcell's
+// templates say of checks after such a step, and of recoveries from the errors that they signal
+// (Spar, figures 11 and 12).
+void AddVerification(const domain::Problem& problem, plan::StepId step, const plan::Action& action,
+                     plan::Plan& plan);
+
+}  // namespace assay::posting

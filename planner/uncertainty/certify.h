@@ -1,0 +1,34 @@
+#pragma once
+
+#include "planner/algebra/bounds.h"
+#include "planner/uncertainty/precondition.h"
+
+namespace assay::uncertainty {
+
+// A precondition that could not be proved.
+struct Unproved {
+  plan::CertifiedPrecondition claim;
+  std::vector<PartId> parts;  // whose errors occur in it
+};
+
+struct CertifiedStep {
+  plan::Certificate certificate;
+  std::vector<Unproved> unproved;
+
+  double Violation() const;  // the sum of how far the bounds are beyond their limits
+};
+
+// Certifies the next action of a plan instance, and takes the world to where it is after it: the
+// action's add and delete lists at the uncertainty-reduction level, of manipulations and of sensing
+// alike. The action's own preconditions are assumed to have held.
+CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
+                          const algebra::BoundRequest& request);
+
+// The same without certifying anything.
+void Propagate(UncertainWorld& world, const plan::Action& action);
+
+// What is known of a part: while held, in the frame of the commanded hand.
+plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transform& X_ToolGrasp);
+plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part);
+
+}  // namespace assay::uncertainty

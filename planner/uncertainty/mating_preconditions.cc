@@ -1,0 +1,262 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "planner/algebra/simplify.h"
+#include "planner/domain/part_model.h"
+#include "planner/uncertainty/precondition.h"
+
+namespace assay::uncertainty {
+namespace {
+
+using domain::Feature;
+using domain::PartModel;
+using geometry::Polygon;
+using geometry::Vector2;
+
+constexpr double kParallel = 1e-6;  // of unit vectors
+constexpr double kWide = 1e3;       // metres: beyond every part
+
+SymbolicVector AsVector(const Vector3& p) { return {p.x(), p.y(), p.z()}; }
+
+bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
+bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }
+
+// A side of a hole: the shaft must stay where normal . p > offset, in the hole's part.
+struct Wall {
+  Vector3 normal;
+  double offset = 0;
+};
+
+std::vector<Wall> SideWalls(const PartModel& model, const Feature& hole) {
+  const Vector3 axis = hole.X_PartFeature.linear().col(2);
+  std::vector<Wall> walls;
+  for (const domain::Wall& wall : hole.walls) {
+    const domain::Face& face = model.faces()[wall.face.index()];
+    if (std::abs(face.normal.dot(axis)) < kParallel) walls.push_back({face.normal, face.offset});
+  }
+  return walls;
+}
+
+// The cross-section of a shaft: inside the planes of its sides and the outline of its tip. Corners
+// in the axes of the feature's frame, at the tip.
+Polygon CrossSection(const PartModel& model, const Feature& shaft) {
+  const Pose X_FeaturePart = shaft.X_PartFeature.inverse();
+  Polygon section;
+  for (const domain::FaceId id : shaft.faces) {
+    const domain::Face& face = model.faces()[id.index()];
+    const Vector3 normal = X_FeaturePart.linear() * face.normal;
+    if (normal.z() < 1 - kParallel) continue;
+    std::vector<Vector2> points;
+    for (const Polygon& patch : face.patches) {
+      for (const Vector2& p : patch) {
+        points.push_back((X_FeaturePart * face.X_PartFace * Vector3(p.x(), p.y(), 0)).head<2>());
+      }
+    }
+    section = geometry::Hull2(points);
+  }
+  for (const domain::FaceId id : shaft.faces) {
+    const domain::Face& face = model.faces()[id.index()];
+    const Vector3 normal = X_FeaturePart.linear() * face.normal;
+    if (std::abs(normal.z()) > kParallel) continue;
+    const Vector2 n = normal.head<2>();
+    const Vector2 along(-n.y(), n.x());
+    const double offset = face.offset - face.normal.dot(shaft.X_PartFeature.translation());
+    const Vector2 on = offset * n;
+    section = geometry::Intersection(
+        section, {on - kWide * along, on + kWide * along, on + kWide * along - kWide * n,
+                  on - kWide * along - kWide * n});
+  }
+  return section;
+}
+
+// A shaft that goes into a hole, wherever the two belong.
+struct Fit {
+  const PartModel& hole_model;
+  const Feature& hole;
+  const PartModel& shaft_model;
+  const Feature& shaft;
+  std::string name;  // "shaft of peg in hole of block"
+};
+
+// The pose of the shaft's part as the hole's part sees it: where it should be, and where it may be.
+struct Relative {
+  Pose nominal;
+  Transform possible;
+};
+
+class FitConditions {
+ public:
+  FitConditions(const Fit& fit, const domain::WorkcellRules& rules, Preconditions& conditions)
+      : fit_(fit),
+        rules_(rules),
+        conditions_(conditions),
+        walls_(SideWalls(fit.hole_model, fit.hole)),
+        section_(CrossSection(fit.shaft_model, fit.shaft)) {}
+
+  // `entering`: with the tip in the mouth; `seated`: `depth` metres further. In between the shaft
+  // moves straight, so that what holds at both ends holds on the way.
+  void Require(const Relative& entering, const Relative& seated, double depth) {
+    const double bevel = fit_.hole.chamfer + fit_.shaft.chamfer;
+    RequireInside("entry", entering, 0, bevel + rules_.lateral_compliance);
+    RequireInside("slide-in", entering, 0, rules_.lateral_compliance);
+    RequireInside("slide-in", seated, 0, rules_.lateral_compliance);
+    RequireInside("slide-in", seated, depth, rules_.lateral_compliance);
+    RequireUpright(seated, depth);
+  }
+
+ private:
+  // The corners of the shaft, `behind` metres behind its tip, lie inside the walls.
+  void RequireInside(const std::string& condition, const Relative& at, double behind,
+                     double allowance) {
+    for (const Vector2& corner : section_) {
+      const SymbolicVector p = at.possible * AsVector(fit_.shaft.X_PartFeature *
+                                                      Vector3(corner.x(), corner.y(), -behind));
+      for (const Wall& wall : walls_) {
+        conditions_.Greater(condition, fmt::format("{} stays inside the walls", fit_.name),
+                            algebra::Dot(AsVector(wall.normal), p), wall.offset - allowance);
+      }
+    }
+  }
+
+  void RequireUpright(const Relative& seated, double depth) {
+    const Vector3 axis = fit_.shaft.X_PartFeature.linear().col(2);
+    Transform turn = seated.possible;
+    turn.translation = {0, 0, 0};
+    const SymbolicVector direction = turn * AsVector(axis);
+    for (const int column : {0, 1}) {
+      const Vector3 across = fit_.hole.X_PartFeature.linear().col(column);
+      const auto [clearance, width] = ClearanceAlong(across, seated.nominal);
+      if (!(clearance > 0) || !(depth > 0)) continue;
+      const double wedging = rules_.friction > 0 ? clearance / (rules_.friction * width) : kWide;
+      conditions_.Within("tilt", fmt::format("{} neither touches twice nor wedges", fit_.name),
+                         algebra::Dot(AsVector(across), direction),
+                         std::min(clearance / depth, wedging));
+    }
+  }
+
+  // The play of the shaft between the walls across a direction, and the shaft's width there.
+  struct Play {
+    double clearance = 0;
+    double width = 0;
+  };
+  Play ClearanceAlong(const Vector3& across, const Pose& X_HoleShaft) const {
+    double low = -kWide;
+    double high = kWide;
+    for (const Wall& wall : walls_) {
+      const double facing = wall.normal.dot(across);
+      if (facing > 1 - kParallel) low = std::max(low, wall.offset);
+      if (facing < kParallel - 1) high = std::min(high, -wall.offset);
+    }
+    double least = kWide;
+    double most = -kWide;
+    for (const Vector2& corner : section_) {
+      const double at =
+          across.dot(X_HoleShaft * fit_.shaft.X_PartFeature * Vector3(corner.x(), corner.y(), 0));
+      least = std::min(least, at);
+      most = std::max(most, at);
+    }
+    return {high - low - (most - least), most - least};
+  }
+
+  const Fit& fit_;
+  const domain::WorkcellRules& rules_;
+  Preconditions& conditions_;
+  std::vector<Wall> walls_;
+  Polygon section_;
+};
+
+class MatingConditions {
+ public:
+  MatingConditions(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+                   const Transform& X_ToolGrasp)
+      : world_(world),
+        mating_(world.problem().mating(id)),
+        held_(world.problem().part(mating_.held)),
+        fixed_(world.problem().part(mating_.fixed)),
+        hold_(hold),
+        X_ToolGrasp_(X_ToolGrasp),
+        seated_(FixedHeld(0)) {}
+
+  std::vector<Precondition> Run() {
+    for (const auto& [of_held, of_fixed] : mating_.features) RequireFit(of_held, of_fixed);
+    RequireSeat();
+    return conditions_.Take();
+  }
+
+ private:
+  // So many metres before the end of the mating motion.
+  Relative FixedHeld(double before) const {
+    const Pose& X_WorldFixed = world_.X_WorldPart(mating_.fixed);
+    const Vector3 shift = -before * mating_.mating_vector.normalized();
+    const Pose nominal = geometry::Translation(shift) * mating_.X_FixedHeld;
+    const Transform X_WorldHeld =
+        PossibleHeldPose(X_WorldFixed * nominal * hold_.X_PartTool, X_ToolGrasp_, hold_.X_PartTool);
+    const Transform fixed = PossiblePose(X_WorldFixed, world_.resting(mating_.fixed));
+    return {nominal, algebra::Simplify(algebra::Inverse(fixed) * X_WorldHeld)};
+  }
+
+  static Relative Inverted(const Relative& relative) {
+    return {relative.nominal.inverse(), algebra::Inverse(relative.possible)};
+  }
+
+  void RequireFit(domain::FeatureNumber of_held, domain::FeatureNumber of_fixed) {
+    const Feature& held = *held_.model->FindFeature(of_held);
+    const Feature& fixed = *fixed_.model->FindFeature(of_fixed);
+    const domain::WorkcellRules& rules = world_.problem().workcell->rules();
+    if (IsShaft(held) && IsHole(fixed)) {
+      const Fit fit = {*fixed_.model, fixed, *held_.model, held,
+                       FitName(held_, held, fixed_, fixed)};
+      const double depth = Depth(fit, seated_.nominal);
+      FitConditions(fit, rules, conditions_).Require(FixedHeld(depth), seated_, depth);
+    } else if (IsHole(held) && IsShaft(fixed)) {
+      const Fit fit = {*held_.model, held, *fixed_.model, fixed,
+                       FitName(fixed_, fixed, held_, held)};
+      const double depth = Depth(fit, seated_.nominal.inverse());
+      FitConditions(fit, rules, conditions_)
+          .Require(Inverted(FixedHeld(depth)), Inverted(seated_), depth);
+    }
+  }
+
+  // How far the seated shaft's tip is behind the mouth, metres.
+  static double Depth(const Fit& fit, const Pose& X_HoleShaft) {
+    const Pose X_MouthTip =
+        fit.hole.X_PartFeature.inverse() * X_HoleShaft * fit.shaft.X_PartFeature;
+    return std::max(0.0, -X_MouthTip.translation().z());
+  }
+
+  static std::string FitName(const domain::Part& shaft_part, const Feature& shaft,
+                             const domain::Part& hole_part, const Feature& hole) {
+    return fmt::format("{} of {} in {} of {}", shaft.description, shaft_part.name, hole.description,
+                       hole_part.name);
+  }
+
+  void RequireSeat() {
+    const Vector3 along = mating_.mating_vector.normalized();
+    const Expression nominal = along.dot(mating_.X_FixedHeld.translation());
+    conditions_.Within("seat", "the motion meets its end on the guarded way",
+                       algebra::Dot(AsVector(along), seated_.possible.translation) - nominal,
+                       world_.problem().workcell->rules().guarded_travel);
+  }
+
+  const UncertainWorld& world_;
+  const domain::Mating& mating_;
+  const domain::Part& held_;
+  const domain::Part& fixed_;
+  const plan::Hold& hold_;
+  const Transform& X_ToolGrasp_;
+  Relative seated_;
+  Preconditions conditions_;
+};
+
+}  // namespace
+
+std::vector<Precondition> MatingPreconditions(const UncertainWorld& world, domain::MatingId mating,
+                                              const plan::Hold& hold,
+                                              const Transform& X_ToolGrasp) {
+  return MatingConditions(world, mating, hold, X_ToolGrasp).Run();
+}
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/uncertainty/uncertain_world.h"
+
+namespace assay::uncertainty {
+
+// An uncertainty-reduction precondition: expression < limit, or >, for all values of its variables.
+struct Precondition {
+  std::string condition;  // which: "between fingers"
+  std::string meaning;    // for people: "contact 1 lies on the inner side of finger 1"
+  Expression expression;  // metres or radians
+  plan::Relation relation = plan::Relation::kLess;
+  double limit = 0;
+};
+
+// The preconditions of one action, simplified. Those that say the same of the same expression are
+// kept once.
+class Preconditions {
+ public:
+  void Less(std::string condition, std::string meaning, const Expression& expression, double limit);
+  void Greater(std::string condition, std::string meaning, const Expression& expression,
+               double limit);
+  // -limit < expression < limit.
+  void Within(const std::string& condition, const std::string& meaning,
+              const Expression& expression, double limit);
+
+  std::vector<Precondition> Take() { return std::move(preconditions_); }
+
+ private:
+  void Add(Precondition precondition);
+
+  std::vector<Precondition> preconditions_;
+};
+
+// Of pickup, and of squeezing: the part rests where the world says.
+//   between fingers  Spar's four: 0 < y(P1^-1 C1), y(P1^-1 C2) and y(P2^-1 C1), y(P2^-1 C2) < 0,
+//   where
+//                    P1, P2 are the possible frames of the fingers and C1, C2 the possible contacts
+//                    ("Derivation of Uncertainty-Reduction Goals")
+// and in sound mode:
+//   finger clear     the inner corners of the open fingers' pads lie outside the planes of the
+//   faces
+//                    that they are to close on: no finger comes down on the part
+//   fingertip        the fingers end above the table
+//   pad contact      the grasped point stays inside the pads, by the workcell's margin
+// `held` is what closing the pads will leave (ClosePads).
+std::vector<Precondition> GraspPreconditions(const UncertainWorld& world, PartId part,
+                                             const plan::Hold& hold, const ManipulatorError& draw,
+                                             const HeldError& held);
+
+// Of putdown: the part in the hand comes to X_WorldPart; `table` is the table's height error there.
+//   landing height   every vertex that is to touch the table does so within the guarded travel
+//   footprint        and lies on the table
+//   neighbour clear  a line keeps the part's footprint and each neighbour's apart
+std::vector<Precondition> LandingPreconditions(const UncertainWorld& world, PartId part,
+                                               const plan::Hold& hold, const Transform& X_ToolGrasp,
+                                               const Pose& X_WorldPart, const Expression& table);
+
+// Of assemble: for every shaft in its hole,
+//   entry     the tip's vertices lie inside the planes of the hole's walls, bevelled edges counted
+//   slide-in  the same at the start and at the end of the mating motion without the bevels, give or
+//             take what the wrist yields
+//   tilt      the shaft leans in the hole by less than two-point contact and wedging need (Whitney
+//             1982: clearance / depth, clearance / (friction * width))
+// and
+//   seat      the motion ends within the guarded travel of the seat.
+std::vector<Precondition> MatingPreconditions(const UncertainWorld& world, domain::MatingId mating,
+                                              const plan::Hold& hold, const Transform& X_ToolGrasp);
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "planner/algebra/constraint_set.h"
+#include "planner/domain/problem.h"
+#include "planner/plan/certificate.h"
+#include "planner/plan/plan.h"
+#include "planner/uncertainty/uncertain_pose.h"
+
+namespace assay::uncertainty {
+
+using domain::PartId;
+
+// What is known of where everything is, at one moment of a plan instance: the world description of
+// Spar's uncertainty-reduction level. Copies share their variables, so a copy must not outlive the
+// last of them; two copies that go on in different ways stay independent of each other.
+class UncertainWorld {
+ public:
+  // As the problem begins.
+  UncertainWorld(const domain::Problem& problem, Propagation propagation);
+
+  const domain::Problem& problem() const { return *problem_; }
+  Propagation propagation() const { return propagation_; }
+
+  // Where the part is believed to be; of the part in the hand: where it was taken.
+  const Pose& X_WorldPart(PartId part) const { return parts_[part.index()].X_WorldPart; }
+  // About where the part is believed to be.
+  const RestingError& resting(PartId part) const { return parts_[part.index()].error; }
+  // About where the plan has it: what is believed may have moved from there by sensing.
+  const RestingError& resting_about_plan(PartId part) const {
+    return parts_[part.index()].about_plan;
+  }
+  PartId in_hand() const { return in_hand_; }  // None: the hand is empty
+  const HeldError& held() const { return held_; }
+
+  // The error of the hand at one more commanded pose: drawn afresh (sound), or ever the same
+  // variables (paper).
+  ManipulatorError DrawManipulator();
+  // The table's height error where a part is put down: what the problem says of the part's z.
+  Expression DrawTableHeight(PartId part);
+  // A new bounded variable that belongs to a part; a number if the interval has no width.
+  Expression Declare(const std::string& stem, const Interval& range, PartId part);
+  // The part's name, as the names of its variables end.
+  std::string SymbolName(PartId part) const;
+
+  void SetHeld(PartId part, const HeldError& error);
+  // At X_WorldPart of the plan.
+  void SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error);
+  // The part stays; what is believed of it changes.
+  void SetBelief(PartId part, const RestingError& error);
+  // The part was moved a little where it is believed to be.
+  void Nudge(PartId part, const RestingError& error);
+
+  algebra::ConstraintSet constraints() const;  // the box of all variables
+  // A guaranteed range of the expression, in which nothing is missing.
+  Interval RangeOf(const Expression& expression) const;
+  // The parts whose errors occur in the expression, in increasing order.
+  std::vector<PartId> PartsIn(const Expression& expression) const;
+  // The variables that occur in the expressions, by name and range.
+  std::vector<plan::ErrorVariable> VariablesIn(const std::vector<Expression>& expressions) const;
+  const std::string& NameOf(algebra::VariableId variable) const;
+
+ private:
+  struct PartKnowledge {
+    Pose X_WorldPart;
+    RestingError error;
+    RestingError about_plan;
+  };
+  struct Variables {
+    algebra::ExpressionPool pool;
+    std::vector<PartId> owners = {};  // by VariableId; None: the hand
+    std::map<std::string, int> declared = {};
+  };
+
+  Expression DeclareOfPart(const char* what, const Interval& range, PartId part);
+
+  const domain::Problem* problem_;
+  Propagation propagation_;
+  std::shared_ptr<Variables> variables_;
+  std::vector<PartKnowledge> parts_;
+  PartId in_hand_ = PartId::None();
+  HeldError held_;
+  std::shared_ptr<const ManipulatorError> only_draw_;  // in paper mode
+};
+
+// The greatest absolute value in the interval.
+double Magnitude(const Interval& range);
+
+}  // namespace assay::uncertainty

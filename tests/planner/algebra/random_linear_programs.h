@@ -1,0 +1,34 @@
+#pragma once
+
+#include "planner/algebra/interval_arithmetic.h"
+#include "planner/base/random.h"
+#include "tests/oracle/linear_program.h"
+
+namespace assay::algebra {
+
+// A system of small integers and eighths; about a third of the intervals' ends are there. It may be
+// unbounded or contradict itself.
+inline oracle::LinearProgram RandomLinearProgram(RandomStream& random, int variables, int rows) {
+  const auto is_one_in = [&](int n) { return random.Index(n) == 0; };
+  const auto number = [&](int most) {
+    return (random.Index(2 * most + 1) - most) * (is_one_in(3) ? 0.125 : 1.0);
+  };
+  oracle::LinearProgram program;
+  for (int v = 0; v < variables; ++v) {
+    const double low = is_one_in(3) ? number(4) - 5 : -kInfinity;
+    const double high = is_one_in(3) ? number(4) + 5 : kInfinity;
+    program.box.push_back({low, high});
+    program.objective.push_back(number(3));
+  }
+  for (int i = 0; i < rows; ++i) {
+    oracle::LinearProgram::Row row;
+    for (int v = 0; v < variables; ++v) {
+      row.coefficients.push_back(is_one_in(2) ? 0 : number(4));
+    }
+    row.upper = number(6) + 4;
+    program.rows.push_back(row);
+  }
+  return program;
+}
+
+}  // namespace assay::algebra

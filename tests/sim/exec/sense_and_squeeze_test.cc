@@ -1,0 +1,90 @@
+#include <gtest/gtest.h>
+
+#include "sim/exec/executor.h"
+#include "tests/sim/exec/figure15.h"
+
+namespace assay::exec {
+namespace {
+
+constexpr double kStays = 1e-4;  // metres
+
+// Figure 15's plan, and before the peg is taken the camera looks at it and the hand squeezes it;
+// once more the camera looks while the peg is in the hand.
+plan::Plan CarefulPlan(const domain::Problem& problem) {
+  plan::Plan plan = TwoActions(problem);
+  const plan::Pickup pickup = std::get<plan::Pickup>(plan.steps[1].action);
+  const PartId block = PartNamed(problem, "block");
+  const plan::Place on_back{"initial", problem.part(block).X_WorldPart};
+  plan.steps[0].executed = 5;
+  plan.steps[1].executed = 3;
+  plan.steps.push_back(
+      {"action_3", plan::Sense{pickup.part, "overhead-camera", pickup.from}, 3, 1});
+  plan.steps.push_back({"action_4", plan::Squeeze{pickup.part, pickup.hold, pickup.from}, 4, 2});
+  plan.steps.push_back({"action_5", plan::Sense{block, "overhead-camera", on_back}, 5, 4});
+  return plan;
+}
+
+// Each way in which the gripper can hold a part.
+class CarefullyExecuted : public testing::TestWithParam<scene::GraspMode> {
+ protected:
+  CarefullyExecuted()
+      : problem_(Figure15()),
+        peg_(PartNamed(problem_, "peg")),
+        scene_(problem_, {.grasp = GetParam()}) {
+    mujoco::Data data = scene_.Start();
+    start_ = scene_.TruePose(data, peg_);
+    trace_ = Execute(problem_, CarefulPlan(problem_), scene_, data, {});
+  }
+
+  const Moment& AfterStep(int executed) const {
+    return trace_.All<StepEnd>()[static_cast<std::size_t>(executed) - 1]->moment;
+  }
+
+  domain::Problem problem_;
+  PartId peg_;
+  scene::Scene scene_;
+  Pose start_;
+  Trace trace_;
+};
+INSTANTIATE_TEST_SUITE_P(Grasps, CarefullyExecuted,
+                         testing::Values(scene::GraspMode::kFriction, scene::GraspMode::kWeld));
+
+TEST_P(CarefullyExecuted, ASqueezeWithoutNoiseLeavesThePartInItsPlace) {
+  ASSERT_EQ(trace_.end().outcome, ExecutionOutcome::kDone) << trace_.end().reason;
+  const TrueAndBelieved& peg = AfterStep(2).parts[peg_.index()];
+  EXPECT_LT((peg.truth.translation() - start_.translation()).norm(), kStays);
+  EXPECT_LT(geometry::AngleBetween(peg.truth.linear(), start_.linear()), 1e-3);
+  EXPECT_EQ(peg.believed.matrix(), problem_.part(peg_).X_WorldPart.matrix());
+  for (const auto& [a, b] : AfterStep(2).contacts) {
+    EXPECT_FALSE(a.starts_with("gripper/") && b == "part/peg") << a << " still touches it";
+  }
+  EXPECT_NEAR(AfterStep(2).opening, problem_.workcell->gripper().max_opening(), 1e-3);
+}
+
+TEST_P(CarefullyExecuted, TheSqueezeIsAGraspThatHolds) {
+  const auto facts = trace_.All<GraspFact>();
+  ASSERT_EQ(facts.size(), 2u);
+  EXPECT_TRUE(facts[0]->holds());
+  EXPECT_TRUE(facts[1]->holds());
+}
+
+TEST_P(CarefullyExecuted, ThePlanGoesOnAsIfNothingHadHappened) {
+  ASSERT_EQ(trace_.end().outcome, ExecutionOutcome::kDone) << trace_.end().reason;
+  const TrueAndBelieved& peg = trace_.end().moment.parts[peg_.index()];
+  EXPECT_LT((peg.truth.translation() - peg.believed.translation()).norm(), 2e-4);
+}
+
+// Nothing is measured yet: what is believed stays what it was.
+TEST_P(CarefullyExecuted, LooksRecordWhatIsBelieved) {
+  const auto looks = trace_.All<LookRecord>();
+  ASSERT_EQ(looks.size(), 2u);
+  EXPECT_EQ(looks[0]->part, peg_);
+  EXPECT_EQ(looks[0]->sensor, "overhead-camera");
+  EXPECT_EQ(looks[0]->believed.matrix(), problem_.part(peg_).X_WorldPart.matrix());
+  EXPECT_EQ(looks[1]->part, PartNamed(problem_, "block"));
+  EXPECT_GT(looks[1]->time, looks[0]->time);
+  EXPECT_GT(AfterStep(4).parts[peg_.index()].truth.translation().z(), 0.2) << "in the hand";
+}
+
+}  // namespace
+}  // namespace assay::exec
