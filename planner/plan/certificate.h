@@ -26,6 +26,7 @@ struct ErrorSet {
   domain::PartId part;
   bool in_hand = false;
   Interval x, y, z, theta;  // metres, radians
+  Interval twist = {};      // in the hand: about the tool's y, which closed pads leave; radians
 
   bool operator==(const ErrorSet&) const = default;
 };

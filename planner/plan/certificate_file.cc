@@ -98,11 +98,12 @@ CertifiedPrecondition ReadPrecondition(const Value& value) {
 Json ErrorSetToJson(const ErrorSet& errors, const domain::Problem& problem) {
   return {{"part", problem.part(errors.part).name}, {"in_hand", errors.in_hand},
           {"x", IntervalToJson(errors.x)},          {"y", IntervalToJson(errors.y)},
-          {"z", IntervalToJson(errors.z)},          {"theta", IntervalToJson(errors.theta)}};
+          {"z", IntervalToJson(errors.z)},          {"theta", IntervalToJson(errors.theta)},
+          {"twist", IntervalToJson(errors.twist)}};
 }
 
 ErrorSet ReadErrorSet(const Value& value, const domain::Problem& problem) {
-  value.AllowOnly({"part", "in_hand", "x", "y", "z", "theta"});
+  value.AllowOnly({"part", "in_hand", "x", "y", "z", "theta", "twist"});
   std::vector<std::string> names;
   for (const domain::Part& part : problem.parts) names.push_back(part.name);
   return {.part = domain::PartId(value.At("part").OneOf(names)),
@@ -110,7 +111,8 @@ ErrorSet ReadErrorSet(const Value& value, const domain::Problem& problem) {
           .x = ReadInterval(value.At("x")),
           .y = ReadInterval(value.At("y")),
           .z = ReadInterval(value.At("z")),
-          .theta = ReadInterval(value.At("theta"))};
+          .theta = ReadInterval(value.At("theta")),
+          .twist = ReadInterval(value.At("twist"))};
 }
 
 Json ResolutionToJson(const Resolution& resolution, const std::vector<std::string>& step_names) {

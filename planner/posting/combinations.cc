@@ -7,59 +7,56 @@
 namespace assay::posting {
 namespace {
 
+using Visit = std::function<bool(const std::vector<int>&)>;
+
 class Combinations {
  public:
-  Combinations(const std::vector<int>& group_of, std::int64_t budget,
-               const std::function<bool(const std::vector<int>&)>& visit)
-      : group_of_(group_of), budget_(budget), visit_(visit) {}
+  Combinations(const std::vector<Combinable>& items, std::int64_t budget, const Visit& visit)
+      : items_(items), budget_(budget), visit_(visit) {}
 
   bool Run(int most) {
-    const int groups = group_of_.empty() ? 0 : group_of_.back() + 1;
+    const int groups = items_.empty() ? 0 : items_.back().group + 1;
     for (group_ = 0; group_ < groups; ++group_) {
       for (int size = 1; size <= most; ++size) {
-        if (Extend(size)) return true;
+        if (Extend(0, size)) return true;
       }
     }
     return false;
   }
 
  private:
-  // Items of the present group are needed, those of later ones not allowed.
-  bool Extend(int missing) {
+  // With `missing` more items from `next` on, the last of them of the present group.
+  bool Extend(int next, int missing) {
     if (missing == 0) {
-      const bool reaches =
-          std::ranges::any_of(chosen_, [&](int item) { return group_of_[item] == group_; });
-      return reaches && budget_.Spend() && visit_(chosen_);
+      return items_[chosen_.back()].group == group_ && budget_.Spend() && visit_(chosen_);
     }
-    for (int item = 0; item < static_cast<int>(group_of_.size()); ++item) {
-      if (!MayFollow(item)) continue;
+    for (int item = next; item < static_cast<int>(items_.size()); ++item) {
+      if (items_[item].group > group_ || budget_.Exhausted()) break;
+      if (IsSubjectTaken(items_[item].subject)) continue;
       chosen_.push_back(item);
-      const bool found = Extend(missing - 1);
+      const bool found = Extend(item + 1, missing - 1);
       chosen_.pop_back();
       if (found) return true;
-      if (budget_.Exhausted()) return false;
     }
     return false;
   }
 
-  bool MayFollow(int item) const {
-    if (group_of_[item] > group_ || std::ranges::count(chosen_, item) > 0) return false;
-    if (chosen_.empty() || group_of_[item] > 0) return true;
-    return group_of_[chosen_.back()] == 0 && chosen_.back() < item;
+  bool IsSubjectTaken(int subject) const {
+    return std::ranges::any_of(chosen_, [&](int item) { return items_[item].subject == subject; });
   }
 
-  const std::vector<int>& group_of_;
+  const std::vector<Combinable>& items_;
   Budget budget_;
-  const std::function<bool(const std::vector<int>&)>& visit_;
+  const Visit& visit_;
   int group_ = 0;
   std::vector<int> chosen_;
 };
 
 }  // namespace
 
-bool VisitCombinations(const std::vector<int>& group_of, int most, std::int64_t budget,
-                       const std::function<bool(const std::vector<int>& items)>& visit) {
-  return Combinations(group_of, budget, visit).Run(most);
+bool VisitCombinations(const std::vector<Combinable>& items, int most, std::int64_t budget,
+                       const Visit& visit) {
+  return Combinations(items, budget, visit).Run(most);
 }
 
 }  // namespace assay::posting

@@ -28,10 +28,12 @@ struct Insertion {
   plan::Action action;
 };
 
-// One thing to do about unmet goals: actions to insert, whose own preconditions are then proved
-// like any other's; or a way to execute the step that needs certain conditions no longer, because
-// it absorbs the error itself (fine motion) or finds out at run time (contingent plans).
+// One thing to do about unmet goals, as far as one part is concerned: actions to insert, whose own
+// preconditions are then proved like any other's; or a way to execute the step that needs certain
+// conditions no longer, because it absorbs the error itself (fine motion) or finds out at run time
+// (contingent plans).
 struct Remedy {
+  domain::PartId part;
   std::vector<Insertion> insertions = {};  // in the order of execution
   std::vector<std::string> absorbs = {};   // conditions of the step (Precondition::condition)
 };
@@ -42,8 +44,9 @@ class Resolver {
   virtual ~Resolver() = default;
 
   virtual std::string_view name() const = 0;  // "sensing"
-  // Remedies worth trying, alone or together with others, best first. Operational and geometric
-  // preconditions of what they insert hold; uncertainty-reduction preconditions need not.
+  // Remedies worth trying, alone or together with others for other parts, best first. Operational
+  // and geometric preconditions of what they insert hold; uncertainty-reduction preconditions need
+  // not.
   virtual std::vector<Remedy> Propose(const UnmetGoals& unmet) = 0;
 };
 

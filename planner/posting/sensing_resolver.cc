@@ -1,25 +1,36 @@
 #include "planner/posting/sensing_resolver.h"
 
-#include <functional>
-#include <set>
+#include <algorithm>
+#include <bit>
 
 #include "planner/posting/moment.h"
 
 namespace assay::posting {
+namespace {
+
+// The non-empty sets of so many sensors as bits, the smaller sets first.
+std::vector<unsigned> SetsOf(std::size_t sensors) {
+  std::vector<unsigned> sets;
+  for (unsigned set = 1; set < 1U << sensors; ++set) sets.push_back(set);
+  std::ranges::stable_sort(sets, {}, [](unsigned set) { return std::popcount(set); });
+  return sets;
+}
+
+}  // namespace
 
 std::vector<Remedy> SensingResolver::Propose(const UnmetGoals& unmet) {
   const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
+  const std::vector<std::string>& sensors = unmet.problem.sensors;
   std::vector<Remedy> remedies;
   for (const domain::PartId part : unmet.Parts()) {
-    std::set<int, std::greater<>> moments;  // the latest first
-    if (const auto free = LatestFree(states, unmet.step, part)) moments.insert(*free);
-    if (const auto graspable = LatestGraspable(unmet.problem, states, unmet.step, part)) {
-      moments.insert(*graspable);
-    }
-    for (const std::string& sensor : unmet.problem.sensors) {
-      for (const int moment : moments) {
-        const plan::Place at = PlaceBefore(unmet, states, moment, part);
-        remedies.push_back({.insertions = {{moment, plan::Sense{part, sensor, at}}}});
+    const auto moment = LatestFree(states, unmet.step, part);
+    if (!moment) continue;
+    const plan::Place at = PlaceBefore(unmet, states, *moment, part);
+    for (const unsigned set : SetsOf(sensors.size())) {
+      Remedy& remedy = remedies.emplace_back(Remedy{.part = part});
+      for (std::size_t s = 0; s < sensors.size(); ++s) {
+        if ((set >> s & 1U) == 0) continue;
+        remedy.insertions.push_back({*moment, plan::Sense{part, sensors[s], at}});
       }
     }
   }

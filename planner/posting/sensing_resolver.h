@@ -4,9 +4,9 @@
 
 namespace assay::posting {
 
-// Looks at parts whose errors make a goal fail: with each sensor that may be used, at the latest
-// moment before the step at which the part lies free, and at the latest at which the hand is empty
-// as well, so that a squeeze can follow (Spar, "Satisfying Uncertainty-Reduction Goals").
+// Looks at parts whose errors make a goal fail, with one or more of the sensors that may be used,
+// at the latest moment before the step at which the part lies free (Spar, "Satisfying
+// Uncertainty-Reduction Goals").
 class SensingResolver : public Resolver {
  public:
   std::string_view name() const override { return "sensing"; }

@@ -78,19 +78,45 @@ std::vector<plan::Squeeze> SqueezesOf(const domain::Problem& problem, const plan
   return squeezes;
 }
 
+// Each squeeze alone, then each two in either order.
+std::vector<std::vector<plan::Action>> SequencesOf(const std::vector<plan::Squeeze>& squeezes) {
+  std::vector<std::vector<plan::Action>> sequences;
+  for (const plan::Squeeze& squeeze : squeezes) sequences.push_back({squeeze});
+  for (std::size_t first = 0; first < squeezes.size(); ++first) {
+    for (std::size_t second = 0; second < squeezes.size(); ++second) {
+      if (first != second) sequences.push_back({squeezes[first], squeezes[second]});
+    }
+  }
+  return sequences;
+}
+
+Remedy InsertBefore(int moment, PartId part, const std::vector<plan::Action>& actions) {
+  Remedy remedy = {.part = part};
+  for (const plan::Action& action : actions) remedy.insertions.push_back({moment, action});
+  return remedy;
+}
+
 }  // namespace
 
 std::vector<Remedy> SqueezingResolver::Propose(const UnmetGoals& unmet) {
   const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
   std::vector<Remedy> remedies;
+  std::vector<Remedy> with_sensing;
   for (const PartId part : unmet.Parts()) {
     const auto moment = LatestGraspable(unmet.problem, states, unmet.step, part);
     if (!moment) continue;
     const plan::Place at = PlaceBefore(unmet, states, *moment, part);
-    for (const plan::Squeeze& squeeze : SqueezesOf(unmet.problem, states[*moment], part, at)) {
-      remedies.push_back({.insertions = {{*moment, squeeze}}});
+    for (std::vector<plan::Action>& sequence :
+         SequencesOf(SqueezesOf(unmet.problem, states[*moment], part, at))) {
+      remedies.push_back(InsertBefore(*moment, part, sequence));
+      if (unmet.problem.sensors.empty()) continue;
+      for (const std::string& sensor : unmet.problem.sensors) {
+        sequence.insert(sequence.begin(), plan::Sense{part, sensor, at});
+      }
+      with_sensing.push_back(InsertBefore(*moment, part, sequence));
     }
   }
+  remedies.insert(remedies.end(), with_sensing.begin(), with_sensing.end());
   return remedies;
 }
 

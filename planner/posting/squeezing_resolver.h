@@ -5,9 +5,10 @@
 namespace assay::posting {
 
 // Squeezes parts whose errors make a goal fail, at the latest moment before the step at which the
-// hand is empty and the part alone: for each closing direction in the world the grasp that leans
-// least. Two squeezes in perpendicular directions bound both horizontal coordinates by the hand's
-// error; one never does (facts of Spar's propagation).
+// hand is empty and the part alone: for each closing direction in the world with the grasp that
+// leans least, in one direction, or in two one after the other. Two squeezes in perpendicular
+// directions bound both horizontal coordinates by the hand's error; one never does. Because a
+// squeeze has goals of its own, each is also proposed with sensing right before it.
 class SqueezingResolver : public Resolver {
  public:
   std::string_view name() const override { return "squeezing"; }

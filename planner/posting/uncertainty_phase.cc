@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <tuple>
 
@@ -51,12 +52,12 @@ struct Shortfall {
   }
 };
 
-Shortfall ShortfallOf(const CertifiedStep& step) {
-  return {step.unproved.size(), step.Violation()};
+Shortfall ShortfallOf(const std::vector<Unproved>& unproved) {
+  return {unproved.size(), uncertainty::Violation(unproved)};
 }
 
-void Absorb(const Entry& entry, CertifiedStep& step) {
-  std::erase_if(step.unproved, [&](const Unproved& unmet) {
+void Absorb(const Entry& entry, std::vector<Unproved>& unproved) {
+  std::erase_if(unproved, [&](const Unproved& unmet) {
     return std::ranges::count(entry.absorbed, unmet.claim.condition) > 0;
   });
 }
@@ -75,11 +76,30 @@ struct Candidate {
   Remedy remedy;
 };
 
+bool IsMeasured(const Interval& promise) {
+  return std::isfinite(promise.low) && std::isfinite(promise.high);
+}
+
+// The problem as the best remedies could make it: x, y and theta of every part known exactly, by
+// squeezing or sensing, and z if a sensor that may be used measures it.
+domain::Problem BestKnown(domain::Problem problem) {
+  const bool height_is_measured = std::ranges::any_of(problem.sensors, [&](const auto& name) {
+    const auto* sensor = problem.workcell->uncertainty_operations().FindSensor(name);
+    return sensor != nullptr && IsMeasured(sensor->z);
+  });
+  for (domain::Part& part : problem.parts) {
+    const Interval height = part.error.z;
+    part.error = {};
+    if (!height_is_measured) part.error.z = height;
+  }
+  return problem;
+}
+
 class Augmentation {
  public:
   Augmentation(const domain::Problem& problem, const plan::Plan& instance,
                const UncertaintyOptions& options)
-      : problem_(problem), instance_(instance), options_(options) {
+      : problem_(problem), best_known_(BestKnown(problem)), instance_(instance), options_(options) {
     for (const StepId id : instance.ExecutionOrder()) {
       entries_.push_back({.id = id, .action = instance.step(id).action});
     }
@@ -102,47 +122,92 @@ class Augmentation {
     UncertainWorld world(problem_, options_.propagation);
     certified_.clear();
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      CertifiedStep step = CertifyStep(world, entries_[i].action, options_.bound);
-      Absorb(entries_[i], step);
+      CertifiedStep step = uncertainty::CertifyStep(world, entries_[i].action, options_.bound);
+      Absorb(entries_[i], step.unproved);
       const bool fails = !step.unproved.empty() && !entries_[i].given_up;
-      if (fails && Mend(static_cast<int>(i), step)) return false;
+      if (fails && Mend(static_cast<int>(i), step.unproved)) return false;
       certified_.push_back(std::move(step));
     }
     return true;
   }
 
-  // Whether remedies were applied that prove all the step's goals, or at least more of them. What
-  // cannot be proved is given up.
-  bool Mend(int step, const CertifiedStep& failed) {
+  // Whether remedies were applied. If none prove all the step's goals, the step is given up, and
+  // only the sensing (remedies of the first resolver) that brings them nearest is applied: it
+  // disturbs nothing.
+  bool Mend(int step, const std::vector<Unproved>& failed) {
     const std::vector<Candidate> candidates = Candidates(step, failed);
-    std::vector<int> groups;
-    for (const Candidate& candidate : candidates) groups.push_back(candidate.resolver);
-    const std::string why = WhyUnproved(failed.unproved);
-    Shortfall least = ShortfallOf(failed);
-    std::optional<Mended> best;
-    const auto improves = [&](const std::vector<int>& chosen) {
+    const std::string why = WhyUnproved(failed);
+    const auto apply = [&](Mended mended) {
+      entries_ = std::move(mended.entries);
+      return mended.step;
+    };
+    if (MayBeProved(step, candidates)) {
+      if (auto mended = ProvingRemedies(step, candidates, why)) {
+        apply(std::move(*mended));
+        return true;
+      }
+    }
+    auto nearer = NearingRemedies(step, candidates, ShortfallOf(failed), why);
+    const bool helps = nearer.has_value();
+    if (nearer) step = apply(std::move(*nearer));
+    GiveUp(entries_[step], why);
+    return helps;
+  }
+
+  // Not if the step's goals fail even when all is known that remedies could tell, and none absorbs
+  // errors: then trying them one by one is of no use.
+  bool MayBeProved(int step, const std::vector<Candidate>& candidates) const {
+    const bool absorbs = std::ranges::any_of(
+        candidates, [](const Candidate& c) { return !c.remedy.absorbs.empty(); });
+    if (absorbs) return true;
+    UncertainWorld world(best_known_, options_.propagation);
+    for (int i = 0; i < step; ++i) Propagate(world, entries_[i].action);
+    return Decide(world, entries_[step], uncertainty::Wanted::kFirstUnproved).empty();
+  }
+
+  std::optional<Mended> ProvingRemedies(int step, const std::vector<Candidate>& candidates,
+                                        const std::string& why) {
+    std::optional<Mended> proving;
+    const auto proves = [&](const std::vector<int>& chosen) {
       ++combinations_;
+      Mended mended = With(step, candidates, chosen, why);
+      if (!IsProved(mended)) return false;
+      proving = std::move(mended);
+      return true;
+    };
+    VisitCombinations(ItemsOf(candidates), options_.most_remedies, options_.combinations, proves);
+    return proving;
+  }
+
+  std::optional<Mended> NearingRemedies(int step, const std::vector<Candidate>& candidates,
+                                        Shortfall least, const std::string& why) {
+    std::optional<Mended> nearest;
+    std::vector<Combinable> items = ItemsOf(candidates);
+    std::erase_if(items, [](const Combinable& item) { return item.group > 0; });
+    const auto compare = [&](const std::vector<int>& chosen) {
       Mended mended = With(step, candidates, chosen, why);
       const std::optional<Shortfall> shortfall = ShortfallAfter(mended);
       if (!shortfall || !shortfall->IsLessThan(least)) return false;
       least = *shortfall;
-      best = std::move(mended);
-      return least.goals == 0;
+      nearest = std::move(mended);
+      return false;
     };
-    const bool proved =
-        VisitCombinations(groups, options_.most_remedies, options_.combinations, improves);
-    if (best) {
-      entries_ = std::move(best->entries);
-      step = best->step;
-    }
-    if (!proved) GiveUp(entries_[step], why);
-    return best.has_value();
+    VisitCombinations(items, options_.most_remedies, options_.combinations, compare);
+    return nearest;
   }
 
-  std::vector<Candidate> Candidates(int step, const CertifiedStep& failed) const {
+  static std::vector<Combinable> ItemsOf(const std::vector<Candidate>& candidates) {
+    std::vector<Combinable> items;
+    for (const Candidate& candidate : candidates) {
+      items.push_back({candidate.resolver, candidate.remedy.part.index()});
+    }
+    return items;
+  }
+
+  std::vector<Candidate> Candidates(int step, const std::vector<Unproved>& failed) const {
     std::vector<plan::Action> actions;
     for (const Entry& entry : entries_) actions.push_back(entry.action);
-    const UnmetGoals unmet = {problem_, actions, step, failed.unproved};
+    const UnmetGoals unmet = {problem_, actions, step, failed};
     std::vector<Candidate> candidates;
     for (std::size_t r = 0; r < options_.resolvers.size(); ++r) {
       for (Remedy& remedy : options_.resolvers[r]->Propose(unmet)) {
@@ -191,22 +256,44 @@ class Augmentation {
         Resolution{.resolver = resolver, .steps = {}, .why = why});
   }
 
-  // None if another step up to the mended one is not proved and was not given up.
+  bool IsProved(const Mended& mended) const {
+    const auto unproved = UnprovedAfter(mended, uncertainty::Wanted::kFirstUnproved);
+    return unproved && unproved->empty();
+  }
+
   std::optional<Shortfall> ShortfallAfter(const Mended& mended) const {
+    const auto unproved = UnprovedAfter(mended, uncertainty::Wanted::kAllUnproved);
+    if (!unproved) return std::nullopt;
+    return ShortfallOf(*unproved);
+  }
+
+  // Of the mended step; none if another step up to it is not proved and was not given up.
+  std::optional<std::vector<Unproved>> UnprovedAfter(const Mended& mended,
+                                                     uncertainty::Wanted wanted) const {
     UncertainWorld world(problem_, options_.propagation);
     const auto first_new = std::ranges::find_if(mended.entries, [&](const Entry& entry) {
       return entry.id.index() >= static_cast<int>(entries_.size());
     });
     const int unchanged =
         std::min(mended.step, static_cast<int>(first_new - mended.entries.begin()));
-    for (int i = 0; i < unchanged; ++i) Propagate(world, mended.entries[i].action);
-    for (int i = unchanged; i <= mended.step; ++i) {
-      CertifiedStep step = CertifyStep(world, mended.entries[i].action, options_.bound);
-      Absorb(mended.entries[i], step);
-      if (i == mended.step) return ShortfallOf(step);
-      if (!step.unproved.empty() && !mended.entries[i].given_up) return std::nullopt;
+    for (int i = 0; i < mended.step; ++i) {
+      const Entry& entry = mended.entries[i];
+      if (i < unchanged || entry.given_up) {
+        Propagate(world, entry.action);
+        continue;
+      }
+      if (!Decide(world, entry, uncertainty::Wanted::kFirstUnproved).empty()) return std::nullopt;
     }
-    return std::nullopt;
+    return Decide(world, mended.entries[mended.step], wanted);
+  }
+
+  std::vector<Unproved> Decide(UncertainWorld& world, const Entry& entry,
+                               uncertainty::Wanted wanted) const {
+    // The search must not stop at what is absorbed.
+    if (!entry.absorbed.empty()) wanted = uncertainty::Wanted::kAllUnproved;
+    std::vector<Unproved> unproved = DecideStep(world, entry.action, options_.bound, wanted);
+    Absorb(entry, unproved);
+    return unproved;
   }
 
   static void GiveUp(Entry& entry, const std::string& why) {
@@ -230,7 +317,7 @@ class Augmentation {
       step.certificate = std::move(certified_[i].certificate);
       step.certificate.resolutions = entry.resolutions;
       if (certified_[i].unproved.empty()) continue;
-      augmented.violation += certified_[i].Violation();
+      augmented.violation += uncertainty::Violation(certified_[i].unproved);
       ++plan.errors;
       AddVerification(problem_, entry.id, step.action, plan);
     }
@@ -248,6 +335,7 @@ class Augmentation {
   }
 
   const domain::Problem& problem_;
+  const domain::Problem best_known_;
   const plan::Plan& instance_;
   const UncertaintyOptions& options_;
   std::vector<Entry> entries_;            // in the order of execution

@@ -17,11 +17,12 @@ using algebra::Bound;
 using plan::CertifiedPrecondition;
 using plan::Relation;
 
+enum class Effort { kPropagate, kDecideFirst, kDecideAll, kCertify };
+
 class StepCertifier {
  public:
-  // Without a request nothing is certified, only propagated.
-  StepCertifier(UncertainWorld& world, const algebra::BoundRequest* request)
-      : world_(world), request_(request) {}
+  StepCertifier(UncertainWorld& world, Effort effort, const algebra::BoundRequest& request)
+      : world_(world), effort_(effort), request_(request) {}
 
   CertifiedStep Take() {
     certified_.certificate.variables = world_.VariablesIn(expressions_);
@@ -54,7 +55,7 @@ class StepCertifier {
     const Pose& X_WorldPart = putdown.to.X_WorldPart;
     const Expression table = world_.DrawTableHeight(putdown.part);
     Before(putdown.part, grasp);
-    if (certifies()) {
+    if (decides()) {
       Require(LandingPreconditions(world_, putdown.part, putdown.hold, grasp, X_WorldPart, table));
     }
     RestingError error = Release(world_, putdown.part, putdown.hold, grasp, draw, X_WorldPart);
@@ -69,7 +70,7 @@ class StepCertifier {
     const Transform grasp = PossibleGrasp(world_.held(), draw, world_.propagation());
     Before(mating.held, grasp);
     Before(mating.fixed);
-    if (certifies()) {
+    if (decides()) {
       Require(MatingPreconditions(world_, assemble.mating, assemble.hold, grasp));
     }
     const Pose X_WorldHeld = world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
@@ -86,7 +87,8 @@ class StepCertifier {
   }
 
  private:
-  bool certifies() const { return request_ != nullptr; }
+  bool certifies() const { return effort_ == Effort::kCertify; }
+  bool decides() const { return effort_ != Effort::kPropagate; }
 
   template <class... Where>
   void Before(PartId part, const Where&... where) {
@@ -102,56 +104,74 @@ class StepCertifier {
   HeldError RequireGrasp(PartId part, const plan::Hold& hold, const ManipulatorError& draw) {
     Before(part);
     const HeldError held = ClosePads(world_, part, hold, draw);
-    if (certifies()) Require(GraspPreconditions(world_, part, hold, draw, held));
+    if (decides()) Require(GraspPreconditions(world_, part, hold, draw, held));
     return held;
   }
 
   void Require(const std::vector<Precondition>& preconditions) {
     const algebra::ConstraintSet box = world_.constraints();
     for (const Precondition& precondition : preconditions) {
-      expressions_.push_back(precondition.expression);
-      CertifiedPrecondition claim = Certify(precondition, box);
+      if (!certifies() && HoldsAtAGlance(precondition, box)) continue;
+      const Bound bound = BoundOf(precondition, box);
+      CertifiedPrecondition claim = ClaimOf(precondition, bound);
+      if (certifies()) Detail(precondition, bound, claim);
       if (!claim.holds()) {
         certified_.unproved.push_back({claim, world_.PartsIn(precondition.expression)});
+        if (effort_ == Effort::kDecideFirst) return;
       }
-      certified_.certificate.preconditions.push_back(std::move(claim));
+      if (certifies()) certified_.certificate.preconditions.push_back(std::move(claim));
     }
   }
 
-  CertifiedPrecondition Certify(const Precondition& precondition,
-                                const algebra::ConstraintSet& box) const {
-    const bool less = precondition.relation == Relation::kLess;
-    algebra::BoundRequest request = *request_;
+  // Plain interval arithmetic on the expression as it was built: nothing is cheaper.
+  static bool HoldsAtAGlance(const Precondition& precondition, const algebra::ConstraintSet& box) {
+    const Interval range = algebra::Evaluate(precondition.expression, box.box);
+    return precondition.relation == Relation::kLess ? range.high < precondition.limit
+                                                    : range.low > precondition.limit;
+  }
+
+  Bound BoundOf(const Precondition& precondition, const algebra::ConstraintSet& box) const {
+    algebra::BoundRequest request = request_;
     request.limit = precondition.limit;
-    const Bound bound = less ? BoundAbove(precondition.expression, box, request)
-                             : BoundBelow(precondition.expression, box, request);
-    CertifiedPrecondition claim = {
-        .condition = precondition.condition,
-        .meaning = precondition.meaning,
-        .expression = algebra::Text(precondition.expression),
-        .relation = precondition.relation,
-        .limit = precondition.limit,
-        .bound = bound.value,
-        .margin = less ? precondition.limit - bound.value : bound.value - precondition.limit,
-        .gap = bound.gap,
-        .rung = std::string(algebra::Name(bound.rung))};
-    if (bound.at.empty()) return claim;
-    for (const algebra::VariableId v : algebra::VariablesOf(precondition.expression)) {
+    return precondition.relation == Relation::kLess
+               ? BoundAbove(precondition.expression, box, request)
+               : BoundBelow(precondition.expression, box, request);
+  }
+
+  static CertifiedPrecondition ClaimOf(const Precondition& precondition, const Bound& bound) {
+    const bool less = precondition.relation == Relation::kLess;
+    return {.condition = precondition.condition,
+            .meaning = precondition.meaning,
+            .expression = {},
+            .relation = precondition.relation,
+            .limit = precondition.limit,
+            .bound = bound.value,
+            .margin = less ? precondition.limit - bound.value : bound.value - precondition.limit,
+            .gap = bound.gap,
+            .rung = std::string(algebra::Name(bound.rung))};
+  }
+
+  void Detail(const Precondition& precondition, const Bound& bound, CertifiedPrecondition& claim) {
+    const Expression simplified = algebra::Simplify(precondition.expression);
+    expressions_.push_back(simplified);
+    claim.expression = algebra::Text(simplified);
+    if (bound.at.empty()) return;
+    for (const algebra::VariableId v : algebra::VariablesOf(simplified)) {
       const double x = bound.at[v.index()];
       claim.worst.push_back({world_.NameOf(v), {x, x}});
     }
-    return claim;
   }
 
   UncertainWorld& world_;
-  const algebra::BoundRequest* request_;
+  Effort effort_;
+  const algebra::BoundRequest& request_;
   CertifiedStep certified_;
   std::vector<Expression> expressions_;
 };
 
 }  // namespace
 
-double CertifiedStep::Violation() const {
+double Violation(const std::vector<Unproved>& unproved) {
   double violation = 0;
   for (const Unproved& unmet : unproved) violation -= unmet.claim.margin;
   return violation;
@@ -159,13 +179,23 @@ double CertifiedStep::Violation() const {
 
 CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request) {
-  StepCertifier certifier(world, &request);
+  StepCertifier certifier(world, Effort::kCertify, request);
   std::visit(certifier, action);
   return certifier.Take();
 }
 
+std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& action,
+                                 const algebra::BoundRequest& request, Wanted wanted) {
+  const Effort effort =
+      wanted == Wanted::kFirstUnproved ? Effort::kDecideFirst : Effort::kDecideAll;
+  StepCertifier certifier(world, effort, request);
+  std::visit(certifier, action);
+  return certifier.Take().unproved;
+}
+
 void Propagate(UncertainWorld& world, const plan::Action& action) {
-  StepCertifier certifier(world, nullptr);
+  const algebra::BoundRequest none;
+  StepCertifier certifier(world, Effort::kPropagate, none);
   std::visit(certifier, action);
 }
 
@@ -173,20 +203,21 @@ plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transf
   const SymbolicVector offset = algebra::Simplify(X_ToolGrasp.translation);
   return {.part = part,
           .in_hand = true,
-          .x = world.RangeOf(offset[0]),
-          .y = world.RangeOf(offset[1]),
-          .z = world.RangeOf(offset[2]),
-          .theta = world.problem().gripper_error.theta};
+          .x = world.TightRangeOf(offset[0]),
+          .y = world.TightRangeOf(offset[1]),
+          .z = world.TightRangeOf(offset[2]),
+          .theta = world.problem().gripper_error.theta,
+          .twist = world.TightRangeOf(world.held().twist)};
 }
 
 plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part) {
   const RestingError& error = world.resting(part);
   return {.part = part,
           .in_hand = false,
-          .x = world.RangeOf(error.displacement[0]),
-          .y = world.RangeOf(error.displacement[1]),
-          .z = world.RangeOf(error.displacement[2]),
-          .theta = world.RangeOf(error.theta)};
+          .x = world.TightRangeOf(error.displacement[0]),
+          .y = world.TightRangeOf(error.displacement[1]),
+          .z = world.TightRangeOf(error.displacement[2]),
+          .theta = world.TightRangeOf(error.theta)};
 }
 
 }  // namespace assay::uncertainty

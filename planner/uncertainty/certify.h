@@ -14,9 +14,10 @@ struct Unproved {
 struct CertifiedStep {
   plan::Certificate certificate;
   std::vector<Unproved> unproved;
-
-  double Violation() const;  // the sum of how far the bounds are beyond their limits
 };
+
+// The sum of how far the bounds are beyond their limits.
+double Violation(const std::vector<Unproved>& unproved);
 
 // Certifies the next action of a plan instance, and takes the world to where it is after it: the
 // action's add and delete lists at the uncertainty-reduction level, of manipulations and of sensing
@@ -24,7 +25,13 @@ struct CertifiedStep {
 CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request);
 
-// The same without certifying anything.
+// The same, only for the answer what is not proved: the claims have no texts and no worst corners.
+// Stops at the first that is not, if that is enough to know: the world is then of no more use.
+enum class Wanted { kAllUnproved, kFirstUnproved };
+std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& action,
+                                 const algebra::BoundRequest& request, Wanted wanted);
+
+// The same without looking at preconditions.
 void Propagate(UncertainWorld& world, const plan::Action& action);
 
 // What is known of a part: while held, in the frame of the commanded hand.

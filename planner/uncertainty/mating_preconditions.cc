@@ -21,6 +21,12 @@ constexpr double kWide = 1e3;       // metres: beyond every part
 
 SymbolicVector AsVector(const Vector3& p) { return {p.x(), p.y(), p.z()}; }
 
+double GreatestRadius(const PartModel& model) {
+  double radius = 0;
+  for (const Vector3& vertex : model.hull().vertices) radius = std::max(radius, vertex.norm());
+  return radius;
+}
+
 bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
 bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }
 
@@ -89,9 +95,13 @@ struct Relative {
 
 class FitConditions {
  public:
-  FitConditions(const Fit& fit, const domain::WorkcellRules& rules, Preconditions& conditions)
+  // greatest_shift: by which any point of the shaft's part may be from where the hole's part should
+  // see it, metres.
+  FitConditions(const Fit& fit, const domain::WorkcellRules& rules, double greatest_shift,
+                Preconditions& conditions)
       : fit_(fit),
         rules_(rules),
+        greatest_shift_(greatest_shift),
         conditions_(conditions),
         walls_(SideWalls(fit.hole_model, fit.hole)),
         section_(CrossSection(fit.shaft_model, fit.shaft)) {}
@@ -101,7 +111,7 @@ class FitConditions {
   void Require(const Relative& entering, const Relative& seated, double depth) {
     const double bevel = fit_.hole.chamfer + fit_.shaft.chamfer;
     RequireInside("entry", entering, 0, bevel + rules_.lateral_compliance);
-    RequireInside("slide-in", entering, 0, rules_.lateral_compliance);
+    if (bevel > 0) RequireInside("slide-in", entering, 0, rules_.lateral_compliance);
     RequireInside("slide-in", seated, 0, rules_.lateral_compliance);
     RequireInside("slide-in", seated, depth, rules_.lateral_compliance);
     RequireUpright(seated, depth);
@@ -163,6 +173,7 @@ class FitConditions {
 
   const Fit& fit_;
   const domain::WorkcellRules& rules_;
+  double greatest_shift_;
   Preconditions& conditions_;
   std::vector<Wall> walls_;
   Polygon section_;
@@ -176,9 +187,9 @@ class MatingConditions {
         mating_(world.problem().mating(id)),
         held_(world.problem().part(mating_.held)),
         fixed_(world.problem().part(mating_.fixed)),
-        hold_(hold),
-        X_ToolGrasp_(X_ToolGrasp),
-        seated_(FixedHeld(0)) {}
+        possible_fixed_(
+            PossiblePose(world.X_WorldPart(mating_.fixed), world.resting(mating_.fixed))),
+        seated_(Seated(hold, X_ToolGrasp)) {}
 
   std::vector<Precondition> Run() {
     for (const auto& [of_held, of_fixed] : mating_.features) RequireFit(of_held, of_fixed);
@@ -187,15 +198,22 @@ class MatingConditions {
   }
 
  private:
-  // So many metres before the end of the mating motion.
-  Relative FixedHeld(double before) const {
-    const Pose& X_WorldFixed = world_.X_WorldPart(mating_.fixed);
-    const Vector3 shift = -before * mating_.mating_vector.normalized();
-    const Pose nominal = geometry::Translation(shift) * mating_.X_FixedHeld;
-    const Transform X_WorldHeld =
-        PossibleHeldPose(X_WorldFixed * nominal * hold_.X_PartTool, X_ToolGrasp_, hold_.X_PartTool);
-    const Transform fixed = PossiblePose(X_WorldFixed, world_.resting(mating_.fixed));
-    return {nominal, algebra::Simplify(algebra::Inverse(fixed) * X_WorldHeld)};
+  Relative Seated(const plan::Hold& hold, const Transform& X_ToolGrasp) const {
+    const Pose X_WorldHeld = world_.X_WorldPart(mating_.fixed) * mating_.X_FixedHeld;
+    const Transform possible =
+        PossibleHeldPose(X_WorldHeld * hold.X_PartTool, X_ToolGrasp, hold.X_PartTool);
+    return {mating_.X_FixedHeld, algebra::Simplify(algebra::Inverse(possible_fixed_) * possible)};
+  }
+
+  // So many metres before the end of the mating motion, which goes straight in the world.
+  Relative Before(double distance) const {
+    const Vector3 shift = -distance * mating_.mating_vector.normalized();
+    const Vector3 in_world = world_.X_WorldPart(mating_.fixed).linear() * shift;
+    Transform to_fixed = algebra::Inverse(possible_fixed_);
+    to_fixed.translation = {0, 0, 0};
+    Transform possible = seated_.possible;
+    possible.translation = possible.translation + algebra::Simplify(to_fixed * AsVector(in_world));
+    return {geometry::Translation(shift) * seated_.nominal, possible};
   }
 
   static Relative Inverted(const Relative& relative) {
@@ -210,13 +228,16 @@ class MatingConditions {
       const Fit fit = {*fixed_.model, fixed, *held_.model, held,
                        FitName(held_, held, fixed_, fixed)};
       const double depth = Depth(fit, seated_.nominal);
-      FitConditions(fit, rules, conditions_).Require(FixedHeld(depth), seated_, depth);
+      const Relative entering = Before(depth);
+      FitConditions(fit, rules, GreatestShift(fit, entering), conditions_)
+          .Require(entering, seated_, depth);
     } else if (IsHole(held) && IsShaft(fixed)) {
       const Fit fit = {*held_.model, held, *fixed_.model, fixed,
                        FitName(fixed_, fixed, held_, held)};
       const double depth = Depth(fit, seated_.nominal.inverse());
-      FitConditions(fit, rules, conditions_)
-          .Require(Inverted(FixedHeld(depth)), Inverted(seated_), depth);
+      const Relative entering = Inverted(Before(depth));
+      FitConditions(fit, rules, GreatestShift(fit, entering), conditions_)
+          .Require(entering, Inverted(seated_), depth);
     }
   }
 
@@ -225,6 +246,21 @@ class MatingConditions {
     const Pose X_MouthTip =
         fit.hole.X_PartFeature.inverse() * X_HoleShaft * fit.shaft.X_PartFeature;
     return std::max(0.0, -X_MouthTip.translation().z());
+  }
+
+  // Of any point of the shaft's part, on the way from `entering` on, from where it should be.
+  double GreatestShift(const Fit& fit, const Relative& entering) const {
+    const SymbolicVector shift =
+        entering.possible.translation - AsTransform(entering.nominal).translation;
+    double squared = 0;
+    for (const Expression& along : shift) {
+      squared += std::pow(Magnitude(world_.RangeOf(along)), 2);
+    }
+    const double angle = Magnitude(world_.RangeOf(world_.resting(mating_.fixed).theta)) +
+                         Magnitude(world_.problem().gripper_error.theta) +
+                         Magnitude(world_.RangeOf(world_.held().twist));
+    const double advance = mating_.mating_vector.norm();
+    return std::sqrt(squared) + (GreatestRadius(fit.shaft_model) + advance) * angle;
   }
 
   static std::string FitName(const domain::Part& shaft_part, const Feature& shaft,
@@ -245,8 +281,7 @@ class MatingConditions {
   const domain::Mating& mating_;
   const domain::Part& held_;
   const domain::Part& fixed_;
-  const plan::Hold& hold_;
-  const Transform& X_ToolGrasp_;
+  Transform possible_fixed_;
   Relative seated_;
   Preconditions conditions_;
 };

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "planner/algebra/simplify.h"
-
 namespace assay::uncertainty {
 
 void Preconditions::Less(std::string condition, std::string meaning, const Expression& expression,
@@ -23,7 +21,6 @@ void Preconditions::Within(const std::string& condition, const std::string& mean
 }
 
 void Preconditions::Add(Precondition precondition) {
-  precondition.expression = algebra::Simplify(precondition.expression);
   const bool known = std::ranges::any_of(preconditions_, [&](const Precondition& other) {
     return other.condition == precondition.condition &&
            other.expression == precondition.expression && other.relation == precondition.relation &&

@@ -16,8 +16,7 @@ struct Precondition {
   double limit = 0;
 };
 
-// The preconditions of one action, simplified. Those that say the same of the same expression are
-// kept once.
+// The preconditions of one action. Those that say the same of the same expression are kept once.
 class Preconditions {
  public:
   void Less(std::string condition, std::string meaning, const Expression& expression, double limit);

@@ -107,6 +107,11 @@ algebra::ConstraintSet UncertainWorld::constraints() const {
 }
 
 Interval UncertainWorld::RangeOf(const Expression& expression) const {
+  const algebra::ConstraintSet declared = constraints();
+  return algebra::Evaluate(expression, std::span<const Interval>(declared.box));
+}
+
+Interval UncertainWorld::TightRangeOf(const Expression& expression) const {
   if (expression.IsConstant()) return {expression.constant(), expression.constant()};
   const algebra::BoundRequest request = {.highest = algebra::Rung::kCentred};
   const algebra::ConstraintSet box = constraints();

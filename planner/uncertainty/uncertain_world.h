@@ -56,8 +56,10 @@ class UncertainWorld {
   void Nudge(PartId part, const RestingError& error);
 
   algebra::ConstraintSet constraints() const;  // the box of all variables
-  // A guaranteed range of the expression, in which nothing is missing.
+  // Guaranteed ranges of the expression, in which nothing is missing: by plain interval arithmetic,
+  // and by the ladder of bounds.
   Interval RangeOf(const Expression& expression) const;
+  Interval TightRangeOf(const Expression& expression) const;
   // The parts whose errors occur in the expression, in increasing order.
   std::vector<PartId> PartsIn(const Expression& expression) const;
   // The variables that occur in the expressions, by name and range.

@@ -57,10 +57,8 @@ std::string CommandFileText(const domain::Problem& problem, const plan::Plan& pl
 ExitCode ExportNetwork(const Options& options) {
   const scenario::Scenario scenario = LoadScenario(options.input, options.models);
   std::string dot;
-  const plan::PlanResult result =
-      PlanWithProgress(scenario.problem, {.show_family = [&](const posting::PartialPlan& plan) {
-                         dot = ConstraintNetworkToDot(plan);
-                       }});
+  const auto show = [&](const posting::PartialPlan& plan) { dot = ConstraintNetworkToDot(plan); };
+  const plan::PlanResult result = posting::MakePlan(scenario.problem, {.show_family = show});
   if (result.outcome == Outcome::kFound) {
     Deliver(dot, options);
   } else {

@@ -49,7 +49,7 @@ Answer MakeInstances(const domain::Problem& problem, const Options& options) {
   if (options.trace) {
     planner.trace = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   }
-  answer.result = PlanWithProgress(problem, planner);
+  answer.result = PlanWithProgress(problem, planner, {});
   // Fewer than were asked for are an answer, too.
   if (!answer.instances.empty()) {
     answer.result.outcome = Outcome::kFound;

@@ -34,15 +34,16 @@ PlannedProblem LoadOrMakePlan(const fs::path& file, const fs::path& models) {
     return LoadPlan(document, file, models);
   }
   scenario::Scenario scenario = LoadScenario(file, models);
-  plan::PlanResult result = PlanWithProgress(scenario.problem, {});
+  plan::PlanResult result = PlanWithProgress(scenario.problem, {}, {});
   return {file.string(), std::move(scenario.problem), std::move(scenario.simulation),
           std::move(result)};
 }
 
 plan::PlanResult PlanWithProgress(const domain::Problem& problem,
-                                  const posting::PlannerOptions& options) {
+                                  const posting::PlannerOptions& planner,
+                                  const posting::UncertaintyOptions& uncertainty) {
   const Progress progress("planning " + problem.name);
-  return posting::MakePlan(problem, options);
+  return posting::MakeCertifiedPlan(problem, planner, uncertainty);
 }
 
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan) {

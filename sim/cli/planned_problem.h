@@ -7,7 +7,7 @@
 #include "planner/domain/problem.h"
 #include "planner/plan/checker.h"
 #include "planner/plan/plan.h"
-#include "planner/posting/posting_planner.h"
+#include "planner/posting/uncertainty_phase.h"
 #include "sim/scenario/scenario.h"
 
 namespace assay::cli {
@@ -33,9 +33,10 @@ PlannedProblem LoadPlan(const Document& plan_file, const std::filesystem::path& 
 PlannedProblem LoadOrMakePlan(const std::filesystem::path& file,
                               const std::filesystem::path& models);
 
-// The planner, with progress for people on a terminal.
+// Both phases of the planner, with progress for people on a terminal.
 plan::PlanResult PlanWithProgress(const domain::Problem& problem,
-                                  const posting::PlannerOptions& options);
+                                  const posting::PlannerOptions& planner,
+                                  const posting::UncertaintyOptions& uncertainty);
 
 // The independent checker, over at most this many orders of the steps.
 inline constexpr int kMostLinearizations = 1000;
