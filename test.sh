@@ -14,7 +14,7 @@ test_planner_only() {
 
 # The readers of files and the planner, under the address and undefined-behaviour sanitizers.
 test_with_sanitizers() {
-  local libraries=(base geometry kinematics network domain plan posting)
+  local libraries=(base algebra geometry kinematics network domain plan uncertainty posting)
   build asan-ubsan "${libraries[@]/%/_test}"
   ASSAY_MUTATIONS=10000 quietly ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${libraries[*]}"))\."
 }

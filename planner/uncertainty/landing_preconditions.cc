@@ -17,8 +17,6 @@ using geometry::Vector2;
 
 constexpr double kSupportLayer = 1e-6;  // metres above the lowest vertex of a part that rests
 
-SymbolicVector AsVector(const Vector3& p) { return {p.x(), p.y(), p.z()}; }
-
 // The vertices of the face that will rest on the table.
 std::vector<Vector3> SupportVertices(const domain::PartModel& model, const Pose& X_WorldPart) {
   const auto height = [&](const Vector3& v) { return (X_WorldPart * v).z(); };
@@ -28,12 +26,6 @@ std::vector<Vector3> SupportVertices(const domain::PartModel& model, const Pose&
   std::ranges::copy_if(vertices, std::back_inserter(support),
                        [&](const Vector3& v) { return height(v) < lowest + kSupportLayer; });
   return support;
-}
-
-double GreatestRadius(const domain::PartModel& model) {
-  double radius = 0;
-  for (const Vector3& vertex : model.hull().vertices) radius = std::max(radius, vertex.norm());
-  return radius;
 }
 
 // A direction in which two footprints lie one behind the other.
@@ -137,14 +129,14 @@ class LandingConditions {
                          Magnitude(world_.RangeOf(world_.held().twist));
     return std::hypot(Magnitude(world_.RangeOf(displacement[0])),
                       Magnitude(world_.RangeOf(displacement[1]))) +
-           GreatestRadius(model_) * angle;
+           model_.shape().radius() * angle;
   }
 
   double GreatestShiftOf(PartId neighbour) const {
     const RestingError& error = world_.resting_about_plan(neighbour);
     return std::hypot(Magnitude(world_.RangeOf(error.displacement[0])),
                       Magnitude(world_.RangeOf(error.displacement[1]))) +
-           GreatestRadius(*world_.problem().part(neighbour).model) *
+           world_.problem().part(neighbour).model->shape().radius() *
                Magnitude(world_.RangeOf(error.theta));
   }
 

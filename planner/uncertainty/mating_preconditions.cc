@@ -19,14 +19,6 @@ using geometry::Vector2;
 constexpr double kParallel = 1e-6;  // of unit vectors
 constexpr double kWide = 1e3;       // metres: beyond every part
 
-SymbolicVector AsVector(const Vector3& p) { return {p.x(), p.y(), p.z()}; }
-
-double GreatestRadius(const PartModel& model) {
-  double radius = 0;
-  for (const Vector3& vertex : model.hull().vertices) radius = std::max(radius, vertex.norm());
-  return radius;
-}
-
 bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
 bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }
 
@@ -95,13 +87,9 @@ struct Relative {
 
 class FitConditions {
  public:
-  // greatest_shift: by which any point of the shaft's part may be from where the hole's part should
-  // see it, metres.
-  FitConditions(const Fit& fit, const domain::WorkcellRules& rules, double greatest_shift,
-                Preconditions& conditions)
+  FitConditions(const Fit& fit, const domain::WorkcellRules& rules, Preconditions& conditions)
       : fit_(fit),
         rules_(rules),
-        greatest_shift_(greatest_shift),
         conditions_(conditions),
         walls_(SideWalls(fit.hole_model, fit.hole)),
         section_(CrossSection(fit.shaft_model, fit.shaft)) {}
@@ -173,7 +161,6 @@ class FitConditions {
 
   const Fit& fit_;
   const domain::WorkcellRules& rules_;
-  double greatest_shift_;
   Preconditions& conditions_;
   std::vector<Wall> walls_;
   Polygon section_;
@@ -229,15 +216,13 @@ class MatingConditions {
                        FitName(held_, held, fixed_, fixed)};
       const double depth = Depth(fit, seated_.nominal);
       const Relative entering = Before(depth);
-      FitConditions(fit, rules, GreatestShift(fit, entering), conditions_)
-          .Require(entering, seated_, depth);
+      FitConditions(fit, rules, conditions_).Require(entering, seated_, depth);
     } else if (IsHole(held) && IsShaft(fixed)) {
       const Fit fit = {*held_.model, held, *fixed_.model, fixed,
                        FitName(fixed_, fixed, held_, held)};
       const double depth = Depth(fit, seated_.nominal.inverse());
       const Relative entering = Inverted(Before(depth));
-      FitConditions(fit, rules, GreatestShift(fit, entering), conditions_)
-          .Require(entering, Inverted(seated_), depth);
+      FitConditions(fit, rules, conditions_).Require(entering, Inverted(seated_), depth);
     }
   }
 
@@ -246,21 +231,6 @@ class MatingConditions {
     const Pose X_MouthTip =
         fit.hole.X_PartFeature.inverse() * X_HoleShaft * fit.shaft.X_PartFeature;
     return std::max(0.0, -X_MouthTip.translation().z());
-  }
-
-  // Of any point of the shaft's part, on the way from `entering` on, from where it should be.
-  double GreatestShift(const Fit& fit, const Relative& entering) const {
-    const SymbolicVector shift =
-        entering.possible.translation - AsTransform(entering.nominal).translation;
-    double squared = 0;
-    for (const Expression& along : shift) {
-      squared += std::pow(Magnitude(world_.RangeOf(along)), 2);
-    }
-    const double angle = Magnitude(world_.RangeOf(world_.resting(mating_.fixed).theta)) +
-                         Magnitude(world_.problem().gripper_error.theta) +
-                         Magnitude(world_.RangeOf(world_.held().twist));
-    const double advance = mating_.mating_vector.norm();
-    return std::sqrt(squared) + (GreatestRadius(fit.shaft_model) + advance) * angle;
   }
 
   static std::string FitName(const domain::Part& shaft_part, const Feature& shaft,

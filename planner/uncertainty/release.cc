@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "planner/algebra/simplify.h"
@@ -13,12 +12,6 @@ namespace assay::uncertainty {
 namespace {
 
 Interval PlusMinus(double half_width) { return {-half_width, half_width}; }
-
-double GreatestRadius(const domain::PartModel& model) {
-  double radius = 0;
-  for (const Vector3& vertex : model.hull().vertices) radius = std::max(radius, vertex.norm());
-  return radius;
-}
 
 Expression SameOrOppositeSense(const Vector3& up, const Expression& theta) {
   return up.z() < 0 ? -theta : theta;
@@ -33,7 +26,7 @@ void SetUpright(UncertainWorld& world, PartId part, const Vector3& up, const Man
   error.theta = world.Declare(fmt::format("theta_{}", name),
                               PlusMinus(TwistOf(hand, up.z()) + TwistOf(twist, up.y())), part);
   const double tilt = SwingOf(hand, up.z()) + SwingOf(twist, up.y());
-  const Interval settled = PlusMinus(GreatestRadius(*world.problem().part(part).model) * tilt);
+  const Interval settled = PlusMinus(world.problem().part(part).model->shape().radius() * tilt);
   for (int axis : {0, 1}) {
     error.displacement[axis] =
         error.displacement[axis] + world.Declare(fmt::format("settle_{}", name), settled, part);

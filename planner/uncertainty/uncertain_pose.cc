@@ -14,11 +14,11 @@ double WithoutRounding(double entry) {
   return entry;
 }
 
+}  // namespace
+
 SymbolicVector AsVector(const Vector3& p) {
   return {WithoutRounding(p.x()), WithoutRounding(p.y()), WithoutRounding(p.z())};
 }
-
-}  // namespace
 
 Transform ManipulatorError::AsTransform() const {
   return algebra::Translation({x, y, z}) * algebra::RotationZ(theta);

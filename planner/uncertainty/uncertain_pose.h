@@ -37,8 +37,9 @@ struct HeldError {
   Expression twist;  // radians about the tool's y
 };
 
-// A pose of numbers as a symbolic transform. Entries within 1e-15 of 0, 1 and -1 become these: what
-// rounding leaves of right angles is no part of the workcell.
+// Numbers as symbols. Entries within 1e-15 of 0, 1 and -1 become these: what rounding leaves of
+// right angles is no part of the workcell.
+SymbolicVector AsVector(const Vector3& p);
 Transform AsTransform(const Pose& pose);
 
 // T_(O+d) = Tr_d Tr_O R_d R_O.
