@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "planner/base/check.h"
 #include "planner/posting/combinations.h"
 #include "planner/posting/sensing_resolver.h"
 #include "planner/posting/squeezing_resolver.h"
@@ -16,7 +17,6 @@ namespace assay::posting {
 
 using plan::Resolution;
 using plan::StepId;
-using uncertainty::CertifiedStep;
 using uncertainty::UncertainWorld;
 using uncertainty::Unproved;
 
@@ -39,6 +39,7 @@ struct Entry {
   std::vector<Resolution> resolutions = {};
   std::vector<std::string> absorbed = {};  // conditions that a remedy takes care of
   bool given_up = false;                   // its goals cannot all be proved
+  double violation = 0;                    // of a step that was given up
 };
 
 // How far a step is from being proved; less is better.
@@ -95,6 +96,7 @@ domain::Problem BestKnown(domain::Problem problem) {
   return problem;
 }
 
+// Decides only what is proved; the certificates are written for the instance that is kept.
 class Augmentation {
  public:
   Augmentation(const domain::Problem& problem, const plan::Plan& instance,
@@ -103,12 +105,28 @@ class Augmentation {
     for (const StepId id : instance.ExecutionOrder()) {
       entries_.push_back({.id = id, .action = instance.step(id).action});
     }
+    while (!DecideInOrder()) {
+    }
   }
 
-  AugmentedPlanInstance Run() {
-    while (!CertifyInOrder()) {
+  std::int64_t combinations() const { return combinations_; }
+  int errors() const { return static_cast<int>(std::ranges::count_if(entries_, &Entry::given_up)); }
+  bool IsBetterThan(const Augmentation& other) const {
+    return std::tuple(errors(), violation()) < std::tuple(other.errors(), other.violation());
+  }
+
+  AugmentedPlanInstance WriteOut() const {
+    AugmentedPlanInstance augmented = {
+        .plan = instance_, .violation = violation(), .combinations = combinations_};
+    plan::Plan& plan = augmented.plan;
+    plan.errors = errors();
+    plan.steps.resize(entries_.size());
+    UncertainWorld world(problem_, options_.propagation);
+    for (std::size_t i = 0; i < entries_.size(); ++i) {
+      WriteOut(entries_[i], static_cast<int>(i) + 1, world, plan);
     }
-    return WriteOut();
+    if (entries_.size() > instance_.steps.size()) plan.ordering = OrderOfExecution();
+    return augmented;
   }
 
  private:
@@ -117,16 +135,21 @@ class Augmentation {
     int step = 0;  // where the mended step is now
   };
 
-  // False if a remedy was inserted, so that all must be certified anew.
-  bool CertifyInOrder() {
+  double violation() const {
+    double violation = 0;
+    for (const Entry& entry : entries_) violation += entry.violation;
+    return violation;
+  }
+
+  // False if a remedy was inserted, so that all must be decided anew.
+  bool DecideInOrder() {
     UncertainWorld world(problem_, options_.propagation);
-    certified_.clear();
     for (std::size_t i = 0; i < entries_.size(); ++i) {
-      CertifiedStep step = uncertainty::CertifyStep(world, entries_[i].action, options_.bound);
-      Absorb(entries_[i], step.unproved);
-      const bool fails = !step.unproved.empty() && !entries_[i].given_up;
-      if (fails && Mend(static_cast<int>(i), step.unproved)) return false;
-      certified_.push_back(std::move(step));
+      const std::vector<Unproved> unproved =
+          Decide(world, entries_[i], uncertainty::Wanted::kAllUnproved);
+      entries_[i].violation = uncertainty::Violation(unproved);
+      const bool fails = !unproved.empty() && !entries_[i].given_up;
+      if (fails && Mend(static_cast<int>(i), unproved)) return false;
     }
     return true;
   }
@@ -301,28 +324,17 @@ class Augmentation {
     Note(entry, "verification", why);
   }
 
-  AugmentedPlanInstance WriteOut() {
-    AugmentedPlanInstance augmented = {.plan = instance_, .combinations = combinations_};
-    plan::Plan& plan = augmented.plan;
-    plan.steps.resize(entries_.size());
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      const Entry& entry = entries_[i];
-      plan::PlannedStep& step = plan.steps[entry.id.index()];
-      if (entry.id.index() >= static_cast<int>(instance_.steps.size())) {
-        step.name = fmt::format("action_{}", entry.id.index() + 1);
-        step.action = entry.action;
-        step.inserted = entry.id.index() + 1;
-      }
-      step.executed = static_cast<int>(i) + 1;
-      step.certificate = std::move(certified_[i].certificate);
-      step.certificate.resolutions = entry.resolutions;
-      if (certified_[i].unproved.empty()) continue;
-      augmented.violation += uncertainty::Violation(certified_[i].unproved);
-      ++plan.errors;
-      AddVerification(problem_, entry.id, step.action, plan);
+  void WriteOut(const Entry& entry, int executed, UncertainWorld& world, plan::Plan& plan) const {
+    plan::PlannedStep& step = plan.steps[entry.id.index()];
+    if (entry.id.index() >= static_cast<int>(instance_.steps.size())) {
+      step.name = fmt::format("action_{}", entry.id.index() + 1);
+      step.action = entry.action;
+      step.inserted = entry.id.index() + 1;
     }
-    if (entries_.size() > instance_.steps.size()) plan.ordering = OrderOfExecution();
-    return augmented;
+    step.executed = executed;
+    step.certificate = CertifyStep(world, entry.action, options_.bound).certificate;
+    step.certificate.resolutions = entry.resolutions;
+    if (entry.given_up) AddVerification(problem_, entry.id, step.action, plan);
   }
 
   // What was inserted was certified for this order.
@@ -336,16 +348,11 @@ class Augmentation {
 
   const domain::Problem& problem_;
   const domain::Problem best_known_;
-  const plan::Plan& instance_;
+  const plan::Plan instance_;
   const UncertaintyOptions& options_;
-  std::vector<Entry> entries_;            // in the order of execution
-  std::vector<CertifiedStep> certified_;  // of the entries
+  std::vector<Entry> entries_;  // in the order of execution
   std::int64_t combinations_ = 0;
 };
-
-bool IsBetter(const AugmentedPlanInstance& a, const AugmentedPlanInstance& b) {
-  return std::tie(a.plan.errors, a.violation) < std::tie(b.plan.errors, b.violation);
-}
 
 UncertaintyOptions WithDefaults(UncertaintyOptions options) {
   if (options.resolvers.empty()) {
@@ -360,29 +367,29 @@ UncertaintyOptions WithDefaults(UncertaintyOptions options) {
 AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& instance,
                               const UncertaintyOptions& options) {
   const UncertaintyOptions complete = WithDefaults(options);
-  return Augmentation(problem, instance, complete).Run();
+  return Augmentation(problem, instance, complete).WriteOut();
 }
 
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
                                    const UncertaintyOptions& options) {
+  ASSAY_CHECK(!planner.accept, "which instance is accepted is for the uncertainty phase to say");
   const UncertaintyOptions complete = WithDefaults(options);
-  std::optional<AugmentedPlanInstance> best;
+  std::unique_ptr<const Augmentation> best;
   std::int64_t instances = 0;
   std::int64_t combinations = 0;
   PlannerOptions first_phase = planner;
   first_phase.accept = [&](const plan::Plan& instance) {
-    AugmentedPlanInstance augmented = Augmentation(problem, instance, complete).Run();
-    combinations += augmented.combinations;
-    if (!best || IsBetter(augmented, *best)) best = std::move(augmented);
-    const bool wanted = !planner.accept || planner.accept(best->plan);
-    return (best->plan.errors == 0 && wanted) || ++instances >= complete.instances;
+    auto augmentation = std::make_unique<const Augmentation>(problem, instance, complete);
+    combinations += augmentation->combinations();
+    if (!best || augmentation->IsBetterThan(*best)) best = std::move(augmentation);
+    return best->errors() == 0 || ++instances >= complete.instances;
   };
   plan::PlanResult result = MakePlan(problem, first_phase);
   result.counters["remedies"] = combinations;
   if (best) {
     result.outcome = Outcome::kFound;
     result.conflict.clear();
-    result.plan = std::move(best->plan);
+    result.plan = best->WriteOut().plan;
   }
   return result;
 }

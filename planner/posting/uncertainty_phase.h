@@ -17,7 +17,7 @@ struct UncertaintyOptions {
   algebra::BoundRequest bound = {};
   int most_remedies = 3;            // at once, for one step
   std::int64_t combinations = 100;  // of remedies, tried for one step
-  std::int64_t instances = 20;      // plan instances looked at, of all plans of the first phase
+  std::int64_t instances = 10;      // plan instances looked at, of all plans of the first phase
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
 };
 
@@ -41,6 +41,7 @@ AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& 
 // Both phases: plan instances of the first phase are augmented one after another until one has no
 // errors; else the one with the fewest, and among these the smallest violation. Beyond the paper,
 // the first phase is asked for further plans, not only for further instances of one.
+// planner.accept must be empty.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
                                    const UncertaintyOptions& options);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/algebra/glance.h"
 #include "planner/algebra/simplify.h"
 #include "planner/algebra/text.h"
 #include "planner/base/check.h"
@@ -111,10 +112,8 @@ class StepCertifier {
   void Require(const std::vector<Precondition>& preconditions) {
     const algebra::ConstraintSet box = world_.constraints();
     for (const Precondition& precondition : preconditions) {
-      if (!certifies() && HoldsAtAGlance(precondition, box)) continue;
-      const Bound bound = BoundOf(precondition, box);
-      CertifiedPrecondition claim = ClaimOf(precondition, bound);
-      if (certifies()) Detail(precondition, bound, claim);
+      CertifiedPrecondition claim =
+          certifies() ? Certified(precondition, box) : Decided(precondition, box);
       if (!claim.holds()) {
         certified_.unproved.push_back({claim, world_.PartsIn(precondition.expression)});
         if (effort_ == Effort::kDecideFirst) return;
@@ -123,11 +122,25 @@ class StepCertifier {
     }
   }
 
-  // Plain interval arithmetic on the expression as it was built: nothing is cheaper.
-  static bool HoldsAtAGlance(const Precondition& precondition, const algebra::ConstraintSet& box) {
-    const Interval range = algebra::Evaluate(precondition.expression, box.box);
-    return precondition.relation == Relation::kLess ? range.high < precondition.limit
-                                                    : range.low > precondition.limit;
+  CertifiedPrecondition Certified(const Precondition& precondition,
+                                  const algebra::ConstraintSet& box) {
+    const Bound bound = BoundOf(precondition, box);
+    CertifiedPrecondition claim = ClaimOf(precondition, bound);
+    Detail(precondition, bound, claim);
+    return claim;
+  }
+
+  // A glance answers most questions, if not as tightly.
+  CertifiedPrecondition Decided(const Precondition& precondition,
+                                const algebra::ConstraintSet& box) const {
+    const auto& [condition, meaning, expression, relation, limit] = precondition;
+    const bool less = relation == Relation::kLess;
+    const algebra::Glance glance =
+        less ? GlanceAbove(expression, box.box, limit) : GlanceBelow(expression, box.box, limit);
+    const bool holds = less ? glance.bound < limit : glance.bound > limit;
+    const bool fails = less ? glance.attained >= limit : glance.attained <= limit;
+    if (holds || fails) return ClaimOf(precondition, {.value = glance.bound});
+    return ClaimOf(precondition, BoundOf(precondition, box));
   }
 
   Bound BoundOf(const Precondition& precondition, const algebra::ConstraintSet& box) const {

@@ -53,9 +53,10 @@ HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
   const Vector3 up = VerticalInTool(X_WorldTool);
   const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
   const double hand = Magnitude(world.RangeOf(draw.theta));
-  const double push = Magnitude(world.RangeOf(grasped[1]));
+  // Tight: in plain interval arithmetic, what an earlier squeeze told is lost when the axes turn.
+  const double push = Magnitude(world.TightRangeOf(grasped[1]));
   const double turn = TwistOf(theta, up.z()) + hand +
-                      TurnOfPush(world, part, hold, world.RangeOf(grasped[0]), push);
+                      TurnOfPush(world, part, hold, world.TightRangeOf(grasped[0]), push);
   const double half_pad = world.problem().workcell->gripper().pad_half_extents().x();
   const auto declare = [&](const char* what, double half_width) {
     return world.Declare(fmt::format("{}_{}", what, world.SymbolName(part)), PlusMinus(half_width),
