@@ -9,6 +9,7 @@
 #include "planner/algebra/branch_and_bound.h"
 #include "planner/algebra/centred.h"
 #include "planner/algebra/feasible_ascent.h"
+#include "planner/algebra/glance.h"
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/monotone.h"
 #include "planner/algebra/sup_inf.h"
@@ -87,7 +88,12 @@ class Ladder {
     return is_defined ? Restricted(problem, monotone.box) : problem;
   }
 
+  // The normal form writes a sine's square as 1 - cos^2, and small errors are then small
+  // differences: mostly, but not always, the expression as it stands is looser.
   void StepOnCentred(Probe& probe) {
+    const double as_it_stands = sign_ > 0 ? GlanceAbove(e_, constraints_.box, -kInfinity).bound
+                                          : -GlanceBelow(e_, constraints_.box, kInfinity).bound;
+    Lower(as_it_stands, Rung::kCentred);
     const MonotoneBox relaxed = SetMonotoneVariables(probe, probe.problem().box);
     const bool is_defined = probe.over_box().DefinedEverywhere();
     Lower(relaxed.range.high, Rung::kMonotone);

@@ -21,12 +21,16 @@ struct ErrorVariable {
 
 // Where the true pose of a part may be, relative to where it is believed to be: a box that contains
 // every error. In the world frame while it rests (x, y, z of its origin; theta about the world's
-// z), in the tool frame while it is held (of the grasped point; theta about the tool's z).
+// z), in the frame of the commanded tool while it is held: of the grasped point, and turned about
+// the tool's z by theta, then by tip about x and by twist about y. The hand errs anew at each pose
+// that it is told: a part in the hand is known to within other sets at the end of one step and at
+// the beginning of the next.
 struct ErrorSet {
   domain::PartId part;
   bool in_hand = false;
   Interval x, y, z, theta;  // metres, radians
-  Interval twist = {};      // in the hand: about the tool's y, which closed pads leave; radians
+  Interval tip = {};        // in the hand; radians
+  Interval twist = {};      // in the hand: what closed pads leave; radians
 
   bool operator==(const ErrorSet&) const = default;
 };

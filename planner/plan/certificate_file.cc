@@ -99,11 +99,12 @@ Json ErrorSetToJson(const ErrorSet& errors, const domain::Problem& problem) {
   return {{"part", problem.part(errors.part).name}, {"in_hand", errors.in_hand},
           {"x", IntervalToJson(errors.x)},          {"y", IntervalToJson(errors.y)},
           {"z", IntervalToJson(errors.z)},          {"theta", IntervalToJson(errors.theta)},
+          {"tip", IntervalToJson(errors.tip)},
           {"twist", IntervalToJson(errors.twist)}};
 }
 
 ErrorSet ReadErrorSet(const Value& value, const domain::Problem& problem) {
-  value.AllowOnly({"part", "in_hand", "x", "y", "z", "theta", "twist"});
+  value.AllowOnly({"part", "in_hand", "x", "y", "z", "theta", "tip", "twist"});
   std::vector<std::string> names;
   for (const domain::Part& part : problem.parts) names.push_back(part.name);
   return {.part = domain::PartId(value.At("part").OneOf(names)),
@@ -112,6 +113,7 @@ ErrorSet ReadErrorSet(const Value& value, const domain::Problem& problem) {
           .y = ReadInterval(value.At("y")),
           .z = ReadInterval(value.At("z")),
           .theta = ReadInterval(value.At("theta")),
+          .tip = ReadInterval(value.At("tip")),
           .twist = ReadInterval(value.At("twist"))};
 }
 

@@ -37,8 +37,8 @@ std::optional<int> Latest(int step, const Condition& holds) {
 }  // namespace
 
 std::optional<int> LatestFree(const std::vector<WorldState>& states, int step, PartId part) {
-  return Latest(step,
-                [&](int moment) { return states[moment].part(part).status != PartStatus::kHeld; });
+  return Latest(
+      step, [&](int moment) { return states[moment].part(part).status == PartStatus::kResting; });
 }
 
 std::optional<int> LatestGraspable(const domain::Problem& problem,

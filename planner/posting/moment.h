@@ -12,8 +12,8 @@ namespace assay::posting {
 std::vector<plan::WorldState> StatesOf(const domain::Problem& problem,
                                        std::span<const plan::Action> actions);
 
-// The latest moment up to that of `step` at which the part lies free of the hand; none if it is
-// held from the start on.
+// The latest moment up to that of `step` at which the part rests, neither held nor mated into
+// another; none if it never does.
 std::optional<int> LatestFree(const std::vector<plan::WorldState>& states, int step,
                               domain::PartId part);
 // The latest at which, besides, the hand is empty and the part is mated with no other.

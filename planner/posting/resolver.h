@@ -44,6 +44,9 @@ class Resolver {
   virtual ~Resolver() = default;
 
   virtual std::string_view name() const = 0;  // "sensing"
+  // Whether what it inserts may move parts. What does not is also inserted where it proves nothing
+  // but brings a step nearer to being proved.
+  virtual bool disturbs() const { return true; }
   // Remedies worth trying, alone or together with others for other parts, best first. Operational
   // and geometric preconditions of what they insert hold; uncertainty-reduction preconditions need
   // not.

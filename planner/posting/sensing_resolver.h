@@ -10,6 +10,7 @@ namespace assay::posting {
 class SensingResolver : public Resolver {
  public:
   std::string_view name() const override { return "sensing"; }
+  bool disturbs() const override { return false; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override;
 };
 

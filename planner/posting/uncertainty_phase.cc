@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <tuple>
 
@@ -17,6 +18,7 @@ namespace assay::posting {
 
 using plan::Resolution;
 using plan::StepId;
+using uncertainty::CertifiedStep;
 using uncertainty::UncertainWorld;
 using uncertainty::Unproved;
 
@@ -39,7 +41,7 @@ struct Entry {
   std::vector<Resolution> resolutions = {};
   std::vector<std::string> absorbed = {};  // conditions that a remedy takes care of
   bool given_up = false;                   // its goals cannot all be proved
-  double violation = 0;                    // of a step that was given up
+  double violation = 0;                    // by how much they fail
 };
 
 // How far a step is from being proved; less is better.
@@ -48,7 +50,7 @@ struct Shortfall {
   double violation = 0;
 
   bool IsLessThan(const Shortfall& other) const {
-    constexpr double kRelevant = 1e-9;  // metres and radians
+    constexpr double kRelevant = 1e-5;  // metres and radians: less is not worth an action
     return goals < other.goals || (goals == other.goals && violation < other.violation - kRelevant);
   }
 };
@@ -68,8 +70,11 @@ std::string WhyUnproved(const std::vector<Unproved>& unproved) {
   const auto margin = [](const Unproved& unmet) { return unmet.claim.margin; };
   const plan::CertifiedPrecondition& worst = std::ranges::min_element(unproved, {}, margin)->claim;
   const bool less = worst.relation == plan::Relation::kLess;
-  return fmt::format("{}: {} {:.6g}, must be {} {:.6g}", worst.meaning, less ? "SUP" : "INF",
-                     worst.bound, less ? "<" : ">", worst.limit);
+  const bool is_angle = worst.condition == "tilt";
+  const double scale = is_angle ? 180 / std::numbers::pi : 1000;
+  return fmt::format("not proved that {}: {} {:.4g}, must be {} {:.4g} {}", worst.meaning,
+                     less ? "SUP" : "INF", scale * worst.bound, less ? "<" : ">",
+                     scale * worst.limit, is_angle ? "deg" : "mm");
 }
 
 struct Candidate {
@@ -81,13 +86,26 @@ bool IsMeasured(const Interval& promise) {
   return std::isfinite(promise.low) && std::isfinite(promise.high);
 }
 
+bool HoldsZero(const Interval& range) { return range.low <= 0 && range.high >= 0; }
+bool HoldsZero(const domain::PoseError& error) {
+  return HoldsZero(error.x) && HoldsZero(error.y) && HoldsZero(error.z) && HoldsZero(error.theta);
+}
+
 // The problem as the best remedies could make it: x, y and theta of every part known exactly, by
-// squeezing or sensing, and z if a sensor that may be used measures it.
+// squeezing or sensing, and z if a sensor that may be used measures it. Whatever the remedies, this
+// is among what remains possible if all errors may be 0; otherwise nothing is assumed.
 domain::Problem BestKnown(domain::Problem problem) {
-  const bool height_is_measured = std::ranges::any_of(problem.sensors, [&](const auto& name) {
+  bool may_be_zero = HoldsZero(problem.gripper_error);
+  bool height_is_measured = false;
+  for (const std::string& name : problem.sensors) {
     const auto* sensor = problem.workcell->uncertainty_operations().FindSensor(name);
-    return sensor != nullptr && IsMeasured(sensor->z);
-  });
+    ASSAY_CHECK(sensor != nullptr, "the workcell has no sensor '{}'", name);
+    height_is_measured |= IsMeasured(sensor->z);
+    may_be_zero &= HoldsZero(sensor->x) && HoldsZero(sensor->y) && HoldsZero(sensor->z) &&
+                   HoldsZero(sensor->theta);
+  }
+  for (const domain::Part& part : problem.parts) may_be_zero &= HoldsZero(part.error);
+  if (!may_be_zero) return problem;
   for (domain::Part& part : problem.parts) {
     const Interval height = part.error.z;
     part.error = {};
@@ -110,9 +128,10 @@ class Augmentation {
   }
 
   std::int64_t combinations() const { return combinations_; }
-  int errors() const { return static_cast<int>(std::ranges::count_if(entries_, &Entry::given_up)); }
+  int errors() const { return static_cast<int>(std::ranges::count_if(entries_, Fails)); }
   bool IsBetterThan(const Augmentation& other) const {
-    return std::tuple(errors(), violation()) < std::tuple(other.errors(), other.violation());
+    return std::tuple(errors(), instance_.steps.size(), violation()) <
+           std::tuple(other.errors(), other.instance_.steps.size(), other.violation());
   }
 
   AugmentedPlanInstance WriteOut() const {
@@ -135,6 +154,8 @@ class Augmentation {
     int step = 0;  // where the mended step is now
   };
 
+  static bool Fails(const Entry& entry) { return entry.violation > 0; }
+
   double violation() const {
     double violation = 0;
     for (const Entry& entry : entries_) violation += entry.violation;
@@ -144,19 +165,28 @@ class Augmentation {
   // False if a remedy was inserted, so that all must be decided anew.
   bool DecideInOrder() {
     UncertainWorld world(problem_, options_.propagation);
-    for (std::size_t i = 0; i < entries_.size(); ++i) {
-      const std::vector<Unproved> unproved =
-          Decide(world, entries_[i], uncertainty::Wanted::kAllUnproved);
+    for (int i = 0; i < std::ssize(entries_); ++i) {
+      const UncertainWorld before = world;
+      entries_[i].violation = 0;
+      if (Decide(world, entries_[i], uncertainty::Wanted::kFirstUnproved).empty()) continue;
+      world = before;
+      // What fails is to be told as the certificate will tell it.
+      const std::vector<Unproved> unproved = Certify(world, entries_[i]).unproved;
+      if (unproved.empty()) continue;
+      if (!entries_[i].given_up && Mend(i, unproved)) return false;
       entries_[i].violation = uncertainty::Violation(unproved);
-      const bool fails = !unproved.empty() && !entries_[i].given_up;
-      if (fails && Mend(static_cast<int>(i), unproved)) return false;
     }
     return true;
   }
 
+  CertifiedStep Certify(UncertainWorld& world, const Entry& entry) const {
+    CertifiedStep step = CertifyStep(world, entry.action, options_.bound);
+    Absorb(entry, step.unproved);
+    return step;
+  }
+
   // Whether remedies were applied. If none prove all the step's goals, the step is given up, and
-  // only the sensing (remedies of the first resolver) that brings them nearest is applied: it
-  // disturbs nothing.
+  // only what brings them nearest without moving parts is applied.
   bool Mend(int step, const std::vector<Unproved>& failed) {
     const std::vector<Candidate> candidates = Candidates(step, failed);
     const std::string why = WhyUnproved(failed);
@@ -170,7 +200,7 @@ class Augmentation {
         return true;
       }
     }
-    auto nearer = NearingRemedies(step, candidates, ShortfallOf(failed), why);
+    auto nearer = NearingRemedies(step, candidates, why);
     const bool helps = nearer.has_value();
     if (nearer) step = apply(std::move(*nearer));
     GiveUp(entries_[step], why);
@@ -203,15 +233,17 @@ class Augmentation {
   }
 
   std::optional<Mended> NearingRemedies(int step, const std::vector<Candidate>& candidates,
-                                        Shortfall least, const std::string& why) {
+                                        const std::string& why) {
     std::optional<Mended> nearest;
+    std::optional<Shortfall> least = ShortfallAfter({entries_, step});
     std::vector<Combinable> items = ItemsOf(candidates);
-    std::erase_if(items, [](const Combinable& item) { return item.group > 0; });
+    std::erase_if(
+        items, [&](const Combinable& item) { return options_.resolvers[item.group]->disturbs(); });
     const auto compare = [&](const std::vector<int>& chosen) {
       Mended mended = With(step, candidates, chosen, why);
       const std::optional<Shortfall> shortfall = ShortfallAfter(mended);
-      if (!shortfall || !shortfall->IsLessThan(least)) return false;
-      least = *shortfall;
+      if (!shortfall || !shortfall->IsLessThan(*least)) return false;
+      least = shortfall;
       nearest = std::move(mended);
       return false;
     };
@@ -332,9 +364,12 @@ class Augmentation {
       step.inserted = entry.id.index() + 1;
     }
     step.executed = executed;
-    step.certificate = CertifyStep(world, entry.action, options_.bound).certificate;
+    CertifiedStep certified = Certify(world, entry);
+    ASSAY_CHECK(certified.unproved.empty() == !Fails(entry),
+                "'{}' is certified otherwise than it was decided", step.name);
+    step.certificate = std::move(certified.certificate);
     step.certificate.resolutions = entry.resolutions;
-    if (entry.given_up) AddVerification(problem_, entry.id, step.action, plan);
+    if (Fails(entry)) AddVerification(problem_, entry.id, step.action, plan);
   }
 
   // What was inserted was certified for this order.

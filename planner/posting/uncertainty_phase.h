@@ -31,15 +31,16 @@ struct AugmentedPlanInstance {
 
 // Goes through the instance in the order of execution. For each action: certify its preconditions;
 // if one is not proved, look for the fewest remedies, sensing first, that prove all of them and
-// keep what is proved; else insert what helps most, count an error and add the workcell's
-// verification and recovery templates. Beyond the paper, remedies go in wherever their
-// preconditions hold, not only right before the step, and their own uncertainty goals are planned
-// for by further remedies.
+// keep what is proved; else insert what brings the step nearest without moving parts, count an
+// error and add the workcell's verification and recovery templates. Beyond the paper, remedies go
+// in wherever their preconditions hold, not only right before the step, and a remedy may prepare
+// another's own goals: sensing before squeezing, for this part or for another.
 AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& instance,
                               const UncertaintyOptions& options);
 
 // Both phases: plan instances of the first phase are augmented one after another until one has no
-// errors; else the one with the fewest, and among these the smallest violation. Beyond the paper,
+// errors; else the one with the fewest, among these the fewest actions of the first phase, and then
+// the smallest violation. Beyond the paper,
 // the first phase is asked for further plans, not only for further instances of one.
 // planner.accept must be empty.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,

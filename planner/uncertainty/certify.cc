@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/algebra/glance.h"
+#include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/simplify.h"
 #include "planner/algebra/text.h"
 #include "planner/base/check.h"
@@ -40,13 +41,14 @@ class StepCertifier {
   void operator()(const plan::Squeeze& squeeze) {
     const ManipulatorError draw = world_.DrawManipulator();
     const HeldError held = RequireGrasp(squeeze.part, squeeze.hold, draw);
+    const BeliefShift shift = world_.shift(squeeze.part);
     const Expression height = world_.resting(squeeze.part).displacement[2];
     world_.SetHeld(squeeze.part, held);
     RestingError error =
         Release(world_, squeeze.part, squeeze.hold, PossibleGrasp(held, draw, world_.propagation()),
                 draw, world_.X_WorldPart(squeeze.part));
     error.displacement[2] = height;  // it stays on the table
-    world_.Nudge(squeeze.part, error);
+    world_.SetResting(squeeze.part, world_.X_WorldPart(squeeze.part), error, shift);
     After(squeeze.part);
   }
 
@@ -56,12 +58,13 @@ class StepCertifier {
     const Pose& X_WorldPart = putdown.to.X_WorldPart;
     const Expression table = world_.DrawTableHeight(putdown.part);
     Before(putdown.part, grasp);
-    if (decides()) {
-      Require(LandingPreconditions(world_, putdown.part, putdown.hold, grasp, X_WorldPart, table));
-    }
     RestingError error = Release(world_, putdown.part, putdown.hold, grasp, draw, X_WorldPart);
     error.displacement[2] = table;
-    world_.SetResting(putdown.part, X_WorldPart, error);
+    if (decides()) {
+      Require(LandingPreconditions(world_, putdown.part, putdown.hold, grasp, X_WorldPart, table,
+                                   error));
+    }
+    world_.SetResting(putdown.part, X_WorldPart, error, {});
     After(putdown.part);
   }
 
@@ -75,8 +78,9 @@ class StepCertifier {
       Require(MatingPreconditions(world_, assemble.mating, assemble.hold, grasp));
     }
     const Pose X_WorldHeld = world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
-    world_.SetResting(mating.held, X_WorldHeld,
-                      Release(world_, mating.held, assemble.hold, grasp, draw, X_WorldHeld));
+    const RestingError error = ReleaseInSeat(world_, assemble.mating, assemble.hold, grasp, draw);
+    world_.SetResting(mating.held, X_WorldHeld, error,
+                      world_.ShiftAt(mating.fixed, X_WorldHeld.translation()));
     After(mating.held);
     After(mating.fixed);
   }
@@ -130,9 +134,13 @@ class StepCertifier {
     return claim;
   }
 
-  // A glance answers most questions, if not as tightly.
+  // A glance answers most questions, if not as tightly. It sees what the centred rung sees: where
+  // less is wanted, it must not tell more than the certificate will.
   CertifiedPrecondition Decided(const Precondition& precondition,
                                 const algebra::ConstraintSet& box) const {
+    if (request_.highest < algebra::Rung::kCentred) {
+      return ClaimOf(precondition, BoundOf(precondition, box));
+    }
     const auto& [condition, meaning, expression, relation, limit] = precondition;
     const bool less = relation == Relation::kLess;
     const algebra::Glance glance =
@@ -213,13 +221,15 @@ void Propagate(UncertainWorld& world, const plan::Action& action) {
 }
 
 plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transform& X_ToolGrasp) {
-  const SymbolicVector offset = algebra::Simplify(X_ToolGrasp.translation);
+  const SymbolicVector& offset = X_ToolGrasp.translation;
   return {.part = part,
           .in_hand = true,
           .x = world.TightRangeOf(offset[0]),
           .y = world.TightRangeOf(offset[1]),
           .z = world.TightRangeOf(offset[2]),
-          .theta = world.problem().gripper_error.theta,
+          .theta = algebra::operator+(world.TightRangeOf(world.held().skew),
+                                      world.problem().gripper_error.theta),
+          .tip = world.TightRangeOf(world.held().tip),
           .twist = world.TightRangeOf(world.held().twist)};
 }
 

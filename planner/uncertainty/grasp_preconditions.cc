@@ -8,7 +8,7 @@
 namespace assay::uncertainty {
 namespace {
 
-constexpr double kFingertipLayer = 1e-6;  // metres above the lowest point of the fingers
+constexpr double kRounding = 1e-9;  // metres
 
 class GraspConditions {
  public:
@@ -64,8 +64,13 @@ class GraspConditions {
     }
     const auto height = [&](const Vector3& corner) { return (X_WorldTool_ * corner).z(); };
     const double lowest = height(*std::ranges::min_element(corners, {}, height));
+    // The hand's rotation lifts and lowers corners by no more than it moves them.
+    const auto moves = [&](const Vector3& corner) {
+      return corner.head<2>().norm() * Magnitude(world_.problem().gripper_error.theta);
+    };
+    const double layer = 2 * moves(*std::ranges::max_element(corners, {}, moves));
     for (const Vector3& corner : corners) {
-      if (height(corner) > lowest + kFingertipLayer) continue;
+      if (height(corner) > lowest + layer + kRounding) continue;
       const SymbolicVector tip =
           possible_tool_ * SymbolicVector{corner.x(), corner.y(), corner.z()};
       conditions_.Greater("fingertip", "the fingers end above the table",

@@ -8,6 +8,7 @@
 #include "planner/domain/part_model.h"
 #include "planner/domain/resting.h"
 #include "planner/uncertainty/precondition.h"
+#include "planner/uncertainty/release.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -61,33 +62,47 @@ Expression Along(const Vector2& direction, const SymbolicVector& p) {
   return direction.x() * p[0] + direction.y() * p[1];
 }
 
+// Where a part may be, and how far any of its points may be from where it should.
+struct PossiblePart {
+  Transform pose;
+  double greatest_shift = 0;  // metres, in the plane of the table
+};
+
 class LandingConditions {
  public:
   LandingConditions(const UncertainWorld& world, PartId part, const plan::Hold& hold,
-                    const Transform& X_ToolGrasp, const Pose& X_WorldPart)
+                    const Transform& X_ToolGrasp, const Pose& X_WorldPart,
+                    const RestingError& released)
       : world_(world),
         part_(part),
         model_(*world.problem().part(part).model),
         X_WorldPart_(X_WorldPart),
-        possible_(algebra::Simplify(
-            PossibleHeldPose(X_WorldPart * hold.X_PartTool, X_ToolGrasp, hold.X_PartTool))) {}
+        landing_(algebra::Simplify(
+            PossibleHeldPose(X_WorldPart * hold.X_PartTool, X_ToolGrasp, hold.X_PartTool))) {
+    stages_.push_back(InHand());
+    if (!ComesUpright(world, hold, X_WorldPart)) {
+      stages_.push_back(Resting(part, X_WorldPart, released));
+    }
+  }
 
   void RequireHeight(const Expression& table) {
     const double travel = world_.problem().workcell->rules().guarded_travel;
     for (const Vector3& vertex : SupportVertices(model_, X_WorldPart_)) {
       conditions_.Within("landing height", "the part meets the table on the guarded way",
-                         At(vertex)[2] - table, travel);
+                         (landing_ * AsVector(vertex))[2] - table, travel);
     }
   }
 
   void RequireOnTable() {
     const Polygon& top = world_.problem().workcell->table().top;
-    for (const Vector3& vertex : SupportVertices(model_, X_WorldPart_)) {
-      for (std::size_t i = 0; i < top.size(); ++i) {
-        const Vector2 edge = top[(i + 1) % top.size()] - top[i];
-        const Vector2 outward = Vector2(edge.y(), -edge.x()).normalized();
-        conditions_.Less("footprint", "the part comes to stand on the table",
-                         Along(outward, At(vertex)), outward.dot(top[i]));
+    for (std::size_t i = 0; i < top.size(); ++i) {
+      const Vector2 edge = top[(i + 1) % top.size()] - top[i];
+      const Vector2 outward = Vector2(edge.y(), -edge.x()).normalized();
+      for (const PossiblePart& stage : stages_) {
+        for (const Vector3& vertex : SupportVertices(model_, X_WorldPart_)) {
+          conditions_.Less("footprint", "the part comes to stand on the table",
+                           Along(outward, stage.pose * AsVector(vertex)), outward.dot(top[i]));
+        }
       }
     }
   }
@@ -98,53 +113,68 @@ class LandingConditions {
     const Separation separation =
         BestSeparation(domain::Footprint(world_.problem().part(part_), X_WorldPart_),
                        domain::Footprint(other, X_WorldOther));
-    const double reach = GreatestShift() + GreatestShiftOf(neighbour);
-    if (separation.gap > reach) return;  // proved: no error is as great
-    const Transform possible_other =
-        PossiblePose(X_WorldOther, world_.resting_about_plan(neighbour));
-    const std::string meaning = fmt::format("the part stays clear of {}", other.name);
-    const Vector2& along = separation.direction;
-    const auto nominal = [&](const Pose& X, const Vector3& v) {
-      return along.dot((X * v).head<2>());
-    };
-    for (const Vector3& v : model_.hull().vertices) {
-      for (const Vector3& w : other.model->hull().vertices) {
-        if (nominal(X_WorldOther, w) - nominal(X_WorldPart_, v) > reach) continue;
-        conditions_.Less("neighbour clear", meaning,
-                         Along(along, At(v)) - Along(along, possible_other * AsVector(w)), 0);
-      }
+    const PossiblePart possible_other =
+        Resting(neighbour, X_WorldOther, world_.about_plan(neighbour));
+    for (const PossiblePart& stage : stages_) {
+      const double reach = stage.greatest_shift + possible_other.greatest_shift;
+      if (separation.gap > reach) continue;  // proved: no error is as great
+      RequireApart(stage, neighbour, possible_other, separation.direction);
     }
   }
 
   std::vector<Precondition> Take() { return conditions_.Take(); }
 
  private:
-  SymbolicVector At(const Vector3& vertex) const { return possible_ * AsVector(vertex); }
-
-  // How far any vertex of the part may be from where it should come.
-  double GreatestShift() const {
-    const SymbolicVector displacement =
-        possible_.translation - AsTransform(X_WorldPart_).translation;
-    const double angle = Magnitude(world_.problem().gripper_error.theta) +
-                         Magnitude(world_.RangeOf(world_.held().twist));
-    return std::hypot(Magnitude(world_.RangeOf(displacement[0])),
-                      Magnitude(world_.RangeOf(displacement[1]))) +
-           model_.shape().radius() * angle;
+  // Of those vertices that may come to lie side by side.
+  void RequireApart(const PossiblePart& possible, PartId neighbour,
+                    const PossiblePart& possible_other, const Vector2& along) {
+    const domain::Part& other = world_.problem().part(neighbour);
+    const Pose& X_WorldOther = world_.X_WorldPart(neighbour);
+    const double reach = possible.greatest_shift + possible_other.greatest_shift;
+    const auto nominal = [&](const Pose& X, const Vector3& v) {
+      return along.dot((X * v).head<2>());
+    };
+    for (const Vector3& v : model_.hull().vertices) {
+      for (const Vector3& w : other.model->hull().vertices) {
+        if (nominal(X_WorldOther, w) - nominal(X_WorldPart_, v) > reach) continue;
+        conditions_.Less("neighbour clear", fmt::format("the part stays clear of {}", other.name),
+                         Along(along, possible.pose * AsVector(v)) -
+                             Along(along, possible_other.pose * AsVector(w)),
+                         0);
+      }
+    }
   }
 
-  double GreatestShiftOf(PartId neighbour) const {
-    const RestingError& error = world_.resting_about_plan(neighbour);
-    return std::hypot(Magnitude(world_.RangeOf(error.displacement[0])),
-                      Magnitude(world_.RangeOf(error.displacement[1]))) +
-           world_.problem().part(neighbour).model->shape().radius() *
-               Magnitude(world_.RangeOf(error.theta));
+  PossiblePart InHand() const {
+    const SymbolicVector displacement =
+        landing_.translation - AsTransform(X_WorldPart_).translation;
+    const HeldError& held = world_.held();
+    double angle = Magnitude(world_.problem().gripper_error.theta);
+    for (const Expression* turned : {&held.skew, &held.tip, &held.twist}) {
+      angle += Magnitude(world_.RangeOf(*turned));
+    }
+    return {landing_, GreatestShift(displacement, model_, angle)};
+  }
+
+  PossiblePart Resting(PartId part, const Pose& X_WorldPart, const RestingError& error) const {
+    return {PossiblePose(X_WorldPart, error),
+            GreatestShift(error.displacement, *world_.problem().part(part).model,
+                          Magnitude(world_.RangeOf(error.theta)))};
+  }
+
+  double GreatestShift(const SymbolicVector& displacement, const domain::PartModel& model,
+                       double angle) const {
+    return std::hypot(Magnitude(world_.RangeOf(displacement[0])),
+                      Magnitude(world_.RangeOf(displacement[1]))) +
+           model.shape().radius() * angle;
   }
 
   const UncertainWorld& world_;
   PartId part_;
   const domain::PartModel& model_;
   const Pose& X_WorldPart_;
-  Transform possible_;
+  Transform landing_;  // of the part in the hand, where the hand is to let it go
+  std::vector<PossiblePart> stages_;
   Preconditions conditions_;
 };
 
@@ -152,8 +182,9 @@ class LandingConditions {
 
 std::vector<Precondition> LandingPreconditions(const UncertainWorld& world, PartId part,
                                                const plan::Hold& hold, const Transform& X_ToolGrasp,
-                                               const Pose& X_WorldPart, const Expression& table) {
-  LandingConditions conditions(world, part, hold, X_ToolGrasp, X_WorldPart);
+                                               const Pose& X_WorldPart, const Expression& table,
+                                               const RestingError& released) {
+  LandingConditions conditions(world, part, hold, X_ToolGrasp, X_WorldPart, released);
   conditions.RequireHeight(table);
   conditions.RequireOnTable();
   for (int p = 0; p < static_cast<int>(world.problem().parts.size()); ++p) {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include "planner/algebra/simplify.h"
+#include "planner/base/check.h"
 #include "planner/domain/part_model.h"
 #include "planner/uncertainty/precondition.h"
 
@@ -18,6 +19,7 @@ using geometry::Vector2;
 
 constexpr double kParallel = 1e-6;  // of unit vectors
 constexpr double kWide = 1e3;       // metres: beyond every part
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
 bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }
@@ -92,31 +94,68 @@ class FitConditions {
         rules_(rules),
         conditions_(conditions),
         walls_(SideWalls(fit.hole_model, fit.hole)),
-        section_(CrossSection(fit.shaft_model, fit.shaft)) {}
+        section_(CrossSection(fit.shaft_model, fit.shaft)) {
+    ASSAY_CHECK(!walls_.empty() && !section_.empty(), "nothing to prove of {}", fit.name);
+  }
 
   // `entering`: with the tip in the mouth; `seated`: `depth` metres further. In between the shaft
   // moves straight, so that what holds at both ends holds on the way.
   void Require(const Relative& entering, const Relative& seated, double depth) {
     const double bevel = fit_.hole.chamfer + fit_.shaft.chamfer;
-    RequireInside("entry", entering, 0, bevel + rules_.lateral_compliance);
-    if (bevel > 0) RequireInside("slide-in", entering, 0, rules_.lateral_compliance);
-    RequireInside("slide-in", seated, 0, rules_.lateral_compliance);
-    RequireInside("slide-in", seated, depth, rules_.lateral_compliance);
+    RequireInside("entry", entering, 0, bevel);
+    if (bevel > 0) RequireInside("slide-in", entering, 0, 0);
+    RequireInside("slide-in", seated, 0, 0);
+    RequireInside("slide-in", seated, depth, 0);
     RequireUpright(seated, depth);
   }
 
  private:
   // The corners of the shaft, `behind` metres behind its tip, lie inside the walls.
   void RequireInside(const std::string& condition, const Relative& at, double behind,
-                     double allowance) {
+                     double bevel) {
+    std::vector<SymbolicVector> corners;
     for (const Vector2& corner : section_) {
-      const SymbolicVector p = at.possible * AsVector(fit_.shaft.X_PartFeature *
-                                                      Vector3(corner.x(), corner.y(), -behind));
-      for (const Wall& wall : walls_) {
-        conditions_.Greater(condition, fmt::format("{} stays inside the walls", fit_.name),
-                            algebra::Dot(AsVector(wall.normal), p), wall.offset - allowance);
+      corners.push_back(at.possible * AsVector(fit_.shaft.X_PartFeature *
+                                               Vector3(corner.x(), corner.y(), -behind)));
+    }
+    const std::string meaning = fmt::format("{} stays inside the walls", fit_.name);
+    for (const Wall& wall : walls_) {
+      const Wall* opposite = Opposite(wall);
+      const double yields = opposite != nullptr ? rules_.lateral_compliance : 0;
+      for (const SymbolicVector& p : corners) {
+        conditions_.Greater(condition, meaning, algebra::Dot(AsVector(wall.normal), p),
+                            wall.offset - bevel - yields);
+      }
+      if (yields > 0) RequireBetween(condition, wall, *opposite, corners, bevel);
+    }
+  }
+
+  // However the wrist yields, the shaft is no wider than the hole.
+  void RequireBetween(const std::string& condition, const Wall& wall, const Wall& opposite,
+                      const std::vector<SymbolicVector>& corners, double bevel) {
+    for (const SymbolicVector& p : corners) {
+      for (const SymbolicVector& q : corners) {
+        if (&p == &q) continue;
+        conditions_.Greater(condition, fmt::format("{} fits between the walls", fit_.name),
+                            algebra::Dot(AsVector(wall.normal), p - q),
+                            wall.offset + opposite.offset - 2 * bevel);
       }
     }
+  }
+
+  // The wall that faces this one; null if there is none, or if another wall stands at another than
+  // a right angle to them: then to yield across one pair would be to yield across another.
+  const Wall* Opposite(const Wall& wall) const {
+    const Wall* opposite = nullptr;
+    for (const Wall& other : walls_) {
+      const double facing = other.normal.dot(wall.normal);
+      if (facing < kParallel - 1) {
+        opposite = &other;
+      } else if (facing < 1 - kParallel && std::abs(facing) > kParallel) {
+        return nullptr;
+      }
+    }
+    return opposite;
   }
 
   void RequireUpright(const Relative& seated, double depth) {
@@ -127,29 +166,31 @@ class FitConditions {
     for (const int column : {0, 1}) {
       const Vector3 across = fit_.hole.X_PartFeature.linear().col(column);
       const auto [clearance, width] = ClearanceAlong(across, seated.nominal);
-      if (!(clearance > 0) || !(depth > 0)) continue;
-      const double wedging = rules_.friction > 0 ? clearance / (rules_.friction * width) : kWide;
+      if (!std::isfinite(clearance) || !(depth > 0)) continue;
+      const double wedging =
+          rules_.friction > 0 ? clearance / (rules_.friction * width) : kInfinity;
       conditions_.Within("tilt", fmt::format("{} neither touches twice nor wedges", fit_.name),
                          algebra::Dot(AsVector(across), direction),
                          std::min(clearance / depth, wedging));
     }
   }
 
-  // The play of the shaft between the walls across a direction, and the shaft's width there.
+  // The play of the shaft between the walls across a direction (infinite if a side is open), and
+  // the shaft's width there.
   struct Play {
     double clearance = 0;
     double width = 0;
   };
   Play ClearanceAlong(const Vector3& across, const Pose& X_HoleShaft) const {
-    double low = -kWide;
-    double high = kWide;
+    double low = -kInfinity;
+    double high = kInfinity;
     for (const Wall& wall : walls_) {
       const double facing = wall.normal.dot(across);
       if (facing > 1 - kParallel) low = std::max(low, wall.offset);
       if (facing < kParallel - 1) high = std::min(high, -wall.offset);
     }
-    double least = kWide;
-    double most = -kWide;
+    double least = kInfinity;
+    double most = -kInfinity;
     for (const Vector2& corner : section_) {
       const double at =
           across.dot(X_HoleShaft * fit_.shaft.X_PartFeature * Vector3(corner.x(), corner.y(), 0));
@@ -176,7 +217,9 @@ class MatingConditions {
         fixed_(world.problem().part(mating_.fixed)),
         possible_fixed_(
             PossiblePose(world.X_WorldPart(mating_.fixed), world.resting(mating_.fixed))),
-        seated_(Seated(hold, X_ToolGrasp)) {}
+        possible_held_(PossibleHeld(hold, X_ToolGrasp)),
+        overtravel_(Overtravel()),
+        seated_(Seated()) {}
 
   std::vector<Precondition> Run() {
     for (const auto& [of_held, of_fixed] : mating_.features) RequireFit(of_held, of_fixed);
@@ -185,17 +228,36 @@ class MatingConditions {
   }
 
  private:
-  Relative Seated(const plan::Hold& hold, const Transform& X_ToolGrasp) const {
+  Vector3 MotionInWorld() const {
+    return world_.X_WorldPart(mating_.fixed).linear() * mating_.mating_vector.normalized();
+  }
+
+  // Where the hand is told to end the mating motion.
+  Transform PossibleHeld(const plan::Hold& hold, const Transform& X_ToolGrasp) const {
     const Pose X_WorldHeld = world_.X_WorldPart(mating_.fixed) * mating_.X_FixedHeld;
-    const Transform possible =
-        PossibleHeldPose(X_WorldHeld * hold.X_PartTool, X_ToolGrasp, hold.X_PartTool);
+    return PossibleHeldPose(X_WorldHeld * hold.X_PartTool, X_ToolGrasp, hold.X_PartTool);
+  }
+
+  // How much farther the seat is, along the motion.
+  Expression Overtravel() const {
+    const SymbolicVector seat = possible_fixed_ * AsVector(mating_.X_FixedHeld.translation());
+    return algebra::Simplify(
+        algebra::Dot(AsVector(MotionInWorld()), seat - possible_held_.translation));
+  }
+
+  Relative Seated() const {
+    Transform possible = possible_held_;
+    const SymbolicVector motion = AsVector(MotionInWorld());
+    for (const int axis : {0, 1, 2}) {
+      possible.translation[axis] = possible.translation[axis] + overtravel_ * motion[axis];
+    }
     return {mating_.X_FixedHeld, algebra::Simplify(algebra::Inverse(possible_fixed_) * possible)};
   }
 
   // So many metres before the end of the mating motion, which goes straight in the world.
   Relative Before(double distance) const {
     const Vector3 shift = -distance * mating_.mating_vector.normalized();
-    const Vector3 in_world = world_.X_WorldPart(mating_.fixed).linear() * shift;
+    const Vector3 in_world = -distance * MotionInWorld();
     Transform to_fixed = algebra::Inverse(possible_fixed_);
     to_fixed.translation = {0, 0, 0};
     Transform possible = seated_.possible;
@@ -240,10 +302,7 @@ class MatingConditions {
   }
 
   void RequireSeat() {
-    const Vector3 along = mating_.mating_vector.normalized();
-    const Expression nominal = along.dot(mating_.X_FixedHeld.translation());
-    conditions_.Within("seat", "the motion meets its end on the guarded way",
-                       algebra::Dot(AsVector(along), seated_.possible.translation) - nominal,
+    conditions_.Within("seat", "the motion meets its end on the guarded way", overtravel_,
                        world_.problem().workcell->rules().guarded_travel);
   }
 
@@ -252,6 +311,8 @@ class MatingConditions {
   const domain::Part& held_;
   const domain::Part& fixed_;
   Transform possible_fixed_;
+  Transform possible_held_;
+  Expression overtravel_;
   Relative seated_;
   Preconditions conditions_;
 };

@@ -35,14 +35,12 @@ class Preconditions {
 };
 
 // Of pickup, and of squeezing: the part rests where the world says.
-//   between fingers  Spar's four: 0 < y(P1^-1 C1), y(P1^-1 C2) and y(P2^-1 C1), y(P2^-1 C2) < 0,
-//   where
-//                    P1, P2 are the possible frames of the fingers and C1, C2 the possible contacts
-//                    ("Derivation of Uncertainty-Reduction Goals")
+//   between fingers  Spar's four ("Derivation of Uncertainty-Reduction Goals"):
+//                    0 < y(P1^-1 C1), y(P1^-1 C2) and y(P2^-1 C1), y(P2^-1 C2) < 0, where P1 and P2
+//                    are the possible frames of the fingers, C1 and C2 the possible contacts
 // and in sound mode:
-//   finger clear     the inner corners of the open fingers' pads lie outside the planes of the
-//   faces
-//                    that they are to close on: no finger comes down on the part
+//   finger clear     no finger comes down on the part: the inner corners of the open fingers' pads
+//                    lie outside the planes of the faces that they are to close on
 //   fingertip        the fingers end above the table
 //   pad contact      the grasped point stays inside the pads, by the workcell's margin
 // `held` is what closing the pads will leave (ClosePads).
@@ -54,18 +52,23 @@ std::vector<Precondition> GraspPreconditions(const UncertainWorld& world, PartId
 //   landing height   every vertex that is to touch the table does so within the guarded travel
 //   footprint        and lies on the table
 //   neighbour clear  a line keeps the part's footprint and each neighbour's apart
+// the last two as the hand brings the part and, if it does not come upright, as it settles: with
+// the error `released` (Release).
 std::vector<Precondition> LandingPreconditions(const UncertainWorld& world, PartId part,
                                                const plan::Hold& hold, const Transform& X_ToolGrasp,
-                                               const Pose& X_WorldPart, const Expression& table);
+                                               const Pose& X_WorldPart, const Expression& table,
+                                               const RestingError& released);
 
 // Of assemble: for every shaft in its hole,
 //   entry     the tip's vertices lie inside the planes of the hole's walls, bevelled edges counted
-//   slide-in  the same at the start and at the end of the mating motion without the bevels, give or
-//             take what the wrist yields
+//   slide-in  the same at the start and at the end of the mating motion, at the seat, without the
+//             bevels
 //   tilt      the shaft leans in the hole by less than two-point contact and wedging need (Whitney
 //             1982: clearance / depth, clearance / (friction * width))
 // and
 //   seat      the motion ends within the guarded travel of the seat.
+// The wrist yields by the workcell's lateral compliance across each pair of walls that face each
+// other: the shaft may stand out beyond one of them by as much, but it is no narrower for that.
 std::vector<Precondition> MatingPreconditions(const UncertainWorld& world, domain::MatingId mating,
                                               const plan::Hold& hold, const Transform& X_ToolGrasp);
 

@@ -11,29 +11,60 @@
 namespace assay::uncertainty {
 namespace {
 
-Interval PlusMinus(double half_width) { return {-half_width, half_width}; }
-
 Expression SameOrOppositeSense(const Vector3& up, const Expression& theta) {
   return up.z() < 0 ? -theta : theta;
 }
 
-// Adds what a leaning tool does to the part when the table sets it upright.
-void SetUpright(UncertainWorld& world, PartId part, const Vector3& up, const ManipulatorError& draw,
-                RestingError& error) {
-  const double hand = Magnitude(world.RangeOf(draw.theta));
-  const double twist = Magnitude(world.RangeOf(world.held().twist));
+// Of a part in the hand: how much of its rotation is about the vertical, and how much it leans.
+struct Leaning {
+  double twist = 0;  // radians
+  double tilt = 0;
+};
+
+// Rotations one after the other about axes that make these angles with the vertical: twists add up,
+// and leaning this way and that adds less than the square of all that leans.
+Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw) {
+  const HeldError& held = world.held();
+  Leaning leaning;
+  const auto add = [&](const Expression& angle, double cosine) {
+    const double most = Magnitude(world.RangeOf(angle));
+    leaning.twist += TwistOf(most, cosine);
+    leaning.tilt += SwingOf(most, cosine);
+  };
+  add(draw.theta, up.z());
+  add(held.skew, up.z());
+  add(held.tip, up.x());
+  add(held.twist, up.y());
+  leaning.twist += leaning.tilt * leaning.tilt;
+  return leaning;
+}
+
+// Adds what a leaning part does when the table sets it upright.
+void SetUpright(UncertainWorld& world, PartId part, const Leaning& leaning, RestingError& error) {
   const std::string name = world.SymbolName(part);
-  error.theta = world.Declare(fmt::format("theta_{}", name),
-                              PlusMinus(TwistOf(hand, up.z()) + TwistOf(twist, up.y())), part);
-  const double tilt = SwingOf(hand, up.z()) + SwingOf(twist, up.y());
-  const Interval settled = PlusMinus(world.problem().part(part).model->shape().radius() * tilt);
-  for (int axis : {0, 1}) {
-    error.displacement[axis] =
-        error.displacement[axis] + world.Declare(fmt::format("settle_{}", name), settled, part);
+  const auto declare = [&](const char* what, double magnitude) {
+    return world.Declare(fmt::format("{}_{}", what, name), {-magnitude, magnitude}, part);
+  };
+  error.theta = declare("theta", leaning.twist);
+  const double settled = world.problem().part(part).model->shape().radius() * leaning.tilt;
+  for (Expression& along : error.displacement) along = along + declare("settle", settled);
+}
+
+void Yield(UncertainWorld& world, PartId part, RestingError& error) {
+  const double compliance = world.problem().workcell->rules().lateral_compliance;
+  const std::string name = fmt::format("yield_{}", world.SymbolName(part));
+  for (Expression& along : error.displacement) {
+    along = along + world.Declare(name, {-compliance, compliance}, part);
   }
 }
 
 }  // namespace
+
+bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pose& X_WorldPart) {
+  const HeldError& held = world.held();
+  return std::abs(VerticalInTool(X_WorldPart * hold.X_PartTool).z()) == 1 &&
+         held.tip.IsConstant(0) && held.twist.IsConstant(0);
+}
 
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
@@ -44,10 +75,29 @@ RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
   error.displacement =
       algebra::Simplify(released.translation - AsTransform(X_WorldPart).translation);
   const Vector3 up = VerticalInTool(X_WorldTool);
-  error.theta = SameOrOppositeSense(up, draw.theta);
-  const bool stays_upright = std::abs(up.z()) == 1 && world.held().twist.IsConstant(0);
-  if (world.propagation() == Propagation::kSound && !stays_upright) {
-    SetUpright(world, part, up, draw, error);
+  error.theta = SameOrOppositeSense(up, draw.theta + world.held().skew);
+  if (world.propagation() == Propagation::kSound && !ComesUpright(world, hold, X_WorldPart)) {
+    SetUpright(world, part, LeaningOf(world, up, draw), error);
+  }
+  return error;
+}
+
+RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+                           const Transform& X_ToolGrasp, const ManipulatorError& draw) {
+  const domain::Mating& mating = world.problem().mating(id);
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
+  RestingError error = Release(world, mating.held, hold, X_ToolGrasp, draw, X_WorldHeld);
+  if (world.propagation() == Propagation::kPaper) return error;
+  Yield(world, mating.held, error);
+  const Vector3 along = X_WorldFixed.linear() * mating.mating_vector.normalized();
+  const SymbolicVector motion = AsVector(along);
+  const SymbolicVector seat = PossiblePose(X_WorldFixed, world.resting(mating.fixed)) *
+                                  AsVector(mating.X_FixedHeld.translation()) -
+                              AsVector(X_WorldHeld.translation());
+  const Expression farther = algebra::Dot(motion, seat - error.displacement);
+  for (const int axis : {0, 1, 2}) {
+    error.displacement[axis] = algebra::Simplify(error.displacement[axis] + farther * motion[axis]);
   }
   return error;
 }

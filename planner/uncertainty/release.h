@@ -5,14 +5,21 @@
 namespace assay::uncertainty {
 
 // The error of a part on the table once the hand has let it go where it thinks is X_WorldPart;
-// X_ToolGrasp is T'_d. The displacement's z is that of the part in the hand: landing replaces it.
+// X_ToolGrasp is T'_d. Its displacement is that of the part in the hand: what the part lands on
+// replaces a component.
 //
-// For a tool that points straight down (or up) the part's rotation is the hand's. A tool that leans
-// turns the part about its own axis: the table sets it upright again, which leaves the twist about
-// the vertical, and moves the part sideways by at most the tilt times its greatest radius (paper
-// mode leaves both out).
+// A part that comes upright has the hand's rotation, and what it was skewed in the hand. A tool
+// that leans turns the part about its own axis: the table, or the seat of a mating, sets it upright
+// again, which leaves the twist about the vertical, and moves the part by at most the tilt times
+// its greatest radius (paper mode leaves both out).
+bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pose& X_WorldPart);
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);
+
+// The same of a part that was mated. Along the mating motion it stands where its seat is, which is
+// displaced like the fixed part; across, the wrist may have yielded.
+RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
+                           const Transform& X_ToolGrasp, const ManipulatorError& draw);
 
 }  // namespace assay::uncertainty

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/simplify.h"
 #include "planner/base/check.h"
@@ -9,35 +11,41 @@
 namespace assay::uncertainty {
 namespace {
 
-// The known error, or a new variable within the promise if that says more.
-Expression Better(UncertainWorld& world, PartId part, const char* what, const Expression& known,
-                  const Interval& promise) {
-  if (algebra::Width(world.RangeOf(known)) <= algebra::Width(promise)) return known;
-  return world.Declare(fmt::format("{}_{}", what, world.SymbolName(part)), promise, part);
+using algebra::operator+;
+using algebra::operator-;
+
+// Replaces `error`, if the promise says more, by a new variable; the belief shifts by the
+// difference, because the part stays where it is.
+void Measure(UncertainWorld& world, PartId part, const char* what, const Interval& promise,
+             Expression& error, Expression& shift) {
+  if (!TakesOver(world.TightRangeOf(error), promise)) return;
+  const Expression measured =
+      world.Declare(fmt::format("{}_{}", what, world.SymbolName(part)), promise, part);
+  shift = algebra::Simplify(shift + error - measured);
+  error = measured;
 }
 
 }  // namespace
+
+bool TakesOver(const Interval& known, const Interval& promise) {
+  return algebra::Width(promise) < algebra::Width(known);
+}
 
 void ApplySensing(UncertainWorld& world, PartId part, const std::string& sensor) {
   const domain::Workcell& workcell = *world.problem().workcell;
   const domain::SensorModel* model = workcell.uncertainty_operations().FindSensor(sensor);
   ASSAY_CHECK(model != nullptr, "the workcell has no sensor '{}'", sensor);
-  const RestingError& known = world.resting(part);
-  RestingError sensed = {
-      .displacement = {Better(world, part, "dx", known.displacement[0], model->x),
-                       Better(world, part, "dy", known.displacement[1], model->y),
-                       Better(world, part, "dz", known.displacement[2], model->z)},
-      .theta = Better(world, part, "theta", known.theta, model->theta)};
-  const bool turned = sensed.theta != known.theta;
-  if (turned && world.propagation() == Propagation::kSound) {
-    using algebra::operator+;
-    using algebra::operator-;
-    const Interval turn = world.RangeOf(known.theta) - world.RangeOf(sensed.theta);
-    const Expression angle =
-        world.Declare(fmt::format("turn_{}", world.SymbolName(part)), turn, part);
-    sensed.displacement = algebra::Simplify(algebra::RotationZ(-angle) * sensed.displacement);
+  RestingError error = world.resting_in_world(part);
+  BeliefShift shift = world.shift(part);
+  constexpr std::array<const char*, 3> kNames = {"dx", "dy", "dz"};
+  const std::array<Interval, 3> promises = {model->x, model->y, model->z};
+  for (const int axis : {0, 1, 2}) {
+    Measure(world, part, kNames[axis], promises[axis], error.displacement[axis],
+            shift.displacement[axis]);
   }
-  world.SetBelief(part, sensed);
+  Measure(world, part, "theta", model->theta, error.theta, shift.turn);
+  if (world.propagation() == Propagation::kPaper) shift = {};
+  world.SetBelief(part, shift, error);
 }
 
 }  // namespace assay::uncertainty

@@ -4,13 +4,17 @@
 
 namespace assay::uncertainty {
 
+// Whether a coordinate that is known to within `known` is taken from a sensor that promises
+// `promise`: if that is narrower. An executor must decide alike, with the step's certificate for
+// what is known: another belief has other errors.
+bool TakesOver(const Interval& known, const Interval& promise);
+
 // The add and delete lists of a sensing action: each coordinate of the part's error that the sensor
 // measures better than it is known is replaced by a new variable within the sensor's promise. What
-// is believed of the pose is from then on what was measured.
+// is believed of the pose is from then on what was measured, coordinate by coordinate in the
+// world's axes.
 //
-// Sound mode: the plan goes on with the measured pose in place of the planned one, turned from it
-// by anything up to the old error. Errors are told in the axes of the planned pose, so the
-// sensor's, which are the world's, turn back by as much.
+// Paper mode leaves out that the plan's poses turn with the belief.
 void ApplySensing(UncertainWorld& world, PartId part, const std::string& sensor);
 
 }  // namespace assay::uncertainty

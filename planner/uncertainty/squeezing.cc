@@ -20,54 +20,138 @@ HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold
   R_WorldTool.translation().setZero();
   const SymbolicVector D = algebra::Simplify(algebra::Inverse(AsTransform(R_WorldTool)) *
                                              world.resting(part).displacement);
-  return {.x = D[0], .z = D[2], .twist = 0};
+  return {.x = D[0], .z = D[2]};
 }
 
-Interval PlusMinus(double half_width) { return {-half_width, half_width}; }
-
-// How far a contact at half_width across and half_pad along the pads slips when the part turns.
-double SlipOf(double turn, double half_width, double half_pad) {
-  const double angle = std::min(turn, kRightAngle);
-  return half_width * std::sin(angle) + half_pad * (1 - std::cos(angle));
-}
-
-// How far the first pad may turn the part while it pushes it to the second.
-double TurnOfPush(const UncertainWorld& world, PartId part, const plan::Hold& hold,
-                  const Interval& along, double push) {
-  const geometry::MassProperties& mass = world.problem().part(part).model->mass();
-  const double lever = std::abs((hold.X_PartTool.inverse() * mass.center).x()) + Magnitude(along);
-  if (lever <= world.problem().workcell->gripper().pad_half_extents().x()) return 0;
-  const Vector3 up = world.X_WorldPart(part).linear().transpose() * Vector3::UnitZ();
-  const double gyration = std::sqrt(up.dot(mass.inertia * up) / mass.mass);
-  return push / (2 * gyration);
-}
-
-HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
-                const ManipulatorError& draw) {
+// Where the grasped point is before the pads close, in the frame of the true hand.
+SymbolicVector GraspedPoint(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                            const ManipulatorError& draw) {
   const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
   const Transform X_TrueHandPart = algebra::Inverse(AsTransform(X_WorldTool) * draw.AsTransform()) *
                                    PossiblePose(world.X_WorldPart(part), world.resting(part));
-  const Transform grasp = AsTransform(hold.X_PartTool);
-  const SymbolicVector grasped = algebra::Simplify(X_TrueHandPart * grasp.translation);
+  return algebra::Simplify(X_TrueHandPart * AsTransform(hold.X_PartTool).translation);
+}
 
-  const Vector3 up = VerticalInTool(X_WorldTool);
-  const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
-  const double hand = Magnitude(world.RangeOf(draw.theta));
-  // Tight: in plain interval arithmetic, what an earlier squeeze told is lost when the axes turn.
-  const double push = Magnitude(world.TightRangeOf(grasped[1]));
-  const double turn = TwistOf(theta, up.z()) + hand +
-                      TurnOfPush(world, part, hold, world.TightRangeOf(grasped[0]), push);
-  const double half_pad = world.problem().workcell->gripper().pad_half_extents().x();
-  const auto declare = [&](const char* what, double half_width) {
-    return world.Declare(fmt::format("{}_{}", what, world.SymbolName(part)), PlusMinus(half_width),
-                         part);
+// What the closing of the pads does to the part at most. Angles in radians, lengths in metres,
+// along and about the tool's axes, all of them magnitudes.
+class Closing {
+ public:
+  Closing(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+          const ManipulatorError& draw, const SymbolicVector& grasped)
+      : up_(VerticalInTool(world.X_WorldPart(part) * hold.X_PartTool)),
+        pad_x_(world.problem().workcell->gripper().pad_half_extents().x()),
+        pad_z_(world.problem().workcell->gripper().pad_half_extents().y()),
+        half_width_(hold.width / 2),
+        hand_(Magnitude(world.RangeOf(draw.theta))),
+        off_x_(Magnitude(world.RangeOf(grasped[0]))),
+        off_z_(Magnitude(world.RangeOf(grasped[2]))) {
+    const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
+    const double push =
+        Magnitude(world.RangeOf(grasped[1])) + 2 * pad_x_ * std::sin(AtMostRight(theta + hand_));
+    pushed_turn_ = TurnOfPush(*world.problem().part(part).model, world.X_WorldPart(part), hold,
+                              theta + hand_, push);
+    turn_ = AtMostRight(theta + pushed_turn_ + hand_);
+    way_ = turn_ + pushed_turn_;
+    jams_ = !(turn_ + std::atan(world.problem().workcell->rules().pad_friction) <
+              std::atan(ContactLength() / hold.width));
+  }
+
+  bool jams() const { return jams_; }
+  double turn() const { return turn_; }  // between faces and pads, when these touch
+
+  // How much of the way that the part turns is about an axis. In a tool that leans, flat faces
+  // follow the hand's own rotation out of the vertical; and rotations about different axes make up
+  // to their product about the third.
+  double TurnAbout(int axis) const {
+    if (is_straight()) return axis == 2 ? way_ : 0;
+    const double products = up_.y() == 0 && !jams_ ? 0 : way_ * way_;
+    const double hand = axis == 1 ? way_ + hand_ : 1 + way_;
+    return TwistOf(AtMostRight(way_), up_[axis]) + products + hand_ * hand;
+  }
+
+  double SlipX() const {
+    if (is_straight()) return StraightSlip();
+    const Vector3 way = WaysOfGraspedPoint();
+    return way.x() + turn_ * (way.y() + way.z());
+  }
+  double SlipZ() const {
+    if (is_straight()) return 0;
+    const Vector3 way = WaysOfGraspedPoint();
+    return way.z() + turn_ * (way.x() + way.y());
+  }
+  // Of a part that jammed: its two contacts lie within the pads, equally far from the middle.
+  double SkewY() const { return 2 * (pad_x_ + pad_z_) * std::sin(turn_); }
+
+ private:
+  static double AtMostRight(double angle) { return std::min(angle, kRightAngle); }
+
+  bool is_straight() const { return std::abs(up_.z()) == 1; }
+
+  // Across which the pads touch the faces, also if the part is displaced along them.
+  double ContactLength() const {
+    const double along_x = 2 * pad_x_ - off_x_;
+    return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
+  }
+
+  // How far the first pad may turn the part while it pushes it to the second.
+  double TurnOfPush(const domain::PartModel& model, const Pose& X_WorldPart, const plan::Hold& hold,
+                    double turned, double push) const {
+    const geometry::MassProperties& mass = model.mass();
+    const Vector3 center = hold.X_PartTool.inverse() * mass.center;
+    const Vector3 level = up_.cross(Vector3::UnitY());  // along the pads
+    const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());
+    const double lever = std::abs(level.dot(center)) + std::hypot(off_x_, off_z_) +
+                         center.norm() * std::sin(AtMostRight(turned));
+    if (up_.y() == 0 && lever <= reach) return 0;
+    const Vector3 up = X_WorldPart.linear().transpose() * Vector3::UnitZ();
+    return push / std::sqrt(up.dot(mass.inertia * up) / mass.mass);
+  }
+
+  // First to the turned position and back, or only back.
+  double StraightSlip() const {
+    const double across = half_width_ * (pushed_turn_ + std::sin(turn_));
+    const double along = 2 * pad_x_ * (1 - std::cos(turn_));
+    return across + (pushed_turn_ > 0 ? 2 * along : along);
+  }
+
+  // In the part's own axes, about points on its faces that the pads reach.
+  Vector3 WaysOfGraspedPoint() const {
+    const Vector3 about(TurnAbout(0), TurnAbout(1), TurnAbout(2));
+    const Vector3 arm(2 * pad_x_, half_width_, 2 * pad_z_);
+    return {about.z() * arm.y() + about.y() * arm.z(), about.z() * arm.x() + about.x() * arm.z(),
+            about.x() * arm.y() + about.y() * arm.x()};
+  }
+
+  Vector3 up_;  // in the tool's axes
+  double pad_x_;
+  double pad_z_;
+  double half_width_;
+  double hand_;
+  double off_x_;
+  double off_z_;
+  double pushed_turn_ = 0;
+  double turn_ = 0;
+  double way_ = 0;  // that the part turns in all
+  bool jams_ = false;
+};
+
+HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                const ManipulatorError& draw) {
+  const SymbolicVector grasped = GraspedPoint(world, part, hold, draw);
+  const Closing closing(world, part, hold, draw, grasped);
+  const auto declare = [&](const char* what, double magnitude) {
+    return world.Declare(fmt::format("{}_{}", what, world.SymbolName(part)),
+                         {-magnitude, magnitude}, part);
   };
-  const Expression slip_x = declare("slip", SlipOf(turn, hold.width / 2, half_pad));
-  const Expression slip_z =
-      declare("rise", SlipOf(TwistOf(theta, up.x()), hold.width / 2, half_pad));
-  return {.x = grasped[0] + slip_x,
-          .z = grasped[2] + slip_z,
-          .twist = declare("twist", TwistOf(theta, up.y()))};
+  HeldError held = {.x = grasped[0] + declare("slip", closing.SlipX()),
+                    .z = grasped[2] + declare("rise", closing.SlipZ()),
+                    .twist = declare("twist", closing.TurnAbout(1))};
+  if (closing.jams()) {
+    held.y = declare("jam", closing.SkewY());
+    held.skew = declare("skew", std::min(closing.turn(), closing.TurnAbout(2)));
+    held.tip = declare("tip", std::min(closing.turn(), closing.TurnAbout(0)));
+  }
+  return held;
 }
 
 }  // namespace

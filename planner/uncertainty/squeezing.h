@@ -10,14 +10,17 @@ namespace assay::uncertainty {
 // Paper: the displacement of the part's origin in the tool's axes; y and the rotation become the
 // hand's.
 //
-// Sound: the displacement of the grasped point, in the frame of the true hand. The pads turn the
-// part until its faces lie flat on them. It turns about a point between the pads, because with less
-// than the friction angle between pad and face one contact sticks; so the grasped point slips along
-// the pads by at most (width / 2) sin(turn) + (pad / 2) (1 - cos(turn)). Before the second pad
-// touches, the first one pushes the part, and where the part's centre of mass is not within the pad
-// it may turn further by the push over twice its radius of gyration (the most that a point contact
-// can turn a sliding body per distance pushed). A tool that leans finds only a part of the rotation
-// about the world's z along its own axes; what is about the closing direction stays (twist).
+// Sound: the displacement of the grasped point, in the frame of the true hand. What is assumed:
+//   - The pads turn the part until its faces lie flat on them, unless they jam before: two pads
+//     that touch a turned part at opposite ends hold it as it is, if the line between the contacts
+//     is within both friction cones (Nguyen 1988). Jammed, it keeps at most the turn it had.
+//   - It turns about a point between the pads: the grasped point slips along them by no more than
+//     the way that it makes about the farthest such point.
+//   - Until the second pad touches, the first one pushes the part, and may turn it further where
+//     the centre of mass is not behind the pad: by at most the push over the radius of gyration,
+//     if the part presses on the table at least as far out as its mass lies. Uniform pressure
+//     allows 0.55 of that.
+//   - A tool that leans finds a part of the rotation about the vertical about each of its axes.
 HeldError ClosePads(UncertainWorld& world, PartId part, const plan::Hold& hold,
                     const ManipulatorError& draw);
 

@@ -42,9 +42,10 @@ Transform PossiblePose(const Pose& X_WorldPart, const RestingError& error) {
 
 Transform PossibleGrasp(const HeldError& error, const ManipulatorError& draw,
                         Propagation propagation) {
-  const Transform offset = algebra::Translation({error.x, 0, error.z});
+  const Transform offset = algebra::Translation({error.x, error.y, error.z});
   if (propagation == Propagation::kPaper) return offset * draw.AsTransform();
-  return draw.AsTransform() * offset * algebra::RotationY(error.twist);
+  return draw.AsTransform() * offset * algebra::RotationZ(error.skew) *
+         algebra::RotationX(error.tip) * algebra::RotationY(error.twist);
 }
 
 Transform PossibleHeldPose(const Pose& X_WorldTool, const Transform& X_ToolGrasp,

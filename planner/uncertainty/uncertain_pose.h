@@ -28,13 +28,22 @@ struct RestingError {
   Expression theta;
 };
 
+// How the believed pose of a part on the table differs from the planned one: likewise. Sensing
+// shifts what is believed.
+struct BeliefShift {
+  SymbolicVector displacement = {0, 0, 0};
+  Expression turn = 0;
+};
+
 // How a part in the hand differs from the grasp that was planned, in the frame of the true hand
 // (sound) or of the commanded one (paper): the grasped point is off by x along the pads and by z
-// along the tool's axis, and the part may be turned about the closing direction. Closed pads leave
-// nothing else.
+// along the tool's axis, and the part may be turned about the closing direction (twist). Pads that
+// jammed before the faces lay flat on them leave more: y, and rotations about the tool's axis
+// (skew) and along the pads (tip).
 struct HeldError {
-  Expression x, z;   // metres
-  Expression twist;  // radians about the tool's y
+  Expression x, z;                      // metres
+  Expression twist = 0;                 // radians about the tool's y
+  Expression y = 0, skew = 0, tip = 0;  // metres; radians about the tool's z and x
 };
 
 // Numbers as symbols. Entries within 1e-15 of 0, 1 and -1 become these: what rounding leaves of

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <set>
 
 #include "planner/algebra/bounds.h"
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/simplify.h"
 
 namespace assay::uncertainty {
 
@@ -28,7 +28,7 @@ UncertainWorld::UncertainWorld(const domain::Problem& problem, Propagation propa
                                                  DeclareOfPart("dy", part.error.y, id),
                                                  DeclareOfPart("dz", part.error.z, id)},
                                 .theta = DeclareOfPart("theta", part.error.theta, id)};
-    parts_.push_back({part.X_WorldPart, error, error});
+    parts_.push_back({part.X_WorldPart, {}, error, error});
   }
 }
 
@@ -68,38 +68,34 @@ void UncertainWorld::SetHeld(PartId part, const HeldError& error) {
   held_ = error;
 }
 
-void UncertainWorld::SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error) {
-  if (in_hand_ == part) in_hand_ = PartId::None();
-  parts_[part.index()] = {X_WorldPart, error, error};
+RestingError UncertainWorld::about_plan(PartId part) const {
+  const PartKnowledge& knowledge = parts_[part.index()];
+  return {algebra::Simplify(knowledge.shift.displacement + knowledge.in_world.displacement),
+          knowledge.shift.turn + knowledge.in_world.theta};
 }
 
-void UncertainWorld::SetBelief(PartId part, const RestingError& error) {
-  parts_[part.index()].error = error;
+BeliefShift UncertainWorld::ShiftAt(PartId part, const Vector3& point) const {
+  const PartKnowledge& knowledge = parts_[part.index()];
+  const SymbolicVector arm = AsVector(point - knowledge.X_WorldPart.translation());
+  const SymbolicVector swung = algebra::RotationZ(knowledge.shift.turn) * arm - arm;
+  return {algebra::Simplify(knowledge.shift.displacement + swung), knowledge.shift.turn};
 }
 
-// What is believed differs from the plan by no more than the two errors together; so does where the
-// part is then.
-void UncertainWorld::Nudge(PartId part, const RestingError& error) {
+void UncertainWorld::SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error,
+                                const BeliefShift& shift) {
   if (in_hand_ == part) in_hand_ = PartId::None();
+  const SymbolicVector in_world =
+      algebra::Simplify(algebra::RotationZ(shift.turn) * error.displacement);
+  parts_[part.index()] = {X_WorldPart, shift, error, {in_world, error.theta}};
+}
+
+void UncertainWorld::SetBelief(PartId part, const BeliefShift& shift,
+                               const RestingError& in_world) {
   PartKnowledge& knowledge = parts_[part.index()];
-  const auto moved = [&](const char* what, const Expression& about_plan, const Expression& before,
-                         const Expression& after) {
-    using algebra::operator+;
-    using algebra::operator-;
-    if (about_plan == before) return after;
-    return DeclareOfPart(what, RangeOf(about_plan) - RangeOf(before) + RangeOf(after), part);
-  };
-  RestingError about_plan;
-  constexpr std::array<const char*, 3> kNames = {"plan_x", "plan_y", "plan_z"};
-  for (const int axis : {0, 1, 2}) {
-    about_plan.displacement[axis] =
-        moved(kNames[axis], knowledge.about_plan.displacement[axis],
-              knowledge.error.displacement[axis], error.displacement[axis]);
-  }
-  about_plan.theta =
-      moved("plan_theta", knowledge.about_plan.theta, knowledge.error.theta, error.theta);
-  knowledge.error = error;
-  knowledge.about_plan = about_plan;
+  knowledge.shift = shift;
+  knowledge.in_world = in_world;
+  knowledge.error = {algebra::Simplify(algebra::RotationZ(-shift.turn) * in_world.displacement),
+                     in_world.theta};
 }
 
 algebra::ConstraintSet UncertainWorld::constraints() const {

@@ -26,14 +26,20 @@ class UncertainWorld {
   const domain::Problem& problem() const { return *problem_; }
   Propagation propagation() const { return propagation_; }
 
-  // Where the part is believed to be; of the part in the hand: where it was taken.
+  // Where the plan has the part; of the part in the hand: where it was taken.
   const Pose& X_WorldPart(PartId part) const { return parts_[part.index()].X_WorldPart; }
-  // About where the part is believed to be.
+  // How the pose that is believed now differs from the plan's.
+  const BeliefShift& shift(PartId part) const { return parts_[part.index()].shift; }
+  // About where the part is believed to be, as seen from where the plan has it: what the hand does
+  // with the part is shifted and turned like the belief, so that all that happens between the two
+  // happens as if the belief had never changed.
   const RestingError& resting(PartId part) const { return parts_[part.index()].error; }
-  // About where the plan has it: what is believed may have moved from there by sensing.
-  const RestingError& resting_about_plan(PartId part) const {
-    return parts_[part.index()].about_plan;
-  }
+  // The same in the world's axes: what a sensor tells.
+  const RestingError& resting_in_world(PartId part) const { return parts_[part.index()].in_world; }
+  // About where the plan has it, in the world's axes.
+  RestingError about_plan(PartId part) const;
+  // By how much a point that goes with the part's believed pose is shifted from the plan's.
+  BeliefShift ShiftAt(PartId part, const Vector3& point) const;
   PartId in_hand() const { return in_hand_; }  // None: the hand is empty
   const HeldError& held() const { return held_; }
 
@@ -48,12 +54,11 @@ class UncertainWorld {
   std::string SymbolName(PartId part) const;
 
   void SetHeld(PartId part, const HeldError& error);
-  // At X_WorldPart of the plan.
-  void SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error);
-  // The part stays; what is believed of it changes.
-  void SetBelief(PartId part, const RestingError& error);
-  // The part was moved a little where it is believed to be.
-  void Nudge(PartId part, const RestingError& error);
+  // At X_WorldPart of the plan, the belief shifted from there; the error as `resting` tells it.
+  void SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error,
+                  const BeliefShift& shift);
+  // The part stays; what is believed of it changes. The error as `resting_in_world` tells it.
+  void SetBelief(PartId part, const BeliefShift& shift, const RestingError& in_world);
 
   algebra::ConstraintSet constraints() const;  // the box of all variables
   // Guaranteed ranges of the expression, in which nothing is missing: by plain interval arithmetic,
@@ -69,8 +74,9 @@ class UncertainWorld {
  private:
   struct PartKnowledge {
     Pose X_WorldPart;
+    BeliefShift shift;
     RestingError error;
-    RestingError about_plan;
+    RestingError in_world;
   };
   struct Variables {
     algebra::ExpressionPool pool;

@@ -68,12 +68,26 @@ Entries ListParts(const fs::path& models) {
   return entries;
 }
 
+// "sensors: overhead-camera", of a section that a workcell file may have.
+std::string NamesIn(const Document& document, const char* section) {
+  const std::optional<Value> value = document.root().Find(section);
+  if (!value) return "";
+  std::vector<std::string> names;
+  for (const auto& [name, ignored] : value->Entries()) names.push_back(name.Text());
+  return fmt::format("; {}: {}", section, fmt::join(names, ", "));
+}
+
 Entries ListWorkcells(const fs::path& models) {
   Entries entries;
   for (const fs::path& folder : SortedContents(models / "workcells")) {
     const fs::path file = folder / "workcell.yaml";
     if (!fs::exists(file)) continue;
-    entries.push_back({folder.filename().string(), TextAt(Document::Load(file), "description")});
+    const Document document = Document::Load(file);
+    std::string text = TextAt(document, "description");
+    for (const char* section : {"sensors", "verifications", "recoveries"}) {
+      text += NamesIn(document, section);
+    }
+    entries.push_back({folder.filename().string(), std::move(text)});
   }
   return entries;
 }

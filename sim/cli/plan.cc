@@ -6,14 +6,17 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "planner/plan/plan_file.h"
 #include "sim/cli/console.h"
+#include "sim/cli/explanation.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_report.h"
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/stopwatch.h"
+#include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
@@ -22,7 +25,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-  std::string scenario;
+  std::filesystem::path input;
   std::filesystem::path output;
   std::filesystem::path models;
   bool json = false;
@@ -30,33 +33,50 @@ struct Options {
   bool check = false;
   int instances = 1;
   std::int64_t budget = posting::PlannerOptions().partial_plans;
+  std::string propagation = "sound";
+  std::optional<int> explain;                        // place of a step, from 1
+  std::vector<const CLI::Option*> of_planning = {};  // of no use with a plan file
 };
 
-// The planner's answer with the plan instances in the order in which they were found.
-struct Answer {
-  plan::PlanResult result;  // with the first instance
-  std::vector<plan::Plan> instances;
-};
-
-Answer MakeInstances(const domain::Problem& problem, const Options& options) {
-  Answer answer;
+posting::PlannerOptions PlannerOptionsFrom(const Options& options) {
   posting::PlannerOptions planner;
   planner.partial_plans = options.budget;
-  planner.accept = [&](const plan::Plan& instance) {
-    answer.instances.push_back(instance);
-    return std::ssize(answer.instances) >= options.instances;
-  };
   if (options.trace) {
     planner.trace = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
   }
-  answer.result = PlanWithProgress(problem, planner, {});
-  // Fewer than were asked for are an answer, too.
-  if (!answer.instances.empty()) {
-    answer.result.outcome = Outcome::kFound;
-    answer.result.plan = answer.instances.front();
-    answer.result.conflict.clear();
+  return planner;
+}
+
+// A plan file is shown as it is.
+PlannedProblem LoadOrMakePlan(const Options& options) {
+  const Document document = Document::Load(options.input);
+  if (!IsPlanFile(document)) {
+    return MakePlan(
+        options.input, options.models, PlannerOptionsFrom(options),
+        {.propagation = options.propagation == "paper" ? uncertainty::Propagation::kPaper
+                                                       : uncertainty::Propagation::kSound});
   }
-  return answer;
+  for (const CLI::Option* option : options.of_planning) {
+    if (option->count() == 0) continue;
+    throw UsageError(
+        fmt::format("{} is for scenarios, and {} is a plan file (see assay plan --help)",
+                    option->get_name(), options.input.string()));
+  }
+  return LoadPlan(document, options.input, options.models);
+}
+
+// Plan instances of the first phase, in the order in which they are found.
+std::vector<plan::Plan> ListInstances(const domain::Problem& problem, const Options& options) {
+  std::vector<plan::Plan> instances;
+  if (options.instances == 1) return instances;
+  posting::PlannerOptions planner;
+  planner.partial_plans = options.budget;
+  planner.accept = [&](const plan::Plan& instance) {
+    instances.push_back(instance);
+    return std::ssize(instances) >= options.instances;
+  };
+  posting::MakePlan(problem, planner);
+  return instances;
 }
 
 Json InstanceToJson(const plan::Plan& instance, const domain::Problem& problem) {
@@ -64,65 +84,98 @@ Json InstanceToJson(const plan::Plan& instance, const domain::Problem& problem) 
   return {{"actions", plan["actions"]}, {"ordering", plan["ordering"]}};
 }
 
-std::string ForPeople(const Answer& answer, const domain::Problem& problem, const Options& options,
-                      double seconds) {
-  std::string text;
-  if (options.instances > 1 && answer.result.outcome == Outcome::kFound) {
-    for (std::size_t i = 0; i < answer.instances.size(); ++i) {
-      text += fmt::format("plan instance {}\n{}", i + 1, PlanTable(problem, answer.instances[i]));
-    }
-  } else {
-    text = Text(problem, answer.result);
+plan::StepId StepToExplain(const plan::Plan& plan, int place) {
+  const std::vector<plan::StepId> order = plan.ExecutionOrder();
+  if (place < 1 || place > std::ssize(order)) {
+    throw UsageError(
+        fmt::format("--explain: there is no step {}; allowed: 1 to {}", place, order.size()));
   }
+  return order[place - 1];
+}
+
+std::string CountersText(const plan::PlanResult& result, double seconds) {
   std::vector<std::string> counters;
-  for (const auto& [name, count] : answer.result.counters) {
+  for (const auto& [name, count] : result.counters) {
     counters.push_back(fmt::format("{} {}", name, count));
   }
-  return text + fmt::format("{}; {:.2f} s\n", fmt::join(counters, ", "), seconds);
+  return fmt::format("{}; {:.2f} s\n", fmt::join(counters, ", "), seconds);
+}
+
+std::string ForPeople(const PlannedProblem& planned, const std::vector<plan::Plan>& instances,
+                      const Options& options) {
+  const bool found = planned.result.outcome == Outcome::kFound;
+  if (options.explain && found) {
+    return Explanation(planned.problem, planned.result.plan,
+                       StepToExplain(planned.result.plan, *options.explain));
+  }
+  std::string text = Text(planned.problem, planned.result);
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    text += fmt::format("\nplan instance {} of the first phase\n{}", i + 1,
+                        PlanTable(planned.problem, instances[i]));
+  }
+  return text;
 }
 
 ExitCode Execute(const Options& options) {
   RequireWritable(options.output);
-  const domain::Problem problem = LoadScenario(options.scenario, options.models).problem;
   const Stopwatch stopwatch;
-  const Answer answer = MakeInstances(problem, options);
+  const PlannedProblem planned = LoadOrMakePlan(options);
   const double seconds = stopwatch.Seconds();
-  const bool found = answer.result.outcome == Outcome::kFound;
+  const domain::Problem& problem = planned.problem;
+  const plan::PlanResult& result = planned.result;
+  const std::vector<plan::Plan> instances = ListInstances(problem, options);
 
-  const Json plan_file = plan::ToJson(answer.result, problem, options.scenario);
+  const Json plan_file = plan::ToJson(result, problem, planned.scenario);
   Json json = plan_file;
-  std::string text = options.json ? "" : ForPeople(answer, problem, options, seconds);
-  if (options.instances > 1) {
-    json["instances"] = Json::array();
-    for (const plan::Plan& instance : answer.instances) {
-      json["instances"].push_back(InstanceToJson(instance, problem));
-    }
+  std::string text = options.json ? "" : ForPeople(planned, instances, options);
+  for (const plan::Plan& instance : instances) {
+    json["instances"].push_back(InstanceToJson(instance, problem));
   }
   bool holds = true;
-  if (options.check && found) {
-    const plan::CheckReport report = CheckPlan(problem, answer.result.plan);
+  if (options.check && result.outcome == Outcome::kFound) {
+    const plan::CheckReport report = CheckPlan(problem, result.plan);
     holds = report.flaws.empty();
-    json["check"] = ToJson(answer.result.plan, report);
-    text += Text(answer.result.plan, report);
+    json["check"] = ToJson(result.plan, report);
+    text += Text(result.plan, report);
   }
   json["seconds"] = seconds;
+  if (!options.explain) text += CountersText(result, seconds);
   Print(options.json ? json.dump(2) + "\n" : text);
   if (!options.output.empty()) WriteFile(options.output, plan_file.dump(2) + "\n");
-  return holds ? ExitCodeOf(answer.result.outcome) : ExitCode::kFailed;
+  return holds ? ExitCodeOf(result.outcome) : ExitCode::kFailed;
+}
+
+void DeclarePlanning(CLI::App& command, Options& options) {
+  options.of_planning = {
+      command.add_flag("--trace", options.trace, "print the planner's decisions to standard error"),
+      command
+          .add_option("--instances", options.instances,
+                      "also list so many plan instances of the first phase, without certificates")
+          ->check(CLI::Range(1, 1'000'000)),
+      command
+          .add_option("--propagation", options.propagation,
+                      "how errors are carried from step to step: sound, so that no certificate is "
+                      "false; paper, as published")
+          ->check(CLI::IsMember({"sound", "paper"}))
+          ->capture_default_str(),
+      command.add_option("--budget", options.budget, "how many partial plans to look at")
+          ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+          ->capture_default_str()};
 }
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("scenario", options->scenario, "scenario file")->required();
+  command.add_option("input", options->input, "scenario file, or plan file to look at")->required();
   command.add_option("-o,--output", options->output, "write the plan to this file");
-  command.add_flag("--json", options->json, "print the plan as JSON, with the seconds it took");
-  command.add_flag("--trace", options->trace, "print the planner's decisions to standard error");
-  command.add_option("--instances", options->instances, "how many plan instances to list")
-      ->check(CLI::Range(1, 1'000'000));
+  CLI::Option* const json =
+      command.add_flag("--json", options->json, "print the plan as JSON, with the seconds it took");
+  command
+      .add_option("--explain", options->explain,
+                  "instead of the plan, tell why this step of it is safe or not")
+      ->type_name("STEP")
+      ->excludes(json);
   command.add_flag("--check", options->check, "check the plan with the independent checker");
-  command.add_option("--budget", options->budget, "how many partial plans to look at")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
-      ->capture_default_str();
+  DeclarePlanning(command, *options);
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);
   return [options] { return Execute(*options); };
@@ -132,8 +185,10 @@ Execution Declare(CLI::App& command) {
 
 const Verb kPlan = {
     .name = "plan",
-    .summary = "makes a plan for a scenario",
-    .example = "assay plan scenarios/spar-fig13.yaml -o plan.json",
+    .summary = "makes a plan for a scenario, with certificates",
+    .example =
+        "assay plan scenarios/spar-fig13.yaml -o plan.json\n"
+        "  assay plan plan.json --explain 3",
     .declare = Declare,
 };
 

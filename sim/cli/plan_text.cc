@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "sim/cli/certificate_text.h"
 #include "sim/cli/table.h"
 
 namespace assay::cli {
@@ -51,11 +52,17 @@ std::string Text(const Problem& problem, const plan::Action& action) {
 }
 
 std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
-  Table table({{"executed", Align::kRight}, {"inserted", Align::kRight}, {"id"}, {"action"}});
+  const bool is_certified = !UncertaintyText(plan).empty();
+  std::vector<Table::Column> columns = {
+      {"executed", Align::kRight}, {"inserted", Align::kRight}, {"id"}, {"action"}};
+  if (is_certified) columns.push_back({"certificate"});
+  Table table(std::move(columns));
   for (const plan::StepId id : plan.ExecutionOrder()) {
     const plan::PlannedStep& step = plan.step(id);
-    table.Add({std::to_string(step.executed), std::to_string(step.inserted), step.name,
-               Text(problem, step.action)});
+    std::vector<std::string> row = {std::to_string(step.executed), std::to_string(step.inserted),
+                                    step.name, Text(problem, step.action)};
+    if (is_certified) row.push_back(CertificateText(step.certificate));
+    table.Add(std::move(row));
   }
   return table.Text();
 }
@@ -63,7 +70,7 @@ std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
 std::string Text(const Problem& problem, const plan::PlanResult& result) {
   switch (result.outcome) {
     case Outcome::kFound:
-      return PlanTable(problem, result.plan);
+      return PlanTable(problem, result.plan) + UncertaintyText(result.plan);
     case Outcome::kNone:
       return fmt::format("No plan exists. These cannot hold together:\n  - {}\n",
                          fmt::join(result.conflict, "\n  - "));

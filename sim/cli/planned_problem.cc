@@ -30,13 +30,20 @@ PlannedProblem LoadPlan(const Document& plan_file, const fs::path& file, const f
 
 PlannedProblem LoadOrMakePlan(const fs::path& file, const fs::path& models) {
   const Document document = Document::Load(file);
-  if (document.root().At("format").OneOf({"assay-scenario/1", "assay-plan/1"}) == 1) {
-    return LoadPlan(document, file, models);
-  }
+  return IsPlanFile(document) ? LoadPlan(document, file, models) : MakePlan(file, models, {}, {});
+}
+
+PlannedProblem MakePlan(const fs::path& file, const fs::path& models,
+                        const posting::PlannerOptions& planner,
+                        const posting::UncertaintyOptions& uncertainty) {
   scenario::Scenario scenario = LoadScenario(file, models);
-  plan::PlanResult result = PlanWithProgress(scenario.problem, {}, {});
+  plan::PlanResult result = PlanWithProgress(scenario.problem, planner, uncertainty);
   return {file.string(), std::move(scenario.problem), std::move(scenario.simulation),
           std::move(result)};
+}
+
+bool IsPlanFile(const Document& document) {
+  return document.root().At("format").OneOf({"assay-scenario/1", "assay-plan/1"}) == 1;
 }
 
 plan::PlanResult PlanWithProgress(const domain::Problem& problem,

@@ -29,6 +29,14 @@ scenario::Scenario LoadScenario(const std::filesystem::path& file,
 PlannedProblem LoadPlan(const Document& plan_file, const std::filesystem::path& file,
                         const std::filesystem::path& models);
 
+// Of the two formats, throws InputError if the file has neither.
+bool IsPlanFile(const Document& document);
+
+// For a scenario file.
+PlannedProblem MakePlan(const std::filesystem::path& file, const std::filesystem::path& models,
+                        const posting::PlannerOptions& planner,
+                        const posting::UncertaintyOptions& uncertainty);
+
 // A plan file is read; for a scenario a plan is made.
 PlannedProblem LoadOrMakePlan(const std::filesystem::path& file,
                               const std::filesystem::path& models);

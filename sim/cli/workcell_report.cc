@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "sim/cli/quantity.h"
 #include "sim/cli/table.h"
 
 namespace assay::cli {
@@ -21,6 +22,16 @@ struct Rule {
   const char* unit;
   double scale;  // the unit in SI
 };
+
+std::string NameOf(domain::VerifiedAction action) {
+  return domain::VerifiedActionNames()[static_cast<std::size_t>(action)];
+}
+std::string NameOf(domain::MeasuredQuantity quantity) {
+  return domain::MeasuredQuantityNames()[static_cast<std::size_t>(quantity)];
+}
+std::string NameOf(domain::RecoveryStrategy strategy) {
+  return domain::RecoveryStrategyNames()[static_cast<std::size_t>(strategy)];
+}
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array kRules = {
@@ -38,6 +49,44 @@ constexpr std::array kRules = {
     Rule{"lateral_compliance", &WorkcellRules::lateral_compliance, "mm", 0.001},
 };
 
+std::string NamedOrNothing(const std::string& error) { return error.empty() ? "-" : error; }
+
+// What the workcell can do about uncertainty.
+std::string OperationsText(const domain::UncertaintyOperations& operations) {
+  const Unit length = UnitOf("dx_");
+  const Unit angle = UnitOf("theta_");
+  Table sensors({{"sensor"}, {"x mm"}, {"y mm"}, {"z mm"}, {"theta deg"}, {""}});
+  for (const domain::SensorModel& sensor : operations.sensors) {
+    sensors.Add({sensor.name, RangeText(sensor.x, length), RangeText(sensor.y, length),
+                 RangeText(sensor.z, length), RangeText(sensor.theta, angle), sensor.description});
+  }
+  Table verifications({{"verification"}, {"after"}, {"measures"}, {"+-"}, {"less"}, {"more"}});
+  for (const domain::VerificationTemplate& check : operations.verifications) {
+    verifications.Add({check.name, NameOf(check.after), NameOf(check.quantity),
+                       QuantityText(check.tolerance, length), NamedOrNothing(check.below),
+                       NamedOrNothing(check.above)});
+  }
+  Table recoveries({{"recovery from"}, {"strategy"}, {"radius"}, {"pitch"}});
+  for (const domain::RecoveryTemplate& recovery : operations.recoveries) {
+    const bool searches = recovery.strategy == domain::RecoveryStrategy::kGropingSearch;
+    recoveries.Add({recovery.error, NameOf(recovery.strategy),
+                    searches ? QuantityText(recovery.radius, length) : "-",
+                    searches ? QuantityText(recovery.pitch, length) : "-"});
+  }
+  std::string text;
+  if (!operations.sensors.empty()) text += fmt::format("\n{}", sensors.Text());
+  if (!operations.verifications.empty()) text += fmt::format("\n{}", verifications.Text());
+  if (!operations.recoveries.empty()) text += fmt::format("\n{}", recoveries.Text());
+  return text;
+}
+
+template <class Named>
+Json NamesOf(const std::vector<Named>& list, std::string Named::*name) {
+  Json names = Json::array();
+  for (const Named& item : list) names.push_back(item.*name);
+  return names;
+}
+
 }  // namespace
 
 Report ReportOn(const domain::Workcell& workcell) {
@@ -49,14 +98,20 @@ Report ReportOn(const domain::Workcell& workcell) {
     table.Add({rule.name, fmt::format("{:.6g}", value / rule.scale), rule.unit});
     rules[rule.name] = value;
   }
+  const domain::UncertaintyOperations& operations = workcell.uncertainty_operations();
   const double opening = workcell.gripper().max_opening();
   report.text =
       fmt::format("workcell {}: gripper opens {:.1f} mm, {} placements\n\n{}", workcell.name(),
-                  1000 * opening, workcell.placements().size(), table.Text());
-  report.json = std::make_shared<const Json>(Json{{"workcell", workcell.name()},
-                                                  {"max_opening", opening},
-                                                  {"placements", workcell.placements().size()},
-                                                  {"rules", rules}});
+                  1000 * opening, workcell.placements().size(), table.Text()) +
+      OperationsText(operations);
+  report.json = std::make_shared<const Json>(Json{
+      {"workcell", workcell.name()},
+      {"max_opening", opening},
+      {"placements", workcell.placements().size()},
+      {"rules", rules},
+      {"sensors", NamesOf(operations.sensors, &domain::SensorModel::name)},
+      {"verifications", NamesOf(operations.verifications, &domain::VerificationTemplate::name)},
+      {"recoveries", NamesOf(operations.recoveries, &domain::RecoveryTemplate::error)}});
   return report;
 }
 

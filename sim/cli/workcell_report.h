@@ -5,7 +5,7 @@
 
 namespace assay::cli {
 
-// The table, gripper, rules and placements of a workcell.
+// The table, gripper, rules and placements of a workcell, and what it can do about uncertainty.
 Report ReportOn(const domain::Workcell& workcell);
 
 }  // namespace assay::cli

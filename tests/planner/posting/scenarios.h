@@ -1,8 +1,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "planner/domain/problem_file.h"
+#include "planner/plan/plan.h"
+#include "planner/posting/posting_planner.h"
 
 namespace assay::posting {
 
@@ -16,6 +19,33 @@ inline domain::Problem LoadScenario(const std::string& name) {
 inline domain::Problem ScenarioFrom(const std::string& text) {
   return domain::ReadProblem(Document::Parse(text, "scenario.yaml"),
                              std::string(ASSAY_SOURCE_DIR) + "/models");
+}
+
+inline domain::PartId PartNamed(const domain::Problem& problem, const std::string& name) {
+  for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+    if (problem.parts[i].name == name) return domain::PartId(i);
+  }
+  return domain::PartId::None();
+}
+
+// The first plan instance, without regard to uncertainty.
+inline plan::Plan FirstInstance(const domain::Problem& problem) {
+  return MakePlan(problem, {}).plan;
+}
+
+// In the order of execution.
+inline std::vector<plan::Action> ActionsOf(const plan::Plan& plan) {
+  std::vector<plan::Action> actions;
+  for (const plan::StepId id : plan.ExecutionOrder()) actions.push_back(plan.step(id).action);
+  return actions;
+}
+
+// How many of the actions are of a kind.
+template <class Kind>
+int Count(const std::vector<plan::Action>& actions) {
+  int count = 0;
+  for (const plan::Action& action : actions) count += std::holds_alternative<Kind>(action) ? 1 : 0;
+  return count;
 }
 
 // Peg and block as in Spar's example, with these poses of the part file.

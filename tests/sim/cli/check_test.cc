@@ -44,6 +44,10 @@ TEST(Check, PartsAndWorkcells) {
   const Ended ended = Assay({"check", kBlock, kTable});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("face-down"), HasSubstr("BG1 "), HasSubstr("tool_lean")));
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("overhead-camera  +-0.3  +-0.3  unknown  +-0.2"),
+                    HasSubstr("gripper-opening  pickup    gripper-opening  1 mm  error1"),
+                    HasSubstr("error1         groping-search  10 mm   3 mm")));
 }
 
 TEST(Check, GoesOnAfterAWrongFile) {

@@ -12,8 +12,8 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
-const std::vector<std::string> kVerbs = {"check",  "plan",  "run",    "render",
-                                         "export", "label", "doctor", "list"};
+const std::vector<std::string> kVerbs = {"check", "plan",  "run",    "render", "export",
+                                         "label", "bound", "doctor", "list"};
 
 TEST(Help, ListsVerbsAndExitCodes) {
   const Ended ended = Assay({"--help"});
@@ -78,6 +78,8 @@ TEST_F(WrongCommandLine, ValuesOutOfRange) {
   Error({"plan", kTwoActions, "--budget", "0"});
   Error({"plan", kTwoActions, "--budget", "many"});
   Error({"plan", kTwoActions, "--instances", "-1"});
+  Error({"plan", kTwoActions, "--propagation", "papper"});
+  Error({"plan", kTwoActions, "--explain", "pickup"});
   Error({"run", kTwoActions, "--trials", "0"});
   Error({"run", kTwoActions, "--jobs", "0"});
   Error({"run", kTwoActions, "--seed", "-1"});
@@ -103,6 +105,7 @@ TEST_F(WrongCommandLine, ExportsOneThing) {
 
 TEST_F(WrongCommandLine, RequestsThatExcludeEachOther) {
   Error({"label", "network.json", "--all", "--count"});
+  Error({"plan", kTwoActions, "--explain", "1", "--json"});
 }
 
 }  // namespace

@@ -28,6 +28,12 @@ TEST(List, OneKind) {
   EXPECT_THAT(ended.out, ::testing::Not(HasSubstr("scenarios")));
 }
 
+TEST(List, WorkcellsTellWhatTheyCanDoAboutUncertainty) {
+  const Ended ended = Assay({"list", "workcells", "--models", kTree / "models"});
+  EXPECT_THAT(ended.out, HasSubstr("sensors: overhead-camera; verifications: gripper-opening, "));
+  EXPECT_THAT(ended.out, HasSubstr("recoveries: error1, "));
+}
+
 TEST(Doctor, TellsTheVersionsAndTheRenderer) {
   const Ended ended = Assay({"doctor", "--json"});
   const auto json = ended.Json();

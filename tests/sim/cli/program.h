@@ -8,7 +8,14 @@
 namespace assay::cli {
 
 inline const std::filesystem::path kTree = ASSAY_SOURCE_DIR;
-inline const std::string kTwoActions = kTree / "scenarios/spar-fig15.yaml";
+// Pickup of the peg, assemble; known so well that nothing is inserted.
+inline const std::string kTwoActions = kTree / "scenarios/uncertain-known.yaml";
+// The same with a look at each part.
+inline const std::string kTwoLooks = kTree / "scenarios/uncertain-sensing.yaml";
+// Two squeezes of a post, pickup of a sleeve, assemble.
+inline const std::string kTwoSqueezes = kTree / "scenarios/uncertain-squeezing.yaml";
+// Pickup and assemble, neither of which can be proved.
+inline const std::string kUnproved = kTree / "scenarios/uncertain-failing.yaml";
 inline const std::string kImpossible = kTree / "scenarios/impossible.yaml";
 
 // What the program left behind.

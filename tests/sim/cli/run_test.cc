@@ -92,6 +92,22 @@ TEST(Run, TrialThatFails) {
             "assay run " + weak + " --seed 0 --models " + (kTree / "models").string());
 }
 
+TEST(Run, ExecutesWhatWasInserted) {
+  for (const std::string& scenario : {kTwoLooks, kTwoSqueezes}) {
+    const Ended ended = Assay({"run", scenario, "--json"});
+    EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+    EXPECT_EQ(ended.Json()["first"]["steps"].size(), 4) << scenario;
+  }
+}
+
+TEST(Render, TakesPicturesOfWhatWasInserted) {
+  const Folder folder;
+  const Ended ended = Assay({"render", kTwoSqueezes, "-o", folder / "out", "--size", "32x24",
+                             "--camera", "close", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.Json()["pictures"].size(), 6);  // five moments, and all
+}
+
 TEST(Render, TellsItsFiles) {
   const Folder folder;
   const Ended ended = Assay({"render", kTwoActions, "-o", folder / "out", "--size", "32x24",
@@ -123,6 +139,18 @@ TEST(Export, Dot) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, StartsWith("digraph "));
   EXPECT_THAT(ended.out, HasSubstr("\"action_2\" -> \"action_1\";"));
+}
+
+TEST(Export, WhatWasInserted) {
+  const Ended dot = Assay({"export", kTwoLooks, "--dot"});
+  EXPECT_EQ(dot.code, 0) << dot.err;
+  EXPECT_THAT(dot.out,
+              HasSubstr("\"action_3\" [label=\"1 sense(peg, overhead-camera, initial)\"];"));
+  EXPECT_THAT(dot.out, HasSubstr("\"action_3\" -> \"action_2\";"));
+  const Ended commands = Assay({"export", kTwoSqueezes, "--commands"});
+  EXPECT_EQ(commands.code, 0) << commands.err;
+  EXPECT_THAT(commands.out, HasSubstr("squeeze(post"));
+  EXPECT_THAT(commands.out, HasSubstr("open, releasing post"));
 }
 
 // Spar, figure 9: the path init_pos_1 - grasp_2 - pos_1 - grasp_1 - init_pos_2.

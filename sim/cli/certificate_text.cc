@@ -1,0 +1,106 @@
+#include "sim/cli/certificate_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+#include "sim/cli/quantity.h"
+
+namespace assay::cli {
+namespace {
+
+using plan::Certificate;
+using plan::CertifiedPrecondition;
+using plan::StepId;
+
+constexpr Unit kMillimetre = {"mm", 1000};
+
+std::string Counted(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+std::string RecoveryText(const plan::Plan& plan, StepId step, const std::string& error) {
+  const auto found = std::ranges::find_if(plan.recoveries, [&](const plan::Recovery& recovery) {
+    return recovery.step == step && recovery.error == error;
+  });
+  if (found == plan.recoveries.end()) return error;
+  const std::string strategy =
+      domain::RecoveryStrategyNames()[static_cast<std::size_t>(found->strategy)];
+  if (found->strategy != domain::RecoveryStrategy::kGropingSearch) {
+    return fmt::format("{}, {}", error, strategy);
+  }
+  return fmt::format("{}, {} within {}", error, strategy, QuantityText(found->radius, kMillimetre));
+}
+
+std::string VerificationText(const plan::Plan& plan, const plan::Verification& verification) {
+  std::string text = fmt::format(
+      "    check {}: {} {:.4g} +- {}", verification.name,
+      domain::MeasuredQuantityNames()[static_cast<std::size_t>(verification.quantity)],
+      kMillimetre.scale * verification.expected, QuantityText(verification.tolerance, kMillimetre));
+  if (!verification.below.empty()) {
+    text += "; if less: " + RecoveryText(plan, verification.step, verification.below);
+  }
+  if (!verification.above.empty()) {
+    text += "; if more: " + RecoveryText(plan, verification.step, verification.above);
+  }
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string CertificateText(const Certificate& certificate) {
+  const std::size_t all = certificate.preconditions.size();
+  if (all == 0) return "";
+  const std::size_t proved =
+      std::ranges::count_if(certificate.preconditions, &CertifiedPrecondition::holds);
+  return proved == all ? fmt::format("{} proved", all)
+                       : fmt::format("{} of {} proved", proved, all);
+}
+
+std::string UncertaintyText(const plan::Plan& plan) {
+  const bool is_certified = std::ranges::any_of(
+      plan.steps, [](const plan::PlannedStep& step) { return !step.certificate.before.empty(); });
+  if (!is_certified) return "";
+  std::string done;
+  for (const StepId id : plan.ExecutionOrder()) {
+    const std::string text = ResolutionsText(plan, id);
+    if (!text.empty()) done += fmt::format("  for step {}: {}", plan.step(id).executed, text);
+  }
+  const std::string summary =
+      plan.errors == 0
+          ? "Every precondition is proved."
+          : fmt::format("Not all preconditions of {} are proved: {} and {} stand by.",
+                        Counted(plan.errors, "step", "steps"),
+                        Counted(plan.verifications.size(), "verification", "verifications"),
+                        Counted(plan.recoveries.size(), "recovery", "recoveries"));
+  return done.empty() ? fmt::format("\n{} Nothing was inserted.\n", summary)
+                      : fmt::format("\nuncertainty\n{}{}\n", done, summary);
+}
+
+std::string StepsText(const plan::Plan& plan, const std::vector<StepId>& steps) {
+  std::vector<int> places;
+  for (const StepId id : steps) places.push_back(plan.step(id).executed);
+  std::ranges::sort(places);
+  return fmt::format("{} {}", places.size() == 1 ? "step" : "steps", fmt::join(places, ", "));
+}
+
+std::string ResolutionsText(const plan::Plan& plan, StepId step) {
+  std::string text;
+  const std::vector<plan::Resolution>& resolutions = plan.step(step).certificate.resolutions;
+  for (std::size_t i = 0; i < resolutions.size(); ++i) {
+    text += resolutions[i].resolver;
+    if (!resolutions[i].steps.empty()) {
+      text += fmt::format(" ({})", StepsText(plan, resolutions[i].steps));
+    }
+    const bool same_reason =
+        i + 1 < resolutions.size() && resolutions[i + 1].why == resolutions[i].why;
+    text += same_reason ? ", " : fmt::format(", because\n    {}\n", resolutions[i].why);
+  }
+  for (const plan::Verification& verification : plan.verifications) {
+    if (verification.step == step) text += VerificationText(plan, verification);
+  }
+  return text;
+}
+
+}  // namespace assay::cli

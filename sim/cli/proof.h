@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/algebra/constraint_set.h"
+#include "planner/algebra/expression.h"
+#include "planner/plan/plan.h"
+
+namespace assay::cli {
+
+// One variable in the proof of a precondition.
+struct VariableInProof {
+  std::string name;
+  Interval range;
+  std::optional<double> worst;  // its value at the worst corner
+  double cost = 0;              // by how much the bound would improve, were its value known
+};
+
+// A variable's range, before and after it is narrowed enough.
+struct NarrowedVariable {
+  std::string name;
+  Interval range;
+  Interval enough;
+};
+
+// What can be computed from a certified precondition and the variables of its certificate.
+struct Proof {
+  const plan::CertifiedPrecondition& claim;
+  double nominal = 0;                           // value in the middle of all ranges
+  std::optional<double> at_worst = {};          // value at the worst corner, if one is stated
+  std::vector<std::string> terms = {};          // of the expression, those that vary most first
+  std::vector<VariableInProof> variables = {};  // those that cost anything, by cost
+  std::optional<NarrowedVariable> remedy = {};  // the mildest that proves it alone; none if proved
+
+  // Whether the worst corner shows that the precondition is false.
+  bool IsRefuted() const;
+};
+
+// The expressions of one certificate, read back.
+class CertificateProofs {
+ public:
+  // Throws InputError if the certificate's variables have no proper names.
+  explicit CertificateProofs(const plan::PlannedStep& step);
+
+  Proof Of(const plan::CertifiedPrecondition& claim) const;
+
+ private:
+  algebra::Expression Read(const std::string& text) const;
+
+  const plan::PlannedStep& step_;
+  std::unique_ptr<algebra::ExpressionPool> pool_;
+  algebra::ConstraintSet box_;
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,60 @@
+#include "sim/cli/quantity.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace assay::cli {
+namespace {
+
+constexpr Unit kMillimetre = {"mm", 1000};
+constexpr Unit kDegree = {"deg", 180 / std::numbers::pi};
+
+constexpr int kDigits = 4;
+constexpr double kNothing = 1e-9;  // millimetres or degrees: what is below counts as 0
+
+std::string NumberText(double number) {
+  return fmt::format("{:.{}g}", std::abs(number) < kNothing ? 0.0 : number, kDigits);
+}
+
+// The number next to zero that has no more digits than are shown.
+double TowardZero(double number) {
+  if (std::abs(number) < kNothing) return 0;
+  const double last_digit = std::pow(10, std::floor(std::log10(std::abs(number))) - kDigits + 1);
+  return std::trunc(number / last_digit) * last_digit;
+}
+
+}  // namespace
+
+Unit UnitOf(const std::string& variable) {
+  for (const char* angle : {"theta_", "turn_", "twist_"}) {
+    if (variable.starts_with(angle)) return kDegree;
+  }
+  return kMillimetre;
+}
+
+Unit UnitOf(const plan::CertifiedPrecondition& precondition) {
+  return precondition.condition == "tilt" ? kDegree : kMillimetre;
+}
+
+std::string QuantityText(double value, const Unit& unit) {
+  return fmt::format("{} {}", NumberText(unit.scale * value), unit.name);
+}
+
+std::string RangeText(const Interval& range, const Unit& unit) {
+  if (std::isinf(range.low) && std::isinf(range.high)) return "unknown";
+  const std::string low = NumberText(unit.scale * range.low);
+  const std::string high = NumberText(unit.scale * range.high);
+  if (low == high) return high;
+  return low == "-" + high ? "+-" + high : fmt::format("{} to {}", low, high);
+}
+
+std::string NarrowRangeText(const Interval& range, const Unit& unit) {
+  const bool holds_zero = range.low <= 0 && range.high >= 0;
+  if (!holds_zero) return RangeText(range, unit);
+  return RangeText({TowardZero(unit.scale * range.low), TowardZero(unit.scale * range.high)},
+                   {unit.name, 1});
+}
+
+}  // namespace assay::cli

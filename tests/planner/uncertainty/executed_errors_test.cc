@@ -1,0 +1,116 @@
+#include "tests/oracle/executed_errors.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/uncertainty/certify.h"
+#include "tests/planner/uncertainty/action_lists.h"
+
+// In sound mode no certificate is false: plans are executed thousands of times with drawn errors.
+namespace assay::uncertainty {
+namespace {
+
+using ::testing::IsEmpty;
+
+constexpr std::uint64_t kSeed = 20;
+constexpr int kExecutions = 2000;
+
+enum class Inserted { kNothing, kSensing, kSqueezing };
+
+struct Trial {
+  std::string scenario;
+  Inserted inserted = Inserted::kNothing;
+  double gripper = 0;  // metres; ten times as many radians; 0: the scenario's
+  double parts = 1;    // times the scenario's errors
+};
+
+void PrintTo(const Trial& trial, std::ostream* out) {
+  *out << trial.scenario << ", inserted " << static_cast<int>(trial.inserted) << ", gripper "
+       << trial.gripper << " m, parts' errors * " << trial.parts << ", seed " << kSeed;
+}
+
+domain::PoseError Scaled(const domain::PoseError& error, double factor) {
+  const auto scaled = [&](const Interval& i) { return Interval{factor * i.low, factor * i.high}; };
+  return {scaled(error.x), scaled(error.y), scaled(error.z), scaled(error.theta)};
+}
+
+domain::Problem ProblemOf(const Trial& trial) {
+  domain::Problem problem = LoadScenario(trial.scenario);
+  for (domain::Part& part : problem.parts) part.error = Scaled(part.error, trial.parts);
+  if (trial.gripper > 0) problem.gripper_error = Symmetric(trial.gripper, trial.gripper * 10);
+  return problem;
+}
+
+// Before every pickup a look, or a squeeze with the grasp of the pickup; before every assemble a
+// look at its fixed part.
+std::vector<plan::Action> With(Inserted inserted, const domain::Problem& problem,
+                               const std::vector<plan::Action>& actions) {
+  std::vector<plan::Action> all;
+  for (const plan::Action& action : actions) {
+    if (const auto* pickup = std::get_if<plan::Pickup>(&action)) {
+      if (inserted == Inserted::kSensing) {
+        all.push_back(plan::Sense{pickup->part, "overhead-camera", pickup->from});
+      } else if (inserted == Inserted::kSqueezing) {
+        all.push_back(plan::Squeeze{pickup->part, pickup->hold, pickup->from});
+      }
+    } else if (const auto* assemble = std::get_if<plan::Assemble>(&action)) {
+      const domain::PartId fixed = problem.mating(assemble->mating).fixed;
+      if (inserted == Inserted::kSensing) {
+        all.push_back(plan::Sense{fixed, "overhead-camera", assemble->fixed});
+      }
+    }
+    all.push_back(action);
+  }
+  return all;
+}
+
+class ExecutedPlans : public ::testing::TestWithParam<Trial> {};
+
+TEST_P(ExecutedPlans, ContradictNoCertificate) {
+  const domain::Problem problem = ProblemOf(GetParam());
+  const auto certified = Certify(problem, With(GetParam().inserted, problem, FirstPlan(problem)));
+  RandomStream random(kSeed, "executed plans");
+  int completed = 0;
+  for (int i = 0; i < kExecutions; ++i) {
+    const oracle::Execution execution = oracle::ExecuteOnce(problem, certified, random);
+    ASSERT_THAT(execution.contradictions, IsEmpty()) << "execution " << i;
+    completed += execution.completed;
+  }
+  EXPECT_GT(completed, kExecutions / 100);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenarios, ExecutedPlans,
+    ::testing::Values(Trial{"spar-example"}, Trial{"spar-example", Inserted::kSensing},
+                      Trial{"spar-example", Inserted::kSqueezing, 0.0003},
+                      Trial{"spar-fig13", Inserted::kSensing, 0.0003, 0.2},
+                      Trial{"spar-fig14", Inserted::kSqueezing, 0.0003, 0.5},
+                      Trial{"spar-fig15", Inserted::kNothing, 0, 0.1},
+                      Trial{"spar-fig16", Inserted::kSensing, 0.0001, 0.3},
+                      Trial{"keyed", Inserted::kSensing, 0.00001, 0.05},
+                      Trial{"keyed", Inserted::kSensing, 0.00001, 0.02},  // all is proved
+                      Trial{"two-pegs", Inserted::kSensing, 0.00002, 0.05}));
+
+// The oracle bites: with errors beyond what was assumed, certificates are false.
+TEST(ExecutedErrors, BeyondTheirBoundsContradict) {
+  const Trial trial{"keyed", Inserted::kSensing, 0.00001, 0.02};
+  const domain::Problem assumed = ProblemOf(trial);
+  const auto certified = Certify(assumed, With(trial.inserted, assumed, FirstPlan(assumed)));
+  const auto contradicted = [&](const domain::Problem& problem) {
+    RandomStream random(kSeed, "beyond");
+    for (int i = 0; i < kExecutions; ++i) {
+      if (!oracle::ExecuteOnce(problem, certified, random).contradictions.empty()) return true;
+    }
+    return false;
+  };
+  EXPECT_FALSE(contradicted(assumed));
+  domain::Problem part = assumed;
+  part.parts[0].error = Scaled(part.parts[0].error, 1.2);
+  EXPECT_TRUE(contradicted(part));
+  domain::Problem hand = assumed;
+  hand.gripper_error = Scaled(hand.gripper_error, 1.2);
+  EXPECT_TRUE(contradicted(hand));
+}
+
+}  // namespace
+}  // namespace assay::uncertainty

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bench/pick_and_place.h"
+#include "planner/algebra/bounds.h"
+#include "planner/algebra/text.h"
+#include "planner/uncertainty/certify.h"
+
+// Bounding all preconditions of a plan of n pick-and-place actions on one part grows polynomially
+// in n, where the paper says exponentially. Counted, not timed.
+namespace assay::uncertainty {
+namespace {
+
+constexpr int kMost = 50;
+constexpr double kLean = 0.5235987755982988;  // 30 deg
+
+// Where growth is exponential the test must end all the same.
+constexpr std::int64_t kTooMuchText = 20'000'000;
+
+// Up to and with the nth pick and place.
+struct Work {
+  std::int64_t preconditions = 0;
+  std::int64_t variables = 0;    // of each certificate
+  std::int64_t terms = 0;        // operations and operands of the preconditions as they are written
+  std::int64_t evaluations = 0;  // to bound these
+  std::int64_t text = 0;
+};
+
+void Count(const plan::Certificate& certificate, Work& work) {
+  algebra::ExpressionPool pool;
+  for (const auto& variable : certificate.variables) pool.Declare(variable.name, variable.range);
+  work.variables += pool.variable_count();
+  const algebra::ConstraintSet box = algebra::DeclaredBox(pool);
+  for (const auto& claim : certificate.preconditions) {
+    work.text += std::ssize(claim.expression);
+    if (work.text > kTooMuchText) return;
+    const Expression e = algebra::Parse(claim.expression, pool, {});
+    const algebra::BoundRequest request = {.limit = claim.limit};
+    const auto bound = claim.relation == plan::Relation::kLess
+                           ? algebra::BoundAbove(e, box, request)
+                           : algebra::BoundBelow(e, box, request);
+    ++work.preconditions;
+    work.terms += std::ssize(algebra::NodesOf(e));
+    work.evaluations += bound.evaluations;
+  }
+}
+
+// works[n - 1], for n up to kMost or to where it became too much.
+std::vector<Work> WorkOf(double lean) {
+  const auto plan = bench::MakePickAndPlace(kMost, lean);
+  UncertainWorld world(plan.problem, Propagation::kSound);
+  std::vector<Work> works;
+  Work work;
+  for (std::size_t i = 0; i < plan.actions.size(); ++i) {
+    Count(CertifyStep(world, plan.actions[i], {}).certificate, work);
+    if (work.text > kTooMuchText) break;
+    if (i % 2 == 1) works.push_back(work);
+  }
+  return works;
+}
+
+class Growth : public ::testing::TestWithParam<double> {};
+
+TEST_P(Growth, IsPolynomial) {
+  const std::vector<Work> works = WorkOf(GetParam());
+  ASSERT_EQ(works.size(), kMost) << "more than " << kTooMuchText << " characters of preconditions";
+  const Work& at_10 = works[9];
+  const Work& at_50 = works[49];
+  const auto exponent = [](std::int64_t few, std::int64_t many) {
+    return std::log(static_cast<double>(many) / static_cast<double>(few)) / std::log(5.0);
+  };
+  EXPECT_NEAR(exponent(at_10.preconditions, at_50.preconditions), 1, 0.05);
+  EXPECT_LT(exponent(at_10.variables, at_50.variables), 3);
+  EXPECT_LT(exponent(at_10.terms, at_50.terms), 3);
+  EXPECT_LT(exponent(at_10.evaluations, at_50.evaluations), 3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Tools, Growth, ::testing::Values(0.0, kLean));
+
+}  // namespace
+}  // namespace assay::uncertainty

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "tests/planner/uncertainty/action_lists.h"
+
+// Spar's block on its end, its axes along the world's, and hands that come to it from above.
+namespace assay::uncertainty {
+
+constexpr PartId kBlock(0);
+
+struct Errors {
+  double length = 0.002;  // of the part: metres
+  double angle = 0.05;    // radians
+  double hand = 1e-4;     // metres; its angle is ten times as many radians
+};
+
+// Pads that do not jam: 3 degrees of friction are less than their contacts can lie aside.
+inline domain::Problem UprightBlock(const Errors& errors) {
+  domain::Problem problem = LoadScenario("spar-example");
+  domain::Part& block = problem.parts[kBlock.index()];
+  block.X_WorldPart = geometry::Translation(0.6, 0.1, 0);
+  block.error = Symmetric(errors.length, errors.angle);
+  problem.gripper_error = Symmetric(errors.hand, 10 * errors.hand);
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.pad_friction = 0.05;
+  problem.workcell = problem.workcell->WithRules(rules);
+  return problem;
+}
+
+// From straight above, above the centre of mass, closing along a direction of the part.
+inline plan::Hold HoldFromAbove(const domain::Problem& problem, const Vector3& closing) {
+  const Vector3 down = -Vector3::UnitZ();
+  const Vector3 above = problem.part(kBlock).model->mass().center + Vector3(0, 0, 0.05);
+  return {"from above", geometry::PoseFromColumns(closing.cross(down), closing, down, above),
+          3 * kInch};
+}
+
+inline plan::Place PlaceOf(const domain::Problem& problem) {
+  return {"on-end", problem.part(kBlock).X_WorldPart};
+}
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,186 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::ContainsRegex;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+using Json = nlohmann::json;
+
+Json Variable(const std::string& name, double low, double high) {
+  return {{"name", name}, {"range", {low, high}}};
+}
+
+// expression < limit, with its bound and the corner where it is greatest.
+Json Less(const std::string& condition, const std::string& expression, double limit, double bound,
+          const std::vector<std::pair<std::string, double>>& corner) {
+  Json worst = Json::array();
+  for (const auto& [name, value] : corner) worst.push_back(Variable(name, value, value));
+  return {{"condition", condition},   {"meaning", "what " + condition + " means"},
+          {"expression", expression}, {"relation", "<"},
+          {"limit", limit},           {"bound", bound},
+          {"margin", limit - bound},  {"gap", 0},
+          {"rung", "termwise"},       {"worst", worst}};
+}
+
+// Explains a plan whose first step has a certificate made by hand.
+class Explained : public ::testing::Test {
+ protected:
+  Explained() {
+    certificate_["variables"] = {Variable("dx_peg", -0.003, 0.003),
+                                 Variable("dy_peg", -0.002, 0.004),
+                                 Variable("theta_peg", -0.1, 0.1)};
+    certificate_["preconditions"] = Json::array();
+  }
+
+  Ended Explain() {
+    plan_["actions"][1]["certificate"] = certificate_;
+    return Assay({"plan", folder_.Write("plan.json", plan_.dump()), "--explain", "1"});
+  }
+
+  Json plan_ = Assay({"plan", kTwoActions, "--json"}).Json();
+  Json certificate_ = plan_["actions"][1]["certificate"];
+  const Folder folder_;
+};
+
+// SUP is 2 * 3 mm + 10 mm * sin(0.1); without theta's error 6 mm, without dx's 0.9983 mm. It is
+// less than 5 mm if dx_peg is within (5 - 0.9983) / 2 = 2.0008 mm: 0.666 of 3 mm to three digits.
+TEST_F(Explained, UnprovedWithItsWorstCornerSharesAndRemedy) {
+  const double sup = 0.006 + 0.01 * std::sin(0.1);
+  certificate_["preconditions"].push_back(Less("reach", "2*dx_peg + 0.01*sin(theta_peg)", 0.005,
+                                               sup, {{"dx_peg", 0.003}, {"theta_peg", 0.1}}));
+  const Ended ended = Explain();
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("reach: what reach means: 1 of 1 NOT PROVED\n"));
+  EXPECT_THAT(ended.out, HasSubstr("SUP 6.998 mm, must be < 5 mm: 1.998 mm short; at the worst "
+                                   "corner it is false\n"));
+  EXPECT_THAT(ended.out, HasSubstr("0 mm if all is as believed, 6.998 mm at the worst corner; "
+                                   "rung termwise, gap 0 mm\n"));
+  EXPECT_THAT(ended.out, HasSubstr("    2*dx_peg + 0.01*sin(theta_peg)\n"));
+  EXPECT_THAT(ended.out, ContainsRegex("dx_peg +\\+-3 mm +3 mm +6 mm\n"));
+  EXPECT_THAT(ended.out, ContainsRegex("theta_peg +\\+-5.73 deg +5.73 deg +0.9983 mm\n"));
+  EXPECT_THAT(ended.out, HasSubstr("Enough alone: tighten dx_peg from +-3 to +-1.998 mm.\n"));
+}
+
+// Half of the sum would still be too much, from either variable.
+TEST_F(Explained, UnprovedWhereNoSingleRangeIsEnough) {
+  certificate_["preconditions"].push_back(
+      Less("reach", "dx_peg + dy_peg", 0.0005, 0.007, {{"dx_peg", 0.003}, {"dy_peg", 0.004}}));
+  const std::string text = Explain().out;
+  EXPECT_THAT(text, HasSubstr("Tightening one variable's range alone is not enough.\n"));
+  EXPECT_THAT(text, ContainsRegex("dy_peg +-2 to 4 mm +4 mm +3 mm\n"));
+}
+
+// A bound that no known corner comes near is a loose bound, not a false precondition.
+TEST_F(Explained, LooseBoundIsNotCalledFalse) {
+  certificate_["preconditions"].push_back(
+      Less("reach", "dx_peg - dx_peg^3", 0.0031, 0.0032, {{"dx_peg", 0.003}}));
+  EXPECT_THAT(Explain().out, HasSubstr("0.1 mm short; no corner is known where it is false\n"));
+}
+
+TEST_F(Explained, UnprovedComesFirstAndProvedIsShorter) {
+  certificate_["preconditions"] = {Less("proved", "dx_peg", 0.004, 0.003, {{"dx_peg", 0.003}}),
+                                   Less("tilt", "theta_peg", 0.2, 0.1, {{"theta_peg", 0.1}}),
+                                   Less("unproved", "dy_peg", 0.003, 0.004, {{"dy_peg", 0.004}}),
+                                   Less("proved", "-dx_peg", 0.004, 0.003, {{"dx_peg", -0.003}})};
+  const std::string text = Explain().out;
+  EXPECT_THAT(text, HasSubstr("3 of 4 proved, the tightest first"));
+  EXPECT_LT(text.find("unproved: what unproved means: 1 of 1 NOT PROVED\n"),
+            text.find("\nproved: what proved means: 2 proved\n"));
+  EXPECT_THAT(text, ContainsRegex("2 +SUP 3 mm +< 4 mm +1 mm +termwise +0 mm\n"));
+  EXPECT_THAT(text, ContainsRegex("1 +SUP 5.73 deg +< 11.46 deg +5.73 deg +termwise +0 deg\n"));
+  EXPECT_EQ(text.find("worst corner", text.find("\nproved:")), std::string::npos);
+}
+
+TEST_F(Explained, InfiniteBounds) {
+  certificate_["variables"][0]["range"] = {"-inf", "inf"};
+  Json precondition = Less("reach", "dx_peg + dy_peg", 0.005, 0, {});
+  precondition["bound"] = precondition["gap"] = "inf";
+  precondition["margin"] = "-inf";
+  certificate_["preconditions"].push_back(precondition);
+  const Ended ended = Explain();
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("SUP inf mm, must be < 5 mm"));
+  EXPECT_THAT(ended.out, HasSubstr("gap unknown"));
+}
+
+TEST_F(Explained, LongExpressionsAreFolded) {
+  std::string sum = "dy_peg";
+  for (int i = 1; i <= 60; ++i)
+    sum += " + " + std::to_string(i) + ".25*dx_peg*cos(theta_peg)^" + std::to_string(i);
+  certificate_["preconditions"].push_back(Less("reach", sum, 1, 0.5, {}));
+  const std::string text = Explain().out;
+  EXPECT_THAT(text, ContainsRegex("\\.\\.\\. and [0-9]+ terms more that vary less\n"));
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100) << line;
+}
+
+TEST_F(Explained, ErrorSetsAreInMillimetresAndDegrees) {
+  certificate_["before"][0]["x"] = {-0.0025, 0.0025};
+  certificate_["before"][0]["y"] = {-0.001, 0.002};
+  certificate_["before"][0]["z"] = {"-inf", "inf"};
+  certificate_["before"][0]["theta"] = {0, 0};
+  EXPECT_THAT(Explain().out,
+              ContainsRegex("before +peg +resting +\\+-2.5 +-1 to 2 +unknown +0 +0\n"));
+}
+
+TEST_F(Explained, WrongExpressionsAndNamesAreTold) {
+  certificate_["preconditions"].push_back(Less("reach", "dx_peg + dx_pgeg", 1, 0.5, {}));
+  Ended ended = Explain();
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, AllOf(HasSubstr("certificate of action_2:1:10: "), HasSubstr("dx_peg")));
+  certificate_["variables"][1]["name"] = "dx_peg";
+  ended = Explain();
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("'dx_peg' is no new variable"));
+}
+
+TEST(Explain, WrongStepTellsWhatIsAllowed) {
+  for (const char* step : {"0", "3", "-1"}) {
+    const Ended ended = Assay({"plan", kTwoActions, "--explain", step});
+    EXPECT_EQ(ended.code, 2) << step;
+    EXPECT_THAT(ended.err, HasSubstr("allowed: 1 to 2"));
+    EXPECT_EQ(ended.out, "");
+  }
+}
+
+// The same of a scenario and of the file of its plan.
+TEST(Explain, NeedsOnlyTheCertificate) {
+  const Folder folder;
+  ASSERT_EQ(Assay({"plan", kUnproved, "-o", folder / "plan.json"}).code, 0);
+  for (const char* step : {"1", "2"}) {
+    const Ended of_scenario = Assay({"plan", kUnproved, "--explain", step});
+    const Ended of_file = Assay({"plan", folder / "plan.json", "--explain", step});
+    EXPECT_EQ(of_scenario.code, 0) << of_scenario.err;
+    EXPECT_EQ(of_scenario.out, of_file.out);
+  }
+}
+
+TEST(Explain, TellsWhatWasInsertedAndWhatFor) {
+  EXPECT_THAT(Assay({"plan", kTwoLooks, "--explain", "1"}).out,
+              AllOf(HasSubstr("inserted for step 4\n"),
+                    HasSubstr("It has no uncertainty-reduction preconditions.\n")));
+  EXPECT_THAT(Assay({"plan", kTwoLooks, "--explain", "4"}).out,
+              HasSubstr("Done about it: sensing (steps 1, 3), because\n"));
+  EXPECT_THAT(Assay({"plan", kTwoActions, "--explain", "2"}).out, Not(HasSubstr("Done about it")));
+}
+
+TEST(Explain, PlansWithoutCertificatesSaySo) {
+  const Folder folder;
+  Json plan = Assay({"plan", kTwoActions, "--json"}).Json();
+  for (Json& action : plan["actions"]) action.erase("certificate");
+  EXPECT_THAT(Assay({"plan", folder.Write("plan.json", plan.dump()), "--explain", "1"}).out,
+              HasSubstr("It has no certificate"));
+}
+
+}  // namespace
+}  // namespace assay::cli
