@@ -114,7 +114,7 @@ class StepCertifier {
   }
 
   void Require(const std::vector<Precondition>& preconditions) {
-    const algebra::ConstraintSet box = world_.constraints();
+    const algebra::ConstraintSet& box = world_.constraints();
     for (const Precondition& precondition : preconditions) {
       CertifiedPrecondition claim =
           certifies() ? Certified(precondition, box) : Decided(precondition, box);

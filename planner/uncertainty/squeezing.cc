@@ -14,6 +14,7 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr double kTurnOfPush = 0.55;  // per radius of gyration
 
 HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
   Pose R_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
@@ -48,8 +49,8 @@ class Closing {
     const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
     const double push =
         Magnitude(world.RangeOf(grasped[1])) + 2 * pad_x_ * std::sin(AtMostRight(theta + hand_));
-    pushed_turn_ = TurnOfPush(*world.problem().part(part).model, world.X_WorldPart(part), hold,
-                              theta + hand_, push);
+    pushed_turn_ = AtMostRight(TurnOfPush(*world.problem().part(part).model,
+                                          world.X_WorldPart(part), hold, theta + hand_, push));
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
     way_ = turn_ + pushed_turn_;
     jams_ = !(turn_ + std::atan(world.problem().workcell->rules().pad_friction) <
@@ -66,7 +67,8 @@ class Closing {
     if (is_straight()) return axis == 2 ? way_ : 0;
     const double products = up_.y() == 0 && !jams_ ? 0 : way_ * way_;
     const double hand = axis == 1 ? way_ + hand_ : 1 + way_;
-    return TwistOf(AtMostRight(way_), up_[axis]) + products + hand_ * hand;
+    return std::min(TwistOf(AtMostRight(way_), up_[axis]) + products + hand_ * hand,
+                    std::numbers::pi);
   }
 
   double SlipX() const {
@@ -104,7 +106,7 @@ class Closing {
                          center.norm() * std::sin(AtMostRight(turned));
     if (up_.y() == 0 && lever <= reach) return 0;
     const Vector3 up = X_WorldPart.linear().transpose() * Vector3::UnitZ();
-    return push / std::sqrt(up.dot(mass.inertia * up) / mass.mass);
+    return kTurnOfPush * push / std::sqrt(up.dot(mass.inertia * up) / mass.mass);
   }
 
   // First to the turned position and back, or only back.

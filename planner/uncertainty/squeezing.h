@@ -17,9 +17,9 @@ namespace assay::uncertainty {
 //   - It turns about a point between the pads: the grasped point slips along them by no more than
 //     the way that it makes about the farthest such point.
 //   - Until the second pad touches, the first one pushes the part, and may turn it further where
-//     the centre of mass is not behind the pad: by at most the push over the radius of gyration,
-//     if the part presses on the table at least as far out as its mass lies. Uniform pressure
-//     allows 0.55 of that.
+//     the centre of mass is not behind the pad: by at most 0.55 of the push over the radius of
+//     gyration. So much a point contact can turn a sliding body that presses on the table with
+//     uniform pressure; 0.5 if the pressure is on a ring, less if it is farther out.
 //   - A tool that leans finds a part of the rotation about the vertical about each of its axes.
 HeldError ClosePads(UncertainWorld& world, PartId part, const plan::Hold& hold,
                     const ManipulatorError& draw);

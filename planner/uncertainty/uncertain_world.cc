@@ -6,11 +6,18 @@
 #include <cmath>
 #include <set>
 
+#include "planner/algebra/affine_form.h"
 #include "planner/algebra/bounds.h"
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/simplify.h"
 
 namespace assay::uncertainty {
+namespace {
+
+constexpr std::size_t kMostNodes = 60;  // of expressions that are kept as they are
+constexpr double kNegligible = 0.02;    // of what all variables of an expression do together
+
+}  // namespace
 
 // "peg-1" becomes "peg_1": names of variables have no hyphens.
 std::string UncertainWorld::SymbolName(PartId part) const {
@@ -34,11 +41,12 @@ UncertainWorld::UncertainWorld(const domain::Problem& problem, Propagation propa
 
 Expression UncertainWorld::Declare(const std::string& stem, const Interval& range, PartId part) {
   if (range.low == range.high) return range.low;
-  const int count = ++variables_->declared[stem];
+  const int count = ++variables_->count_by_stem[stem];
   std::string name = count == 1 ? stem : fmt::format("{}_{}", stem, count);
   // A part may be called what another part's second variable would be.
   while (variables_->pool.Find(name)) name += '_';
   variables_->owners.push_back(part);
+  variables_->declared.box.push_back(range);
   return variables_->pool.Declare(std::move(name), range);
 }
 
@@ -63,9 +71,29 @@ Expression UncertainWorld::DrawTableHeight(PartId part) {
   return DeclareOfPart("dz", problem_->part(part).error.z, part);
 }
 
+Expression UncertainWorld::Condensed(const Expression& e, PartId part) {
+  if (propagation_ == Propagation::kPaper || algebra::NodesOf(e).size() <= kMostNodes) return e;
+  using algebra::operator+;
+  const algebra::AffineForm form = algebra::AffineFormOf(e, constraints().box, kNegligible);
+  return form.linear + DeclareOfPart("rest", form.rest, part);
+}
+
+RestingError UncertainWorld::Condensed(const RestingError& error, PartId part) {
+  RestingError condensed = {.displacement = {}, .theta = Condensed(error.theta, part)};
+  for (const int axis : {0, 1, 2}) {
+    condensed.displacement[axis] = Condensed(error.displacement[axis], part);
+  }
+  return condensed;
+}
+
 void UncertainWorld::SetHeld(PartId part, const HeldError& error) {
   in_hand_ = part;
-  held_ = error;
+  held_ = {.x = Condensed(error.x, part),
+           .z = Condensed(error.z, part),
+           .twist = Condensed(error.twist, part),
+           .y = Condensed(error.y, part),
+           .skew = Condensed(error.skew, part),
+           .tip = Condensed(error.tip, part)};
 }
 
 RestingError UncertainWorld::about_plan(PartId part) const {
@@ -84,9 +112,11 @@ BeliefShift UncertainWorld::ShiftAt(PartId part, const Vector3& point) const {
 void UncertainWorld::SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error,
                                 const BeliefShift& shift) {
   if (in_hand_ == part) in_hand_ = PartId::None();
+  const RestingError condensed = Condensed(error, part);
   const SymbolicVector in_world =
-      algebra::Simplify(algebra::RotationZ(shift.turn) * error.displacement);
-  parts_[part.index()] = {X_WorldPart, shift, error, {in_world, error.theta}};
+      algebra::Simplify(algebra::RotationZ(shift.turn) * condensed.displacement);
+  parts_[part.index()] = {X_WorldPart, shift, condensed,
+                          Condensed({in_world, condensed.theta}, part)};
 }
 
 void UncertainWorld::SetBelief(PartId part, const BeliefShift& shift,
@@ -98,21 +128,15 @@ void UncertainWorld::SetBelief(PartId part, const BeliefShift& shift,
                      in_world.theta};
 }
 
-algebra::ConstraintSet UncertainWorld::constraints() const {
-  return algebra::DeclaredBox(variables_->pool);
-}
-
 Interval UncertainWorld::RangeOf(const Expression& expression) const {
-  const algebra::ConstraintSet declared = constraints();
-  return algebra::Evaluate(expression, std::span<const Interval>(declared.box));
+  return algebra::Evaluate(expression, std::span<const Interval>(constraints().box));
 }
 
 Interval UncertainWorld::TightRangeOf(const Expression& expression) const {
   if (expression.IsConstant()) return {expression.constant(), expression.constant()};
   const algebra::BoundRequest request = {.highest = algebra::Rung::kCentred};
-  const algebra::ConstraintSet box = constraints();
-  return {algebra::BoundBelow(expression, box, request).value,
-          algebra::BoundAbove(expression, box, request).value};
+  return {algebra::BoundBelow(expression, constraints(), request).value,
+          algebra::BoundAbove(expression, constraints(), request).value};
 }
 
 std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const {

@@ -53,6 +53,9 @@ class UncertainWorld {
   // The part's name, as the names of its variables end.
   std::string SymbolName(PartId part) const;
 
+  // What is set is condensed in sound mode: a long expression is replaced by an affine form
+  // (algebra/affine_form.h), its rest a new variable. Otherwise expressions would grow by a factor
+  // with every action (Spar, "Propagation of Uncertainty").
   void SetHeld(PartId part, const HeldError& error);
   // At X_WorldPart of the plan, the belief shifted from there; the error as `resting` tells it.
   void SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error,
@@ -60,7 +63,9 @@ class UncertainWorld {
   // The part stays; what is believed of it changes. The error as `resting_in_world` tells it.
   void SetBelief(PartId part, const BeliefShift& shift, const RestingError& in_world);
 
-  algebra::ConstraintSet constraints() const;  // the box of all variables
+  const algebra::ConstraintSet& constraints() const {  // the box of all variables
+    return variables_->declared;
+  }
   // Guaranteed ranges of the expression, in which nothing is missing: by plain interval arithmetic,
   // and by the ladder of bounds.
   Interval RangeOf(const Expression& expression) const;
@@ -80,10 +85,13 @@ class UncertainWorld {
   };
   struct Variables {
     algebra::ExpressionPool pool;
+    algebra::ConstraintSet declared = {};
     std::vector<PartId> owners = {};  // by VariableId; None: the hand
-    std::map<std::string, int> declared = {};
+    std::map<std::string, int> count_by_stem = {};
   };
 
+  Expression Condensed(const Expression& e, PartId part);
+  RestingError Condensed(const RestingError& error, PartId part);
   Expression DeclareOfPart(const char* what, const Interval& range, PartId part);
 
   const domain::Problem* problem_;
