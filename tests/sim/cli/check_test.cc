@@ -17,7 +17,7 @@ const std::string kBlock = kTree / "models/parts/block/part.yaml";
 const std::string kTable = kTree / "models/workcells/puma762-table/workcell.yaml";
 
 TEST(Check, ScenarioHoldsWithItsClearances) {
-  const Ended ended = Assay({"check", kTwoActions, "--json"});
+  const Ended ended = Assay({"check", kTree / "scenarios/spar-fig15.yaml", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const auto report = ended.Json()["files"][0];
   EXPECT_THAT(report["parts"], SizeIs(2));

@@ -56,8 +56,8 @@ TEST(Plan, TableTellsWhatIsProved) {
 TEST(Plan, TellsWhatWasInsertedForWhichStep) {
   const Ended ended = Assay({"plan", kTwoLooks});
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("1         3  action_3  sense(peg, overhead-camera, "));
-  EXPECT_THAT(ended.out, HasSubstr("for step 4: sensing (steps 1, 3), because\n"));
+  EXPECT_THAT(ended.out, HasSubstr("1         3  action_3  sense(sleeve, overhead-camera, "));
+  EXPECT_THAT(ended.out, HasSubstr("for step 4: sensing (step 3), because\n"));
   EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved.\n"));
 }
 

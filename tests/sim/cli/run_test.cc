@@ -145,7 +145,7 @@ TEST(Export, WhatWasInserted) {
   const Ended dot = Assay({"export", kTwoLooks, "--dot"});
   EXPECT_EQ(dot.code, 0) << dot.err;
   EXPECT_THAT(dot.out,
-              HasSubstr("\"action_3\" [label=\"1 sense(peg, overhead-camera, initial)\"];"));
+              HasSubstr("\"action_3\" [label=\"1 sense(sleeve, overhead-camera, initial)\"];"));
   EXPECT_THAT(dot.out, HasSubstr("\"action_3\" -> \"action_2\";"));
   const Ended commands = Assay({"export", kTwoSqueezes, "--commands"});
   EXPECT_EQ(commands.code, 0) << commands.err;
