@@ -1,9 +1,12 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "bench/pick_and_place.h"
 #include "planner/uncertainty/certify.h"
@@ -57,33 +60,43 @@ void Decide(benchmark::State& state, double lean) {
   state.SetComplexityN(state.range(0));
 }
 
-double SecondsToCertify(int n, Counts& counts) {
-  const auto work = bench::MakePickAndPlace(n, kLean);
+struct Measured {
+  int n = 0;
+  Counts counts;
+  double seconds = 0;
+};
+
+Measured Measure(int n, double lean) {
+  const auto work = bench::MakePickAndPlace(n, lean);
   const auto begin = std::chrono::steady_clock::now();
-  counts = CertifyAll(work);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const Counts counts = CertifyAll(work);
+  const auto end = std::chrono::steady_clock::now();
+  return {n, counts, std::chrono::duration<double>(end - begin).count()};
 }
 
-// n / preconditions / variables / seconds, once each, and the exponent of the growth from 10 to 50.
-void Table(benchmark::State& state) {
+// A table and a plot: n / preconditions / variables / seconds, once each, and the exponent of the
+// growth from 10 to 50.
+void Growth(benchmark::State& state, double lean) {
+  constexpr double kColumns = 50;
   for (auto _ : state) {
-    fmt::print("{:>4} {:>14} {:>10} {:>9}\n", "n", "preconditions", "variables", "seconds");
-    double at_10 = 0, at_50 = 0;
-    for (const int n : {1, 2, 5, 10, 20, 30, 40, 50}) {
-      Counts counts;
-      const double seconds = SecondsToCertify(n, counts);
-      fmt::print("{:>4} {:>14} {:>10} {:>9.4f}\n", n, counts.preconditions, counts.variables,
-                 seconds);
-      if (n == 10) at_10 = seconds;
-      if (n == 50) at_50 = seconds;
+    std::vector<Measured> all;
+    for (const int n : {1, 2, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50}) {
+      all.push_back(Measure(n, lean));
     }
-    const double exponent = std::log(at_50 / at_10) / std::log(5);
-    fmt::print("exponent from n = 10 to 50: {:.2f}\n", exponent);
-    state.counters["exponent"] = exponent;
+    const auto at = [&](int n) { return std::ranges::find(all, n, &Measured::n)->seconds; };
+    const double longest = std::ranges::max(all, {}, &Measured::seconds).seconds;
+    fmt::print("{:>4} {:>14} {:>10} {:>9}\n", "n", "preconditions", "variables", "seconds");
+    for (const auto& [n, counts, seconds] : all) {
+      const auto bar = static_cast<std::size_t>(kColumns * seconds / longest);
+      fmt::print("{:>4} {:>14} {:>10} {:>9.4f} {}\n", n, counts.preconditions, counts.variables,
+                 seconds, std::string(bar, '#'));
+    }
+    state.counters["exponent"] = std::log(at(50) / at(10)) / std::log(5);
   }
 }
 
-BENCHMARK(Table)->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(Growth, straight_down, 0.0)->Iterations(1)->Unit(benchmark::kSecond);
+BENCHMARK_CAPTURE(Growth, leaning, kLean)->Iterations(1)->Unit(benchmark::kSecond);
 BENCHMARK_CAPTURE(Certify, straight_down, 0.0)
     ->Arg(1)
     ->Arg(2)

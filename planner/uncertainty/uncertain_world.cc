@@ -71,29 +71,30 @@ Expression UncertainWorld::DrawTableHeight(PartId part) {
   return DeclareOfPart("dz", problem_->part(part).error.z, part);
 }
 
-Expression UncertainWorld::Condensed(const Expression& e, PartId part) {
+Expression UncertainWorld::Condensed(const Expression& e, const char* rest, PartId part) {
   if (propagation_ == Propagation::kPaper || algebra::NodesOf(e).size() <= kMostNodes) return e;
   using algebra::operator+;
   const algebra::AffineForm form = algebra::AffineFormOf(e, constraints().box, kNegligible);
-  return form.linear + DeclareOfPart("rest", form.rest, part);
+  return form.linear + DeclareOfPart(rest, form.rest, part);
 }
 
 RestingError UncertainWorld::Condensed(const RestingError& error, PartId part) {
-  RestingError condensed = {.displacement = {}, .theta = Condensed(error.theta, part)};
+  RestingError condensed = {.displacement = {},
+                            .theta = Condensed(error.theta, "theta_rest", part)};
   for (const int axis : {0, 1, 2}) {
-    condensed.displacement[axis] = Condensed(error.displacement[axis], part);
+    condensed.displacement[axis] = Condensed(error.displacement[axis], "rest", part);
   }
   return condensed;
 }
 
 void UncertainWorld::SetHeld(PartId part, const HeldError& error) {
   in_hand_ = part;
-  held_ = {.x = Condensed(error.x, part),
-           .z = Condensed(error.z, part),
-           .twist = Condensed(error.twist, part),
-           .y = Condensed(error.y, part),
-           .skew = Condensed(error.skew, part),
-           .tip = Condensed(error.tip, part)};
+  held_ = {.x = Condensed(error.x, "rest", part),
+           .z = Condensed(error.z, "rest", part),
+           .twist = Condensed(error.twist, "theta_rest", part),
+           .y = Condensed(error.y, "rest", part),
+           .skew = Condensed(error.skew, "theta_rest", part),
+           .tip = Condensed(error.tip, "theta_rest", part)};
 }
 
 RestingError UncertainWorld::about_plan(PartId part) const {

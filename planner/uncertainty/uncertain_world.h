@@ -90,7 +90,8 @@ class UncertainWorld {
     std::map<std::string, int> count_by_stem = {};
   };
 
-  Expression Condensed(const Expression& e, PartId part);
+  // `rest`: the new variable's name before the part's.
+  Expression Condensed(const Expression& e, const char* rest, PartId part);
   RestingError Condensed(const RestingError& error, PartId part);
   Expression DeclareOfPart(const char* what, const Interval& range, PartId part);
 

@@ -28,7 +28,7 @@ double TowardZero(double number) {
 }  // namespace
 
 Unit UnitOf(const std::string& variable) {
-  for (const char* angle : {"theta_", "turn_", "twist_"}) {
+  for (const char* angle : {"theta_", "skew_", "tip_", "twist_"}) {
     if (variable.starts_with(angle)) return kDegree;
   }
   return kMillimetre;
