@@ -12,9 +12,10 @@ test_planner_only() {
   quietly ctest --preset planner-only
 }
 
-# The readers of files and the planner, under the address and undefined-behaviour sanitizers.
+# The readers of files and the planner, under the address and undefined-behaviour sanitizers. What
+# tests of uncertainty call, those of posting call, too.
 test_with_sanitizers() {
-  local libraries=(base algebra geometry kinematics network domain plan uncertainty posting)
+  local libraries=(base algebra geometry kinematics network domain plan posting)
   build asan-ubsan "${libraries[@]/%/_test}"
   ASSAY_MUTATIONS=10000 quietly ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${libraries[*]}"))\."
 }

@@ -6,10 +6,15 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 #include <optional>
+#include <string_view>
+#include <system_error>
 
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/text.h"
+#include "planner/base/document.h"
 
 namespace assay::algebra {
 namespace {
@@ -86,17 +91,63 @@ void ReadVariable(const Value& name, const Value& interval, ExpressionPool& pool
   pool.Declare(text, ReadInterval(interval));
 }
 
-// A piece of the text that the value is, as an expression.
-Expression ReadPiece(const Value& value, std::string_view text, std::size_t first,
-                     std::size_t length, ExpressionPool& pool) {
-  const std::string_view piece = text.substr(first, length);
-  FilePlace place = value.Place();
-  place.column += static_cast<int>(first);
-  if (Trimmed(piece).empty()) {
-    throw InputError(place, fmt::format("an expression is missing in '{}'", text),
+// The text of a file, by the places of its values.
+class Source {
+ public:
+  explicit Source(std::string_view text) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+      lines_.push_back(text.substr(0, end + 1));
+      text.remove_prefix(end + 1);
+    }
+  }
+
+  // Up to the end of the line.
+  std::string_view From(const FilePlace& place) const {
+    if (place.line < 1 || place.line > std::ssize(lines_) || place.column < 1) return {};
+    const std::string_view line = lines_[static_cast<std::size_t>(place.line) - 1];
+    return line.substr(std::min(static_cast<std::size_t>(place.column) - 1, line.size()));
+  }
+
+ private:
+  std::vector<std::string_view> lines_;
+};
+
+// A text with one expression or two in it.
+struct ExpressionText {
+  std::string text;
+  FilePlace place;  // where it begins; of the whole value if it is not laid out as in the file
+  Layout layout = Layout::kAsInFile;
+};
+
+// Escapes, line breaks and the indent of blocks make the text another than what the file has there.
+ExpressionText ReadText(const Value& value, const Source& source) {
+  ExpressionText read = {.text = value.Text(), .place = value.Place()};
+  std::string_view rest = source.From(read.place);
+  const bool is_quoted = rest.starts_with('"') || rest.starts_with('\'');
+  if (is_quoted) rest.remove_prefix(1);
+  if (!rest.starts_with(read.text)) {
+    read.layout = Layout::kOther;
+  } else if (is_quoted) {
+    ++read.place.column;
+  }
+  return read;
+}
+
+// A piece of the text, as an expression.
+Expression ReadPiece(const ExpressionText& whole, std::size_t first, std::size_t length,
+                     ExpressionPool& pool) {
+  const std::string_view piece = std::string_view(whole.text).substr(first, length);
+  FilePlace place = whole.place;
+  if (whole.layout == Layout::kAsInFile) place.column += static_cast<int>(first);
+  const std::string_view trimmed = Trimmed(piece);
+  if (trimmed.empty()) {
+    throw InputError(place, fmt::format("an expression is missing in '{}'", whole.text),
                      "an expression, such as 3*cos(t) + x");
   }
-  return Parse(piece, pool, place);
+  return Parse(whole.layout == Layout::kAsInFile ? piece : trimmed, pool, place, whole.layout);
 }
 
 struct Comparison {
@@ -121,19 +172,44 @@ Comparison FindComparison(const Value& value, std::string_view text) {
   return {.begin = begin, .end = end, .kind = sign[0]};
 }
 
-void ReadConstraint(const Value& value, BoundProblem& problem) {
-  const std::string text = value.Text();
-  const Comparison comparison = FindComparison(value, text);
-  const Expression left = ReadPiece(value, text, 0, comparison.begin, *problem.pool);
-  const Expression right = ReadPiece(value, text, comparison.end, std::string::npos, *problem.pool);
+void ReadConstraint(const Value& value, const Source& source, BoundProblem& problem) {
+  const ExpressionText whole = ReadText(value, source);
+  const Comparison comparison = FindComparison(value, whole.text);
+  const Expression left = ReadPiece(whole, 0, comparison.begin, *problem.pool);
+  const Expression right = ReadPiece(whole, comparison.end, std::string::npos, *problem.pool);
   std::vector<Inequality>& inequalities = problem.constraints.inequalities;
   if (comparison.kind != '>') inequalities.push_back({.lesser = left, .greater = right});
   if (comparison.kind != '<') inequalities.push_back({.lesser = right, .greater = left});
 }
 
+void ReadQuestions(const Value& expressions, const Source& source, BoundProblem& problem) {
+  const std::vector<Value> items = expressions.Items();
+  if (items.empty())
+    expressions.Fail("the list of expressions is empty", "at least one expression");
+  for (const Value& item : items) {
+    const ExpressionText whole = ReadText(item, source);
+    problem.questions.push_back(
+        {.text = whole.text, .expression = ReadPiece(whole, 0, whole.text.size(), *problem.pool)});
+  }
+}
+
+std::string TextOf(const std::filesystem::path& file) {
+  constexpr std::size_t kMostBytes = std::size_t{16} << 20;  // more than a document may have
+  std::ifstream in(file, std::ios::binary);
+  std::string text(kMostBytes, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(kMostBytes));
+  std::error_code ignored;
+  const bool is_read = in.is_open() && !in.bad() && !std::filesystem::is_directory(file, ignored);
+  if (!is_read) Document::Load(file);  // says why
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
 }  // namespace
 
-BoundProblem ReadBoundProblem(const Document& document) {
+BoundProblem ReadBoundProblem(const std::string& text, const std::string& file_name) {
+  const Document document = Document::Parse(text, file_name);
+  const Source source(text);
   const Value& root = document.root();
   root.AllowOnly({"variables", "constraints", "expressions"});
   BoundProblem problem{
@@ -143,18 +219,16 @@ BoundProblem ReadBoundProblem(const Document& document) {
   }
   problem.constraints = DeclaredBox(*problem.pool);
   if (const std::optional<Value> constraints = root.Find("constraints")) {
-    for (const Value& constraint : constraints->Items()) ReadConstraint(constraint, problem);
+    for (const Value& constraint : constraints->Items()) {
+      ReadConstraint(constraint, source, problem);
+    }
   }
-  for (const Value& expression : root.At("expressions").Items()) {
-    const std::string text = expression.Text();
-    problem.questions.push_back(
-        {.text = text, .expression = ReadPiece(expression, text, 0, text.size(), *problem.pool)});
-  }
+  ReadQuestions(root.At("expressions"), source, problem);
   return problem;
 }
 
 BoundProblem LoadBoundProblem(const std::filesystem::path& file) {
-  return ReadBoundProblem(Document::Load(file));
+  return ReadBoundProblem(TextOf(file), file.string());
 }
 
 }  // namespace assay::algebra

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "planner/algebra/constraint_set.h"
-#include "planner/base/document.h"
 
 namespace assay::algebra {
 
@@ -26,11 +25,12 @@ struct BoundProblem {
 //   {"variables": {"x": [0, "inf"], "t": ["-5.5 deg", "5.5 deg"]},
 //    "constraints": ["x <= y + 1"],
 //    "expressions": ["3*cos(t) + x"]}
-// A variable's ends are numbers, "N deg" (in radians, rounded outward), "inf" or "-inf".
+// with one expression at least. A variable's ends are numbers, "N deg" (in radians, rounded
+// outward), "inf" or "-inf".
 // Constraints compare two expressions (text.h) by <=, >=, < or > (the strict ones count as closed:
 // the bounds are the same or larger) or ==; there may be none. Throws InputError with the place of
 // what is wrong.
-BoundProblem ReadBoundProblem(const Document& document);
+BoundProblem ReadBoundProblem(const std::string& text, const std::string& file_name);
 BoundProblem LoadBoundProblem(const std::filesystem::path& file);
 
 }  // namespace assay::algebra

@@ -11,6 +11,8 @@
 #include "planner/algebra/feasible_ascent.h"
 #include "planner/algebra/glance.h"
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/linear_part.h"
+#include "planner/algebra/linear_program.h"
 #include "planner/algebra/monotone.h"
 #include "planner/algebra/sup_inf.h"
 #include "planner/algebra/termwise.h"
@@ -43,11 +45,13 @@ class Ladder {
     bound_.rung = Rung::kLinear;
     const Expression sup = sign_ > 0 ? Sup(e_, {}, constraints_) : -Inf(e_, {}, constraints_);
     if (sup.IsConstant()) Lower(sup.constant(), Rung::kLinear);
-    constraints_.box = TightenedBox(constraints_);
-    is_contradiction_ =
-        std::any_of(constraints_.box.begin(), constraints_.box.end(),
-                    [](const Interval& interval) { return !(interval.low <= interval.high); });
-    if (is_contradiction_) bound_.value = -kInfinity;
+    is_contradiction_ = Maximize(LinearForm(), LinearPartOf(constraints_).at_most_zero).kind ==
+                        LinearOptimum::Kind::kContradiction;
+    if (is_contradiction_) {
+      bound_.value = -kInfinity;
+    } else {
+      constraints_.box = TightenedBox(constraints_);
+    }
   }
 
   void ClimbOverBox() {

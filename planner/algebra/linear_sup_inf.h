@@ -45,7 +45,7 @@ LeastOf Supp(ColumnId x, const LinearForm& y);
 // answers instead, just as exactly, but always by a number, also if there are columns to keep.
 class LinearSupInf {
  public:
-  static constexpr int kMostSteps = 1000;  // bounds of columns and forms looked at
+  static constexpr int kMostSteps = 200;  // bounds of columns and forms looked at
 
   explicit LinearSupInf(std::vector<LinearForm> at_most_zero, int most_steps = kMostSteps);
 

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "planner/base/check.h"
 #include "planner/base/document.h"
 
 namespace assay::algebra {
@@ -207,8 +208,8 @@ bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 // By recursive descent: one member function for each rule of the grammar.
 class Parser {
  public:
-  Parser(std::string_view text, ExpressionPool& pool, const FilePlace& place)
-      : text_(text), pool_(pool), place_(place) {}
+  Parser(std::string_view text, ExpressionPool& pool, const FilePlace& place, Layout layout)
+      : text_(text), pool_(pool), place_(place), layout_(layout) {}
 
   Expression ParseAll() {
     const Expression e = ParseSum();
@@ -219,8 +220,21 @@ class Parser {
  private:
   [[noreturn]] void Fail(std::size_t at, const std::string& what, std::string_view allowed) const {
     FilePlace place = place_;
-    place.column += static_cast<int>(at);
-    throw InputError(place, what, std::string(allowed));
+    switch (layout_) {
+      case Layout::kAsInFile:
+        place.column += static_cast<int>(at);
+        throw InputError(place, what, std::string(allowed));
+      case Layout::kOther:
+        throw InputError(place, fmt::format("{} of the expression: {}", PlaceText(at), what),
+                         std::string(allowed));
+    }
+    ASSAY_CHECK(false, "no such layout");
+  }
+
+  std::string PlaceText(std::size_t at) const {
+    return layout_ == Layout::kAsInFile
+               ? fmt::format("column {}", place_.column + static_cast<int>(at))
+               : fmt::format("character {}", at + 1);
   }
 
   // At what stands at at_, which is not what should.
@@ -339,8 +353,7 @@ class Parser {
 
   void Ascend(std::size_t opening) {
     if (!Take(')')) {
-      FailAtNext(fmt::format("an operator, or ')' for the '(' in column {}",
-                             place_.column + static_cast<int>(opening)));
+      FailAtNext(fmt::format("an operator, or ')' for the '(' in {}", PlaceText(opening)));
     }
     --depth_;
   }
@@ -457,6 +470,7 @@ class Parser {
   std::string_view text_;
   ExpressionPool& pool_;
   const FilePlace& place_;
+  Layout layout_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
@@ -465,8 +479,9 @@ class Parser {
 
 std::string Text(const Expression& e) { return Writer().Write(e); }
 
-Expression Parse(std::string_view text, ExpressionPool& pool, const FilePlace& place) {
-  return Parser(text, pool, place).ParseAll();
+Expression Parse(std::string_view text, ExpressionPool& pool, const FilePlace& place,
+                 Layout layout) {
+  return Parser(text, pool, place, layout).ParseAll();
 }
 
 }  // namespace assay::algebra

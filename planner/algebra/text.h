@@ -13,13 +13,20 @@ namespace assay::algebra {
 // its numbers are finite.
 std::string Text(const Expression& e);
 
+// Whether the text stands in its file character by character, on one line: then errors name the
+// column. Else (escapes, a text folded from several lines) they name the place of the whole text
+// and the character in it.
+enum class Layout { kAsInFile, kOther };
+
 // Reads an expression over the pool's variables:
 //   sum     = ["-"] product { ("+" | "-") product }
 //   product = factor { ("*" | "/") factor }
 //   factor  = ["-"] atom [ "^" integer ]                   -x^2 = -(x^2); integer from -100 to 100
 //   atom    = number ["deg"] | name | name "(" sum {"," sum} ")" | "(" sum ")"
-// `place` is where the text begins; errors (InputError) name the place in it: unknown names with
-// the nearest known one, more than 200 levels of nesting, numbers that are not finite.
-Expression Parse(std::string_view text, ExpressionPool& pool, const FilePlace& place);
+// "N deg" is the double next to N * pi / 180, not an interval about it. `place` is where the text
+// begins; errors (InputError) name the place in it: unknown names with the nearest known one, more
+// than 200 levels of nesting, numbers that are not finite.
+Expression Parse(std::string_view text, ExpressionPool& pool, const FilePlace& place,
+                 Layout layout = Layout::kAsInFile);
 
 }  // namespace assay::algebra

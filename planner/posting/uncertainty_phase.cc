@@ -41,6 +41,7 @@ struct Entry {
   std::vector<Resolution> resolutions = {};
   std::vector<std::string> absorbed = {};  // conditions that a remedy takes care of
   bool given_up = false;                   // its goals cannot all be proved
+  std::size_t unproved = 0;                // goals
   double violation = 0;                    // by how much they fail
 };
 
@@ -154,7 +155,7 @@ class Augmentation {
     int step = 0;  // where the mended step is now
   };
 
-  static bool Fails(const Entry& entry) { return entry.violation > 0; }
+  static bool Fails(const Entry& entry) { return entry.unproved > 0; }
 
   double violation() const {
     double violation = 0;
@@ -167,6 +168,7 @@ class Augmentation {
     UncertainWorld world(problem_, options_.propagation);
     for (int i = 0; i < std::ssize(entries_); ++i) {
       const UncertainWorld before = world;
+      entries_[i].unproved = 0;
       entries_[i].violation = 0;
       if (Decide(world, entries_[i], uncertainty::Wanted::kFirstUnproved).empty()) continue;
       world = before;
@@ -174,6 +176,7 @@ class Augmentation {
       const std::vector<Unproved> unproved = Certify(world, entries_[i]).unproved;
       if (unproved.empty()) continue;
       if (!entries_[i].given_up && Mend(i, unproved)) return false;
+      entries_[i].unproved = unproved.size();
       entries_[i].violation = uncertainty::Violation(unproved);
     }
     return true;
@@ -196,6 +199,7 @@ class Augmentation {
     };
     if (MayBeProved(step, candidates)) {
       if (auto mended = ProvingRemedies(step, candidates, why)) {
+        TellWhatFellShort(step, candidates, why, mended->entries[mended->step]);
         apply(std::move(*mended));
         return true;
       }
@@ -249,6 +253,30 @@ class Augmentation {
     };
     VisitCombinations(items, options_.most_remedies, options_.combinations, compare);
     return nearest;
+  }
+
+  // Adds to the reasons for moving parts why it did not do without.
+  void TellWhatFellShort(int step, const std::vector<Candidate>& candidates, const std::string& why,
+                         Entry& mended) {
+    const auto disturbs = [&](const Resolution& resolution) {
+      const auto resolver = std::ranges::find(
+          options_.resolvers, resolution.resolver,
+          [](const std::shared_ptr<Resolver>& r) { return std::string(r->name()); });
+      return resolver != options_.resolvers.end() && (*resolver)->disturbs();
+    };
+    if (std::ranges::none_of(mended.resolutions, disturbs)) return;
+    const std::optional<Mended> nearest = NearingRemedies(step, candidates, why);
+    if (!nearest) return;
+    UncertainWorld world(problem_, options_.propagation);
+    for (int i = 0; i < nearest->step; ++i) Propagate(world, nearest->entries[i].action);
+    const Entry& entry = nearest->entries[nearest->step];
+    const std::vector<Unproved> unproved = Certify(world, entry).unproved;
+    if (unproved.empty()) return;
+    for (Resolution& resolution : mended.resolutions) {
+      if (!disturbs(resolution) || resolution.why != why) continue;
+      resolution.why += fmt::format("; after {} still {}", entry.resolutions.back().resolver,
+                                    WhyUnproved(unproved));
+    }
   }
 
   static std::vector<Combinable> ItemsOf(const std::vector<Candidate>& candidates) {

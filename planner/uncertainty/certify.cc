@@ -126,10 +126,21 @@ class StepCertifier {
     }
   }
 
+  // What a glance proves is proved, also where the ladder has stopped before at the wanted gap.
   CertifiedPrecondition Certified(const Precondition& precondition,
                                   const algebra::ConstraintSet& box) {
-    const Bound bound = BoundOf(precondition, box);
+    Bound bound = BoundOf(precondition, box);
     CertifiedPrecondition claim = ClaimOf(precondition, bound);
+    if (!claim.holds()) {
+      const CertifiedPrecondition decided = Decided(precondition, box);
+      if (decided.holds()) {
+        bound = {.value = decided.bound,
+                 .rung = algebra::Rung::kCentred,
+                 .gap = bound.gap,
+                 .at = std::move(bound.at)};
+        claim = ClaimOf(precondition, bound);
+      }
+    }
     Detail(precondition, bound, claim);
     return claim;
   }

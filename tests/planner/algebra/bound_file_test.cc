@@ -16,9 +16,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-BoundProblem Read(const std::string& text) {
-  return ReadBoundProblem(Document::Parse(text, "file"));
-}
+BoundProblem Read(const std::string& text) { return ReadBoundProblem(text, "file"); }
 
 std::string ErrorOf(const std::string& text) {
   try {
@@ -90,7 +88,8 @@ TEST(BoundFile, RefusesWrongNames) {
 
 TEST(BoundFile, RefusesWrongConstraints) {
   const auto error = [](const std::string& constraint) {
-    return ErrorOf("variables: {x: [0, 1]}\nconstraints:\n  - " + constraint + "\nexpressions: []");
+    return ErrorOf("variables: {x: [0, 1]}\nconstraints:\n  - " + constraint +
+                   "\nexpressions: [x]");
   };
   EXPECT_EQ(error("x <= 1"), "no error");
   EXPECT_THAT(error("x + 1"), AllOf(StartsWith("file:3:5"), HasSubstr("compares nothing")));
@@ -98,6 +97,56 @@ TEST(BoundFile, RefusesWrongConstraints) {
   EXPECT_THAT(error("x = 1"), HasSubstr("unknown sign ="));
   EXPECT_THAT(error("x <="), AllOf(StartsWith("file:3:9"), HasSubstr("missing")));
   EXPECT_THAT(error("x <= 1 + u"), StartsWith("file:3:14:"));
+}
+
+TEST(BoundFile, RefusesNoExpressions) {
+  EXPECT_THAT(ErrorOf("variables: {x: [0, 1]}\nexpressions: []"),
+              AllOf(StartsWith("file:2:14:"), HasSubstr("allowed: at least one")));
+}
+
+// Counted by hand, in bytes from 1.
+TEST(BoundFile, ColumnsOfWhatIsQuoted) {
+  EXPECT_THAT(ErrorOf(R"({"variables":{"x":[0,1]},"expressions":["x + y"]})"),
+              StartsWith("file:1:46: unknown variable 'y'"));
+  EXPECT_THAT(ErrorOf("variables: {x: [0, 1]}\nexpressions: ['x + y']"), StartsWith("file:2:20: "));
+  EXPECT_THAT(ErrorOf("variables: {x: [0, 1]}\nexpressions: [x + y]"), StartsWith("file:2:19: "));
+  EXPECT_THAT(ErrorOf("\xef\xbb\xbfvariables: {x: [0, 1]}\r\nexpressions: [\"x + y\"]\r\n"),
+              StartsWith("file:2:20: "));
+  EXPECT_THAT(ErrorOf(R"({"variables":{"x":[0,1]},"constraints":["x <= 1 + u"],)"
+                      R"("expressions":["x"]})"),
+              StartsWith("file:1:51: unknown variable 'u'"));
+  EXPECT_THAT(ErrorOf("variables: {x: [0, 1]}\nexpressions: ['(x + 1']"),
+              HasSubstr("')' for the '(' in column 16"));
+}
+
+// The place is that of the scalar's start, without an offset that would be false.
+TEST(BoundFile, TextsThatStandOtherwiseInTheFile) {
+  const auto error = [](const std::string& rest) {
+    return ErrorOf("variables: {x: [0, 1]}\n" + rest);
+  };
+  for (const std::string indicator : {"|", ">", ">-"}) {
+    const std::string in_block = "expressions:\n  - " + indicator + "\n    x +\n    y\n";
+    EXPECT_THAT(error(in_block),
+                AllOf(StartsWith("file:3:5: character 5 of the expression: unknown variable 'y'")));
+  }
+  EXPECT_THAT(error("expressions:\n  - x +\n    y\n"), StartsWith("file:3:5: character 5 of"));
+  EXPECT_THAT(error("expressions: [\"\\x78 + y\"]"), StartsWith("file:2:15: character 5 of"));
+  EXPECT_THAT(error("constraints:\n  - |\n    x <=\n      (y\nexpressions: [x]\n"),
+              StartsWith("file:3:5: character 2 of the expression: unknown variable 'y'"));
+  EXPECT_THAT(error("expressions:\n  - |\n    (x + 1\n"),
+              HasSubstr("')' for the '(' in character 1"));
+}
+
+TEST(BoundFile, FilesThatCannotBeReadAreTold) {
+  const std::string none = ::testing::TempDir() + "none/none.yaml";
+  for (const std::string& file : {none, ::testing::TempDir()}) {
+    try {
+      LoadBoundProblem(file);
+      ADD_FAILURE() << file;
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), StartsWith(file + ": "));
+    }
+  }
 }
 
 }  // namespace
