@@ -23,9 +23,9 @@ enum class Layout { kAsInFile, kOther };
 //   product = factor { ("*" | "/") factor }
 //   factor  = ["-"] atom [ "^" integer ]                   -x^2 = -(x^2); integer from -100 to 100
 //   atom    = number ["deg"] | name | name "(" sum {"," sum} ")" | "(" sum ")"
-// "N deg" is the double next to N * pi / 180, not an interval about it. `place` is where the text
-// begins; errors (InputError) name the place in it: unknown names with the nearest known one, more
-// than 200 levels of nesting, numbers that are not finite.
+// "N deg" is one double, N * pi / 180 rounded to nearest at each operation: no interval that
+// contains it. `place` is where the text begins; errors (InputError) name the place in it: unknown
+// names with the nearest known one, more than 200 levels of nesting, numbers that are not finite.
 Expression Parse(std::string_view text, ExpressionPool& pool, const FilePlace& place,
                  Layout layout = Layout::kAsInFile);
 

@@ -14,6 +14,7 @@
 #include "planner/algebra/sensitivity.h"
 #include "planner/algebra/sup_inf.h"
 #include "planner/algebra/text.h"
+#include "planner/base/document.h"
 #include "sim/cli/console.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
@@ -36,6 +37,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kShownText = 40;   // characters of an expression
 constexpr std::size_t kShownShares = 3;  // variables that cost most
 constexpr int kShownDigits = 9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Options {
   std::filesystem::path problem;
@@ -54,6 +56,12 @@ struct Answer {
   std::optional<Expression> kept_inf, kept_sup;  // with --keep
   double seconds = 0;
 };
+
+// No point satisfies the constraints, or the expression has a value at none that does. Either bound
+// may be the one that shows it.
+bool IsVacuous(const Answer& answer) {
+  return answer.sup.value == -kInfinity || answer.inf.value == kInfinity;
+}
 
 double GapOf(const Answer& answer) { return std::max(answer.inf.gap, answer.sup.gap); }
 Rung RungOf(const Answer& answer) { return std::max(answer.inf.rung, answer.sup.rung); }
@@ -93,6 +101,10 @@ Answer AnswerTo(const BoundProblem::Question& question, const BoundProblem& prob
     answer.kept_inf = Inf(e, keep, problem.constraints);
     answer.kept_sup = Sup(e, keep, problem.constraints);
   }
+  if (IsVacuous(answer)) {
+    answer.inf.value = kInfinity;
+    answer.sup.value = -kInfinity;
+  }
   answer.seconds = stopwatch.Seconds();
   return answer;
 }
@@ -113,6 +125,7 @@ Json ToJson(const Answer& answer) {
       {"expression", answer.question.text},
       {"inf", ToJson(answer.inf.value)},
       {"sup", ToJson(answer.sup.value)},
+      {"vacuous", IsVacuous(answer)},
       {"rung", Name(RungOf(answer))},
       {"gap", ToJson(GapOf(answer))},
       {"evaluations", answer.inf.evaluations + answer.sup.evaluations},
@@ -172,6 +185,9 @@ std::string Explanation(const Answer& answer, const BoundProblem& problem) {
   const BoundRequest cheap = {.highest = Rung::kMonotone};
   const Expression& e = answer.question.expression;
   std::string text;
+  if (IsVacuous(answer)) {
+    text += "  no point satisfies the constraints, or the expression has no value\n";
+  }
   if (std::isfinite(answer.inf.value)) {
     text += SharesText("inf", SharesOfInf(e, problem.constraints, cheap), problem);
   }

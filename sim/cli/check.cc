@@ -55,10 +55,8 @@ Report CheckFile(const fs::path& file, const Options& options) {
       return CheckPart(document, file, options);
     case FileFormat::kWorkcell:
       return ReportOn(*domain::Workcell::Load(file));
-    case FileFormat::kPlan: {
-      const PlannedProblem planned = LoadPlan(document, file, options.models);
-      return ReportOn(planned.problem, planned.result);
-    }
+    case FileFormat::kPlan:
+      return ReportOn(LoadPlan(document, file, options.models));
   }
   return {};
 }

@@ -246,10 +246,10 @@ std::string KindText(const Kind& kind, const CertificateProofs& proofs, bool in_
 }
 
 // In full: what is not proved; if all is, the tightest.
-std::string PreconditionsText(const PlannedStep& step) {
+std::string PreconditionsText(const PlannedStep& step, const std::string& file) {
   const std::vector<CertifiedPrecondition>& all = step.certificate.preconditions;
   if (all.empty()) return "\nIt has no uncertainty-reduction preconditions.\n";
-  const CertificateProofs proofs(step);
+  const CertificateProofs proofs(step, file);
   const std::vector<Kind> kinds = KindsOf(all);
   std::string text = fmt::format(
       "\nUncertainty-reduction preconditions: {}, the tightest first.\n"
@@ -268,7 +268,8 @@ void AddErrorSets(const char* when, const std::vector<plan::ErrorSet>& sets,
   for (const plan::ErrorSet& set : sets) {
     table.Add({when, problem.part(set.part).name, set.in_hand ? "in the hand" : "resting",
                RangeText(set.x, length), RangeText(set.y, length), RangeText(set.z, length),
-               RangeText(set.theta, angle), RangeText(set.tip, angle), RangeText(set.twist, angle)});
+               RangeText(set.theta, angle), RangeText(set.tip, angle),
+               RangeText(set.twist, angle)});
   }
 }
 
@@ -305,7 +306,8 @@ std::string PurposeText(const plan::Plan& plan, plan::StepId id) {
 
 }  // namespace
 
-std::string Explanation(const domain::Problem& problem, const plan::Plan& plan, plan::StepId id) {
+std::string Explanation(const domain::Problem& problem, const plan::Plan& plan, plan::StepId id,
+                        const std::string& file) {
   const PlannedStep& step = plan.step(id);
   std::string text = fmt::format("step {} of {}, {}: {}\n{}", step.executed, plan.steps.size(),
                                  step.name, Text(problem, step.action), PurposeText(plan, id));
@@ -313,7 +315,7 @@ std::string Explanation(const domain::Problem& problem, const plan::Plan& plan, 
     return text + "It has no certificate: the plan was made without regard to uncertainty.\n";
   }
   return text + ErrorSetsText(problem, step.certificate) + InsertedText(plan, id) +
-         PreconditionsText(step);
+         PreconditionsText(step, file);
 }
 
 }  // namespace assay::cli

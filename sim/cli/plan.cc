@@ -101,12 +101,25 @@ std::string CountersText(const plan::PlanResult& result, double seconds) {
   return fmt::format("{}; {:.2f} s\n", fmt::join(counters, ", "), seconds);
 }
 
+// What who looks at a plan file must know of its certificates first; nothing if they hold up.
+std::string WarningOf(const PlannedProblem& planned) {
+  if (planned.plan_file.empty()) return "";
+  const std::vector<plan::Flaw> flaws = CertificateFlaws(planned);
+  if (flaws.empty()) return "";
+  const plan::Flaw& first = flaws.front();
+  return fmt::format(
+      "warning: the certificates do not hold up; flaws: {} (assay check lists all)\n"
+      "  {}: {}\n",
+      flaws.size(), first.step.IsNone() ? "plan" : planned.result.plan.step(first.step).name,
+      first.what);
+}
+
 std::string ForPeople(const PlannedProblem& planned, const std::vector<plan::Plan>& instances,
                       const Options& options) {
   const bool found = planned.result.outcome == Outcome::kFound;
   if (options.explain && found) {
     return Explanation(planned.problem, planned.result.plan,
-                       StepToExplain(planned.result.plan, *options.explain));
+                       StepToExplain(planned.result.plan, *options.explain), planned.file());
   }
   std::string text = Text(planned.problem, planned.result);
   for (std::size_t i = 0; i < instances.size(); ++i) {
@@ -127,13 +140,15 @@ ExitCode Execute(const Options& options) {
 
   const Json plan_file = plan::ToJson(result, problem, planned.scenario);
   Json json = plan_file;
-  std::string text = options.json ? "" : ForPeople(planned, instances, options);
+  const std::string warning = options.check ? "" : WarningOf(planned);
+  if (options.json && !warning.empty()) PrintError(warning);
+  std::string text = options.json ? "" : warning + ForPeople(planned, instances, options);
   for (const plan::Plan& instance : instances) {
     json["instances"].push_back(InstanceToJson(instance, problem));
   }
   bool holds = true;
   if (options.check && result.outcome == Outcome::kFound) {
-    const plan::CheckReport report = CheckPlan(problem, result.plan);
+    const plan::CheckReport report = CheckPlan(planned);
     holds = report.flaws.empty();
     json["check"] = ToJson(result.plan, report);
     text += Text(result.plan, report);
@@ -174,7 +189,8 @@ Execution Declare(CLI::App& command) {
                   "instead of the plan, tell why this step of it is safe or not")
       ->type_name("STEP")
       ->excludes(json);
-  command.add_flag("--check", options->check, "check the plan with the independent checker");
+  command.add_flag("--check", options->check,
+                   "check the plan with the independent checker, and its certificates");
   DeclarePlanning(command, *options);
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

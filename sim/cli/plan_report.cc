@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+
 #include "sim/cli/plan_text.h"
-#include "sim/cli/planned_problem.h"
 
 namespace assay::cli {
 
@@ -19,12 +19,14 @@ Json ToJson(const plan::Plan& plan, const plan::CheckReport& report) {
   return {{"flaws", flaws}, {"orders", report.linearizations}, {"all_orders", report.all_orders}};
 }
 
-Report ReportOn(const domain::Problem& problem, const plan::PlanResult& result) {
+Report ReportOn(const PlannedProblem& planned) {
+  const domain::Problem& problem = planned.problem;
+  const plan::PlanResult& result = planned.result;
   Report report;
   report.text = fmt::format("plan for {}\n{}", problem.name, Text(problem, result));
   Json json = {{"plan", problem.name}};
   if (result.outcome == Outcome::kFound) {
-    const plan::CheckReport check = CheckPlan(problem, result.plan);
+    const plan::CheckReport check = CheckPlan(planned);
     report.text += Text(result.plan, check);
     report.holds = check.flaws.empty();
     json["check"] = ToJson(result.plan, check);

@@ -1,6 +1,10 @@
 #include "sim/cli/planned_problem.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "planner/plan/plan_file.h"
+#include "sim/cli/certificate_check.h"
 #include "sim/cli/progress.h"
 
 namespace assay::cli {
@@ -25,7 +29,7 @@ PlannedProblem LoadPlan(const Document& plan_file, const fs::path& file, const f
   scenario::Scenario scenario = LoadScenario(path, models);
   plan::PlanResult result = plan::ReadPlan(plan_file, scenario.problem);
   return {path.string(), std::move(scenario.problem), std::move(scenario.simulation),
-          std::move(result)};
+          std::move(result), file.string()};
 }
 
 PlannedProblem LoadOrMakePlan(const fs::path& file, const fs::path& models) {
@@ -56,6 +60,17 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan) {
   const Progress progress("checking the plan for " + problem.name);
   return plan::Check(problem, plan, kMostLinearizations);
+}
+
+plan::CheckReport CheckPlan(const PlannedProblem& planned) {
+  plan::CheckReport report = CheckPlan(planned.problem, planned.result.plan);
+  std::ranges::move(CertificateFlaws(planned), std::back_inserter(report.flaws));
+  return report;
+}
+
+std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned) {
+  const Progress progress("checking the certificates for " + planned.problem.name);
+  return CertificateFlaws(planned.problem, planned.result.plan, planned.file());
 }
 
 }  // namespace assay::cli

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "planner/base/document.h"
 #include "planner/domain/problem.h"
@@ -18,6 +19,9 @@ struct PlannedProblem {
   domain::Problem problem;
   scenario::Simulation simulation;
   plan::PlanResult result;
+  std::string plan_file = {};  // path; empty: the plan was made for the scenario
+
+  const std::string& file() const { return plan_file.empty() ? scenario : plan_file; }
 };
 
 // All throw InputError for what is wrong in a file. `models`: the folder given, or empty.
@@ -49,5 +53,8 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
 // The independent checker, over at most this many orders of the steps.
 inline constexpr int kMostLinearizations = 1000;
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan);
+// The same, and whether the certificates hold up (certificate_check.h).
+plan::CheckReport CheckPlan(const PlannedProblem& planned);
+std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned);
 
 }  // namespace assay::cli

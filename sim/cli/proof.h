@@ -1,13 +1,11 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "planner/algebra/constraint_set.h"
-#include "planner/algebra/expression.h"
 #include "planner/plan/plan.h"
+#include "sim/cli/certificate_algebra.h"
 
 namespace assay::cli {
 
@@ -42,17 +40,13 @@ struct Proof {
 // The expressions of one certificate, read back.
 class CertificateProofs {
  public:
-  // Throws InputError if the certificate's variables have no proper names.
-  explicit CertificateProofs(const plan::PlannedStep& step);
+  // `file`: where the plan comes from. Throws InputError as CertificateAlgebra does.
+  CertificateProofs(const plan::PlannedStep& step, const std::string& file);
 
   Proof Of(const plan::CertifiedPrecondition& claim) const;
 
  private:
-  algebra::Expression Read(const std::string& text) const;
-
-  const plan::PlannedStep& step_;
-  std::unique_ptr<algebra::ExpressionPool> pool_;
-  algebra::ConstraintSet box_;
+  CertificateAlgebra algebra_;
 };
 
 }  // namespace assay::cli

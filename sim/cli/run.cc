@@ -208,7 +208,8 @@ ExitCode Execute(const Options& options) {
   if (result.outcome != Outcome::kFound) {
     return Refuse(Text(planned.problem, result), plan_file, options, ExitCodeOf(result.outcome));
   }
-  const plan::CheckReport check = CheckPlan(planned.problem, result.plan);
+  const plan::CheckReport check =
+      planned.plan_file.empty() ? CheckPlan(planned.problem, result.plan) : CheckPlan(planned);
   if (!check.flaws.empty()) {
     plan_file["check"] = ToJson(result.plan, check);
     return Refuse(Text(result.plan, check), plan_file, options, ExitCode::kFailed);

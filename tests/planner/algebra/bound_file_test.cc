@@ -7,6 +7,7 @@
 
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/sup_inf.h"
+#include "planner/base/input_error.h"
 
 namespace assay::algebra {
 namespace {

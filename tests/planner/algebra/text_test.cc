@@ -129,6 +129,18 @@ TEST_F(TextTest, ErrorsNameTheirColumn) {
   EXPECT_THAT(ErrorOf("."), StartsWith("bounds.json:3:10: unexpected '.'"));
 }
 
+TEST_F(TextTest, TextThatStandsOtherwiseInItsFile) {
+  try {
+    Parse("x + (y + q", pool_, {.file = "file", .line = 3, .column = 10}, Layout::kOther);
+    ADD_FAILURE() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.place().column, 10);
+    EXPECT_THAT(
+        error.what(),
+        testing::StartsWith("file:3:10: character 10 of the expression: unknown variable 'q'"));
+  }
+}
+
 TEST_F(TextTest, ExponentsAreSmallIntegers) {
   using testing::StartsWith;
   EXPECT_THAT(ErrorOf("x^101"), StartsWith("bounds.json:3:12: the exponent 101"));

@@ -74,6 +74,32 @@ TEST_F(BoundVerb, WritesToAFile) {
   EXPECT_THAT(SchemaErrors("sim/cli/bound.schema.json", JsonOf(out)), IsEmpty());
 }
 
+// Nothing lies between 1 and 0, and -1 has no root.
+TEST_F(BoundVerb, BoundsOfNothing) {
+  const std::string contradiction = folder_.Write(
+      "contradiction.yaml",
+      "variables: {x: [-inf, inf]}\nconstraints: [x <= 0, x >= 1]\nexpressions: [x, x + 1]\n");
+  const std::string no_value = folder_.Write(
+      "no-value.yaml", "variables: {x: [0, 1]}\nexpressions: [sqrt(x - 2), sqrt(x)]\n");
+  const Json of_contradiction = Bounds({contradiction}), of_no_value = Bounds({no_value});
+  for (const Json& answer : {of_contradiction[0], of_contradiction[1], of_no_value[0]}) {
+    EXPECT_EQ(answer["vacuous"], true);
+    EXPECT_EQ(answer["inf"], "inf");
+    EXPECT_EQ(answer["sup"], "-inf");
+  }
+  EXPECT_EQ(of_no_value[1]["vacuous"], false);
+  const std::string words =
+      "sqrt(x - 2)\n  no point satisfies the constraints, or the expression has no value\n";
+  EXPECT_THAT(Assay({"bound", no_value}).out, HasSubstr(words));
+}
+
+TEST_F(BoundVerb, NoExpressions) {
+  const std::string file = folder_.Write("none.yaml", "variables: {x: [0, 1]}\nexpressions: []\n");
+  const Ended ended = Assay({"bound", file});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, HasSubstr("allowed: at least one"));
+}
+
 TEST_F(BoundVerb, WrongInput) {
   const std::string file =
       folder_.Write("wrong.yaml", "variables: {x: [0, 1]}\nexpressions: [x + u]\n");

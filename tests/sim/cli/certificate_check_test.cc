@@ -1,0 +1,221 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+using Json = nlohmann::json;
+
+// The plan of a scenario is made once.
+Json PlanOf(const std::string& scenario) {
+  static std::map<std::string, Json> plans;
+  if (!plans.contains(scenario)) {
+    const Folder folder;
+    EXPECT_EQ(Assay({"plan", scenario, "-o", folder / "plan.json"}).code, 0);
+    plans[scenario] = JsonOf(folder / "plan.json");
+  }
+  return plans[scenario];
+}
+
+// The first proved precondition, or the first unproved one,.
+Json& FirstClaim(Json& plan, bool proved) {
+  for (Json& action : plan["actions"]) {
+    if (!action.contains("certificate")) continue;
+    for (Json& claim : action["certificate"]["preconditions"]) {
+      if ((claim["margin"] > 0) == proved) return claim;
+    }
+  }
+  throw std::logic_error("no such precondition");
+}
+
+double Sign(const Json& claim) { return claim["relation"] == "<" ? 1 : -1; }
+
+class CertificateCheck : public ::testing::Test {
+ protected:
+  Ended Check(const Json& plan) { return Assay({"check", Write(plan), "--json"}); }
+  std::string Write(const Json& plan) { return folder_.Write("plan.json", plan.dump()); }
+
+  // What `check` finds; it fails if and only if it finds anything.
+  std::vector<std::string> FlawsOf(const Json& plan) {
+    const Ended ended = Check(plan);
+    std::vector<std::string> flaws;
+    EXPECT_THAT(ended.code, ::testing::AnyOf(0, 12)) << ended.err;
+    const Json report = ended.Json()["files"][0];
+    for (const Json& flaw : report["check"]["flaws"]) flaws.push_back(flaw["what"]);
+    EXPECT_EQ(ended.code, flaws.empty() ? 0 : 12);
+    EXPECT_EQ(report["holds"], flaws.empty());
+    return flaws;
+  }
+
+  const Folder folder_;
+};
+
+TEST_F(CertificateCheck, UntouchedPlansHoldUp) {
+  for (const std::string& scenario : {kTwoActions, kTwoLooks, kTwoSqueezes, kUnproved}) {
+    EXPECT_THAT(FlawsOf(PlanOf(scenario)), IsEmpty()) << scenario;
+  }
+}
+
+TEST_F(CertificateCheck, PlansWithoutCertificatesHaveNothingToHoldUp) {
+  Json plan = PlanOf(kTwoActions);
+  for (Json& action : plan["actions"]) action.erase("certificate");
+  EXPECT_THAT(FlawsOf(plan), IsEmpty());
+}
+
+// An unproved precondition is written as if it were proved by as much as it fails.
+TEST_F(CertificateCheck, WhatIsSaidToBeProvedAndIsNot) {
+  Json plan = PlanOf(kUnproved);
+  Json& claim = FirstClaim(plan, false);
+  const double margin = -claim["margin"].get<double>() + 0.001;
+  claim["bound"] = claim["limit"].get<double>() - Sign(claim) * margin;
+  claim["margin"] = margin;
+  claim["worst"] = Json::array();
+  EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("it is said to be proved, but ")));
+}
+
+TEST_F(CertificateCheck, TighterLimitThanWasProved) {
+  Json plan = PlanOf(kTwoActions);
+  Json& claim = FirstClaim(plan, true);
+  claim["limit"] = claim["bound"].get<double>() - Sign(claim) * 1.0;
+  EXPECT_THAT(FlawsOf(plan), AllOf(Contains(HasSubstr("the margin is said to be ")),
+                                   Contains(HasSubstr("it is said to be proved, but "))));
+}
+
+TEST_F(CertificateCheck, MarginThatIsNotFromTheBoundToTheLimit) {
+  for (const double error : {1e-3, 2e-9}) {
+    Json plan = PlanOf(kTwoActions);
+    Json& claim = FirstClaim(plan, true);
+    claim["margin"] = claim["margin"].get<double>() + error;
+    const std::vector<std::string> flaws = FlawsOf(plan);
+    ASSERT_THAT(flaws, SizeIs(1)) << error;
+    EXPECT_THAT(flaws[0], AllOf(StartsWith("precondition 1, "), HasSubstr("the margin is said")));
+  }
+}
+
+// Better than the expression is at its own worst corner.
+TEST_F(CertificateCheck, BoundThatTheExpressionCrosses) {
+  Json plan = PlanOf(kTwoActions);
+  Json& claim = FirstClaim(plan, true);
+  const double gain = claim["gap"].get<double>() + 1e-6;
+  claim["bound"] = claim["bound"].get<double>() - Sign(claim) * gain;
+  claim["margin"] = claim["margin"].get<double>() + gain;
+  EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("the bound is said to be ")));
+  claim["worst"] = Json::array();  // the corner is found again
+  EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("but the expression attains ")));
+}
+
+// A bound that would still prove the precondition, of another expression.
+TEST_F(CertificateCheck, ExpressionThatWasReplaced) {
+  Json plan = PlanOf(kTwoActions);
+  Json& claim = FirstClaim(plan, true);
+  const std::string written = claim["expression"];
+  claim["expression"] = claim["relation"] == "<" ? written + " - 1" : written + " + 1";
+  EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("the gap is said to be ")));
+  claim["expression"] = claim["relation"] == "<" ? written + " + 1" : written + " - 1";
+  EXPECT_THAT(FlawsOf(plan), AllOf(Contains(HasSubstr("it is said to be proved, but ")),
+                                   Contains(HasSubstr("the bound is said to be "))));
+}
+
+TEST_F(CertificateCheck, CornerThatIsNone) {
+  Json plan = PlanOf(kTwoActions);
+  Json& worst = FirstClaim(plan, true)["worst"];
+  const Json written = worst;
+  ASSERT_THAT(worst, Not(IsEmpty()));
+  worst[0]["range"] = {7, 7};
+  EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("the worst corner is not in the range of ")));
+  worst = written;
+  worst[0]["name"] = "dx_nothing";
+  EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("'dx_nothing', which is no variable")));
+  worst = written;
+  worst.erase(0);
+  EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("the worst corner lacks ")));
+}
+
+// Narrower ones no longer hold the worst corners; with wider ones less is proved.
+TEST_F(CertificateCheck, RangesThatWereReplaced) {
+  const auto with_ranges_times = [](double factor) {
+    Json plan = PlanOf(kTwoActions);
+    for (Json& action : plan["actions"]) {
+      for (Json& variable : action["certificate"]["variables"]) {
+        for (Json& end : variable["range"]) {
+          if (end.is_number()) end = factor * end.get<double>();
+        }
+      }
+    }
+    return plan;
+  };
+  EXPECT_THAT(FlawsOf(with_ranges_times(0.5)), Contains(HasSubstr("is not in the range of ")));
+  EXPECT_THAT(FlawsOf(with_ranges_times(20)), Contains(HasSubstr("it is said to be proved, but ")));
+}
+
+TEST_F(CertificateCheck, ErrorCount) {
+  Json plan = PlanOf(kUnproved);
+  ASSERT_EQ(plan["errors"], 2);
+  plan["errors"] = 0;
+  EXPECT_THAT(FlawsOf(plan), Contains("the error count is said to be 0, but preconditions of 2 "
+                                      "steps are not proved"));
+  plan = PlanOf(kTwoActions);
+  plan["errors"] = 1;
+  EXPECT_THAT(FlawsOf(plan), SizeIs(1));
+}
+
+TEST_F(CertificateCheck, UnprovedStepsAreVerified) {
+  Json plan = PlanOf(kUnproved);
+  ASSERT_THAT(plan["verifications"], SizeIs(2));
+  plan["verifications"].erase(0);
+  EXPECT_THAT(FlawsOf(plan), Contains("preconditions of it are not proved, and no verification "
+                                      "follows it"));
+}
+
+TEST_F(CertificateCheck, WhatDoesNotReadIsToldWithTheFile) {
+  Json plan = PlanOf(kTwoActions);
+  FirstClaim(plan, true)["expression"] = "dx_peg +";
+  const Ended ended = Check(plan);
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err,
+              AllOf(StartsWith("assay: " + (folder_ / "plan.json") + ": certificate of "),
+                    HasSubstr("ends too early")));
+}
+
+// Shown all the same, with a warning.
+TEST_F(CertificateCheck, PlanWarns) {
+  Json plan = PlanOf(kTwoActions);
+  plan["errors"] = 1;
+  const std::string file = Write(plan);
+  const std::string warning = "warning: the certificates do not hold up; flaws: 1 ";
+  for (const auto& arguments : {std::vector<std::string>{"plan", file},
+                                std::vector<std::string>{"plan", file, "--explain", "1"}}) {
+    const Ended ended = Assay(arguments);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_THAT(ended.out, AllOf(StartsWith(warning), HasSubstr("  plan: the error count is ")));
+  }
+  EXPECT_THAT(Assay({"plan", file, "--json"}).err, HasSubstr(warning));
+  const Ended checked = Assay({"plan", file, "--check"});
+  EXPECT_EQ(checked.code, 12);
+  EXPECT_THAT(checked.out, AllOf(HasSubstr("flaws: 1\n"), Not(HasSubstr("warning"))));
+}
+
+TEST_F(CertificateCheck, IsAskedBeforeExecution) {
+  Json plan = PlanOf(kTwoActions);
+  FirstClaim(plan, true)["margin"] = 1;
+  const Ended ended = Assay({"run", Write(plan), "-o", folder_ / "out"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("the margin is said to be "));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/trace.jsonl"));
+}
+
+}  // namespace
+}  // namespace assay::cli
