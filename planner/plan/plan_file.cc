@@ -375,7 +375,7 @@ Json ToJson(const PlanResult& result, const domain::Problem& problem, const std:
   for (const Recovery& recovery : plan.recoveries) recoveries.push_back(ToJson(recovery, names));
   Json json = {{"format", kFormat},
                {"scenario", scenario},
-               {"problem", plan.problem},
+               {"problem", problem.name},
                {"outcome", kOutcomes[static_cast<std::size_t>(result.outcome)]},
                {"actions", ActionsToJson(plan, problem)},
                {"ordering", OrderingToJson(plan)},

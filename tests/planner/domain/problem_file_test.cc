@@ -1,5 +1,6 @@
 #include "planner/domain/problem_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -254,19 +255,25 @@ int MutationCount() {
   return count == nullptr ? 1000 : std::atoi(count);
 }
 
+constexpr int kQuarters = 4;  // of the mutations, to run side by side
+
+class Mutations : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Quarters, Mutations, testing::Range(0, kQuarters));
+
 // A slip gives a problem or an InputError, nothing else. More of them with ASSAY_MUTATIONS=10000.
 // A check that aborts leaves the text in the temporary folder.
-TEST(ProblemFile, SurvivesMutations) {
+TEST_P(Mutations, AreSurvived) {
   std::vector<std::string> texts;
   for (const std::string& name : AllScenarios()) {
     const std::string text = ReadText(ScenarioPath(name));
     texts.push_back(text.substr(text.find("format:")));
   }
   texts.push_back(kBrick.substr(1));
-  const std::filesystem::path last = std::filesystem::path(testing::TempDir()) / "mutation.yaml";
-  RandomStream random(20240501, "mutations");
+  const std::filesystem::path last =
+      std::filesystem::path(testing::TempDir()) / fmt::format("mutation-{}.yaml", GetParam());
+  RandomStream random(20240501, fmt::format("mutations/{}", GetParam()));
   int loaded = 0;
-  const int count = MutationCount();
+  const int count = MutationCount() / kQuarters;
   for (int trial = 0; trial < count; ++trial) {
     std::string text = texts[trial % texts.size()];
     for (int slips = 1 + random.Index(3); slips > 0; --slips) text = Mutated(text, random);
