@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cmath>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "planner/algebra/constraint_set.h"
+#include "planner/algebra/interval_arithmetic.h"
 #include "planner/base/random.h"
 
 // Expressions without structure, of all operators.
@@ -11,6 +14,13 @@ namespace assay::oracle {
 
 using algebra::Expression;
 using algebra::ExpressionPool;
+
+// What the expression certainly is at a point: an interval that rounding makes wide.
+inline Interval ValueAt(const Expression& e, const std::vector<double>& point) {
+  std::vector<Interval> box;
+  for (double x : point) box.push_back({x, x});
+  return algebra::Evaluate(e, std::span<const Interval>(box));
+}
 
 inline Interval RandomInterval(RandomStream& random) {
   const double a = random.Uniform(-3, 3);

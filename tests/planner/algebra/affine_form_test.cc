@@ -12,11 +12,7 @@
 namespace assay::algebra {
 namespace {
 
-Interval ValueAt(const Expression& e, const std::vector<double>& point) {
-  std::vector<Interval> box;
-  for (double x : point) box.push_back({x, x});
-  return Evaluate(e, std::span<const Interval>(box));
-}
+using oracle::ValueAt;
 
 TEST(AffineForm, OfALinearExpressionHasNoRest) {
   ExpressionPool pool;

@@ -15,6 +15,8 @@
 namespace assay::algebra {
 namespace {
 
+using oracle::ValueAt;
+
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kRounding = 1e-14;  // of a few operations on numbers near 1
 constexpr Rung kRungs[] = {Rung::kTermwise, Rung::kMonotone, Rung::kCentred, Rung::kBranchAndBound};
@@ -24,12 +26,6 @@ BoundRequest UpTo(Rung highest) { return {.highest = highest}; }
 Interval Range(const Expression& e, const ConstraintSet& constraints,
                const BoundRequest& request = {}) {
   return {BoundBelow(e, constraints, request).value, BoundAbove(e, constraints, request).value};
-}
-
-Interval ValueAt(const Expression& e, const std::vector<double>& point) {
-  std::vector<Interval> box;
-  for (double x : point) box.push_back({x, x});
-  return Evaluate(e, std::span<const Interval>(box));
 }
 
 double DoubleAt(const Expression& e, const std::vector<double>& point) {
