@@ -147,15 +147,22 @@ std::optional<Mouth> FindMouth(const PartModel& model, const Box& clipped, const
   return Mouth{id, std::move(outline)};
 }
 
-// The exposed sides of a pocket, seen from within it; both in the part frame.
-std::vector<Wall> WallsOf(const PartModel& model, const Box& clipped) {
+// The exposed sides of a pocket, seen from within it, in the part frame. `pocket` is whole, the
+// other one clipped; where they end alike, the side goes with the clearance if the axis is widened.
+std::vector<Wall> WallsOf(const PartModel& model, const Box& pocket, const Box& clipped,
+                          const std::array<bool, 3>& is_widened) {
+  const std::array<Side, 6> whole = SidesOf(pocket);
+  const std::array<Side, 6> sides = SidesOf(clipped);
   std::vector<Wall> walls;
-  for (Side side : SidesOf(clipped)) {
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    Side side = sides[i];
+    const bool is_own = std::abs(whole[i].offset - side.offset) < kRounding;
     side.normal = -side.normal;
     side.offset = -side.offset;
     const FaceId id = ExposedFaceOf(model, side);
     if (id.IsNone()) continue;
-    walls.push_back({id, OnFace(model.faces()[id.index()], side.corners)});
+    walls.push_back(
+        {id, OnFace(model.faces()[id.index()], side.corners), is_own && is_widened[i / 2]});
   }
   return walls;
 }
@@ -187,27 +194,41 @@ void NameStablePoses(const Value& names, std::vector<StablePose>& poses) {
   }
 }
 
+double ReadDensity(const Value& root) {
+  return ReadWithin(root.At("density"), 1, {.low = 1, .high = 1e5});
+}
+
 }  // namespace
 
 std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double clearance) {
-  ASSAY_CHECK(clearance >= 0);
+  ASSAY_CHECK(std::isfinite(clearance));
   document.RequireFormat("assay-part/1");
   const Value& root = document.root();
   root.AllowOnly({"format", "name", "initial", "units", "density", "friction", "solids", "pockets",
                   "features", "stable_poses"});
-  const std::shared_ptr<PartModel> model(new PartModel);
+  const std::shared_ptr<PartModel> model(new PartModel(document, clearance));
   model->name_ = ReadName(root.At("name"));
   model->initial_ = ReadInitial(root.At("initial"));
   model->friction_ = ReadWithin(root.At("friction"), 1, {.low = 0.001, .high = 10});
   PartFile file(clearance);
-  file.units_ = ReadUnits(root);
-  file.ReadSolids(root.At("solids"));
-  if (const auto pockets = root.Find("pockets")) file.ReadPockets(*pockets);
-  file.BuildShape(*model, ReadWithin(root.At("density"), 1, {.low = 1, .high = 1e5}));
+  file.ReadPieces(root);
+  file.BuildShape(*model, ReadDensity(root));
   if (const auto features = root.Find("features")) file.ReadFeatures(*features, *model);
   model->stable_poses_ = ComputeStablePoses(*model, kLeastTilt);
   if (const auto names = root.Find("stable_poses")) NameStablePoses(*names, model->stable_poses_);
   return model;
+}
+
+geometry::MassProperties PartFile::ReadMass(const Document& document, double clearance) {
+  PartFile file(clearance);
+  file.ReadPieces(document.root());
+  return geometry::MassOf(file.Pieces(), ReadDensity(document.root()));
+}
+
+void PartFile::ReadPieces(const Value& root) {
+  units_ = ReadUnits(root);
+  ReadSolids(root.At("solids"));
+  if (const auto pockets = root.Find("pockets")) ReadPockets(*pockets);
 }
 
 void PartFile::ReadSolids(const Value& solids) {
@@ -252,14 +273,28 @@ PartFile::Pocket PartFile::ReadPocket(const std::string& name, const Value& entr
   entry.AllowOnly({"cut_from", "box", "widen"});
   Pocket pocket{
       .name = name, .solid = SolidNamed(entry.At("cut_from")), .box = ReadBox(entry.At("box"))};
-  if (const auto widen = entry.Find("widen")) pocket.box.half_extents += ReadWidening(*widen);
+  if (const auto widen = entry.Find("widen")) pocket.is_widened = ReadWidening(*widen);
+  Widen(entry, pocket);
   return pocket;
 }
 
-Vector3 PartFile::ReadWidening(const Value& axes) const {
-  Vector3 widening = Vector3::Zero();
-  for (const Value& axis : axes.Items()) widening[axis.OneOf({"x", "y", "z"})] = clearance_;
-  return widening;
+std::array<bool, 3> PartFile::ReadWidening(const Value& axes) {
+  std::array<bool, 3> is_widened = {};
+  for (const Value& axis : axes.Items()) {
+    is_widened[static_cast<std::size_t>(axis.OneOf({"x", "y", "z"}))] = true;
+  }
+  return is_widened;
+}
+
+void PartFile::Widen(const Value& entry, Pocket& pocket) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!pocket.is_widened[static_cast<std::size_t>(axis)]) continue;
+    double& half = pocket.box.half_extents[axis];
+    half += clearance_;
+    if (2 * half >= kShortestSide) continue;
+    entry.At("box").Fail(fmt::format("a clearance of {} m closes the pocket", clearance_),
+                         "one that leaves a pocket");
+  }
 }
 
 Box PartFile::ReadBox(const Value& corners) const {
@@ -278,14 +313,22 @@ Box PartFile::ReadBox(const Value& corners) const {
   return Box::FromCorners(low, high);
 }
 
-void PartFile::BuildShape(PartModel& model, double density) const {
-  std::vector<Vector3> corners;
+std::vector<Box> PartFile::Pieces() const {
+  std::vector<Box> pieces;
   for (const Solid& solid : solids_) {
-    for (const Box& piece : solid.pieces) {
-      model.boxes_.push_back(piece);
-      model.colors_.push_back(solid.color);
-      for (const Vector3& corner : piece.Corners()) corners.push_back(corner);
-    }
+    pieces.insert(pieces.end(), solid.pieces.begin(), solid.pieces.end());
+  }
+  return pieces;
+}
+
+void PartFile::BuildShape(PartModel& model, double density) const {
+  model.boxes_ = Pieces();
+  for (const Solid& solid : solids_) {
+    model.colors_.insert(model.colors_.end(), solid.pieces.size(), solid.color);
+  }
+  std::vector<Vector3> corners;
+  for (const Box& box : model.boxes_) {
+    for (const Vector3& corner : box.Corners()) corners.push_back(corner);
   }
   model.shape_ = geometry::CollisionShape(model.boxes_);
   model.hull_ = geometry::HullOf(corners);
@@ -357,7 +400,8 @@ void PartFile::ReadHole(const Value& entry, const PartModel& model, Feature& fea
   feature.mouths = {*mouth};
   const std::optional<Mouth> other = FindMouth(model, clipped, whole, Opposite(side));
   if (other) feature.mouths.push_back(*other);
-  feature.walls = WallsOf(model, clipped);
+  feature.walls =
+      WallsOf(model, pocket.box.Transformed(solid.X_PartSolid), clipped, pocket.is_widened);
   const Side end = SidesOf(clipped)[static_cast<std::size_t>(side)];
   const Vector3 center = (end.corners[0] + end.corners[3]) / 2;  // diagonally opposite
   feature.X_PartFeature = FrameAlong(center, end.normal);

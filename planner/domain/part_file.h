@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,9 +16,10 @@ namespace assay::domain {
 // describes the format. Lives as long as the reading.
 class PartFile {
  public:
-  // `clearance`: metres, on each side of the axes along which a pocket is to be widened. Throws
-  // InputError at the place of what is wrong.
+  // `clearance`: metres, on each side of the axes along which a pocket is to be widened; a pocket
+  // is narrowed by what is below 0. Throws InputError at the place of what is wrong.
   static std::shared_ptr<const PartModel> Read(const Document& document, double clearance);
+  static geometry::MassProperties ReadMass(const Document& document, double clearance);
 
  private:
   // A convex piece as the file names it: one box, and what the pockets have left of it.
@@ -32,18 +34,23 @@ class PartFile {
     std::string name;
     int solid = 0;      // index of the one that it is cut from
     geometry::Box box;  // widened, not clipped; in the coordinates of the solid before its turn
+    std::array<bool, 3> is_widened = {};  // along x, y, z
   };
 
   explicit PartFile(double clearance) : clearance_(clearance) {}
 
+  // Units, solids and pockets.
+  void ReadPieces(const Value& root);
   void ReadSolids(const Value& solids);
   Solid ReadSolid(const std::string& name, const Value& entry) const;
   Pose ReadTurn(const Value& turn) const;
   void ReadPockets(const Value& pockets);
   Pocket ReadPocket(const std::string& name, const Value& entry) const;
-  Vector3 ReadWidening(const Value& axes) const;  // metres on each side, for each axis
+  static std::array<bool, 3> ReadWidening(const Value& axes);
+  void Widen(const Value& entry, Pocket& pocket) const;
   geometry::Box ReadBox(const Value& corners) const;
 
+  std::vector<geometry::Box> Pieces() const;
   void BuildShape(PartModel& model, double density) const;
 
   void ReadFeatures(const Value& features, PartModel& model) const;

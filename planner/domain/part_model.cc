@@ -28,6 +28,14 @@ std::shared_ptr<const PartModel> PartModel::Load(const std::filesystem::path& fi
   return PartFile::Read(Document::Load(file), clearance);
 }
 
+std::shared_ptr<const PartModel> PartModel::WithClearance(double clearance) const {
+  return PartFile::Read(file_, clearance);
+}
+
+geometry::MassProperties PartModel::MassWithClearance(double clearance) const {
+  return PartFile::ReadMass(file_, clearance);
+}
+
 const Feature* PartModel::FindFeature(FeatureNumber number) const {
   const auto found = std::ranges::find(features_, number, &Feature::number);
   return found == features_.end() ? nullptr : &*found;

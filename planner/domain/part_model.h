@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/base/document.h"
 #include "planner/base/id.h"
 #include "planner/domain/grasp.h"
 #include "planner/domain/stable_pose.h"
@@ -42,6 +43,8 @@ struct Mouth {
 struct Wall {
   FaceId face;
   geometry::Polygon outline;  // in the face's x and y
+  // Whether a greater clearance sets it back by as much: the pocket is widened along this axis.
+  bool moves_with_clearance = false;
 };
 
 // A named geometric element, numbered by the part file as the papers do (Spar: surfaces 7 and 8
@@ -70,8 +73,14 @@ class PartModel {
   // pockets that are marked as mating holes. Throws InputError.
   static std::shared_ptr<const PartModel> Load(const std::filesystem::path& file, double clearance);
 
+  // The same part with another clearance, read and computed anew; below 0, shafts are too wide for
+  // their holes. Throws InputError if a pocket comes out impossible.
+  std::shared_ptr<const PartModel> WithClearance(double clearance) const;
+  geometry::MassProperties MassWithClearance(double clearance) const;  // of that model
+
   const std::string& name() const { return name_; }
   const std::string& initial() const { return initial_; }  // labels begin with it: BP1, BG1
+  double clearance() const { return clearance_; }          // metres on each side
   const std::vector<geometry::Box>& boxes() const { return boxes_; }      // disjoint or overlapping
   const std::vector<Eigen::Vector4f>& colors() const { return colors_; }  // rgba of each box
   const geometry::CollisionShape& shape() const { return shape_; }
@@ -90,9 +99,12 @@ class PartModel {
   StablePoseId FindStablePose(std::string_view name) const;  // None if no pose has the name
 
  private:
-  PartModel() : shape_({}) {}
+  explicit PartModel(const Document& file, double clearance)
+      : file_(file), clearance_(clearance), shape_({}) {}
   friend class PartFile;
 
+  Document file_;
+  double clearance_;
   std::string name_;
   std::string initial_;
   std::vector<geometry::Box> boxes_;

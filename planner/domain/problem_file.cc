@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <utility>
 
+#include "planner/base/check.h"
 #include "planner/domain/mating_file.h"
 #include "planner/domain/occlusion.h"
 #include "planner/domain/pose_error_file.h"
 #include "planner/domain/reachability.h"
 #include "planner/domain/resting.h"
+#include "planner/domain/tolerances_file.h"
 #include "planner/domain/workcell_file.h"
 
 namespace assay::domain {
@@ -49,10 +52,16 @@ std::string ReadOptionalText(const Value& root, std::string_view key) {
   return text ? text->Text() : "";
 }
 
-// What is left out is known exactly.
-PoseError ReadError(const Value& owner, const Units& units) {
-  const std::optional<Value> error = owner.Find("error");
-  return error ? ReadPoseError(*error, units, {}) : PoseError{};
+// Without -0, so that an error that is scaled to nothing is the same as none.
+Interval Scaled(const Interval& interval, double scale) {
+  return {scale * interval.low + 0.0, scale * interval.high + 0.0};
+}
+
+PoseError Scaled(const PoseError& error, double scale) {
+  return {.x = Scaled(error.x, scale),
+          .y = Scaled(error.y, scale),
+          .z = Scaled(error.z, scale),
+          .theta = Scaled(error.theta, scale)};
 }
 
 bool IsSameMating(const Mating& a, const Mating& b) {
@@ -88,7 +97,8 @@ class StablePoseNames {
 // Builds a problem from its file.
 class ProblemFile {
  public:
-  ProblemFile(const Document& scenario, const std::filesystem::path& models);
+  ProblemFile(const Document& scenario, const std::filesystem::path& models,
+              const Overrides& overrides);
 
   Problem Release() { return std::move(problem_); }
 
@@ -98,6 +108,8 @@ class ProblemFile {
     std::shared_ptr<const std::vector<Grasp>> grasps;
   };
 
+  void ReadClearance(const Value& root);
+  PoseError ReadError(const Value& owner) const;
   void ReadWorkcell(const Value& root);
   void ReadParts(const Value& parts);
   void ReadPart(const std::string& name, const Value& entry);
@@ -121,6 +133,7 @@ class ProblemFile {
   double InFileUnits(double metres) const { return metres / units_.length; }
 
   std::filesystem::path models_;
+  Overrides overrides_;
   Units units_;
   Problem problem_;
   std::vector<std::string> names_;   // of the parts
@@ -130,31 +143,56 @@ class ProblemFile {
   std::map<std::string, Model> loaded_;
 };
 
-ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& models)
-    : models_(models) {
+ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& models,
+                         const Overrides& overrides)
+    : models_(models), overrides_(overrides) {
+  ASSAY_CHECK(std::isfinite(overrides.error_scale) && overrides.error_scale >= 0);
   scenario.RequireFormat("assay-scenario/1");
   const Value& root = scenario.root();
   root.AllowOnly({"format", "title", "description", "units", "workcell", "rules", "clearance",
-                  "parts", "gripper", "sensing", "initially", "goal", "simulation"});
+                  "tolerances", "parts", "gripper", "sensing", "initially", "goal", "simulation"});
   problem_.name = std::filesystem::path(root.Place().file).stem().string();
   problem_.title = ReadOptionalText(root, "title");
   problem_.description = ReadOptionalText(root, "description");
   units_ = ReadUnits(root);
-  const std::optional<Value> clearance = root.Find("clearance");
-  problem_.clearance =
-      clearance ? ReadWithin(*clearance, units_.length, kClearances) : kDefaultClearance;
+  ReadClearance(root);
   ReadWorkcell(root);
   if (const auto gripper = root.Find("gripper")) {
     gripper->AllowOnly({"error"});
-    problem_.gripper_error = ReadError(*gripper, units_);
+    problem_.gripper_error = ReadError(*gripper);
   }
   ReadSensing(root);
   const Value goals = root.At("goal");
   ReadParts(root.At("parts"));
+  if (const auto tolerances = root.Find("tolerances")) {
+    problem_.tolerances = ReadTolerances(*tolerances, units_, problem_);
+  }
   ReadInitially(root);
   PlaceParts();
   FindOcclusions();
   ReadGoals(goals);
+}
+
+void ProblemFile::ReadClearance(const Value& root) {
+  const std::optional<Value> clearance = root.Find("clearance");
+  if (!overrides_.clearance) {
+    problem_.clearance =
+        clearance ? ReadWithin(*clearance, units_.length, kClearances) : kDefaultClearance;
+    return;
+  }
+  problem_.clearance = *overrides_.clearance;
+  if (problem_.clearance >= kClearances.low && problem_.clearance <= kClearances.high) return;
+  clearance.value_or(root).Fail(
+      fmt::format("{:.6g} m instead of this clearance is out of range", problem_.clearance),
+      fmt::format("{:.6g} to {:.6g} m", kClearances.low, kClearances.high));
+}
+
+// What is left out is known exactly.
+PoseError ProblemFile::ReadError(const Value& owner) const {
+  const std::optional<Value> given = owner.Find("error");
+  if (!given) return {};
+  const PoseError error = ReadPoseError(*given, units_, {});
+  return overrides_.error_scale == 1 ? error : Scaled(error, overrides_.error_scale);
 }
 
 void ProblemFile::FindOcclusions() {
@@ -192,7 +230,7 @@ void ProblemFile::ReadPart(const std::string& name, const Value& entry) {
   entry.AllowOnly({"model", "pose", "error"});
   Part part;
   part.name = name;
-  part.error = ReadError(entry, units_);
+  part.error = ReadError(entry);
   const Model model = ReadModel(entry.At("model"));
   part.model = model.part;
   part.grasps = model.grasps;
@@ -414,7 +452,12 @@ LocatedGoal ProblemFile::ReadLocated(const Value& located) const {
 }  // namespace
 
 Problem ReadProblem(const Document& scenario, const std::filesystem::path& models) {
-  return ProblemFile(scenario, models).Release();
+  return ReadProblem(scenario, models, {});
+}
+
+Problem ReadProblem(const Document& scenario, const std::filesystem::path& models,
+                    const Overrides& overrides) {
+  return ProblemFile(scenario, models, overrides).Release();
 }
 
 }  // namespace assay::domain

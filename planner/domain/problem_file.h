@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "planner/base/document.h"
 #include "planner/domain/problem.h"
@@ -9,10 +10,19 @@
 namespace assay::domain {
 
 // Reads the problem in a scenario file ("assay-scenario/1"): title, description, units, workcell,
-// rules (those of the workcell that this scenario replaces), clearance, parts, gripper, sensing,
-// `initially` (matings that hold at the start, written like goals), and goal. `models` is the
-// folder with parts/ and workcells/. The key `simulation` is left to sim/scenario. Throws
+// rules (those of the workcell that this scenario replaces), clearance, tolerances, parts, gripper,
+// sensing, `initially` (matings that hold at the start, written like goals), and goal. `models` is
+// the folder with parts/ and workcells/. The key `simulation` is left to sim/scenario. Throws
 // InputError for what is wrong, with the place. scenarios/README.md describes the format.
 Problem ReadProblem(const Document& scenario, const std::filesystem::path& models);
+
+// What a study changes of a scenario without writing it anew.
+struct Overrides {
+  std::optional<double> clearance = std::nullopt;  // metres, as if the file said so
+  // Of every error of parts and gripper, 0 or more; not of what sensors promise, nor of tolerances.
+  double error_scale = 1;
+};
+Problem ReadProblem(const Document& scenario, const std::filesystem::path& models,
+                    const Overrides& overrides);
 
 }  // namespace assay::domain

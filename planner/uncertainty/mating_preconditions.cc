@@ -30,12 +30,29 @@ struct Wall {
   double offset = 0;
 };
 
-std::vector<Wall> SideWalls(const PartModel& model, const Feature& hole) {
+// What may be worse in a mating than the problem says. Narrower holes and greater friction are the
+// worst case of every condition here: the larger hole has the smaller one's room, and it is not
+// assumed anywhere that a wall stops the shaft.
+struct Worst {
+  double narrowing = 0;  // of a hole, on each side, metres
+  double friction = 0;   // of mating surfaces
+};
+
+Worst WorstOf(const UncertainWorld& world) {
+  const double friction = world.problem().workcell->rules().friction;
+  if (world.propagation() == Propagation::kPaper) return {.friction = friction};
+  const domain::Tolerances& tolerances = world.problem().tolerances;
+  return {.narrowing = tolerances.clearance, .friction = friction + tolerances.friction};
+}
+
+std::vector<Wall> SideWalls(const PartModel& model, const Feature& hole, double narrowing) {
   const Vector3 axis = hole.X_PartFeature.linear().col(2);
   std::vector<Wall> walls;
   for (const domain::Wall& wall : hole.walls) {
     const domain::Face& face = model.faces()[wall.face.index()];
-    if (std::abs(face.normal.dot(axis)) < kParallel) walls.push_back({face.normal, face.offset});
+    if (std::abs(face.normal.dot(axis)) >= kParallel) continue;
+    walls.push_back({face.normal, face.offset});
+    if (narrowing > 0 && wall.moves_with_clearance) walls.back().offset += narrowing;
   }
   return walls;
 }
@@ -89,11 +106,12 @@ struct Relative {
 
 class FitConditions {
  public:
-  FitConditions(const Fit& fit, const domain::WorkcellRules& rules, Preconditions& conditions)
+  FitConditions(const Fit& fit, const UncertainWorld& world, Preconditions& conditions)
       : fit_(fit),
-        rules_(rules),
+        compliance_(world.problem().workcell->rules().lateral_compliance),
+        worst_(WorstOf(world)),
         conditions_(conditions),
-        walls_(SideWalls(fit.hole_model, fit.hole)),
+        walls_(SideWalls(fit.hole_model, fit.hole, worst_.narrowing)),
         section_(CrossSection(fit.shaft_model, fit.shaft)) {
     ASSAY_CHECK(!walls_.empty() && !section_.empty(), "nothing to prove of {}", fit.name);
   }
@@ -121,7 +139,7 @@ class FitConditions {
     const std::string meaning = fmt::format("{} stays inside the walls", fit_.name);
     for (const Wall& wall : walls_) {
       const Wall* opposite = Opposite(wall);
-      const double yields = opposite != nullptr ? rules_.lateral_compliance : 0;
+      const double yields = opposite != nullptr ? compliance_ : 0;
       for (const SymbolicVector& p : corners) {
         conditions_.Greater(condition, meaning, algebra::Dot(AsVector(wall.normal), p),
                             wall.offset - bevel - yields);
@@ -168,7 +186,7 @@ class FitConditions {
       const auto [clearance, width] = ClearanceAlong(across, seated.nominal);
       if (!std::isfinite(clearance) || !(depth > 0)) continue;
       const double wedging =
-          rules_.friction > 0 ? clearance / (rules_.friction * width) : kInfinity;
+          worst_.friction > 0 ? clearance / (worst_.friction * width) : kInfinity;
       conditions_.Within("tilt", fmt::format("{} neither touches twice nor wedges", fit_.name),
                          algebra::Dot(AsVector(across), direction),
                          std::min(clearance / depth, wedging));
@@ -201,7 +219,8 @@ class FitConditions {
   }
 
   const Fit& fit_;
-  const domain::WorkcellRules& rules_;
+  double compliance_;
+  Worst worst_;
   Preconditions& conditions_;
   std::vector<Wall> walls_;
   Polygon section_;
@@ -272,19 +291,18 @@ class MatingConditions {
   void RequireFit(domain::FeatureNumber of_held, domain::FeatureNumber of_fixed) {
     const Feature& held = *held_.model->FindFeature(of_held);
     const Feature& fixed = *fixed_.model->FindFeature(of_fixed);
-    const domain::WorkcellRules& rules = world_.problem().workcell->rules();
     if (IsShaft(held) && IsHole(fixed)) {
       const Fit fit = {*fixed_.model, fixed, *held_.model, held,
                        FitName(held_, held, fixed_, fixed)};
       const double depth = Depth(fit, seated_.nominal);
       const Relative entering = Before(depth);
-      FitConditions(fit, rules, conditions_).Require(entering, seated_, depth);
+      FitConditions(fit, world_, conditions_).Require(entering, seated_, depth);
     } else if (IsHole(held) && IsShaft(fixed)) {
       const Fit fit = {*held_.model, held, *fixed_.model, fixed,
                        FitName(fixed_, fixed, held_, held)};
       const double depth = Depth(fit, seated_.nominal.inverse());
       const Relative entering = Inverted(Before(depth));
-      FitConditions(fit, rules, conditions_).Require(entering, Inverted(seated_), depth);
+      FitConditions(fit, world_, conditions_).Require(entering, Inverted(seated_), depth);
     }
   }
 

@@ -33,6 +33,23 @@ SymbolicVector GraspedPoint(const UncertainWorld& world, PartId part, const plan
   return algebra::Simplify(X_TrueHandPart * AsTransform(hold.X_PartTool).translation);
 }
 
+// Smoother pads let the part slip until it lies flat, which is among what jammed ones may leave.
+double GreatestPadFriction(const domain::Problem& problem) {
+  return problem.workcell->rules().pad_friction + problem.tolerances.pad_friction;
+}
+
+// As the problem says, and with the least and the greatest clearance. Between them the centre of
+// mass moves on a line that is straight to first order.
+std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& problem, PartId part) {
+  const domain::PartModel& model = *problem.part(part).model;
+  std::vector<geometry::MassProperties> masses = {model.mass()};
+  if (problem.tolerances.clearance == 0) return masses;
+  for (const double error : {-problem.tolerances.clearance, problem.tolerances.clearance}) {
+    masses.push_back(model.MassWithClearance(problem.clearance + error));
+  }
+  return masses;
+}
+
 // What the closing of the pads does to the part at most. Angles in radians, lengths in metres,
 // along and about the tool's axes, all of them magnitudes.
 class Closing {
@@ -49,11 +66,13 @@ class Closing {
     const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
     const double push =
         Magnitude(world.RangeOf(grasped[1])) + 2 * pad_x_ * std::sin(AtMostRight(theta + hand_));
-    pushed_turn_ = AtMostRight(TurnOfPush(*world.problem().part(part).model,
-                                          world.X_WorldPart(part), hold, theta + hand_, push));
+    for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
+      const double turn = TurnOfPush(mass, world.X_WorldPart(part), hold, theta + hand_, push);
+      pushed_turn_ = std::max(pushed_turn_, AtMostRight(turn));
+    }
     turn_ = AtMostRight(theta + pushed_turn_ + hand_);
     way_ = turn_ + pushed_turn_;
-    jams_ = !(turn_ + std::atan(world.problem().workcell->rules().pad_friction) <
+    jams_ = !(turn_ + std::atan(GreatestPadFriction(world.problem())) <
               std::atan(ContactLength() / hold.width));
   }
 
@@ -96,9 +115,8 @@ class Closing {
   }
 
   // How far the first pad may turn the part while it pushes it to the second.
-  double TurnOfPush(const domain::PartModel& model, const Pose& X_WorldPart, const plan::Hold& hold,
-                    double turned, double push) const {
-    const geometry::MassProperties& mass = model.mass();
+  double TurnOfPush(const geometry::MassProperties& mass, const Pose& X_WorldPart,
+                    const plan::Hold& hold, double turned, double push) const {
     const Vector3 center = hold.X_PartTool.inverse() * mass.center;
     const Vector3 level = up_.cross(Vector3::UnitY());  // along the pads
     const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());

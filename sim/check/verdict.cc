@@ -41,8 +41,10 @@ class Judgement {
   }
 
   void Examine(const domain::LocatedGoal& goal) {
-    Append(Located(problem_.part(goal.part), goal.stable_poses, end_.parts[goal.part.index()].truth,
-                   limits_));
+    const std::size_t part = goal.part.index();
+    const Pose above_table =
+        geometry::Translation(0, 0, -end_.table_heights[part]) * end_.parts[part].truth;
+    Append(Located(problem_.part(goal.part), goal.stable_poses, above_table, limits_));
     ExamineLeftAlone(goal.part);
   }
 
@@ -108,6 +110,10 @@ TrialOutcome OutcomeOf(exec::ExecutionOutcome outcome) {
       return TrialOutcome::kOverload;
     case exec::ExecutionOutcome::kEngineWarning:
       return TrialOutcome::kEngineWarning;
+    case exec::ExecutionOutcome::kNotFound:
+      return TrialOutcome::kNotFound;
+    case exec::ExecutionOutcome::kOperatorCalled:
+      return TrialOutcome::kOperatorCalled;
   }
   ASSAY_CHECK(false, "an outcome that the switch does not know");
   return {};
@@ -137,6 +143,10 @@ std::string_view Name(TrialOutcome outcome) {
       return "overload";
     case TrialOutcome::kEngineWarning:
       return "engine-warning";
+    case TrialOutcome::kNotFound:
+      return "not-found";
+    case TrialOutcome::kOperatorCalled:
+      return "operator-called";
     case TrialOutcome::kGraspFailed:
       return "grasp-failed";
     case TrialOutcome::kNotSeated:

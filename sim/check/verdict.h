@@ -12,16 +12,18 @@ namespace assay::check {
 
 // How a trial ended, judged from the simulator's truth.
 enum class TrialOutcome {
-  kSucceeded,      // every goal holds
-  kUnreachable,    // the arm cannot go a way that the plan wants
-  kOverload,       // the wrist felt more force than it may, and the arm stopped
-  kEngineWarning,  // the engine's numbers cannot be trusted: the trial tells nothing
-  kGraspFailed,    // a goal does not hold, and before that the gripper missed what it was to hold
-  kNotSeated,      // a held part is not all the way in
-  kMisaligned,     // it is in, but off to the side, tilted or turned
-  kNotLocated,     // a part does not rest in a stable pose that a goal names
-  kNotReleased,    // a part is still in the hand
-  kNotAtRest,      // a part still moves
+  kSucceeded,       // every goal holds
+  kUnreachable,     // the arm cannot go a way that the plan wants
+  kOverload,        // the wrist felt more force than it may, and the arm stopped
+  kEngineWarning,   // the engine's numbers cannot be trusted: the trial tells nothing
+  kNotFound,        // a sensor did not see the part that it was to look at
+  kOperatorCalled,  // an error was signalled, and no recovery mended it
+  kGraspFailed,     // a goal does not hold, and before that the gripper missed what it was to hold
+  kNotSeated,       // a held part is not all the way in
+  kMisaligned,      // it is in, but off to the side, tilted or turned
+  kNotLocated,      // a part does not rest in a stable pose that a goal names
+  kNotReleased,     // a part is still in the hand
+  kNotAtRest,       // a part still moves
 };
 std::string_view Name(TrialOutcome outcome);  // "grasp-failed"
 

@@ -18,6 +18,7 @@
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/problem_report.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/sweep_report.h"
 #include "sim/cli/verb.h"
 #include "sim/cli/workcell_report.h"
 
@@ -57,6 +58,8 @@ Report CheckFile(const fs::path& file, const Options& options) {
       return ReportOn(*domain::Workcell::Load(file));
     case FileFormat::kPlan:
       return ReportOn(LoadPlan(document, file, options.models));
+    case FileFormat::kSweep:
+      return ReportOn(sweep::Load(file), options.models);
   }
   return {};
 }
@@ -98,7 +101,8 @@ ExitCode Execute(const Options& options) {
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("file", options->files, "scenario, part, workcell and plan files")->required();
+  command.add_option("file", options->files, "scenario, sweep, part, workcell and plan files")
+      ->required();
   command.add_flag("--json", options->json, "print the reports as JSON");
   command.add_option("-o,--output", options->output, "write the reports, as JSON, to this file");
   command.add_option("--workcell", options->workcell, "the workcell whose gripper takes a part")
@@ -115,7 +119,7 @@ Execution Declare(CLI::App& command) {
 
 const Verb kCheck = {
     .name = "check",
-    .summary = "checks scenario, part, workcell and plan files, and tells what they come to",
+    .summary = "checks scenario, sweep, part, workcell and plan files, and tells what they come to",
     .example = "assay check scenarios/spar-fig13.yaml models/parts/block/part.yaml",
     .declare = Declare,
 };

@@ -4,8 +4,8 @@ namespace assay::cli {
 
 FileFormat FormatOf(const Document& document) {
   // In the order of the enum.
-  static const std::vector<std::string> kNames = {"assay-scenario/1", "assay-part/1",
-                                                  "assay-workcell/1", "assay-plan/1"};
+  static const std::vector<std::string> kNames = {
+      "assay-scenario/1", "assay-part/1", "assay-workcell/1", "assay-plan/1", "assay-sweep/1"};
   return static_cast<FileFormat>(document.root().At("format").OneOf(kNames));
 }
 

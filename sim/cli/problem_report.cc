@@ -86,6 +86,21 @@ bool Holds(const check::Play& play) {
   return std::abs(play.RelativeDifference()) <= check::kPlayTolerance;
 }
 
+void AddTolerances(const Problem& problem, Draft& report) {
+  const domain::Tolerances& tolerances = problem.tolerances;
+  report.json["clearance"] = problem.clearance;
+  report.json["tolerances"] = {{"clearance", tolerances.clearance},
+                               {"friction", tolerances.friction},
+                               {"pad_friction", tolerances.pad_friction}};
+  if (tolerances == domain::Tolerances{}) return;
+  const domain::WorkcellRules& rules = problem.workcell->rules();
+  report.text += fmt::format(
+      "\nclearance {:.4g} mm within {:.4g} mm, friction {:.4g} within {:.4g}, of the pads {:.4g} "
+      "within {:.4g}\n",
+      1000 * problem.clearance, 1000 * tolerances.clearance, rules.friction, tolerances.friction,
+      rules.pad_friction, tolerances.pad_friction);
+}
+
 void AddClearances(const Problem& problem, Draft& report) {
   Table table({{"mating"},
                {"along"},
@@ -130,6 +145,7 @@ Report ReportOn(const Problem& problem) {
                  {"goals", problem.goals.size()}};
   AddParts(problem, report);
   AddStablePoses(problem, report);
+  AddTolerances(problem, report);
   AddClearances(problem, report);
   return {std::move(report.text), std::make_shared<const Json>(std::move(report.json)),
           report.holds};

@@ -24,6 +24,7 @@ struct Verb {
 };
 
 extern const Verb kBound;
+extern const Verb kCalibrate;
 extern const Verb kCheck;
 extern const Verb kDoctor;
 extern const Verb kExport;
@@ -31,7 +32,9 @@ extern const Verb kLabel;
 extern const Verb kList;
 extern const Verb kPlan;
 extern const Verb kRender;
+extern const Verb kReplay;
 extern const Verb kRun;
+extern const Verb kSweep;
 
 std::span<const Verb* const> Verbs();  // in the order of the help
 

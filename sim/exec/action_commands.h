@@ -3,23 +3,47 @@
 #include <vector>
 
 #include "sim/exec/command.h"
+#include "sim/exec/world_model.h"
 
 namespace assay::exec {
 
-// The commands of each kind of action: move above, straight line down, act, and up again (Spar,
-// figure 18). Straight lines down and up are vertical; the last piece to a part and the first away
-// from it are along the tool's axis, as long as the workcell's approach distance.
-std::vector<Command> CommandsFor(const domain::Problem& problem, const plan::Pickup& pickup);
-std::vector<Command> CommandsFor(const domain::Problem& problem, const plan::Putdown& putdown);
-std::vector<Command> CommandsFor(const domain::Problem& problem, const plan::Assemble& assemble);
-// The arm first goes to its home, so that it hangs over no part that does not lie there.
-std::vector<Command> CommandsFor(const domain::Problem& problem, const plan::Sense& sense);
-// Closes on the part as a pickup does, and lets it go where it is.
-std::vector<Command> CommandsFor(const domain::Problem& problem, const plan::Squeeze& squeeze);
+// The commands of one step, by what they are for: move above, straight line down, act, and up
+// again (Spar, figure 18).
+struct StepCommands {
+  plan::StepId step = {};
+  std::vector<Command> approach = {};  // until the tool is poised before or above its work
+  std::vector<Command> advance = {};   // to where it works
+  std::vector<Command> act = {};       // there
+  std::vector<Command> depart = {};    // when that was right
+  std::vector<Command> withdraw = {};  // when it was not: back to where the tool was poised
 
-// A part that is put down or mated is let go this high, in metres, above where it will be: the
-// hand, which gives way under the weight of what it holds, must not press it into anything.
-inline constexpr double kReleaseHeight = 0.0001;
+  // Without `withdraw`, in the order of execution.
+  std::vector<Command> InOrder() const;
+};
+
+// The commands of a step of a plan, from where the parts are believed to be. Straight lines down
+// and up are vertical; the last piece to a part and the first away from it are along the tool's
+// axis, as long as the workcell's approach distance. Parts that are put down or mated go on until
+// they meet resistance, up to the workcell's guarded travel beyond where that is expected.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::PlannedStep& step);
+
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Pickup& pickup);
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Putdown& putdown);
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Assemble& assemble);
+// The arm first goes to its home, so that it hangs over no part that does not lie there.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Sense& sense);
+// Closes on the part as a pickup does, and lets it go where it is.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Squeeze& squeeze);
+
+// What a guarded move takes for resistance. Less than what the pads can hold against (twice
+// friction times grip force), more than what starting and stopping the hand exerts. Newtons.
+inline constexpr double kResistance = 15;
 
 // Where the tool is while the arm is at home.
 Pose HomeTool(const domain::Workcell& workcell);

@@ -23,10 +23,16 @@ struct MoveAtSafeHeight {
   Pose X_WorldTool;
 };
 
+// A move that ends where it meets resistance.
+struct Guard {
+  double force = 0;  // newtons against the motion, more than before it
+};
+
 // The tool goes along a straight line, its orientation kept.
 struct MoveStraight {
   Pose X_WorldTool;
   Pace pace;
+  std::optional<Guard> guard = {};  // felt over the pace's final length
 };
 
 // The gripper opens wide. If it held a part, the part is believed to stay where it is let go.
@@ -44,11 +50,14 @@ struct CloseGripper {
   plan::Hold hold;
 };
 
-// A sensor looks at a part. There is no camera in the simulation yet: nothing is measured, and what
-// is believed of the part stays what it was; the trace records it.
+// A sensor looks at a part, and what is believed of its pose becomes what the sensor tells, in the
+// coordinates that it knows better (uncertainty::TakesOver).
 struct Look {
   PartId part;
   std::string sensor;
+  struct Takes {
+    bool x = true, y = true, z = true, yaw = true;
+  } takes = {};
 };
 
 using Command = std::variant<MoveAtSafeHeight, MoveStraight, OpenGripper, CloseGripper, Look>;

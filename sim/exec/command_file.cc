@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "sim/exec/action_commands.h"
-
 namespace assay::exec {
 namespace {
 
@@ -33,9 +31,11 @@ struct TextOf {
 
 CommandFile CommandFileOf(const domain::Problem& problem, const plan::Plan& plan) {
   CommandFile file;
+  WorldModel world(problem);
   for (const plan::StepId id : plan.ExecutionOrder()) {
-    const auto commands = [&](const auto& action) { return CommandsFor(problem, action); };
-    file.steps.push_back({id, std::visit(commands, plan.step(id).action)});
+    file.steps.push_back(CommandsFor(problem, world, plan.step(id)));
+    file.steps.back().step = id;
+    for (const Command& command : file.steps.back().InOrder()) world.Foresee(command);
   }
   file.home.X_WorldTool = HomeTool(*problem.workcell);
   return file;
@@ -47,7 +47,7 @@ std::string Text(const domain::Problem& problem, const plan::Plan& plan, const C
     const plan::PlannedStep& planned = plan.step(step.step);
     text +=
         fmt::format("{} {}: {}\n", planned.executed, planned.name, Text(problem, planned.action));
-    for (const Command& command : step.commands) text += "    " + Text(problem, command) + "\n";
+    for (const Command& command : step.InOrder()) text += "    " + Text(problem, command) + "\n";
   }
   return text + "home\n    " + Text(problem, file.home) + "\n";
 }

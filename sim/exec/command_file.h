@@ -3,18 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/exec/command.h"
+#include "sim/exec/action_commands.h"
 
 namespace assay::exec {
 
-// The commands of one step of a plan.
-struct StepCommands {
-  plan::StepId step;
-  std::vector<Command> commands;
-};
-
 // A plan as the robot is told to execute it, in the order of execution (Spar, "Experimental
-// Results": each step becomes a function call, the calls are collected in a command file).
+// Results": each step becomes a function call, the calls are collected in a command file), if
+// sensing tells nothing new and nothing goes wrong.
 struct CommandFile {
   std::vector<StepCommands> steps;
   MoveAtSafeHeight home;  // at the end

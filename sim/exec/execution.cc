@@ -7,12 +7,14 @@
 #include <set>
 
 #include "sim/exec/straight_line.h"
+#include "sim/exec/travel.h"
 
 namespace assay::exec {
 namespace {
 
 // Contact forces of stiff contacts jump from step to step: a stop needs a force that lasts.
-constexpr double kForceFilter = 0.02;  // seconds
+constexpr double kForceFilter = 0.02;   // seconds
+constexpr double kTouchFilter = 0.001;  // seconds
 
 std::vector<std::pair<std::string, std::string>> ContactPairs(const mujoco::Data& data) {
   std::set<std::pair<std::string, std::string>> pairs;
@@ -43,8 +45,12 @@ Execution::Execution(const domain::Problem& problem, const scene::Scene& scene, 
       trace_(EmptyTrace(problem)),
       commanded_{scene.ArmPosition(data), JointVector::Zero()} {}
 
+Pose Execution::BelievedTool() const {
+  return ToolAt(*problem_.workcell, commanded_.q) * hand_error_.inverse();
+}
+
 Moment Execution::Now() const {
-  const Pose X_WorldTool = ToolAt(*problem_.workcell, commanded_.q);
+  const Pose X_WorldTool = BelievedTool();
   Moment now{.time = data_.time(),
              .tool = {scene_.ToolPose(data_), X_WorldTool},
              .opening = scene_.Opening(data_),
@@ -53,8 +59,26 @@ Moment Execution::Now() const {
   for (int i = 0; i < world_.part_count(); ++i) {
     now.parts.push_back(
         {scene_.TruePose(data_, PartId(i)), world_.PartPose(PartId(i), X_WorldTool)});
+    now.table_heights.push_back(scene_.TableHeight(data_, PartId(i)));
   }
   return now;
+}
+
+// A joint move to the nearest joint values that bring the tool there.
+Progress Execution::TakeUpHandError(const Pose& error) {
+  const domain::Workcell& workcell = *problem_.workcell;
+  const Pose X_WorldTool = BelievedTool() * error;
+  hand_error_ = error;
+  std::optional<JointVector> nearest;
+  for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), commanded_.q)) {
+    const auto q = workcell.arm().NearestInRange(s.q, commanded_.q);
+    if (!q) continue;
+    const auto turn = [&](const JointVector& to) { return (to - commanded_.q).norm(); };
+    if (!nearest || turn(*q) < turn(*nearest)) nearest = *q;
+  }
+  if (!nearest) return Failure{ExecutionOutcome::kUnreachable, "the arm cannot take up an error"};
+  const JointTrajectory way = SynchronizedMove(commanded_.q, *nearest, RatesOf(workcell));
+  return Follow(way, way.duration());
 }
 
 // The servos bring the arm to a state by the time the step begins: after it, the arm is where the
@@ -68,6 +92,32 @@ Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from) 
     commanded_ = trajectory.At(time);
     if (Progress failure = Step()) return failure;
   }
+  return std::nullopt;
+}
+
+// What resists is felt as a force that was not there before the move: it grows by newtons in each
+// step once stiff things touch, so that a light filter against ripple is enough. At the end the
+// servos are told to hold the arm where it is, so that it does not go on pressing.
+Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
+                           const Guarded& guarded) {
+  const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
+  double resistance = 0;
+  double time = 0;
+  while (time < trajectory.duration()) {
+    const bool fine = time >= fine_from;
+    SetStepping(fine ? Stepping::kContact : Stepping::kFree);
+    servo_.Command(data_, commanded_.q, commanded_.qd);
+    time += data_.timestep();
+    commanded_ = trajectory.At(time);
+    if (Progress failure = Step()) return failure;
+    const double against = before - scene_.WristWrench(data_).force.dot(guarded.direction);
+    resistance += std::min(1.0, data_.timestep() / kTouchFilter) * (against - resistance);
+    if (!fine || resistance < guarded.force) continue;
+    commanded_ = {scene_.ArmPosition(data_), JointVector::Zero()};
+    trace_.events.push_back(GuardRecord{data_.time(), true, BelievedTool()});
+    return std::nullopt;
+  }
+  trace_.events.push_back(GuardRecord{data_.time(), false, BelievedTool()});
   return std::nullopt;
 }
 
@@ -90,6 +140,18 @@ void Execution::SetStepping(Stepping stepping) {
   data_.SetTimestep(free ? std::max(fine, options_.free_timestep) : fine);
 }
 
+Checkpoint Execution::Save() const {
+  return {data_.Save(), world_, commanded_, felt_, hand_error_};
+}
+
+void Execution::Restore(const Checkpoint& checkpoint) {
+  data_.Restore(checkpoint.state);
+  world_ = checkpoint.world;
+  commanded_ = checkpoint.commanded;
+  felt_ = checkpoint.felt;
+  hand_error_ = checkpoint.hand_error;
+}
+
 Progress Execution::Step() {
   data_.Step();
   SampleIfDue();
@@ -97,7 +159,7 @@ Progress Execution::Step() {
 }
 
 void Execution::SampleIfDue() {
-  if (data_.time() < samples_ / options_.sample_rate) return;
+  if (options_.sample_rate <= 0 || data_.time() < samples_ / options_.sample_rate) return;
   trace_.events.push_back(Sample{Now()});
   ++samples_;
 }

@@ -23,6 +23,16 @@ enum class Stepping {
   kFree,     // ExecutorOptions::free_timestep, if the hand is empty
 };
 
+// Where an execution is: what it takes to go on from there, in another execution of the same plan
+// in the same scene.
+struct Checkpoint {
+  mujoco::State state;
+  WorldModel world;
+  JointState commanded;
+  Vector3 felt = Vector3::Zero();
+  Pose hand_error = Pose::Identity();
+};
+
 // A plan on its way: the simulation, what the arm was last told, the world model and the trace.
 class Execution {
  public:
@@ -31,17 +41,40 @@ class Execution {
 
   const domain::Problem& problem() const { return problem_; }
   const scene::Scene& scene() const { return scene_; }
+  const ExecutorOptions& options() const { return options_; }
   mujoco::Data& data() { return data_; }
   WorldModel& world() { return world_; }
+  const WorldModel& world() const { return world_; }
   Trace& trace() { return trace_; }
 
   const JointVector& commanded() const { return commanded_.q; }
+  // Where the hand believes itself to be: where it was last told to go.
+  Pose BelievedTool() const;
   Moment Now() const;
+
+  // From now on the hand errs so (noise::Noise::HandError).
+  void SetHandError(const Pose& error) { hand_error_ = error; }
+  // The same, and it goes where it now believes itself to be.
+  Progress TakeUpHandError(const Pose& error);
+  // Where the hand truly goes when it is told to go to X_WorldTool.
+  Pose Erring(const Pose& X_WorldTool) const { return X_WorldTool * hand_error_; }
+  void SetStep(plan::StepId step) { step_ = step; }
+  plan::StepId step() const { return step_; }
 
   // The arm follows the trajectory, from `fine_from` (seconds from its start) on in small steps.
   Progress Follow(const JointTrajectory& trajectory, double fine_from);
+  // The same; over the fine part it stops where it feels the force against `direction`. Then the
+  // arm rests where it is.
+  struct Guarded {
+    double force = 0;
+    Vector3 direction = Vector3::Zero();
+  };
+  Progress Follow(const JointTrajectory& trajectory, double fine_from, const Guarded& guarded);
   // The arm stays where it was last told to be, for at least one timestep.
   Progress Stay(double seconds, Stepping stepping);
+
+  Checkpoint Save() const;
+  void Restore(const Checkpoint& checkpoint);
 
  private:
   void SetStepping(Stepping stepping);
@@ -59,6 +92,8 @@ class Execution {
   WorldModel world_;
   Trace trace_;
   JointState commanded_;
+  Pose hand_error_ = Pose::Identity();
+  plan::StepId step_;
   int samples_ = 0;
   Vector3 felt_ = Vector3::Zero();  // wrist force, low-pass filtered
 };

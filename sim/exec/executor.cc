@@ -1,40 +1,17 @@
 #include "sim/exec/executor.h"
 
 #include <algorithm>
+#include <cmath>
 
-#include "sim/exec/command_file.h"
-#include "sim/exec/execution.h"
+#include "sim/exec/action_commands.h"
+#include "sim/exec/step_execution.h"
 
 namespace assay::exec {
 namespace {
 
 constexpr double kRestDuration = 0.5;  // seconds
+constexpr double kSettling = 0.25;     // seconds
 constexpr double kCalmDown = 0.1;      // seconds before, for the change to small timesteps
-
-Progress RunAll(std::span<const Command> commands, Execution& execution) {
-  for (std::size_t i = 0; i < commands.size(); ++i) {
-    const auto run = [&](const auto& command) {
-      return Run(command, commands.subspan(i + 1), execution);
-    };
-    if (Progress failure = std::visit(run, commands[i])) return failure;
-  }
-  return std::nullopt;
-}
-
-Progress RunStep(const plan::Plan& plan, const StepCommands& step, const ExecutorOptions& options,
-                 Execution& execution) {
-  const plan::PlannedStep& planned = plan.step(step.step);
-  Progress failure = RunAll(step.commands, execution);
-  if (failure) {
-    failure->reason = planned.name + ": " + failure->reason;
-    return failure;
-  }
-  const StepEnd end{step.step, planned.name, Text(execution.problem(), planned.action),
-                    execution.Now()};
-  execution.trace().events.push_back(end);
-  if (options.on_step_end) options.on_step_end(end, execution.data());
-  return std::nullopt;
-}
 
 Progress Rest(Execution& execution) {
   const scene::Scene& scene = execution.scene();
@@ -55,21 +32,59 @@ Progress Rest(Execution& execution) {
   return std::nullopt;
 }
 
-Progress RunFile(const plan::Plan& plan, const CommandFile& file, const ExecutorOptions& options,
-                 Execution& execution) {
-  for (const StepCommands& step : file.steps) {
-    if (Progress failure = RunStep(plan, step, options, execution)) return failure;
+Progress RunPlan(const plan::Plan& plan, Execution& execution) {
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    StepExecution step(plan, id, execution);
+    if (Progress failure = step.Approach()) return failure;
+    if (Progress failure = step.Work()) return failure;
+    if (id == execution.options().last) return std::nullopt;
   }
-  if (Progress failure = Run(file.home, {}, execution)) return failure;
+  const MoveAtSafeHeight home{HomeTool(*execution.problem().workcell)};
+  if (Progress failure = Run(home, {}, execution)) return failure;
   return Rest(execution);
 }
 
 }  // namespace
 
+scene::SceneOptions TrueScene(scene::SceneOptions options, const noise::Noise& noise) {
+  options.clearance_error += noise.Of(noise::Effect::kClearance);
+  options.friction_error += noise.Of(noise::Effect::kFriction);
+  options.pad_friction_error += noise.Of(noise::Effect::kPadFriction);
+  return options;
+}
+
+std::vector<Pose> RestingPoses(const domain::Problem& problem, const scene::Scene& scene) {
+  mujoco::Data data = scene.Start();
+  while (data.time() < kSettling) data.Step();
+  std::vector<Pose> poses;
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    const Pose& placed = problem.parts[p].X_WorldPart;
+    const Pose settled = scene.TruePose(data, PartId(p));
+    const geometry::Matrix3 turn = placed.linear() * settled.linear().transpose();
+    Pose X_WorldPart =
+        geometry::RotationZ(std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1))) * settled;
+    X_WorldPart.translation() = placed.translation();
+    X_WorldPart.translation().z() = settled.translation().z();
+    poses.push_back(X_WorldPart);
+  }
+  return poses;
+}
+
+mujoco::Data StartOf(const domain::Problem& problem, const scene::Scene& scene,
+                     const noise::Noise& noise) {
+  const std::vector<Pose> resting = RestingPoses(problem, scene);
+  mujoco::Data data = scene.Start();
+  for (std::size_t p = 0; p < resting.size(); ++p) {
+    scene.SetTableHeight(data, PartId(p), noise.TableHeight(PartId(p)));
+    scene.SetPart(data, PartId(p), noise.TruePose(PartId(p), resting[p]));
+  }
+  return data;
+}
+
 Trace Execute(const domain::Problem& problem, const plan::Plan& plan, const scene::Scene& scene,
               mujoco::Data& data, const ExecutorOptions& options) {
   Execution execution(problem, scene, data, options);
-  const Progress failure = RunFile(plan, CommandFileOf(problem, plan), options, execution);
+  const Progress failure = RunPlan(plan, execution);
   ExecutionEnd end{.moment = execution.Now()};
   if (failure) {
     end.outcome = failure->outcome;

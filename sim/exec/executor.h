@@ -1,20 +1,41 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "planner/plan/plan.h"
 #include "sim/exec/trace.h"
+#include "sim/noise/noise.h"
 #include "sim/scene/scene.h"
+#include "sim/sense/pose_sensor.h"
 
 namespace assay::exec {
 
 struct ExecutorOptions {
-  double sample_rate = 50;       // moments of the trace's series per simulated second
+  double sample_rate = 50;       // moments of the trace's series per simulated second; 0: none
   double free_timestep = 0.002;  // seconds, while the empty hand touches nothing
   double force_limit = 300;      // newtons at the wrist, then the arm stops
+  noise::Noise noise = {};       // what is wrong with the world, the hand and the sensors
+  bool recovers = true;          // from errors that verifications signal; false: it ends there
+  plan::StepId last = plan::StepId::None();  // the execution ends with this step; None: the last
+  // Looks at the parts; null: sensors err as the noise says.
+  sense::PoseSensor* sensor = nullptr;
   // Told of the end of each step as it comes, with the simulation: to take a picture of it.
   std::function<void(const StepEnd&, const mujoco::Data&)> on_step_end = {};
 };
+
+// The scene's options of a world with this noise.
+scene::SceneOptions TrueScene(scene::SceneOptions options, const noise::Noise& noise);
+
+// Where the parts rest without errors: places and yaws as the problem says, heights and tilts as
+// they come to rest in the engine. Otherwise a part that leans would slide by hundredths of a
+// millimetre at first, and its error would not be the one that was drawn.
+std::vector<Pose> RestingPoses(const domain::Problem& problem, const scene::Scene& scene);
+
+// A simulation at the start of a trial: the parts where they truly are, on tables as high as they
+// truly are.
+mujoco::Data StartOf(const domain::Problem& problem, const scene::Scene& scene,
+                     const noise::Noise& noise);
 
 // Executes a plan, asking the planner nothing. `data` is a simulation of `scene` at the start of
 // the trial, the parts wherever they truly are, and afterwards at its end. The problem tells where

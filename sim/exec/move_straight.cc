@@ -8,8 +8,9 @@ namespace assay::exec {
 
 Progress Run(const MoveStraight& move, std::span<const Command>, Execution& execution) {
   const domain::Workcell& workcell = *execution.problem().workcell;
-  const LineResult line =
-      FollowLine(workcell, execution.commanded(), move.X_WorldTool.translation());
+  const Vector3 start = ToolAt(workcell, execution.commanded()).translation();
+  const Vector3 end = execution.Erring(move.X_WorldTool).translation();
+  const LineResult line = FollowLine(workcell, execution.commanded(), end);
   if (!line.path) {
     const Vector3 p = 1e3 * line.stuck_at;
     return Failure{ExecutionOutcome::kUnreachable,
@@ -18,7 +19,9 @@ Progress Run(const MoveStraight& move, std::span<const Command>, Execution& exec
                                p.x(), p.y(), p.z())};
   }
   const TimedLine timed = WithTimes(*line.path, move.pace, RatesOf(workcell));
-  return execution.Follow(timed.trajectory, timed.final_from);
+  if (!move.guard) return execution.Follow(timed.trajectory, timed.final_from);
+  return execution.Follow(timed.trajectory, timed.final_from,
+                          {move.guard->force, (end - start).normalized()});
 }
 
 }  // namespace assay::exec

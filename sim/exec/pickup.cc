@@ -2,16 +2,18 @@
 
 namespace assay::exec {
 
-std::vector<Command> CommandsFor(const domain::Problem& problem, const plan::Pickup& pickup) {
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Pickup& pickup) {
   const domain::Workcell& workcell = *problem.workcell;
-  const Pose grasp = pickup.from.X_WorldPart * pickup.hold.X_PartTool;
+  const Pose grasp = world.PartPose(pickup.part) * pickup.hold.X_PartTool;
   const Pose retreated = Retreated(workcell, grasp);
-  return {OpenGripper{},
-          MoveAtSafeHeight{AtSafeHeight(workcell, retreated)},
-          MoveStraight{retreated, kFreePace},
-          MoveStraight{grasp, kFingersPace},
-          CloseGripper{pickup.part, pickup.hold},
-          MoveStraight{AtSafeHeight(workcell, grasp), kFreePace}};
+  return {.approach = {OpenGripper{}, MoveAtSafeHeight{AtSafeHeight(workcell, retreated)},
+                       MoveStraight{retreated, kFreePace}},
+          .advance = {MoveStraight{grasp, kFingersPace, Guard{kResistance}}},
+          .act = {CloseGripper{pickup.part, pickup.hold}},
+          .depart = {MoveStraight{AtSafeHeight(workcell, grasp), kFreePace}},
+          .withdraw = {OpenGripper{OpenGripper::Release{pickup.part, world.PartPose(pickup.part)}},
+                       MoveStraight{retreated, kFingersPace}}};
 }
 
 }  // namespace assay::exec

@@ -2,15 +2,19 @@
 
 namespace assay::exec {
 
-std::vector<Command> CommandsFor(const domain::Problem& problem, const plan::Putdown& putdown) {
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel&,
+                         const plan::Putdown& putdown) {
   const domain::Workcell& workcell = *problem.workcell;
-  const Pose placed = geometry::Translation(0, 0, kReleaseHeight) * putdown.to.X_WorldPart *
-                      putdown.hold.X_PartTool;
+  const double travel = workcell.rules().guarded_travel;
+  const Pose placed = putdown.to.X_WorldPart * putdown.hold.X_PartTool;
+  const Pose lowest = geometry::Translation(0, 0, -travel) * placed;
   const Pose retreated = Retreated(workcell, placed);
-  return {MoveAtSafeHeight{AtSafeHeight(workcell, placed)}, MoveStraight{placed, kLandingPace},
-          OpenGripper{OpenGripper::Release{putdown.part, putdown.to.X_WorldPart}},
-          MoveStraight{retreated, kFingersPace},
-          MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}};
+  return {.approach = {MoveAtSafeHeight{AtSafeHeight(workcell, placed)}},
+          .advance = {MoveStraight{lowest, LandingPace(travel), Guard{kResistance}}},
+          .depart = {OpenGripper{OpenGripper::Release{putdown.part, putdown.to.X_WorldPart}},
+                     MoveStraight{retreated, kFingersPace},
+                     MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}},
+          .withdraw = {MoveStraight{AtSafeHeight(workcell, placed), kFreePace}}};
 }
 
 }  // namespace assay::exec

@@ -2,8 +2,10 @@
 
 namespace assay::exec {
 
-std::vector<Command> CommandsFor(const domain::Problem& problem, const plan::Sense& sense) {
-  return {MoveAtSafeHeight{HomeTool(*problem.workcell)}, Look{sense.part, sense.sensor}};
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel&,
+                         const plan::Sense& sense) {
+  return {.approach = {MoveAtSafeHeight{HomeTool(*problem.workcell)}},
+          .act = {Look{sense.part, sense.sensor}}};
 }
 
 }  // namespace assay::exec

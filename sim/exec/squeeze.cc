@@ -2,18 +2,20 @@
 
 namespace assay::exec {
 
-std::vector<Command> CommandsFor(const domain::Problem& problem, const plan::Squeeze& squeeze) {
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Squeeze& squeeze) {
   const domain::Workcell& workcell = *problem.workcell;
-  const Pose grasp = squeeze.at.X_WorldPart * squeeze.hold.X_PartTool;
+  const Pose X_WorldPart = world.PartPose(squeeze.part);
+  const Pose grasp = X_WorldPart * squeeze.hold.X_PartTool;
   const Pose retreated = Retreated(workcell, grasp);
-  return {OpenGripper{},
-          MoveAtSafeHeight{AtSafeHeight(workcell, retreated)},
-          MoveStraight{retreated, kFreePace},
-          MoveStraight{grasp, kFingersPace},
-          CloseGripper{squeeze.part, squeeze.hold},
-          OpenGripper{OpenGripper::Release{squeeze.part, squeeze.at.X_WorldPart}},
-          MoveStraight{retreated, kFingersPace},
-          MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}};
+  const OpenGripper let_go{OpenGripper::Release{squeeze.part, X_WorldPart}};
+  return {.approach = {OpenGripper{}, MoveAtSafeHeight{AtSafeHeight(workcell, retreated)},
+                       MoveStraight{retreated, kFreePace}},
+          .advance = {MoveStraight{grasp, kFingersPace, Guard{kResistance}}},
+          .act = {CloseGripper{squeeze.part, squeeze.hold}},
+          .depart = {let_go, MoveStraight{retreated, kFingersPace},
+                     MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}},
+          .withdraw = {let_go, MoveStraight{retreated, kFingersPace}}};
 }
 
 }  // namespace assay::exec

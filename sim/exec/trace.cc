@@ -41,11 +41,39 @@ class TraceWriter {
             {"holds", fact.holds()}};
   }
   Json operator()(const LookRecord& look) const {
-    return {{"kind", "look"},
-            {"time", look.time},
-            {"part", Name(look.part)},
-            {"sensor", look.sensor},
-            {"believed", ToJson(look.believed)}};
+    Json json = {{"kind", "look"},        {"time", look.time},   {"part", Name(look.part)},
+                 {"sensor", look.sensor}, {"found", look.found}, {"before", ToJson(look.before)}};
+    if (look.found) json["measured"] = ToJson(look.measured);
+    json["believed"] = ToJson(look.believed);
+    return json;
+  }
+  Json operator()(const GuardRecord& guard) const {
+    return {{"kind", "guard"},
+            {"time", guard.time},
+            {"resisted", guard.resisted},
+            {"tool", ToJson(guard.tool)}};
+  }
+  Json operator()(const Milestone& milestone) const {
+    Json json = Of("milestone", milestone.moment);
+    json["step"] = milestone.step.index();
+    json["stage"] = exec::Name(milestone.stage);
+    return json;
+  }
+  Json operator()(const VerificationRecord& check) const {
+    return {{"kind", "verification"},       {"time", check.time},
+            {"step", check.step.index()},   {"name", check.name},
+            {"measured", check.measured},   {"expected", check.expected},
+            {"tolerance", check.tolerance}, {"error", check.error}};
+  }
+  Json operator()(const RecoveryRecord& recovery) const {
+    const auto strategy = static_cast<std::size_t>(recovery.strategy);
+    return {{"kind", "recovery"},
+            {"time", recovery.time},
+            {"step", recovery.step.index()},
+            {"error", recovery.error},
+            {"strategy", domain::RecoveryStrategyNames()[strategy]},
+            {"attempt", recovery.attempt},
+            {"offset", ToJson(recovery.offset)}};
   }
   Json operator()(const StepEnd& end) const {
     Json json = Of("step", end.moment);
@@ -83,6 +111,7 @@ class TraceWriter {
         {"opening", moment.opening},
         {"wrist", {{"force", ToJson(moment.wrist.force)}, {"torque", ToJson(moment.wrist.torque)}}},
         {"parts", parts},
+        {"table_heights", moment.table_heights},
         {"contacts", contacts}};
   }
   const std::string& Name(PartId part) const { return trace_.parts[part.index()]; }
@@ -96,6 +125,19 @@ bool GraspFact::holds() const {
   return pads_touch && std::abs(opening - expected_width) <= kGraspTolerance;
 }
 
+std::string_view Name(Stage stage) {
+  switch (stage) {
+    case Stage::kPoised:
+      return "poised";
+    case Stage::kReached:
+      return "reached";
+    case Stage::kActed:
+      return "acted";
+  }
+  ASSAY_CHECK(false, "a stage that the switch does not know");
+  return {};
+}
+
 std::string_view Name(ExecutionOutcome outcome) {
   switch (outcome) {
     case ExecutionOutcome::kDone:
@@ -106,6 +148,10 @@ std::string_view Name(ExecutionOutcome outcome) {
       return "overload";
     case ExecutionOutcome::kEngineWarning:
       return "engine-warning";
+    case ExecutionOutcome::kNotFound:
+      return "not-found";
+    case ExecutionOutcome::kOperatorCalled:
+      return "operator-called";
   }
   ASSAY_CHECK(false, "an outcome that the switch does not know");
   return {};

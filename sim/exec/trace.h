@@ -23,6 +23,7 @@ struct Moment {
   double time = 0;  // simulated seconds since the start
   TrueAndBelieved tool;
   std::vector<TrueAndBelieved> parts = {};  // by PartId
+  std::vector<double> table_heights = {};   // under each, metres; believed to be 0
   double opening = 0;                       // metres between the pads
   scene::Wrench wrist;                      // Scene::WristWrench
   // Names of bodies that touch, each pair once, in alphabetical order.
@@ -45,13 +46,57 @@ struct GraspFact {
 };
 inline constexpr double kGraspTolerance = 0.001;  // metres
 
-// That a sensor was to look at a part, and where the part is believed to be. Nothing is measured
-// (Look).
+// What a sensor told of a part, world frame.
 struct LookRecord {
   double time = 0;
   PartId part;
   std::string sensor;
-  Pose believed;  // world frame
+  bool found = true;
+  Pose measured;  // if found
+  TrueAndBelieved before;
+  Pose believed;  // afterwards
+};
+
+// How a guarded move ended.
+struct GuardRecord {
+  double time = 0;
+  bool resisted = false;  // before its end
+  Pose tool;              // where the hand believes itself to be
+};
+
+// What is reached in a step.
+enum class Stage {
+  kPoised,   // the tool is before or above its work
+  kReached,  // it is where it acts: the pads beside the part, the held part down or seated
+  kActed,    // the pads are closed, the sensor has looked
+};
+std::string_view Name(Stage stage);  // "poised"
+
+struct Milestone {
+  plan::StepId step;
+  Stage stage;
+  Moment moment;
+};
+
+// What a verification measured (Spar, figure 11).
+struct VerificationRecord {
+  double time = 0;
+  plan::StepId step;
+  std::string name;
+  double measured = 0;  // metres
+  double expected = 0;
+  double tolerance = 0;
+  std::string error;  // signalled; empty: none
+};
+
+// What was done about an error (Spar, figure 12).
+struct RecoveryRecord {
+  double time = 0;
+  plan::StepId step;
+  std::string error;
+  domain::RecoveryStrategy strategy;
+  int attempt = 0;                   // from 1; of a call of the operator 0
+  Vector3 offset = Vector3::Zero();  // of where it is tried, world frame, metres
 };
 
 // The end point of a step (Spar, figure 17).
@@ -74,10 +119,12 @@ struct RestRecord {
 
 // How the execution of a plan ended.
 enum class ExecutionOutcome {
-  kDone,           // every command was executed; what came of it, the checks tell
-  kUnreachable,    // the arm cannot go a way that a command wants
-  kOverload,       // the wrist felt more force than it may: protective stop
-  kEngineWarning,  // the engine's numbers cannot be trusted
+  kDone,            // every command was executed; what came of it, the checks tell
+  kUnreachable,     // the arm cannot go a way that a command wants
+  kOverload,        // the wrist felt more force than it may: protective stop
+  kEngineWarning,   // the engine's numbers cannot be trusted
+  kNotFound,        // a sensor did not see the part that it was to look at
+  kOperatorCalled,  // an error was signalled, and no recovery mended it
 };
 std::string_view Name(ExecutionOutcome outcome);
 
@@ -87,7 +134,9 @@ struct ExecutionEnd {
   Moment moment;
 };
 
-using TraceEvent = std::variant<Sample, GraspFact, LookRecord, StepEnd, RestRecord, ExecutionEnd>;
+using TraceEvent =
+    std::variant<Sample, GraspFact, LookRecord, GuardRecord, Milestone, VerificationRecord,
+                 RecoveryRecord, StepEnd, RestRecord, ExecutionEnd>;
 
 // All that is recorded about one execution, in the order of time.
 struct Trace {

@@ -21,4 +21,14 @@ void WorldModel::LetGo(PartId part, const Pose& X_WorldPart) {
   held_ = PartId::None();
 }
 
+void WorldModel::Believe(PartId part, const Pose& X_WorldPart) {
+  X_WorldPart_[part.index()] = X_WorldPart;
+}
+
+void WorldModel::Foresee(const Command& command) {
+  if (const auto* close = std::get_if<CloseGripper>(&command)) Take(close->part, close->hold);
+  const auto* open = std::get_if<OpenGripper>(&command);
+  if (open != nullptr && open->release) LetGo(open->release->part, open->release->X_WorldPart);
+}
+
 }  // namespace assay::exec

@@ -113,6 +113,13 @@ Pose Data::SitePose(SiteId site) const {
   return PoseAt(data_->site_xpos + 3 * site.index(), data_->site_xmat + 9 * site.index());
 }
 
+double Data::GeomHeight(GeomId geom) const { return own_model_->geom_pos[3 * geom.index() + 2]; }
+
+void Data::SetGeomHeight(GeomId geom, double z) {
+  own_model_->geom_pos[3 * geom.index() + 2] = z;
+  Forward();
+}
+
 bool Data::IsActive(EqualityId constraint) const {
   return own_model_->eq_active[constraint.index()] != 0;
 }
@@ -150,7 +157,8 @@ State Data::Save() const {
           .mocap_pos = Copied<double>(d.mocap_pos, 3 * m.nmocap),
           .mocap_quat = Copied<double>(d.mocap_quat, 4 * m.nmocap),
           .eq_active = Copied<std::uint8_t>(m.eq_active, m.neq),
-          .eq_data = Copied<double>(m.eq_data, mjNEQDATA * m.neq)};
+          .eq_data = Copied<double>(m.eq_data, mjNEQDATA * m.neq),
+          .geom_pos = Copied<double>(m.geom_pos, 3 * m.ngeom)};
 }
 
 void Data::Restore(const State& state) {
@@ -168,6 +176,7 @@ void Data::Restore(const State& state) {
   CopyBack(state.mocap_quat, 4 * m.nmocap, d.mocap_quat);
   CopyBack(state.eq_active, m.neq, m.eq_active);
   CopyBack(state.eq_data, mjNEQDATA * m.neq, m.eq_data);
+  CopyBack(state.geom_pos, 3 * m.ngeom, m.geom_pos);
   Forward();
   // Last, because Forward leaves its own accelerations there.
   CopyBack(state.qacc_warmstart, m.nv, d.qacc_warmstart);

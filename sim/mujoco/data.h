@@ -27,8 +27,8 @@ class Data {
   explicit Data(const Model& model);
 
   const Model& model() const { return model_; }
-  // The engine's structures; `own_model` differs from model() in the equality constraints
-  // and the timestep only.
+  // The engine's structures; `own_model` differs from model() in the equality constraints,
+  // the heights of geoms and the timestep only.
   mjData_* get() { return data_.get(); }
   const mjData_* get() const { return data_.get(); }
   const mjModel_* own_model() const { return own_model_.get(); }
@@ -51,6 +51,10 @@ class Data {
 
   geometry::Pose BodyPose(BodyId body) const;  // X_WorldBody
   geometry::Pose SitePose(SiteId site) const;  // X_WorldSite
+
+  // z of a geom's origin in the frame of its body, metres.
+  double GeomHeight(GeomId geom) const;
+  void SetGeomHeight(GeomId geom, double z);
 
   bool IsActive(EqualityId constraint) const;
   void Deactivate(EqualityId constraint);

@@ -21,6 +21,7 @@ struct State {
   std::vector<double> mocap_quat;
   std::vector<std::uint8_t> eq_active;  // of the equality constraints, which the engine keeps in
   std::vector<double> eq_data;          // its model
+  std::vector<double> geom_pos;         // of all geoms, likewise
 
   bool operator==(const State&) const = default;
 };

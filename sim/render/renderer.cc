@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "planner/base/check.h"
 #include "planner/base/input_error.h"
@@ -19,28 +20,50 @@ constexpr int kFontScale = 100;
 
 using ModelCopy = std::unique_ptr<mjModel, void (*)(mjModel*)>;
 
-// The engine takes the size of its framebuffer from the model.
-ModelCopy WithFramebuffer(const mjModel* model, int width, int height) {
+// The engine takes the size of its framebuffers from the model.
+ModelCopy WithFramebuffers(const mjModel* model, int width, int height, Effects effects) {
   ModelCopy copy(mj_copyModel(nullptr, model), mj_deleteModel);
   copy->vis.global.offwidth = width;
   copy->vis.global.offheight = height;
+  if (effects == Effects::kNone) copy->vis.quality.shadowsize = 0;
   return copy;
+}
+
+// As the engine makes it of a camera of the model.
+mjvGLCamera ToEngine(const FreeCamera& camera, const mjModel& model) {
+  const geometry::Matrix3 R = camera.X_WorldCamera.linear();
+  mjvGLCamera view{};
+  for (int i = 0; i < 3; ++i) {
+    view.pos[i] = static_cast<float>(camera.X_WorldCamera.translation()[i]);
+    view.forward[i] = static_cast<float>(-R(i, 2));
+    view.up[i] = static_cast<float>(R(i, 1));
+  }
+  view.frustum_near = static_cast<float>(model.vis.map.znear * model.stat.extent);
+  view.frustum_far = static_cast<float>(model.vis.map.zfar * model.stat.extent);
+  view.frustum_top = static_cast<float>(view.frustum_near * std::tan(camera.vertical_angle / 2));
+  view.frustum_bottom = -view.frustum_top;
+  return view;
 }
 
 }  // namespace
 
 // Members in the order of construction: what draws is freed before the context that it needs.
 struct Renderer::Contents {
-  Contents(const mujoco::Model& model, int picture_width, int picture_height)
+  Contents(const mujoco::Model& model, int picture_width, int picture_height, Effects effects)
       : width(picture_width),
         height(picture_height),
         context(OffscreenContext::Create()),
-        engine_model(
-            WithFramebuffer(model.get(), width * kSupersampling, height * kSupersampling)) {
+        engine_model(WithFramebuffers(model.get(), width * kSupersampling, height * kSupersampling,
+                                      effects)) {
     mjv_defaultScene(&shapes);
     mjr_defaultContext(&drawing);
     context->MakeCurrent();
     mjv_makeScene(engine_model.get(), &shapes, kMostShapes);
+    if (effects == Effects::kNone) {
+      for (const mjtRndFlag effect : {mjRND_SHADOW, mjRND_REFLECTION, mjRND_SKYBOX}) {
+        shapes.flags[effect] = 0;
+      }
+    }
     mjr_makeContext(engine_model.get(), &drawing, kFontScale);
     mjr_setBuffer(mjFB_OFFSCREEN, &drawing);
     if (drawing.currentBuffer != mjFB_OFFSCREEN) {
@@ -52,6 +75,25 @@ struct Renderer::Contents {
     mjr_freeContext(&drawing);
     mjv_freeScene(&shapes);
   }
+  // What there is to see; the camera stands where `view` says.
+  void Update(const mujoco::Data& data, mjvCamera view) {
+    mjvOption options;
+    mjv_defaultOption(&options);
+    context->MakeCurrent();
+    // The engine only reads the data here, but does not say so in its signature.
+    mjv_updateScene(engine_model.get(), const_cast<mjData*>(data.get()), &options, nullptr, &view,
+                    mjCAT_ALL, &shapes);
+  }
+
+  Image Draw() {
+    Image large{width * kSupersampling, height * kSupersampling, {}};
+    large.rgb.resize(std::size_t{3} * large.width * large.height);
+    const mjrRect viewport{0, 0, large.width, large.height};
+    mjr_render(viewport, &shapes, &drawing);
+    mjr_readPixels(large.rgb.data(), nullptr, viewport, &drawing);
+    return FromSamples(large);
+  }
+
   Contents(const Contents&) = delete;
   Contents& operator=(const Contents&) = delete;
 
@@ -63,11 +105,11 @@ struct Renderer::Contents {
   mjrContext drawing{};
 };
 
-Renderer::Renderer(const mujoco::Model& model, int width, int height) {
+Renderer::Renderer(const mujoco::Model& model, int width, int height, Effects effects) {
   ASSAY_CHECK(std::min(width, height) >= 1 && std::max(width, height) <= kLargestSide,
               "a picture of {} by {} pixels", width, height);
   mujoco::HandleEngineMessages();
-  contents_ = std::make_unique<Contents>(model, width, height);
+  contents_ = std::make_unique<Contents>(model, width, height, effects);
 }
 
 Renderer::~Renderer() = default;
@@ -75,23 +117,23 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
 Image Renderer::Render(const mujoco::Data& data, mujoco::CameraId camera) {
-  Contents& c = *contents_;
   mjvCamera view;
   mjv_defaultCamera(&view);
   view.type = mjCAMERA_FIXED;
   view.fixedcamid = camera.index();
-  mjvOption options;
-  mjv_defaultOption(&options);
-  c.context->MakeCurrent();
-  // The engine only reads the data here, but does not say so in its signature.
-  mjv_updateScene(c.engine_model.get(), const_cast<mjData*>(data.get()), &options, nullptr, &view,
-                  mjCAT_ALL, &c.shapes);
-  Image large{c.width * kSupersampling, c.height * kSupersampling, {}};
-  large.rgb.resize(std::size_t{3} * large.width * large.height);
-  const mjrRect viewport{0, 0, large.width, large.height};
-  mjr_render(viewport, &c.shapes, &c.drawing);
-  mjr_readPixels(large.rgb.data(), nullptr, viewport, &c.drawing);
-  return FromSamples(large);
+  contents_->Update(data, view);
+  return contents_->Draw();
+}
+
+Image Renderer::Render(const mujoco::Data& data, const FreeCamera& camera) {
+  mjvCamera view;
+  mjv_defaultCamera(&view);
+  contents_->Update(data, view);
+  // The two eyes of the engine's stereo pictures, of which the others show the mean.
+  for (mjvGLCamera& eye : contents_->shapes.camera) {
+    eye = ToEngine(camera, *contents_->engine_model);
+  }
+  return contents_->Draw();
 }
 
 std::string AvailableRenderer() {

@@ -3,10 +3,23 @@
 #include <memory>
 #include <string>
 
+#include "planner/geometry/pose.h"
 #include "sim/mujoco/data.h"
 #include "sim/render/image.h"
 
 namespace assay::render {
+
+// A camera that stands in no model. It looks along its own -z, its y is up in the picture.
+struct FreeCamera {
+  geometry::Pose X_WorldCamera = geometry::Pose::Identity();
+  double vertical_angle = 0;  // of the whole picture, radians; pixels are square
+};
+
+// What costs time and only pleases the eye.
+enum class Effects {
+  kAll,   // shadows, reflections, sky
+  kNone,  // the shapes and their light alone
+};
 
 // Pictures of a simulation by the engine's own renderer, off screen: with OSMesa, or with EGL
 // without a surface where there is no OSMesa. Both are loaded when the first Renderer is made, so
@@ -16,12 +29,13 @@ class Renderer {
  public:
   // Throws EnvironmentError, naming the Debian package to install, if there is no renderer.
   // Sizes are 1 to 4096 pixels (checked).
-  Renderer(const mujoco::Model& model, int width, int height);
+  Renderer(const mujoco::Model& model, int width, int height, Effects effects = Effects::kAll);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
   Image Render(const mujoco::Data& data, mujoco::CameraId camera);
+  Image Render(const mujoco::Data& data, const FreeCamera& camera);
 
  private:
   struct Contents;

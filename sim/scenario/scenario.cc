@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "planner/base/document.h"
-#include "planner/domain/problem_file.h"
 #include "planner/domain/units.h"
 #include "sim/scenario/models_folder.h"
 
@@ -51,11 +50,16 @@ Simulation ReadSimulation(const Value& root) {
 
 }  // namespace
 
-Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {
+Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models,
+              const Overrides& overrides) {
   const Document document = Document::Load(file);
   document.RequireFormat("assay-scenario/1");
   Simulation simulation = ReadSimulation(document.root());
-  return {domain::ReadProblem(document, RequireModels(models)), std::move(simulation)};
+  return {domain::ReadProblem(document, RequireModels(models), overrides), std::move(simulation)};
+}
+
+Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {
+  return Load(file, models, Overrides{});
 }
 
 Scenario Load(const std::filesystem::path& file) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/problem_file.h"
 #include "sim/scene/mjcf.h"
 
 namespace assay::scenario {
@@ -29,5 +29,9 @@ struct Scenario {
 Scenario Load(const std::filesystem::path& file);
 // The same with these models.
 Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models);
+// The same for a sweep: {.clearance: metres instead of the file's, .error_scale: a factor}.
+using domain::Overrides;
+Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models,
+              const Overrides& overrides);
 
 }  // namespace assay::scenario

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/scene/robot_mjcf.h"
 #include "sim/scene/stage_mjcf.h"
 #include "sim/scene/supporting_boxes.h"
@@ -42,11 +44,18 @@ XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
 }
 
 // Bits of what a geom is, and masks of what it touches. A part has its exact boxes for parts and
-// gripper, and its supporting boxes for what it may rest on. Arm links touch nothing.
+// gripper, and its supporting boxes for what it may rest on: the floor, and a table of its own,
+// whose height may differ from what is under other parts. Arm links touch nothing.
 constexpr int kPart = 1;
 constexpr int kGripper = 2;
-constexpr int kGround = 4;
+constexpr int kFloor = 4;
 constexpr int kSupport = 8;
+// Of the tables of single parts: this one and the higher ones.
+constexpr int kFirstTable = 16;
+
+int TableBit(std::size_t part) {
+  return kFirstTable << static_cast<int>(std::min(part, kMostPartTables - 1));
+}
 
 XmlElement& AddTouchingClass(const char* name, int is, int touches, XmlElement& defaults) {
   return AddGeomClass(name, defaults)
@@ -56,16 +65,16 @@ XmlElement& AddTouchingClass(const char* name, int is, int touches, XmlElement& 
 
 // Shapes for collision alone are in group 3, which is not drawn.
 void AddTouchingClasses(XmlElement& defaults) {
-  AddTouchingClass("collision", kGripper, kPart | kGround, defaults).Set("group", "3");
+  AddTouchingClass("collision", kGripper, kPart | kFloor, defaults).Set("group", "3");
   AddTouchingClass("part", kPart, kPart | kGripper, defaults)
       .Set("type", "box")
       .Set("material", "part");
-  AddTouchingClass("support", kSupport, kGround, defaults).Set("type", "box").Set("group", "3");
-  AddTouchingClass("table", kGround, kGripper | kSupport, defaults)
+  AddTouchingClass("support", kSupport, kFloor, defaults).Set("type", "box").Set("group", "3");
+  AddTouchingClass("table", 0, kGripper, defaults)
       .Set("type", "box")
       .Set("material", "table")
       .Set("friction", {kGroundFriction, kTorsionFriction, kRollFriction});
-  AddTouchingClass("floor", kGround, kGripper | kSupport, defaults)
+  AddTouchingClass("floor", kFloor, kGripper | kSupport, defaults)
       .Set("type", "plane")
       .Set("size", "20 20 1")
       .Set("material", "floor")
@@ -81,6 +90,13 @@ void AddDefaults(XmlElement& mujoco) {
   defaults.Add("default").Set("class", "mark").Add("site").Set("group", "4").Set("size", "0.005");
 }
 
+double TrueFriction(double said, double error) { return std::max(0.0, said + error); }
+
+std::shared_ptr<const domain::PartModel> TrueModel(const Part& part, const SceneOptions& options) {
+  if (options.clearance_error == 0) return part.model;
+  return part.model->WithClearance(part.model->clearance() + options.clearance_error);
+}
+
 void AddMass(const geometry::MassProperties& mass, XmlElement& body) {
   const geometry::Matrix3& I = mass.inertia;
   body.Add("inertial")
@@ -89,9 +105,11 @@ void AddMass(const geometry::MassProperties& mass, XmlElement& body) {
       .Set("fullinertia", {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
 }
 
-void AddPart(const Part& part, const SceneOptions& options, XmlElement& worldbody) {
-  const domain::PartModel& model = *part.model;
-  const double friction = options.part_friction.value_or(model.friction());
+void AddPart(const Part& part, int table, const SceneOptions& options, XmlElement& worldbody) {
+  const std::shared_ptr<const domain::PartModel> true_model = TrueModel(part, options);
+  const domain::PartModel& model = *true_model;
+  const double friction =
+      TrueFriction(options.part_friction.value_or(model.friction()), options.friction_error);
   XmlElement& body =
       worldbody.Add("body").Set("name", "part/" + part.name).SetPose(part.X_WorldPart);
   body.Add("freejoint").Set("name", "part/" + part.name);
@@ -107,7 +125,9 @@ void AddPart(const Part& part, const SceneOptions& options, XmlElement& worldbod
     const Eigen::Vector4d color = model.colors()[i].cast<double>();
     add_box("part", model.boxes()[i]).Set("rgba", std::span(color.data(), 4));
   }
-  for (const geometry::Box& box : SupportingBoxes(model)) add_box("support", box);
+  for (const geometry::Box& box : SupportingBoxes(model)) {
+    add_box("support", box).Set("conaffinity", fmt::format("{}", kFloor | table));
+  }
 }
 
 void AddWelds(const Problem& problem, XmlElement& equality) {
@@ -132,8 +152,13 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   AddMaterials(mujoco.Add("asset"));
   XmlElement& worldbody = mujoco.Add("worldbody");
   AddStage(problem, worldbody);
-  AddRobot(*problem.workcell, worldbody);
-  for (const Part& part : problem.parts) AddPart(part, options, worldbody);
+  AddRobot(*problem.workcell,
+           TrueFriction(problem.workcell->rules().pad_friction, options.pad_friction_error),
+           worldbody);
+  for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+    AddPartTable(problem, {domain::PartId(i), TableBit(i)}, worldbody);
+    AddPart(problem.parts[i], TableBit(i), options, worldbody);
+  }
   XmlElement& equality = mujoco.Add("equality");
   AddFingerCoupling(equality);
   if (options.grasp == GraspMode::kWeld) AddWelds(problem, equality);

@@ -13,11 +13,15 @@ enum class GraspMode {
   kWeld,      // by a rigid constraint besides, to leave slip out of a study
 };
 
-// How the problem's world is simulated.
+// How the problem's world is simulated, and how the true one differs from the problem's.
 struct SceneOptions {
   double timestep = 0.0005;  // seconds
   GraspMode grasp = GraspMode::kFriction;
   std::optional<double> part_friction = std::nullopt;  // instead of the part files' values
+  // Truth minus what the problem says. No true friction is below 0.
+  double clearance_error = 0;     // metres on each side of a mated shaft
+  double friction_error = 0;      // of parts: than the part files' values, or part_friction
+  double pad_friction_error = 0;  // of the gripper's pads
 };
 
 // The whole workcell as a model for the engine, in its XML: floor, pedestal, table, arm, gripper,

@@ -103,18 +103,20 @@ void AddCollisions(const Link& link, double pad_friction, XmlElement& body) {
     std::visit(ShapeWriter{geom}, collision.shape);
     geom.SetPose(collision.X_LinkShape);
     if (collision.name == "pad") {
-      geom.Set("condim", "4").Set("friction", {pad_friction, kPadTorsionFriction, 0.0001});
+      // First by priority: else the engine would take the greater friction, which is the part's.
+      geom.Set("condim", "4")
+          .Set("priority", "1")
+          .Set("friction", {pad_friction, kPadTorsionFriction, 0.0001});
     } else {
       geom.Set("friction", {kFingerFriction, kPadTorsionFriction, 0.0001});
     }
   }
 }
 
-void AddGripper(const Workcell& workcell, XmlElement& flange) {
+void AddGripper(const Workcell& workcell, double pad_friction, XmlElement& flange) {
   const kinematics::Gripper& gripper = workcell.gripper();
   const RobotModel& model = gripper.model();
   const RobotWriter writer(model, "gripper/");
-  const double pad_friction = workcell.rules().pad_friction;
   XmlElement& hand = writer.AddRoot(geometry::Pose::Identity(), flange);
   AddCollisions(model.links.front(), pad_friction, hand);
   hand.Add("site").Set("name", "wrist").Set("class", "mark");
@@ -139,7 +141,7 @@ void AddServo(const std::string& joint, double stiffness, XmlElement& general) {
 
 }  // namespace
 
-void AddRobot(const Workcell& workcell, XmlElement& worldbody) {
+void AddRobot(const Workcell& workcell, double pad_friction, XmlElement& worldbody) {
   const RobotModel& model = workcell.arm().model();
   ASSAY_CHECK(model.joints.size() == kServoGains.size());
   const RobotWriter writer(model, "arm/");
@@ -150,7 +152,7 @@ void AddRobot(const Workcell& workcell, XmlElement& worldbody) {
         .Set("armature", kServoGains[i].armature)
         .Set("damping", kServoGains[i].damping);
   }
-  AddGripper(workcell, *body);
+  AddGripper(workcell, pad_friction, *body);
 }
 
 void AddFingerCoupling(XmlElement& equality) {

@@ -7,7 +7,8 @@ namespace assay::scene {
 
 // Adds arm and gripper under `worldbody`: links with their inertias; the arm's links are seen but
 // do not collide, hand and fingers do. Sites "tool" and "wrist" (the flange) are on the hand.
-void AddRobot(const domain::Workcell& workcell, XmlElement& worldbody);
+// `pad_friction` is that of the pads against whatever they touch.
+void AddRobot(const domain::Workcell& workcell, double pad_friction, XmlElement& worldbody);
 
 // Adds what couples the fingers, under `equality`.
 void AddFingerCoupling(XmlElement& equality);

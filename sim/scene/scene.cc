@@ -45,6 +45,8 @@ Scene::Scene(const domain::Problem& problem, const SceneOptions& options)
       model_(Model::FromMjcf(ToMjcf(problem, options))),
       arm_(FindArm(model_, problem.workcell->arm().model())),
       hand_(model_.Body("gripper/hand")),
+      table_(model_.Geom("table")),
+      table_middle_(-problem.workcell->table().thickness / 2),
       tool_(model_.Site("tool")),
       wrist_(model_.Site("wrist")),
       force_sensor_(model_.SensorAddress(model_.Sensor("wrist/force"))),
@@ -69,7 +71,8 @@ Scene::FreeBody Scene::FindPart(const std::string& name) const {
   return {.body = model_.Body("part/" + name),
           .qpos = model_.QposAddress(joint),
           .dof = model_.DofAddress(joint),
-          .weld = welds ? model_.Equality("weld/" + name) : mujoco::EqualityId::None()};
+          .weld = welds ? model_.Equality("weld/" + name) : mujoco::EqualityId::None(),
+          .table = model_.Geom("table/" + name)};
 }
 
 Data Scene::Start() const {
@@ -133,6 +136,18 @@ void Scene::SetPart(Data& data, PartId part, const Pose& X_WorldPart) const {
   std::copy(values.begin(), values.end(), data.qpos().begin() + body.qpos);
   std::fill_n(data.qvel().begin() + body.dof, 6, 0.0);
   data.Forward();
+}
+
+void Scene::SetTableHeight(Data& data, PartId part, double height) const {
+  data.SetGeomHeight(parts_[part.index()].table, table_middle_ + height);
+}
+
+double Scene::TableHeight(const Data& data, PartId part) const {
+  return data.GeomHeight(parts_[part.index()].table) - table_middle_;
+}
+
+void Scene::SetTableHeightUnderHand(Data& data, double height) const {
+  data.SetGeomHeight(table_, table_middle_ + height);
 }
 
 void Scene::AttachPart(Data& data, PartId part) const {

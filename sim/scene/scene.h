@@ -71,6 +71,12 @@ class Scene {
   // Puts a part somewhere, at rest: a jump, for the start of a trial.
   void SetPart(mujoco::Data& data, PartId part, const Pose& X_WorldPart) const;
 
+  // The table is this much higher, in metres, under one part; and where the hand works. Whatever
+  // rests there must be raised with it.
+  void SetTableHeight(mujoco::Data& data, PartId part, double height) const;
+  double TableHeight(const mujoco::Data& data, PartId part) const;
+  void SetTableHeightUnderHand(mujoco::Data& data, double height) const;
+
   // With GraspMode::kWeld, fixes the part to the tool where it is now; with kFriction, nothing.
   void AttachPart(mujoco::Data& data, PartId part) const;
   void DetachPart(mujoco::Data& data, PartId part) const;
@@ -94,6 +100,7 @@ class Scene {
     int qpos = 0;             // position, then quaternion w x y z
     int dof = 0;              // linear velocity in the world frame, then angular in the body's
     mujoco::EqualityId weld;  // None without welds
+    mujoco::GeomId table;
   };
   struct Finger {
     mujoco::BodyId body;
@@ -111,6 +118,8 @@ class Scene {
   std::array<Finger, 2> fingers_;
   std::vector<FreeBody> parts_;
   mujoco::BodyId hand_;
+  mujoco::GeomId table_;
+  double table_middle_ = 0;  // the height of a table's origin where its top is at 0
   mujoco::SiteId tool_;
   mujoco::SiteId wrist_;
   int force_sensor_ = 0;   // in sensordata

@@ -1,5 +1,7 @@
 #include "sim/scene/stage_mjcf.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "planner/base/check.h"
@@ -43,15 +45,21 @@ double FloorHeight(const domain::Workcell& workcell) {
   return workcell.X_WorldBase().translation().z() + lowest;
 }
 
-void AddTable(const domain::Workcell& workcell, XmlElement& worldbody) {
-  const domain::Table& table = workcell.table();
+XmlElement& AddTableTop(const domain::Table& table, const std::string& name,
+                        XmlElement& worldbody) {
   const Rectangle r = TableRectangle(table);
   const Vector2 half = r.half_extents();
-  worldbody.Add("geom")
-      .Set("name", "table")
+  return worldbody.Add("geom")
+      .Set("name", name)
       .Set("class", "table")
       .Set("size", {half.x(), half.y(), table.thickness / 2})
       .Set("pos", {r.center().x(), r.center().y(), -table.thickness / 2});
+}
+
+void AddTable(const domain::Workcell& workcell, XmlElement& worldbody) {
+  const domain::Table& table = workcell.table();
+  const Rectangle r = TableRectangle(table);
+  AddTableTop(table, "table", worldbody);
   const double leg = (-table.thickness - FloorHeight(workcell)) / 2;
   if (leg <= 0) return;
   constexpr double kLegHalfWidth = 0.03;
@@ -127,6 +135,20 @@ void AddCameras(const Problem& problem, XmlElement& worldbody) {
   AddCamera({"top", Vector3(table.x() - 0.05, 0, 2.6), {table.x() - 0.05, 0, 0}, 36}, worldbody);
 }
 
+// The eyes of the sensor "overhead-camera", above the table's corners: where the arm, at home, is
+// not between most of them and the table. Here they look at its middle; the sensor turns them.
+void AddSensorEyes(const Problem& problem, XmlElement& worldbody) {
+  const Vector2 table = TableRectangle(problem.workcell->table()).center();
+  const Vector3 middle(table.x(), table.y(), 0);
+  const auto add_eye = [&](const char* name, const Vector3& from_middle) {
+    AddCamera({name, middle + from_middle, middle, 40}, worldbody);
+  };
+  add_eye("overhead-eye-1", {0.80, -0.80, 1.6});
+  add_eye("overhead-eye-2", {0.80, 0.80, 1.6});
+  add_eye("overhead-eye-3", {-0.35, -1.10, 1.6});
+  add_eye("overhead-eye-4", {-0.35, 1.10, 1.6});
+}
+
 void AddLights(const Problem& problem, XmlElement& worldbody) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();
   worldbody.Add("light")
@@ -188,6 +210,14 @@ void AddStage(const Problem& problem, XmlElement& worldbody) {
   AddTable(workcell, worldbody);
   AddLights(problem, worldbody);
   AddCameras(problem, worldbody);
+  AddSensorEyes(problem, worldbody);
+}
+
+void AddPartTable(const Problem& problem, const PartTable& table, XmlElement& worldbody) {
+  AddTableTop(problem.workcell->table(), "table/" + problem.part(table.part).name, worldbody)
+      .Set("contype", fmt::format("{}", table.bit))
+      .Set("conaffinity", "0")
+      .Set("group", "3");
 }
 
 void AddVisualSettings(const Problem& problem, XmlElement& mujoco) {

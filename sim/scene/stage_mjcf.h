@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "planner/domain/problem.h"
 #include "sim/scene/xml_element.h"
 
@@ -9,8 +11,20 @@ namespace assay::scene {
 void AddMaterials(XmlElement& asset);
 
 // Adds what does not move, under `worldbody`: floor, table, lights, and the cameras "overview"
-// (the whole cell), "close" (the parts on the table), "side" and "top".
+// (the whole cell), "close" (the parts on the table), "side" and "top", and "overhead-eye-1" to
+// "overhead-eye-4" of the sensor "overhead-camera".
 void AddStage(const domain::Problem& problem, XmlElement& worldbody);
+
+// What a single part rests on, not drawn: the table, at a height of its own.
+struct PartTable {
+  domain::PartId part;
+  int bit = 0;  // that it is, and that the part touches
+};
+// The engine has 31 bits: parts from the 27th on share a table.
+inline constexpr std::size_t kMostPartTables = 27;
+
+// Adds it as "table/NAME" of the part.
+void AddPartTable(const domain::Problem& problem, const PartTable& table, XmlElement& worldbody);
 
 // Adds the pictures' settings, under `mujoco`.
 void AddVisualSettings(const domain::Problem& problem, XmlElement& mujoco);

@@ -56,6 +56,69 @@ Polygon SquareAround(const Face& face, const Vector3& center, double half) {
           c + Vector2(-half, half)};
 }
 
+void ExpectSameGeometry(const PartModel& a, const PartModel& b) {
+  ASSERT_EQ(a.boxes().size(), b.boxes().size());
+  for (std::size_t i = 0; i < a.boxes().size(); ++i) {
+    EXPECT_EQ(a.boxes()[i].X_FrameBox.matrix(), b.boxes()[i].X_FrameBox.matrix());
+    EXPECT_EQ(a.boxes()[i].half_extents, b.boxes()[i].half_extents);
+    EXPECT_EQ(a.colors()[i], b.colors()[i]);
+  }
+  EXPECT_EQ(a.mass().mass, b.mass().mass);
+  EXPECT_EQ(a.mass().center, b.mass().center);
+  EXPECT_EQ(a.mass().inertia, b.mass().inertia);
+  EXPECT_EQ(a.stable_poses().size(), b.stable_poses().size());
+  ASSERT_EQ(a.features().size(), b.features().size());
+  for (std::size_t i = 0; i < a.features().size(); ++i) {
+    EXPECT_EQ(a.features()[i].X_PartFeature.matrix(), b.features()[i].X_PartFeature.matrix());
+  }
+}
+
+TEST(WithClearance, IsThePartReadWithThatClearance) {
+  for (const std::string& name : PartNames()) {
+    const auto part = LoadPart(name, 0.0005);
+    EXPECT_EQ(part->clearance(), 0.0005);
+    ExpectSameGeometry(*part->WithClearance(0.0005), *part);
+    const auto wider = part->WithClearance(0.0008);
+    ExpectSameGeometry(*wider, *LoadPart(name, 0.0008));
+    ExpectSameGeometry(*wider->WithClearance(0.0005), *part);
+    EXPECT_EQ(part->MassWithClearance(0.0008).mass, wider->mass().mass) << name;
+    EXPECT_EQ(part->MassWithClearance(0.0008).center, wider->mass().center) << name;
+    EXPECT_EQ(part->MassWithClearance(0.0008).inertia, wider->mass().inertia) << name;
+  }
+}
+
+TEST(WithClearance, MovesTheWallsThatAreMarked) {
+  int moved = 0;
+  for (const std::string& name : PartNames()) {
+    const auto part = LoadPart(name, 0.0005);
+    const auto wider = part->WithClearance(0.0008);
+    for (std::size_t f = 0; f < part->features().size(); ++f) {
+      const auto& walls = part->features()[f].walls;
+      ASSERT_EQ(walls.size(), wider->features()[f].walls.size());
+      for (std::size_t w = 0; w < walls.size(); ++w) {
+        const Wall& after = wider->features()[f].walls[w];
+        EXPECT_EQ(walls[w].moves_with_clearance, after.moves_with_clearance);
+        const double back =
+            part->faces()[walls[w].face.index()].offset - wider->faces()[after.face.index()].offset;
+        EXPECT_NEAR(back, walls[w].moves_with_clearance ? 0.0003 : 0, 1e-15) << name;
+        moved += walls[w].moves_with_clearance ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GE(moved, 12) << "both sides of both axes of the holes of three parts";
+}
+
+TEST(WithClearance, BelowZeroTheHoleIsTooNarrow) {
+  const auto tight = LoadPart("block", 0.0005)->WithClearance(-0.0002);
+  EXPECT_GT(tight->mass().mass, LoadPart("block", 0)->mass().mass);
+}
+
+TEST(WithClearance, MustLeaveAPocketAndItsWalls) {
+  const auto block = LoadPart("block");
+  EXPECT_THROW(block->WithClearance(-1), InputError);
+  EXPECT_THROW(block->WithClearance(1), InputError);
+}
+
 TEST(PartModelTest, MassAndVolumeOfTheBlock) {
   const auto exact = LoadPart("block", 0);
   const double hole = 2.8 * 1.5 * 1.5, pin_hole = 0.5 * 0.25 * 0.25;

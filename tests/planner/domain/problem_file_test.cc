@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <numbers>
@@ -190,6 +191,89 @@ TEST(ProblemFile, APartMayLean) {
   text.replace(text.find(pose), pose.size(),
                "{columns: [[0.8, 0, -0.6], [0, 1, 0], [0.6, 0, 0.8], [24, -8, 2.2]]}");
   EXPECT_TRUE(ParseScenario(text).parts[2].resting.IsNone());
+}
+
+TEST(ProblemFile, ReadsTolerancesInTheFilesUnits) {
+  EXPECT_EQ(ParseScenario(kBrick).tolerances, Tolerances{});
+  EXPECT_EQ(ParseScenario(kBrick + "tolerances: {}\n").tolerances, Tolerances{});
+  const Problem problem = ParseScenario(
+      kBrick +
+      "clearance: 0.02\ntolerances: {clearance: 0.005, friction: 0.05, pad_friction: 0.1}\n");
+  EXPECT_NEAR(problem.tolerances.clearance, 0.005 * kInch, kTolerance);
+  EXPECT_EQ(problem.tolerances.friction, 0.05);
+  EXPECT_EQ(problem.tolerances.pad_friction, 0.1);
+  EXPECT_NEAR(problem.clearance, 0.02 * kInch, kTolerance) << "the middle stays";
+}
+
+// ---- Overrides ----
+
+Problem ParseWith(const std::string& text, const Overrides& overrides) {
+  return ReadProblem(Document::Parse(text, "scenario.yaml"), ModelsFolder(), overrides);
+}
+
+TEST(Overrides, AClearanceIsAsIfTheFileSaidSo) {
+  std::string text = ReadText(ScenarioPath("uncertain-known"));
+  const std::size_t said = text.find("clearance: 1\n");
+  ASSERT_NE(said, std::string::npos);
+  const Problem overridden = ParseWith(text, {.clearance = 0.0007});
+  const Problem written = ParseScenario(text.replace(said, 12, "clearance: 0.7"));
+  EXPECT_EQ(overridden.clearance, written.clearance);
+  ASSERT_EQ(overridden.parts.size(), written.parts.size());
+  for (std::size_t p = 0; p < written.parts.size(); ++p) {
+    const PartModel& a = *overridden.parts[p].model;
+    const PartModel& b = *written.parts[p].model;
+    ASSERT_EQ(a.boxes().size(), b.boxes().size());
+    for (std::size_t i = 0; i < a.boxes().size(); ++i) {
+      EXPECT_EQ(a.boxes()[i].half_extents, b.boxes()[i].half_extents);
+    }
+  }
+}
+
+std::string OverrideErrorOf(const std::string& text, const Overrides& overrides) {
+  try {
+    ParseWith(text, overrides);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Overrides, AClearanceIsChecked) {
+  EXPECT_THAT(OverrideErrorOf(kBrick, {.clearance = 0.02}),
+              HasSubstr("scenario.yaml:2:1: 0.02 m instead of this clearance is out of range; "
+                        "allowed: 1e-06 to 0.01 m"));
+  EXPECT_THAT(OverrideErrorOf(kBrick + "clearance: 0.02\n", {.clearance = std::nan("")}),
+              HasSubstr("scenario.yaml:15:12: nan m instead of this clearance"));
+  const std::string tolerant = kBrick + "tolerances: {clearance: 0.01}\n";
+  EXPECT_EQ(OverrideErrorOf(tolerant, {}), "no error");
+  EXPECT_THAT(OverrideErrorOf(tolerant, {.clearance = 0.0002}),
+              HasSubstr("0.01 is no tolerance of the clearance"));
+}
+
+void ExpectScaled(const PoseError& scaled, const PoseError& error, double scale) {
+  for (Interval PoseError::*range :
+       {&PoseError::x, &PoseError::y, &PoseError::z, &PoseError::theta}) {
+    EXPECT_EQ((scaled.*range).low, scale * (error.*range).low);
+    EXPECT_EQ((scaled.*range).high, scale * (error.*range).high);
+  }
+}
+
+TEST(Overrides, ErrorsOfPartsAndGripperAreScaledAndNothingElse) {
+  const std::string text =
+      ReadText(ScenarioPath("uncertain-sensing")) + "\ntolerances: {friction: 0.1}\n";
+  const Problem said = ParseScenario(text);
+  for (const double scale : {0.0, 0.1, 1.0, 2.5}) {
+    const Problem problem = ParseWith(text, {.error_scale = scale});
+    for (std::size_t p = 0; p < said.parts.size(); ++p) {
+      ExpectScaled(problem.parts[p].error, said.parts[p].error, scale);
+    }
+    ExpectScaled(problem.gripper_error, said.gripper_error, scale);
+    EXPECT_EQ(problem.tolerances, said.tolerances);
+    EXPECT_EQ(problem.clearance, said.clearance);
+    EXPECT_EQ(problem.workcell->uncertainty_operations().sensors[0].x,
+              said.workcell->uncertainty_operations().sensors[0].x);
+  }
+  EXPECT_FALSE(std::signbit(ParseWith(text, {.error_scale = 0}).gripper_error.x.low));
 }
 
 TEST(ProblemFile, LeavesTheSimulationKeyAlone) {

@@ -12,8 +12,9 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
-const std::vector<std::string> kVerbs = {"check", "plan",  "run",    "render", "export",
-                                         "label", "bound", "doctor", "list"};
+const std::vector<std::string> kVerbs = {"check", "sweep",     "replay", "plan",
+                                         "run",   "render",    "export", "label",
+                                         "bound", "calibrate", "doctor", "list"};
 
 TEST(Help, ListsVerbsAndExitCodes) {
   const Ended ended = Assay({"--help"});

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "planner/geometry/pose.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 
@@ -119,6 +120,29 @@ TEST_F(RendererTest, TwoRenderersDoNotDisturbEachOther) {
   const Image before = first.Render(data, camera);
   second.Render(data, camera);
   EXPECT_TRUE(first.Render(data, camera) == before);
+}
+
+// The model's camera "top" as one that stands in no model.
+TEST_F(RendererTest, AFreeCameraSeesWhatACameraOfTheModelSees) {
+  const geometry::Vector3 table(0.675, 0, 0);
+  const FreeCamera camera{
+      geometry::PoseFromColumns({0, -1, 0}, {1, 0, 0}, {0, 0, 1}, {table.x() - 0.05, 0, 2.6}),
+      36 * scene::kDegree};
+  Renderer renderer(scene.model(), 200, 150);
+  const Image expected = renderer.Render(data, scene.model().Camera("top"));
+  EXPECT_LT(MeanDifference(renderer.Render(data, camera), expected), 0.1);
+  EXPECT_TRUE(renderer.Render(data, scene.model().Camera("top")) == expected);
+}
+
+TEST_F(RendererTest, WithoutEffectsTheShapesAreTheSame) {
+  Renderer renderer(scene.model(), 320, 240, Effects::kNone);
+  const mujoco::CameraId camera = scene.model().Camera("close");
+  const Image plain = renderer.Render(data, camera);
+  EXPECT_TRUE(renderer.Render(data, camera) == plain);
+  const Image full = Picture("close", 320, 240);
+  EXPECT_FALSE(plain == full) << "there are shadows";
+  EXPECT_NEAR(Fraction(plain, IsBlue), Fraction(full, IsBlue), 0.01);
+  EXPECT_NEAR(Fraction(plain, IsOrange), Fraction(full, IsOrange), 0.01);
 }
 
 using RendererDeathTest = RendererTest;

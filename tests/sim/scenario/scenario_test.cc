@@ -81,6 +81,19 @@ TEST_F(ScenarioFile, ReadsTheProblemToo) {
   EXPECT_EQ(problem.parts.size(), 2u);
 }
 
+TEST_F(ScenarioFile, IsReadWithOverrides) {
+  const fs::path file = Write("tolerances: {friction: 0.1}\nsimulation: {seed: 7}\n");
+  const Scenario said = Load(file, kRoot / "models");
+  const Scenario other = Load(file, kRoot / "models", {.clearance = 0.0003, .error_scale = 0.1});
+  EXPECT_EQ(other.problem.clearance, 0.0003);
+  EXPECT_EQ(other.problem.parts[0].model->clearance(), 0.0003);
+  EXPECT_EQ(other.problem.gripper_error.y.high, 0.1 * said.problem.gripper_error.y.high);
+  EXPECT_EQ(other.problem.parts[1].error.theta.low, 0.1 * said.problem.parts[1].error.theta.low);
+  EXPECT_EQ(other.problem.tolerances, said.problem.tolerances);
+  EXPECT_EQ(other.simulation.seed, 7u);
+  EXPECT_THROW(Load(file, kRoot / "models", {.clearance = -0.0003}), InputError);
+}
+
 TEST_F(ScenarioFile, ModelsStandBesideItOrAbove) {
   fs::create_directories(folder_ / "models/workcells");
   fs::create_directories(folder_ / "deep/down");

@@ -1,0 +1,357 @@
+#include "sim/check/attack.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <mutex>
+#include <nlopt.hpp>
+#include <tuple>
+
+#include "planner/base/check.h"
+#include "sim/check/shrink.h"
+#include "sim/check/step_attack.h"
+#include "sim/noise/sampling.h"
+
+namespace assay::check {
+namespace {
+
+// Of the attempts at a step.
+constexpr double kShareOfVertices = 0.4;
+constexpr double kShareOfEven = 0.3;
+constexpr std::size_t kMostStates = 16;  // that the next step starts from
+constexpr std::size_t kSearches = 4;     // local ones, of a step's least margins
+
+using ClaimKey = std::tuple<plan::StepId, Claimed, std::string>;
+
+ClaimKey KeyOf(const Claim& claim) { return {claim.step, claim.about, claim.name}; }
+
+struct Sample {
+  const PoisedTrial* from = nullptr;
+  std::vector<double> values;  // of the free channels
+  AttackPhase phase = AttackPhase::kVertices;
+  StepAttempt attempt;
+};
+
+// Of one step: all its samples, in their order.
+class Step {
+ public:
+  Step(const Experiment& experiment, plan::StepId id, const noise::Noise& noise)
+      : attack_(experiment, id, noise) {
+    for (const std::size_t i : attack_.free_channels()) ranges_.push_back(noise.box()[i].range);
+  }
+
+  const StepAttack& attack() const { return attack_; }
+  int dimensions() const { return static_cast<int>(ranges_.size()); }
+  std::vector<PoisedTrial>& poised() { return poised_; }
+  std::vector<Sample>& samples() { return samples_; }
+
+  std::vector<double> At(const std::vector<double>& point) const {
+    std::vector<double> values(point.size());
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      values[i] = (1 - point[i]) * ranges_[i].low + point[i] * ranges_[i].high;
+    }
+    return values;
+  }
+
+ private:
+  StepAttack attack_;
+  std::vector<Interval> ranges_;
+  std::vector<PoisedTrial> poised_;
+  std::vector<Sample> samples_;
+};
+
+// Metres; radians at a tenth of a metre.
+double Length(const Claim& claim) { return (claim.unit == "rad" ? 0.1 : 1) * claim.margin; }
+
+const Claim* Find(const std::vector<Claim>& claims, const ClaimKey& key) {
+  const auto found =
+      std::ranges::find_if(claims, [&](const Claim& claim) { return KeyOf(claim) == key; });
+  return found == claims.end() ? nullptr : &*found;
+}
+
+class Attacker {
+ public:
+  Attacker(const Experiment& experiment, const AttackOptions& options)
+      : experiment_(experiment),
+        options_(options),
+        arena_(options.jobs),
+        box_(noise::ErrorBox(experiment.problem, experiment.plan)),
+        worlds_(WorldsOf(experiment, box_)) {}
+
+  AttackResult Run() {
+    const std::vector<plan::StepId> order = experiment_.plan.ExecutionOrder();
+    std::vector<Start> starts;
+    for (const AttackedWorld& world : worlds_) starts.push_back({&world, world.noise, nullptr});
+    for (std::size_t i = 0; i < order.size() && !starts.empty(); ++i) {
+      const auto done = static_cast<std::int64_t>(i);
+      const auto steps = static_cast<std::int64_t>(order.size());
+      const std::int64_t budget =
+          options_.attempts * (done + 1) / steps - options_.attempts * done / steps;
+      Step step(experiment_, order[i], worlds_.front().noise);
+      Poise(starts, step);
+      if (step.poised().empty()) break;
+      AttackStep(step, budget);
+      starts = Collect(step);
+    }
+    Shrink();
+    return std::move(result_);
+  }
+
+ private:
+  // What a step is approached from; null: the start of a trial.
+  struct Start {
+    const AttackedWorld* world;
+    noise::Noise noise;
+    std::shared_ptr<const exec::Checkpoint> from;
+  };
+
+  template <class Work>
+  void InParallel(std::size_t count, const Work& work) {
+    arena_.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+  }
+
+  void Poise(const std::vector<Start>& starts, Step& step) {
+    std::vector<std::optional<PoisedTrial>> poised(starts.size());
+    InParallel(starts.size(), [&](std::size_t i) {
+      poised[i] = step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
+    });
+    for (std::optional<PoisedTrial>& trial : poised) {
+      if (trial) step.poised().push_back(std::move(*trial));
+    }
+  }
+
+  void AttackStep(Step& step, std::int64_t budget) {
+    std::vector<Sample>& samples = step.samples();
+    const int d = step.dimensions();
+    const auto vertices = static_cast<int>(kShareOfVertices * static_cast<double>(budget));
+    const auto even = static_cast<int>(kShareOfEven * static_cast<double>(budget));
+    for (int n = 0; n < vertices + even; ++n) {
+      const bool corner = n < vertices;
+      const std::vector<double> point =
+          corner ? noise::CornerPoint(d, options_.seed, 1 + n / Count(step))
+                 : noise::EvenPoint(d, options_.seed, 1 + n - vertices);
+      const auto phase = corner ? AttackPhase::kVertices : AttackPhase::kLowDiscrepancy;
+      const PoisedTrial& from = step.poised()[static_cast<std::size_t>(n % Count(step))];
+      samples.push_back({&from, step.At(point), phase, {}});
+    }
+    InParallel(samples.size(), [&](std::size_t i) { Try(step, samples[i]); });
+    SearchLocally(step, budget - vertices - even);
+  }
+
+  static int Count(Step& step) { return static_cast<int>(step.poised().size()); }
+
+  void Try(const Step& step, Sample& sample) {
+    sample.attempt = step.attack().Attempt(*sample.from, sample.values);
+    const std::int64_t made = ++made_;
+    if (!options_.progress) return;
+    const std::lock_guard lock(mutex_);
+    options_.progress(made);
+  }
+
+  // From the least margins of different claims, as many searches side by side.
+  void SearchLocally(Step& step, std::int64_t budget) {
+    const std::vector<std::pair<ClaimKey, const Sample*>> least = LeastMargins(step);
+    if (least.empty() || step.dimensions() == 0) return;
+    const std::size_t searches = std::min(kSearches, least.size());
+    std::vector<std::vector<Sample>> found(searches);
+    InParallel(searches, [&](std::size_t i) {
+      const auto share = static_cast<std::int64_t>(searches);
+      const auto index = static_cast<std::int64_t>(i);
+      found[i] = Search(step, least[i].first, *least[i].second,
+                        budget * (index + 1) / share - budget * index / share);
+    });
+    for (std::vector<Sample>& samples : found) {
+      std::ranges::move(samples, std::back_inserter(step.samples()));
+    }
+  }
+
+  // Those whose errors can matter: sets without width are attained by any sample.
+  static std::vector<std::pair<ClaimKey, const Sample*>> LeastMargins(Step& step) {
+    std::map<ClaimKey, std::pair<double, const Sample*>> least;
+    for (const Sample& sample : step.samples()) {
+      for (const Claim& claim : sample.attempt.claims) {
+        if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
+        if (claim.predicted.high - claim.predicted.low <= 2 * claim.gate) continue;
+        const double margin = Length(claim);
+        const auto [at, is_new] = least.try_emplace(KeyOf(claim), margin, &sample);
+        if (!is_new && margin < at->second.first) at->second = {margin, &sample};
+      }
+    }
+    std::vector<std::pair<ClaimKey, const Sample*>> sorted;
+    std::vector<double> margins;
+    for (const auto& [key, value] : least) sorted.emplace_back(key, value.second);
+    std::ranges::stable_sort(sorted, {},
+                             [&](const auto& entry) { return least.at(entry.first).first; });
+    return sorted;
+  }
+
+  std::vector<Sample> Search(const Step& step, const ClaimKey& key, const Sample& start,
+                             std::int64_t budget) {
+    std::vector<Sample> samples;
+    if (budget < 1) return samples;
+    const std::function<double(const std::vector<double>&)> margin =
+        [&](const std::vector<double>& point) {
+          Sample sample{start.from, step.At(point), AttackPhase::kLocalSearch, {}};
+          Try(step, sample);
+          const Claim* claim = Find(sample.attempt.claims, key);
+          const double value = claim == nullptr ? 1 : Length(*claim);
+          samples.push_back(std::move(sample));
+          return value;
+        };
+    Minimize(margin, PointOf(step, start), budget);
+    return samples;
+  }
+
+  static std::vector<double> PointOf(const Step& step, const Sample& sample) {
+    const std::vector<double> low = step.At(std::vector<double>(sample.values.size(), 0));
+    const std::vector<double> high = step.At(std::vector<double>(sample.values.size(), 1));
+    std::vector<double> point(sample.values.size());
+    for (std::size_t i = 0; i < point.size(); ++i) {
+      point[i] = std::clamp((sample.values[i] - low[i]) / (high[i] - low[i]), 0.0, 1.0);
+    }
+    return point;
+  }
+
+  // Subplex (Rowan 1990): margins have kinks, and a little noise.
+  static void Minimize(const std::function<double(const std::vector<double>&)>& f,
+                       std::vector<double> point, std::int64_t evaluations) {
+    nlopt::opt search(nlopt::LN_SBPLX, static_cast<unsigned>(point.size()));
+    search.set_lower_bounds(0);
+    search.set_upper_bounds(1);
+    search.set_initial_step(0.25);
+    search.set_maxeval(static_cast<int>(evaluations));
+    using Function = std::function<double(const std::vector<double>&)>;
+    search.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
+                                void* data) { return (*static_cast<const Function*>(data))(x); },
+                             const_cast<Function*>(&f));
+    double least = 0;
+    try {
+      search.optimize(point, least);
+    } catch (const nlopt::roundoff_limited&) {
+      // It cannot be done better than that.
+    }
+  }
+
+  // Counts the step's samples, and chooses those that the next step starts from.
+  std::vector<Start> Collect(Step& step) {
+    std::map<ClaimKey, std::pair<const Sample*, const Sample*>> farthest;  // out, each way
+    for (const Sample& sample : step.samples()) {
+      Count(sample);
+      if (!sample.attempt.end) continue;
+      for (const Claim& claim : sample.attempt.claims) {
+        if (claim.about != Claimed::kAfter) continue;
+        auto& [low, high] = farthest.try_emplace(KeyOf(claim), &sample, &sample).first->second;
+        if (claim.observed < Find(low->attempt.claims, KeyOf(claim))->observed) low = &sample;
+        if (claim.observed > Find(high->attempt.claims, KeyOf(claim))->observed) high = &sample;
+      }
+    }
+    std::vector<const Sample*> chosen;
+    const auto choose = [&](const Sample* sample) {
+      if (std::ranges::find(chosen, sample) == chosen.end()) chosen.push_back(sample);
+    };
+    for (const auto& [key, ends] : farthest) {
+      choose(ends.first);
+      choose(ends.second);
+    }
+    // And some of the others, spread over all.
+    const std::size_t stride = std::max<std::size_t>(1, step.samples().size() / kMostStates);
+    for (std::size_t i = 0; i < step.samples().size(); i += stride) {
+      if (step.samples()[i].attempt.end) choose(&step.samples()[i]);
+    }
+    std::vector<Start> starts;
+    for (const Sample* sample : chosen) {
+      if (starts.size() == kMostStates) break;
+      starts.push_back({sample->from->world, sample->attempt.noise,
+                        std::make_shared<const exec::Checkpoint>(*sample->attempt.end)});
+    }
+    return starts;
+  }
+
+  void Count(const Sample& sample) {
+    ++result_.attempts;
+    for (const CertificateVerdict& verdict : ByStep(sample.attempt.claims)) {
+      Count(verdict.verdict, result_.certificates);
+    }
+    for (const Claim& claim : sample.attempt.claims) {
+      Count(claim.verdict, result_.claims);
+      if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
+      KeepIfWorst(claim, sample);
+    }
+  }
+
+  static void Count(ClaimVerdict verdict, AttackResult::Counts& counts) {
+    switch (verdict) {
+      case ClaimVerdict::kContained:
+        ++counts.contained;
+        return;
+      case ClaimVerdict::kInconclusive:
+        ++counts.inconclusive;
+        return;
+      case ClaimVerdict::kViolated:
+        ++counts.violated;
+        return;
+      case ClaimVerdict::kNotClaimed:
+        ++counts.not_claimed;
+        return;
+    }
+    ASSAY_CHECK(false, "a verdict that the switch does not know");
+  }
+
+  void KeepIfWorst(const Claim& claim, const Sample& sample) {
+    const auto found = std::ranges::find_if(
+        result_.worst, [&](const WorstClaim& worst) { return KeyOf(worst.claim) == KeyOf(claim); });
+    const WorstClaim worst = {claim, sample.attempt.noise, sample.phase, result_.attempts};
+    if (found == result_.worst.end()) {
+      result_.worst.push_back(worst);
+    } else if (claim.margin < found->claim.margin) {
+      *found = worst;
+    }
+  }
+
+  // The violations with the most negative margins first, each step's once.
+  void Shrink() {
+    std::vector<const WorstClaim*> violations;
+    for (const WorstClaim& worst : result_.worst) {
+      if (worst.claim.verdict == ClaimVerdict::kViolated) violations.push_back(&worst);
+    }
+    std::ranges::stable_sort(violations, {},
+                             [](const WorstClaim* worst) { return Length(worst->claim); });
+    const auto count = std::min(violations.size(), static_cast<std::size_t>(options_.shrunk));
+    std::vector<Counterexample> examples(count);
+    InParallel(count, [&](std::size_t i) { examples[i] = Shrunk(experiment_, *violations[i]); });
+    result_.counterexamples = std::move(examples);
+  }
+
+  const Experiment& experiment_;
+  const AttackOptions& options_;
+  tbb::task_arena arena_;
+  std::vector<noise::Channel> box_;
+  std::vector<AttackedWorld> worlds_;
+  std::mutex mutex_;
+  std::atomic<std::int64_t> made_ = 0;
+  AttackResult result_;
+};
+
+}  // namespace
+
+std::string_view Name(AttackPhase phase) {
+  switch (phase) {
+    case AttackPhase::kVertices:
+      return "vertices";
+    case AttackPhase::kLowDiscrepancy:
+      return "low-discrepancy";
+    case AttackPhase::kLocalSearch:
+      return "local-search";
+  }
+  ASSAY_CHECK(false, "a phase that the switch does not know");
+  return {};
+}
+
+AttackResult Attack(const Experiment& experiment, const AttackOptions& options) {
+  return Attacker(experiment, options).Run();
+}
+
+}  // namespace assay::check

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "sim/check/claim.h"
+#include "sim/check/noisy_trial.h"
+
+namespace assay::check {
+
+struct AttackOptions {
+  std::int64_t attempts = 1000;  // of single steps, from saved states; in all
+  std::uint64_t seed = 0;
+  int jobs = 1;    // threads; they change nothing
+  int shrunk = 3;  // at most so many violations are shrunk to counterexamples
+  // Told of how many attempts were made so far; from one thread at a time.
+  std::function<void(std::int64_t)> progress = {};
+};
+
+// How points of the error box were chosen.
+enum class AttackPhase { kVertices, kLowDiscrepancy, kLocalSearch };
+std::string_view Name(AttackPhase phase);
+
+// A claim as it came out at its worst.
+struct WorstClaim {
+  Claim claim;
+  noise::Noise noise;
+  AttackPhase phase = AttackPhase::kVertices;
+  std::int64_t attempt = 0;  // from 1
+};
+
+// A violation in as few words as possible: leave out one more error, or halve what is left, and
+// there is none.
+struct Counterexample {
+  Claim claim;
+  noise::Noise noise;
+  int steps = 0;          // how far the plan must be executed
+  bool replayed = false;  // also from the start of the plan, not only from a saved state
+  double multiple = 1;    // of its errors, with which it is violated still
+};
+
+struct AttackResult {
+  struct Counts {
+    std::int64_t contained = 0, inconclusive = 0, violated = 0, not_claimed = 0;
+  };
+  std::int64_t attempts = 0;
+  Counts certificates;  // one an attempt: the worst claim of the step
+  Counts claims;
+  std::vector<WorstClaim> worst;  // of each step and claim, in the order of execution
+  std::vector<Counterexample> counterexamples;
+};
+
+// Tries to break each certificate of a plan in physics. Step after step, from states saved where
+// the tool is poised for it: corners of the error box, then points that fill it evenly, then local
+// search (NLopt) on the least margins found. States for the next step are those whose errors are
+// farthest out, each way. The same for any number of threads.
+AttackResult Attack(const Experiment& experiment, const AttackOptions& options);
+
+}  // namespace assay::check

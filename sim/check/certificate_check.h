@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "sim/check/claim.h"
+#include "sim/check/honesty_gate.h"
+#include "sim/exec/trace.h"
+
+namespace assay::check {
+
+// Holds the certificates of a plan against what truly happened, for every step that the trace
+// tells of, a whole execution or one that was taken up in between.
+//
+// What a certificate says of the end of a step, it says on the assumption that the preconditions of
+// this and of all earlier steps hold. One that the planner could not prove may fail: from then on
+// nothing is claimed. Nor is it after a recovery.
+std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,
+                                     const exec::Trace& trace, const HonestyGate& gate);
+
+}  // namespace assay::check

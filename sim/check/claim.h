@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/base/interval.h"
+#include "planner/plan/plan.h"
+
+namespace assay::check {
+
+// How a claim of a certificate came out in one trial.
+enum class ClaimVerdict {
+  kContained,     // what was observed is where the certificate says
+  kInconclusive,  // outside, but by less than the engine can tell from nothing
+  kViolated,      // outside by more than that
+  kNotClaimed,    // an assumption that the certificate had left unproved did not hold
+};
+std::string_view Name(ClaimVerdict verdict);  // "not-claimed"
+
+// What a claim is about.
+enum class Claimed {
+  kBefore,        // a component of an input error set
+  kPrecondition,  // the geometric meaning of a precondition
+  kAfter,         // a component of an output error set
+};
+std::string_view Name(Claimed claimed);  // "before", "precondition", "after"
+
+// One thing that a certificate says, and what was observed of it.
+struct Claim {
+  plan::StepId step;
+  Claimed about = Claimed::kAfter;
+  std::string name;    // "x of block", "between fingers: contact 1 of block"
+  std::string unit;    // "m" or "rad"
+  Interval predicted;  // that the observed value lies in; an end may be infinite
+  bool proved = true;  // false: a precondition that the planner could not prove
+  double observed = 0;
+  double margin = 0;  // to the nearer end; negative: outside
+  double gate = 0;    // what the engine cannot tell from 0, in the same unit
+  ClaimVerdict verdict = ClaimVerdict::kContained;
+};
+
+// The verdict on what was observed: violated beyond the gate, inconclusive within it.
+Claim Judged(Claim claim);
+
+// Of all claims about one step: the worst, by verdict and then by margin over gate.
+struct CertificateVerdict {
+  plan::StepId step;
+  ClaimVerdict verdict = ClaimVerdict::kNotClaimed;
+  Claim worst;
+};
+std::vector<CertificateVerdict> ByStep(const std::vector<Claim>& claims);
+
+}  // namespace assay::check

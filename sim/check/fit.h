@@ -1,0 +1,25 @@
+#pragma once
+
+#include "planner/domain/problem.h"
+
+namespace assay::check {
+
+// How a held part truly moves to its seat, in the frame of the fixed part.
+struct Motion {
+  geometry::Pose X_FixedHeld;   // where it starts
+  geometry::Vector3 direction;  // unit
+};
+
+// By how much shafts fit into their holes in this motion, the worst of all pairs of a mating;
+// infinite if it has none. Metres and radians.
+struct FitMargins {
+  double entry = 0;     // of the tip's corners inside the walls, in the plane of the mouth
+  double slide_in = 0;  // of the engaged shaft's corners inside the walls, at the seat and with the
+                        // tip in the mouth, without bevels
+  double lean = 0;      // the sine of the angle that the shaft's axis makes with the hole's planes
+                        // of symmetry
+};
+FitMargins MarginsOfFits(const domain::Problem& problem, const domain::Mating& mating,
+                         const Motion& motion);
+
+}  // namespace assay::check

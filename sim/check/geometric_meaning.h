@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sim/check/step_events.h"
+
+namespace assay::check {
+
+// What the preconditions of one name mean, measured where parts and hand truly were: the worst of
+// them.
+struct GeometricMeaning {
+  std::string unit;     // "m", or "rad"
+  double observed = 0;  // by how much they hold; negative: one does not
+};
+
+// Of the preconditions called `condition` in the step's certificate ("between fingers"). None: the
+// execution did not come to where they mean something. The geometry is computed from the parts'
+// boxes and features alone, not from the planner's expressions.
+//   between fingers  both contacts lie between the pads when they begin to close
+//   finger clear     the inner corners of the open pads lie outside the faces they close on
+//   fingertip        the fingers end above the table
+//   pad contact      the closed pads hold the grasped point, with the workcell's margin
+//   landing height   the part meets the table on the guarded way
+//   footprint        the part stands on the table
+//   neighbour clear  the part does not come to other parts
+//   entry, slide-in  the shaft, moved along the mating motion from where it was poised, is inside
+//                    the walls of its hole: with its tip in the mouth; and at its seat
+//   tilt             the shaft's axis leans in the hole by less than the certificate's limit
+//   seat             the motion meets its end on the guarded way
+std::optional<GeometricMeaning> MeaningOf(const std::string& condition,
+                                          const domain::Problem& problem,
+                                          const plan::PlannedStep& step, const StepEvents& events);
+
+}  // namespace assay::check

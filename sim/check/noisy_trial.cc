@@ -1,0 +1,37 @@
+#include "sim/check/noisy_trial.h"
+
+#include <algorithm>
+
+#include "sim/check/certificate_check.h"
+
+namespace assay::check {
+
+NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
+                         exec::ExecutorOptions options) {
+  const scene::Scene scene(experiment.problem, exec::TrueScene(experiment.scene, noise));
+  mujoco::Data data = exec::StartOf(experiment.problem, scene, noise);
+  options.noise = noise;
+  exec::Trace trace = exec::Execute(experiment.problem, experiment.plan, scene, data, options);
+  NoisyTrial trial{
+      .noise = noise,
+      .trace = {},
+      .verdict = Judge(experiment.problem, trace, {}),
+      .claims = CheckCertificates(experiment.problem, experiment.plan, trace, experiment.gate)};
+  for (const exec::VerificationRecord* check : trace.All<exec::VerificationRecord>()) {
+    if (!check->error.empty()) ++trial.errors_signalled;
+  }
+  trial.operator_called = trace.end().outcome == exec::ExecutionOutcome::kOperatorCalled;
+  // Every error but one that the operator was called for was followed by another try, and the last
+  // try of a step that went on mended it.
+  std::vector<plan::StepId> mended;
+  for (const exec::RecoveryRecord* recovery : trace.All<exec::RecoveryRecord>()) {
+    const auto ended = [&](const exec::StepEnd* end) { return end->step == recovery->step; };
+    if (std::ranges::any_of(trace.All<exec::StepEnd>(), ended)) mended.push_back(recovery->step);
+  }
+  std::ranges::sort(mended);
+  trial.recovered = static_cast<int>(std::ranges::unique(mended).begin() - mended.begin());
+  trial.trace = std::move(trace);
+  return trial;
+}
+
+}  // namespace assay::check

@@ -1,0 +1,96 @@
+#include "sim/check/observed_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/check.h"
+
+namespace assay::check {
+namespace {
+
+using domain::PartId;
+using geometry::Matrix3;
+using geometry::Pose;
+using geometry::Vector3;
+
+// Where the plan has a part that rests before or after the action.
+struct PlannedPose {
+  const domain::Problem& problem;
+  PartId part;
+
+  Pose operator()(const plan::Pickup& pickup) const { return pickup.from.X_WorldPart; }
+  Pose operator()(const plan::Putdown& putdown) const { return putdown.to.X_WorldPart; }
+  Pose operator()(const plan::Sense& sense) const { return sense.at.X_WorldPart; }
+  Pose operator()(const plan::Squeeze& squeeze) const { return squeeze.at.X_WorldPart; }
+  Pose operator()(const plan::Assemble& assemble) const {
+    const domain::Mating& mating = problem.mating(assemble.mating);
+    const Pose& X_WorldFixed = assemble.fixed.X_WorldPart;
+    return part == mating.fixed ? X_WorldFixed : X_WorldFixed * mating.X_FixedHeld;
+  }
+};
+
+struct HoldOf {
+  const plan::Hold* operator()(const plan::Sense&) const { return nullptr; }
+  const plan::Hold* operator()(const auto& action) const { return &action.hold; }
+};
+
+class Components {
+ public:
+  explicit Components(const std::string& part) : part_(part) {}
+
+  void Add(const char* name, const char* unit, const Interval& predicted, double observed) {
+    found_.push_back({std::string(name) + " of " + part_, unit, predicted, observed});
+  }
+  std::vector<ObservedError> Take() { return std::move(found_); }
+
+ private:
+  const std::string& part_;
+  std::vector<ObservedError> found_;
+};
+
+void AddInHand(const plan::ErrorSet& set, const Pose& X_ToolGrasp, Components& components) {
+  const Vector3 p = X_ToolGrasp.translation();
+  // R = R_z(theta) R_x(tip) R_y(twist).
+  const Matrix3 R = X_ToolGrasp.linear();
+  components.Add("x", "m", set.x, p.x());
+  components.Add("y", "m", set.y, p.y());
+  components.Add("z", "m", set.z, p.z());
+  components.Add("theta", "rad", set.theta, std::atan2(-R(0, 1), R(1, 1)));
+  components.Add("tip", "rad", set.tip, std::asin(std::clamp(R(2, 1), -1.0, 1.0)));
+  components.Add("twist", "rad", set.twist, std::atan2(-R(2, 0), R(2, 2)));
+}
+
+void AddAtRest(const plan::ErrorSet& set, const exec::TrueAndBelieved& part, const Pose& planned,
+               Components& components) {
+  const double turn = YawOf(part.believed.linear() * planned.linear().transpose());
+  const Vector3 d = geometry::RotationZ(-turn).linear() *
+                    (part.truth.translation() - part.believed.translation());
+  components.Add("x", "m", set.x, d.x());
+  components.Add("y", "m", set.y, d.y());
+  components.Add("z", "m", set.z, d.z());
+  components.Add("theta", "rad", set.theta,
+                 YawOf(part.truth.linear() * part.believed.linear().transpose()));
+}
+
+}  // namespace
+
+double YawOf(const Matrix3& rotation) {
+  return std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
+}
+
+std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
+                                          const plan::Action& action, const plan::ErrorSet& set,
+                                          const exec::Moment& moment) {
+  Components components(problem.part(set.part).name);
+  const exec::TrueAndBelieved& part = moment.parts[set.part.index()];
+  if (set.in_hand) {
+    const plan::Hold* hold = std::visit(HoldOf{}, action);
+    ASSAY_CHECK(hold != nullptr, "a look leaves no part in the hand");
+    AddInHand(set, moment.tool.believed.inverse() * part.truth * hold->X_PartTool, components);
+  } else {
+    AddAtRest(set, part, std::visit(PlannedPose{problem, set.part}, action), components);
+  }
+  return components.Take();
+}
+
+}  // namespace assay::check

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/plan/plan.h"
+#include "sim/exec/trace.h"
+
+namespace assay::check {
+
+// One component of an error set, and what it truly was.
+struct ObservedError {
+  std::string name;  // "x of block"
+  std::string unit;  // "m" or "rad"
+  Interval predicted;
+  double observed = 0;
+};
+
+// The components of what a certificate says of a part, measured at a moment at which that is to
+// hold. A part at rest is seen in the axes of the plan: what is believed of it may have turned
+// since. A part in the hand is seen from where the hand believes itself to be.
+std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
+                                          const plan::Action& action, const plan::ErrorSet& set,
+                                          const exec::Moment& moment);
+
+// The angle about the world's vertical by which a nearly upright rotation turns.
+double YawOf(const geometry::Matrix3& rotation);
+
+}  // namespace assay::check

@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "planner/base/input_error.h"
+#include "sim/cli/console.h"
+#include "sim/cli/film.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/table.h"
+#include "sim/cli/usage_error.h"
+#include "sim/cli/verb.h"
+#include "sim/sweep/difference.h"
+#include "sim/sweep/store.h"
+#include "sim/sweep/work.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using sweep::TrialRecord;
+using sweep::VerdictRecord;
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path database;
+  int trial = 1;
+  fs::path models;
+  fs::path folder;
+  PictureOptions pictures;
+  bool renders = false;
+  bool json = false;
+};
+
+// The sweep file of a database: where it was, from the working directory or beside the database.
+sweep::Sweep SweepOf(const sweep::Store& store) {
+  const fs::path stored = store.Facts().at("path");
+  const fs::path beside = store.file().parent_path() / stored.filename();
+  std::error_code ignored;
+  sweep::Sweep sweep =
+      sweep::Load(!fs::exists(stored, ignored) && fs::exists(beside, ignored) ? beside : stored);
+  store.RequireSameSweep(sweep::FactsOf(sweep, ASSAY_VERSION));
+  return sweep;
+}
+
+TrialRecord FindTrial(const sweep::Store& store, int trial) {
+  const int trials = std::stoi(store.Facts().at("trials"));
+  if (trial > trials) {
+    throw UsageError(fmt::format("replay: there is no trial {}; allowed: 1 to {}", trial, trials));
+  }
+  const std::optional<TrialRecord> record = store.FindTrial(trial);
+  if (!record) {
+    throw UsageError(
+        fmt::format("replay: trial {} is not in {}: its cell has no plan, or it was not done yet "
+                    "(see assay sweep show)",
+                    trial, store.file().string()));
+  }
+  return *record;
+}
+
+// The cell of the trial, with the plan that is stored.
+sweep::PlannedCell Restore(const sweep::Store& store, const TrialRecord& trial,
+                           const Options& options) {
+  const sweep::Sweep sweep = SweepOf(store);
+  const std::vector<sweep::Cell> cells = sweep::Cells(sweep);
+  const sweep::Cell& cell = cells[sweep::PlaceOf(cells, trial.trial).cell];
+  for (const sweep::CellRecord& record : store.Cells()) {
+    if (record.cell == cell.number) {
+      return sweep::RealWork(sweep, options.models).restore(cell, record);
+    }
+  }
+  throw InputError({.file = options.database.string()},
+                   fmt::format("cell {} is missing", cell.number), "a database as it was written");
+}
+
+TrialRecord RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* film) {
+  const Progress progress(fmt::format("trial {}", stored.trial));
+  const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
+  std::function<void(const exec::StepEnd&, const mujoco::Data&)> on_step_end;
+  if (film != nullptr) {
+    on_step_end = [film](const exec::StepEnd& end, const mujoco::Data& data) {
+      film->TakeStepEnd(end, data);
+    };
+  }
+  TrialRecord again =
+      sweep::Recorded(cell.preparation->plan, sweep::Execute(cell, noise, on_step_end)).record;
+  again.trial = stored.trial;
+  again.cell = stored.cell;
+  again.number = stored.number;
+  return again;
+}
+
+// The same with pictures.
+TrialRecord RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored,
+                      const Options& options) {
+  const scenario::Scenario& scenario = cell.preparation->scenario;
+  const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
+  const scene::Scene scene(scenario.problem, exec::TrueScene(scenario.simulation.scene, noise));
+  Film film(scene, scenario.simulation.cameras, options.pictures);
+  film.TakeStart(exec::StartOf(scenario.problem, scene, noise));
+  TrialRecord again = RunAgain(cell, stored, &film);
+  film.Write(options.folder);
+  return again;
+}
+
+std::string VerdictTable(const TrialRecord& record) {
+  Table table({{"step", Align::kRight},
+               {"id"},
+               {"verdict"},
+               {"worst claim"},
+               {"observed", Align::kRight},
+               {"predicted"},
+               {"margin", Align::kRight},
+               {"gate", Align::kRight}});
+  for (const VerdictRecord& verdict : record.verdicts) {
+    table.Add({std::to_string(verdict.step), verdict.action, verdict.verdict, verdict.claim,
+               fmt::format("{:.6g}", verdict.observed),
+               fmt::format("[{:.6g}, {:.6g}]", verdict.low, verdict.high),
+               fmt::format("{:.3g}", verdict.margin), fmt::format("{:.3g}", verdict.gate)});
+  }
+  return table.Text();
+}
+
+std::string OutcomeText(const TrialRecord& record) {
+  return record.reason.empty() ? record.outcome
+                               : fmt::format("{}: {}", record.outcome, record.reason);
+}
+
+std::string ForPeople(const TrialRecord& stored, const TrialRecord& again,
+                      const std::vector<std::string>& differences) {
+  std::string text =
+      fmt::format("trial {}: number {} of cell {}\nnoise: {}\n", stored.trial, stored.number,
+                  stored.cell, stored.noise.empty() ? "none" : stored.noise);
+  text += fmt::format("stored: {}\nagain:  {}\n\n{}\n", OutcomeText(stored), OutcomeText(again),
+                      VerdictTable(again));
+  if (differences.empty()) return text + "equal to what is stored, to the last bit\n";
+  text += "different from what is stored (stored and again):\n";
+  for (const std::string& difference : differences) text += fmt::format("  {}\n", difference);
+  return text;
+}
+
+Json ToJson(const TrialRecord& record) {
+  Json verdicts = Json::array();
+  for (const VerdictRecord& verdict : record.verdicts) {
+    verdicts.push_back({{"step", verdict.step},
+                        {"action", verdict.action},
+                        {"verdict", verdict.verdict},
+                        {"claim", verdict.claim},
+                        {"observed", verdict.observed},
+                        {"margin", verdict.margin},
+                        {"gate", verdict.gate}});
+  }
+  return {{"outcome", record.outcome}, {"reason", record.reason}, {"verdicts", verdicts}};
+}
+
+ExitCode Execute(const Options& options) {
+  if (!options.folder.empty()) MakeFolder(options.folder);
+  const sweep::Store store = sweep::Store::Open(options.database);
+  const TrialRecord stored = FindTrial(store, options.trial);
+  const sweep::PlannedCell cell = Restore(store, stored, options);
+  const TrialRecord again =
+      options.renders ? RunFilmed(cell, stored, options) : RunAgain(cell, stored, nullptr);
+  const std::vector<std::string> differences = sweep::Differences(stored, again);
+  const Json json = {{"trial", stored.trial},        {"cell", stored.cell},
+                     {"number", stored.number},      {"noise", stored.noise},
+                     {"equal", differences.empty()}, {"differences", differences},
+                     {"stored", ToJson(stored)},     {"again", ToJson(again)}};
+  Print(options.json ? json.dump(2) + "\n" : ForPeople(stored, again, differences));
+  return differences.empty() ? ExitCode::kDone : ExitCode::kFailed;
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("database", options->database, "of a sweep")->required();
+  command.add_option("trial", options->trial, "its number")
+      ->required()
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  CLI::Option* const folder =
+      command.add_option("-o,--output", options->folder, "folder for pictures");
+  command.add_flag("--renders", options->renders, "take pictures of the start and each step's end")
+      ->needs(folder);
+  AddPictureOptions(command, options->pictures);
+  command.add_flag("--json", options->json, "print the result as JSON");
+  command.add_option("--models", options->models, "folder with parts/ and workcells/")
+      ->check(CLI::ExistingDirectory);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace
+
+const Verb kReplay = {
+    .name = "replay",
+    .summary = "runs one trial of a sweep again, and tells whether it comes out the same",
+    .example = "assay replay fig15.sqlite 17 --renders -o out/trial-17",
+    .declare = Declare,
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,280 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <regex>
+#include <thread>
+
+#include "planner/base/input_error.h"
+#include "sim/cli/console.h"
+#include "sim/cli/interruption.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/sweep_report.h"
+#include "sim/cli/usage_error.h"
+#include "sim/cli/verb.h"
+#include "sim/sweep/machine.h"
+#include "sim/sweep/merge.h"
+#include "sim/sweep/runner.h"
+#include "sim/sweep/slurm.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path sweep;
+  fs::path database;  // empty: named after the sweep file
+  fs::path models;
+  int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  bool resume = false;
+  std::string shard = "1/1";
+  bool json = false;
+  // Of merge and show.
+  fs::path out;
+  std::vector<fs::path> parts;
+  // Of slurm.
+  int tasks = 4;
+  int jobs_of_task = 1;
+
+  fs::path Database() const {
+    return database.empty() ? fs::path(sweep.stem().string() + ".sqlite") : database;
+  }
+};
+
+sweep::Shard ShardFrom(const std::string& text) {
+  static const std::regex kShard("([0-9]{1,6})/([0-9]{1,6})");
+  std::smatch match;
+  if (std::regex_match(text, match, kShard)) {
+    const sweep::Shard shard{std::stoi(match[1]), std::stoi(match[2])};
+    if (shard.index >= 1 && shard.index <= shard.count) return shard;
+  }
+  throw UsageError(fmt::format("--shard: '{}' is no share; allowed: I/N with I from 1 to N", text));
+}
+
+std::string DurationText(double seconds) {
+  if (seconds < 90) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 5400) return fmt::format("{:.0f} min", seconds / 60);
+  return fmt::format("{:.1f} h", seconds / 3600);
+}
+
+// Tells people how many trials there are, how long they will take, and how far they are.
+class Narrator {
+ public:
+  explicit Narrator(int jobs, double seconds_of_trial)
+      : jobs_(jobs), seconds_of_trial_(seconds_of_trial) {}
+
+  void Tell(const sweep::Advance& advance) {
+    if (advance.trials == 0) {
+      progress_.Tell(fmt::format("{} of {} cells planned", advance.cells_planned, advance.cells));
+      return;
+    }
+    if (advance.trials_done == 0) Announce(advance);
+    // The first trials of all threads, and as many again, are a fair sample.
+    if (advance.trials_done == 2 * jobs_ && seconds_of_trial_ == 0) {
+      Line(fmt::format("{} trials will take about {}", advance.trials,
+                       DurationText(advance.seconds * advance.trials / advance.trials_done)));
+    }
+    if (advance.trials_done > 0) progress_.Tell(ProgressText(advance));
+  }
+
+ private:
+  void Announce(const sweep::Advance& advance) const {
+    std::string text = fmt::format("{} trials on {} threads", advance.trials, jobs_);
+    if (seconds_of_trial_ > 0) {
+      text += fmt::format(", about {}", DurationText(seconds_of_trial_ * advance.trials / jobs_));
+    }
+    Line(text);
+  }
+
+  static std::string ProgressText(const sweep::Advance& advance) {
+    const double rate = advance.trials_done / std::max(advance.seconds, 1e-3);
+    return fmt::format("{} of {} trials, {:.1f} a second, {} left", advance.trials_done,
+                       advance.trials, rate,
+                       DurationText((advance.trials - advance.trials_done) / rate));
+  }
+
+  // Wipes what the progress has on the line.
+  static void Line(const std::string& text) {
+    fmt::print(stderr, "{}{}\n", isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", text);
+  }
+
+  const int jobs_;
+  const double seconds_of_trial_;  // 0: not known
+  Progress progress_{"planning"};
+};
+
+ExitCode Show(const sweep::Store& store, const fs::path& database, bool json) {
+  const SweepResults results = ResultsOf(store, database.string());
+  Print(json ? ToJson(results).dump(2) + "\n" : ForPeople(results));
+  return ExitCodeOf(results);
+}
+
+sweep::RunEnd RunShard(const sweep::Sweep& sweep, const sweep::Shard& shard, sweep::Store& store,
+                       const Options& options) {
+  const sweep::Work work = sweep::RealWork(sweep, options.models);
+  const Interruption interruption;
+  Narrator narrator(options.jobs, store.MeanSeconds());
+  return sweep::RunSweep(sweep, work, store,
+                         {.jobs = options.jobs,
+                          .shard = shard,
+                          .stop = Interruption::Requested,
+                          .tell = [&](const sweep::Advance& advance) { narrator.Tell(advance); }});
+}
+
+ExitCode Execute(const Options& options) {
+  const sweep::Shard shard = ShardFrom(options.shard);
+  const sweep::Sweep sweep = sweep::Load(options.sweep);
+  const fs::path database = options.Database();
+  const sweep::SweepFacts facts = sweep::FactsOf(sweep, ASSAY_VERSION);
+  sweep::Store store = options.resume ? sweep::Store::Resume(database, facts)
+                                      : sweep::Store::Create(database, facts);
+  store.Add(sweep::ThisRun(ASSAY_VERSION, options.shard, options.jobs));
+  const sweep::RunEnd end = RunShard(sweep, shard, store, options);
+  store.Close();
+  if (end.stopped) {
+    PrintError(
+        fmt::format("interrupted: {} trials are written to {}, {} are left; the same "
+                    "command with --resume goes on",
+                    end.before + end.done, database.string(), end.left));
+    return ExitCode::kBudgetSpent;
+  }
+  return Show(sweep::Store::Open(database), database, options.json);
+}
+
+ExitCode ExecuteMerge(const Options& options) {
+  std::error_code ignored;
+  if (fs::exists(options.out, ignored)) {
+    throw InputError({.file = options.out.string()}, "there is something in this file already",
+                     "the name of a new file");
+  }
+  RequireWritable(options.out);
+  WriteFileBy(options.out, [&](const fs::path& path) { sweep::Merge(path, options.parts); });
+  const SweepResults results = ResultsOf(sweep::Store::Open(options.out), options.out.string());
+  Print(options.json ? ToJson(results).dump(2) + "\n"
+                     : fmt::format("{} of {} trials from {} databases\n", results.Done(),
+                                   results.trials, options.parts.size()));
+  return ExitCode::kDone;
+}
+
+ExitCode ExecuteShow(const Options& options) {
+  Show(sweep::Store::Open(options.database), options.database, options.json);
+  return ExitCode::kDone;
+}
+
+ExitCode ExecuteSlurm(const Options& options) {
+  sweep::Load(options.sweep);
+  Print(sweep::SlurmScript({.program = fs::read_symlink("/proc/self/exe"),
+                            .sweep = options.sweep,
+                            .database = options.Database(),
+                            .models = options.models,
+                            .tasks = options.tasks,
+                            .jobs = options.jobs_of_task}));
+  return ExitCode::kDone;
+}
+
+// What a word after `sweep` does; each has its own options.
+struct Part {
+  const char* name;
+  const char* summary;
+  const char* example;
+  void (*declare)(CLI::App& command, Options& options);
+  ExitCode (*execute)(const Options& options);
+};
+
+void AddJson(CLI::App& command, Options& options) {
+  command.add_flag("--json", options.json, "print the result as JSON");
+}
+
+void AddDatabase(CLI::App& command, Options& options) {
+  command.add_option("--db", options.database,
+                     "database for the results; SWEEP.sqlite if left out");
+}
+
+void AddModels(CLI::App& command, Options& options) {
+  command.add_option("--models", options.models, "folder with parts/ and workcells/")
+      ->check(CLI::ExistingDirectory);
+}
+
+constexpr std::array kParts = {
+    Part{"merge", "puts the databases of shards together",
+         "assay sweep merge all.sqlite fig15-1.sqlite fig15-2.sqlite",
+         [](CLI::App& command, Options& options) {
+           command.add_option("out", options.out, "the database to be made")->required();
+           command.add_option("databases", options.parts, "those of the shards")->required();
+           AddJson(command, options);
+         },
+         ExecuteMerge},
+    Part{"show", "tells what is in a database: rates of success, counts of verdicts",
+         "assay sweep show fig15.sqlite",
+         [](CLI::App& command, Options& options) {
+           command.add_option("database", options.database, "of a sweep")->required();
+           AddJson(command, options);
+         },
+         ExecuteShow},
+    Part{"slurm", "prints a Slurm job array script, one task for each shard",
+         "assay sweep slurm scenarios/sweeps/spar-fig15.yaml --tasks 8 > fig15.sh",
+         [](CLI::App& command, Options& options) {
+           command.add_option("sweep", options.sweep, "sweep file")->required();
+           command.add_option("--tasks", options.tasks, "how many shards")
+               ->check(CLI::Range(1, 100'000))
+               ->capture_default_str();
+           command.add_option("--jobs", options.jobs_of_task, "threads of each task")
+               ->check(CLI::Range(1, 1024))
+               ->capture_default_str();
+           AddDatabase(command, options);
+           AddModels(command, options);
+         },
+         ExecuteSlurm},
+};
+
+void DeclareRun(CLI::App& command, Options& options) {
+  command.add_option("sweep", options.sweep, "sweep file");
+  AddDatabase(command, options);
+  command.add_option("--jobs", options.jobs, "how many threads; all cores if left out")
+      ->check(CLI::Range(1, 1024));
+  command.add_flag("--resume", options.resume,
+                   "go on with the trials that are not in the database yet");
+  command.add_option("--shard", options.shard, "I/N: do every N-th trial only, from the I-th on");
+  AddJson(command, options);
+  AddModels(command, options);
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  DeclareRun(command, *options);
+  const auto chosen = std::make_shared<const Part*>(nullptr);
+  for (const Part& part : kParts) {
+    CLI::App* const app = command.add_subcommand(part.name, part.summary);
+    app->footer(fmt::format("Example:\n  {}", part.example));
+    part.declare(*app, *options);
+    app->final_callback([chosen, &part] { *chosen = &part; });
+  }
+  return [options, chosen] {
+    if (*chosen != nullptr) return (*chosen)->execute(*options);
+    if (options->sweep.empty()) {
+      throw UsageError("sweep: a sweep file is required (see assay sweep --help)");
+    }
+    return Execute(*options);
+  };
+}
+
+}  // namespace
+
+const Verb kSweep = {
+    .name = "sweep",
+    .summary = "runs the trials of a grid in parallel, into a database",
+    .example =
+        "assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite\n"
+        "  assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite --resume\n"
+        "\nInterrupted, it ends with 11, and --resume goes on where it was.",
+    .declare = Declare,
+};
+
+}  // namespace assay::cli

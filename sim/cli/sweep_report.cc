@@ -1,0 +1,245 @@
+#include "sim/cli/sweep_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "sim/cli/models_folder.h"
+#include "sim/cli/table.h"
+#include "sim/scenario/scenario.h"
+#include "sim/sweep/grid.h"
+#include "sim/sweep/wilson.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using sweep::CellRecord;
+using sweep::CellSummary;
+
+// A column that tells cells apart; shown where its values differ.
+struct Axis {
+  const char* name;
+  std::string (*value)(const CellRecord&);
+};
+
+constexpr std::array kAxes = {
+    Axis{"scenario", [](const CellRecord& cell) { return cell.scenario; }},
+    Axis{"clearance mm",
+         [](const CellRecord& cell) { return fmt::format("{:.6g}", 1000 * cell.clearance); }},
+    Axis{"errors", [](const CellRecord& cell) { return fmt::format("x {}", cell.error_scale); }},
+    Axis{"propagation", [](const CellRecord& cell) { return cell.propagation; }},
+    Axis{"grasp", [](const CellRecord& cell) { return cell.grasp; }},
+    Axis{"sensing", [](const CellRecord& cell) { return cell.sensing; }},
+    Axis{"noise", [](const CellRecord& cell) { return cell.noise; }},
+    Axis{"seed", [](const CellRecord& cell) { return std::to_string(cell.seed); }},
+};
+
+std::vector<Axis> AxesShown(const std::vector<CellSummary>& cells) {
+  std::vector<Axis> shown;
+  for (const Axis& axis : kAxes) {
+    std::set<std::string> values;
+    for (const CellSummary& summary : cells) values.insert(axis.value(summary.cell));
+    if (values.size() > 1) shown.push_back(axis);
+  }
+  return shown;
+}
+
+std::string PlanText(const CellRecord& cell) {
+  if (cell.outcome == "none") return "no plan";
+  if (cell.outcome == "budget") return "budget spent";
+  return fmt::format("{} actions, {}", cell.actions,
+                     cell.proved ? "proved" : fmt::format("{} unproved", cell.errors));
+}
+
+// "98.1 % [97.1, 98.8]".
+std::string RateText(const CellSummary& summary) {
+  if (summary.done == 0) return "-";
+  const Interval interval = sweep::WilsonInterval(summary.succeeded, summary.done);
+  return fmt::format("{:.1f} % [{:.1f}, {:.1f}]", 100.0 * summary.succeeded / summary.done,
+                     100 * interval.low, 100 * interval.high);
+}
+
+Table CellTable(const SweepResults& results) {
+  const std::vector<Axis> axes = AxesShown(results.cells);
+  std::vector<Table::Column> columns = {{"cell", Align::kRight}};
+  for (const Axis& axis : axes) columns.push_back({axis.name});
+  for (const char* name : {"plan", "trials", "succeeded [95 %]", "contained", "inconclusive",
+                           "violated", "not claimed", "signalled", "recovered", "operator"}) {
+    columns.push_back({name, std::string_view(name) == "plan" ? Align::kLeft : Align::kRight});
+  }
+  Table table(std::move(columns));
+  for (const CellSummary& summary : results.cells) {
+    std::vector<std::string> row = {std::to_string(summary.cell.cell)};
+    for (const Axis& axis : axes) row.push_back(axis.value(summary.cell));
+    const sweep::VerdictCounts& counts = summary.certificates;
+    row.push_back(PlanText(summary.cell));
+    row.push_back(fmt::format("{} of {}", summary.done, summary.cell.trials));
+    row.push_back(RateText(summary));
+    for (const int count :
+         {counts.contained, counts.inconclusive, counts.violated, counts.not_claimed,
+          summary.with_errors, summary.recovered, summary.operator_called}) {
+      row.push_back(std::to_string(count));
+    }
+    table.Add(std::move(row));
+  }
+  return table;
+}
+
+// "not-seated: 3".
+std::map<std::string, int> Failures(const SweepResults& results) {
+  std::map<std::string, int> failures;
+  for (const CellSummary& summary : results.cells) {
+    for (const auto& [outcome, count] : summary.failed) failures[outcome] += count;
+  }
+  return failures;
+}
+
+std::string ReplayCommand(const SweepResults& results) {
+  return fmt::format("assay replay {} {}", results.database, results.first_bad);
+}
+
+Json ToJson(const sweep::VerdictCounts& counts) {
+  return {{"contained", counts.contained},
+          {"violated", counts.violated},
+          {"inconclusive", counts.inconclusive},
+          {"not-claimed", counts.not_claimed}};
+}
+
+Json ToJson(const CellSummary& summary) {
+  const CellRecord& cell = summary.cell;
+  const Interval interval = sweep::WilsonInterval(summary.succeeded, summary.done);
+  return {{"cell", cell.cell},
+          {"scenario", cell.scenario},
+          {"clearance", cell.clearance},
+          {"error_scale", cell.error_scale},
+          {"propagation", cell.propagation},
+          {"grasp", cell.grasp},
+          {"sensing", cell.sensing},
+          {"noise", cell.noise},
+          {"seed", cell.seed},
+          {"outcome", cell.outcome},
+          {"actions", cell.actions},
+          {"errors", cell.errors},
+          {"trials", cell.trials},
+          {"done", summary.done},
+          {"succeeded", summary.succeeded},
+          {"interval", {interval.low, interval.high}},
+          {"failed", summary.failed},
+          {"verdicts", ToJson(summary.certificates)},
+          {"signalled", summary.with_errors},
+          {"recovered", summary.recovered},
+          {"operator_called", summary.operator_called}};
+}
+
+// Every scenario with every clearance and error scale can be loaded.
+void LoadAll(const sweep::Sweep& sweep, const std::filesystem::path& models) {
+  for (const std::string& name : sweep.scenarios) {
+    const std::filesystem::path file = sweep.PathOf(name);
+    for (const std::optional<double>& clearance : sweep.clearances) {
+      for (const double scale : sweep.error_scales) {
+        scenario::Load(file, FindModels(models, file),
+                       {.clearance = clearance, .error_scale = scale});
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int SweepResults::Done() const {
+  int done = 0;
+  for (const CellSummary& summary : cells) done += summary.done;
+  return done;
+}
+
+int SweepResults::Succeeded() const {
+  int succeeded = 0;
+  for (const CellSummary& summary : cells) succeeded += summary.succeeded;
+  return succeeded;
+}
+
+sweep::VerdictCounts SweepResults::Certificates() const {
+  sweep::VerdictCounts sum;
+  for (const CellSummary& summary : cells) {
+    sum.contained += summary.certificates.contained;
+    sum.inconclusive += summary.certificates.inconclusive;
+    sum.violated += summary.certificates.violated;
+    sum.not_claimed += summary.certificates.not_claimed;
+  }
+  return sum;
+}
+
+SweepResults ResultsOf(const sweep::Store& store, const std::string& database) {
+  return {.database = database,
+          .trials = std::stoi(store.Facts().at("trials")),
+          .cells = sweep::Summarize(store),
+          .first_bad = static_cast<int>(
+              store.database().Integer("SELECT coalesce(min(trial), 0) FROM trial"
+                                       " WHERE outcome != 'succeeded' OR violated > 0"))};
+}
+
+std::string ForPeople(const SweepResults& results) {
+  std::string text = CellTable(results).Text();
+  const int done = results.Done();
+  text += fmt::format("\n{} of {} trials succeeded; {} certificates violated\n",
+                      results.Succeeded(), done, results.Certificates().violated);
+  for (const auto& [outcome, count] : Failures(results)) {
+    text += fmt::format("{}: {}\n", outcome, count);
+  }
+  if (results.first_bad > 0) text += fmt::format("again: {}\n", ReplayCommand(results));
+  for (const CellSummary& summary : results.cells) {
+    if (summary.cell.conflict.empty()) continue;
+    text += fmt::format("cell {}: {}\n", summary.cell.cell, summary.cell.conflict);
+  }
+  if (done < results.trials) {
+    text += fmt::format("{} of {} trials are there\n", done, results.trials);
+  }
+  return text;
+}
+
+Json ToJson(const SweepResults& results) {
+  const std::map<std::string, int> failures = Failures(results);
+  Json json = {{"database", results.database}, {"trials", results.trials},
+               {"done", results.Done()},       {"succeeded", results.Succeeded()},
+               {"failed", failures},           {"verdicts", ToJson(results.Certificates())},
+               {"replay", Json::array()},      {"cells", Json::array()}};
+  if (results.first_bad > 0) json["replay"].push_back(ReplayCommand(results));
+  for (const CellSummary& summary : results.cells) json["cells"].push_back(ToJson(summary));
+  return json;
+}
+
+ExitCode ExitCodeOf(const SweepResults& results) {
+  if (results.first_bad > 0) return ExitCode::kFailed;
+  const auto has = [&](const char* outcome) {
+    return std::ranges::any_of(
+        results.cells, [&](const CellSummary& summary) { return summary.cell.outcome == outcome; });
+  };
+  if (has("none")) return ExitCode::kNoPlan;
+  return has("budget") ? ExitCode::kBudgetSpent : ExitCode::kDone;
+}
+
+Report ReportOn(const sweep::Sweep& sweep, const std::filesystem::path& models) {
+  LoadAll(sweep, models);
+  const std::vector<sweep::Cell> cells = sweep::Cells(sweep);
+  int plans = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    plans += i == 0 || !sweep::SharePlan(cells[i - 1], cells[i]);
+  }
+  const int trials = sweep::TrialCount(cells);
+  Report report;
+  report.text = fmt::format("sweep {}: {} trials in {} cells, {} plans\n",
+                            sweep.file.stem().string(), trials, cells.size(), plans);
+  report.json = std::make_shared<const Json>(Json{{"sweep", sweep.file.stem().string()},
+                                                  {"scenarios", sweep.scenarios},
+                                                  {"trials", trials},
+                                                  {"cells", cells.size()},
+                                                  {"plans", plans}});
+  return report;
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "sim/cli/exit_code.h"
+#include "sim/cli/report.h"
+#include "sim/sweep/summary.h"
+#include "sim/sweep/sweep_file.h"
+
+namespace assay::cli {
+
+// What is in the database of a sweep.
+struct SweepResults {
+  std::string database;  // path, as the user gave it
+  int trials = 0;        // of the whole sweep
+  std::vector<sweep::CellSummary> cells = {};
+  int first_bad = 0;  // the first trial that failed or violated a prediction; 0: there is none
+
+  int Done() const;
+  int Succeeded() const;
+  sweep::VerdictCounts Certificates() const;
+};
+SweepResults ResultsOf(const sweep::Store& store, const std::string& database);
+
+// Rates of success with their 95 % intervals and counts of verdicts, for each cell.
+std::string ForPeople(const SweepResults& results);
+// sweep.schema.json.
+nlohmann::ordered_json ToJson(const SweepResults& results);
+
+// Failed if a trial failed or a prediction was violated, no plan if a cell has none, else done.
+ExitCode ExitCodeOf(const SweepResults& results);
+
+// What a sweep file comes to: its grid. Throws InputError if a scenario of it is wrong.
+Report ReportOn(const sweep::Sweep& sweep, const std::filesystem::path& models);
+
+}  // namespace assay::cli

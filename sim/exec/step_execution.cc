@@ -1,0 +1,216 @@
+#include "sim/exec/step_execution.h"
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+#include "sim/exec/command_file.h"
+#include "sim/exec/recovery.h"
+
+namespace assay::exec {
+namespace {
+
+// The part whose place decides whether the step works: the one that is handled, or mated with.
+struct SoughtPart {
+  const domain::Problem& problem;
+
+  PartId operator()(const plan::Assemble& assemble) const {
+    return problem.mating(assemble.mating).fixed;
+  }
+  PartId operator()(const auto& action) const { return action.part; }
+};
+
+// Along which the tool comes, as far as a place across it can be wrong.
+struct AxisOf {
+  const domain::Problem& problem;
+  const WorldModel& world;
+
+  Vector3 operator()(const plan::Assemble& assemble) const {
+    const domain::Mating& mating = problem.mating(assemble.mating);
+    return (world.PartPose(mating.fixed).linear() * mating.mating_vector).normalized();
+  }
+  Vector3 operator()(const auto&) const { return Vector3::UnitZ(); }
+};
+
+}  // namespace
+
+StepExecution::StepExecution(const plan::Plan& plan, plan::StepId step, Execution& execution)
+    : plan_(plan),
+      planned_(plan.step(step)),
+      step_(step),
+      execution_(execution),
+      sought_(std::visit(SoughtPart{execution.problem()}, planned_.action)),
+      X_WorldSought_(execution.world().PartPose(sought_)),
+      axis_(std::visit(AxisOf{execution.problem(), execution.world()}, planned_.action)),
+      commands_(CommandsFor(execution.problem(), execution.world(), planned_)) {
+  execution_.SetStep(step);
+}
+
+const std::vector<Command>& StepExecution::CommandsOf(Phase phase) const {
+  switch (phase) {
+    case Phase::kApproach:
+      return commands_.approach;
+    case Phase::kAdvance:
+      return commands_.advance;
+    case Phase::kAct:
+      return commands_.act;
+    case Phase::kDepart:
+      return commands_.depart;
+  }
+  ASSAY_CHECK(false, "a phase that the switch does not know");
+  return commands_.approach;
+}
+
+std::vector<Command> StepExecution::After(Phase phase) const {
+  std::vector<Command> commands;
+  for (const Phase later : {Phase::kAdvance, Phase::kAct, Phase::kDepart}) {
+    if (later <= phase) continue;
+    const std::vector<Command>& of_phase = CommandsOf(later);
+    commands.insert(commands.end(), of_phase.begin(), of_phase.end());
+  }
+  return commands;
+}
+
+Progress StepExecution::RunAll(const std::vector<Command>& commands,
+                               const std::vector<Command>& then) {
+  std::vector<Command> all = commands;
+  all.insert(all.end(), then.begin(), then.end());
+  const std::span<const Command> span(all);
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    const auto run = [&](const auto& command) {
+      return exec::Run(command, span.subspan(i + 1), execution_);
+    };
+    if (Progress failure = std::visit(run, commands[i])) return failure;
+  }
+  return std::nullopt;
+}
+
+Progress StepExecution::Run(Phase phase) { return RunAll(CommandsOf(phase), After(phase)); }
+
+Progress StepExecution::Named(Progress failure) const {
+  if (failure) failure->reason = planned_.name + ": " + failure->reason;
+  return failure;
+}
+
+// What is put down finds the table as high as it was drawn for the place; what is mated is over the
+// table of what it is mated with. The hand finds the table of the part that it works on.
+void StepExecution::SetTables() {
+  const scene::Scene& scene = execution_.scene();
+  mujoco::Data& data = execution_.data();
+  if (std::holds_alternative<plan::Sense>(planned_.action)) return;
+  const std::optional<double> drawn = execution_.options().noise.TableHeight(step_);
+  const double height = drawn.value_or(scene.TableHeight(data, sought_));
+  if (drawn) scene.SetTableHeight(data, sought_, height);
+  if (!execution_.world().held().IsNone()) {
+    scene.SetTableHeight(data, execution_.world().held(), height);
+  }
+  scene.SetTableHeightUnderHand(data, height);
+}
+
+void StepExecution::Record(Stage stage) {
+  execution_.trace().events.push_back(Milestone{step_, stage, execution_.Now()});
+}
+
+Progress StepExecution::Approach() {
+  execution_.SetHandError(execution_.options().noise.HandError(step_));
+  SetTables();
+  if (Progress failure = Run(Phase::kApproach)) return Named(failure);
+  Record(Stage::kPoised);
+  return std::nullopt;
+}
+
+Progress StepExecution::TakeUpNoise() {
+  SetTables();
+  const Pose error = execution_.options().noise.HandError(step_);
+  if (Progress failure = execution_.TakeUpHandError(error)) return Named(failure);
+  Record(Stage::kPoised);
+  return std::nullopt;
+}
+
+Progress StepExecution::Work() {
+  if (Progress failure = Run(Phase::kAdvance)) return Named(failure);
+  Record(Stage::kReached);
+  if (Progress failure = Run(Phase::kAct)) return Named(failure);
+  Record(Stage::kActed);
+  if (const std::string error = Verify(); !error.empty()) {
+    if (Progress failure = Recover(error)) return Named(failure);
+  }
+  if (Progress failure = Run(Phase::kDepart)) return Named(failure);
+  const StepEnd end{step_, planned_.name, Text(execution_.problem(), planned_.action),
+                    execution_.Now()};
+  execution_.trace().events.push_back(end);
+  if (execution_.options().on_step_end) execution_.options().on_step_end(end, execution_.data());
+  return std::nullopt;
+}
+
+double StepExecution::Measure(domain::MeasuredQuantity quantity) const {
+  switch (quantity) {
+    case domain::MeasuredQuantity::kGripperOpening:
+      return execution_.scene().Opening(execution_.data());
+    case domain::MeasuredQuantity::kToolHeight:
+      return execution_.BelievedTool().translation().z();
+  }
+  ASSAY_CHECK(false, "a quantity that the switch does not know");
+  return 0;
+}
+
+std::string StepExecution::Verify() {
+  for (const plan::Verification& check : plan_.verifications) {
+    if (check.step != step_) continue;
+    VerificationRecord record{.time = execution_.data().time(),
+                              .step = step_,
+                              .name = check.name,
+                              .measured = Measure(check.quantity),
+                              .expected = check.expected,
+                              .tolerance = check.tolerance,
+                              .error = {}};
+    if (record.measured < check.expected - check.tolerance) record.error = check.below;
+    if (record.measured > check.expected + check.tolerance) record.error = check.above;
+    execution_.trace().events.push_back(record);
+    if (!record.error.empty()) return record.error;
+  }
+  return {};
+}
+
+Progress StepExecution::Recover(std::string error) {
+  std::map<std::string, std::size_t> tried;  // places, by error
+  while (!error.empty()) {
+    const auto recovery = std::ranges::find_if(plan_.recoveries, [&](const plan::Recovery& r) {
+      return r.step == step_ && r.error == error;
+    });
+    ASSAY_CHECK(recovery != plan_.recoveries.end(), "no recovery from '{}'", error);
+    std::vector<Vector3> places = PlacesToTry(*recovery, axis_);
+    if (!execution_.options().recovers) places.clear();
+    const std::size_t next = tried[error]++;
+    RecoveryRecord record{.time = execution_.data().time(),
+                          .step = step_,
+                          .error = error,
+                          .strategy = recovery->strategy};
+    if (next >= places.size()) {
+      record.strategy = domain::RecoveryStrategy::kCallOperator;
+      execution_.trace().events.push_back(record);
+      return Failure{ExecutionOutcome::kOperatorCalled,
+                     error + (places.empty() ? "" : ", and nothing that was tried mended it")};
+    }
+    record.attempt = static_cast<int>(next) + 1;
+    record.offset = places[next];
+    execution_.trace().events.push_back(record);
+    if (Progress failure = TryAt(places[next])) return failure;
+    error = Verify();
+  }
+  return std::nullopt;
+}
+
+Progress StepExecution::TryAt(const Vector3& offset) {
+  if (Progress failure = RunAll(commands_.withdraw, {})) return failure;
+  execution_.world().Believe(sought_, geometry::Translation(offset) * X_WorldSought_);
+  commands_ = CommandsFor(execution_.problem(), execution_.world(), planned_);
+  // Sideways first: the last line of the approach ends where the tool is to be poised.
+  const auto* poised = std::get_if<MoveStraight>(&commands_.approach.back());
+  if (poised != nullptr) {
+    if (Progress failure = RunAll({*poised}, {})) return failure;
+  }
+  if (Progress failure = Run(Phase::kAdvance)) return failure;
+  return Run(Phase::kAct);
+}
+
+}  // namespace assay::exec

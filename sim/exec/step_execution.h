@@ -1,0 +1,59 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/exec/action_commands.h"
+#include "sim/exec/execution.h"
+
+namespace assay::exec {
+
+// A step of a plan on its way: the approach, then the work, with the verifications that follow it
+// and what is done about errors (Spar, figures 11 and 12).
+class StepExecution {
+ public:
+  // `plan` and `execution` must outlive this.
+  StepExecution(const plan::Plan& plan, plan::StepId step, Execution& execution);
+
+  // The hand errs anew, the table is as high as it is there, and the tool goes to where it is
+  // poised before or above its work.
+  Progress Approach();
+  // In a step that is poised: the errors are now as the execution's noise says.
+  Progress TakeUpNoise();
+  // All that comes after the approach. When the hand gropes, it is believed that the part (of a
+  // mating: the fixed part) lies where it is tried.
+  Progress Work();
+
+ private:
+  enum class Phase { kApproach, kAdvance, kAct, kDepart };
+
+  const std::vector<Command>& CommandsOf(Phase phase) const;
+  std::vector<Command> After(Phase phase) const;
+  Progress Run(Phase phase);
+  Progress RunAll(const std::vector<Command>& commands, const std::vector<Command>& then);
+  void SetTables();
+  void Record(Stage stage);
+  // Explains a failure by the step's name.
+  Progress Named(Progress failure) const;
+
+  // The first error that a verification of this step signals; empty: none.
+  std::string Verify();
+  double Measure(domain::MeasuredQuantity quantity) const;
+  // Tries the step again until nothing is signalled.
+  Progress Recover(std::string error);
+  Progress TryAt(const Vector3& offset);
+
+  const plan::Plan& plan_;
+  const plan::PlannedStep& planned_;
+  plan::StepId step_;
+  Execution& execution_;
+  // The part whose place is in doubt, where it was believed to be before groping, and the direction
+  // across which it is groped for.
+  PartId sought_;
+  Pose X_WorldSought_;
+  Vector3 axis_;
+  StepCommands commands_;
+};
+
+}  // namespace assay::exec

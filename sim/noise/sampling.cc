@@ -1,0 +1,92 @@
+#include "sim/noise/sampling.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+#include "planner/base/check.h"
+#include "planner/base/random.h"
+
+namespace assay::noise {
+namespace {
+
+// The generalized golden ratio: the positive root of x^(d + 1) = x + 1 (Roberts 2018, "The
+// unreasonable effectiveness of quasirandom sequences").
+double GoldenRatio(int dimensions) {
+  double x = 2;
+  for (int i = 0; i < 60; ++i) x = std::pow(1 + x, 1.0 / (dimensions + 1));
+  return x;
+}
+
+// In which a symmetric range's ends come out exactly.
+double At(const Interval& range, double t) { return (1 - t) * range.low + t * range.high; }
+
+std::vector<double> UniformPoint(int dimensions, std::uint64_t seed, int number) {
+  RandomStream random(seed, fmt::format("uniform/{}", number));
+  std::vector<double> point(dimensions);
+  for (double& t : point) t = random.Uniform();
+  return point;
+}
+
+}  // namespace
+
+std::vector<double> CornerPoint(int dimensions, std::uint64_t seed, int number) {
+  ASSAY_CHECK(dimensions >= 0 && number >= 1);
+  std::vector<double> point(dimensions);
+  const unsigned rows = std::bit_ceil(static_cast<unsigned>(dimensions) + 1);
+  const unsigned row = static_cast<unsigned>(number - 1) / 2;
+  if (row < rows) {
+    const unsigned opposite = static_cast<unsigned>(number - 1) % 2;
+    for (unsigned i = 0; i < point.size(); ++i) {
+      point[i] = (std::popcount(row & (i + 1)) + opposite) % 2;
+    }
+    return point;
+  }
+  RandomStream random(seed, fmt::format("corner/{}", number));
+  for (double& t : point) t = random.Index(2);
+  return point;
+}
+
+std::vector<double> EvenPoint(int dimensions, std::uint64_t seed, int number) {
+  ASSAY_CHECK(dimensions >= 0 && number >= 1);
+  RandomStream random(seed, "even");
+  const double ratio = GoldenRatio(dimensions);
+  std::vector<double> point(dimensions);
+  double step = 1;
+  for (double& t : point) {
+    step /= ratio;
+    const double x = random.Uniform() + number * step;
+    t = x - std::floor(x);
+  }
+  return point;
+}
+
+const std::vector<std::string>& ModeNames() {
+  static const std::vector<std::string> kNames = {"none", "uniform", "vertices", "low-discrepancy"};
+  return kNames;
+}
+
+std::string_view Name(Mode mode) { return ModeNames()[static_cast<std::size_t>(mode)]; }
+
+Noise Sample(const std::vector<Channel>& box, Mode mode, std::uint64_t seed, int number) {
+  const int dimensions = static_cast<int>(box.size());
+  std::vector<double> point;
+  switch (mode) {
+    case Mode::kNone:
+      return {box, std::vector<double>(box.size(), 0)};
+    case Mode::kUniform:
+      point = UniformPoint(dimensions, seed, number);
+      break;
+    case Mode::kVertices:
+      point = CornerPoint(dimensions, seed, number);
+      break;
+    case Mode::kLowDiscrepancy:
+      point = EvenPoint(dimensions, seed, number);
+      break;
+  }
+  for (std::size_t i = 0; i < box.size(); ++i) point[i] = At(box[i].range, point[i]);
+  return {box, std::move(point)};
+}
+
+}  // namespace assay::noise

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "planner/geometry/pose.h"
+
+namespace assay::sense {
+
+// How a part that rests in a stable pose may be elsewhere than believed: x, y, z of its origin
+// along the world's axes, metres, and yaw, the turn about the world's z through its origin, radians
+// (Spar, equation 2).
+using Displacement = Eigen::Vector4d;
+
+inline geometry::Pose Displaced(const geometry::Pose& X_WorldPart, const Displacement& by) {
+  geometry::Pose moved = geometry::RotationZ(by[3]) * X_WorldPart;
+  moved.translation() = X_WorldPart.translation() + by.head<3>();
+  return moved;
+}
+
+// What leads from one to the other; roll and pitch must be the same.
+inline Displacement Between(const geometry::Pose& from, const geometry::Pose& to) {
+  const geometry::Matrix3 turn = to.linear() * from.linear().transpose();
+  Displacement by;
+  by << to.translation() - from.translation(),
+      std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
+  return by;
+}
+
+}  // namespace assay::sense

@@ -1,0 +1,106 @@
+#include "sim/sense/edge_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay::sense {
+namespace {
+
+constexpr double kStep = 0.5;  // pixels, along the normal
+// Antialiasing and interpolation blur an edge by up to two pixels to each side, along a diagonal;
+// beyond, surfaces show their own colour.
+constexpr double kClear = 1.8;
+constexpr double kFartherClear = 2.5;
+// Greatest differences within a surface, of 255: while the edge's place is known to a pixel, and
+// to a fraction of it.
+constexpr double kRoughlyEven = 60;
+constexpr double kEven = 12;
+constexpr double kLeastContrast = 30;
+
+Vector3 PixelColor(const render::Image& image, int column, int row) {
+  column = std::clamp(column, 0, image.width - 1);
+  row = std::clamp(row, 0, image.height - 1);
+  const std::uint8_t* rgb =
+      image.rgb.data() + 3 * (static_cast<std::size_t>(row) * image.width + column);
+  return {static_cast<double>(rgb[0]), static_cast<double>(rgb[1]), static_cast<double>(rgb[2])};
+}
+
+// Between the centres of pixels, bilinear.
+Vector3 ColorAt(const render::Image& image, const Vector2& p) {
+  const double x = std::floor(p.x() - 0.5);
+  const double y = std::floor(p.y() - 0.5);
+  const double right = p.x() - 0.5 - x;
+  const double down = p.y() - 0.5 - y;
+  const int column = static_cast<int>(x);
+  const int row = static_cast<int>(y);
+  return (1 - down) * ((1 - right) * PixelColor(image, column, row) +
+                       right * PixelColor(image, column + 1, row)) +
+         down * ((1 - right) * PixelColor(image, column, row + 1) +
+                 right * PixelColor(image, column + 1, row + 1));
+}
+
+// The picture along a contour point's normal, outward.
+struct Profile {
+  const Picture& picture;
+  const ContourPoint& point;
+
+  Vector2 At(double offset) const { return point.pixel + offset * point.normal; }
+  Surface SurfaceAt(double offset) const {
+    const Vector2 p = At(offset);
+    return picture.surfaces.At(p.x(), p.y());
+  }
+  Vector3 Color(double offset) const { return ColorAt(picture.image, At(offset)); }
+
+  bool EndsAt(double offset) const {
+    return SurfaceAt(offset) == Surface::kPart && SurfaceAt(offset + kStep) != Surface::kPart &&
+           SurfaceAt(offset - kClear) == Surface::kPart &&
+           SurfaceAt(offset + kStep + kClear) == Surface::kTable;
+  }
+};
+
+// The colour of the surface on one side (direction 1 or -1) of an edge; none if it is not even.
+std::optional<Vector3> ColorBeside(const Profile& profile, double edge, int direction,
+                                   double evenness) {
+  const Vector3 near = profile.Color(edge + direction * kClear);
+  const Vector3 far = profile.Color(edge + direction * kFartherClear);
+  if ((near - far).cwiseAbs().maxCoeff() > evenness) return std::nullopt;
+  return (near + far) / 2;
+}
+
+// Where the colour is half way from the part's to the table's, about `edge`.
+std::optional<double> Halfway(const Profile& profile, double edge, double evenness) {
+  const std::optional<Vector3> inside = ColorBeside(profile, edge, -1, evenness);
+  const std::optional<Vector3> outside = ColorBeside(profile, edge, 1, evenness);
+  if (!inside || !outside || (*outside - *inside).norm() < kLeastContrast) return std::nullopt;
+  const Vector3 axis = (*outside - *inside) / (*outside - *inside).squaredNorm();
+  constexpr double kFineStep = 0.25;
+  double before = 0;
+  for (double t = edge - kClear; t < edge + kClear; t += kFineStep) {
+    const double fraction = axis.dot(profile.Color(t) - *inside);
+    if (fraction >= 0.5) {
+      return t - kFineStep * (fraction - 0.5) / std::max(fraction - before, 1e-9);
+    }
+    before = fraction;
+  }
+  return std::nullopt;
+}
+
+// To a fraction of a pixel, from where it is to a pixel.
+std::optional<double> Refined(const Profile& profile, double edge) {
+  const std::optional<double> rough = Halfway(profile, edge, kRoughlyEven);
+  return rough ? Halfway(profile, *rough, kEven) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<double> FindEdge(const Picture& picture, const ContourPoint& point, double range) {
+  const Profile profile{picture, point};
+  for (double distance = 0; distance <= range; distance += kStep) {
+    for (const double offset : {-distance, distance - kStep}) {
+      if (profile.EndsAt(offset)) return Refined(profile, offset + kStep / 2);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace assay::sense

@@ -1,0 +1,99 @@
+#include "sim/sense/silhouette.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace assay::sense {
+namespace {
+
+using geometry::Box;
+using geometry::Polygon;
+
+struct Corner {
+  Vector3 p_World;
+  Vector2 pixel;
+};
+
+// A box and its picture.
+struct Shadow {
+  std::array<Corner, 8> corners;
+  Polygon outline;
+
+  Shadow(const Box& box, const View& view) {
+    std::array<Vector2, 8> pixels;
+    const std::array<Vector3, 8> points = box.Corners();
+    for (int i = 0; i < 8; ++i) {
+      pixels[i] = view.Project(points[i]);
+      corners[i] = {points[i], pixels[i]};
+    }
+    outline = geometry::Hull2(pixels);
+  }
+
+  const Vector3& CornerAt(const Vector2& pixel) const {
+    return std::ranges::find_if(corners, [&](const Corner& c) { return c.pixel == pixel; })
+        ->p_World;
+  }
+};
+
+bool Covered(const std::vector<Shadow>& shadows, const Vector2& pixel) {
+  return std::ranges::any_of(
+      shadows, [&](const Shadow& shadow) { return geometry::Depth(shadow.outline, pixel) > 0; });
+}
+
+// Whether the union ends here, and nothing else of it begins nearby.
+bool IsCleanContour(const std::vector<Shadow>& shadows, const Vector2& pixel,
+                    const Vector2& normal) {
+  constexpr double kJustOutside = 0.01;
+  return Covered(shadows, pixel - kContourReach * normal) &&
+         !Covered(shadows, pixel + kJustOutside * normal) &&
+         !Covered(shadows, pixel + kContourReach * normal);
+}
+
+// Between two corners of a box that follow each other on its outline.
+void AddPoints(const std::vector<Shadow>& shadows, const std::array<Vector3, 2>& edge,
+               const View& view, double spacing, std::vector<ContourPoint>& contour) {
+  const Vector2 start = view.Project(edge[0]);
+  const Vector2 along = view.Project(edge[1]) - start;
+  const Vector2 normal = Vector2(along.y(), -along.x()).normalized();
+  const int count = static_cast<int>((along.norm() - 2 * kContourReach) / spacing);
+  for (int i = 0; i < count; ++i) {
+    const double fraction = (i + 0.5) / count;
+    const Vector3 p_World = edge[0] + fraction * (edge[1] - edge[0]);
+    const Vector2 pixel = view.Project(p_World);
+    const double from_end = std::min((pixel - start).norm(), (start + along - pixel).norm());
+    if (from_end > kContourReach && IsCleanContour(shadows, pixel, normal)) {
+      contour.push_back({p_World, pixel, normal});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Box> BoxesAt(const domain::PartModel& model, const Pose& X_WorldPart) {
+  std::vector<Box> boxes;
+  for (const Box& box : model.boxes()) boxes.push_back(box.Transformed(X_WorldPart));
+  return boxes;
+}
+
+std::vector<Polygon> Shadows(std::span<const Box> boxes, const View& view) {
+  std::vector<Polygon> outlines;
+  for (const Box& box : boxes) outlines.push_back(Shadow(box, view).outline);
+  return outlines;
+}
+
+std::vector<ContourPoint> Contour(std::span<const Box> boxes, const View& view, double spacing) {
+  std::vector<Shadow> shadows;
+  for (const Box& box : boxes) shadows.emplace_back(box, view);
+  std::vector<ContourPoint> contour;
+  for (const Shadow& shadow : shadows) {
+    for (std::size_t i = 0; i < shadow.outline.size(); ++i) {
+      const Vector2& next = shadow.outline[(i + 1) % shadow.outline.size()];
+      AddPoints(shadows, {shadow.CornerAt(shadow.outline[i]), shadow.CornerAt(next)}, view, spacing,
+                contour);
+    }
+  }
+  return contour;
+}
+
+}  // namespace assay::sense

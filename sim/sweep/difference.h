@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/sweep/records.h"
+
+namespace assay::sweep {
+
+// In what two records of one trial differ: "simulated: 10.5 and 10.25". Nothing if they are equal,
+// bit for bit.
+std::vector<std::string> Differences(const TrialRecord& stored, const TrialRecord& again);
+
+}  // namespace assay::sweep

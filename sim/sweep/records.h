@@ -1,0 +1,97 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim/check/claim.h"
+#include "sim/check/honesty_gate.h"
+
+namespace assay::sweep {
+
+// Rows of the database. Apart from the seconds, they depend on nothing but the sweep file, the
+// files that it names and the program's version.
+
+// What was planned for a cell: one row of table `cell`, and of `gate` for each
+// step, with one of `gate_component` for each component.
+struct CellRecord {
+  int cell = 0;
+  std::string scenario;  // its path, as in the sweep file
+  double clearance = 0;  // metres, what it really is
+  double error_scale = 1;
+  std::string propagation, noise, sensing;
+  std::int64_t seed = 0;
+  int trials = 0;
+  std::string grasp;
+  std::string outcome;  // "planned", "none" or "budget"; there are trials if planned
+  int actions = 0;
+  int errors = 0;  // steps not all of whose preconditions are proved
+  bool proved = false;
+  std::string conflict;  // constraints that cannot hold together, one a line
+  std::string plan;      // plan.json on one line
+  check::HonestyGate gate = {};
+};
+
+// What a certificate says, in all trials of a cell alike: a row of table `claim`.
+struct ClaimRecord {
+  std::string claim;   // its name in the cell: "2/after/x of peg"
+  int step = 0;        // place in the order of execution, from 1
+  std::string action;  // the step's name: "action_3"
+  std::string about;   // "before", "precondition", "after"
+  std::string name, unit;
+  double low = 0;
+  double high = 0;
+  bool proved = true;
+  double gate = 0;  // in the same unit
+
+  bool operator==(const ClaimRecord&) const = default;
+};
+
+// How a step's certificate came out in a trial: a row of table `verdict`.
+struct VerdictRecord {
+  int step = 0;
+  std::string action;
+  std::string verdict;
+  std::string claim;  // the name of the worst claim
+  double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
+
+  bool operator==(const VerdictRecord&) const = default;
+};
+
+// What was observed of a claim: a row of table `observation`.
+struct ObservationRecord {
+  std::string claim;
+  double observed = 0;
+
+  bool operator==(const ObservationRecord&) const = default;
+};
+
+// How many certificates of a trial came out how.
+struct VerdictCounts {
+  int contained = 0, inconclusive = 0, violated = 0, not_claimed = 0;
+
+  bool operator==(const VerdictCounts&) const = default;
+};
+
+// One trial: a row of table `trial`, with its verdicts and observations.
+struct TrialRecord {
+  int trial = 0;  // in the sweep, from 1
+  int cell = 0;
+  int number = 0;          // in the cell, from 1
+  std::string noise;       // noise::Text
+  std::string outcome;     // check::Name
+  std::string reason;      // empty if succeeded
+  double simulated = 0;    // seconds
+  std::int64_t steps = 0;  // of the engine
+  int errors_signalled = 0;
+  int recovered = 0;
+  bool operator_called = false;
+  std::string warnings;  // of the engine
+  VerdictCounts counts = {};
+  std::vector<VerdictRecord> verdicts = {};
+  std::vector<ObservationRecord> observations = {};
+
+  bool operator==(const TrialRecord&) const = default;
+};
+
+}  // namespace assay::sweep

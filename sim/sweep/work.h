@@ -1,0 +1,59 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim/check/noisy_trial.h"
+#include "sim/noise/error_box.h"
+#include "sim/scenario/scenario.h"
+#include "sim/sweep/grid.h"
+#include "sim/sweep/records.h"
+#include "sim/sweep/store.h"
+
+namespace assay::sweep {
+
+// What the trials of a cell have in common.
+struct Preparation {
+  scenario::Scenario scenario;  // with the cell's clearance, errors and grasp
+  plan::Plan plan;
+  std::vector<noise::Channel> box;
+  check::HonestyGate gate;
+};
+
+// A cell whose plan is made.
+struct PlannedCell {
+  Cell cell;
+  CellRecord record;
+  std::shared_ptr<const Preparation> preparation;  // if there is a plan
+};
+
+// What is done for cells and trials. All functions can be called from many threads, and depend on
+// nothing but their arguments.
+struct Work {
+  // Makes the plan and measures the honesty gate.
+  std::function<PlannedCell(const Cell&)> plan;
+  // The same from what is stored.
+  std::function<PlannedCell(const Cell&, const CellRecord&)> restore;
+  // `number`: of the trial in its cell, from 1. The record's numbers in the sweep are filled in by
+  // who calls.
+  std::function<TimedTrial(const PlannedCell&, int number)> run;
+};
+
+// Plans with the planner, executes in physics. `models`: the folder; empty: each scenario's own.
+Work RealWork(const Sweep& sweep, const std::filesystem::path& models);
+
+// The noise of a trial.
+noise::Noise NoiseOf(const PlannedCell& cell, int number);
+
+// A trial with its noise, told of the end of each step.
+check::NoisyTrial Execute(
+    const PlannedCell& cell, const noise::Noise& noise,
+    const std::function<void(const exec::StepEnd&, const mujoco::Data&)>& on_step_end);
+
+// What is kept of a trial.
+TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial);
+
+}  // namespace assay::sweep

@@ -1,0 +1,157 @@
+#include "sim/sense/silhouette.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "planner/base/random.h"
+#include "tests/sim/scene/peg_and_block.h"
+
+namespace assay::sense {
+namespace {
+
+using geometry::Box;
+
+constexpr int kSize = 300;
+
+// The point of a pixel's ray one metre from the eye.
+Vector3 OnRay(const View& view, const Vector2& pixel) {
+  const double focal = kSize / 2.0 / std::tan(view.camera().vertical_angle / 2);
+  const Vector3 in_camera(pixel.x() - kSize / 2.0, kSize / 2.0 - pixel.y(), -focal);
+  return view.camera().X_WorldCamera * Vector3(in_camera.normalized());
+}
+
+// Whether the ray from the eye goes through the box: the interval in which it is between each pair
+// of faces is cut down pair by pair.
+bool Hits(const Vector3& eye, const Vector3& through, const Box& box) {
+  const Pose X_BoxWorld = box.X_FrameBox.inverse();
+  const Vector3 start = X_BoxWorld * eye;
+  const Vector3 way = X_BoxWorld * through - start;
+  double enters = 0;
+  double leaves = 1e9;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double a = (-box.half_extents[axis] - start[axis]) / way[axis];
+    const double b = (box.half_extents[axis] - start[axis]) / way[axis];
+    enters = std::max(enters, std::min(a, b));
+    leaves = std::min(leaves, std::max(a, b));
+  }
+  return enters < leaves;
+}
+
+bool HitsAny(const View& view, const Vector2& pixel, const std::vector<Box>& boxes) {
+  const Vector3 eye = view.camera().X_WorldCamera.translation();
+  const Vector3 through = OnRay(view, pixel);
+  return std::ranges::any_of(boxes, [&](const Box& box) { return Hits(eye, through, box); });
+}
+
+// A part in one of its stable poses, seen from somewhere above.
+struct Sight {
+  std::vector<Box> boxes;
+  View view;
+};
+
+Sight RandomSight(const std::string& model, RandomStream& random) {
+  const domain::Part part = scene::PartAt({.model = model, .stable_pose = "on-side"}, 0.0005);
+  const auto& poses = part.model->stable_poses();
+  const Pose& X_TablePart = poses[random.Index(static_cast<int>(poses.size()))].X_TablePart;
+  const Pose X_WorldPart =
+      domain::Placement{0.7, 0.1, random.Uniform(-3, 3)}.X_WorldTable() * X_TablePart;
+  const Vector3 eye(random.Uniform(0, 1.5), random.Uniform(-1, 1), random.Uniform(1, 2));
+  const Vector3 center = X_WorldPart * part.model->mass().center;
+  return {BoxesAt(*part.model, X_WorldPart), View(eye, center, 0.13, kSize)};
+}
+
+class SilhouetteTest : public testing::TestWithParam<const char*> {
+ protected:
+  RandomStream random_{1, "silhouette"};
+};
+
+TEST_P(SilhouetteTest, ShadowsCoverWhatRaysHit) {
+  for (int i = 0; i < 10; ++i) {
+    const Sight sight = RandomSight(GetParam(), random_);
+    const auto shadows = Shadows(sight.boxes, sight.view);
+    for (int pixel = 0; pixel < 400; ++pixel) {
+      const Vector2 p(random_.Uniform(0, kSize), random_.Uniform(0, kSize));
+      const bool covered = std::ranges::any_of(
+          shadows, [&](const auto& shadow) { return geometry::Depth(shadow, p) > 0; });
+      EXPECT_EQ(covered, HitsAny(sight.view, p, sight.boxes)) << p.transpose();
+    }
+  }
+}
+
+TEST_P(SilhouetteTest, ContourPointsAreWhereTheHitsEnd) {
+  for (int i = 0; i < 10; ++i) {
+    const Sight sight = RandomSight(GetParam(), random_);
+    const auto contour = Contour(sight.boxes, sight.view, 3);
+    ASSERT_GT(contour.size(), 50u);
+    for (const ContourPoint& point : contour) {
+      EXPECT_NEAR((sight.view.Project(point.p_World) - point.pixel).norm(), 0, 1e-9);
+      EXPECT_NEAR(point.normal.norm(), 1, 1e-12);
+      for (const double offset : {0.02, 1.0, 2.0}) {
+        const Vector2 outside = point.pixel + offset * point.normal;
+        EXPECT_FALSE(HitsAny(sight.view, outside, sight.boxes)) << offset;
+      }
+      EXPECT_TRUE(HitsAny(sight.view, point.pixel - 0.01 * point.normal, sight.boxes));
+    }
+  }
+}
+
+bool AnyWithin(double distance, const std::vector<Vector2>& pixels, const Vector2& p) {
+  return std::ranges::any_of(pixels, [&](const Vector2& q) { return (q - p).norm() < distance; });
+}
+
+// Wherever hits end along a row of pixels, a contour point is near, unless a corner is, of a box or
+// where the outlines of two boxes cross: a few.
+TEST_P(SilhouetteTest, TheContourHasNoGaps) {
+  int ends = 0;
+  int missed = 0;
+  for (int i = 0; i < 5; ++i) {
+    const Sight sight = RandomSight(GetParam(), random_);
+    std::vector<Vector2> contour;
+    std::vector<Vector2> corners;
+    for (const auto& point : Contour(sight.boxes, sight.view, 3)) contour.push_back(point.pixel);
+    for (const auto& shadow : Shadows(sight.boxes, sight.view)) {
+      corners.insert(corners.end(), shadow.begin(), shadow.end());
+    }
+    for (int row = 0; row < kSize; row += 7) {
+      for (int column = 0; column + 1 < kSize; ++column) {
+        const Vector2 p(column + 0.5, row + 0.5);
+        const bool ends_here = HitsAny(sight.view, p, sight.boxes) !=
+                               HitsAny(sight.view, p + Vector2(1, 0), sight.boxes);
+        if (!ends_here || AnyWithin(8, corners, p)) continue;
+        ++ends;
+        if (!AnyWithin(4, contour, p)) ++missed;
+      }
+    }
+  }
+  EXPECT_GT(ends, 50);
+  EXPECT_LE(missed, 0.05 * ends);
+}
+
+INSTANTIATE_TEST_SUITE_P(Parts, SilhouetteTest,
+                         testing::Values("block", "peg", "keyed-peg", "brick"),
+                         [](const auto& instance) {
+                           std::string name = instance.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+// A ring of four boxes, seen from straight above: its contour goes around the hole as well.
+TEST(Silhouette, GoesAroundThroughHoles) {
+  const Box plate = Box::FromCorners({-0.05, -0.05, 0}, {0.05, 0.05, 0.02});
+  const Box hole = Box::FromCorners({-0.02, -0.02, -0.01}, {0.02, 0.02, 0.03});
+  const View above({0, 0, 1}, {0, 0, 0}, 0.1, kSize);
+  const auto contour = Contour(Subtract(plate, hole), above, 3);
+  const auto inner = std::ranges::count_if(contour, [](const ContourPoint& point) {
+    return point.p_World.head<2>().cwiseAbs().maxCoeff() < 0.021;
+  });
+  EXPECT_GT(inner, 40);
+  for (const ContourPoint& point : contour) {
+    const bool is_inner = point.p_World.head<2>().cwiseAbs().maxCoeff() < 0.021;
+    const Vector2 from_middle = point.pixel - Vector2(kSize, kSize) / 2;
+    EXPECT_EQ(point.normal.dot(from_middle) < 0, is_inner);
+  }
+}
+
+}  // namespace
+}  // namespace assay::sense

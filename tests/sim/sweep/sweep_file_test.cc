@@ -1,0 +1,106 @@
+#include "sim/sweep/sweep_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/base/input_error.h"
+#include "tests/sim/sweep/sweep_folder.h"
+
+namespace assay::sweep {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Optional;
+using uncertainty::Propagation;
+
+class SweepFile : public SweepFolder {
+ protected:
+  std::string ErrorOf(const std::string& lines) const {
+    try {
+      Read(lines);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "no error";
+  }
+};
+
+TEST_F(SweepFile, SaysAllAxes) {
+  const Sweep sweep = Read(
+      "title: All of it\n"
+      "units: {length: mm}\n"
+      "scenarios: [a.yaml, b.yaml]\n"
+      "clearances: [0.5, 1]\n"
+      "error_scales: [1, 0.1]\n"
+      "propagation: [sound, paper]\n"
+      "grasp: [weld, friction]\n"
+      "sensing: [camera, drawn]\n"
+      "noise: [none, uniform, vertices, low-discrepancy]\n"
+      "seeds: [1, 2, 3]\n"
+      "trials: 100\n"
+      "control_trials: 7\n"
+      "planner: {budget: 1000, instances: 3}\n");
+  EXPECT_EQ(sweep.title, "All of it");
+  EXPECT_THAT(sweep.scenarios, ElementsAre("a.yaml", "b.yaml"));
+  ASSERT_EQ(sweep.clearances.size(), 2u);
+  EXPECT_THAT(sweep.clearances[0], Optional(::testing::DoubleEq(0.0005)));
+  EXPECT_THAT(sweep.error_scales, ElementsAre(1, 0.1));
+  EXPECT_THAT(sweep.propagations, ElementsAre(Propagation::kSound, Propagation::kPaper));
+  EXPECT_THAT(sweep.grasps, ElementsAre(scene::GraspMode::kWeld, scene::GraspMode::kFriction));
+  EXPECT_THAT(sweep.sensings, ElementsAre(Sensing::kCamera, Sensing::kDrawn));
+  EXPECT_THAT(sweep.noises, ElementsAre(noise::Mode::kNone, noise::Mode::kUniform,
+                                        noise::Mode::kVertices, noise::Mode::kLowDiscrepancy));
+  EXPECT_THAT(sweep.seeds, ElementsAre(1, 2, 3));
+  EXPECT_EQ(sweep.trials, 100);
+  EXPECT_EQ(sweep.control_trials, 7);
+  EXPECT_EQ(sweep.partial_plans, 1000);
+  EXPECT_EQ(sweep.instances, 3);
+}
+
+TEST_F(SweepFile, NeedsScenariosAndTrialsOnly) {
+  const Sweep sweep = Read("scenarios: [a.yaml]\ntrials: 5\n");
+  EXPECT_THAT(sweep.clearances, ElementsAre(std::nullopt));
+  EXPECT_THAT(sweep.error_scales, ElementsAre(1));
+  EXPECT_THAT(sweep.propagations, ElementsAre(Propagation::kSound));
+  EXPECT_THAT(sweep.grasps, ElementsAre(scene::GraspMode::kFriction));
+  EXPECT_THAT(sweep.sensings, ElementsAre(Sensing::kDrawn));
+  EXPECT_THAT(sweep.noises, ElementsAre(noise::Mode::kUniform));
+  EXPECT_THAT(sweep.seeds, ElementsAre(0));
+  EXPECT_EQ(sweep.control_trials, 1);
+}
+
+TEST_F(SweepFile, ScenariosAreFoundFromItsFolder) {
+  const Sweep sweep = Read("scenarios: [a.yaml]\ntrials: 5\n");
+  EXPECT_EQ(sweep.PathOf("a.yaml"), folder_ / "a.yaml");
+  EXPECT_EQ(sweep.PathOf("../a.yaml"), folder_.parent_path() / "a.yaml");
+}
+
+TEST_F(SweepFile, WrongOnesAreRefusedWithTheirPlace) {
+  const std::string good = "scenarios: [a.yaml]\ntrials: 5\n";
+  EXPECT_THAT(ErrorOf(good + "nois: [none]\n"), HasSubstr("did you mean 'noise'?"));
+  EXPECT_THAT(ErrorOf(good + "nois: [none]\n"), HasSubstr("sweep.yaml:4:1"));
+  EXPECT_THAT(ErrorOf(good + "noise: [unifrom]\n"), HasSubstr("'uniform'"));
+  EXPECT_THAT(ErrorOf(good + "noise: [none, none]\n"), HasSubstr("given twice"));
+  EXPECT_THAT(ErrorOf(good + "seeds: []\n"), HasSubstr("empty"));
+  EXPECT_THAT(ErrorOf(good + "seeds: [-1]\n"), HasSubstr("sweep.yaml:4:9"));
+  EXPECT_THAT(ErrorOf(good + "error_scales: [-1]\n"), HasSubstr("sweep.yaml:4:16"));
+  EXPECT_THAT(ErrorOf(good + "units: {length: mm}\nclearances: [50]\n"), HasSubstr("10"));
+  EXPECT_THAT(ErrorOf(good + "sensing: [radar]\n"), HasSubstr("drawn, camera"));
+  EXPECT_THAT(ErrorOf(good + "planner: {instance: 2}\n"), HasSubstr("did you mean 'instances'?"));
+  EXPECT_THAT(ErrorOf("scenarios: [a.yaml]\n"), HasSubstr("trials"));
+  EXPECT_THAT(ErrorOf("trials: 5\n"), HasSubstr("scenarios"));
+  EXPECT_THAT(ErrorOf("scenarios: [a.yaml]\ntrials: 0\n"), HasSubstr("sweep.yaml:3:9"));
+  EXPECT_THAT(ErrorOf("scenarios: [c.yaml]\ntrials: 5\n"), HasSubstr("c.yaml"));
+  EXPECT_THAT(ErrorOf("scenarios: a.yaml\ntrials: 5\n"), HasSubstr("list"));
+}
+
+TEST_F(SweepFile, GridsTooLargeToCountAreRefused) {
+  std::string seeds = "0";
+  for (int i = 1; i < 200; ++i) seeds += ", " + std::to_string(i);
+  EXPECT_THAT(ErrorOf("scenarios: [a.yaml]\ntrials: 10000000\nseeds: [" + seeds + "]\n"),
+              HasSubstr("1000000000 at most"));
+}
+
+}  // namespace
+}  // namespace assay::sweep

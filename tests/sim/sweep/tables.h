@@ -1,0 +1,49 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "sim/sweep/database.h"
+
+namespace assay::sweep {
+
+// All rows of a database's tables that must not differ between runs of the same sweep, in the order
+// in which the tables have them, as text.
+inline std::map<std::string, std::vector<std::string>> Tables(const std::filesystem::path& file) {
+  const Database database(file, Database::Access::kRead);
+  const std::map<std::string, std::string> queries = {
+      {"sweep", "SELECT quote(key) || quote(value) FROM sweep"},
+      {"cell",
+       "SELECT cell||'|'||scenario||'|'||quote(clearance)||quote(error_scale)||propagation||noise||"
+       "sensing||'|'||seed||'|'||trials||grasp||outcome||actions||'|'||errors||'|'||proved||"
+       "quote(conflict)||quote(plan) FROM cell"},
+      {"gate",
+       "SELECT cell||'|'||id||quote(arm)||quote(creep)||quote(penetration)||quote(force_ripple) "
+       "FROM gate"},
+      {"gate_component",
+       "SELECT cell||'|'||id||'|'||component||about||quote(name)||quote(offset)||quote(step_size) "
+       "FROM gate_component"},
+      {"claim",
+       "SELECT cell||'|'||quote(claim)||step||quote(action)||about||quote(name)||unit||quote(low)||"
+       "quote(high)||proved||quote(gate) FROM claim"},
+      {"trial",
+       "SELECT trial||'|'||cell||'|'||number||'|'||quote(noise)||outcome||quote(reason)||"
+       "quote(simulated)||'|'||steps||'|'||errors_signalled||'|'||recovered||'|'||operator_called||"
+       "quote(warnings)||contained||'|'||inconclusive||'|'||violated||'|'||not_claimed||replay "
+       "FROM trial"},
+      {"verdict",
+       "SELECT "
+       "trial||'|'||step||quote(action)||verdict||quote(claim)||quote(observed)||quote(low)||"
+       "quote(high)||quote(margin)||quote(gate) FROM verdict"},
+      {"observation", "SELECT trial||'|'||quote(claim)||quote(observed) FROM observation"}};
+  std::map<std::string, std::vector<std::string>> tables;
+  for (const auto& [table, query] : queries) {
+    Statement rows = database.Prepare(query);
+    while (rows.Next()) tables[table].push_back(rows.Text(0));
+  }
+  return tables;
+}
+
+}  // namespace assay::sweep
