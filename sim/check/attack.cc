@@ -79,7 +79,9 @@ class Attacker {
         options_(options),
         arena_(options.jobs),
         box_(noise::ErrorBox(experiment.problem, experiment.plan)),
-        worlds_(WorldsOf(experiment, box_)) {}
+        worlds_(WorldsOf(experiment, box_)) {
+    result_.certificates.resize(experiment.plan.steps.size());
+  }
 
   AttackResult Run() {
     const std::vector<plan::StepId> order = experiment_.plan.ExecutionOrder();
@@ -181,7 +183,6 @@ class Attacker {
       }
     }
     std::vector<std::pair<ClaimKey, const Sample*>> sorted;
-    std::vector<double> margins;
     for (const auto& [key, value] : least) sorted.emplace_back(key, value.second);
     std::ranges::stable_sort(sorted, {},
                              [&](const auto& entry) { return least.at(entry.first).first; });
@@ -273,31 +274,13 @@ class Attacker {
   void Count(const Sample& sample) {
     ++result_.attempts;
     for (const CertificateVerdict& verdict : ByStep(sample.attempt.claims)) {
-      Count(verdict.verdict, result_.certificates);
+      result_.certificates[verdict.step.index()].Add(verdict.verdict);
     }
     for (const Claim& claim : sample.attempt.claims) {
-      Count(claim.verdict, result_.claims);
+      result_.claims.Add(claim.verdict);
       if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
       KeepIfWorst(claim, sample);
     }
-  }
-
-  static void Count(ClaimVerdict verdict, AttackResult::Counts& counts) {
-    switch (verdict) {
-      case ClaimVerdict::kContained:
-        ++counts.contained;
-        return;
-      case ClaimVerdict::kInconclusive:
-        ++counts.inconclusive;
-        return;
-      case ClaimVerdict::kViolated:
-        ++counts.violated;
-        return;
-      case ClaimVerdict::kNotClaimed:
-        ++counts.not_claimed;
-        return;
-    }
-    ASSAY_CHECK(false, "a verdict that the switch does not know");
   }
 
   void KeepIfWorst(const Claim& claim, const Sample& sample) {

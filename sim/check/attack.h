@@ -42,12 +42,9 @@ struct Counterexample {
 };
 
 struct AttackResult {
-  struct Counts {
-    std::int64_t contained = 0, inconclusive = 0, violated = 0, not_claimed = 0;
-  };
   std::int64_t attempts = 0;
-  Counts certificates;  // one an attempt: the worst claim of the step
-  Counts claims;
+  std::vector<VerdictCounts> certificates;  // by StepId; of an attempt: its worst claim
+  VerdictCounts claims;
   std::vector<WorstClaim> worst;  // of each step and claim, in the order of execution
   std::vector<Counterexample> counterexamples;
 };

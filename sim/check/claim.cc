@@ -29,11 +29,6 @@ double AsLength(const Claim& claim) {
   return claim.unit == "rad" ? kArm * claim.margin : claim.margin;
 }
 
-bool IsWorse(const Claim& a, const Claim& b) {
-  if (Rank(a.verdict) != Rank(b.verdict)) return Rank(a.verdict) < Rank(b.verdict);
-  return AsLength(a) < AsLength(b);
-}
-
 }  // namespace
 
 std::string_view Name(ClaimVerdict verdict) {
@@ -71,6 +66,37 @@ Claim Judged(Claim claim) {
                   : claim.margin >= -claim.gate ? ClaimVerdict::kInconclusive
                                                 : ClaimVerdict::kViolated;
   return claim;
+}
+
+bool IsWorse(const Claim& a, const Claim& b) {
+  if (Rank(a.verdict) != Rank(b.verdict)) return Rank(a.verdict) < Rank(b.verdict);
+  return AsLength(a) < AsLength(b);
+}
+
+void VerdictCounts::Add(ClaimVerdict verdict) {
+  switch (verdict) {
+    case ClaimVerdict::kContained:
+      ++contained;
+      return;
+    case ClaimVerdict::kInconclusive:
+      ++inconclusive;
+      return;
+    case ClaimVerdict::kViolated:
+      ++violated;
+      return;
+    case ClaimVerdict::kNotClaimed:
+      ++not_claimed;
+      return;
+  }
+  ASSAY_CHECK(false, "a verdict that the switch does not know");
+}
+
+VerdictCounts& VerdictCounts::operator+=(const VerdictCounts& other) {
+  contained += other.contained;
+  inconclusive += other.inconclusive;
+  violated += other.violated;
+  not_claimed += other.not_claimed;
+  return *this;
 }
 
 std::vector<CertificateVerdict> ByStep(const std::vector<Claim>& claims) {

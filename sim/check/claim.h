@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,7 +44,18 @@ struct Claim {
 // The verdict on what was observed: violated beyond the gate, inconclusive within it.
 Claim Judged(Claim claim);
 
-// Of all claims about one step: the worst, by verdict and then by margin over gate.
+// How many came out how.
+struct VerdictCounts {
+  std::int64_t contained = 0, inconclusive = 0, violated = 0, not_claimed = 0;
+
+  void Add(ClaimVerdict verdict);
+  VerdictCounts& operator+=(const VerdictCounts& other);
+};
+
+// Whether a is worse than b: by verdict, then by margin, radians as lengths at a tenth of a metre.
+bool IsWorse(const Claim& a, const Claim& b);
+
+// Of all claims about one step the worst.
 struct CertificateVerdict {
   plan::StepId step;
   ClaimVerdict verdict = ClaimVerdict::kNotClaimed;

@@ -60,7 +60,7 @@ exec::ExecutorOptions QuietOptions(const noise::Noise& noise) {
 
 void End(const exec::Progress& failure, exec::Execution& execution) {
   execution.trace().events.push_back(
-      exec::ExecutionEnd{failure->outcome, failure->reason, execution.Now()});
+      exec::ExecutionEnd{failure->outcome, failure->reason, execution.Now(), execution.steps()});
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "planner/plan/plan_file.h"
 #include "sim/cli/certificate_check.h"
 #include "sim/cli/progress.h"
+#include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
 namespace {
@@ -20,8 +21,11 @@ fs::path FindScenario(const fs::path& named, const fs::path& plan_file) {
 
 }  // namespace
 
-scenario::Scenario LoadScenario(const fs::path& file, const fs::path& models) {
-  return models.empty() ? scenario::Load(file) : scenario::Load(file, models);
+scenario::Scenario LoadScenario(const fs::path& file, const fs::path& models,
+                                const scenario::Overrides& overrides) {
+  // A file that cannot be read is to be named before its models are looked for.
+  if (models.empty()) Document::Load(file);
+  return scenario::Load(file, models.empty() ? scenario::FindModels(file) : models, overrides);
 }
 
 PlannedProblem LoadPlan(const Document& plan_file, const fs::path& file, const fs::path& models) {
@@ -39,8 +43,9 @@ PlannedProblem LoadOrMakePlan(const fs::path& file, const fs::path& models) {
 
 PlannedProblem MakePlan(const fs::path& file, const fs::path& models,
                         const posting::PlannerOptions& planner,
-                        const posting::UncertaintyOptions& uncertainty) {
-  scenario::Scenario scenario = LoadScenario(file, models);
+                        const posting::UncertaintyOptions& uncertainty,
+                        const scenario::Overrides& overrides) {
+  scenario::Scenario scenario = LoadScenario(file, models, overrides);
   plan::PlanResult result = PlanWithProgress(scenario.problem, planner, uncertainty);
   return {file.string(), std::move(scenario.problem), std::move(scenario.simulation),
           std::move(result)};

@@ -26,7 +26,8 @@ struct PlannedProblem {
 
 // All throw InputError for what is wrong in a file. `models`: the folder given, or empty.
 scenario::Scenario LoadScenario(const std::filesystem::path& file,
-                                const std::filesystem::path& models);
+                                const std::filesystem::path& models,
+                                const scenario::Overrides& overrides = {});
 
 // A plan file, with the problem in the scenario that it names: a path from the working directory
 // or, if there is no such file, from the plan file's folder.
@@ -39,7 +40,8 @@ bool IsPlanFile(const Document& document);
 // For a scenario file.
 PlannedProblem MakePlan(const std::filesystem::path& file, const std::filesystem::path& models,
                         const posting::PlannerOptions& planner,
-                        const posting::UncertaintyOptions& uncertainty);
+                        const posting::UncertaintyOptions& uncertainty,
+                        const scenario::Overrides& overrides = {});
 
 // A plan file is read; for a scenario a plan is made.
 PlannedProblem LoadOrMakePlan(const std::filesystem::path& file,

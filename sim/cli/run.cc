@@ -13,6 +13,7 @@
 #include "planner/plan/plan_file.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
+#include "sim/cli/noisy_run.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_report.h"
 #include "sim/cli/plan_text.h"
@@ -22,6 +23,7 @@
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/trial.h"
 #include "sim/cli/trial_report.h"
+#include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
@@ -42,8 +44,17 @@ struct Options {
   bool renders = false;
   bool json = false;
   bool scatter = false;
-  std::optional<int> trial;  // the only one of the scattered trials
+  std::optional<int> trial;          // the only one
+  std::optional<std::string> noise;  // the name of a mode, or "attack"
+  std::optional<std::string> errors;
+  std::string sensing = "drawn";
+  std::int64_t attempts = 1000;
+  bool conservatism = false;
+  std::string propagation = "sound";
+  double error_scale = 1;
 };
+
+bool IsNoisy(const Options& options) { return options.noise || options.errors; }
 
 std::string Word(scene::GraspMode mode) {
   switch (mode) {
@@ -198,10 +209,66 @@ ExitCode ExecuteScattered(const Options& options) {
                       scenario);
 }
 
+bool ChangesThePlan(const Options& options) {
+  return options.propagation != "sound" || options.error_scale != 1;
+}
+
+PlannedProblem Planned(const Options& options) {
+  if (!ChangesThePlan(options)) return LoadOrMakePlan(options.input, options.models);
+  if (IsPlanFile(Document::Load(options.input))) {
+    throw UsageError(
+        "run: --propagation and --error-scale are for scenarios: a plan file has been "
+        "planned already");
+  }
+  posting::UncertaintyOptions uncertainty;
+  if (options.propagation == "paper") uncertainty.propagation = uncertainty::Propagation::kPaper;
+  scenario::Overrides overrides;
+  overrides.error_scale = options.error_scale;
+  return MakePlan(options.input, options.models, {}, uncertainty, overrides);
+}
+
+// What makes the same plan again.
+std::string CommandFor(const Options& options) {
+  std::string command = "assay run " + options.input.string();
+  if (options.propagation != "sound") command += " --propagation " + options.propagation;
+  if (options.error_scale != 1) command += fmt::format(" --error-scale {}", options.error_scale);
+  if (options.grasp) command += fmt::format(" --grasp {}", Word(*options.grasp));
+  if (!options.models.empty()) command += fmt::format(" --models {}", options.models.string());
+  return command;
+}
+
+ExitCode ExecuteNoisy(const Options& options, PlannedProblem& planned) {
+  planned.simulation.scene.grasp = options.grasp.value_or(planned.simulation.scene.grasp);
+  const std::uint64_t seed = options.seed.value_or(planned.simulation.seed);
+  if (options.noise == "attack") {
+    return RunAttack({.planned = planned,
+                      .command = CommandFor(options),
+                      .folder = options.folder,
+                      .attempts = options.attempts,
+                      .jobs = options.jobs,
+                      .seed = seed,
+                      .conservatism = options.conservatism,
+                      .json = options.json});
+  }
+  const auto& names = noise::ModeNames();
+  const auto mode = std::ranges::find(names, options.noise.value_or("none")) - names.begin();
+  return RunNoisy({.planned = planned,
+                   .command = CommandFor(options),
+                   .folder = options.folder,
+                   .mode = static_cast<noise::Mode>(mode),
+                   .errors = options.errors,
+                   .camera = options.sensing == "camera",
+                   .trials = options.trials,
+                   .jobs = options.jobs,
+                   .only = options.trial,
+                   .seed = seed,
+                   .json = options.json});
+}
+
 ExitCode Execute(const Options& options) {
   if (!options.folder.empty()) MakeFolder(options.folder);
   if (options.scatter) return ExecuteScattered(options);
-  const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
+  PlannedProblem planned = Planned(options);
   const plan::PlanResult& result = planned.result;
   Json plan_file = plan::ToJson(result, planned.problem, planned.scenario);
   if (!options.folder.empty()) WriteFile(options.folder / "plan.json", plan_file.dump(2) + "\n");
@@ -214,7 +281,40 @@ ExitCode Execute(const Options& options) {
     plan_file["check"] = ToJson(result.plan, check);
     return Refuse(Text(result.plan, check), plan_file, options, ExitCode::kFailed);
   }
+  if (IsNoisy(options)) return ExecuteNoisy(options, planned);
   return Run(options, planned).Execute();
+}
+
+void AddNoise(CLI::App& command, Options& options, CLI::Option* scatter) {
+  std::vector<std::string> modes = noise::ModeNames();
+  modes.push_back("attack");
+  CLI::Option* const noise =
+      command.add_option("--noise", options.noise, "errors in the bounds that the planner assumes")
+          ->check(CLI::IsMember(modes))
+          ->excludes(scatter);
+  command
+      .add_option("--errors", options.errors,
+                  "the errors of the one trial: 'dx_block=0.002 theta_hand@action_2=-0.001', "
+                  "metres and radians")
+      ->excludes(noise)
+      ->excludes(scatter);
+  command
+      .add_option("--sensing", options.sensing,
+                  "drawn: within the sensor's promise, as the noise says; camera: from pictures")
+      ->check(CLI::IsMember({"drawn", "camera"}));
+  command.add_option("--attempts", options.attempts, "of an attack, at single steps")
+      ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max()));
+  command.add_flag("--conservatism", options.conservatism,
+                   "of an attack: how much more noise than is guaranteed breaks the plan");
+  command
+      .add_option("--propagation", options.propagation,
+                  "of errors by actions, in planning: sound or paper")
+      ->check(CLI::IsMember({"sound", "paper"}));
+  command
+      .add_option("--error-scale", options.error_scale, "multiplies all errors, in planning too")
+      ->check(CLI::NonNegativeNumber);
+  command.add_option("--trial", options.trial, "run only this one of the trials")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
 }
 
 Execution Declare(CLI::App& command) {
@@ -237,9 +337,7 @@ Execution Declare(CLI::App& command) {
   CLI::Option* const scatter = command.add_flag(
       "--scatter", options->scatter,
       "in each trial the parts lie at other places, drawn from the seed, and a plan is made anew");
-  command.add_option("--trial", options->trial, "run only this one of the scattered trials")
-      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
-      ->needs(scatter);
+  AddNoise(command, *options, scatter);
   command.add_flag("--json", options->json, "print the result as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

@@ -15,7 +15,8 @@ struct StepCommands {
   std::vector<Command> advance = {};   // to where it works
   std::vector<Command> act = {};       // there
   std::vector<Command> depart = {};    // when that was right
-  std::vector<Command> withdraw = {};  // when it was not: back to where the tool was poised
+  // When it was not: back to where the tool was poised. Empty: it is enough to back off a little.
+  std::vector<Command> withdraw = {};
 
   // Without `withdraw`, in the order of execution.
   std::vector<Command> InOrder() const;

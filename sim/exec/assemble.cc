@@ -19,8 +19,7 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
                                Guard{kResistance}}},
       .depart = {OpenGripper{OpenGripper::Release{mating.held, X_WorldHeld}},
                  MoveStraight{retreated, kFingersPace},
-                 MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}},
-      .withdraw = {MoveStraight{start, kMatingPace}}};
+                 MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}}};
 }
 
 }  // namespace assay::exec

@@ -154,6 +154,7 @@ void Execution::Restore(const Checkpoint& checkpoint) {
 
 Progress Execution::Step() {
   data_.Step();
+  ++steps_;
   SampleIfDue();
   return Watch();
 }

@@ -51,6 +51,7 @@ class Execution {
   // Where the hand believes itself to be: where it was last told to go.
   Pose BelievedTool() const;
   Moment Now() const;
+  std::int64_t steps() const { return steps_; }  // of the engine, so far
 
   // From now on the hand errs so (noise::Noise::HandError).
   void SetHandError(const Pose& error) { hand_error_ = error; }
@@ -95,6 +96,7 @@ class Execution {
   Pose hand_error_ = Pose::Identity();
   plan::StepId step_;
   int samples_ = 0;
+  std::int64_t steps_ = 0;
   Vector3 felt_ = Vector3::Zero();  // wrist force, low-pass filtered
 };
 

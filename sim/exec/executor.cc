@@ -85,7 +85,7 @@ Trace Execute(const domain::Problem& problem, const plan::Plan& plan, const scen
               mujoco::Data& data, const ExecutorOptions& options) {
   Execution execution(problem, scene, data, options);
   const Progress failure = RunPlan(plan, execution);
-  ExecutionEnd end{.moment = execution.Now()};
+  ExecutionEnd end{.moment = execution.Now(), .steps = execution.steps()};
   if (failure) {
     end.outcome = failure->outcome;
     end.reason = failure->reason;

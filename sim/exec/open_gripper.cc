@@ -10,6 +10,8 @@ constexpr double kSlowSpeed = 0.005;    // m/s of one pad, while it leaves what 
 constexpr double kSlowLength = 0.001;   // metres of opening
 constexpr double kSettle = 0.1;         // seconds for the arm, and for what was let go
 constexpr double kOpenEnough = 0.0005;  // metres
+constexpr double kStill = 1e-4;         // m/s
+constexpr double kStillFor = 0.05;      // seconds
 
 }  // namespace
 
@@ -24,12 +26,16 @@ Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execu
   }
   double target = scene.Opening(data);
   const double slow_until = open.release ? target + kSlowLength : target;
-  while (scene.Opening(data) < wide - kOpenEnough) {
+  // If something is in the way of the fingers, it ends where they come to rest.
+  double still_since = data.time();
+  while (scene.Opening(data) < wide - kOpenEnough && data.time() < still_since + kStillFor) {
     const double speed = target < slow_until ? kSlowSpeed : kOpeningSpeed;
     const Stepping stepping = open.release ? Stepping::kContact : Stepping::kFree;
     target = std::min(wide, target + 2 * speed * data.timestep());
     scene.CommandGripper(data, target);
     if (Progress failure = execution.Stay(0, stepping)) return failure;
+    const bool moves = std::abs(scene.OpeningSpeed(data)) > kStill;
+    if (moves || target < wide) still_since = data.time();
   }
   return open.release ? execution.Stay(kSettle, Stepping::kContact) : std::nullopt;
 }

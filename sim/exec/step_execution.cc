@@ -31,6 +31,18 @@ struct AxisOf {
   Vector3 operator()(const auto&) const { return Vector3::UnitZ(); }
 };
 
+constexpr double kBackOff = 0.004;  // metres
+
+// Where the last move of the commands goes.
+Pose LastTarget(const std::vector<Command>& commands) {
+  Pose target = Pose::Identity();
+  for (const Command& command : commands) {
+    if (const auto* line = std::get_if<MoveStraight>(&command)) target = line->X_WorldTool;
+    if (const auto* move = std::get_if<MoveAtSafeHeight>(&command)) target = move->X_WorldTool;
+  }
+  return target;
+}
+
 }  // namespace
 
 StepExecution::StepExecution(const plan::Plan& plan, plan::StepId step, Execution& execution)
@@ -200,17 +212,37 @@ Progress StepExecution::Recover(std::string error) {
   return std::nullopt;
 }
 
+// A held part that stopped at the rim of a hole is lifted a little, moved sideways, and pushed on
+// from there: the way down to the rim is made once.
 Progress StepExecution::TryAt(const Vector3& offset) {
-  if (Progress failure = RunAll(commands_.withdraw, {})) return failure;
+  if (Progress failure = Withdraw()) return failure;
   execution_.world().Believe(sought_, geometry::Translation(offset) * X_WorldSought_);
   commands_ = CommandsFor(execution_.problem(), execution_.world(), planned_);
-  // Sideways first: the last line of the approach ends where the tool is to be poised.
-  const auto* poised = std::get_if<MoveStraight>(&commands_.approach.back());
-  if (poised != nullptr) {
-    if (Progress failure = RunAll({*poised}, {})) return failure;
-  }
+  if (Progress failure = MoveSideways()) return failure;
   if (Progress failure = Run(Phase::kAdvance)) return failure;
   return Run(Phase::kAct);
+}
+
+Progress StepExecution::Withdraw() {
+  if (!commands_.withdraw.empty()) return RunAll(commands_.withdraw, {});
+  const Pose back = geometry::Translation(-kBackOff * Direction()) * execution_.BelievedTool();
+  return RunAll({MoveStraight{back, kMatingPace}}, {});
+}
+
+// To the line of the advance, as far along it as the tool is.
+Progress StepExecution::MoveSideways() {
+  const Vector3 direction = Direction();
+  Pose beside = LastTarget(commands_.advance);
+  const Vector3 behind = execution_.BelievedTool().translation() - beside.translation();
+  beside.translation() += direction * direction.dot(behind);
+  return RunAll({MoveStraight{beside, kMatingPace, Guard{kResistance}}}, {});
+}
+
+// In which the tool advances.
+Vector3 StepExecution::Direction() const {
+  const Pose from = LastTarget(commands_.approach);
+  const Pose to = LastTarget(commands_.advance);
+  return (to.translation() - from.translation()).normalized();
 }
 
 }  // namespace assay::exec

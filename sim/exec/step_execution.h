@@ -43,6 +43,9 @@ class StepExecution {
   // Tries the step again until nothing is signalled.
   Progress Recover(std::string error);
   Progress TryAt(const Vector3& offset);
+  Progress Withdraw();
+  Progress MoveSideways();
+  Vector3 Direction() const;
 
   const plan::Plan& plan_;
   const plan::PlannedStep& planned_;

@@ -93,6 +93,7 @@ class TraceWriter {
     Json json = Of("end", end.moment);
     json["outcome"] = exec::Name(end.outcome);
     json["reason"] = end.reason;
+    json["steps"] = end.steps;
     return json;
   }
 

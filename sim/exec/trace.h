@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 #include <utility>
@@ -132,6 +133,7 @@ struct ExecutionEnd {
   ExecutionOutcome outcome = ExecutionOutcome::kDone;
   std::string reason = {};  // empty if done
   Moment moment;
+  std::int64_t steps = 0;  // of the engine
 };
 
 using TraceEvent =

@@ -102,12 +102,4 @@ std::vector<Channel> ErrorBox(const domain::Problem& problem, const plan::Plan& 
   return builder.Take();
 }
 
-std::vector<Channel> Scaled(std::vector<Channel> box, double factor) {
-  ASSAY_CHECK(factor >= 0);
-  for (Channel& channel : box) {
-    channel.range = {factor * channel.range.low, factor * channel.range.high};
-  }
-  return box;
-}
-
 }  // namespace assay::noise

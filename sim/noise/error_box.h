@@ -50,7 +50,4 @@ struct Channel {
 // from the start come first, the others in the order of execution.
 std::vector<Channel> ErrorBox(const domain::Problem& problem, const plan::Plan& plan);
 
-// The same box, larger or smaller by a factor about its zero.
-std::vector<Channel> Scaled(std::vector<Channel> box, double factor);
-
 }  // namespace assay::noise

@@ -106,10 +106,10 @@ TEST_F(Figure15Executed, TheToolFollowsItsCommands) {
 
 // The mating motion is straight: true positions of the tool between its two ends.
 TEST_F(Figure15Executed, TheMatingMotionIsStraight) {
-  const std::vector<Command> commands =
-      CommandsFor(problem(), std::get<plan::Assemble>(plan().steps[0].action));
-  const Vector3 a = std::get<MoveStraight>(commands[1]).X_WorldTool.translation();
-  const Vector3 b = std::get<MoveStraight>(commands[2]).X_WorldTool.translation();
+  const StepCommands commands = CommandsFor(problem(), WorldModel(problem()),
+                                            std::get<plan::Assemble>(plan().steps[0].action));
+  const Vector3 a = std::get<MoveStraight>(commands.approach[1]).X_WorldTool.translation();
+  const Vector3 b = std::get<MoveStraight>(commands.advance[0]).X_WorldTool.translation();
   const Vector3 along = (b - a).normalized();
   int seen = 0;
   for (const Sample* sample : SamplesInHand()) {
@@ -175,10 +175,10 @@ TEST_F(Figure15Executed, AMissedPartIsAFactInTheTrace) {
 }
 
 TEST_F(Figure15Executed, SaysWhereTheArmCannotGo) {
-  plan::Plan far = plan();
-  std::get<plan::Pickup>(far.steps[1].action).from.X_WorldPart.translation().x() = 3;
+  domain::Problem far = problem();
+  far.parts[peg().index()].X_WorldPart.translation().x() = 3;
   mujoco::Data data = scene().Start();
-  const Trace trace = Execute(problem(), far, scene(), data, {});
+  const Trace trace = Execute(far, plan(), scene(), data, {});
   EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kUnreachable);
   EXPECT_THAT(trace.end().reason, HasSubstr("action_2: no configuration of the arm reaches (3"));
 }

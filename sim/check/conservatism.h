@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/check/noisy_trial.h"
+
+namespace assay::check {
+
+struct ConservatismOptions {
+  std::uint64_t seed = 0;
+  int jobs = 1;            // threads
+  int corners = 8;         // trials at each multiple, of all variables together
+  double greatest = 64;    // multiple that is tried
+  double precision = 0.1;  // of the multiples, relative
+};
+
+// How much of what physics forgives the planner guarantees, for one variable alone ("x of peg",
+// "yaw of the hand") or for all together ("all").
+struct ConservatismRatio {
+  std::string variable;
+  double guaranteed = 0;              // the greatest multiple with which all is proved
+  std::optional<double> broken = {};  // the smallest one with which a trial failed; none: none did
+
+  std::optional<double> ratio() const;  // of broken to guaranteed; none if that is 0
+};
+
+// Multiplies the bounds of one variable, the others without error, and of all; asks the planner's
+// certificates for the same actions, and executes the plan at the ends of the bounds.
+std::vector<ConservatismRatio> Conservatism(const Experiment& experiment,
+                                            const ConservatismOptions& options);
+
+}  // namespace assay::check

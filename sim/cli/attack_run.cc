@@ -1,0 +1,173 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "sim/check/attack.h"
+#include "sim/check/conservatism.h"
+#include "sim/cli/console.h"
+#include "sim/cli/noisy_run.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/stopwatch.h"
+#include "sim/cli/table.h"
+#include "sim/cli/verdict_tally.h"
+#include "sim/exec/command_file.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+class AttackReport {
+ public:
+  explicit AttackReport(const AttackRun& run)
+      : run_(run),
+        plan_(run.planned.result.plan),
+        experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
+                    check::MeasureGate(run.planned.problem, plan_, run.planned.simulation.scene)},
+        tally_(plan_) {}
+
+  ExitCode Execute() {
+    {
+      Progress progress("attacking");
+      check::AttackOptions options = {
+          .attempts = run_.attempts, .seed = run_.seed, .jobs = run_.jobs};
+      options.progress = [&](std::int64_t made) {
+        progress.Tell(fmt::format("{} of {} attempts", made, run_.attempts));
+      };
+      result_ = check::Attack(experiment_, options);
+      if (run_.conservatism) {
+        progress.Tell("how much more noise it takes");
+        ratios_ = check::Conservatism(experiment_, {.seed = run_.seed, .jobs = run_.jobs});
+      }
+    }
+    for (std::size_t i = 0; i < result_.certificates.size(); ++i) {
+      tally_.Add(plan::StepId(i), result_.certificates[i]);
+    }
+    for (const check::WorstClaim& worst : result_.worst) tally_.AddWorst(worst.claim);
+    const Json result = Result();
+    Json printed = result;
+    printed["seconds"] = stopwatch_.Seconds();
+    Print(run_.json ? printed.dump(2) + "\n" : Report());
+    if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", result.dump(2) + "\n");
+    return tally_.Total().violated == 0 ? ExitCode::kDone : ExitCode::kFailed;
+  }
+
+ private:
+  std::string ReplayCommand(const noise::Noise& noise) const {
+    return fmt::format("{} --errors '{}'", run_.command, noise::Text(noise));
+  }
+
+  Json Result() const {
+    Json result = {{"attempts", result_.attempts},
+                   {"verdicts", tally_.ToJson()},
+                   {"claims",
+                    {{"contained", result_.claims.contained},
+                     {"inconclusive", result_.claims.inconclusive},
+                     {"violated", result_.claims.violated},
+                     {"not_claimed", result_.claims.not_claimed}}},
+                   {"worst", Json::array()},
+                   {"counterexamples", Json::array()},
+                   {"replay", Json::array()},
+                   {"scenario", run_.planned.scenario},
+                   {"seed", run_.seed},
+                   {"noise", "attack"},
+                   {"gate", ToJson(plan_, experiment_.gate)}};
+    for (const check::WorstClaim& worst : result_.worst) {
+      Json row = ToJson(plan_, worst.claim);
+      row["phase"] = check::Name(worst.phase);
+      row["attempt"] = worst.attempt;
+      row["noise"] = noise::Text(worst.noise);
+      result["worst"].push_back(std::move(row));
+    }
+    for (const check::Counterexample& example : result_.counterexamples) {
+      Json row = ToJson(plan_, example.claim);
+      row["steps"] = example.steps;
+      row["replayed"] = example.replayed;
+      row["noise"] = noise::Text(example.noise);
+      row["replay"] = ReplayCommand(example.noise);
+      result["counterexamples"].push_back(row);
+      result["replay"].push_back(row["replay"]);
+    }
+    if (run_.conservatism) {
+      result["conservatism"] = Json::array();
+      for (const check::ConservatismRatio& ratio : ratios_) {
+        result["conservatism"].push_back({{"variable", ratio.variable},
+                                          {"guaranteed", ratio.guaranteed},
+                                          {"broken", ToNumber(ratio.broken)},
+                                          {"ratio", ToNumber(ratio.ratio())}});
+      }
+    }
+    return result;
+  }
+
+  static Json ToNumber(const std::optional<double>& value) {
+    return value ? Json(*value) : Json(nullptr);
+  }
+
+  std::vector<std::string> Actions() const {
+    std::vector<std::string> actions;
+    for (const plan::PlannedStep& step : plan_.steps) {
+      actions.push_back(exec::Text(run_.planned.problem, step.action));
+    }
+    return actions;
+  }
+
+  std::string Counterexamples() const {
+    std::string text;
+    for (const check::Counterexample& example : result_.counterexamples) {
+      text += fmt::format("\nviolated: step {}: {}\n  {}\nagain: {}\n", example.steps,
+                          Text(example.claim), noise::Text(example.noise),
+                          ReplayCommand(example.noise));
+      if (!example.replayed) text += "  (only from a state saved on the way)\n";
+    }
+    return text;
+  }
+
+  std::string Ratios() const {
+    if (!run_.conservatism) return {};
+    Table table({{"variable"},
+                 {"guaranteed", Align::kRight},
+                 {"broken", Align::kRight},
+                 {"ratio", Align::kRight}});
+    const auto number = [](const std::optional<double>& value) {
+      return value ? fmt::format("{:.2f}", *value) : std::string("-");
+    };
+    for (const check::ConservatismRatio& ratio : ratios_) {
+      table.Add({ratio.variable, fmt::format("{:.2f}", ratio.guaranteed), number(ratio.broken),
+                 number(ratio.ratio())});
+    }
+    return "\nmultiples of the noise: up to where success is guaranteed, and from where it was "
+           "seen "
+           "to fail\n" +
+           table.Text();
+  }
+
+  std::string Report() const {
+    const check::VerdictCounts total = tally_.Total();
+    std::string text = "what the engine cannot tell from nothing\n";
+    text += Text(plan_, experiment_.gate) + "\n" + tally_.Text(Actions()) + Counterexamples();
+    text += Ratios();
+    text += total.violated == 0 ? fmt::format("\nnot falsified in {} attempts\n", result_.attempts)
+                                : fmt::format("\nviolated in {} of {} attempts\n", total.violated,
+                                              result_.attempts);
+    if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
+    return text;
+  }
+
+  const AttackRun& run_;
+  const plan::Plan& plan_;
+  const Stopwatch stopwatch_;
+  const check::Experiment experiment_;
+  check::AttackResult result_;
+  std::vector<check::ConservatismRatio> ratios_;
+  VerdictTally tally_;
+};
+
+}  // namespace
+
+ExitCode RunAttack(const AttackRun& run) { return AttackReport(run).Execute(); }
+
+}  // namespace assay::cli

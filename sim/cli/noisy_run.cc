@@ -1,0 +1,229 @@
+#include "sim/cli/noisy_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <vector>
+
+#include "planner/base/input_error.h"
+#include "sim/check/noisy_trial.h"
+#include "sim/cli/console.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/stopwatch.h"
+#include "sim/cli/trial.h"
+#include "sim/cli/trial_report.h"
+#include "sim/cli/usage_error.h"
+#include "sim/cli/verdict_tally.h"
+#include "sim/exec/command_file.h"
+#include "sim/sense/overhead_camera.h"
+#include "sim/sweep/wilson.h"
+
+namespace assay::cli {
+namespace {
+
+using check::NoisyTrial;
+using check::TrialOutcome;
+using Json = nlohmann::ordered_json;
+
+// What is kept of each trial.
+struct Row {
+  TrialOutcome outcome = TrialOutcome::kSucceeded;
+  std::string reason = {};
+  std::string noise = {};
+  int errors_signalled = 0;
+  int recovered = 0;
+  bool operator_called = false;
+  bool violated = false;
+
+  bool Failed() const { return outcome != TrialOutcome::kSucceeded || violated; }
+};
+
+class NoisyTrials {
+ public:
+  explicit NoisyTrials(const NoisyRun& run)
+      : run_(run),
+        plan_(run.planned.result.plan),
+        box_(noise::ErrorBox(run.planned.problem, plan_)),
+        experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
+                    check::MeasureGate(run.planned.problem, plan_, run.planned.simulation.scene)} {}
+
+  ExitCode Execute() {
+    if (run_.only) {
+      Keep(*run_.only, RunOne(*run_.only));
+    } else {
+      ForEachTrial(run_.trials, run_.jobs, [this](int number) { Keep(number, RunOne(number)); });
+    }
+    progress_.reset();
+    const Json result = Result();
+    Json printed = result;
+    printed["seconds"] = stopwatch_.Seconds();
+    Print(run_.json ? printed.dump(2) + "\n" : Report());
+    if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", result.dump(2) + "\n");
+    return Failed() == 0 ? ExitCode::kDone : ExitCode::kFailed;
+  }
+
+ private:
+  noise::Noise NoiseOf(int number) const {
+    if (!run_.errors) return noise::Sample(box_, run_.mode, run_.seed, number);
+    try {
+      return noise::ParseNoise(*run_.errors, box_);
+    } catch (const InputError& error) {
+      throw UsageError(fmt::format("run: --errors: {}", error.what()));
+    }
+  }
+
+  NoisyTrial RunOne(int number) const {
+    exec::ExecutorOptions options;
+    const bool traces = !run_.folder.empty();
+    if (!traces) options.sample_rate = 0;
+    const noise::Noise noise = NoiseOf(number);
+    if (!run_.camera) return RunNoisyTrial(experiment_, noise, options);
+    // One for each trial: a renderer belongs to its thread and its scene.
+    const scene::Scene scene(experiment_.problem, exec::TrueScene(experiment_.scene, noise));
+    sense::OverheadCamera camera(scene, experiment_.problem);
+    options.sensor = &camera;
+    return RunNoisyTrial(experiment_, noise, options);
+  }
+
+  void Keep(int number, NoisyTrial trial) {
+    if (!run_.folder.empty()) {
+      std::ostringstream text;
+      exec::WriteTrace(trial.trace, text);
+      WriteFile(run_.folder / fmt::format("trace-{}.jsonl", number), text.str());
+    }
+    const auto is_violated = [](const check::Claim& claim) {
+      return claim.verdict == check::ClaimVerdict::kViolated;
+    };
+    const Row row = {.outcome = trial.verdict.outcome,
+                     .reason = trial.verdict.reason,
+                     .noise = noise::Text(trial.noise),
+                     .errors_signalled = trial.errors_signalled,
+                     .recovered = trial.recovered,
+                     .operator_called = trial.operator_called,
+                     .violated = std::ranges::any_of(trial.claims, is_violated)};
+    const std::lock_guard lock(mutex_);
+    claims_.emplace(number, std::move(trial.claims));
+    rows_.emplace(number, row);
+    progress_->Tell(fmt::format("{} of {} trials", rows_.size(), run_.trials));
+  }
+
+  std::map<std::string, int> Outcomes() const {
+    std::map<std::string, int> outcomes;
+    for (const auto& [number, row] : rows_) ++outcomes[std::string(check::Name(row.outcome))];
+    return outcomes;
+  }
+  int Count(const auto& holds) const {
+    return static_cast<int>(
+        std::ranges::count_if(rows_, [&](const auto& entry) { return holds(entry.second); }));
+  }
+  int Succeeded() const {
+    return Count([](const Row& row) { return row.outcome == TrialOutcome::kSucceeded; });
+  }
+  int Failed() const {
+    return Count([](const Row& row) { return row.Failed(); });
+  }
+
+  std::string ReplayCommand(int number) const {
+    std::string command = run_.command;
+    if (run_.errors) return fmt::format("{} --errors '{}'", command, *run_.errors);
+    return fmt::format("{} --noise {}{} --seed {} --trial {}", command, noise::Name(run_.mode),
+                       run_.camera ? " --sensing camera" : "", run_.seed, number);
+  }
+
+  VerdictTally Tally() const {
+    VerdictTally tally(plan_);
+    for (const auto& [number, claims] : claims_) tally.Add(claims);
+    return tally;
+  }
+
+  Json Result() const {
+    const VerdictTally tally = Tally();
+    Json failed = Outcomes();
+    failed.erase("succeeded");
+    Json result = {{"trials", rows_.size()},
+                   {"succeeded", Succeeded()},
+                   {"failed", failed.is_null() ? Json::object() : failed},
+                   {"verdicts", tally.ToJson()},
+                   {"worst", tally.WorstToJson()},
+                   {"replay", Json::array()},
+                   {"scenario", run_.planned.scenario},
+                   {"seed", run_.seed},
+                   {"noise", noise::Name(run_.mode)},
+                   {"sensing", run_.camera ? "camera" : "drawn"},
+                   {"gate", ToJson(plan_, experiment_.gate)},
+                   {"rows", Json::array()}};
+    for (const auto& [number, row] : rows_) {
+      if (row.Failed()) result["replay"].push_back(ReplayCommand(number));
+      result["rows"].push_back({{"trial", number},
+                                {"outcome", check::Name(row.outcome)},
+                                {"reason", row.reason},
+                                {"violated", row.violated},
+                                {"errors_signalled", row.errors_signalled},
+                                {"recovered", row.recovered},
+                                {"operator_called", row.operator_called},
+                                {"noise", row.noise}});
+    }
+    return result;
+  }
+
+  std::vector<std::string> Actions() const {
+    std::vector<std::string> actions;
+    for (const plan::PlannedStep& step : plan_.steps) {
+      actions.push_back(exec::Text(run_.planned.problem, step.action));
+    }
+    return actions;
+  }
+
+  std::string Report() const {
+    std::string text = "what the engine cannot tell from nothing\n";
+    text += Text(plan_, experiment_.gate) + "\n" + Tally().Text(Actions()) + "\n";
+    constexpr int kMostTold = 3;
+    int told = 0;
+    for (const auto& [number, row] : rows_) {
+      if (!row.Failed() || ++told > kMostTold) continue;
+      text += fmt::format("trial {}: {}{}{}\nagain: {}\n", number, check::Name(row.outcome),
+                          row.reason.empty() ? "" : ": ", row.reason, ReplayCommand(number));
+    }
+    if (told > kMostTold) text += fmt::format("and {} more\n", told - kMostTold);
+    if (told > 0) text += "\n";
+    for (const auto& [name, count] : Outcomes()) {
+      if (name != "succeeded") text += fmt::format("{}: {}\n", name, count);
+    }
+    const int trials = static_cast<int>(rows_.size());
+    const Interval rate = sweep::WilsonInterval(Succeeded(), trials);
+    text +=
+        fmt::format("{} of {} trials succeeded (95 % interval of the rate: {:.1f} to {:.1f} %)\n",
+                    Succeeded(), trials, 100 * rate.low, 100 * rate.high);
+    const int signalled = Count([](const Row& row) { return row.errors_signalled > 0; });
+    if (signalled > 0) {
+      text += fmt::format(
+          "errors were signalled in {} trials, recovered from in {}, the operator called in {}\n",
+          signalled, Count([](const Row& row) { return row.recovered > 0; }),
+          Count([](const Row& row) { return row.operator_called; }));
+    }
+    if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
+    return text;
+  }
+
+  const NoisyRun& run_;
+  const plan::Plan& plan_;
+  const Stopwatch stopwatch_;
+  std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing under noise");
+  const std::vector<noise::Channel> box_;
+  const check::Experiment experiment_;
+  std::mutex mutex_;
+  std::map<int, Row> rows_;  // by number
+  std::map<int, std::vector<check::Claim>> claims_;
+};
+
+}  // namespace
+
+ExitCode RunNoisy(const NoisyRun& run) { return NoisyTrials(run).Execute(); }
+
+}  // namespace assay::cli

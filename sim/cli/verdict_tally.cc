@@ -1,0 +1,178 @@
+#include "sim/cli/verdict_tally.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "sim/cli/table.h"
+
+namespace assay::cli {
+namespace {
+
+using check::Claim;
+using check::VerdictCounts;
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+
+double Scale(const std::string& unit) { return unit == "m" ? 1e3 : unit == "rad" ? kDegrees : 1; }
+const char* PeoplesUnit(const std::string& unit) {
+  return unit == "m" ? " mm" : unit == "rad" ? " deg" : "";
+}
+
+// Of a component of an error set, by its name: "theta of block".
+bool IsAngle(const std::string& name) {
+  return name.starts_with("theta") || name.starts_with("tip") || name.starts_with("twist");
+}
+
+Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json CountsToJson(const VerdictCounts& counts) {
+  return {{"contained", counts.contained},
+          {"inconclusive", counts.inconclusive},
+          {"violated", counts.violated},
+          {"not_claimed", counts.not_claimed}};
+}
+
+std::string Place(const Claim& claim) {
+  switch (claim.about) {
+    case check::Claimed::kBefore:
+      return "before: ";
+    case check::Claimed::kPrecondition:
+      return "";
+    case check::Claimed::kAfter:
+      return "after: ";
+  }
+  return "";
+}
+
+}  // namespace
+
+VerdictTally::VerdictTally(const plan::Plan& plan) : plan_(plan), counts_(plan.steps.size()) {}
+
+void VerdictTally::Add(const std::vector<Claim>& claims) {
+  for (const check::CertificateVerdict& verdict : ByStep(claims)) {
+    counts_[verdict.step.index()].Add(verdict.verdict);
+    AddWorst(verdict.worst);
+  }
+}
+
+void VerdictTally::Add(plan::StepId step, const VerdictCounts& counts) {
+  counts_[step.index()] += counts;
+}
+
+void VerdictTally::AddWorst(const Claim& claim) {
+  const auto [at, is_new] = worst_.try_emplace(claim.step, claim);
+  if (!is_new && check::IsWorse(claim, at->second)) at->second = claim;
+}
+
+VerdictCounts VerdictTally::Total() const {
+  VerdictCounts total;
+  for (const VerdictCounts& counts : counts_) total += counts;
+  return total;
+}
+
+std::string VerdictTally::Text(const std::vector<std::string>& actions) const {
+  Table table({{"step", Align::kRight},
+               {"action"},
+               {"contained", Align::kRight},
+               {"inconclusive", Align::kRight},
+               {"violated", Align::kRight},
+               {"not claimed", Align::kRight},
+               {"worst"}});
+  for (const plan::StepId id : plan_.ExecutionOrder()) {
+    const VerdictCounts& counts = counts_[id.index()];
+    const auto worst = worst_.find(id);
+    table.Add({std::to_string(plan_.step(id).executed), actions[id.index()],
+               std::to_string(counts.contained), std::to_string(counts.inconclusive),
+               std::to_string(counts.violated), std::to_string(counts.not_claimed),
+               worst == worst_.end() ? "" : cli::Text(worst->second)});
+  }
+  return table.Text();
+}
+
+Json VerdictTally::ToJson() const { return CountsToJson(Total()); }
+
+Json VerdictTally::WorstToJson() const {
+  Json json = Json::array();
+  for (const plan::StepId id : plan_.ExecutionOrder()) {
+    const auto worst = worst_.find(id);
+    if (worst == worst_.end()) continue;
+    Json row = cli::ToJson(plan_, worst->second);
+    row["verdicts"] = CountsToJson(counts_[id.index()]);
+    json.push_back(std::move(row));
+  }
+  return json;
+}
+
+std::string Text(const Claim& claim) {
+  const double scale = Scale(claim.unit);
+  const auto number = [&](double value) { return fmt::format("{:+.3f}", scale * value); };
+  if (claim.unit.empty()) return claim.name + ": it does not";
+  return fmt::format("{}{} {} in [{}, {}]{}, gate {:.3f}", Place(claim), claim.name,
+                     number(claim.observed), number(claim.predicted.low),
+                     number(claim.predicted.high), PeoplesUnit(claim.unit), scale * claim.gate);
+}
+
+Json ToJson(const plan::Plan& plan, const Claim& claim) {
+  return {{"step", plan.step(claim.step).name},
+          {"about", check::Name(claim.about)},
+          {"claim", claim.name},
+          {"unit", claim.unit},
+          {"predicted", {Finite(claim.predicted.low), Finite(claim.predicted.high)}},
+          {"proved", claim.proved},
+          {"observed", claim.observed},
+          {"margin", claim.margin},
+          {"gate", claim.gate},
+          {"verdict", check::Name(claim.verdict)}};
+}
+
+std::string Text(const plan::Plan& plan, const check::HonestyGate& gate) {
+  Table table({{"step", Align::kRight},
+               {"id"},
+               {"offset mm", Align::kRight},
+               {"step size mm", Align::kRight},
+               {"creep mm", Align::kRight},
+               {"penetration mm", Align::kRight},
+               {"force ripple N", Align::kRight}});
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    const check::StepGate& step = gate.steps[id.index()];
+    double offset = 0;
+    double step_size = 0;
+    for (const check::ComponentGate& component : step.components) {
+      const double length = IsAngle(component.name) ? step.arm : 1;
+      offset = std::max(offset, length * component.offset);
+      step_size = std::max(step_size, length * component.step_size);
+    }
+    const auto mm = [](double value) { return fmt::format("{:.4f}", 1e3 * value); };
+    table.Add({std::to_string(plan.step(id).executed), plan.step(id).name, mm(offset),
+               mm(step_size), mm(step.creep), mm(step.penetration),
+               fmt::format("{:.2f}", step.force_ripple)});
+  }
+  return table.Text();
+}
+
+Json ToJson(const plan::Plan& plan, const check::HonestyGate& gate) {
+  Json json = Json::array();
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    const check::StepGate& step = gate.steps[id.index()];
+    Json components = Json::array();
+    for (const check::ComponentGate& component : step.components) {
+      components.push_back({{"about", check::Name(component.about)},
+                            {"name", component.name},
+                            {"offset", component.offset},
+                            {"step_size", component.step_size}});
+    }
+    json.push_back({{"step", plan.step(id).name},
+                    {"creep", step.creep},
+                    {"penetration", step.penetration},
+                    {"force_ripple", step.force_ripple},
+                    {"components", components}});
+  }
+  return json;
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "planner/plan/plan.h"
+#include "sim/check/claim.h"
+#include "sim/check/honesty_gate.h"
+
+namespace assay::cli {
+
+// How the certificates of a plan came out, over trials or attempts.
+class VerdictTally {
+ public:
+  explicit VerdictTally(const plan::Plan& plan);
+
+  // The claims of one trial.
+  void Add(const std::vector<check::Claim>& claims);
+  // So many attempts at one step.
+  void Add(plan::StepId step, const check::VerdictCounts& counts);
+  // Keeps it, if it is the worst of its step.
+  void AddWorst(const check::Claim& claim);
+
+  check::VerdictCounts Total() const;
+  // A row for each step, in the order of execution: the verdicts and the worst claim.
+  std::string Text(const std::vector<std::string>& actions) const;
+  nlohmann::ordered_json ToJson() const;       // the counts of all certificates
+  nlohmann::ordered_json WorstToJson() const;  // the worst claim of each step
+
+ private:
+  const plan::Plan& plan_;
+  std::vector<check::VerdictCounts> counts_;  // by StepId
+  std::map<plan::StepId, check::Claim> worst_;
+};
+
+// "y of peg +0.038 in [-0.025, +0.025] mm, gate 0.016".
+std::string Text(const check::Claim& claim);
+nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::Claim& claim);
+
+// What the engine cannot tell from nothing, a row for each step.
+std::string Text(const plan::Plan& plan, const check::HonestyGate& gate);
+nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::HonestyGate& gate);
+
+}  // namespace assay::cli

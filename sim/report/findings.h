@@ -1,0 +1,140 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/check/claim.h"
+#include "sim/sweep/store.h"
+#include "sim/sweep/summary.h"
+
+namespace assay::report {
+
+using check::ClaimVerdict;
+using sweep::VerdictCounts;
+
+// What the trials of a cell observed of one claim, in the trials in which its
+// step's certificate claimed anything; in the claim's unit.
+struct Observed {
+  double least = 0, lower_quartile = 0, median = 0, upper_quartile = 0,
+         greatest = 0;
+  VerdictCounts verdicts =
+      {}; // of every observation, one that is not claimed included
+
+  // Observations that the five numbers are of.
+  int claimed() const {
+    return verdicts.contained + verdicts.inconclusive + verdicts.violated;
+  }
+};
+
+struct ClaimFindings {
+  sweep::ClaimRecord claim;
+  Observed observed;
+};
+
+// The verdict on a certificate in the trial in which it came out worst.
+struct WorstVerdict {
+  sweep::VerdictRecord verdict;
+  std::string about, unit; // of the claim; empty if it is not known
+  int trial = 0;
+};
+
+// All that trials say of the certificate of one step.
+struct StepFindings {
+  int step = 0; // place in the order of execution, from 1
+  std::string action;
+  std::string what; // "pickup(peg)"; empty if the plan does not tell
+  VerdictCounts counts;
+  WorstVerdict worst;
+  std::vector<ClaimFindings> claims;
+};
+
+// What verifications and recoveries did in the trials of a cell.
+struct RecoveryFindings {
+  int signalled = 0;     // errors, in all trials together
+  int mended = 0;        // of them, those after which the plan went on
+  int unaided = 0;       // trials that succeeded without an error
+  bool verifies = false; // the plan has verifications
+};
+
+// A claim as the attack brought it out at its worst.
+struct AttackedClaim {
+  std::string claim;
+  int step = 0;
+  std::string action, about, name, unit;
+  double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
+  std::string verdict, phase;
+  std::int64_t attempt = 0;
+  std::string noise;
+};
+
+struct Counterexample {
+  int number = 0;
+  std::string claim, action, name, unit;
+  double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
+  std::string noise;
+  int steps = 0;
+  bool replayed = false;
+  double multiple = 1;
+  std::string replay; // a command
+};
+
+struct AttackFindings {
+  struct Counts {
+    std::int64_t contained = 0, inconclusive = 0, violated = 0, not_claimed = 0;
+  };
+  std::int64_t attempts = 0;
+  Counts certificates = {}, claims = {};
+  std::vector<AttackedClaim> worst = {};
+  std::vector<Counterexample> counterexamples = {};
+};
+
+// How much more noise than the planner guarantees it takes to break the plan.
+struct Conservatism {
+  std::string variable;  // "all": of all together
+  double guaranteed = 0; // multiple of the noise
+  double broken = 0; // least multiple that broke it; NaN: none that was tried
+  double ratio = 0;  // NaN: not known
+};
+
+struct CellFindings {
+  sweep::CellSummary summary;
+  RecoveryFindings recovery;
+  std::vector<StepFindings> steps;
+  std::optional<AttackFindings> attack = {};
+  std::vector<Conservatism> conservatism = {};
+  // Trials without noise of the same plan; 0 done: there are none.
+  int control_done = 0;
+  int control_succeeded = 0;
+
+  const sweep::CellRecord &cell() const { return summary.cell; }
+  bool is_control() const { return cell().noise == "none"; }
+};
+
+// The trials that pictures are taken of.
+struct NotableTrials {
+  int best = 0, typical = 0,
+      worst = 0; // numbers in the sweep; 0: there is none
+};
+
+// All that a report tells, in the database's units.
+struct Findings {
+  std::string database; // path, as the user gave it
+  sweep::SweepFacts facts;
+  std::vector<sweep::RunRecord> runs;
+  std::vector<CellFindings> cells;
+  double mean_trial_seconds = 0;
+  double planning_seconds = 0; // of all cells
+  NotableTrials notable;
+
+  int trials() const; // of the whole sweep, whether they are done or not
+  int done() const;
+};
+
+// Throws as Store does. A database without tables of attacks has none.
+Findings ReadFindings(const sweep::Store &store, const std::string &database);
+
+} // namespace assay::report

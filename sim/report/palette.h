@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace assay::report {
+
+// The colour language: one meaning each, the same on every page and picture.
+// Told apart by people with any kind of colour vision (tested on a model of
+// it), and never the only sign: verdicts have marks and words as well,
+// predicted and observed have shapes.
+struct Colour {
+  std::string_view name;
+  std::string_view light; // "#rrggbb", on a light ground
+  std::string_view dark;  // on a dark one
+};
+
+inline constexpr Colour kContained{"contained", "#008a66", "#2dc79a"};
+inline constexpr Colour kInconclusive{"inconclusive", "#c98500", "#f5c451"};
+inline constexpr Colour kViolated{"violated", "#a3103f", "#ff6f91"};
+inline constexpr Colour kNotClaimed{"not-claimed", "#737880", "#979da8"};
+inline constexpr Colour kPredicted{"predicted", "#4c9bd8", "#3f83bd"};
+inline constexpr Colour kObserved{"observed", "#14202e", "#f1f4f8"};
+
+inline constexpr std::array kPalette = {kContained,  kInconclusive, kViolated,
+                                        kNotClaimed, kPredicted,    kObserved};
+
+inline constexpr std::string_view kLightGround = "#ffffff";
+inline constexpr std::string_view kDarkGround = "#12171e";
+
+} // namespace assay::report
