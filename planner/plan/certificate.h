@@ -20,12 +20,11 @@ struct ErrorVariable {
 };
 
 // Where the true pose of a part may be, relative to where it is believed to be: a box that contains
-// every error. While it rests: of its origin (x, y, z), and about the world's z through it (theta),
-// in the world's axes if the part is believed to be where the plan has it; where a sensor has turned
-// the believed pose, the axes have turned with it. While it is held: in the frame of the commanded
-// tool, of the grasped point, and turned about the tool's z by theta, then by tip about x and by
-// twist about y. The hand errs anew at each pose that it is told: a part in the hand is known to
-// within other sets at the end of one step and at the beginning of the next.
+// every error. While it rests: of its origin in the world's axes (x, y, z), and about the world's z
+// through it (theta). While it is held: in the frame of the commanded tool, of the grasped point,
+// and turned about the tool's z by theta, then by tip about x and by twist about y. The hand errs
+// anew at each pose that it is told: a part in the hand is known to within other sets at the end of
+// one step and at the beginning of the next.
 struct ErrorSet {
   domain::PartId part;
   bool in_hand = false;

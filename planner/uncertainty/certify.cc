@@ -245,7 +245,7 @@ plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transf
 }
 
 plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part) {
-  const RestingError& error = world.resting(part);
+  const RestingError& error = world.resting_in_world(part);
   return {.part = part,
           .in_hand = false,
           .x = world.TightRangeOf(error.displacement[0]),

@@ -214,7 +214,8 @@ std::optional<double> ConservatismRatio::ratio() const {
 std::vector<ConservatismRatio> Conservatism(const Experiment& experiment,
                                             const ConservatismOptions& options) {
   const Comparison comparison(experiment, options);
-  const std::vector<std::string> variables = comparison.Variables();
+  const std::vector<std::string> variables =
+      options.variables.empty() ? comparison.Variables() : options.variables;
   std::vector<ConservatismRatio> ratios(variables.size());
   tbb::task_arena(options.jobs).execute([&] {
     tbb::parallel_for(std::size_t{0}, variables.size(),

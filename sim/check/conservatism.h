@@ -11,10 +11,11 @@ namespace assay::check {
 
 struct ConservatismOptions {
   std::uint64_t seed = 0;
-  int jobs = 1;            // threads
-  int corners = 8;         // trials at each multiple, of all variables together
-  double greatest = 64;    // multiple that is tried
-  double precision = 0.1;  // of the multiples, relative
+  int jobs = 1;                             // threads
+  int corners = 8;                          // trials at each multiple, of all variables together
+  double greatest = 64;                     // multiple that is tried
+  double precision = 0.1;                   // of the multiples, relative
+  std::vector<std::string> variables = {};  // only these; empty: every one, and all together
 };
 
 // How much of what physics forgives the planner guarantees, for one variable alone ("x of peg",

@@ -123,7 +123,8 @@ double StepGate::For(const Claim& claim) const {
     const bool same = component.about == claim.about && component.name == claim.name;
     const bool of_poses =
         claim.about == Claimed::kPrecondition && component.about == Claimed::kBefore;
-    if (same || of_poses) gate = std::max(gate, component.offset + component.step_size);
+    // Other loads and lever arms under noise change the offset, by as much as there is of it.
+    if (same || of_poses) gate = std::max(gate, 2 * component.offset + component.step_size);
   }
   if (claim.unit == "m") return gate + creep + penetration;
   return claim.unit == "rad" ? gate + (creep + penetration) / arm : 0;

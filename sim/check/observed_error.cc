@@ -8,26 +8,9 @@
 namespace assay::check {
 namespace {
 
-using domain::PartId;
 using geometry::Matrix3;
 using geometry::Pose;
 using geometry::Vector3;
-
-// Where the plan has a part that rests before or after the action.
-struct PlannedPose {
-  const domain::Problem& problem;
-  PartId part;
-
-  Pose operator()(const plan::Pickup& pickup) const { return pickup.from.X_WorldPart; }
-  Pose operator()(const plan::Putdown& putdown) const { return putdown.to.X_WorldPart; }
-  Pose operator()(const plan::Sense& sense) const { return sense.at.X_WorldPart; }
-  Pose operator()(const plan::Squeeze& squeeze) const { return squeeze.at.X_WorldPart; }
-  Pose operator()(const plan::Assemble& assemble) const {
-    const domain::Mating& mating = problem.mating(assemble.mating);
-    const Pose& X_WorldFixed = assemble.fixed.X_WorldPart;
-    return part == mating.fixed ? X_WorldFixed : X_WorldFixed * mating.X_FixedHeld;
-  }
-};
 
 struct HoldOf {
   const plan::Hold* operator()(const plan::Sense&) const { return nullptr; }
@@ -60,11 +43,9 @@ void AddInHand(const plan::ErrorSet& set, const Pose& X_ToolGrasp, Components& c
   components.Add("twist", "rad", set.twist, std::atan2(-R(2, 0), R(2, 2)));
 }
 
-void AddAtRest(const plan::ErrorSet& set, const exec::TrueAndBelieved& part, const Pose& planned,
+void AddAtRest(const plan::ErrorSet& set, const exec::TrueAndBelieved& part,
                Components& components) {
-  const double turn = YawOf(part.believed.linear() * planned.linear().transpose());
-  const Vector3 d = geometry::RotationZ(-turn).linear() *
-                    (part.truth.translation() - part.believed.translation());
+  const Vector3 d = part.truth.translation() - part.believed.translation();
   components.Add("x", "m", set.x, d.x());
   components.Add("y", "m", set.y, d.y());
   components.Add("z", "m", set.z, d.z());
@@ -88,7 +69,7 @@ std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
     ASSAY_CHECK(hold != nullptr, "a look leaves no part in the hand");
     AddInHand(set, moment.tool.believed.inverse() * part.truth * hold->X_PartTool, components);
   } else {
-    AddAtRest(set, part, std::visit(PlannedPose{problem, set.part}, action), components);
+    AddAtRest(set, part, components);
   }
   return components.Take();
 }

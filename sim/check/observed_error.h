@@ -17,8 +17,7 @@ struct ObservedError {
 };
 
 // The components of what a certificate says of a part, measured at a moment at which that is to
-// hold. A part at rest is seen in the axes of the plan: what is believed of it may have turned
-// since. A part in the hand is seen from where the hand believes itself to be.
+// hold.
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
                                           const exec::Moment& moment);

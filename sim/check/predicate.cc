@@ -48,6 +48,10 @@ double AngleBetween(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+double GreatestClearance(const domain::Problem& problem) {
+  return problem.clearance + problem.tolerances.clearance;
+}
+
 }  // namespace
 
 Finding SeatedDepth(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld,
@@ -64,8 +68,8 @@ Finding LateralError(const Problem& problem, const Mating& mating, const Pose& X
   const Vector3 error =
       pair.X_FixedFeature.linear().transpose() * (X_FixedHeld * point - mating.X_FixedHeld * point);
   return AtMost(Aspect::kAligned, Named("lateral error", problem, mating),
-                error.head<2>().cwiseAbs().maxCoeff(), problem.clearance + limits.lateral_slack,
-                "m");
+                error.head<2>().cwiseAbs().maxCoeff(),
+                GreatestClearance(problem) + limits.lateral_slack, "m");
 }
 
 Finding AxisAngle(const Problem& problem, const Mating& mating, const Pose& X_FixedHeld,
@@ -88,7 +92,8 @@ Finding AlignmentError(const Problem& problem, const Mating& mating, std::size_t
                     fmt::format(", features {} and {}", mating.features[pair].first.index(),
                                 mating.features[pair].second.index()),
                 across.norm(),
-                limits.alignment_clearances * problem.clearance + limits.lateral_slack, "m");
+                limits.alignment_clearances * GreatestClearance(problem) + limits.lateral_slack,
+                "m");
 }
 
 Finding Released(const Part& part, const GripperState& gripper, const Limits& limits) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <optional>
 
+#include "sim/cli/ghosts.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/usage_error.h"
 
@@ -67,30 +68,39 @@ void AddPictureOptions(CLI::App& command, PictureOptions& options) {
       ->type_name("WIDTHxHEIGHT")
       ->check(CLI::Validator(ExplainSize, "", "size"))
       ->capture_default_str();
+  command.add_flag("--no-ghosts", options.hides_ghosts,
+                   "leave out the ghosts: parts at the extremes of their predicted error sets");
 }
 
-Film::Film(const scene::Scene& scene, const std::vector<std::string>& cameras_of_scenario,
+Film::Film(const FilmSubject& subject, const std::vector<std::string>& cameras_of_scenario,
            const PictureOptions& options)
-    : renderer_(RendererFor(scene.model(), options.size)),
+    : problem_(subject.problem),
+      plan_(subject.plan),
+      hides_ghosts_(options.hides_ghosts),
+      renderer_(RendererFor(subject.scene.model(), options.size)),
       cameras_(options.cameras.empty() ? cameras_of_scenario : options.cameras) {
-  for (const std::string& camera : cameras_) FindCamera(scene.model(), camera);
+  for (const std::string& camera : cameras_) FindCamera(subject.scene.model(), camera);
 }
 
-void Film::Take(const std::string& name, const std::string& caption, const mujoco::Data& data) {
+void Film::Take(const std::string& name, const std::string& caption, const mujoco::Data& data,
+                std::span<const render::Ghost> ghosts) {
   const std::size_t number = sheet_.size();
   for (const std::string& camera : cameras_) {
     const bool first = camera == cameras_.front();
     const std::string suffix = first ? "" : "-" + camera;
     pictures_.push_back({fmt::format("{:02}-{}{}.png", number, name, suffix),
-                         renderer_.Render(data, FindCamera(data.model(), camera))});
+                         renderer_.Render(data, FindCamera(data.model(), camera), ghosts)});
     if (first) sheet_.push_back({caption, pictures_.back().image});
   }
 }
 
-void Film::TakeStart(const mujoco::Data& data) { Take("start", "start", data); }
+void Film::TakeStart(const mujoco::Data& data) { Take("start", "start", data, {}); }
 
 void Film::TakeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
-  Take(end.name, fmt::format("{} {}", sheet_.size(), end.action), data);
+  std::vector<render::Ghost> ghosts;
+  if (!hides_ghosts_) ghosts = GhostsAfter(problem_, plan_.step(end.step), end.moment);
+  has_ghosts_ = has_ghosts_ || !ghosts.empty();
+  Take(end.name, fmt::format("{} {}", sheet_.size(), end.action), data, ghosts);
 }
 
 void Film::Write(const std::filesystem::path& folder) const {

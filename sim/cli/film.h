@@ -1,9 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "planner/domain/problem.h"
+#include "planner/plan/plan.h"
 #include "sim/exec/trace.h"
 #include "sim/render/image.h"
 #include "sim/render/renderer.h"
@@ -19,16 +22,26 @@ namespace assay::cli {
 struct PictureOptions {
   std::vector<std::string> cameras = {};  // empty: the scenario's
   std::string size = "960x720";           // pixels, WIDTHxHEIGHT
+  bool hides_ghosts = false;              // of the predicted error sets
 };
 
-// Adds --camera and --size.
+// Adds --camera, --size and --no-ghosts.
 void AddPictureOptions(CLI::App& command, PictureOptions& options);
 
-// Pictures of one trial: its start and the end point of each step.
+// What is executed, and where.
+struct FilmSubject {
+  const domain::Problem& problem;
+  const plan::Plan& plan;
+  const scene::Scene& scene;
+};
+
+// Pictures of one trial: its start and the end point of each step, there with the error sets that
+// the step's certificate predicts, as ghosts.
 class Film {
  public:
-  // Throws EnvironmentError if there is no renderer, UsageError if there is no such camera.
-  Film(const scene::Scene& scene, const std::vector<std::string>& cameras_of_scenario,
+  // Throws EnvironmentError if there is no renderer, UsageError if there is no such camera. Problem
+  // and plan must outlive the film.
+  Film(const FilmSubject& subject, const std::vector<std::string>& cameras_of_scenario,
        const PictureOptions& options);
 
   void TakeStart(const mujoco::Data& data);
@@ -44,8 +57,13 @@ class Film {
     std::string file;
     render::Image image;
   };
-  void Take(const std::string& name, const std::string& caption, const mujoco::Data& data);
+  void Take(const std::string& name, const std::string& caption, const mujoco::Data& data,
+            std::span<const render::Ghost> ghosts);
 
+  const domain::Problem& problem_;
+  const plan::Plan& plan_;
+  const bool hides_ghosts_;
+  bool has_ghosts_ = false;
   render::Renderer renderer_;
   std::vector<std::string> cameras_;
   std::vector<Picture> pictures_;

@@ -48,7 +48,8 @@ ExitCode Execute(const Options& options) {
     return ExitCodeOf(planned.result.outcome);
   }
   const scene::Scene scene(planned.problem, planned.simulation.scene);
-  Film film(scene, planned.simulation.cameras, options.pictures);
+  Film film({planned.problem, planned.result.plan, scene}, planned.simulation.cameras,
+            options.pictures);
   const Trial trial = [&] {
     const Progress progress("executing the plan for " + planned.problem.name);
     return RunTrial({planned.problem, planned.result.plan, scene}, 1, &film);

@@ -1,21 +1,26 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <thread>
 
 #include "planner/base/input_error.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/stored_trial.h"
 #include "sim/cli/table.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
 #include "sim/sweep/difference.h"
+#include "sim/sweep/recording.h"
 #include "sim/sweep/store.h"
 #include "sim/sweep/work.h"
 
@@ -37,17 +42,6 @@ struct Options {
   bool json = false;
 };
 
-// The sweep file of a database: where it was, from the working directory or beside the database.
-sweep::Sweep SweepOf(const sweep::Store& store) {
-  const fs::path stored = store.Facts().at("path");
-  const fs::path beside = store.file().parent_path() / stored.filename();
-  std::error_code ignored;
-  sweep::Sweep sweep =
-      sweep::Load(!fs::exists(stored, ignored) && fs::exists(beside, ignored) ? beside : stored);
-  store.RequireSameSweep(sweep::FactsOf(sweep, ASSAY_VERSION));
-  return sweep;
-}
-
 TrialRecord FindTrial(const sweep::Store& store, int trial) {
   const int trials = std::stoi(store.Facts().at("trials"));
   if (trial > trials) {
@@ -63,19 +57,14 @@ TrialRecord FindTrial(const sweep::Store& store, int trial) {
   return *record;
 }
 
-// The cell of the trial, with the plan that is stored.
-sweep::PlannedCell Restore(const sweep::Store& store, const TrialRecord& trial,
-                           const Options& options) {
-  const sweep::Sweep sweep = SweepOf(store);
-  const std::vector<sweep::Cell> cells = sweep::Cells(sweep);
-  const sweep::Cell& cell = cells[sweep::PlaceOf(cells, trial.trial).cell];
-  for (const sweep::CellRecord& record : store.Cells()) {
-    if (record.cell == cell.number) {
-      return sweep::RealWork(sweep, options.models).restore(cell, record);
-    }
-  }
-  throw InputError({.file = options.database.string()},
-                   fmt::format("cell {} is missing", cell.number), "a database as it was written");
+bool IsAttack(const sweep::PlannedCell& cell) {
+  return cell.cell.noise == sweep::NoiseKind::kAttack;
+}
+
+void SetNumbers(const TrialRecord& from, TrialRecord& to) {
+  to.trial = from.trial;
+  to.cell = from.cell;
+  to.number = from.number;
 }
 
 TrialRecord RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* film) {
@@ -89,9 +78,7 @@ TrialRecord RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, 
   }
   TrialRecord again =
       sweep::Recorded(cell.preparation->plan, sweep::Execute(cell, noise, on_step_end)).record;
-  again.trial = stored.trial;
-  again.cell = stored.cell;
-  again.number = stored.number;
+  SetNumbers(stored, again);
   return again;
 }
 
@@ -101,11 +88,55 @@ TrialRecord RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored,
   const scenario::Scenario& scenario = cell.preparation->scenario;
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
   const scene::Scene scene(scenario.problem, exec::TrueScene(scenario.simulation.scene, noise));
-  Film film(scene, scenario.simulation.cameras, options.pictures);
+  Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
+            options.pictures);
   film.TakeStart(exec::StartOf(scenario.problem, scene, noise));
   TrialRecord again = RunAgain(cell, stored, &film);
   film.Write(options.folder);
   return again;
+}
+
+// A trial as it came out again, and in what it differs.
+struct Again {
+  TrialRecord record;
+  std::vector<std::string> differences;
+};
+
+Again AttackAgain(const sweep::Store& store, const sweep::Work& work,
+                  const sweep::PlannedCell& cell, const TrialRecord& stored) {
+  if (const std::optional<sweep::AttackRecord> attack = store.FindAttack(stored.cell)) {
+    Progress progress(fmt::format("trial {}", stored.trial));
+    sweep::AttackControl control{
+        .jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))};
+    control.progress = [&](std::int64_t made) {
+      progress.Tell(fmt::format("{} of {} attempts", made, attack->attempts));
+    };
+    sweep::TimedTrial timed = work.attack(cell, control);
+    SetNumbers(stored, timed.record);
+    std::vector<std::string> differences = sweep::Differences(stored, timed.record);
+    std::ranges::move(sweep::Differences(*attack, *timed.attack), std::back_inserter(differences));
+    return {std::move(timed.record), std::move(differences)};
+  }
+  throw InputError({.file = store.file().string()},
+                   fmt::format("the attack of cell {} is missing", stored.cell),
+                   "a database as it was written");
+}
+
+Again Repeat(const sweep::Store& store, const sweep::Work& work, const sweep::PlannedCell& cell,
+             const TrialRecord& stored, const Options& options) {
+  if (!IsAttack(cell)) {
+    TrialRecord again =
+        options.renders ? RunFilmed(cell, stored, options) : RunAgain(cell, stored, nullptr);
+    std::vector<std::string> differences = sweep::Differences(stored, again);
+    return {std::move(again), std::move(differences)};
+  }
+  if (options.renders) {
+    throw UsageError(fmt::format(
+        "replay: trial {} is an attack, which has no pictures; allowed: --renders for other "
+        "trials. Commands for its counterexamples: assay sweep show {}",
+        stored.trial, store.file().string()));
+  }
+  return AttackAgain(store, work, cell, stored);
 }
 
 std::string VerdictTable(const TrialRecord& record) {
@@ -162,10 +193,10 @@ ExitCode Execute(const Options& options) {
   if (!options.folder.empty()) MakeFolder(options.folder);
   const sweep::Store store = sweep::Store::Open(options.database);
   const TrialRecord stored = FindTrial(store, options.trial);
-  const sweep::PlannedCell cell = Restore(store, stored, options);
-  const TrialRecord again =
-      options.renders ? RunFilmed(cell, stored, options) : RunAgain(cell, stored, nullptr);
-  const std::vector<std::string> differences = sweep::Differences(stored, again);
+  const sweep::Sweep sweep = SweepOf(store);
+  const sweep::PlannedCell cell = RestoredCell(store, stored, options.models);
+  const auto [again, differences] =
+      Repeat(store, sweep::RealWork(sweep, options.models), cell, stored, options);
   const Json json = {{"trial", stored.trial},        {"cell", stored.cell},
                      {"number", stored.number},      {"noise", stored.noise},
                      {"equal", differences.empty()}, {"differences", differences},

@@ -83,7 +83,10 @@ class Run {
 
   ExitCode Execute() {
     std::optional<Film> film;
-    if (options_.renders) film.emplace(scene_, planned_.simulation.cameras, options_.pictures);
+    if (options_.renders) {
+      film.emplace(FilmSubject{planned_.problem, planned_.result.plan, scene_},
+                   planned_.simulation.cameras, options_.pictures);
+    }
     RunTrials({planned_.problem, planned_.result.plan, scene_},
               {options_.trials, options_.jobs, film ? &*film : nullptr},
               [this](Trial trial) { Keep(std::move(trial)); });

@@ -71,33 +71,41 @@ class Narrator {
       : jobs_(jobs), seconds_of_trial_(seconds_of_trial) {}
 
   void Tell(const sweep::Advance& advance) {
-    if (advance.trials == 0) {
+    if (advance.trials == 0 && advance.attempts == 0) {
       progress_.Tell(fmt::format("{} of {} cells planned", advance.cells_planned, advance.cells));
       return;
     }
-    if (advance.trials_done == 0) Announce(advance);
+    if (!announced_) Announce(advance);
     // The first trials of all threads, and as many again, are a fair sample.
-    if (advance.trials_done == 2 * jobs_ && seconds_of_trial_ == 0) {
+    if (advance.trials_done == 2 * jobs_ && seconds_of_trial_ == 0 && !foretold_) {
+      foretold_ = true;
       Line(fmt::format("{} trials will take about {}", advance.trials,
                        DurationText(advance.seconds * advance.trials / advance.trials_done)));
     }
-    if (advance.trials_done > 0) progress_.Tell(ProgressText(advance));
+    if (advance.attempts_made > 0) {
+      progress_.Tell(ProgressText("attempts", advance.attempts_made, advance.attempts,
+                                  advance.attack_seconds));
+    } else if (advance.trials_done > 0) {
+      progress_.Tell(ProgressText("trials", advance.trials_done, advance.trials, advance.seconds));
+    }
   }
 
  private:
-  void Announce(const sweep::Advance& advance) const {
+  void Announce(const sweep::Advance& advance) {
+    announced_ = true;
     std::string text = fmt::format("{} trials on {} threads", advance.trials, jobs_);
     if (seconds_of_trial_ > 0) {
       text += fmt::format(", about {}", DurationText(seconds_of_trial_ * advance.trials / jobs_));
     }
+    if (advance.attempts > 0) text += fmt::format(", {} attempts of attacks", advance.attempts);
     Line(text);
   }
 
-  static std::string ProgressText(const sweep::Advance& advance) {
-    const double rate = advance.trials_done / std::max(advance.seconds, 1e-3);
-    return fmt::format("{} of {} trials, {:.1f} a second, {} left", advance.trials_done,
-                       advance.trials, rate,
-                       DurationText((advance.trials - advance.trials_done) / rate));
+  static std::string ProgressText(const char* of, std::int64_t done, std::int64_t all,
+                                  double seconds) {
+    const double rate = static_cast<double>(done) / std::max(seconds, 1e-3);
+    return fmt::format("{} of {} {}, {:.1f} a second, {} left", done, all, of, rate,
+                       DurationText(static_cast<double>(all - done) / rate));
   }
 
   // Wipes what the progress has on the line.
@@ -107,6 +115,8 @@ class Narrator {
 
   const int jobs_;
   const double seconds_of_trial_;  // 0: not known
+  bool announced_ = false;
+  bool foretold_ = false;
   Progress progress_{"planning"};
 };
 
@@ -137,6 +147,7 @@ ExitCode Execute(const Options& options) {
                                       : sweep::Store::Create(database, facts);
   store.Add(sweep::ThisRun(ASSAY_VERSION, options.shard, options.jobs));
   const sweep::RunEnd end = RunShard(sweep, shard, store, options);
+  store.Finish(end.throughput);
   store.Close();
   if (end.stopped) {
     PrintError(
@@ -211,7 +222,7 @@ constexpr std::array kParts = {
            AddJson(command, options);
          },
          ExecuteMerge},
-    Part{"show", "tells what is in a database: rates of success, counts of verdicts",
+    Part{"show", "tells what is in a database: rates of success, counts of verdicts, attacks",
          "assay sweep show fig15.sqlite",
          [](CLI::App& command, Options& options) {
            command.add_option("database", options.database, "of a sweep")->required();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -56,9 +57,13 @@ std::string PlanText(const CellRecord& cell) {
                      cell.proved ? "proved" : fmt::format("{} unproved", cell.errors));
 }
 
-// "98.1 % [97.1, 98.8]".
+bool IsAttack(const CellSummary& summary) {
+  return summary.cell.noise == sweep::Name(sweep::NoiseKind::kAttack);
+}
+
+// "98.1 % [97.1, 98.8]"; one attack has no rate.
 std::string RateText(const CellSummary& summary) {
-  if (summary.done == 0) return "-";
+  if (summary.done == 0 || IsAttack(summary)) return "-";
   const Interval interval = sweep::WilsonInterval(summary.succeeded, summary.done);
   return fmt::format("{:.1f} % [{:.1f}, {:.1f}]", 100.0 * summary.succeeded / summary.done,
                      100 * interval.low, 100 * interval.high);
@@ -103,11 +108,93 @@ std::string ReplayCommand(const SweepResults& results) {
   return fmt::format("assay replay {} {}", results.database, results.first_bad);
 }
 
+// As it is typed.
+std::string CommandOf(const std::string& replay, const std::string& database) {
+  constexpr std::string_view kStored = "assay replay DB ";
+  if (!replay.starts_with(kStored)) return replay;
+  return fmt::format("assay replay {} {}", database, replay.substr(kStored.size()));
+}
+
+std::string AttackText(const CellAttack& cell, const std::string& database) {
+  const sweep::AttackRecord& attack = cell.attack;
+  std::string text = fmt::format("cell {}: {} attempts, {} violated\n", cell.cell, attack.attempts,
+                                 attack.certificates.violated);
+  for (const sweep::CounterexampleRecord& example : attack.counterexamples) {
+    text +=
+        fmt::format("  {}: {}: {:.6g} {} is not in [{:.6g}, {:.6g}]{}\n    again: {}\n",
+                    example.action, example.name, example.observed, example.unit, example.low,
+                    example.high, example.replayed ? "" : " (only from a state saved on the way)",
+                    CommandOf(example.replay, database));
+  }
+  for (const sweep::ConservatismRecord& ratio : attack.conservatism) {
+    text += fmt::format("  {}: guaranteed up to x {:.3g}, {}\n", ratio.variable, ratio.guaranteed,
+                        ratio.broken ? fmt::format("broken at x {:.3g}", *ratio.broken)
+                                     : std::string("never broken"));
+  }
+  return text;
+}
+
+std::string AttacksText(const SweepResults& results) {
+  if (results.attacks.empty()) return "";
+  std::string text = "\nattacks\n";
+  for (const CellAttack& cell : results.attacks) text += AttackText(cell, results.database);
+  return text;
+}
+
+std::string SpeedText(const sweep::RunRecord& run) {
+  const sweep::Throughput& done = run.throughput;
+  return fmt::format(
+      "{} trials, {} engine steps in {:.1f} s on {} threads: {:.0f} steps a second\n", done.trials,
+      done.steps, done.seconds, run.jobs, done.StepsPerSecond());
+}
+
+Json ToJson(const sweep::RunRecord& run) {
+  const sweep::Throughput& done = run.throughput;
+  return {{"shard", run.shard},      {"jobs", run.jobs},
+          {"trials", done.trials},   {"steps", done.steps},
+          {"seconds", done.seconds}, {"steps_per_second", done.StepsPerSecond()}};
+}
+
+Json ToJson(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
 Json ToJson(const sweep::VerdictCounts& counts) {
   return {{"contained", counts.contained},
           {"violated", counts.violated},
           {"inconclusive", counts.inconclusive},
           {"not-claimed", counts.not_claimed}};
+}
+
+Json ToJson(const sweep::CounterexampleRecord& example, const std::string& database) {
+  const auto number = [](double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+  };
+  return {{"claim", example.claim},       {"action", example.action},
+          {"name", example.name},         {"unit", example.unit},
+          {"observed", example.observed}, {"low", number(example.low)},
+          {"high", number(example.high)}, {"margin", example.margin},
+          {"gate", example.gate},         {"noise", example.noise},
+          {"steps", example.steps},       {"replayed", example.replayed},
+          {"multiple", example.multiple}, {"replay", CommandOf(example.replay, database)}};
+}
+
+Json ToJson(const CellAttack& cell, const std::string& database) {
+  const sweep::AttackRecord& attack = cell.attack;
+  Json json = {{"cell", cell.cell},
+               {"attempts", attack.attempts},
+               {"verdicts", ToJson(attack.certificates)},
+               {"claims", ToJson(attack.claims)},
+               {"counterexamples", Json::array()},
+               {"conservatism", Json::array()}};
+  for (const sweep::CounterexampleRecord& example : attack.counterexamples) {
+    json["counterexamples"].push_back(ToJson(example, database));
+  }
+  for (const sweep::ConservatismRecord& ratio : attack.conservatism) {
+    json["conservatism"].push_back({{"variable", ratio.variable},
+                                    {"guaranteed", ratio.guaranteed},
+                                    {"broken", ToJson(ratio.broken)},
+                                    {"ratio", ToJson(ratio.ratio)}});
+  }
+  return json;
 }
 
 Json ToJson(const CellSummary& summary) {
@@ -175,16 +262,24 @@ sweep::VerdictCounts SweepResults::Certificates() const {
 }
 
 SweepResults ResultsOf(const sweep::Store& store, const std::string& database) {
-  return {.database = database,
-          .trials = std::stoi(store.Facts().at("trials")),
-          .cells = sweep::Summarize(store),
-          .first_bad = static_cast<int>(
-              store.database().Integer("SELECT coalesce(min(trial), 0) FROM trial"
-                                       " WHERE outcome != 'succeeded' OR violated > 0"))};
+  SweepResults results = {.database = database,
+                          .trials = std::stoi(store.Facts().at("trials")),
+                          .cells = sweep::Summarize(store),
+                          .runs = store.Runs(),
+                          .first_bad = static_cast<int>(store.database().Integer(
+                              "SELECT coalesce(min(trial), 0) FROM trial"
+                              " WHERE outcome != 'succeeded' OR violated > 0"))};
+  std::erase_if(results.runs,
+                [](const sweep::RunRecord& run) { return run.throughput.trials == 0; });
+  for (const CellSummary& summary : results.cells) {
+    std::optional<sweep::AttackRecord> attack = store.FindAttack(summary.cell.cell);
+    if (attack) results.attacks.push_back({summary.cell.cell, *std::move(attack)});
+  }
+  return results;
 }
 
 std::string ForPeople(const SweepResults& results) {
-  std::string text = CellTable(results).Text();
+  std::string text = CellTable(results).Text() + AttacksText(results);
   const int done = results.Done();
   text += fmt::format("\n{} of {} trials succeeded; {} certificates violated\n",
                       results.Succeeded(), done, results.Certificates().violated);
@@ -199,6 +294,7 @@ std::string ForPeople(const SweepResults& results) {
   if (done < results.trials) {
     text += fmt::format("{} of {} trials are there\n", done, results.trials);
   }
+  for (const sweep::RunRecord& run : results.runs) text += SpeedText(run);
   return text;
 }
 
@@ -207,9 +303,14 @@ Json ToJson(const SweepResults& results) {
   Json json = {{"database", results.database}, {"trials", results.trials},
                {"done", results.Done()},       {"succeeded", results.Succeeded()},
                {"failed", failures},           {"verdicts", ToJson(results.Certificates())},
-               {"replay", Json::array()},      {"cells", Json::array()}};
+               {"replay", Json::array()},      {"cells", Json::array()},
+               {"attacks", Json::array()},     {"runs", Json::array()}};
   if (results.first_bad > 0) json["replay"].push_back(ReplayCommand(results));
   for (const CellSummary& summary : results.cells) json["cells"].push_back(ToJson(summary));
+  for (const CellAttack& cell : results.attacks) {
+    json["attacks"].push_back(ToJson(cell, results.database));
+  }
+  for (const sweep::RunRecord& run : results.runs) json["runs"].push_back(ToJson(run));
   return json;
 }
 
@@ -231,13 +332,19 @@ Report ReportOn(const sweep::Sweep& sweep, const std::filesystem::path& models) 
     plans += i == 0 || !sweep::SharePlan(cells[i - 1], cells[i]);
   }
   const int trials = sweep::TrialCount(cells);
+  const auto attacks = std::ranges::count(cells, sweep::NoiseKind::kAttack, &sweep::Cell::noise);
   Report report;
   report.text = fmt::format("sweep {}: {} trials in {} cells, {} plans\n",
                             sweep.file.stem().string(), trials, cells.size(), plans);
+  if (attacks > 0) {
+    report.text += fmt::format("{} of the trials are attacks with {} attempts each\n", attacks,
+                               sweep.attempts);
+  }
   report.json = std::make_shared<const Json>(Json{{"sweep", sweep.file.stem().string()},
                                                   {"scenarios", sweep.scenarios},
                                                   {"trials", trials},
                                                   {"cells", cells.size()},
+                                                  {"attacks", attacks},
                                                   {"plans", plans}});
   return report;
 }

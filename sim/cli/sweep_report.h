@@ -5,16 +5,25 @@
 
 #include "sim/cli/exit_code.h"
 #include "sim/cli/report.h"
+#include "sim/sweep/store.h"
 #include "sim/sweep/summary.h"
 #include "sim/sweep/sweep_file.h"
 
 namespace assay::cli {
+
+// An attack in the database of a sweep.
+struct CellAttack {
+  int cell = 0;
+  sweep::AttackRecord attack;
+};
 
 // What is in the database of a sweep.
 struct SweepResults {
   std::string database;  // path, as the user gave it
   int trials = 0;        // of the whole sweep
   std::vector<sweep::CellSummary> cells = {};
+  std::vector<CellAttack> attacks = {};     // in the order of the cells
+  std::vector<sweep::RunRecord> runs = {};  // that did trials other than attacks, to their end
   int first_bad = 0;  // the first trial that failed or violated a prediction; 0: there is none
 
   int Done() const;
@@ -23,7 +32,8 @@ struct SweepResults {
 };
 SweepResults ResultsOf(const sweep::Store& store, const std::string& database);
 
-// Rates of success with their 95 % intervals and counts of verdicts, for each cell.
+// Rates of success with their 95 % intervals and counts of verdicts, for each cell; attacks with
+// their counterexamples; how fast it went.
 std::string ForPeople(const SweepResults& results);
 // sweep.schema.json.
 nlohmann::ordered_json ToJson(const SweepResults& results);

@@ -33,6 +33,7 @@ extern const Verb kList;
 extern const Verb kPlan;
 extern const Verb kRender;
 extern const Verb kReplay;
+extern const Verb kReport;
 extern const Verb kRun;
 extern const Verb kSweep;
 

@@ -150,6 +150,9 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   commanded_ = checkpoint.commanded;
   felt_ = checkpoint.felt;
   hand_error_ = checkpoint.hand_error;
+  // What was due up to here has been taken.
+  samples_ = 0;
+  while (options_.sample_rate > 0 && data_.time() >= samples_ / options_.sample_rate) ++samples_;
 }
 
 Progress Execution::Step() {

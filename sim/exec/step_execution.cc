@@ -32,6 +32,7 @@ struct AxisOf {
 };
 
 constexpr double kBackOff = 0.004;  // metres
+constexpr double kCalmDown = 0.05;  // seconds for the arm to come to rest
 
 // Where the last move of the commands goes.
 Pose LastTarget(const std::vector<Command>& commands) {
@@ -134,6 +135,7 @@ Progress StepExecution::TakeUpNoise() {
   SetTables();
   const Pose error = execution_.options().noise.HandError(step_);
   if (Progress failure = execution_.TakeUpHandError(error)) return Named(failure);
+  if (Progress failure = execution_.Stay(kCalmDown, Stepping::kContact)) return Named(failure);
   Record(Stage::kPoised);
   return std::nullopt;
 }
@@ -189,20 +191,20 @@ Progress StepExecution::Recover(std::string error) {
     const auto recovery = std::ranges::find_if(plan_.recoveries, [&](const plan::Recovery& r) {
       return r.step == step_ && r.error == error;
     });
-    ASSAY_CHECK(recovery != plan_.recoveries.end(), "no recovery from '{}'", error);
-    std::vector<Vector3> places = PlacesToTry(*recovery, axis_);
-    if (!execution_.options().recovers) places.clear();
+    std::vector<Vector3> places;  // none if the plan has no recovery from the error
+    const bool prepared = recovery != plan_.recoveries.end();
+    if (prepared && execution_.options().recovers) places = PlacesToTry(*recovery, axis_);
     const std::size_t next = tried[error]++;
     RecoveryRecord record{.time = execution_.data().time(),
                           .step = step_,
                           .error = error,
-                          .strategy = recovery->strategy};
+                          .strategy = domain::RecoveryStrategy::kCallOperator};
     if (next >= places.size()) {
-      record.strategy = domain::RecoveryStrategy::kCallOperator;
       execution_.trace().events.push_back(record);
       return Failure{ExecutionOutcome::kOperatorCalled,
                      error + (places.empty() ? "" : ", and nothing that was tried mended it")};
     }
+    record.strategy = recovery->strategy;
     record.attempt = static_cast<int>(next) + 1;
     record.offset = places[next];
     execution_.trace().events.push_back(record);

@@ -25,9 +25,9 @@ Noise Sample(const std::vector<Channel>& box, Mode mode, std::uint64_t seed, int
 
 // Values in [0, 1), one for each dimension, of the point with this number (from 1).
 //
-// Corners: entries 0 and 1. The first points, as many as the power of two above `dimensions`, are
-// the rows of a Hadamard matrix and their opposites: for any two channels all four combinations
-// come equally often; then random ones.
+// Corners: entries 0 and 1. The first points, twice as many as the power of two above `dimensions`,
+// are the rows of a Hadamard matrix, each followed by its opposite: for any two channels all four
+// combinations come equally often; then random ones.
 std::vector<double> CornerPoint(int dimensions, std::uint64_t seed, int number);
 // An additive recurrence with powers of the generalized golden ratio, shifted by the seed.
 std::vector<double> EvenPoint(int dimensions, std::uint64_t seed, int number);

@@ -17,6 +17,10 @@ namespace {
 constexpr int kLargestSide = 4096;
 constexpr int kMostShapes = 4000;
 constexpr int kFontScale = 100;
+constexpr double kGhostLine = 1.5 * kSupersampling;  // width in drawn pixels
+// Below 1: the engine draws what is transparent once; to all else it adds the light of each lamp
+// that casts shadows, and lines would come out in other colours.
+constexpr float kGhostOpacity = 0.9F;
 
 using ModelCopy = std::unique_ptr<mjModel, void (*)(mjModel*)>;
 
@@ -43,6 +47,20 @@ mjvGLCamera ToEngine(const FreeCamera& camera, const mjModel& model) {
   view.frustum_top = static_cast<float>(view.frustum_near * std::tan(camera.vertical_angle / 2));
   view.frustum_bottom = -view.frustum_top;
   return view;
+}
+
+mjvGeom LineOf(const Edge& edge, Colour colour) {
+  float rgba[4] = {0, 0, 0, kGhostOpacity};
+  for (int i = 0; i < 3; ++i) {
+    rgba[i] = static_cast<float>(colour.Rgb()[i]) / 255;
+  }
+  mjvGeom line;
+  mjv_initGeom(&line, mjGEOM_LINE, nullptr, nullptr, nullptr, rgba);
+  mjv_makeConnector(&line, mjGEOM_LINE, kGhostLine, edge.from.x(), edge.from.y(), edge.from.z(),
+                    edge.to.x(), edge.to.y(), edge.to.z());
+  line.category = mjCAT_DECOR;
+  line.transparent = 1;
+  return line;
 }
 
 }  // namespace
@@ -85,6 +103,16 @@ struct Renderer::Contents {
                     mjCAT_ALL, &shapes);
   }
 
+  // As many of its edges as the engine has room for.
+  void Add(const Ghost& ghost) {
+    const float* const position = shapes.camera[0].pos;
+    const Vector3 eye(position[0], position[1], position[2]);
+    for (const Edge& edge : ghost.edges) {
+      if (shapes.ngeom == shapes.maxgeom) return;
+      if (edge.FacesTowards(eye)) shapes.geoms[shapes.ngeom++] = LineOf(edge, ghost.colour);
+    }
+  }
+
   Image Draw() {
     Image large{width * kSupersampling, height * kSupersampling, {}};
     large.rgb.resize(std::size_t{3} * large.width * large.height);
@@ -116,12 +144,14 @@ Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 
-Image Renderer::Render(const mujoco::Data& data, mujoco::CameraId camera) {
+Image Renderer::Render(const mujoco::Data& data, mujoco::CameraId camera,
+                       std::span<const Ghost> ghosts) {
   mjvCamera view;
   mjv_defaultCamera(&view);
   view.type = mjCAMERA_FIXED;
   view.fixedcamid = camera.index();
   contents_->Update(data, view);
+  for (const Ghost& ghost : ghosts) contents_->Add(ghost);
   return contents_->Draw();
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "planner/geometry/pose.h"
 #include "sim/mujoco/data.h"
+#include "sim/render/ghost.h"
 #include "sim/render/image.h"
 
 namespace assay::render {
@@ -34,7 +36,8 @@ class Renderer {
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
 
-  Image Render(const mujoco::Data& data, mujoco::CameraId camera);
+  Image Render(const mujoco::Data& data, mujoco::CameraId camera,
+               std::span<const Ghost> ghosts = {});
   Image Render(const mujoco::Data& data, const FreeCamera& camera);
 
  private:

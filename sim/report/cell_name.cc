@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <set>
 
@@ -12,65 +13,60 @@ namespace assay::report {
 namespace {
 
 constexpr std::array kAxes = {
-    CellAxis{"scenario",
-             [](const sweep::CellRecord &cell) { return cell.scenario; }},
+    CellAxis{"scenario", [](const sweep::CellRecord& cell) { return cell.scenario; }},
     CellAxis{"clearance",
-             [](const sweep::CellRecord &cell) {
-               return QuantityText(cell.clearance, "m");
-             }},
+             [](const sweep::CellRecord& cell) { return QuantityText(cell.clearance, "m"); }},
     CellAxis{"errors",
-             [](const sweep::CellRecord &cell) {
-               return "× " + NumberText(cell.error_scale);
-             }},
-    CellAxis{"propagation",
-             [](const sweep::CellRecord &cell) { return cell.propagation; }},
-    CellAxis{"grasp", [](const sweep::CellRecord &cell) { return cell.grasp; }},
-    CellAxis{"sensing",
-             [](const sweep::CellRecord &cell) { return cell.sensing; }},
-    CellAxis{"noise", [](const sweep::CellRecord &cell) { return cell.noise; }},
-    CellAxis{"seed",
-             [](const sweep::CellRecord &cell) {
-               return std::to_string(cell.seed);
-             }},
+             [](const sweep::CellRecord& cell) { return "× " + NumberText(cell.error_scale); }},
+    CellAxis{"propagation", [](const sweep::CellRecord& cell) { return cell.propagation; }},
+    CellAxis{"grasp", [](const sweep::CellRecord& cell) { return cell.grasp; }},
+    CellAxis{"sensing", [](const sweep::CellRecord& cell) { return cell.sensing; }},
+    CellAxis{"noise", [](const sweep::CellRecord& cell) { return cell.noise; }},
+    CellAxis{"seed", [](const sweep::CellRecord& cell) { return std::to_string(cell.seed); }},
 };
 
-} // namespace
+}  // namespace
 
-std::vector<CellAxis> AxesThatDiffer(const std::vector<CellFindings> &cells) {
+std::vector<CellAxis> AxesThatDiffer(const std::vector<CellFindings>& cells) {
   std::vector<CellAxis> differ;
-  for (const CellAxis &axis : kAxes) {
+  for (const CellAxis& axis : kAxes) {
     std::set<std::string> values;
-    for (const CellFindings &cell : cells)
-      values.insert(axis.value(cell.cell()));
-    if (values.size() > 1)
-      differ.push_back(axis);
+    for (const CellFindings& cell : cells) values.insert(axis.value(cell.cell()));
+    if (values.size() > 1) differ.push_back(axis);
   }
   return differ;
 }
 
-std::string CellName(const sweep::CellRecord &cell,
-                     const std::vector<CellAxis> &axes) {
+std::string CommonText(const std::vector<CellFindings>& cells) {
+  std::vector<std::string> common;
+  const std::vector<CellAxis> differ = AxesThatDiffer(cells);
+  for (const CellAxis& axis : kAxes) {
+    const bool differs = std::ranges::find(differ, axis.name, &CellAxis::name) != differ.end();
+    if (!cells.empty() && !differs) {
+      common.push_back(fmt::format("{} {}", axis.name, axis.value(cells.front().cell())));
+    }
+  }
+  return fmt::format("{}", fmt::join(common, ", "));
+}
+
+std::string CellName(const sweep::CellRecord& cell, const std::vector<CellAxis>& axes) {
   std::vector<std::string> values;
-  for (const CellAxis &axis : axes) {
+  for (const CellAxis& axis : axes) {
     const std::string value = axis.value(cell);
     const bool bare = std::string_view(axis.name) == "errors" ||
                       std::string_view(axis.name) == "seed" ||
                       std::string_view(axis.name) == "clearance";
     values.push_back(bare ? fmt::format("{} {}", axis.name, value) : value);
   }
-  if (values.empty())
-    return fmt::format("Cell {}", cell.cell);
+  if (values.empty()) return fmt::format("Cell {}", cell.cell);
   return fmt::format("Cell {}: {}", cell.cell, fmt::join(values, ", "));
 }
 
-std::string PlanText(const sweep::CellRecord &cell) {
-  if (cell.outcome == "none")
-    return "no plan";
-  if (cell.outcome == "budget")
-    return "budget spent";
+std::string PlanText(const sweep::CellRecord& cell) {
+  if (cell.outcome == "none") return "no plan";
+  if (cell.outcome == "budget") return "budget spent";
   return fmt::format("{}, {}", CountText(cell.actions, "action"),
-                     cell.proved ? "proved"
-                                 : fmt::format("{} unproved", cell.errors));
+                     cell.proved ? "proved" : fmt::format("{} unproved", cell.errors));
 }
 
-} // namespace assay::report
+}  // namespace assay::report

@@ -12,11 +12,10 @@
 namespace assay::report {
 namespace {
 
-constexpr std::array kVerdicts = {
-    ClaimVerdict::kContained, ClaimVerdict::kInconclusive,
-    ClaimVerdict::kViolated, ClaimVerdict::kNotClaimed};
+constexpr std::array kVerdicts = {ClaimVerdict::kContained, ClaimVerdict::kInconclusive,
+                                  ClaimVerdict::kViolated, ClaimVerdict::kNotClaimed};
 
-Element Drawing(double width, double height, const std::string &words) {
+Element Drawing(double width, double height, const std::string& words) {
   Element svg("svg");
   svg.Set("class", "chart").Set("width", width).Set("height", height);
   svg.Set("viewBox", fmt::format("0 0 {} {}", width, height));
@@ -24,18 +23,11 @@ Element Drawing(double width, double height, const std::string &words) {
   return svg;
 }
 
-void AddLine(Element &svg, std::string_view kind, double x1, double y1,
-             double x2, double y2) {
-  svg.Add("line")
-      .Set("class", kind)
-      .Set("x1", x1)
-      .Set("y1", y1)
-      .Set("x2", x2)
-      .Set("y2", y2);
+void AddLine(Element& svg, std::string_view kind, double x1, double y1, double x2, double y2) {
+  svg.Add("line").Set("class", kind).Set("x1", x1).Set("y1", y1).Set("x2", x2).Set("y2", y2);
 }
 
-void AddBox(Element &svg, std::string_view kind, double x, double y,
-            double width, double height) {
+void AddBox(Element& svg, std::string_view kind, double x, double y, double width, double height) {
   svg.Add("rect")
       .Set("class", kind)
       .Set("x", x)
@@ -44,12 +36,11 @@ void AddBox(Element &svg, std::string_view kind, double x, double y,
       .Set("height", height);
 }
 
-void AddWords(Element &svg, std::string_view anchor, double x, double y,
-              std::string_view words) {
+void AddWords(Element& svg, std::string_view anchor, double x, double y, std::string_view words) {
   svg.Add("text", words).Set("text-anchor", anchor).Set("x", x).Set("y", y);
 }
 
-void AddMark(Element &svg, ClaimVerdict verdict, double x, double y) {
+void AddMark(Element& svg, ClaimVerdict verdict, double x, double y) {
   svg.Add("use")
       .Set("href", fmt::format("#mark-{}", check::Name(verdict)))
       .Set("class", check::Name(verdict))
@@ -62,7 +53,7 @@ void AddMark(Element &svg, ClaimVerdict verdict, double x, double y) {
 // A stretch of numbers, drawn from left to right.
 struct Axis {
   double low = 0, high = 1;
-  double left = 0, right = 1; // where its ends are drawn
+  double left = 0, right = 1;  // where its ends are drawn
 
   double At(double value) const {
     const double share = std::clamp((value - low) / (high - low), 0.0, 1.0);
@@ -72,12 +63,11 @@ struct Axis {
 
 // Round numbers, at most `most` of them, that the axis passes; a step of 1, 2
 // or 5.
-std::vector<double> Ticks(const Axis &axis, int most) {
+std::vector<double> Ticks(const Axis& axis, int most) {
   const double rough = (axis.high - axis.low) / most;
   double step = std::pow(10, std::floor(std::log10(rough)));
   for (const double factor : {2.0, 2.5, 2.0}) {
-    if ((axis.high - axis.low) / step <= most)
-      break;
+    if ((axis.high - axis.low) / step <= most) break;
     step *= factor;
   }
   std::vector<double> ticks;
@@ -90,10 +80,8 @@ std::vector<double> Ticks(const Axis &axis, int most) {
 constexpr double kRateWidth = 220;
 constexpr Axis kRates{0, 1, 8, kRateWidth - 8};
 
-void AddRate(Element &svg, std::string_view kind, int succeeded, int done,
-             double y) {
-  if (done == 0)
-    return;
+void AddRate(Element& svg, std::string_view kind, int succeeded, int done, double y) {
+  if (done == 0) return;
   const auto [low, high] = sweep::WilsonInterval(succeeded, done);
   AddLine(svg, kind, kRates.At(low), y, kRates.At(high), y);
   for (const double end : {low, high}) {
@@ -106,48 +94,45 @@ void AddRate(Element &svg, std::string_view kind, int succeeded, int done,
       .Set("r", 4.5);
 }
 
-std::string RateWords(const CellFindings &cell) {
-  const auto &[record, done, succeeded, failed, certificates, with_errors,
-               recovered, operators] = cell.summary;
-  std::string words =
-      fmt::format("{} of {} succeeded, 95 % interval {}", CountText(succeeded),
-                  CountText(done), WilsonText(succeeded, done));
+std::string RateWords(const CellFindings& cell) {
+  const auto& [record, done, succeeded, failed, certificates, with_errors, recovered, operators] =
+      cell.summary;
+  std::string words = fmt::format("{} of {} succeeded, 95 % interval {}", CountText(succeeded),
+                                  CountText(done), WilsonText(succeeded, done));
   if (cell.control_done > 0) {
-    words += fmt::format("; without noise {} of {}",
-                         CountText(cell.control_succeeded),
+    words += fmt::format("; without noise {} of {}", CountText(cell.control_succeeded),
                          CountText(cell.control_done));
   }
   return words;
 }
 
-int CountOf(ClaimVerdict verdict, const VerdictCounts &counts) {
+int CountOf(ClaimVerdict verdict, const VerdictCounts& counts) {
   switch (verdict) {
-  case ClaimVerdict::kContained:
-    return counts.contained;
-  case ClaimVerdict::kInconclusive:
-    return counts.inconclusive;
-  case ClaimVerdict::kViolated:
-    return counts.violated;
-  case ClaimVerdict::kNotClaimed:
-    return counts.not_claimed;
+    case ClaimVerdict::kContained:
+      return counts.contained;
+    case ClaimVerdict::kInconclusive:
+      return counts.inconclusive;
+    case ClaimVerdict::kViolated:
+      return counts.violated;
+    case ClaimVerdict::kNotClaimed:
+      return counts.not_claimed;
   }
   return 0;
 }
 
 constexpr double kErrorWidth = 300;
 constexpr double kErrorHeight = 40;
-constexpr double kMiddle = 12; // y of the bars
+constexpr double kMiddle = 12;  // y of the bars
 
 // What an axis must show: all that is finite of prediction and observations,
 // and some room beside it; of a prediction with one end, zero and a stretch
 // beyond.
-Axis ErrorAxis(const ClaimFindings &row) {
-  const Observed &seen = row.observed;
+Axis ErrorAxis(const ClaimFindings& row) {
+  const Observed& seen = row.observed;
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   const auto include = [&](double value) {
-    if (!std::isfinite(value))
-      return;
+    if (!std::isfinite(value)) return;
     low = std::min(low, value);
     high = std::max(high, value);
   };
@@ -157,104 +142,84 @@ Axis ErrorAxis(const ClaimFindings &row) {
     include(seen.least);
     include(seen.greatest);
   }
-  if (low > high)
-    low = high = 0;
+  if (low > high) low = high = 0;
   double room = 0.08 * (high - low);
-  if (room == 0)
-    room = std::max({row.claim.gate, 0.1 * std::abs(high), 1e-9});
+  if (room == 0) room = std::max({row.claim.gate, 0.1 * std::abs(high), 1e-9});
   return {low - room, high + room, 6, kErrorWidth - 6};
 }
 
-void AddPrediction(Element &svg, const Axis &axis,
-                   const sweep::ClaimRecord &claim) {
+void AddPrediction(Element& svg, const Axis& axis, const sweep::ClaimRecord& claim) {
   const double left = axis.At(claim.low);
   const double right = axis.At(claim.high);
   const std::string kind = claim.proved ? "predicted" : "predicted unproved";
   const double gate_left = axis.At(claim.low - claim.gate);
   const double gate_right = axis.At(claim.high + claim.gate);
-  if (gate_left < left)
-    AddBox(svg, "gate", gate_left, kMiddle - 3, left - gate_left, 6);
-  if (gate_right > right)
-    AddBox(svg, "gate", right, kMiddle - 3, gate_right - right, 6);
+  if (gate_left < left) AddBox(svg, "gate", gate_left, kMiddle - 3, left - gate_left, 6);
+  if (gate_right > right) AddBox(svg, "gate", right, kMiddle - 3, gate_right - right, 6);
   AddBox(svg, kind, left, kMiddle - 9, std::max(right - left, 1.5), 18);
-  if (std::isfinite(claim.low))
-    AddLine(svg, "end", left, kMiddle - 11, left, kMiddle + 11);
-  if (std::isfinite(claim.high))
-    AddLine(svg, "end", right, kMiddle - 11, right, kMiddle + 11);
+  if (std::isfinite(claim.low)) AddLine(svg, "end", left, kMiddle - 11, left, kMiddle + 11);
+  if (std::isfinite(claim.high)) AddLine(svg, "end", right, kMiddle - 11, right, kMiddle + 11);
 }
 
 // An end of what was observed that lies outside has the mark of its verdict.
-void AddEnd(Element &svg, const Axis &axis, const ClaimFindings &row,
-            double value) {
-  const auto &[low, high] = Interval{row.claim.low, row.claim.high};
+void AddEnd(Element& svg, const Axis& axis, const ClaimFindings& row, double value) {
+  const auto& [low, high] = Interval{row.claim.low, row.claim.high};
   const double margin = std::min(value - low, high - value);
   if (margin < -row.claim.gate && row.observed.verdicts.violated > 0) {
     AddMark(svg, ClaimVerdict::kViolated, axis.At(value), kMiddle);
   } else if (margin < 0) {
     AddMark(svg, ClaimVerdict::kInconclusive, axis.At(value), kMiddle);
   } else {
-    AddLine(svg, "observed", axis.At(value), kMiddle - 4, axis.At(value),
-            kMiddle + 4);
+    AddLine(svg, "observed", axis.At(value), kMiddle - 4, axis.At(value), kMiddle + 4);
   }
 }
 
-void AddObserved(Element &svg, const Axis &axis, const ClaimFindings &row) {
-  const Observed &seen = row.observed;
-  if (seen.claimed() == 0)
-    return;
-  AddLine(svg, "observed", axis.At(seen.least), kMiddle, axis.At(seen.greatest),
-          kMiddle);
+void AddObserved(Element& svg, const Axis& axis, const ClaimFindings& row) {
+  const Observed& seen = row.observed;
+  if (seen.claimed() == 0) return;
+  AddLine(svg, "observed", axis.At(seen.least), kMiddle, axis.At(seen.greatest), kMiddle);
   const double left = axis.At(seen.lower_quartile);
-  AddBox(svg, "observed", left, kMiddle - 5,
-         std::max(axis.At(seen.upper_quartile) - left, 1.0), 10);
-  AddLine(svg, "median", axis.At(seen.median), kMiddle - 5,
-          axis.At(seen.median), kMiddle + 5);
+  AddBox(svg, "observed", left, kMiddle - 5, std::max(axis.At(seen.upper_quartile) - left, 1.0),
+         10);
+  AddLine(svg, "median", axis.At(seen.median), kMiddle - 5, axis.At(seen.median), kMiddle + 5);
   AddEnd(svg, axis, row, seen.least);
   AddEnd(svg, axis, row, seen.greatest);
 }
 
-void AddTicks(Element &svg, const Axis &axis, std::string_view unit) {
-  const Axis shown{Shown(axis.low, unit), Shown(axis.high, unit), axis.left,
-                   axis.right};
+void AddTicks(Element& svg, const Axis& axis, std::string_view unit) {
+  const Axis shown{Shown(axis.low, unit), Shown(axis.high, unit), axis.left, axis.right};
   const double y = kMiddle + 14;
   AddLine(svg, "axis", axis.left, y, axis.right, y);
   for (const double tick : Ticks(shown, 4)) {
     const double x = shown.At(tick);
     AddLine(svg, "axis", x, y, x, y + 3);
     const double inset = std::clamp(x, 16.0, kErrorWidth - 16);
-    AddWords(svg, "middle", inset, y + 13,
-             NumberText(std::abs(tick) < 1e-15 ? 0 : tick));
+    AddWords(svg, "middle", inset, y + 13, NumberText(std::abs(tick) < 1e-15 ? 0 : tick));
   }
 }
 
-std::string ErrorWords(const ClaimFindings &row) {
-  const auto &claim = row.claim;
-  const Observed &seen = row.observed;
-  std::string words =
-      fmt::format("{}: predicted {}", claim.name,
-                  IntervalText({claim.low, claim.high}, claim.unit));
-  if (seen.claimed() == 0)
-    return words + "; nothing observed that was claimed";
-  return words +
-         fmt::format("; observed {}, half of it {}",
-                     IntervalText({seen.least, seen.greatest}, claim.unit),
-                     IntervalText({seen.lower_quartile, seen.upper_quartile},
-                                  claim.unit));
+std::string ErrorWords(const ClaimFindings& row) {
+  const auto& claim = row.claim;
+  const Observed& seen = row.observed;
+  std::string words = fmt::format("{}: predicted {}", claim.name,
+                                  IntervalText({claim.low, claim.high}, claim.unit));
+  if (seen.claimed() == 0) return words + "; nothing observed that was claimed";
+  return words + fmt::format("; observed {}, half of it {}",
+                             IntervalText({seen.least, seen.greatest}, claim.unit),
+                             IntervalText({seen.lower_quartile, seen.upper_quartile}, claim.unit));
 }
 
 Element Symbol(ClaimVerdict verdict) {
   Element symbol("symbol");
-  symbol.Set("id", fmt::format("mark-{}", check::Name(verdict)))
-      .Set("viewBox", "0 0 12 12");
+  symbol.Set("id", fmt::format("mark-{}", check::Name(verdict))).Set("viewBox", "0 0 12 12");
   return symbol;
 }
 
-} // namespace
+}  // namespace
 
 Element Mark(ClaimVerdict verdict) {
   Element svg("svg");
-  svg.Set("class", fmt::format("mark {}", check::Name(verdict)))
-      .Set("aria-hidden", "true");
+  svg.Set("class", fmt::format("mark {}", check::Name(verdict))).Set("aria-hidden", "true");
   svg.Set("width", 12).Set("height", 12);
   svg.Add("use").Set("href", fmt::format("#mark-{}", check::Name(verdict)));
   return svg;
@@ -262,51 +227,36 @@ Element Mark(ClaimVerdict verdict) {
 
 Element MarkDefinitions() {
   Element svg("svg");
-  svg.Set("class", "definitions")
-      .Set("aria-hidden", "true")
-      .Set("width", 0)
-      .Set("height", 0);
+  svg.Set("class", "definitions").Set("aria-hidden", "true").Set("width", 0).Set("height", 0);
   Element disc = Symbol(ClaimVerdict::kContained);
   disc.Add("circle").Set("cx", 6).Set("cy", 6).Set("r", 5);
   Element diamond = Symbol(ClaimVerdict::kInconclusive);
   diamond.Add("path").Set("d", "M6 0.5 11.5 6 6 11.5 0.5 6Z");
   Element cross = Symbol(ClaimVerdict::kViolated);
-  cross.Add("path")
-      .Set("class", "stroke")
-      .Set("d", "M1.5 1.5 10.5 10.5 M10.5 1.5 1.5 10.5");
+  cross.Add("path").Set("class", "stroke").Set("d", "M1.5 1.5 10.5 10.5 M10.5 1.5 1.5 10.5");
   Element ring = Symbol(ClaimVerdict::kNotClaimed);
-  ring.Add("circle")
-      .Set("class", "stroke thin")
-      .Set("cx", 6)
-      .Set("cy", 6)
-      .Set("r", 4.5);
-  for (Element *symbol : {&disc, &diamond, &cross, &ring})
-    svg.Add(std::move(*symbol));
+  ring.Add("circle").Set("class", "stroke thin").Set("cx", 6).Set("cy", 6).Set("r", 4.5);
+  for (Element* symbol : {&disc, &diamond, &cross, &ring}) svg.Add(std::move(*symbol));
   return svg;
 }
 
-Element RateChart(const CellFindings &cell) {
+Element RateChart(const CellFindings& cell) {
   Element svg = Drawing(kRateWidth, 28, RateWords(cell));
   for (const double tick : {0.0, 0.25, 0.5, 0.75, 1.0}) {
     AddLine(svg, "grid", kRates.At(tick), 0, kRates.At(tick), 28);
   }
   const bool both = cell.control_done > 0;
   AddRate(svg, "control", cell.control_succeeded, cell.control_done, 20);
-  AddRate(svg, cell.is_control() ? "control" : "rate", cell.summary.succeeded,
-          cell.summary.done, both ? 8 : 14);
+  AddRate(svg, cell.is_control() ? "control" : "rate", cell.summary.succeeded, cell.summary.done,
+          both ? 8 : 14);
   return svg;
 }
 
 Element RateAxis() {
   Element svg("svg");
-  svg.Set("class", "chart")
-      .Set("width", kRateWidth)
-      .Set("height", 14)
-      .Set("aria-hidden", "true");
+  svg.Set("class", "chart").Set("width", kRateWidth).Set("height", 14).Set("aria-hidden", "true");
   for (const double tick : {0.0, 0.5, 1.0}) {
-    const char *const anchor = tick == 0   ? "start"
-                               : tick == 1 ? "end"
-                                           : "middle";
+    const char* const anchor = tick == 0 ? "start" : tick == 1 ? "end" : "middle";
     AddWords(svg, anchor,
              tick == 0   ? 4
              : tick == 1 ? kRateWidth
@@ -316,22 +266,20 @@ Element RateAxis() {
   return svg;
 }
 
-Element VerdictBar(const VerdictCounts &counts) {
+Element VerdictBar(const VerdictCounts& counts) {
   constexpr double kWidth = 120;
   double sum = 0;
-  for (const ClaimVerdict verdict : kVerdicts)
-    sum += CountOf(verdict, counts);
+  for (const ClaimVerdict verdict : kVerdicts) sum += CountOf(verdict, counts);
   std::string words;
   for (const ClaimVerdict verdict : kVerdicts) {
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ",
-                         check::Name(verdict), CountOf(verdict, counts));
+    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", check::Name(verdict),
+                         CountOf(verdict, counts));
   }
   Element svg = Drawing(kWidth, 12, words);
   double x = 0;
   for (const ClaimVerdict verdict : kVerdicts) {
     const int count = CountOf(verdict, counts);
-    if (count == 0)
-      continue;
+    if (count == 0) continue;
     // What there is can be seen, however little it is.
     const double width = std::clamp(kWidth * count / sum, 3.0, kWidth - x);
     AddBox(svg, fmt::format("share {}", check::Name(verdict)), x, 1, width, 10);
@@ -340,7 +288,7 @@ Element VerdictBar(const VerdictCounts &counts) {
   return svg;
 }
 
-Element ErrorChart(const ClaimFindings &claim) {
+Element ErrorChart(const ClaimFindings& claim) {
   Element svg = Drawing(kErrorWidth, kErrorHeight, ErrorWords(claim));
   const Axis axis = ErrorAxis(claim);
   AddPrediction(svg, axis, claim.claim);
@@ -349,21 +297,17 @@ Element ErrorChart(const ClaimFindings &claim) {
   return svg;
 }
 
-Element ConservatismChart(const Conservatism &row, double greatest) {
+Element ConservatismChart(const Conservatism& row, double greatest) {
   constexpr double kWidth = 240;
   const Axis axis{0, greatest, 4, kWidth - 10};
   const bool broke = std::isfinite(row.broken);
-  Element svg =
-      Drawing(kWidth, 20,
-              fmt::format("guaranteed to {}, {}", NumberText(row.guaranteed),
-                          broke ? "broken at " + NumberText(row.broken)
-                                : "not broken"));
+  Element svg = Drawing(kWidth, 20,
+                        fmt::format("guaranteed to {}, {}", NumberText(row.guaranteed),
+                                    broke ? "broken at " + NumberText(row.broken) : "not broken"));
   AddLine(svg, "grid", axis.At(0), 10, axis.right, 10);
-  AddBox(svg, "predicted", axis.At(0), 4, axis.At(row.guaranteed) - axis.At(0),
-         12);
-  if (broke)
-    AddMark(svg, ClaimVerdict::kViolated, axis.At(row.broken), 10);
+  AddBox(svg, "predicted", axis.At(0), 4, axis.At(row.guaranteed) - axis.At(0), 12);
+  if (broke) AddMark(svg, ClaimVerdict::kViolated, axis.At(row.broken), 10);
   return svg;
 }
 
-} // namespace assay::report
+}  // namespace assay::report

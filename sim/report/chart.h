@@ -16,19 +16,19 @@ Element MarkDefinitions();
 
 // Success rates from 0 to 100 %, each a dot in its Wilson interval: filled
 // under noise, hollow for the control arm.
-Element RateChart(const CellFindings &cell);
+Element RateChart(const CellFindings& cell);
 Element RateAxis();
 
 // What share of certificates came out how.
-Element VerdictBar(const VerdictCounts &counts);
+Element VerdictBar(const VerdictCounts& counts);
 
 // A claim on an axis of its own: what was predicted as a bar, with the honesty
 // gate beside it; what was observed as a line from least to greatest with a box
 // of the middle half.
-Element ErrorChart(const ClaimFindings &claim);
+Element ErrorChart(const ClaimFindings& claim);
 
 // Multiples of the noise: what is guaranteed as a bar, what broke the plan as a
 // cross. `greatest`: of the axis.
-Element ConservatismChart(const Conservatism &row, double greatest);
+Element ConservatismChart(const Conservatism& row, double greatest);
 
-} // namespace assay::report
+}  // namespace assay::report

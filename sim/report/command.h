@@ -5,13 +5,12 @@
 namespace assay::report {
 
 // As one word of a shell's command line.
-std::string ShellWord(const std::string &text);
+std::string ShellWord(const std::string& text);
 
 // The command that runs a trial of a database again.
-std::string ReplayCommand(const std::string &database, int trial);
+std::string ReplayCommand(const std::string& database, int trial);
 
 // A stored command with the database's path in place of its word DB.
-std::string WithDatabase(const std::string &command,
-                         const std::string &database);
+std::string WithDatabase(const std::string& command, const std::string& database);
 
-} // namespace assay::report
+}  // namespace assay::report

@@ -13,20 +13,26 @@ namespace {
 
 // Writes a file row by row.
 class Csv {
-public:
+ public:
   Csv(std::string name, std::string_view columns) : file_{std::move(name), ""} {
     file_.text = fmt::format("{}\n", columns);
   }
 
-  template <class... Values> void Add(const Values &...values) {
-    std::string separator;
-    ((file_.text += separator + Text(values), separator = ","), ...);
-    file_.text += '\n';
+  template <class... Values>
+  void Add(const Values&... values) {
+    (Append(Text(values)), ...);
+    file_.text.back() = '\n';
   }
 
   CsvFile Take() { return std::move(file_); }
 
-private:
+ private:
+  // With the comma after it.
+  void Append(const std::string& text) {
+    file_.text += text;
+    file_.text += ',';
+  }
+
   static std::string Text(double value) {
     return std::isnan(value) ? "" : fmt::format("{}", value);
   }
@@ -34,177 +40,157 @@ private:
   static std::string Text(std::int64_t value) { return std::to_string(value); }
   static std::string Text(bool value) { return value ? "1" : "0"; }
   static std::string Text(std::string_view value) {
-    if (value.find_first_of(",\"\r\n") == value.npos)
-      return std::string(value);
+    if (value.find_first_of(",\"\r\n") == value.npos) return std::string(value);
     std::string quoted = "\"";
-    for (const char c : value)
-      quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    for (const char c : value) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
     return quoted + "\"";
   }
-  static std::string Text(const std::string &value) {
-    return Text(std::string_view(value));
-  }
+  static std::string Text(const std::string& value) { return Text(std::string_view(value)); }
 
   CsvFile file_;
 };
 
-CsvFile Outcomes(const Findings &findings) {
-  Csv csv("outcomes.csv", "cell,scenario,clearance,error_scale,propagation,"
-                          "grasp,sensing,noise,seed,plan,actions,"
-                          "unproved,trials,done,succeeded,wilson_low,wilson_"
-                          "high,control_done,control_succeeded");
-  for (const CellFindings &cell : findings.cells) {
-    const sweep::CellRecord &record = cell.cell();
-    const Interval wilson =
-        sweep::WilsonInterval(cell.summary.succeeded, cell.summary.done);
-    csv.Add(record.cell, record.scenario, record.clearance, record.error_scale,
-            record.propagation, record.grasp, record.sensing, record.noise,
-            record.seed, record.outcome, record.actions, record.errors,
-            record.trials, cell.summary.done, cell.summary.succeeded,
-            wilson.low, wilson.high, cell.control_done, cell.control_succeeded);
+CsvFile Outcomes(const Findings& findings) {
+  Csv csv("outcomes.csv",
+          "cell,scenario,clearance,error_scale,propagation,grasp,sensing,noise,seed,plan,actions,"
+          "unproved,trials,done,succeeded,wilson_low,wilson_high,control_done,control_succeeded");
+  for (const CellFindings& cell : findings.cells) {
+    const sweep::CellRecord& record = cell.cell();
+    const Interval wilson = sweep::WilsonInterval(cell.summary.succeeded, cell.summary.done);
+    csv.Add(record.cell, record.scenario, record.clearance, record.error_scale, record.propagation,
+            record.grasp, record.sensing, record.noise, record.seed, record.outcome, record.actions,
+            record.errors, record.trials, cell.summary.done, cell.summary.succeeded, wilson.low,
+            wilson.high, cell.control_done, cell.control_succeeded);
   }
   return csv.Take();
 }
 
-CsvFile Failures(const Findings &findings) {
+CsvFile Failures(const Findings& findings) {
   Csv csv("failures.csv", "cell,outcome,trials");
-  for (const CellFindings &cell : findings.cells) {
-    for (const auto &[outcome, count] : cell.summary.failed) {
+  for (const CellFindings& cell : findings.cells) {
+    for (const auto& [outcome, count] : cell.summary.failed) {
       csv.Add(cell.cell().cell, outcome, count);
     }
   }
   return csv.Take();
 }
 
-CsvFile Recoveries(const Findings &findings) {
-  Csv csv("recoveries.csv", "cell,done,trials_with_errors,errors_signalled,"
-                            "errors_mended,trials_recovered,"
-                            "operator_called,succeeded_unaided,succeeded");
-  for (const CellFindings &cell : findings.cells) {
-    const sweep::CellSummary &summary = cell.summary;
-    csv.Add(cell.cell().cell, summary.done, summary.with_errors,
-            cell.recovery.signalled, cell.recovery.mended, summary.recovered,
-            summary.operator_called, cell.recovery.unaided, summary.succeeded);
+CsvFile Recoveries(const Findings& findings) {
+  Csv csv("recoveries.csv",
+          "cell,done,trials_with_errors,errors_signalled,errors_mended,trials_recovered,operator_"
+          "called,succeeded_unaided,succeeded");
+  for (const CellFindings& cell : findings.cells) {
+    const sweep::CellSummary& summary = cell.summary;
+    csv.Add(cell.cell().cell, summary.done, summary.with_errors, cell.recovery.signalled,
+            cell.recovery.mended, summary.recovered, summary.operator_called, cell.recovery.unaided,
+            summary.succeeded);
   }
   return csv.Take();
 }
 
-CsvFile ErrorSets(const Findings &findings) {
+CsvFile ErrorSets(const Findings& findings) {
   Csv csv("error_sets.csv",
-          "cell,step,action,about,name,unit,low,high,proved,gate,contained,"
-          "inconclusive,violated,"
+          "cell,step,action,about,name,unit,low,high,proved,gate,contained,inconclusive,violated,"
           "not_claimed,least,lower_quartile,median,upper_quartile,greatest");
-  for (const CellFindings &cell : findings.cells) {
-    for (const StepFindings &step : cell.steps) {
-      for (const auto &[claim, seen] : step.claims) {
+  for (const CellFindings& cell : findings.cells) {
+    for (const StepFindings& step : cell.steps) {
+      for (const auto& [claim, seen] : step.claims) {
         const double none = std::nan("");
         const bool any = seen.claimed() > 0;
-        csv.Add(cell.cell().cell, claim.step, claim.action, claim.about,
-                claim.name, claim.unit, claim.low, claim.high, claim.proved,
-                claim.gate, seen.verdicts.contained, seen.verdicts.inconclusive,
-                seen.verdicts.violated, seen.verdicts.not_claimed,
-                any ? seen.least : none, any ? seen.lower_quartile : none,
-                any ? seen.median : none, any ? seen.upper_quartile : none,
-                any ? seen.greatest : none);
+        csv.Add(cell.cell().cell, claim.step, claim.action, claim.about, claim.name, claim.unit,
+                claim.low, claim.high, claim.proved, claim.gate, seen.verdicts.contained,
+                seen.verdicts.inconclusive, seen.verdicts.violated, seen.verdicts.not_claimed,
+                any ? seen.least : none, any ? seen.lower_quartile : none, any ? seen.median : none,
+                any ? seen.upper_quartile : none, any ? seen.greatest : none);
       }
     }
   }
   return csv.Take();
 }
 
-CsvFile Verdicts(const Findings &findings) {
-  Csv csv("verdicts.csv", "cell,step,action,contained,inconclusive,violated,"
-                          "not_claimed,worst_verdict,claim,about,"
-                          "unit,observed,low,high,margin,gate,trial,replay");
-  for (const CellFindings &cell : findings.cells) {
-    for (const StepFindings &step : cell.steps) {
-      const auto &[verdict, about, unit, trial] = step.worst;
+CsvFile Verdicts(const Findings& findings) {
+  Csv csv("verdicts.csv",
+          "cell,step,action,contained,inconclusive,violated,not_claimed,worst_verdict,claim,about,"
+          "unit,observed,low,high,margin,gate,trial,replay");
+  for (const CellFindings& cell : findings.cells) {
+    for (const StepFindings& step : cell.steps) {
+      const auto& [verdict, about, unit, trial] = step.worst;
       csv.Add(cell.cell().cell, step.step, step.action, step.counts.contained,
-              step.counts.inconclusive, step.counts.violated,
-              step.counts.not_claimed, verdict.verdict, verdict.claim, about,
-              unit, verdict.observed, verdict.low, verdict.high, verdict.margin,
-              verdict.gate, trial, ReplayCommand(findings.database, trial));
+              step.counts.inconclusive, step.counts.violated, step.counts.not_claimed,
+              verdict.verdict, verdict.claim, about, unit, verdict.observed, verdict.low,
+              verdict.high, verdict.margin, verdict.gate, trial,
+              ReplayCommand(findings.database, trial));
     }
   }
   return csv.Take();
 }
 
-CsvFile Attacks(const Findings &findings) {
+CsvFile Attacks(const Findings& findings) {
   Csv csv("attacks.csv",
-          "cell,attempts,contained,inconclusive,violated,not_claimed,claims_"
-          "contained,"
-          "claims_inconclusive,claims_violated,claims_not_claimed");
-  for (const CellFindings &cell : findings.cells) {
-    if (!cell.attack)
-      continue;
-    const auto &[certificates, claims] =
-        std::pair(cell.attack->certificates, cell.attack->claims);
+          "cell,attempts,contained,inconclusive,violated,not_claimed,claims_contained,claims_"
+          "inconclusive,claims_violated,claims_not_claimed");
+  for (const CellFindings& cell : findings.cells) {
+    if (!cell.attack) continue;
+    const auto& [certificates, claims] = std::pair(cell.attack->certificates, cell.attack->claims);
     csv.Add(cell.cell().cell, cell.attack->attempts, certificates.contained,
-            certificates.inconclusive, certificates.violated,
-            certificates.not_claimed, claims.contained, claims.inconclusive,
-            claims.violated, claims.not_claimed);
+            certificates.inconclusive, certificates.violated, certificates.not_claimed,
+            claims.contained, claims.inconclusive, claims.violated, claims.not_claimed);
   }
   return csv.Take();
 }
 
-CsvFile AttackedClaims(const Findings &findings) {
-  Csv csv("attacked_claims.csv", "cell,step,action,about,name,unit,observed,"
-                                 "low,high,margin,gate,verdict,phase,attempt,"
-                                 "noise");
-  for (const CellFindings &cell : findings.cells) {
-    if (!cell.attack)
-      continue;
-    for (const AttackedClaim &claim : cell.attack->worst) {
-      csv.Add(cell.cell().cell, claim.step, claim.action, claim.about,
-              claim.name, claim.unit, claim.observed, claim.low, claim.high,
-              claim.margin, claim.gate, claim.verdict, claim.phase,
-              claim.attempt, claim.noise);
+CsvFile AttackedClaims(const Findings& findings) {
+  Csv csv(
+      "attacked_claims.csv",
+      "cell,step,action,about,name,unit,observed,low,high,margin,gate,verdict,phase,attempt,noise");
+  for (const CellFindings& cell : findings.cells) {
+    if (!cell.attack) continue;
+    for (const AttackedClaim& claim : cell.attack->worst) {
+      csv.Add(cell.cell().cell, claim.step, claim.action, claim.about, claim.name, claim.unit,
+              claim.observed, claim.low, claim.high, claim.margin, claim.gate, claim.verdict,
+              claim.phase, claim.attempt, claim.noise);
     }
   }
   return csv.Take();
 }
 
-CsvFile Counterexamples(const Findings &findings) {
-  Csv csv("counterexamples.csv", "cell,number,claim,action,name,unit,observed,"
-                                 "low,high,margin,gate,noise,steps,replayed,"
-                                 "multiple,replay");
-  for (const CellFindings &cell : findings.cells) {
-    if (!cell.attack)
-      continue;
-    for (const Counterexample &example : cell.attack->counterexamples) {
-      csv.Add(cell.cell().cell, example.number, example.claim, example.action,
-              example.name, example.unit, example.observed, example.low,
-              example.high, example.margin, example.gate, example.noise,
-              example.steps, example.replayed, example.multiple,
+CsvFile Counterexamples(const Findings& findings) {
+  Csv csv("counterexamples.csv",
+          "cell,number,claim,action,name,unit,observed,low,high,margin,gate,noise,steps,replayed,"
+          "multiple,replay");
+  for (const CellFindings& cell : findings.cells) {
+    if (!cell.attack) continue;
+    for (const Counterexample& example : cell.attack->counterexamples) {
+      csv.Add(cell.cell().cell, example.number, example.claim, example.action, example.name,
+              example.unit, example.observed, example.low, example.high, example.margin,
+              example.gate, example.noise, example.steps, example.replayed, example.multiple,
               WithDatabase(example.replay, findings.database));
     }
   }
   return csv.Take();
 }
 
-CsvFile ConservatismRatios(const Findings &findings) {
+CsvFile ConservatismRatios(const Findings& findings) {
   Csv csv("conservatism.csv", "cell,variable,guaranteed,broken,ratio");
-  for (const CellFindings &cell : findings.cells) {
-    for (const Conservatism &row : cell.conservatism) {
-      csv.Add(cell.cell().cell, row.variable, row.guaranteed, row.broken,
-              row.ratio);
+  for (const CellFindings& cell : findings.cells) {
+    for (const Conservatism& row : cell.conservatism) {
+      csv.Add(cell.cell().cell, row.variable, row.guaranteed, row.broken, row.ratio);
     }
   }
   return csv.Take();
 }
 
-CsvFile Runs(const Findings &findings) {
+CsvFile Runs(const Findings& findings) {
   Csv csv("runs.csv", "started,shard,jobs,version,machine,cores,os");
-  for (const sweep::RunRecord &run : findings.runs) {
-    csv.Add(run.started, run.shard, run.jobs, run.version, run.machine,
-            run.cores, run.os);
+  for (const sweep::RunRecord& run : findings.runs) {
+    csv.Add(run.started, run.shard, run.jobs, run.version, run.machine, run.cores, run.os);
   }
   return csv.Take();
 }
 
-} // namespace
+}  // namespace
 
-std::vector<CsvFile> CsvFiles(const Findings &findings) {
+std::vector<CsvFile> CsvFiles(const Findings& findings) {
   return {Outcomes(findings),           Failures(findings),
           Recoveries(findings),         ErrorSets(findings),
           Verdicts(findings),           Attacks(findings),
@@ -212,4 +198,4 @@ std::vector<CsvFile> CsvFiles(const Findings &findings) {
           ConservatismRatios(findings), Runs(findings)};
 }
 
-} // namespace assay::report
+}  // namespace assay::report

@@ -8,30 +8,27 @@
 
 namespace assay::report {
 
-DataTable::DataTable(const std::string &caption, std::vector<Column> columns)
-    : caption_(caption), columns_(std::move(columns)), heads_(columns_.size()) {
-}
+DataTable::DataTable(const std::string& caption, std::vector<Column> columns)
+    : caption_(caption), columns_(std::move(columns)), heads_(columns_.size()) {}
 
 void DataTable::AddToHead(std::size_t column, Element element) {
   heads_[column].push_back(std::move(element));
 }
 
 void DataTable::AddRow(std::vector<Element> entries) {
-  ASSAY_CHECK(entries.size() == columns_.size(), "{} entries for {} columns",
-              entries.size(), columns_.size());
-  Element &row = body_.Add("tr");
+  ASSAY_CHECK(entries.size() == columns_.size(), "{} entries for {} columns", entries.size(),
+              columns_.size());
+  Element& row = body_.Add("tr");
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    Element &entry = row.Add(i == 0 ? "th" : "td");
-    if (i == 0)
-      entry.Set("scope", "row");
-    if (!columns_[i].kind.empty())
-      entry.Set("class", columns_[i].kind);
+    Element& entry = row.Add(i == 0 ? "th" : "td");
+    if (i == 0) entry.Set("scope", "row");
+    if (!columns_[i].kind.empty()) entry.Set("class", columns_[i].kind);
     entry.Add(std::move(entries[i]));
   }
   ++rows_;
 }
 
-void DataTable::AddGroup(const std::string &name) {
+void DataTable::AddGroup(const std::string& name) {
   body_.Add("tr")
       .Set("class", "group")
       .Add("th", name)
@@ -43,15 +40,14 @@ Element DataTable::Take() {
   Element frame("div");
   frame.Set("class", "scroll").Set("role", "region").Set("tabindex", "0");
   frame.Set("aria-label", caption_);
-  Element &table = frame.Add("table");
-  table.Add("caption", caption_);
-  Element &head = table.Add("thead").Add("tr");
+  Element& table = frame.Add("table");
+  // Narrower than a table that is scrolled, and always in sight.
+  table.Add("caption").Add("span", caption_);
+  Element& head = table.Add("thead").Add("tr");
   for (std::size_t i = 0; i < columns_.size(); ++i) {
-    Element &entry = head.Add("th", columns_[i].name).Set("scope", "col");
-    if (!columns_[i].kind.empty())
-      entry.Set("class", columns_[i].kind);
-    for (Element &more : heads_[i])
-      entry.Add(std::move(more));
+    Element& entry = head.Add("th", columns_[i].name).Set("scope", "col");
+    if (!columns_[i].kind.empty()) entry.Set("class", columns_[i].kind);
+    for (Element& more : heads_[i]) entry.Add(std::move(more));
   }
   table.Add(std::move(body_));
   return frame;
@@ -59,7 +55,7 @@ Element DataTable::Take() {
 
 Element Words(std::string_view text) { return {"span", text}; }
 
-Element Command(const std::string &command) {
+Element Command(const std::string& command) {
   return Element("code", command).Set("class", "command");
 }
 
@@ -67,13 +63,11 @@ Element VerdictWords(std::string_view verdict) {
   Element words("span");
   words.Set("class", "verdict");
   const ClaimVerdict known = VerdictNamed(verdict);
-  if (check::Name(known) == verdict)
-    words.Add(Mark(known));
+  if (check::Name(known) == verdict) words.Add(Mark(known));
   std::string text(verdict);
-  if (text == check::Name(ClaimVerdict::kNotClaimed))
-    text = "not claimed";
+  if (text == check::Name(ClaimVerdict::kNotClaimed)) text = "not claimed";
   words.Text(" " + text);
   return words;
 }
 
-} // namespace assay::report
+}  // namespace assay::report

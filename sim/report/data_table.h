@@ -11,14 +11,13 @@ namespace assay::report {
 // them. It can be scrolled by itself where the window is narrower, by keyboard
 // too.
 class DataTable {
-public:
+ public:
   struct Column {
     std::string name;
-    std::string kind =
-        {}; // class of its entries: "number", "chart"; empty: words
+    std::string kind = {};  // class of its entries: "number", "chart"; empty: words
   };
 
-  DataTable(const std::string &caption, std::vector<Column> columns);
+  DataTable(const std::string& caption, std::vector<Column> columns);
 
   // What stands in the head of a column below its name.
   void AddToHead(std::size_t column, Element element);
@@ -26,12 +25,12 @@ public:
   // An entry for each column (checked). A row with a heading for all of its
   // columns starts a group.
   void AddRow(std::vector<Element> entries);
-  void AddGroup(const std::string &name);
+  void AddGroup(const std::string& name);
 
   bool empty() const { return rows_ == 0; }
-  Element Take(); // at the end
+  Element Take();  // at the end
 
-private:
+ private:
   std::string caption_;
   std::vector<Column> columns_;
   std::vector<std::vector<Element>> heads_;
@@ -41,8 +40,8 @@ private:
 
 // Contents of an entry.
 Element Words(std::string_view text);
-Element Command(const std::string &command); // a click selects it
+Element Command(const std::string& command);  // a click selects it
 // A verdict's mark and word; of a name that is no verdict, the word.
 Element VerdictWords(std::string_view verdict);
 
-} // namespace assay::report
+}  // namespace assay::report

@@ -10,51 +10,47 @@ namespace {
 
 // Elements of HTML that have no content and no end tag.
 bool IsVoid(std::string_view name) {
-  constexpr std::array<std::string_view, 5> kVoid = {"br", "hr", "img", "link",
-                                                     "meta"};
+  constexpr std::array<std::string_view, 5> kVoid = {"br", "hr", "img", "link", "meta"};
   return std::ranges::find(kVoid, name) != kVoid.end();
 }
 
 // Each on a line of its own, so that the page can be read and compared as text.
 bool IsBlock(std::string_view name) {
   constexpr std::array<std::string_view, 25> kBlocks = {
-      "head",    "body",    "meta",   "title", "style", "header", "main",
-      "nav",     "section", "div",    "table", "thead", "tbody",  "tr",
-      "caption", "h1",      "h2",     "h3",    "h4",    "p",      "ul",
-      "li",      "figure",  "footer", "dl"};
+      "head", "body",  "meta",  "title", "style",  "header",  "main", "nav", "section",
+      "div",  "table", "thead", "tbody", "tr",     "caption", "h1",   "h2",  "h3",
+      "h4",   "p",     "ul",    "li",    "figure", "footer",  "dl"};
   return std::ranges::find(kBlocks, name) != kBlocks.end();
 }
 
 std::string_view Replacement(char c) {
   switch (c) {
-  case '&':
-    return "&amp;";
-  case '<':
-    return "&lt;";
-  case '>':
-    return "&gt;";
-  case '"':
-    return "&quot;";
-  case '\'':
-    return "&#39;";
-  default:
-    return "";
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return "";
   }
 }
 
 bool IsControl(char c) {
-  return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') ||
-         c == 0x7f;
+  return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f;
 }
 
-} // namespace
+}  // namespace
 
 std::string Escaped(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());
   for (const char c : text) {
-    if (const std::string_view replacement = Replacement(c);
-        !replacement.empty()) {
+    if (const std::string_view replacement = Replacement(c); !replacement.empty()) {
       escaped += replacement;
     } else if (IsControl(c)) {
       escaped += "\xEF\xBF\xBD";
@@ -65,24 +61,23 @@ std::string Escaped(std::string_view text) {
   return escaped;
 }
 
-Element &Element::Set(std::string_view attribute, std::string_view value) & {
+Element& Element::Set(std::string_view attribute, std::string_view value) & {
   attributes_.emplace_back(attribute, value);
   return *this;
 }
 
-Element &Element::Set(std::string_view attribute, double value) & {
+Element& Element::Set(std::string_view attribute, double value) & {
   std::string text = fmt::format("{:.1f}", value);
-  if (text.ends_with(".0"))
-    text.resize(text.size() - 2);
+  if (text.ends_with(".0")) text.resize(text.size() - 2);
   return Set(attribute, text == "-0" ? "0" : text);
 }
 
-Element &Element::Text(std::string_view text) & {
+Element& Element::Text(std::string_view text) & {
   children_.emplace_back(std::string(text));
   return *this;
 }
 
-Element &Element::Add(Element child) {
+Element& Element::Add(Element child) {
   return std::get<Element>(children_.emplace_back(std::move(child)));
 }
 
@@ -92,11 +87,10 @@ std::string Element::Markup() const {
   return text;
 }
 
-void Element::Append(std::string &text) const {
-  if (IsBlock(name_) && !text.empty() && text.back() != '\n')
-    text += '\n';
+void Element::Append(std::string& text) const {
+  if (IsBlock(name_) && !text.empty() && text.back() != '\n') text += '\n';
   text += '<' + name_;
-  for (const auto &[attribute, value] : attributes_) {
+  for (const auto& [attribute, value] : attributes_) {
     text += fmt::format(" {}=\"{}\"", attribute, Escaped(value));
   }
   if (IsVoid(name_)) {
@@ -104,8 +98,8 @@ void Element::Append(std::string &text) const {
     return;
   }
   text += '>';
-  for (const Child &child : children_) {
-    if (const auto *const words = std::get_if<std::string>(&child)) {
+  for (const Child& child : children_) {
+    if (const auto* const words = std::get_if<std::string>(&child)) {
       text += Escaped(*words);
     } else {
       std::get<Element>(child).Append(text);
@@ -114,4 +108,4 @@ void Element::Append(std::string &text) const {
   text += fmt::format("</{}>", name_);
 }
 
-} // namespace assay::report
+}  // namespace assay::report

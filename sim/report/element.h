@@ -18,41 +18,39 @@ std::string Escaped(std::string_view text);
 // were set, children in the order in which they were added; all text is
 // escaped.
 class Element {
-public:
+ public:
   explicit Element(std::string name) : name_(std::move(name)) {}
-  Element(std::string name, std::string_view text) : name_(std::move(name)) {
-    Text(text);
-  }
+  Element(std::string name, std::string_view text) : name_(std::move(name)) { Text(text); }
 
-  Element &Set(std::string_view attribute, std::string_view value) &;
-  Element &&Set(std::string_view attribute, std::string_view value) && {
+  Element& Set(std::string_view attribute, std::string_view value) &;
+  Element&& Set(std::string_view attribute, std::string_view value) && {
     return std::move(Set(attribute, value));
   }
   // To a tenth: coordinates of drawings.
-  Element &Set(std::string_view attribute, double value) &;
-  Element &&Set(std::string_view attribute, double value) && {
+  Element& Set(std::string_view attribute, double value) &;
+  Element&& Set(std::string_view attribute, double value) && {
     return std::move(Set(attribute, value));
   }
 
-  Element &Text(std::string_view text) &;
-  Element &&Text(std::string_view text) && { return std::move(Text(text)); }
+  Element& Text(std::string_view text) &;
+  Element&& Text(std::string_view text) && { return std::move(Text(text)); }
 
   // A new last child; the reference stays good while this element lives.
-  Element &Add(Element child);
-  Element &Add(std::string name) { return Add(Element(std::move(name))); }
-  Element &Add(std::string name, std::string_view text) {
+  Element& Add(Element child);
+  Element& Add(std::string name) { return Add(Element(std::move(name))); }
+  Element& Add(std::string name, std::string_view text) {
     return Add(Element(std::move(name), text));
   }
 
   std::string Markup() const;
 
-private:
+ private:
   using Child = std::variant<std::string, Element>;
-  void Append(std::string &text) const;
+  void Append(std::string& text) const;
 
   std::string name_;
   std::vector<std::pair<std::string, std::string>> attributes_;
   std::list<Child> children_;
 };
 
-} // namespace assay::report
+}  // namespace assay::report

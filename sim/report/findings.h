@@ -19,15 +19,11 @@ using sweep::VerdictCounts;
 // What the trials of a cell observed of one claim, in the trials in which its
 // step's certificate claimed anything; in the claim's unit.
 struct Observed {
-  double least = 0, lower_quartile = 0, median = 0, upper_quartile = 0,
-         greatest = 0;
-  VerdictCounts verdicts =
-      {}; // of every observation, one that is not claimed included
+  double least = 0, lower_quartile = 0, median = 0, upper_quartile = 0, greatest = 0;
+  VerdictCounts verdicts = {};  // of every observation, one that is not claimed included
 
   // Observations that the five numbers are of.
-  int claimed() const {
-    return verdicts.contained + verdicts.inconclusive + verdicts.violated;
-  }
+  int claimed() const { return verdicts.contained + verdicts.inconclusive + verdicts.violated; }
 };
 
 struct ClaimFindings {
@@ -38,15 +34,15 @@ struct ClaimFindings {
 // The verdict on a certificate in the trial in which it came out worst.
 struct WorstVerdict {
   sweep::VerdictRecord verdict;
-  std::string about, unit; // of the claim; empty if it is not known
+  std::string about, unit;  // of the claim; empty if it is not known
   int trial = 0;
 };
 
 // All that trials say of the certificate of one step.
 struct StepFindings {
-  int step = 0; // place in the order of execution, from 1
+  int step = 0;  // place in the order of execution, from 1
   std::string action;
-  std::string what; // "pickup(peg)"; empty if the plan does not tell
+  std::string what;  // "pickup(peg)"; empty if the plan does not tell
   VerdictCounts counts;
   WorstVerdict worst;
   std::vector<ClaimFindings> claims;
@@ -54,10 +50,10 @@ struct StepFindings {
 
 // What verifications and recoveries did in the trials of a cell.
 struct RecoveryFindings {
-  int signalled = 0;     // errors, in all trials together
-  int mended = 0;        // of them, those after which the plan went on
-  int unaided = 0;       // trials that succeeded without an error
-  bool verifies = false; // the plan has verifications
+  int signalled = 0;      // errors, in all trials together
+  int mended = 0;         // of them, those after which the plan went on
+  int unaided = 0;        // trials that succeeded without an error
+  bool verifies = false;  // the plan has verifications
 };
 
 // A claim as the attack brought it out at its worst.
@@ -79,7 +75,7 @@ struct Counterexample {
   int steps = 0;
   bool replayed = false;
   double multiple = 1;
-  std::string replay; // a command
+  std::string replay;  // a command
 };
 
 struct AttackFindings {
@@ -94,10 +90,10 @@ struct AttackFindings {
 
 // How much more noise than the planner guarantees it takes to break the plan.
 struct Conservatism {
-  std::string variable;  // "all": of all together
-  double guaranteed = 0; // multiple of the noise
-  double broken = 0; // least multiple that broke it; NaN: none that was tried
-  double ratio = 0;  // NaN: not known
+  std::string variable;   // "all": of all together
+  double guaranteed = 0;  // multiple of the noise
+  double broken = 0;      // least multiple that broke it; NaN: none that was tried
+  double ratio = 0;       // NaN: not known
 };
 
 struct CellFindings {
@@ -110,31 +106,31 @@ struct CellFindings {
   int control_done = 0;
   int control_succeeded = 0;
 
-  const sweep::CellRecord &cell() const { return summary.cell; }
+  const sweep::CellRecord& cell() const { return summary.cell; }
   bool is_control() const { return cell().noise == "none"; }
 };
 
 // The trials that pictures are taken of.
 struct NotableTrials {
   int best = 0, typical = 0,
-      worst = 0; // numbers in the sweep; 0: there is none
+      worst = 0;  // numbers in the sweep; 0: there is none
 };
 
 // All that a report tells, in the database's units.
 struct Findings {
-  std::string database; // path, as the user gave it
+  std::string database;  // path, as the user gave it
   sweep::SweepFacts facts;
   std::vector<sweep::RunRecord> runs;
   std::vector<CellFindings> cells;
   double mean_trial_seconds = 0;
-  double planning_seconds = 0; // of all cells
+  double planning_seconds = 0;  // of all cells
   NotableTrials notable;
 
-  int trials() const; // of the whole sweep, whether they are done or not
+  int trials() const;  // of the whole sweep, whether they are done or not
   int done() const;
 };
 
 // Throws as Store does. A database without tables of attacks has none.
-Findings ReadFindings(const sweep::Store &store, const std::string &database);
+Findings ReadFindings(const sweep::Store& store, const std::string& database);
 
-} // namespace assay::report
+}  // namespace assay::report

@@ -12,7 +12,7 @@ namespace assay::report {
 // What the trials of a cell say of each of its claims and certificates: the
 // members `claims`, `counts` and `worst` of its steps, in the order of
 // execution.
-std::vector<StepFindings> ReadSteps(const sweep::Store &store, int cell);
+std::vector<StepFindings> ReadSteps(const sweep::Store& store, int cell);
 
 // The verdict on one observation. The database has a verdict for each step and
 // trial, of its worst claim; what follows for another claim of that step:
@@ -23,8 +23,7 @@ std::vector<StepFindings> ReadSteps(const sweep::Store &store, int cell);
 //                       bad
 // Where a certificate is violated by one claim and another, no longer claimed,
 // lies outside as well, that one counts as violated too.
-ClaimVerdict VerdictOn(const sweep::ClaimRecord &claim, double observed,
-                       ClaimVerdict of_step);
+ClaimVerdict VerdictOn(const sweep::ClaimRecord& claim, double observed, ClaimVerdict of_step);
 
 // By its name; a name that there is not is not claimed.
 ClaimVerdict VerdictNamed(std::string_view name);
@@ -32,6 +31,6 @@ ClaimVerdict VerdictNamed(std::string_view name);
 // Best first: whether trials succeeded, then their worst verdict, then the
 // least margin of their certificates, radians as lengths at a tenth of a metre.
 // Only trials under noise, if there are any.
-NotableTrials FindNotable(const sweep::Store &store);
+NotableTrials FindNotable(const sweep::Store& store);
 
-} // namespace assay::report
+}  // namespace assay::report

@@ -11,8 +11,8 @@ namespace assay::report {
 // predicted and observed have shapes.
 struct Colour {
   std::string_view name;
-  std::string_view light; // "#rrggbb", on a light ground
-  std::string_view dark;  // on a dark one
+  std::string_view light;  // "#rrggbb", on a light ground
+  std::string_view dark;   // on a dark one
 };
 
 inline constexpr Colour kContained{"contained", "#008a66", "#2dc79a"};
@@ -28,4 +28,4 @@ inline constexpr std::array kPalette = {kContained,  kInconclusive, kViolated,
 inline constexpr std::string_view kLightGround = "#ffffff";
 inline constexpr std::string_view kDarkGround = "#12171e";
 
-} // namespace assay::report
+}  // namespace assay::report

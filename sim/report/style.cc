@@ -9,7 +9,7 @@ namespace {
 
 // Neither & nor < nor > nor quotes: what is escaped in a page is not in a style
 // sheet.
-constexpr const char *kRules = R"css(
+constexpr const char* kRules = R"css(
 * { box-sizing: border-box; }
 html { font: 16px/1.5 system-ui, -apple-system, Segoe UI, Roboto, Noto Sans, DejaVu Sans, sans-serif;
   color: var(--ink); background: var(--ground); -webkit-text-size-adjust: 100%; }
@@ -53,16 +53,18 @@ nav ul { list-style: none; display: flex; flex-wrap: wrap; gap: .2rem 1.1rem; pa
 table { border-collapse: collapse; width: 100%; font-size: .875rem;
   font-variant-numeric: tabular-nums; }
 caption { text-align: left; padding: .6rem .8rem; color: var(--soft); }
+caption span { display: inline-block; position: sticky; left: .8rem;
+  max-width: min(60rem, calc(100vw - 4rem)); }
 th, td { padding: .35rem .8rem; text-align: left; vertical-align: middle; }
-thead th { vertical-align: bottom; font-weight: 600; border-bottom: 1.5px solid var(--ink);
-  white-space: nowrap; }
+thead th { vertical-align: bottom; font-weight: 600; border-bottom: 1.5px solid var(--ink); }
 tbody tr + tr th, tbody tr + tr td { border-top: 1px solid var(--rule); }
 tbody th { font-weight: 600; }
 tr.group th { color: var(--soft); font-weight: 500; padding-top: .9rem; background: var(--ground); }
 .number { text-align: right; white-space: nowrap; }
 .chart { white-space: nowrap; }
-td.chart, th.chart { padding-top: 0; padding-bottom: 0; }
-th.chart svg { display: block; }
+td.chart { padding-top: 0; padding-bottom: 0; }
+.short { min-width: 9rem; }
+th.chart svg { display: block; margin-bottom: -.35rem; }
 svg { vertical-align: middle; flex: none; }
 svg text { font: 10px system-ui, sans-serif; fill: var(--soft); font-variant-numeric: tabular-nums; }
 .definitions { position: absolute; }
@@ -125,25 +127,26 @@ figcaption { font-size: .875rem; color: var(--soft); margin-top: .4rem; }
 }
 )css";
 
-} // namespace
+}  // namespace
 
 std::string StyleSheet() {
   std::string light;
   std::string dark;
-  for (const Colour &colour : kPalette) {
+  for (const Colour& colour : kPalette) {
     light += fmt::format(" --{}: {};", colour.name, colour.light);
     dark += fmt::format(" --{}: {};", colour.name, colour.dark);
   }
-  return fmt::format(":root {{ color-scheme: light dark;{}\n  --ground: "
-                     "#f6f7f9; --panel: {}; --ink: #14202e;"
-                     " --soft: #52606f; --rule: #dde2e8; --rule-strong: "
-                     "#98a2ad; --link: #17609c; }}\n"
-                     "@media screen and (prefers-color-scheme: dark) {{ :root "
-                     "{{{}\n  --ground: #0b0f14;"
-                     " --panel: {}; --ink: #e9eef4; --soft: #a3afbc; --rule: "
-                     "#2a333e; --rule-strong: #66727f;"
-                     " --link: #7fbcf0; }} }}\n{}",
-                     light, kLightGround, dark, kDarkGround, kRules);
+  return fmt::format(
+      ":root {{ color-scheme: light dark;{}\n  --ground: "
+      "#f6f7f9; --panel: {}; --ink: #14202e;"
+      " --soft: #52606f; --rule: #dde2e8; --rule-strong: "
+      "#98a2ad; --link: #17609c; }}\n"
+      "@media screen and (prefers-color-scheme: dark) {{ :root "
+      "{{{}\n  --ground: #0b0f14;"
+      " --panel: {}; --ink: #e9eef4; --soft: #a3afbc; --rule: "
+      "#2a333e; --rule-strong: #66727f;"
+      " --link: #7fbcf0; }} }}\n{}",
+      light, kLightGround, dark, kDarkGround, kRules);
 }
 
-} // namespace assay::report
+}  // namespace assay::report

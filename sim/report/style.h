@@ -8,4 +8,4 @@ namespace assay::report {
 // for paper. Nothing in it is fetched.
 std::string StyleSheet();
 
-} // namespace assay::report
+}  // namespace assay::report

@@ -21,6 +21,21 @@ std::vector<Cell> Spread(const std::vector<Cell>& cells, const std::vector<T>& a
   return spread;
 }
 
+int TrialsOf(const Sweep& sweep, const Cell& cell) {
+  switch (cell.noise) {
+    case NoiseKind::kNone:
+      return sweep.control_trials;
+    case NoiseKind::kUniform:
+    case NoiseKind::kVertices:
+    case NoiseKind::kLowDiscrepancy:
+      return sweep.trials;
+    case NoiseKind::kAttack:
+      return 1;
+  }
+  ASSAY_CHECK(false, "a kind of noise that the switch does not know");
+  return 0;
+}
+
 }  // namespace
 
 std::vector<Cell> Cells(const Sweep& sweep) {
@@ -35,9 +50,11 @@ std::vector<Cell> Cells(const Sweep& sweep) {
   cells = Spread(cells, sweep.seeds, &Cell::seed);
   int number = 0;
   int first_trial = 1;
+  int attacks = 0;
   for (Cell& cell : cells) {
     cell.number = ++number;
-    cell.trials = cell.noise == noise::Mode::kNone ? sweep.control_trials : sweep.trials;
+    cell.trials = TrialsOf(sweep, cell);
+    if (cell.noise == NoiseKind::kAttack) cell.attack = ++attacks;
     cell.first_trial = first_trial;
     first_trial += cell.trials;
   }

@@ -18,10 +18,11 @@ struct Cell {
   uncertainty::Propagation propagation = uncertainty::Propagation::kSound;
   scene::GraspMode grasp = scene::GraspMode::kFriction;
   Sensing sensing = Sensing::kDrawn;
-  noise::Mode noise = noise::Mode::kUniform;
+  NoiseKind noise = NoiseKind::kUniform;
   std::uint64_t seed = 0;
   int trials = 0;
   int first_trial = 1;  // the number of its first trial in the whole sweep
+  int attack = 0;       // its number among the attacked cells, from 1; 0: it is none
 
   bool operator==(const Cell&) const = default;
 };
@@ -43,12 +44,14 @@ TrialPlace PlaceOf(const std::vector<Cell>& cells, int trial);
 bool SharePlan(const Cell& a, const Cell& b);
 
 // A share of the trials of a sweep: those with numbers index, index + count, ... Every cell is cut
-// alike, so that shards take equally long; each makes the plans of its cells anew.
+// alike, so that shards take equally long; each makes the plans of its cells anew. Attacks, which
+// take longer, are dealt out by themselves.
 struct Shard {
   int index = 1;  // 1 to count
   int count = 1;
 
   bool Has(int trial) const { return (trial - 1) % count == index - 1; }
+  bool Has(const Cell& cell, int trial) const { return Has(cell.attack > 0 ? cell.attack : trial); }
 };
 
 }  // namespace assay::sweep

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -73,14 +74,16 @@ struct VerdictCounts {
   bool operator==(const VerdictCounts&) const = default;
 };
 
-// One trial: a row of table `trial`, with its verdicts and observations.
+// One trial: a row of table `trial`, with its verdicts and observations. A whole attack is one,
+// too: its noise is that of the worst claim, its counts are of the certificates of all attempts,
+// its verdicts the worst claims of each step; what was simulated is not counted, and 0.
 struct TrialRecord {
   int trial = 0;  // in the sweep, from 1
   int cell = 0;
   int number = 0;          // in the cell, from 1
   std::string noise;       // noise::Text
-  std::string outcome;     // check::Name
-  std::string reason;      // empty if succeeded
+  std::string outcome;     // check::Name; of an attack "succeeded" or "violated"
+  std::string reason;      // empty if succeeded; of an attack: the worst claim
   double simulated = 0;    // seconds
   std::int64_t steps = 0;  // of the engine
   int errors_signalled = 0;
@@ -92,6 +95,56 @@ struct TrialRecord {
   std::vector<ObservationRecord> observations = {};
 
   bool operator==(const TrialRecord&) const = default;
+};
+
+// A claim as it came out at its worst in an attack: a row of table `attack_worst`.
+struct WorstClaimRecord {
+  std::string claim;  // as in table `claim`
+  int step = 0;
+  std::string action, about, name, unit;
+  double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
+  std::string verdict, phase;  // check::Name
+  std::int64_t attempt = 0;    // from 1
+  std::string noise;           // noise::Text
+
+  bool operator==(const WorstClaimRecord&) const = default;
+};
+
+// A shrunk violation: a row of table `counterexample`.
+struct CounterexampleRecord {
+  int number = 0;  // in its cell, from 1
+  std::string claim, action, name, unit;
+  double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
+  std::string noise;
+  int steps = 0;          // how far the plan must be executed
+  bool replayed = false;  // also from the start of the plan
+  double multiple = 1;    // of its errors, with which it is violated still
+  // The command that runs it again: with `assay run`, or, where that has no words for the cell,
+  // with `assay replay DB TRIAL`, which makes the whole attack again.
+  std::string replay;
+
+  bool operator==(const CounterexampleRecord&) const = default;
+};
+
+// How much more noise than guaranteed it takes to break a plan: a row of table `conservatism`.
+struct ConservatismRecord {
+  std::string variable;  // "all": of all together
+  double guaranteed = 0;
+  std::optional<double> broken = {}, ratio = {};
+
+  bool operator==(const ConservatismRecord&) const = default;
+};
+
+// What an attack came to, apart from its trial: a row of table `attack`, with those of the others.
+struct AttackRecord {
+  std::int64_t attempts = 0;
+  VerdictCounts certificates = {}, claims = {};
+  // In the order of their keys.
+  std::vector<WorstClaimRecord> worst = {};
+  std::vector<CounterexampleRecord> counterexamples = {};
+  std::vector<ConservatismRecord> conservatism = {};
+
+  bool operator==(const AttackRecord&) const = default;
 };
 
 }  // namespace assay::sweep

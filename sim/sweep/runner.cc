@@ -1,14 +1,17 @@
 #include "sim/sweep/runner.h"
 
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <map>
 #include <mutex>
+#include <optional>
 
 namespace assay::sweep {
 namespace {
@@ -52,10 +55,17 @@ class BatchWriter {
   Clock::time_point written_ = Clock::now();
 };
 
+// Ends an attack from inside.
+struct BreakOff {};
+
 class Running {
  public:
   Running(const Sweep& sweep, const Work& work, Store& store, const RunOptions& options)
-      : work_(work), store_(store), options_(options), cells_(Cells(sweep)) {}
+      : work_(work),
+        store_(store),
+        options_(options),
+        cells_(Cells(sweep)),
+        attempts_(sweep.attempts) {}
 
   RunEnd Execute() {
     FindTrialsToDo();
@@ -63,19 +73,30 @@ class Running {
     tbb::task_arena arena(options_.jobs);
     arena.execute([&] { MakePlans(); });
     std::erase_if(to_do_, [&](int trial) { return !HasPlan(trial); });
+    const auto attacks = std::ranges::stable_partition(
+        to_do_, [&](int trial) { return CellOf(trial).noise != NoiseKind::kAttack; });
+    attacks_.assign(attacks.begin(), attacks.end());
+    to_do_.erase(attacks.begin(), attacks.end());
     advance_.trials = static_cast<int>(to_do_.size());
+    advance_.attempts = attempts_ * std::ssize(attacks_);
     Tell();
     BatchWriter writer(store_, options_);
     arena.execute([&] { RunTrials(writer); });
-    const int left = static_cast<int>(to_do_.size()) - writer.done();
-    return {.done = writer.done(), .before = before_, .left = left, .stopped = stopped_};
+    throughput_.trials = writer.done();
+    arena.execute([&] { RunAttacks(writer); });
+    const int left = static_cast<int>(to_do_.size() + attacks_.size()) - writer.done();
+    return {.done = writer.done(),
+            .before = before_,
+            .left = left,
+            .stopped = stopped_,
+            .throughput = throughput_};
   }
 
  private:
   void FindTrialsToDo() {
     const std::vector<int> done = store_.Trials();
     for (int trial = 1; trial <= TrialCount(cells_); ++trial) {
-      if (!options_.shard.Has(trial)) continue;
+      if (!options_.shard.Has(CellOf(trial), trial)) continue;
       if (std::ranges::binary_search(done, trial)) {
         ++before_;
       } else {
@@ -83,6 +104,8 @@ class Running {
       }
     }
   }
+
+  const Cell& CellOf(int trial) const { return cells_[PlaceOf(cells_, trial).cell]; }
 
   bool Stops() {
     stopped_ = stopped_ || (options_.stop && options_.stop());
@@ -152,7 +175,7 @@ class Running {
   static PlannedCell ForCell(PlannedCell planned, const Cell& cell) {
     planned.cell = cell;
     planned.record.cell = cell.number;
-    planned.record.noise = noise::Name(cell.noise);
+    planned.record.noise = Name(cell.noise);
     planned.record.sensing = Name(cell.sensing);
     planned.record.seed = static_cast<std::int64_t>(cell.seed);
     planned.record.trials = cell.trials;
@@ -170,10 +193,15 @@ class Running {
   TimedTrial RunTrial(int trial) const {
     const TrialPlace place = PlaceOf(cells_, trial);
     TimedTrial timed = work_.run(planned_[place.cell], place.number);
-    timed.record.trial = trial;
-    timed.record.cell = cells_[place.cell].number;
-    timed.record.number = place.number;
+    SetNumbers(trial, timed.record);
     return timed;
+  }
+
+  void SetNumbers(int trial, TrialRecord& record) const {
+    const TrialPlace place = PlaceOf(cells_, trial);
+    record.trial = trial;
+    record.cell = cells_[place.cell].number;
+    record.number = place.number;
   }
 
   void RunTrials(BatchWriter& writer) {
@@ -185,6 +213,7 @@ class Running {
       return 0;
     };
     const auto keep = [&](TimedTrial timed) {
+      throughput_.steps += timed.record.steps;
       writer.Add(std::move(timed));
       ++advance_.trials_done;
       advance_.seconds = SecondsSince(start);
@@ -202,18 +231,83 @@ class Running {
       throw;
     }
     writer.Write();
+    throughput_.seconds = SecondsSince(start);
   }
+
+  // ---- attacks
+
+  // They share the threads: a thread that finds none to begin helps with another one. An error must
+  // not cancel the tasks of the others, which would take what they had until then for all there is;
+  // they are broken off.
+  void RunAttacks(BatchWriter& writer) {
+    attacks_started_ = Clock::now();
+    const auto run = [&](std::size_t i) {
+      try {
+        std::optional<TimedTrial> timed = AttackUnlessStopped(attacks_[i]);
+        if (!timed) return;
+        const std::lock_guard lock(mutex_);
+        writer.Add(std::move(*timed));
+        writer.Write();
+      } catch (...) {
+        const std::lock_guard lock(mutex_);
+        if (!error_) error_ = std::current_exception();
+      }
+    };
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, attacks_.size(), 1),
+        [&](const tbb::blocked_range<std::size_t>& range) {
+          for (std::size_t i = range.begin(); i < range.end(); ++i) run(i);
+        },
+        tbb::simple_partitioner());
+    if (error_) std::rethrow_exception(error_);
+  }
+
+  // None: it was broken off.
+  std::optional<TimedTrial> AttackUnlessStopped(int trial) {
+    {
+      const std::lock_guard lock(mutex_);
+      if (BreaksOff()) return std::nullopt;
+    }
+    std::int64_t made = 0;
+    const auto progress = [&](std::int64_t attempts) {
+      const std::lock_guard lock(mutex_);
+      advance_.attempts_made += std::max(attempts, made) - made;
+      made = std::max(attempts, made);
+      advance_.attack_seconds = SecondsSince(attacks_started_);
+      Tell();
+      if (BreaksOff()) throw BreakOff();
+    };
+    try {
+      const PlannedCell& planned = planned_[PlaceOf(cells_, trial).cell];
+      TimedTrial timed = work_.attack(planned, {.jobs = options_.jobs, .progress = progress});
+      SetNumbers(trial, timed.record);
+      return timed;
+    } catch (...) {
+      // On its way out the exception may have become another one (NLopt has its own).
+      const std::lock_guard lock(mutex_);
+      if (BreaksOff()) return std::nullopt;
+      throw;
+    }
+  }
+
+  bool BreaksOff() { return error_ != nullptr || Stops(); }
 
   const Work& work_;
   Store& store_;
   const RunOptions& options_;
   const std::vector<Cell> cells_;
-  std::vector<int> to_do_;
+  const std::int64_t attempts_;  // of an attack
+  std::vector<int> to_do_;       // trials that are no attacks, once all plans are made
+  std::vector<int> attacks_;     // trials
   int before_ = 0;
   std::map<int, CellRecord> stored_;  // by cell
   std::vector<PlannedCell> planned_;  // by index of the cell
-  std::mutex mutex_;                  // over the store and the advance, while plans are made
+  // Over the store, the advance and what ends the run, while plans and attacks are made.
+  std::mutex mutex_;
   Advance advance_;
+  Throughput throughput_;
+  Clock::time_point attacks_started_;
+  std::exception_ptr error_;  // of an attack
   bool stopped_ = false;
 };
 

@@ -2,15 +2,16 @@
 
 namespace assay::sweep {
 
-// Lengths are metres, angles radians, times seconds; gate.id is a StepId. Keys are given by the
-// grid, not by the order of writing, so that the rows of a table are in one order, whoever wrote
-// them when.
+// Lengths are metres, angles radians, times seconds; gate.id is a StepId; run.steps are of the
+// engine, in run.seconds of sampled trials. A broken or ratio that is NULL: nothing broke. Keys are
+// given by the grid, not by the order of writing, so that the rows of a table are in one order,
+// whoever wrote them when.
 const char* const kSchema = R"sql(
 CREATE TABLE sweep(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 
 CREATE TABLE run(
   run INTEGER PRIMARY KEY, started TEXT, shard TEXT, jobs INTEGER, version TEXT, machine TEXT,
-  cores INTEGER, os TEXT);
+  cores INTEGER, os TEXT, trials INTEGER NOT NULL, steps INTEGER NOT NULL, seconds REAL NOT NULL);
 
 CREATE TABLE cell(
   cell INTEGER PRIMARY KEY, scenario TEXT NOT NULL, clearance REAL NOT NULL,
@@ -50,6 +51,28 @@ CREATE TABLE verdict(
 CREATE TABLE observation(
   trial INTEGER NOT NULL REFERENCES trial, claim TEXT NOT NULL, observed REAL,
   PRIMARY KEY(trial, claim)) WITHOUT ROWID;
+
+CREATE TABLE attack(
+  cell INTEGER PRIMARY KEY REFERENCES cell, attempts INTEGER NOT NULL, contained INTEGER NOT NULL,
+  inconclusive INTEGER NOT NULL, violated INTEGER NOT NULL, not_claimed INTEGER NOT NULL,
+  claims_contained INTEGER NOT NULL, claims_inconclusive INTEGER NOT NULL,
+  claims_violated INTEGER NOT NULL, claims_not_claimed INTEGER NOT NULL);
+
+CREATE TABLE attack_worst(
+  cell INTEGER NOT NULL REFERENCES attack, claim TEXT NOT NULL, step INTEGER NOT NULL,
+  action TEXT NOT NULL, about TEXT NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, observed REAL,
+  low REAL, high REAL, margin REAL, gate REAL, verdict TEXT NOT NULL, phase TEXT NOT NULL,
+  attempt INTEGER NOT NULL, noise TEXT NOT NULL, PRIMARY KEY(cell, claim)) WITHOUT ROWID;
+
+CREATE TABLE counterexample(
+  cell INTEGER NOT NULL REFERENCES attack, number INTEGER NOT NULL, claim TEXT NOT NULL,
+  action TEXT NOT NULL, name TEXT NOT NULL, unit TEXT NOT NULL, observed REAL, low REAL, high REAL,
+  margin REAL, gate REAL, noise TEXT NOT NULL, steps INTEGER NOT NULL, replayed INTEGER NOT NULL,
+  multiple REAL, replay TEXT NOT NULL, PRIMARY KEY(cell, number)) WITHOUT ROWID;
+
+CREATE TABLE conservatism(
+  cell INTEGER NOT NULL REFERENCES attack, variable TEXT NOT NULL, guaranteed REAL NOT NULL,
+  broken REAL, ratio REAL, PRIMARY KEY(cell, variable)) WITHOUT ROWID;
 
 CREATE TABLE timing(trial INTEGER PRIMARY KEY REFERENCES trial, seconds REAL NOT NULL);
 CREATE TABLE planning(cell INTEGER PRIMARY KEY REFERENCES cell, seconds REAL NOT NULL);

@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "sim/sweep/shell.h"
+
 namespace assay::sweep {
 namespace {
 
 namespace fs = std::filesystem;
-
-// For the shell, as one word.
-std::string Quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 // Slurm puts a job where it was submitted, which need not be where the script was made.
 std::string Absolute(const fs::path& path) {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <fstream>
+#include <limits>
 #include <sstream>
 
 #include "planner/base/check.h"
@@ -131,6 +133,83 @@ std::vector<ObservationRecord> ReadObservations(const Database& database, int tr
   return observations;
 }
 
+std::vector<WorstClaimRecord> ReadWorst(const Database& database, int cell) {
+  std::vector<WorstClaimRecord> worst;
+  Statement rows = database.Prepare(
+      "SELECT claim, step, action, about, name, unit, observed, low, high, "
+      "margin, gate, verdict, "
+      "phase, attempt, noise FROM attack_worst WHERE cell = ? ORDER BY claim");
+  rows.Bind(cell);
+  while (rows.Next()) {
+    worst.push_back({.claim = rows.Text(0),
+                     .step = rows.Int(1),
+                     .action = rows.Text(2),
+                     .about = rows.Text(3),
+                     .name = rows.Text(4),
+                     .unit = rows.Text(5),
+                     .observed = rows.Real(6),
+                     .low = rows.Real(7),
+                     .high = rows.Real(8),
+                     .margin = rows.Real(9),
+                     .gate = rows.Real(10),
+                     .verdict = rows.Text(11),
+                     .phase = rows.Text(12),
+                     .attempt = rows.Integer(13),
+                     .noise = rows.Text(14)});
+  }
+  return worst;
+}
+
+std::vector<CounterexampleRecord> ReadCounterexamples(const Database& database, int cell) {
+  std::vector<CounterexampleRecord> examples;
+  Statement rows = database.Prepare(
+      "SELECT number, claim, action, name, unit, observed, "
+      "low, high, margin, gate, noise, steps, "
+      "replayed, multiple, replay FROM counterexample WHERE "
+      "cell = ? ORDER BY number");
+  rows.Bind(cell);
+  while (rows.Next()) {
+    examples.push_back({.number = rows.Int(0),
+                        .claim = rows.Text(1),
+                        .action = rows.Text(2),
+                        .name = rows.Text(3),
+                        .unit = rows.Text(4),
+                        .observed = rows.Real(5),
+                        .low = rows.Real(6),
+                        .high = rows.Real(7),
+                        .margin = rows.Real(8),
+                        .gate = rows.Real(9),
+                        .noise = rows.Text(10),
+                        .steps = rows.Int(11),
+                        .replayed = rows.Int(12) != 0,
+                        .multiple = rows.Real(13),
+                        .replay = rows.Text(14)});
+  }
+  return examples;
+}
+
+// Absent is NULL.
+double OrNull(const std::optional<double>& value) {
+  return value.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+std::optional<double> UnlessNull(double value) {
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+std::vector<ConservatismRecord> ReadConservatism(const Database& database, int cell) {
+  std::vector<ConservatismRecord> ratios;
+  Statement rows = database.Prepare(
+      "SELECT variable, guaranteed, broken, "
+      "ratio FROM conservatism WHERE cell = ? "
+      "ORDER BY variable");
+  rows.Bind(cell);
+  while (rows.Next()) {
+    ratios.push_back(
+        {rows.Text(0), rows.Real(1), UnlessNull(rows.Real(2)), UnlessNull(rows.Real(3))});
+  }
+  return ratios;
+}
+
 // What differs, for people.
 std::string Difference(const std::string& key) {
   if (key == "text") return "the sweep file has changed";
@@ -152,9 +231,16 @@ struct Store::Writing {
         cell(database.Prepare("INSERT INTO cell VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
         gate(database.Prepare("INSERT INTO gate VALUES(?,?,?,?,?,?)")),
         component(database.Prepare("INSERT INTO gate_component VALUES(?,?,?,?,?,?,?)")),
-        planning(database.Prepare("INSERT INTO planning VALUES(?,?)")) {}
+        planning(database.Prepare("INSERT INTO planning VALUES(?,?)")),
+        attack(database.Prepare("INSERT INTO attack VALUES(?,?,?,?,?,?,?,?,?,?)")),
+        worst(database.Prepare("INSERT INTO attack_worst "
+                               "VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
+        counterexample(database.Prepare("INSERT INTO counterexample "
+                                        "VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
+        conservatism(database.Prepare("INSERT INTO conservatism VALUES(?,?,?,?,?)")) {}
 
   Statement trial, verdict, claim, observation, timing, cell, gate, component, planning;
+  Statement attack, worst, counterexample, conservatism;
 };
 
 SweepFacts FactsOf(const Sweep& sweep, const std::string& version) {
@@ -226,8 +312,11 @@ void Store::RequireFormat() const {
   const std::int64_t version = database_->Integer("PRAGMA user_version");
   if (version != kFormatVersion) {
     throw InputError({.file = file().string()},
-                     fmt::format("written in version {} of the format", version),
-                     fmt::format("version {}", kFormatVersion));
+                     fmt::format("written in version {} of the format, by {} assay", version,
+                                 version < kFormatVersion ? "an older" : "a newer"),
+                     fmt::format("version {}: do the sweep again, into a new file, or read it "
+                                 "with the program that has written it",
+                                 kFormatVersion));
   }
   Statement check = database_->Prepare("PRAGMA quick_check(1)");
   if (check.Next() && check.Text(0) != "ok") {
@@ -251,8 +340,20 @@ void Store::RequireSameSweep(const SweepFacts& facts) const {
 }
 
 void Store::Add(const RunRecord& run) {
-  database_->Prepare("INSERT INTO run VALUES(NULL,?,?,?,?,?,?,?)")
-      .Bind(run.started, run.shard, run.jobs, run.version, run.machine, run.cores, run.os)
+  const auto& [trials, steps, seconds] = run.throughput;
+  database_->Prepare("INSERT INTO run VALUES(NULL,?,?,?,?,?,?,?,?,?,?)")
+      .Bind(run.started, run.shard, run.jobs, run.version, run.machine, run.cores, run.os, trials,
+            steps, seconds)
+      .Run();
+}
+
+void Store::Finish(const Throughput& throughput) {
+  const auto& [trials, steps, seconds] = throughput;
+  database_
+      ->Prepare(
+          "UPDATE run SET trials = ?, steps = ?, seconds = ?"
+          " WHERE run = (SELECT max(run) FROM run)")
+      .Bind(trials, steps, seconds)
       .Run();
 }
 
@@ -318,7 +419,37 @@ void Store::WriteTrial(const TimedTrial& timed) {
   for (const ObservationRecord& observation : trial.observations) {
     writing_->observation.Bind(trial.trial, observation.claim, observation.observed).Run();
   }
+  if (timed.attack) WriteAttack(trial.cell, *timed.attack);
   writing_->timing.Bind(trial.trial, timed.seconds).Run();
+}
+
+void Store::WriteAttack(int cell, const AttackRecord& attack) {
+  const VerdictCounts& steps = attack.certificates;
+  const VerdictCounts& claims = attack.claims;
+  writing_->attack
+      .Bind(cell, attack.attempts, steps.contained, steps.inconclusive, steps.violated,
+            steps.not_claimed, claims.contained, claims.inconclusive, claims.violated,
+            claims.not_claimed)
+      .Run();
+  for (const WorstClaimRecord& worst : attack.worst) {
+    writing_->worst
+        .Bind(cell, worst.claim, worst.step, worst.action, worst.about, worst.name, worst.unit,
+              worst.observed, worst.low, worst.high, worst.margin, worst.gate, worst.verdict,
+              worst.phase, worst.attempt, worst.noise)
+        .Run();
+  }
+  for (const CounterexampleRecord& example : attack.counterexamples) {
+    writing_->counterexample
+        .Bind(cell, example.number, example.claim, example.action, example.name, example.unit,
+              example.observed, example.low, example.high, example.margin, example.gate,
+              example.noise, example.steps, example.replayed, example.multiple, example.replay)
+        .Run();
+  }
+  for (const ConservatismRecord& ratio : attack.conservatism) {
+    writing_->conservatism
+        .Bind(cell, ratio.variable, ratio.guaranteed, OrNull(ratio.broken), OrNull(ratio.ratio))
+        .Run();
+  }
 }
 
 void Store::Close() {
@@ -341,10 +472,17 @@ SweepFacts Store::Facts() const {
 std::vector<RunRecord> Store::Runs() const {
   std::vector<RunRecord> runs;
   Statement rows = database_->Prepare(
-      "SELECT started, shard, jobs, version, machine, cores, os FROM run ORDER BY run");
+      "SELECT started, shard, jobs, version, machine, cores, os, trials, steps, seconds FROM run "
+      "ORDER BY run");
   while (rows.Next()) {
-    runs.push_back({rows.Text(0), rows.Text(1), rows.Int(2), rows.Text(3), rows.Text(4),
-                    rows.Int(5), rows.Text(6)});
+    runs.push_back({rows.Text(0),
+                    rows.Text(1),
+                    rows.Int(2),
+                    rows.Text(3),
+                    rows.Text(4),
+                    rows.Int(5),
+                    rows.Text(6),
+                    {rows.Int(7), rows.Integer(8), rows.Real(9)}});
   }
   return runs;
 }
@@ -389,8 +527,22 @@ std::optional<TrialRecord> Store::FindTrial(int trial) const {
   return record;
 }
 
+std::optional<AttackRecord> Store::FindAttack(int cell) const {
+  Statement row = database_->Prepare("SELECT * FROM attack WHERE cell = ?");
+  row.Bind(cell);
+  if (!row.Next()) return std::nullopt;
+  return AttackRecord{.attempts = row.Integer(1),
+                      .certificates = {row.Int(2), row.Int(3), row.Int(4), row.Int(5)},
+                      .claims = {row.Int(6), row.Int(7), row.Int(8), row.Int(9)},
+                      .worst = ReadWorst(*database_, cell),
+                      .counterexamples = ReadCounterexamples(*database_, cell),
+                      .conservatism = ReadConservatism(*database_, cell)};
+}
+
 double Store::MeanSeconds() const {
-  Statement row = database_->Prepare("SELECT coalesce(avg(seconds), 0) FROM timing");
+  Statement row = database_->Prepare(
+      "SELECT coalesce(avg(seconds), 0) FROM timing JOIN trial USING(trial)"
+      " WHERE cell NOT IN (SELECT cell FROM attack)");
   return row.Next() ? row.Real(0) : 0;
 }
 

@@ -18,6 +18,15 @@ namespace assay::sweep {
 using SweepFacts = std::map<std::string, std::string>;
 SweepFacts FactsOf(const Sweep& sweep, const std::string& version);
 
+// How fast trials were done, attacks left out.
+struct Throughput {
+  int trials = 0;
+  std::int64_t steps = 0;  // of the engine
+  double seconds = 0;      // from the first trial's start to the last one's end, on all threads
+
+  double StepsPerSecond() const { return seconds > 0 ? static_cast<double>(steps) / seconds : 0; }
+};
+
 // One start of the program on a database: a row of table `run`, which differs between machines.
 struct RunRecord {
   std::string started;  // UTC
@@ -26,6 +35,7 @@ struct RunRecord {
   std::string version, machine;
   int cores = 0;
   std::string os;
+  Throughput throughput = {};  // nothing until it ends
 };
 
 // What was finished, and how long it took.
@@ -34,12 +44,14 @@ struct TimedTrial {
   std::vector<ClaimRecord> claims = {};  // of its observations; those that are known already do
                                          // not matter
   double seconds = 0;
+  std::optional<AttackRecord> attack = {};  // if it is one
 };
 
 // The results of a sweep in an SQLite database, in tables that keep their meaning once released:
-// sweep, run, cell, gate, gate_component, claim, trial, verdict, observation, timing and planning
-// (schema.cc). All but `run`, `timing` and `planning` are the same, row for row, for the same
-// sweep, in however many threads, shards and starts it was done.
+// sweep, run, cell, gate, gate_component, claim, trial, verdict, observation, attack, attack_worst,
+// counterexample, conservatism, timing and planning (schema.cc). All but `run`, `timing` and
+// `planning` are the same, row for row, for the same sweep, in however many threads, shards and
+// starts it was done.
 //
 // What is added is on the disk when the call returns, all of it or nothing. Errors as of Database.
 class Store {
@@ -58,6 +70,7 @@ class Store {
   const std::filesystem::path& file() const { return database_->file(); }
 
   void Add(const RunRecord& run);
+  void Finish(const Throughput& throughput);  // of the run that was added last
   // Cells that share a plan, and how long planning took for all of them.
   void Add(const std::vector<CellRecord>& cells, double seconds);
   void Add(const std::vector<TimedTrial>& trials);
@@ -70,7 +83,8 @@ class Store {
   std::vector<ClaimRecord> Claims(int cell) const;
   std::vector<int> Trials() const;  // that are done, in order
   std::optional<TrialRecord> FindTrial(int trial) const;
-  double MeanSeconds() const;  // of the trials; 0: none is done
+  std::optional<AttackRecord> FindAttack(int cell) const;
+  double MeanSeconds() const;  // of the trials that are no attacks; 0: none is done
 
   Database& database() { return *database_; }
   const Database& database() const { return *database_; }
@@ -83,6 +97,7 @@ class Store {
   void WriteCell(const CellRecord& cell);
   void WriteGate(int cell, int id, const check::StepGate& gate);
   void WriteTrial(const TimedTrial& trial);
+  void WriteAttack(int cell, const AttackRecord& attack);
 
   std::unique_ptr<Database> database_;  // does not move: statements refer to it
   std::shared_ptr<Writing> writing_;

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "planner/base/check.h"
 #include "planner/domain/units.h"
 
 namespace assay::sweep {
@@ -16,6 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kMostTrials = 10'000'000;           // of a cell
+constexpr int kMostAttempts = 10'000'000;         // of an attack
 constexpr domain::Range kClearances = {0, 0.01};  // metres
 constexpr domain::Range kErrorScales = {0, 100};
 constexpr int kLargestBudget = std::numeric_limits<int>::max();
@@ -77,10 +79,47 @@ void ReadAxes(const Value& root, Sweep& sweep) {
            Named<uncertainty::Propagation>(PropagationNames()));
   ReadAxis(root, "grasp", sweep.grasps, Named<scene::GraspMode>(GraspNames()));
   ReadAxis(root, "sensing", sweep.sensings, Named<Sensing>(SensingNames()));
-  ReadAxis(root, "noise", sweep.noises, Named<noise::Mode>(noise::ModeNames()));
+  ReadAxis(root, "noise", sweep.noises, Named<NoiseKind>(NoiseNames()));
   ReadAxis(root, "seeds", sweep.seeds, [](const Value& value) {
     return static_cast<std::uint64_t>(value.Integer(0, std::numeric_limits<int>::max()));
   });
+}
+
+bool HasAttack(const Sweep& sweep) {
+  return std::ranges::find(sweep.noises, NoiseKind::kAttack) != sweep.noises.end();
+}
+
+void ReadTrials(const Value& root, Sweep& sweep) {
+  const bool only_attacks = HasAttack(sweep) && sweep.noises.size() == 1;
+  if (!only_attacks || root.Find("trials")) {
+    sweep.trials = root.At("trials").Integer(1, kMostTrials);
+  }
+  if (const auto trials = root.Find("control_trials")) {
+    sweep.control_trials = trials->Integer(1, kMostTrials);
+  }
+}
+
+// An attack goes on from saved states, in which no camera is.
+void RequireDrawnSensing(const Value& root, const Sweep& sweep) {
+  if (std::ranges::find(sweep.sensings, Sensing::kCamera) == sweep.sensings.end()) return;
+  root.At("sensing").Fail("an attack has no camera",
+                          "'drawn' alone where 'attack' is among the noise");
+}
+
+void ReadAttack(const Value& root, Sweep& sweep) {
+  for (const char* key : {"attempts", "conservatism"}) {
+    const std::optional<Value> value = root.Find(key);
+    if (value && !HasAttack(sweep)) {
+      value->Fail("nothing is attacked", "only where 'attack' is among the noise");
+    }
+  }
+  if (const auto attempts = root.Find("attempts")) {
+    sweep.attempts = attempts->Integer(1, kMostAttempts);
+  }
+  if (const auto conservatism = root.Find("conservatism")) {
+    sweep.conservatism = conservatism->Flag();
+  }
+  if (HasAttack(sweep)) RequireDrawnSensing(root, sweep);
 }
 
 void CheckSize(const Value& root, const Sweep& sweep) {
@@ -106,6 +145,29 @@ std::string TextOf(const fs::path& file) {
 
 }  // namespace
 
+noise::Mode ModeOf(NoiseKind kind) {
+  switch (kind) {
+    case NoiseKind::kNone:
+      return noise::Mode::kNone;
+    case NoiseKind::kUniform:
+      return noise::Mode::kUniform;
+    case NoiseKind::kVertices:
+      return noise::Mode::kVertices;
+    case NoiseKind::kLowDiscrepancy:
+      return noise::Mode::kLowDiscrepancy;
+    case NoiseKind::kAttack:
+      break;
+  }
+  ASSAY_CHECK(false, "an attack chooses its errors itself");
+  return noise::Mode::kNone;
+}
+
+const std::vector<std::string>& NoiseNames() {
+  static const std::vector<std::string> kNames = {"none", "uniform", "vertices", "low-discrepancy",
+                                                  "attack"};
+  return kNames;
+}
+
 const std::vector<std::string>& SensingNames() {
   static const std::vector<std::string> kNames = {"drawn", "camera"};
   return kNames;
@@ -120,6 +182,8 @@ const std::vector<std::string>& GraspNames() {
   static const std::vector<std::string> kNames = {"friction", "weld"};
   return kNames;
 }
+
+std::string_view Name(NoiseKind kind) { return NoiseNames()[static_cast<std::size_t>(kind)]; }
 
 std::string_view Name(Sensing sensing) { return SensingNames()[static_cast<std::size_t>(sensing)]; }
 std::string_view Name(uncertainty::Propagation propagation) {
@@ -138,15 +202,13 @@ Sweep ReadSweep(const Document& document, const fs::path& file, std::string text
   const Value& root = document.root();
   root.AllowOnly({"format", "title", "units", "scenarios", "clearances", "error_scales",
                   "propagation", "grasp", "sensing", "noise", "seeds", "trials", "control_trials",
-                  "planner"});
+                  "attempts", "conservatism", "planner"});
   Sweep sweep{.file = file, .text = std::move(text)};
   if (const auto title = root.Find("title")) sweep.title = title->Text();
   root.At("scenarios");
   ReadAxes(root, sweep);
-  sweep.trials = root.At("trials").Integer(1, kMostTrials);
-  if (const auto trials = root.Find("control_trials")) {
-    sweep.control_trials = trials->Integer(1, kMostTrials);
-  }
+  ReadTrials(root, sweep);
+  ReadAttack(root, sweep);
   ReadPlanner(root, sweep);
   CheckSize(root, sweep);
   return sweep;

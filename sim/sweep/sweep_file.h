@@ -20,10 +20,22 @@ enum class Sensing {
   kCamera,  // pictures are rendered, and the parts found in them
 };
 
+// How the trials of a cell come by their errors.
+enum class NoiseKind {
+  kNone,  // as noise::Mode says
+  kUniform,
+  kVertices,
+  kLowDiscrepancy,
+  kAttack,  // the whole cell is one trial: an attack (check/attack.h)
+};
+noise::Mode ModeOf(NoiseKind kind);  // checked that it is no attack
+
 // In the order of their enumerations.
+const std::vector<std::string>& NoiseNames();
 const std::vector<std::string>& SensingNames();
 const std::vector<std::string>& PropagationNames();
 const std::vector<std::string>& GraspNames();
+std::string_view Name(NoiseKind kind);
 std::string_view Name(Sensing sensing);
 std::string_view Name(uncertainty::Propagation propagation);
 std::string_view Name(scene::GraspMode grasp);
@@ -40,10 +52,12 @@ struct Sweep {
   std::vector<uncertainty::Propagation> propagations = {uncertainty::Propagation::kSound};
   std::vector<scene::GraspMode> grasps = {scene::GraspMode::kFriction};
   std::vector<Sensing> sensings = {Sensing::kDrawn};
-  std::vector<noise::Mode> noises = {noise::Mode::kUniform};
+  std::vector<NoiseKind> noises = {NoiseKind::kUniform};
   std::vector<std::uint64_t> seeds = {0};
-  int trials = 0;          // of each cell
-  int control_trials = 1;  // of each cell without noise
+  int trials = 0;             // of each cell; 0 if there are attacks only
+  int control_trials = 1;     // of each cell without noise
+  int attempts = 1000;        // of each attack
+  bool conservatism = false;  // each attack also measures how much more noise it takes
   // Of the planner: budgets, for all cells.
   std::int64_t partial_plans = posting::PlannerOptions().partial_plans;
   std::int64_t instances = posting::UncertaintyOptions().instances;

@@ -4,17 +4,25 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <nlohmann/json.hpp>
 
 #include "planner/plan/plan_file.h"
+#include "sim/check/attack.h"
+#include "sim/check/conservatism.h"
 #include "sim/scenario/models_folder.h"
 #include "sim/sense/overhead_camera.h"
+#include "sim/sweep/recording.h"
+#include "sim/sweep/shell.h"
 
 namespace assay::sweep {
 namespace {
 
 namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
 std::string_view OutcomeName(Outcome outcome) {
   switch (outcome) {
@@ -33,8 +41,26 @@ scenario::Scenario LoadScenario(const Sweep& sweep, const fs::path& models, cons
   scenario::Scenario scenario =
       scenario::Load(file, models.empty() ? scenario::FindModels(file) : models,
                      {.clearance = cell.clearance, .error_scale = cell.error_scale});
-  scenario.simulation.scene.grasp = cell.grasp;
   return scenario;
+}
+
+// The command that makes the plan of a cell again and runs it under errors; empty where `assay run`
+// has no words for the cell.
+std::string RunCommand(const Sweep& sweep, const fs::path& models, const Cell& cell,
+                       scene::GraspMode grasp_of_scenario) {
+  const posting::PlannerOptions planner;
+  const posting::UncertaintyOptions uncertainty;
+  const bool usual =
+      sweep.partial_plans == planner.partial_plans && sweep.instances == uncertainty.instances;
+  if (cell.clearance || !usual) return "";
+  std::string command = "assay run " + Word(sweep.PathOf(cell.scenario).generic_string());
+  if (cell.propagation != uncertainty::Propagation::kSound) {
+    command += fmt::format(" --propagation {}", Name(cell.propagation));
+  }
+  if (cell.error_scale != 1) command += fmt::format(" --error-scale {}", cell.error_scale);
+  if (cell.grasp != grasp_of_scenario) command += fmt::format(" --grasp {}", Name(cell.grasp));
+  if (!models.empty()) command += fmt::format(" --models {}", Word(models.generic_string()));
+  return command;
 }
 
 CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
@@ -45,7 +71,7 @@ CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
           .clearance = problem.clearance,
           .error_scale = cell.error_scale,
           .propagation = std::string(Name(cell.propagation)),
-          .noise = std::string(noise::Name(cell.noise)),
+          .noise = std::string(Name(cell.noise)),
           .sensing = std::string(Name(cell.sensing)),
           .seed = static_cast<std::int64_t>(cell.seed),
           .trials = cell.trials,
@@ -58,98 +84,60 @@ CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
           .plan = plan::ToJson(result, problem, cell.scenario).dump()};
 }
 
-std::shared_ptr<const Preparation> Prepare(scenario::Scenario scenario, plan::Plan plan,
-                                           const check::HonestyGate* known_gate) {
-  auto preparation = std::make_shared<Preparation>();
-  preparation->box = noise::ErrorBox(scenario.problem, plan);
-  preparation->gate = known_gate != nullptr
-                          ? *known_gate
-                          : check::MeasureGate(scenario.problem, plan, scenario.simulation.scene);
-  preparation->scenario = std::move(scenario);
-  preparation->plan = std::move(plan);
-  return preparation;
-}
+// Makes what the trials of cells have in common.
+class Planning {
+ public:
+  Planning(const Sweep& sweep, const fs::path& models) : sweep_(sweep), models_(models) {}
 
-PlannedCell PlanCell(const Sweep& sweep, const fs::path& models, const Cell& cell) {
-  scenario::Scenario scenario = LoadScenario(sweep, models, cell);
-  plan::PlanResult result =
-      posting::MakeCertifiedPlan(scenario.problem, {.partial_plans = sweep.partial_plans},
-                                 {.propagation = cell.propagation, .instances = sweep.instances});
-  PlannedCell planned{cell, RecordOf(cell, scenario.problem, result), nullptr};
-  if (result.outcome == Outcome::kFound) {
-    planned.preparation = Prepare(std::move(scenario), std::move(result.plan), nullptr);
-    planned.record.gate = planned.preparation->gate;
+  PlannedCell Plan(const Cell& cell) const {
+    scenario::Scenario scenario = LoadScenario(sweep_, models_, cell);
+    plan::PlanResult result = posting::MakeCertifiedPlan(
+        scenario.problem, {.partial_plans = sweep_.partial_plans},
+        {.propagation = cell.propagation, .instances = sweep_.instances});
+    PlannedCell planned{cell, RecordOf(cell, scenario.problem, result), nullptr};
+    if (result.outcome == Outcome::kFound) {
+      planned.preparation = Prepare(cell, std::move(scenario), std::move(result.plan), nullptr);
+      planned.record.gate = planned.preparation->gate;
+    }
+    return planned;
   }
-  return planned;
-}
 
-PlannedCell RestoreCell(const Sweep& sweep, const fs::path& models, const Cell& cell,
-                        const CellRecord& record) {
-  PlannedCell planned{cell, record, nullptr};
-  if (record.outcome != OutcomeName(Outcome::kFound)) return planned;
-  scenario::Scenario scenario = LoadScenario(sweep, models, cell);
-  plan::PlanResult result = plan::ReadPlan(
-      Document::Parse(record.plan, fmt::format("plan of cell {}", cell.number)), scenario.problem);
-  planned.preparation = Prepare(std::move(scenario), std::move(result.plan), &record.gate);
-  return planned;
-}
-
-// Of the claims of a trial, in their order: "2/after/x of peg", with a number where a name comes
-// again.
-std::vector<std::string> ClaimNames(const plan::Plan& plan,
-                                    const std::vector<check::Claim>& claims) {
-  std::map<std::string, int> seen;
-  std::vector<std::string> names;
-  for (const check::Claim& claim : claims) {
-    std::string name = fmt::format("{}/{}/{}", plan.step(claim.step).executed,
-                                   check::Name(claim.about), claim.name);
-    const int count = ++seen[name];
-    names.push_back(count == 1 ? std::move(name) : fmt::format("{} #{}", name, count));
+  PlannedCell Restore(const Cell& cell, const CellRecord& record) const {
+    PlannedCell planned{cell, record, nullptr};
+    if (record.outcome != OutcomeName(Outcome::kFound)) return planned;
+    scenario::Scenario scenario = LoadScenario(sweep_, models_, cell);
+    plan::PlanResult result =
+        plan::ReadPlan(Document::Parse(record.plan, fmt::format("plan of cell {}", cell.number)),
+                       scenario.problem);
+    planned.preparation = Prepare(cell, std::move(scenario), std::move(result.plan), &record.gate);
+    return planned;
   }
-  return names;
-}
 
-ClaimRecord RecordOf(const plan::PlannedStep& step, const check::Claim& claim, std::string name) {
-  return {.claim = std::move(name),
-          .step = step.executed,
-          .action = step.name,
-          .about = std::string(check::Name(claim.about)),
-          .name = claim.name,
-          .unit = claim.unit,
-          .low = claim.predicted.low,
-          .high = claim.predicted.high,
-          .proved = claim.proved,
-          .gate = claim.gate};
-}
-
-VerdictRecord RecordOf(const plan::PlannedStep& step, const check::CertificateVerdict& verdict) {
-  const check::Claim& worst = verdict.worst;
-  return {.step = step.executed,
-          .action = step.name,
-          .verdict = std::string(check::Name(verdict.verdict)),
-          .claim = worst.name,
-          .observed = worst.observed,
-          .low = worst.predicted.low,
-          .high = worst.predicted.high,
-          .margin = worst.margin,
-          .gate = worst.gate};
-}
-
-void Count(check::ClaimVerdict verdict, VerdictCounts& counts) {
-  switch (verdict) {
-    case check::ClaimVerdict::kContained:
-      ++counts.contained;
-      return;
-    case check::ClaimVerdict::kInconclusive:
-      ++counts.inconclusive;
-      return;
-    case check::ClaimVerdict::kViolated:
-      ++counts.violated;
-      return;
-    case check::ClaimVerdict::kNotClaimed:
-      ++counts.not_claimed;
-      return;
+ private:
+  std::shared_ptr<const Preparation> Prepare(const Cell& cell, scenario::Scenario scenario,
+                                             plan::Plan plan,
+                                             const check::HonestyGate* known_gate) const {
+    auto preparation = std::make_shared<Preparation>();
+    scene::SceneOptions& scene = scenario.simulation.scene;
+    preparation->run_command = RunCommand(sweep_, models_, cell, scene.grasp);
+    scene.grasp = cell.grasp;
+    preparation->box = noise::ErrorBox(scenario.problem, plan);
+    preparation->gate =
+        known_gate != nullptr ? *known_gate : check::MeasureGate(scenario.problem, plan, scene);
+    preparation->scenario = std::move(scenario);
+    preparation->plan = std::move(plan);
+    return preparation;
   }
+
+  const Sweep& sweep_;
+  const fs::path& models_;
+};
+
+check::Experiment ExperimentOf(const Preparation& preparation) {
+  return {.problem = preparation.scenario.problem,
+          .plan = preparation.plan,
+          .scene = preparation.scenario.simulation.scene,
+          .gate = preparation.gate};
 }
 
 bool Senses(const plan::Plan& plan) {
@@ -159,26 +147,45 @@ bool Senses(const plan::Plan& plan) {
 }
 
 TimedTrial RunTrial(const PlannedCell& cell, int number) {
-  const auto start = std::chrono::steady_clock::now();
+  const Clock::time_point start = Clock::now();
   TimedTrial timed = Recorded(cell.preparation->plan, Execute(cell, NoiseOf(cell, number), {}));
-  timed.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  timed.seconds = SecondsSince(start);
+  return timed;
+}
+
+TimedTrial RunAttack(const Sweep& sweep, const PlannedCell& cell, const AttackControl& control) {
+  const Clock::time_point start = Clock::now();
+  const check::Experiment experiment = ExperimentOf(*cell.preparation);
+  check::AttackOptions options = {
+      .attempts = sweep.attempts, .seed = cell.cell.seed, .jobs = control.jobs};
+  options.progress = control.progress;
+  const check::AttackResult result = check::Attack(experiment, options);
+  std::vector<check::ConservatismRatio> ratios;
+  if (sweep.conservatism) {
+    if (control.progress) control.progress(result.attempts);
+    ratios = check::Conservatism(experiment, {.seed = cell.cell.seed, .jobs = control.jobs});
+  }
+  TimedTrial timed = Recorded(
+      cell.preparation->plan,
+      Attacked{.result = result,
+               .ratios = ratios,
+               .run_command = cell.preparation->run_command,
+               .replay_command = fmt::format("assay replay DB {}", cell.cell.first_trial)});
+  timed.seconds = SecondsSince(start);
   return timed;
 }
 
 }  // namespace
 
 noise::Noise NoiseOf(const PlannedCell& cell, int number) {
-  return noise::Sample(cell.preparation->box, cell.cell.noise, cell.cell.seed, number);
+  return noise::Sample(cell.preparation->box, ModeOf(cell.cell.noise), cell.cell.seed, number);
 }
 
 check::NoisyTrial Execute(
     const PlannedCell& cell, const noise::Noise& noise,
     const std::function<void(const exec::StepEnd&, const mujoco::Data&)>& on_step_end) {
   const Preparation& preparation = *cell.preparation;
-  const check::Experiment experiment{.problem = preparation.scenario.problem,
-                                     .plan = preparation.plan,
-                                     .scene = preparation.scenario.simulation.scene,
-                                     .gate = preparation.gate};
+  const check::Experiment experiment = ExperimentOf(preparation);
   // The series of samples is of no use for verdicts.
   exec::ExecutorOptions options;
   options.sample_rate = 0;
@@ -193,40 +200,16 @@ check::NoisyTrial Execute(
   return check::RunNoisyTrial(experiment, noise, options);
 }
 
-TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
-  const exec::ExecutionEnd& end = trial.trace.end();
-  const bool warned = end.outcome == exec::ExecutionOutcome::kEngineWarning;
-  TimedTrial timed{.record = {.noise = noise::Text(trial.noise),
-                              .outcome = std::string(check::Name(trial.verdict.outcome)),
-                              .reason = trial.verdict.reason,
-                              .simulated = end.moment.time,
-                              .errors_signalled = trial.errors_signalled,
-                              .recovered = trial.recovered,
-                              .operator_called = trial.operator_called,
-                              .warnings = warned ? end.reason : std::string()}};
-  const std::vector<std::string> names = ClaimNames(plan, trial.claims);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const check::Claim& claim = trial.claims[i];
-    timed.claims.push_back(RecordOf(plan.step(claim.step), claim, names[i]));
-    timed.record.observations.push_back({names[i], claim.observed});
-  }
-  for (const check::CertificateVerdict& verdict : check::ByStep(trial.claims)) {
-    timed.record.verdicts.push_back(RecordOf(plan.step(verdict.step), verdict));
-    Count(verdict.verdict, timed.record.counts);
-  }
-  // As a database has them.
-  std::ranges::sort(timed.record.observations, {}, &ObservationRecord::claim);
-  std::ranges::sort(timed.record.verdicts, {}, &VerdictRecord::step);
-  return timed;
-}
-
 Work RealWork(const Sweep& sweep, const fs::path& models) {
-  return {.plan = [sweep, models](const Cell& cell) { return PlanCell(sweep, models, cell); },
-          .restore =
-              [sweep, models](const Cell& cell, const CellRecord& record) {
-                return RestoreCell(sweep, models, cell, record);
-              },
-          .run = RunTrial};
+  return {
+      .plan = [sweep, models](const Cell& cell) { return Planning(sweep, models).Plan(cell); },
+      .restore =
+          [sweep, models](const Cell& cell, const CellRecord& record) {
+            return Planning(sweep, models).Restore(cell, record);
+          },
+      .run = RunTrial,
+      .attack = [sweep](const PlannedCell& cell,
+                        const AttackControl& control) { return RunAttack(sweep, cell, control); }};
 }
 
 }  // namespace assay::sweep

@@ -21,6 +21,8 @@ struct Preparation {
   plan::Plan plan;
   std::vector<noise::Channel> box;
   check::HonestyGate gate;
+  std::string run_command;  // "assay run ...", that makes the same plan; empty:
+                            // none does
 };
 
 // A cell whose plan is made.
@@ -28,6 +30,14 @@ struct PlannedCell {
   Cell cell;
   CellRecord record;
   std::shared_ptr<const Preparation> preparation;  // if there is a plan
+};
+
+// How an attack is made.
+struct AttackControl {
+  int jobs = 1;  // threads; they change nothing
+  // Told of how many attempts were made so far, from one thread at a time. If it throws, the attack
+  // is broken off.
+  std::function<void(std::int64_t)> progress = {};
 };
 
 // What is done for cells and trials. All functions can be called from many threads, and depend on
@@ -40,20 +50,18 @@ struct Work {
   // `number`: of the trial in its cell, from 1. The record's numbers in the sweep are filled in by
   // who calls.
   std::function<TimedTrial(const PlannedCell&, int number)> run;
+  // The only trial of a cell that is attacked.
+  std::function<TimedTrial(const PlannedCell&, const AttackControl&)> attack;
 };
 
 // Plans with the planner, executes in physics. `models`: the folder; empty: each scenario's own.
 Work RealWork(const Sweep& sweep, const std::filesystem::path& models);
 
-// The noise of a trial.
+// The noise of a trial, which is no attack.
 noise::Noise NoiseOf(const PlannedCell& cell, int number);
 
 // A trial with its noise, told of the end of each step.
 check::NoisyTrial Execute(
     const PlannedCell& cell, const noise::Noise& noise,
     const std::function<void(const exec::StepEnd&, const mujoco::Data&)>& on_step_end);
-
-// What is kept of a trial.
-TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial);
-
 }  // namespace assay::sweep

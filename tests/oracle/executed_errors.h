@@ -296,9 +296,7 @@ class ExecutedWorld {
   // In the axes of the planned pose.
   std::array<double, 6> RestingErrorOf(PartId part) {
     const Body& b = body(part);
-    const double turned = YawOf(b.belief.linear() * b.planned.linear().transpose());
-    const Vector3 d =
-        geometry::RotationZ(-turned) * Vector3(b.truth.translation() - b.belief.translation());
+    const Vector3 d = b.truth.translation() - b.belief.translation();
     return {d.x(), d.y(), d.z(), YawOf(b.truth.linear() * b.belief.linear().transpose()), 0, 0};
   }
 

@@ -27,6 +27,7 @@ class JudgeTest : public testing::Test {
     const domain::Part& fixed = problem_.part(mating_.fixed);
     end_.moment.opening = 0.1;
     end_.moment.parts.resize(2);
+    end_.moment.table_heights.resize(2);
     rest_.parts.resize(2);
     Truth(mating_.fixed) = fixed.X_WorldPart;
     Truth(mating_.held) = fixed.X_WorldPart * mating_.X_FixedHeld;

@@ -1,13 +1,15 @@
 #include "sim/exec/executor.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
-#include <thread>
 
 #include "sim/exec/action_commands.h"
 #include "tests/sim/exec/figure15.h"
+#include "tests/sim/exec/trace_schema.h"
 
 namespace assay::exec {
 namespace {
@@ -140,27 +142,39 @@ TEST_F(Figure15Executed, SamplesComeAtTheirRate) {
   }
 }
 
+// It is told, and changes nothing.
 TEST_F(Figure15Executed, ObserverSeesTheEndOfEachStep) {
   std::vector<std::string> steps;
-  Run({.on_step_end = [&](const StepEnd& end, const mujoco::Data& data) {
+  const Trace observed = Run({.on_step_end = [&](const StepEnd& end, const mujoco::Data& data) {
     EXPECT_EQ(end.moment.time, data.time());
     steps.push_back(end.name);
   }});
   EXPECT_EQ(steps, (std::vector<std::string>{"action_2", "action_1"}));
+  EXPECT_EQ(Text(observed), Text(trace()));
 }
 
-// The bytes do not depend on what ran before, nor on what runs beside.
-TEST_F(Figure15Executed, TwoThreadsGiveTheBytesOfOne) {
-  std::string first, second;
-  std::thread a([&] { first = Text(Run()); });
-  std::thread b([&] { second = Text(Run()); });
-  a.join();
-  b.join();
-  EXPECT_EQ(first, Text(trace()));
-  EXPECT_EQ(second, Text(trace()));
+TEST_F(Figure15Executed, WritesWhatItsSchemaSays) {
+  EXPECT_THAT(SchemaErrors(trace()), testing::IsEmpty());
+}
+
+// Each step is poised, then at its work, then done with it; a guarded move for each way down. The
+// peg's last meets the bottom of the hole.
+TEST_F(Figure15Executed, MilestonesMarkTheWay) {
+  std::string stages;
+  for (const Milestone* milestone : trace().All<Milestone>()) {
+    stages += fmt::format("{} {}, ", plan().step(milestone->step).name, Name(milestone->stage));
+  }
+  EXPECT_EQ(stages,
+            "action_2 poised, action_2 reached, action_2 acted, "
+            "action_1 poised, action_1 reached, action_1 acted, ");
+  const auto guards = trace().All<GuardRecord>();
+  ASSERT_EQ(guards.size(), 2u);
+  EXPECT_FALSE(guards[0]->resisted);
+  EXPECT_TRUE(guards[1]->resisted);
 }
 
 // A part that is not where it is believed to be: the gripper closes on nothing, which is recorded.
+// Later the fingers cannot open in the hole that the peg should be in; the execution goes on.
 TEST_F(Figure15Executed, AMissedPartIsAFactInTheTrace) {
   mujoco::Data data = scene().Start();
   const Pose away = geometry::Translation(0, -0.15, 0) * problem().part(peg()).X_WorldPart;
@@ -172,6 +186,10 @@ TEST_F(Figure15Executed, AMissedPartIsAFactInTheTrace) {
   EXPECT_FALSE(facts[0]->pads_touch);
   EXPECT_LT(facts[0]->opening, 0.001);
   EXPECT_EQ(missed.end().outcome, ExecutionOutcome::kDone);
+  const std::pair<std::string, std::string> in_the_hole("gripper/finger_left", "part/block");
+  EXPECT_TRUE(std::ranges::any_of(missed.All<Sample>(), [&](const Sample* sample) {
+    return std::ranges::count(sample->moment.contacts, in_the_hole) > 0;
+  }));
 }
 
 TEST_F(Figure15Executed, SaysWhereTheArmCannotGo) {

@@ -4,6 +4,7 @@
 #include "planner/domain/problem_file.h"
 #include "planner/domain/reachability.h"
 #include "planner/plan/plan.h"
+#include "sim/exec/command.h"
 
 namespace assay::exec {
 

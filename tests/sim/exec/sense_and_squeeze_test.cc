@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "sim/exec/executor.h"
 #include "tests/sim/exec/figure15.h"
 
@@ -24,27 +26,44 @@ plan::Plan CarefulPlan(const domain::Problem& problem) {
   return plan;
 }
 
-// Each way in which the gripper can hold a part.
+// Each way in which the gripper can hold a part, executed once for all tests.
 class CarefullyExecuted : public testing::TestWithParam<scene::GraspMode> {
  protected:
   CarefullyExecuted()
-      : problem_(Figure15()),
+      : problem_(Executed().problem),
         peg_(PartNamed(problem_, "peg")),
-        scene_(problem_, {.grasp = GetParam()}) {
-    mujoco::Data data = scene_.Start();
-    start_ = scene_.TruePose(data, peg_);
-    trace_ = Execute(problem_, CarefulPlan(problem_), scene_, data, {});
-  }
+        start_(Executed().start),
+        trace_(Executed().trace) {}
 
   const Moment& AfterStep(int executed) const {
     return trace_.All<StepEnd>()[static_cast<std::size_t>(executed) - 1]->moment;
   }
 
-  domain::Problem problem_;
+ private:
+  struct Result {
+    domain::Problem problem;
+    Pose start;  // of the peg
+    Trace trace;
+  };
+  static Result Execution(scene::GraspMode grasp) {
+    Result result{.problem = Figure15(), .start = {}, .trace = {}};
+    const scene::Scene scene(result.problem, {.grasp = grasp});
+    mujoco::Data data = scene.Start();
+    result.start = scene.TruePose(data, PartNamed(result.problem, "peg"));
+    result.trace = Execute(result.problem, CarefulPlan(result.problem), scene, data, {});
+    return result;
+  }
+  static const Result& Executed() {
+    static std::map<scene::GraspMode, Result> results;
+    if (!results.contains(GetParam())) results.emplace(GetParam(), Execution(GetParam()));
+    return results.at(GetParam());
+  }
+
+ protected:
+  const domain::Problem& problem_;
   PartId peg_;
-  scene::Scene scene_;
-  Pose start_;
-  Trace trace_;
+  const Pose& start_;
+  const Trace& trace_;
 };
 INSTANTIATE_TEST_SUITE_P(Grasps, CarefullyExecuted,
                          testing::Values(scene::GraspMode::kFriction, scene::GraspMode::kWeld));

@@ -3,11 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <nlohmann/json.hpp>
-#include <sstream>
+#include <cmath>
 
-#include "tests/oracle/json_schema.h"
+#include "tests/sim/exec/trace_schema.h"
 
 namespace assay::exec {
 namespace {
@@ -69,22 +67,9 @@ Trace OneOfEach() {
                                   .moment = SomeMoment(2)}}};
 }
 
-std::vector<Json> Lines(const Trace& trace) {
-  std::stringstream text;
-  WriteTrace(trace, text);
-  std::vector<Json> lines;
-  for (std::string line; std::getline(text, line);) lines.push_back(Json::parse(line));
-  return lines;
-}
-
 class TraceSchema : public testing::Test {
  protected:
-  TraceSchema() : schema_(Read()) {}
-
-  static Json Read() {
-    std::ifstream file(ASSAY_SOURCE_DIR "/sim/exec/trace.schema.json");
-    return Json::parse(file);
-  }
+  TraceSchema() : schema_(TraceSchemaFile()) {}
 
   oracle::JsonSchema schema_;
 };
@@ -99,7 +84,7 @@ TEST_F(TraceSchema, EveryLineFollowsIt) {
 TEST_F(TraceSchema, TellsOfEveryField) {
   for (const Json& line : Lines(OneOfEach())) {
     const std::string kind = line.value("kind", "header");
-    const Json fields = Read()["definitions"][kind]["properties"];
+    const Json fields = TraceSchemaFile()["definitions"][kind]["properties"];
     for (const auto& [name, value] : line.items()) {
       EXPECT_TRUE(fields.contains(name)) << kind << "/" << name;
     }

@@ -139,6 +139,54 @@ TEST(Data, RestoresTheTimestep) {
   EXPECT_EQ(model.timestep(), 0.001);
 }
 
+// A box on a table whose height is a geom's.
+constexpr char kTable[] = R"(<mujoco>
+  <default><geom solref="0.002 1" solimp="0.99 0.9999 0.00001"/></default>
+  <worldbody>
+    <geom name="table" type="box" size="0.5 0.5 0.05" pos="0 0 -0.05"/>
+    <body name="box" pos="0 0 0.02"><freejoint/><geom type="box" size="0.02 0.02 0.02"/></body>
+  </worldbody>
+</mujoco>)";
+
+TEST(Data, HeightsOfGeomsAreOfOneSimulation) {
+  const Model model = Model::FromMjcf(kTable);
+  const GeomId table = model.Geom("table");
+  Data first(model);
+  Data second(model);
+  first.SetGeomHeight(table, -0.04);
+  EXPECT_EQ(first.GeomHeight(table), -0.04);
+  EXPECT_EQ(second.GeomHeight(table), -0.05);
+  second.qpos()[2] = first.qpos()[2] = 0.04;
+  for (int i = 0; i < 500; ++i) {
+    first.Step();
+    second.Step();
+  }
+  EXPECT_NEAR(first.qpos()[2], 0.03, 1e-4) << "rests 10 mm higher";
+  EXPECT_NEAR(second.qpos()[2], 0.02, 1e-4);
+}
+
+// Also into another simulation.
+TEST(Data, StatesHoldTheHeightsOfGeoms) {
+  const Model model = Model::FromMjcf(kTable);
+  const GeomId table = model.Geom("table");
+  Data data(model);
+  data.SetGeomHeight(table, -0.045);
+  data.qpos()[2] = 0.04;
+  for (int i = 0; i < 100; ++i) data.Step();
+  const State saved = data.Save();
+  for (int i = 0; i < 100; ++i) data.Step();
+  const State end = data.Save();
+  data.SetGeomHeight(table, -0.05);
+  EXPECT_FALSE(data.Save() == end);
+  Data other(model);
+  for (Data* restored : {&data, &other}) {
+    restored->Restore(saved);
+    EXPECT_EQ(restored->GeomHeight(table), -0.045);
+    for (int i = 0; i < 100; ++i) restored->Step();
+    EXPECT_TRUE(restored->Save() == end);
+  }
+}
+
 // A box on a turntable, held by friction that is ample for its centripetal acceleration of
 // 0.3 m/s^2. Moved along tangents it would wander outward by half of that times the timestep: by
 // 0.3 mm in two seconds.

@@ -18,7 +18,7 @@ inline CellRecord FalseCell(const Cell& cell) {
           .clearance = cell.clearance.value_or(0.0005),
           .error_scale = cell.error_scale,
           .propagation = std::string(Name(cell.propagation)),
-          .noise = std::string(noise::Name(cell.noise)),
+          .noise = std::string(Name(cell.noise)),
           .sensing = std::string(Name(cell.sensing)),
           .seed = static_cast<std::int64_t>(cell.seed),
           .trials = cell.trials,
@@ -37,7 +37,7 @@ inline CellRecord FalseCell(const Cell& cell) {
 
 inline TimedTrial FalseTrial(const PlannedCell& planned, int number) {
   RandomStream random(planned.cell.seed, fmt::format("{} {} {}", planned.cell.scenario,
-                                                     noise::Name(planned.cell.noise), number));
+                                                     Name(planned.cell.noise), number));
   const double x = random.Uniform(-1, 1);
   const bool failed = x > 0.5;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -64,6 +64,53 @@ inline TimedTrial FalseTrial(const PlannedCell& planned, int number) {
   return timed;
 }
 
+constexpr int kFalseAttempts = 25;
+
+// Some of the plans are broken; of one variable, nobody knows how.
+inline AttackRecord FalseAttackRecord(const Cell& cell) {
+  RandomStream random(cell.seed, fmt::format("{} {}", cell.scenario, cell.error_scale));
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double x = random.Uniform(-1, 1);
+  const bool broken = x < 0;
+  const std::string noise = fmt::format("dx_peg={}", x);
+  AttackRecord record{.attempts = kFalseAttempts,
+                      .certificates = {kFalseAttempts - (broken ? 3 : 0), 0, broken ? 3 : 0, 0},
+                      .claims = {40, 7, broken ? 4 : 0, 2}};
+  record.worst = {
+      {"1/before/x of 'peg'", 1, "action_2", "before", "x of 'peg'", "m", 0.1, -0.5, 0.5, 0.4, 1e-6,
+       "contained", "vertices", 4, noise},
+      {"2/after/y of peg", 2, "action_1", "after", "y of peg", "m", 0.75 - x, -kInfinity, 0.75, x,
+       2e-6, broken ? "violated" : "contained", "local-search", 24, noise}};
+  if (broken) {
+    record.counterexamples = {{1, "2/after/y of peg", "action_1", "y of peg", "m", 0.75 - x,
+                               -kInfinity, 0.75, x, 2e-6, noise, 2, true, 0.25,
+                               "assay run " + cell.scenario + " --errors '" + noise + "'"}};
+  }
+  record.conservatism = {{"all", 1.5, broken ? std::optional(2.25) : std::nullopt,
+                          broken ? std::optional(1.5) : std::nullopt},
+                         {"x of 'peg'", 0, 4, std::nullopt}};
+  return record;
+}
+
+inline TimedTrial FalseAttack(const PlannedCell& planned, const AttackControl& control) {
+  for (int attempt = 1; attempt <= kFalseAttempts; ++attempt) {
+    if (control.progress) control.progress(attempt);
+  }
+  TimedTrial timed;
+  timed.attack = FalseAttackRecord(planned.cell);
+  timed.seconds = 100;
+  const WorstClaimRecord& worst = timed.attack->worst.back();
+  const bool broken = timed.attack->certificates.violated > 0;
+  timed.record = {.noise = worst.noise,
+                  .outcome = broken ? "violated" : "succeeded",
+                  .reason = broken ? "step 2 (action_1): y of peg" : "",
+                  .warnings = "",
+                  .counts = timed.attack->certificates,
+                  .verdicts = {{worst.step, worst.action, worst.verdict, worst.name, worst.observed,
+                                worst.low, worst.high, worst.margin, worst.gate}}};
+  return timed;
+}
+
 inline Work FalseWork() {
   return {.plan =
               [](const Cell& cell) {
@@ -73,7 +120,8 @@ inline Work FalseWork() {
               [](const Cell& cell, const CellRecord& record) {
                 return PlannedCell{cell, record, nullptr};
               },
-          .run = FalseTrial};
+          .run = FalseTrial,
+          .attack = FalseAttack};
 }
 
 }  // namespace assay::sweep

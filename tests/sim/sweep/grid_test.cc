@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <tuple>
 
@@ -40,8 +41,8 @@ TEST_F(Grid, SeedsChangeFastestAndScenariosLast) {
   const std::vector<Cell> cells = Cells(Full());
   EXPECT_EQ(cells[0].seed, 4u);
   EXPECT_EQ(cells[1].seed, 5u);
-  EXPECT_EQ(cells[1].noise, noise::Mode::kNone);
-  EXPECT_EQ(cells[2].noise, noise::Mode::kUniform);
+  EXPECT_EQ(cells[1].noise, NoiseKind::kNone);
+  EXPECT_EQ(cells[2].noise, NoiseKind::kUniform);
   EXPECT_EQ(cells.front().scenario, "a.yaml");
   EXPECT_EQ(cells.back().scenario, "b.yaml");
 }
@@ -52,7 +53,7 @@ TEST_F(Grid, TrialsAreNumberedThroughTheCells) {
   int trial = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     EXPECT_EQ(cells[i].number, static_cast<int>(i) + 1);
-    EXPECT_EQ(cells[i].trials, cells[i].noise == noise::Mode::kNone ? 3 : 10);
+    EXPECT_EQ(cells[i].trials, cells[i].noise == NoiseKind::kNone ? 3 : 10);
     for (int number = 1; number <= cells[i].trials; ++number) {
       const TrialPlace place = PlaceOf(cells, ++trial);
       EXPECT_EQ(place.cell, i);
@@ -60,6 +61,42 @@ TEST_F(Grid, TrialsAreNumberedThroughTheCells) {
     }
   }
   EXPECT_EQ(trial, TrialCount(cells));
+}
+
+TEST_F(Grid, AnAttackIsOneTrial) {
+  const std::vector<Cell> cells = Cells(
+      Read("scenarios: [a.yaml, b.yaml]\nnoise: [attack, uniform]\nseeds: [1, 2]\ntrials: 5\n"));
+  ASSERT_EQ(cells.size(), 8u);
+  int attacks = 0;
+  for (const Cell& cell : cells) {
+    const bool attacked = cell.noise == NoiseKind::kAttack;
+    EXPECT_EQ(cell.trials, attacked ? 1 : 5);
+    EXPECT_EQ(cell.attack, attacked ? ++attacks : 0);
+  }
+  EXPECT_EQ(TrialCount(cells), 4 + 4 * 5);
+  EXPECT_TRUE(SharePlan(cells[0], cells[2]));
+}
+
+// Even where the trials between them would bring all of them to one shard.
+TEST_F(Grid, AttacksAreDealtOutEvenly) {
+  const std::vector<Cell> cells = Cells(Read(
+      "scenarios: [a.yaml]\nnoise: [attack, uniform]\nerror_scales: [1, 2, 3, 4]\ntrials: 3\n"));
+  for (const int count : {1, 2, 3}) {
+    std::vector<int> shares(count);
+    for (const Cell& cell : cells) {
+      for (int trial = cell.first_trial; trial < cell.first_trial + cell.trials; ++trial) {
+        int owners = 0;
+        for (int index = 1; index <= count; ++index) {
+          const bool has = Shard{index, count}.Has(cell, trial);
+          owners += has;
+          if (cell.attack > 0) shares[index - 1] += has;
+        }
+        EXPECT_EQ(owners, 1);
+      }
+    }
+    const auto [least, most] = std::ranges::minmax(shares);
+    EXPECT_LE(most - least, 1);
+  }
 }
 
 TEST_F(Grid, NoiseDoesNotChangeThePlan) {

@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 class BrokenOff : public SweepFolder {
  protected:
   BrokenOff()
-      : sweep_(Read("scenarios: [a.yaml, b.yaml]\nnoise: [none, uniform]\nseeds: [1, 2]\n"
+      : sweep_(Read("scenarios: [a.yaml, b.yaml]\nnoise: [none, attack, uniform]\nseeds: [1, 2]\n"
                     "trials: 100\n")),
         facts_(FactsOf(sweep_, "1")) {}
 
@@ -36,6 +36,10 @@ class BrokenOff : public SweepFolder {
     work.run = [](const PlannedCell& cell, int number) {
       std::this_thread::sleep_for(std::chrono::microseconds(300));
       return FalseTrial(cell, number);
+    };
+    work.attack = [](const PlannedCell& cell, const AttackControl& control) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(3));
+      return FalseAttack(cell, control);
     };
     RunSweep(sweep_, work, store, options);
     store.Close();

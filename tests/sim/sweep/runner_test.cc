@@ -26,7 +26,8 @@ class Runner : public SweepFolder {
  protected:
   Runner()
       : sweep_(Read("scenarios: [a.yaml, b.yaml]\nerror_scales: [1, 0.1]\n"
-                    "noise: [none, uniform]\nseeds: [1, 2]\ntrials: 40\ncontrol_trials: 3\n")),
+                    "noise: [none, attack, uniform]\nseeds: [1, 2]\ntrials: 40\ncontrol_trials: 3\n"
+                    "attempts: 25\n")),
         facts_(FactsOf(sweep_, "1")),
         trials_(TrialCount(Cells(sweep_))) {}
 
@@ -53,6 +54,13 @@ TEST_F(Runner, DoesEveryTrialOnce) {
     const std::lock_guard lock(mutex);
     seen.insert({cell.cell.number, number});
     return FalseTrial(cell, number);
+  };
+  work.attack = [&](const PlannedCell& cell, const AttackControl& control) {
+    {
+      const std::lock_guard lock(mutex);
+      seen.insert({cell.cell.number, 1});
+    }
+    return FalseAttack(cell, control);
   };
   const RunEnd end = RunInto("a.sqlite", {.jobs = 2}, work);
   EXPECT_EQ(end.done, trials_);
@@ -170,7 +178,7 @@ TEST_F(Runner, CellsWithoutAPlanHaveNoTrials) {
 TEST_F(Runner, WhatWasDoneBeforeAnErrorIsKept) {
   Work work = FalseWork();
   work.run = [](const PlannedCell& cell, int number) {
-    if (cell.cell.number == 3 && number == 3) throw EnvironmentError("no renderer");
+    if (cell.cell.number == 5 && number == 3) throw EnvironmentError("no renderer");
     return FalseTrial(cell, number);
   };
   EXPECT_THROW(RunInto("a.sqlite", {.jobs = 1, .batch_seconds = 100}, work), EnvironmentError);
@@ -187,16 +195,112 @@ TEST_F(Runner, TellsHowFarItIs) {
                          const std::lock_guard lock(mutex);
                          advances.push_back(advance);
                        }});
-  EXPECT_EQ(advances.back().trials_done, trials_);
-  EXPECT_EQ(advances.back().trials, trials_);
-  EXPECT_EQ(advances.back().cells_planned, 16);
+  constexpr int kAttacks = 8;
+  EXPECT_EQ(advances.back().trials_done, trials_ - kAttacks);
+  EXPECT_EQ(advances.back().trials, trials_ - kAttacks);
+  EXPECT_EQ(advances.back().cells_planned, 24);
+  EXPECT_EQ(advances.back().attempts_made, kAttacks * kFalseAttempts);
+  EXPECT_EQ(advances.back().attempts, kAttacks * kFalseAttempts);
+}
+
+TEST_F(Runner, AttacksMayUseAllThreadsAndComeLast) {
+  std::mutex mutex;
+  int trials = 0;
+  Work work = FalseWork();
+  work.run = [&](const PlannedCell& cell, int number) {
+    const std::lock_guard lock(mutex);
+    ++trials;
+    return FalseTrial(cell, number);
+  };
+  work.attack = [&](const PlannedCell& cell, const AttackControl& control) {
+    const std::lock_guard lock(mutex);
+    EXPECT_EQ(trials, trials_ - 8);
+    EXPECT_EQ(control.jobs, 3);
+    return FalseAttack(cell, {});
+  };
+  RunInto("a.sqlite", {.jobs = 3}, work);
+}
+
+// Each of them is written when it is done, and one that was broken off is not there.
+TEST_F(Runner, AttacksAreStoppedInTheMiddle) {
+  RunInto("whole.sqlite", {});
+  int before = 0;
+  for (int start = 0; start < 100; ++start) {
+    std::atomic<int> attempts = 0;
+    const RunEnd end = RunInto(
+        "stopped.sqlite",
+        {.jobs = 2,
+         .stop = [&] { return attempts > 2 * kFalseAttempts; },
+         .tell =
+             [&](const Advance& advance) { attempts = static_cast<int>(advance.attempts_made); }});
+    EXPECT_EQ(end.before, before);
+    before += end.done;
+    const auto tables = TablesOf("stopped.sqlite");
+    const auto attacks = tables.find("attack");
+    EXPECT_EQ(end.left, 8 - (attacks == tables.end() ? 0 : std::ssize(attacks->second)));
+    if (!end.stopped) break;
+    EXPECT_GT(end.left, 0);
+  }
+  EXPECT_EQ(before, trials_);
+  EXPECT_EQ(TablesOf("stopped.sqlite"), TablesOf("whole.sqlite"));
+}
+
+TEST_F(Runner, AnErrorInAnAttackLeavesTheOthersWhole) {
+  RunInto("whole.sqlite", {});
+  Work work = FalseWork();
+  work.attack = [](const PlannedCell& cell, const AttackControl& control) {
+    TimedTrial timed = FalseAttack(cell, control);
+    if (cell.cell.attack == 3) throw EnvironmentError("no room");
+    return timed;
+  };
+  EXPECT_THROW(RunInto("a.sqlite", {.jobs = 2}, work), EnvironmentError);
+  auto tables = TablesOf("a.sqlite");
+  const auto whole = TablesOf("whole.sqlite");
+  EXPECT_LT(tables["attack"].size(), 8u);
+  for (const std::string& row : tables["attack"]) {
+    EXPECT_THAT(whole.at("attack"), ::testing::Contains(row));
+  }
+  RunInto("a.sqlite", {.jobs = 2});
+  EXPECT_EQ(TablesOf("a.sqlite"), whole);
+}
+
+TEST_F(Runner, MergingComparesAttacksButNotTheirCommands) {
+  const auto attack_with = [](auto&& change) {
+    Work work = FalseWork();
+    work.attack = [change](const PlannedCell& cell, const AttackControl& control) {
+      TimedTrial timed = FalseAttack(cell, control);
+      change(*timed.attack);
+      return timed;
+    };
+    return work;
+  };
+  RunInto("a.sqlite", {});
+  RunInto("elsewhere.sqlite", {}, attack_with([](AttackRecord& attack) {
+            for (auto& example : attack.counterexamples) example.replay = "assay run ../x.yaml";
+          }));
+  RunInto("liar.sqlite", {},
+          attack_with([](AttackRecord& attack) { attack.worst[0].margin += 1; }));
+  Merge(folder_ / "merged.sqlite", {folder_ / "a.sqlite", folder_ / "elsewhere.sqlite"});
+  EXPECT_EQ(TablesOf("merged.sqlite"), TablesOf("a.sqlite"));
+  EXPECT_THROW(Merge(folder_ / "b.sqlite", {folder_ / "a.sqlite", folder_ / "liar.sqlite"}),
+               InputError);
+}
+
+// Of the trials that are no attacks.
+TEST_F(Runner, TellsItsThroughput) {
+  const RunEnd end = RunInto("a.sqlite", {.jobs = 2});
+  const Store store = Store::Open(folder_ / "a.sqlite");
+  EXPECT_EQ(end.throughput.trials, trials_ - 8);
+  EXPECT_EQ(end.throughput.steps, store.database().Integer("SELECT sum(steps) FROM trial"));
+  EXPECT_GT(end.throughput.seconds, 0);
+  EXPECT_EQ(RunInto("a.sqlite", {}).throughput.steps, 0);
 }
 
 TEST_F(Runner, SummariesCountWhatTheTrialsSay) {
   RunInto("a.sqlite", {});
   const Store store = Store::Open(folder_ / "a.sqlite");
   const std::vector<CellSummary> summaries = Summarize(store);
-  ASSERT_EQ(summaries.size(), 16u);
+  ASSERT_EQ(summaries.size(), 24u);
   int trial = 0;
   for (const CellSummary& summary : summaries) {
     CellSummary expected;

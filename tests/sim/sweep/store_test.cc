@@ -112,18 +112,71 @@ TEST_F(StoreTest, ClaimsAreKeptOncePerCell) {
   for (const Cell& cell : cells_) EXPECT_EQ(store.Claims(cell.number), Trial(1).claims);
 }
 
+// Infinite ends and missing ratios included; with a command that has quotes in it.
+TEST_F(StoreTest, AttacksAreReadAsTheyWereWritten) {
+  const Sweep sweep =
+      Read("scenarios: [a.yaml, b.yaml]\nnoise: [attack]\nerror_scales: [1, 2, 3]\n");
+  const std::vector<Cell> cells = Cells(sweep);
+  Store store = Store::Create(file_, FactsOf(sweep, "1"));
+  int violated = 0;
+  for (const Cell& cell : cells) {
+    store.Add({FalseCell(cell)}, 0.25);
+    EXPECT_EQ(store.FindAttack(cell.number), std::nullopt);
+    TimedTrial timed = FalseAttack({cell, {}, nullptr}, {});
+    timed.record.trial = cell.first_trial;
+    timed.record.cell = cell.number;
+    timed.record.number = 1;
+    store.Add({timed});
+    EXPECT_EQ(store.FindTrial(cell.first_trial), timed.record);
+    EXPECT_EQ(store.FindAttack(cell.number), FalseAttackRecord(cell));
+    violated += timed.record.outcome == "violated";
+  }
+  EXPECT_GT(violated, 0);
+  EXPECT_LT(violated, static_cast<int>(cells.size()));
+  EXPECT_EQ(store.database().Integer("SELECT count(*) FROM conservatism WHERE broken IS NULL"),
+            static_cast<int>(cells.size()) - violated);
+  EXPECT_EQ(store.MeanSeconds(), 0);  // of other trials
+}
+
+// As its readers outside of the program know them.
+TEST_F(StoreTest, TablesOfAttacksHaveTheirColumns) {
+  const Store store = Store::Create(file_, facts_);
+  const std::map<std::string, std::string> columns = {
+      {"attack",
+       "cell,attempts,contained,inconclusive,violated,not_claimed,claims_contained,"
+       "claims_inconclusive,claims_violated,claims_not_claimed"},
+      {"attack_worst",
+       "cell,claim,step,action,about,name,unit,observed,low,high,margin,gate,verdict,phase,attempt,"
+       "noise"},
+      {"counterexample",
+       "cell,number,claim,action,name,unit,observed,low,high,margin,gate,noise,steps,replayed,"
+       "multiple,replay"},
+      {"conservatism", "cell,variable,guaranteed,broken,ratio"}};
+  for (const auto& [table, names] : columns) {
+    Statement row = store.database().Prepare("SELECT group_concat(name) FROM pragma_table_info(?)");
+    row.Bind(table);
+    ASSERT_TRUE(row.Next());
+    EXPECT_EQ(row.Text(0), names) << table;
+  }
+}
+
 TEST_F(StoreTest, FactsAndRunsAreRead) {
   {
     Store store = Store::Create(file_, facts_);
+    store.Add(ThisRun("1.2.3", "1/5", 1));
     store.Add(ThisRun("1.2.3", "2/5", 4));
+    store.Finish({.trials = 3, .steps = 600, .seconds = 1.5});
   }
   const Store store = Store::Open(file_);
   EXPECT_EQ(store.Facts(), facts_);
   EXPECT_EQ(store.Facts().at("text"), sweep_.text);
   EXPECT_EQ(store.Facts().at("trials"), "21");
-  ASSERT_EQ(store.Runs().size(), 1u);
-  EXPECT_EQ(store.Runs()[0].shard, "2/5");
-  EXPECT_EQ(store.Runs()[0].jobs, 4);
+  ASSERT_EQ(store.Runs().size(), 2u);
+  EXPECT_EQ(store.Runs()[0].throughput.trials, 0);
+  EXPECT_EQ(store.Runs()[1].shard, "2/5");
+  EXPECT_EQ(store.Runs()[1].jobs, 4);
+  EXPECT_EQ(store.Runs()[1].throughput.trials, 3);
+  EXPECT_EQ(store.Runs()[1].throughput.StepsPerSecond(), 400);
   EXPECT_GE(store.Runs()[0].cores, 1);
   EXPECT_THAT(store.Runs()[0].started, ::testing::MatchesRegex("....-..-..T..:..:..Z"));
 }
@@ -212,7 +265,17 @@ TEST_F(StoreTest, AnotherProgramsDatabaseIsRefused) {
 TEST_F(StoreTest, AnotherFormatIsRefused) {
   Fill(file_);
   Database(file_, Database::Access::kWrite).Execute("PRAGMA user_version = 99");
-  EXPECT_THAT(MessageOf<InputError>([&] { Store::Open(file_); }), HasSubstr("99"));
+  EXPECT_THAT(MessageOf<InputError>([&] { Store::Open(file_); }),
+              AllOf(HasSubstr("99"), HasSubstr("newer")));
+}
+
+TEST_F(StoreTest, AnOlderFormatIsRefusedWithWhatToDo) {
+  Fill(file_);
+  Database(file_, Database::Access::kWrite).Execute("PRAGMA user_version = 1");
+  const auto refusal = AllOf(HasSubstr("sweep.sqlite"), HasSubstr("version 1 of the format"),
+                             HasSubstr("older"), HasSubstr("do the sweep again"));
+  EXPECT_THAT(MessageOf<InputError>([&] { Store::Open(file_); }), refusal);
+  EXPECT_THAT(MessageOf<InputError>([&] { Store::Resume(file_, facts_); }), refusal);
 }
 
 TEST_F(StoreTest, ADamagedOneIsRefused) {

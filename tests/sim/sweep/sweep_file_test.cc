@@ -9,6 +9,7 @@
 namespace assay::sweep {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::Optional;
@@ -49,8 +50,8 @@ TEST_F(SweepFile, SaysAllAxes) {
   EXPECT_THAT(sweep.propagations, ElementsAre(Propagation::kSound, Propagation::kPaper));
   EXPECT_THAT(sweep.grasps, ElementsAre(scene::GraspMode::kWeld, scene::GraspMode::kFriction));
   EXPECT_THAT(sweep.sensings, ElementsAre(Sensing::kCamera, Sensing::kDrawn));
-  EXPECT_THAT(sweep.noises, ElementsAre(noise::Mode::kNone, noise::Mode::kUniform,
-                                        noise::Mode::kVertices, noise::Mode::kLowDiscrepancy));
+  EXPECT_THAT(sweep.noises, ElementsAre(NoiseKind::kNone, NoiseKind::kUniform, NoiseKind::kVertices,
+                                        NoiseKind::kLowDiscrepancy));
   EXPECT_THAT(sweep.seeds, ElementsAre(1, 2, 3));
   EXPECT_EQ(sweep.trials, 100);
   EXPECT_EQ(sweep.control_trials, 7);
@@ -65,9 +66,46 @@ TEST_F(SweepFile, NeedsScenariosAndTrialsOnly) {
   EXPECT_THAT(sweep.propagations, ElementsAre(Propagation::kSound));
   EXPECT_THAT(sweep.grasps, ElementsAre(scene::GraspMode::kFriction));
   EXPECT_THAT(sweep.sensings, ElementsAre(Sensing::kDrawn));
-  EXPECT_THAT(sweep.noises, ElementsAre(noise::Mode::kUniform));
+  EXPECT_THAT(sweep.noises, ElementsAre(NoiseKind::kUniform));
   EXPECT_THAT(sweep.seeds, ElementsAre(0));
   EXPECT_EQ(sweep.control_trials, 1);
+}
+
+TEST_F(SweepFile, SaysHowToAttack) {
+  const Sweep sweep = Read(
+      "scenarios: [a.yaml]\nnoise: [uniform, attack]\ntrials: 5\nattempts: 2500\n"
+      "conservatism: true\n");
+  EXPECT_THAT(sweep.noises, ElementsAre(NoiseKind::kUniform, NoiseKind::kAttack));
+  EXPECT_EQ(sweep.attempts, 2500);
+  EXPECT_TRUE(sweep.conservatism);
+}
+
+TEST_F(SweepFile, AnAttackAloneNeedsNoTrials) {
+  const Sweep sweep = Read("scenarios: [a.yaml]\nnoise: [attack]\n");
+  EXPECT_EQ(sweep.attempts, 1000);
+  EXPECT_FALSE(sweep.conservatism);
+  EXPECT_THAT(ErrorOf("scenarios: [a.yaml]\nnoise: [attack, uniform]\n"), HasSubstr("trials"));
+}
+
+TEST_F(SweepFile, WrongAttacksAreRefusedWithTheirPlace) {
+  const std::string attack = "scenarios: [a.yaml]\ntrials: 5\nnoise: [attack]\n";
+  EXPECT_THAT(ErrorOf(attack + "attempts: 0\n"), HasSubstr("sweep.yaml:5:11"));
+  EXPECT_THAT(ErrorOf(attack + "attempts: 1.5\n"), HasSubstr("sweep.yaml:5:11"));
+  EXPECT_THAT(ErrorOf(attack + "atempts: 5\n"), HasSubstr("did you mean 'attempts'?"));
+  EXPECT_THAT(ErrorOf(attack + "conservatism: 3\n"), HasSubstr("sweep.yaml:5:15"));
+  EXPECT_THAT(ErrorOf(attack + "sensing: [drawn, camera]\n"),
+              AllOf(HasSubstr("sweep.yaml:5:10"), HasSubstr("no camera")));
+  const std::string sampled = "scenarios: [a.yaml]\ntrials: 5\n";
+  EXPECT_THAT(ErrorOf(sampled + "attempts: 5\n"), HasSubstr("nothing is attacked"));
+  EXPECT_THAT(ErrorOf(sampled + "conservatism: true\n"), HasSubstr("nothing is attacked"));
+  EXPECT_THAT(ErrorOf(sampled + "noise: [atack]\n"), HasSubstr("'attack'"));
+}
+
+TEST_F(SweepFile, KindsOfNoiseAreNamedAsTheModes) {
+  for (const NoiseKind kind :
+       {NoiseKind::kNone, NoiseKind::kUniform, NoiseKind::kVertices, NoiseKind::kLowDiscrepancy}) {
+    EXPECT_EQ(Name(kind), noise::Name(ModeOf(kind)));
+  }
 }
 
 TEST_F(SweepFile, ScenariosAreFoundFromItsFolder) {

@@ -37,7 +37,22 @@ inline std::map<std::string, std::vector<std::string>> Tables(const std::filesys
        "SELECT "
        "trial||'|'||step||quote(action)||verdict||quote(claim)||quote(observed)||quote(low)||"
        "quote(high)||quote(margin)||quote(gate) FROM verdict"},
-      {"observation", "SELECT trial||'|'||quote(claim)||quote(observed) FROM observation"}};
+      {"observation", "SELECT trial||'|'||quote(claim)||quote(observed) FROM observation"},
+      {"attack",
+       "SELECT cell||'|'||attempts||'|'||contained||'|'||inconclusive||'|'||violated||'|'||"
+       "not_claimed||'|'||claims_contained||'|'||claims_inconclusive||'|'||claims_violated||'|'||"
+       "claims_not_claimed FROM attack"},
+      {"attack_worst",
+       "SELECT cell||'|'||quote(claim)||step||quote(action)||about||quote(name)||unit||"
+       "quote(observed)||quote(low)||quote(high)||quote(margin)||quote(gate)||verdict||phase||"
+       "attempt||quote(noise) FROM attack_worst"},
+      {"counterexample",
+       "SELECT cell||'|'||number||quote(claim)||quote(action)||quote(name)||unit||quote(observed)||"
+       "quote(low)||quote(high)||quote(margin)||quote(gate)||quote(noise)||steps||'|'||replayed||"
+       "quote(multiple)||quote(replay) FROM counterexample"},
+      {"conservatism",
+       "SELECT cell||'|'||quote(variable)||quote(guaranteed)||quote(broken)||quote(ratio) "
+       "FROM conservatism"}};
   std::map<std::string, std::vector<std::string>> tables;
   for (const auto& [table, query] : queries) {
     Statement rows = database.Prepare(query);

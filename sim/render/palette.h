@@ -1,0 +1,29 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace assay::render {
+
+// A colour on a light ground, as pages write it: "#rrggbb".
+struct Colour {
+  std::string_view hex;
+
+  // Each of 0 to 255.
+  constexpr std::array<std::uint8_t, 3> Rgb() const { return {Byte(1), Byte(3), Byte(5)}; }
+
+ private:
+  constexpr std::uint8_t Byte(std::size_t at) const {
+    return static_cast<std::uint8_t>(16 * Digit(hex[at]) + Digit(hex[at + 1]));
+  }
+  static constexpr int Digit(char c) { return c <= '9' ? c - '0' : c - 'a' + 10; }
+};
+
+// What colours mean, in pictures and reports alike. People with any kind of colour vision tell them
+// apart.
+inline constexpr Colour kPredicted{"#4c9bd8"};
+inline constexpr Colour kObserved{"#14202e"};
+inline constexpr Colour kViolated{"#a3103f"};
+
+}  // namespace assay::render

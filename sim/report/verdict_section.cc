@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include "sim/report/chart.h"
+#include "sim/report/command.h"
+#include "sim/report/data_table.h"
+#include "sim/report/figures.h"
+#include "sim/report/section.h"
+
+namespace assay::report {
+namespace {
+
+Element StepWords(const StepFindings& step) {
+  Element words("span", fmt::format("{} ", step.step));
+  words.Text(step.what.empty() ? step.action : fmt::format("{} {}", step.action, step.what));
+  return words;
+}
+
+// The worst claim, and the command that shows it again.
+Element WorstWords(const WorstVerdict& worst, const std::string& database) {
+  Element words("div");
+  words.Add(VerdictWords(worst.verdict.verdict));
+  words.Text(fmt::format(": {}{}", worst.verdict.claim,
+                         worst.about.empty() ? "" : fmt::format(" ({})", worst.about)));
+  words.Add("br");
+  words.Add(Command(ReplayCommand(database, worst.trial)));
+  return words;
+}
+
+void AddRow(DataTable& table, const Findings& findings, const StepFindings& step) {
+  const WorstVerdict& worst = step.worst;
+  const sweep::VerdictRecord& verdict = worst.verdict;
+  if (worst.trial == 0) return;
+  table.AddRow({StepWords(step), VerdictBar(step.counts), Words(CountText(step.counts.contained)),
+                Words(CountText(step.counts.inconclusive)), Words(CountText(step.counts.violated)),
+                Words(CountText(step.counts.not_claimed)), WorstWords(worst, findings.database),
+                Words(QuantityText(verdict.observed, worst.unit)),
+                Words(IntervalText({verdict.low, verdict.high}, worst.unit)),
+                Words(QuantityText(verdict.margin, worst.unit)),
+                Words(QuantityText(verdict.gate, worst.unit))});
+}
+
+Element CellTable(const Subject& subject, const CellFindings& cell) {
+  DataTable table(fmt::format("{}: certificates of {}, and the claim that came out worst",
+                              subject.NameOf(cell), CountText(cell.summary.done, "trial")),
+                  {{"step"},
+                   {"", "chart"},
+                   {"contained", "number"},
+                   {"inconclusive", "number"},
+                   {"violated", "number"},
+                   {"not claimed", "number"},
+                   {"worst claim, and the command that runs it again"},
+                   {"observed", "number"},
+                   {"predicted", "number"},
+                   {"margin", "number"},
+                   {"gate", "number"}});
+  for (const StepFindings& step : cell.steps) AddRow(table, subject.findings, step);
+  return table.Take();
+}
+
+}  // namespace
+
+Element Verdicts(const Subject& subject) {
+  Element section("div");
+  if (subject.in_full.empty()) {
+    section.Add("p", "No certificate has been held against a trial yet.");
+    return section;
+  }
+  section.Add("p",
+              "A step's certificate comes out as its worst claim. The margin is the distance to "
+              "the nearer end of what was predicted, negative outside; the gate is what the engine "
+              "cannot tell from nothing.");
+  for (const CellFindings* cell : subject.in_full) section.Add(CellTable(subject, *cell));
+  if (subject.left_out() > 0) {
+    section
+        .Add("p",
+             fmt::format("Not told here, but in verdicts.csv: {}. Violations and noise come first.",
+                         CountText(subject.left_out(), "cell")))
+        .Set("class", "note");
+  }
+  return section;
+}
+
+}  // namespace assay::report

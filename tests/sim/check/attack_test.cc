@@ -1,0 +1,118 @@
+#include "sim/check/attack.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "sim/check/conservatism.h"
+#include "sim/check/shrink.h"
+#include "sim/noise/sampling.h"
+#include "tests/sim/check/certified.h"
+
+namespace assay::check {
+namespace {
+
+constexpr std::uint64_t kSeed = 7;
+
+Experiment Of(const Certified& certified) {
+  return {
+      certified.problem, certified.plan, {}, MeasureGate(certified.problem, certified.plan, {})};
+}
+
+std::int64_t Violated(const AttackResult& result) {
+  std::int64_t violated = 0;
+  for (const VerdictCounts& counts : result.certificates) violated += counts.violated;
+  return violated;
+}
+
+// Parts in jigs, everything proved.
+class Proved : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    certified_ = new Certified(CertifiedPlan("uncertain-known"));
+    experiment_ = new Experiment(Of(*certified_));
+  }
+  static void TearDownTestSuite() {
+    delete experiment_;
+    delete certified_;
+  }
+  static inline Certified* certified_ = nullptr;
+  static inline Experiment* experiment_ = nullptr;
+};
+
+TEST_F(Proved, IsNotFalsifiedAndSucceedsAtCorners) {
+  ASSERT_EQ(certified_->plan.errors, 0);
+  const AttackResult result = Attack(*experiment_, {.attempts = 30, .seed = kSeed});
+  EXPECT_EQ(result.attempts, 30);
+  EXPECT_EQ(Violated(result), 0);
+  EXPECT_TRUE(result.counterexamples.empty());
+  const auto box = noise::ErrorBox(certified_->problem, certified_->plan);
+  for (int number = 1; number <= 3; ++number) {
+    const noise::Noise noise = noise::Sample(box, noise::Mode::kVertices, kSeed, number);
+    const NoisyTrial trial = RunNoisyTrial(*experiment_, noise, {.sample_rate = 0});
+    EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kSucceeded) << trial.verdict.reason;
+    EXPECT_EQ(trial.errors_signalled, 0);
+  }
+}
+
+TEST_F(Proved, ComesOutTheSameOnTwoThreads) {
+  const AttackResult one = Attack(*experiment_, {.attempts = 12, .seed = kSeed, .jobs = 1});
+  const AttackResult two = Attack(*experiment_, {.attempts = 12, .seed = kSeed, .jobs = 2});
+  ASSERT_EQ(one.worst.size(), two.worst.size());
+  for (std::size_t i = 0; i < one.worst.size(); ++i) {
+    EXPECT_EQ(one.worst[i].claim.observed, two.worst[i].claim.observed);
+    EXPECT_EQ(one.worst[i].noise.values(), two.worst[i].noise.values());
+    EXPECT_EQ(one.worst[i].attempt, two.worst[i].attempt);
+  }
+}
+
+// The harness's own test: a propagation that is wrong by half is caught.
+TEST_F(Proved, AHalvedErrorIsCaught) {
+  plan::Plan wrong = certified_->plan;
+  const plan::StepId pickup = FirstStep<plan::Pickup>(wrong);
+  Interval& x = wrong.steps[pickup.index()].certificate.after.front().x;
+  x = {x.low / 2, x.high / 2};
+  const Experiment experiment{certified_->problem, wrong, {}, experiment_->gate};
+  const AttackResult result = Attack(experiment, {.attempts = 40, .seed = kSeed, .shrunk = 1});
+  EXPECT_GT(result.certificates[pickup.index()].violated, 0);
+  ASSERT_EQ(result.counterexamples.size(), 1u);
+  EXPECT_EQ(result.counterexamples.front().claim.step, pickup);
+}
+
+TEST_F(Proved, MoreNoiseThanIsGuaranteedIsNeededToBreakIt) {
+  ConservatismOptions options = {.seed = kSeed, .corners = 1, .greatest = 2, .precision = 0.5};
+  options.variables = {"x of the hand"};
+  const auto ratios = Conservatism(*experiment_, options);
+  ASSERT_EQ(ratios.size(), 1u);
+  EXPECT_GE(ratios.front().guaranteed, 1);  // all is proved
+  if (ratios.front().broken) EXPECT_GE(*ratios.front().ratio(), 1);
+}
+
+// Spar leaves out that a turned part's grasped point is displaced by its lever arm (facts 2.6).
+TEST(PaperPropagation, TheMissingLeverArmIsFoundAndShrunk) {
+  const Certified certified = CertifiedPlan("spar-fig13", {}, uncertainty::Propagation::kPaper);
+  Experiment experiment = Of(certified);
+  const AttackResult result = Attack(experiment, {.attempts = 60, .seed = kSeed, .shrunk = 1});
+  EXPECT_GT(Violated(result), 0);
+  ASSERT_EQ(result.counterexamples.size(), 1u);
+  const Counterexample& example = result.counterexamples.front();
+  EXPECT_TRUE(example.replayed);
+  EXPECT_EQ(example.claim.verdict, ClaimVerdict::kViolated);
+  // Few errors are left, and the turn of the part is among them.
+  const auto& box = example.noise.box();
+  std::size_t left = 0;
+  bool turned = false;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (example.noise.values()[i] == 0) continue;
+    ++left;
+    turned = turned || box[i].effect == noise::Effect::kPartYaw;
+  }
+  EXPECT_LE(left, 6u);
+  EXPECT_TRUE(turned);
+  const auto again = Replayed(experiment, example.claim, example.noise);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->observed, example.claim.observed);
+}
+
+}  // namespace
+}  // namespace assay::check

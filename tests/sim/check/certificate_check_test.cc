@@ -1,0 +1,139 @@
+#include "sim/check/certificate_check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/sim/exec/figure15.h"
+
+namespace assay::check {
+namespace {
+
+using domain::PartId;
+using exec::Stage;
+using geometry::Pose;
+using geometry::Vector3;
+
+// A pickup with a certificate by hand, and traces of executions that never were.
+class CertificateCheckTest : public testing::Test {
+ protected:
+  CertificateCheckTest()
+      : problem_(exec::Figure15()),
+        plan_(exec::TwoActions(problem_)),
+        peg_(exec::PartNamed(problem_, "peg")),
+        pickup_(std::get<plan::Pickup>(plan_.step(kPickup).action)) {
+    plan::Certificate& certificate = plan_.steps[kPickup.index()].certificate;
+    const Interval wide = {-0.01, 0.01};
+    certificate.before = {{.part = peg_, .x = wide, .y = wide, .z = wide, .theta = wide}};
+    certificate.after = {{.part = peg_,
+                          .in_hand = true,
+                          .x = wide,
+                          .y = wide,
+                          .z = wide,
+                          .theta = wide,
+                          .tip = wide,
+                          .twist = wide}};
+    certificate.preconditions = {Precondition("between fingers", true)};
+    moment_.parts.resize(2);
+    moment_.table_heights.resize(2);
+    moment_.opening = problem_.workcell->gripper().max_opening();
+    moment_.tool = {pickup_.from.X_WorldPart * pickup_.hold.X_PartTool,
+                    pickup_.from.X_WorldPart * pickup_.hold.X_PartTool};
+    moment_.parts[peg_.index()] = {pickup_.from.X_WorldPart, pickup_.from.X_WorldPart};
+  }
+
+  static plan::CertifiedPrecondition Precondition(const char* condition, bool proved) {
+    plan::CertifiedPrecondition claim;
+    claim.condition = condition;
+    claim.margin = proved ? 1 : -1;
+    return claim;
+  }
+  // The same moment, the peg displaced in the world.
+  exec::Moment Displaced(double y_of_tool) const {
+    exec::Moment moment = moment_;
+    Pose& truth = moment.parts[peg_.index()].truth;
+    truth.translation() += moment.tool.truth.linear().col(1) * y_of_tool;
+    return moment;
+  }
+  std::vector<Claim> Check(const exec::Moment& reached, const exec::Moment& end,
+                           bool recovered = false) {
+    exec::Trace trace;
+    trace.events.push_back(exec::Milestone{kPickup, Stage::kPoised, moment_});
+    trace.events.push_back(exec::Milestone{kPickup, Stage::kReached, reached});
+    trace.events.push_back(exec::Milestone{kPickup, Stage::kActed, end});
+    if (recovered) {
+      trace.events.push_back(exec::RecoveryRecord{.time = 0,
+                                                  .step = kPickup,
+                                                  .error = "error1",
+                                                  .strategy = domain::RecoveryStrategy::kRetry});
+    }
+    trace.events.push_back(exec::StepEnd{kPickup, "action_2", "pickup", end});
+    return CheckCertificates(problem_, plan_, trace, {});
+  }
+  static ClaimVerdict Worst(const std::vector<Claim>& claims) {
+    return ByStep(claims).front().verdict;
+  }
+  static const Claim& Named(const std::vector<Claim>& claims, Claimed about,
+                            const std::string& name) {
+    return *std::ranges::find_if(
+        claims, [&](const Claim& c) { return c.about == about && c.name == name; });
+  }
+
+  static constexpr plan::StepId kPickup = plan::StepId(1);
+  domain::Problem problem_;
+  plan::Plan plan_;
+  PartId peg_;
+  plan::Pickup pickup_;
+  exec::Moment moment_;
+};
+
+TEST_F(CertificateCheckTest, WithoutErrorsAllIsContained) {
+  const std::vector<Claim> claims = Check(moment_, moment_);
+  EXPECT_EQ(claims.size(), 4u + 1u + 6u);
+  EXPECT_EQ(Worst(claims), ClaimVerdict::kContained);
+}
+
+TEST_F(CertificateCheckTest, APartThatIsElsewhereInTheHandViolatesTheOutputSet) {
+  const std::vector<Claim> claims = Check(moment_, Displaced(0.012));
+  const Claim& y = Named(claims, Claimed::kAfter, "y of peg");
+  EXPECT_EQ(y.verdict, ClaimVerdict::kViolated);
+  EXPECT_NEAR(y.margin, -0.002, 1e-12);
+  EXPECT_EQ(Named(claims, Claimed::kAfter, "x of peg").verdict, ClaimVerdict::kContained);
+}
+
+// The contacts are half the part's width from the grasped point, the pads half the opening.
+TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
+  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  const auto between = [&](double y) {
+    return Named(Check(Displaced(y), moment_), Claimed::kPrecondition, "between fingers");
+  };
+  EXPECT_NEAR(between(room - 0.001).margin, 0.001, 1e-12);
+  EXPECT_EQ(between(-room - 0.001).verdict, ClaimVerdict::kViolated);
+}
+
+TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
+  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", false)};
+  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  const std::vector<Claim> failed = Check(Displaced(room + 0.001), Displaced(0.012));
+  EXPECT_EQ(Named(failed, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);
+  // It may hold all the same: then the rest is claimed.
+  const std::vector<Claim> held = Check(moment_, Displaced(0.012));
+  EXPECT_EQ(Named(held, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kViolated);
+}
+
+TEST_F(CertificateCheckTest, NothingIsClaimedAfterARecovery) {
+  const std::vector<Claim> claims = Check(moment_, Displaced(0.012), true);
+  EXPECT_EQ(Named(claims, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);
+}
+
+TEST_F(CertificateCheckTest, AStepThatIsProvedComesToItsEnd) {
+  exec::Trace trace;
+  trace.events.push_back(exec::Milestone{kPickup, Stage::kPoised, moment_});
+  trace.events.push_back(exec::ExecutionEnd{exec::ExecutionOutcome::kOverload, "", moment_});
+  EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kViolated);
+  trace.events.back() = exec::ExecutionEnd{exec::ExecutionOutcome::kUnreachable, "", moment_};
+  EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kContained);
+}
+
+}  // namespace
+}  // namespace assay::check

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+
+#include "planner/domain/problem_file.h"
+#include "planner/posting/uncertainty_phase.h"
+
+namespace assay::check {
+
+// A scenario with its plan.
+struct Certified {
+  domain::Problem problem;
+  plan::Plan plan;
+};
+
+inline Certified CertifiedPlan(
+    const std::string& scenario, const domain::Overrides& overrides = {},
+    uncertainty::Propagation propagation = uncertainty::Propagation::kSound) {
+  Certified certified{
+      domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/" + scenario + ".yaml"),
+                          ASSAY_SOURCE_DIR "/models", overrides),
+      {}};
+  posting::UncertaintyOptions options;
+  options.propagation = propagation;
+  options.instances = 1;
+  certified.plan = posting::MakeCertifiedPlan(certified.problem, {}, options).plan;
+  return certified;
+}
+
+// Of the first step of this kind, in the order of execution.
+template <class Action>
+plan::StepId FirstStep(const plan::Plan& plan) {
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    if (std::holds_alternative<Action>(plan.step(id).action)) return id;
+  }
+  return plan::StepId::None();
+}
+
+}  // namespace assay::check

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "sim/exec/trace.h"
+#include "tests/oracle/json_schema.h"
+
+namespace assay::exec {
+
+inline nlohmann::json TraceSchemaFile() {
+  std::ifstream file(ASSAY_SOURCE_DIR "/sim/exec/trace.schema.json");
+  return nlohmann::json::parse(file);
+}
+
+inline std::vector<nlohmann::json> Lines(const Trace& trace) {
+  std::stringstream text;
+  WriteTrace(trace, text);
+  std::vector<nlohmann::json> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(nlohmann::json::parse(line));
+  return lines;
+}
+
+// What is wrong with a trace as it is written; empty: nothing.
+inline std::vector<std::string> SchemaErrors(const Trace& trace) {
+  const oracle::JsonSchema schema(TraceSchemaFile());
+  std::vector<std::string> errors;
+  for (const nlohmann::json& line : Lines(trace)) {
+    for (const std::string& error : schema.Errors(line)) errors.push_back(error + line.dump());
+  }
+  return errors;
+}
+
+}  // namespace assay::exec

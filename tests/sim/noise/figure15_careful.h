@@ -1,0 +1,32 @@
+#pragma once
+
+#include "planner/base/document.h"
+#include "planner/domain/problem_file.h"
+#include "planner/plan/plan.h"
+
+namespace assay::noise {
+
+// Spar's figure 15: the block on its back, the peg on its side.
+inline domain::Problem Figure15() {
+  return domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml"),
+                             ASSAY_SOURCE_DIR "/models");
+}
+
+inline constexpr domain::PartId kBlock = domain::PartId(0);
+inline constexpr domain::PartId kPeg = domain::PartId(1);
+
+// One step of each kind, in this order of execution: the camera looks at the peg, the hand squeezes
+// it, takes it, puts it down, takes it again and puts it into the block. Inserted backwards.
+inline plan::Plan OneOfEachStep(const domain::Problem& problem) {
+  const plan::Hold hold{"some", Pose::Identity(), 0.0762};
+  const plan::Place place{"initial", problem.part(kPeg).X_WorldPart};
+  return {.problem = problem.name,
+          .steps = {{"action_1", plan::Assemble{domain::MatingId(0), hold, place}, 1, 6},
+                    {"action_2", plan::Pickup{kPeg, hold, place}, 2, 5},
+                    {"action_3", plan::Putdown{kPeg, hold, place}, 3, 4},
+                    {"action_4", plan::Pickup{kPeg, hold, place}, 4, 3},
+                    {"action_5", plan::Squeeze{kPeg, hold, place}, 5, 2},
+                    {"action_6", plan::Sense{kPeg, "overhead-camera", place}, 6, 1}}};
+}
+
+}  // namespace assay::noise
