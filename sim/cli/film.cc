@@ -109,8 +109,10 @@ void Film::Write(const std::filesystem::path& folder) const {
                 [&](const std::filesystem::path& file) { render::WritePng(picture.image, file); });
   }
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet_.size()))));
+  std::vector<render::LegendEntry> legend;
+  if (has_ghosts_) legend.push_back({render::kPredicted, "ghosts: predicted error set"});
   WriteFileBy(folder / kContactSheet, [&](const std::filesystem::path& file) {
-    render::WritePng(render::ContactSheet(sheet_, columns), file);
+    render::WritePng(render::ContactSheet(sheet_, columns, legend), file);
   });
 }
 

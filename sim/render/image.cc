@@ -45,6 +45,7 @@ struct SheetLayout {
 };
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+const cv::Scalar kInk(40, 40, 40);
 
 int TextWidth(const std::string& text, const SheetLayout& layout) {
   int baseline = 0;
@@ -64,7 +65,19 @@ void DrawCell(const CaptionedImage& cell, const cv::Point& corner, const SheetLa
   ToMat(image).copyTo(sheet(cv::Rect(corner.x, corner.y, image.width, image.height)));
   const cv::Point baseline(corner.x, corner.y + image.height + layout.caption * 3 / 4);
   cv::putText(sheet, Fitted(cell.caption, image.width, layout), baseline, kFont, layout.font_scale,
-              cv::Scalar(40, 40, 40), layout.thickness, cv::LINE_AA);
+              kInk, layout.thickness, cv::LINE_AA);
+}
+
+void DrawLegendEntry(const LegendEntry& entry, const cv::Point& corner, const SheetLayout& layout,
+                     cv::Mat& sheet) {
+  const auto [red, green, blue] = entry.colour.Rgb();
+  const int middle = corner.y + layout.caption / 2;
+  cv::line(sheet, {corner.x, middle}, {corner.x + layout.caption, middle},
+           cv::Scalar(red, green, blue), 2 * layout.thickness, cv::LINE_AA);
+  const int text = corner.x + layout.caption + layout.margin;
+  cv::putText(sheet, Fitted(entry.meaning, sheet.cols - layout.margin - text, layout),
+              {text, corner.y + layout.caption * 3 / 4}, kFont, layout.font_scale, kInk,
+              layout.thickness, cv::LINE_AA);
 }
 
 }  // namespace
@@ -91,7 +104,8 @@ Image ReadImage(const std::filesystem::path& file) {
   return ToImage(rgb);
 }
 
-Image ContactSheet(const std::vector<CaptionedImage>& images, int columns) {
+Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
+                   const std::vector<LegendEntry>& legend) {
   ASSAY_CHECK(!images.empty() && columns >= 1);
   const int width = images.front().image.width;
   const int height = images.front().image.height;
@@ -100,13 +114,19 @@ Image ContactSheet(const std::vector<CaptionedImage>& images, int columns) {
   const int used_columns = std::min(columns, count);
   const int rows = (count + used_columns - 1) / used_columns;
   const cv::Size step(width + layout.margin, height + layout.caption + layout.margin);
-  cv::Mat sheet(rows * step.height + layout.margin, used_columns * step.width + layout.margin,
-                CV_8UC3, cv::Scalar::all(255));
+  const int legend_height = static_cast<int>(legend.size()) * layout.caption;
+  cv::Mat sheet(rows * step.height + layout.margin + legend_height,
+                used_columns * step.width + layout.margin, CV_8UC3, cv::Scalar::all(255));
   for (int i = 0; i < count; ++i) {
     ASSAY_CHECK(images[i].image.width == width && images[i].image.height == height);
     const cv::Point corner(layout.margin + i % used_columns * step.width,
                            layout.margin + i / used_columns * step.height);
     DrawCell(images[i], corner, layout, sheet);
+  }
+  cv::Point corner(layout.margin, rows * step.height + layout.margin / 2);
+  for (const LegendEntry& entry : legend) {
+    DrawLegendEntry(entry, corner, layout, sheet);
+    corner.y += layout.caption;
   }
   return ToImage(sheet);
 }

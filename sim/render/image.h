@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/render/palette.h"
+
 namespace assay::render {
 
 // An RGB picture, 8 bits a channel, rows from the top.
@@ -26,7 +28,15 @@ struct CaptionedImage {
   Image image;
 };
 
-// The images, all of one size, in rows of `columns`, each with its caption below, on white.
-Image ContactSheet(const std::vector<CaptionedImage>& images, int columns);
+// What a colour of lines in the images means.
+struct LegendEntry {
+  Colour colour;
+  std::string meaning;
+};
+
+// The images, all of one size, in rows of `columns`, each with its caption below, on white; the
+// legend's entries below all, a row for each.
+Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
+                   const std::vector<LegendEntry>& legend = {});
 
 }  // namespace assay::render

@@ -24,6 +24,6 @@ struct Colour {
 // apart.
 inline constexpr Colour kPredicted{"#4c9bd8"};
 inline constexpr Colour kObserved{"#14202e"};
-inline constexpr Colour kViolated{"#a3103f"};
+inline constexpr Colour kViolated{"#a11212"};
 
 }  // namespace assay::render

@@ -17,7 +17,6 @@ namespace {
 constexpr int kLargestSide = 4096;
 constexpr int kMostShapes = 4000;
 constexpr int kFontScale = 100;
-constexpr double kGhostLine = 1.5 * kSupersampling;  // width in drawn pixels
 // Below 1: the engine draws what is transparent once; to all else it adds the light of each lamp
 // that casts shadows, and lines would come out in other colours.
 constexpr float kGhostOpacity = 0.9F;
@@ -49,14 +48,15 @@ mjvGLCamera ToEngine(const FreeCamera& camera, const mjModel& model) {
   return view;
 }
 
-mjvGeom LineOf(const Edge& edge, Colour colour) {
+// `width` in drawn pixels.
+mjvGeom LineOf(const Edge& edge, Colour colour, double width) {
   float rgba[4] = {0, 0, 0, kGhostOpacity};
   for (int i = 0; i < 3; ++i) {
     rgba[i] = static_cast<float>(colour.Rgb()[i]) / 255;
   }
   mjvGeom line;
   mjv_initGeom(&line, mjGEOM_LINE, nullptr, nullptr, nullptr, rgba);
-  mjv_makeConnector(&line, mjGEOM_LINE, kGhostLine, edge.from.x(), edge.from.y(), edge.from.z(),
+  mjv_makeConnector(&line, mjGEOM_LINE, width, edge.from.x(), edge.from.y(), edge.from.z(),
                     edge.to.x(), edge.to.y(), edge.to.z());
   line.category = mjCAT_DECOR;
   line.transparent = 1;
@@ -107,9 +107,11 @@ struct Renderer::Contents {
   void Add(const Ghost& ghost) {
     const float* const position = shapes.camera[0].pos;
     const Vector3 eye(position[0], position[1], position[2]);
+    const double line_width = kSupersampling * std::max(1.0, height / 480.0);
     for (const Edge& edge : ghost.edges) {
       if (shapes.ngeom == shapes.maxgeom) return;
-      if (edge.FacesTowards(eye)) shapes.geoms[shapes.ngeom++] = LineOf(edge, ghost.colour);
+      if (!edge.FacesTowards(eye)) continue;
+      shapes.geoms[shapes.ngeom++] = LineOf(edge, ghost.colour, line_width);
     }
   }
 

@@ -84,11 +84,11 @@ Element Key() {
   example.observed = {-0.0006, -0.0003, 0.0001, 0.0004, 0.0009, {.contained = 1}};
   Element key("ul");
   key.Set("class", "key").Set("aria-label", "How to read the drawings");
-  Element& item = key.Add("li");
+  Element& item = key.Add("li").Set("class", "drawn");
   item.Add(ErrorChart(example));
   item.Add(
       "span",
-      "Wide bar: what was predicted, with its two ends; pale beside it: the honesty gate. Dark: "
+      "Wide bar: what was predicted, with its two ends; pale beside it: the honesty gate. Line: "
       "what was observed, from least to greatest, a box for the middle half, a gap at the median. "
       "Each row has its own axis; a dashed bar is not proved, and nothing is claimed.");
   return key;

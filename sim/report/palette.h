@@ -15,10 +15,10 @@ struct Colour {
   std::string_view dark;   // on a dark one
 };
 
-inline constexpr Colour kContained{"contained", "#008a66", "#2dc79a"};
-inline constexpr Colour kInconclusive{"inconclusive", "#c98500", "#f5c451"};
-inline constexpr Colour kViolated{"violated", "#a3103f", "#ff6f91"};
-inline constexpr Colour kNotClaimed{"not-claimed", "#737880", "#979da8"};
+inline constexpr Colour kContained{"contained", "#0a9a78", "#5be3bd"};
+inline constexpr Colour kInconclusive{"inconclusive", "#c98500", "#ffd35c"};
+inline constexpr Colour kViolated{"violated", "#a11212", "#ff7a59"};
+inline constexpr Colour kNotClaimed{"not-claimed", "#4f5560", "#7d838e"};
 inline constexpr Colour kPredicted{"predicted", "#4c9bd8", "#3f83bd"};
 inline constexpr Colour kObserved{"observed", "#14202e", "#f1f4f8"};
 

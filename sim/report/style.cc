@@ -110,6 +110,7 @@ figcaption { font-size: .875rem; color: var(--soft); margin-top: .4rem; }
 @media (max-width: 40rem) {
   header, main, footer { padding-left: 1rem; padding-right: 1rem; }
   th, td { padding-left: .55rem; padding-right: .55rem; }
+  .key li.drawn { display: block; }
   .facts { grid-template-columns: 1fr; gap: 0; }
   .facts dd { margin-bottom: .5rem; }
 }

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "sim/report/chart.h"
 #include "sim/report/command.h"
@@ -26,13 +27,26 @@ Element WorstWords(const WorstVerdict& worst, const std::string& database) {
   return words;
 }
 
+// What there is, drawn and in numbers.
+Element CountWords(const VerdictCounts& counts) {
+  std::vector<std::string> words;
+  for (const auto& [count, name] :
+       {std::pair(counts.contained, "contained"), std::pair(counts.inconclusive, "inconclusive"),
+        std::pair(counts.violated, "violated"), std::pair(counts.not_claimed, "not claimed")}) {
+    if (count > 0) words.push_back(fmt::format("{} {}", CountText(count), name));
+  }
+  Element contents("div");
+  contents.Add(VerdictBar(counts));
+  contents.Add("br");
+  contents.Text(fmt::format("{}", fmt::join(words, ", ")));
+  return contents;
+}
+
 void AddRow(DataTable& table, const Findings& findings, const StepFindings& step) {
   const WorstVerdict& worst = step.worst;
   const sweep::VerdictRecord& verdict = worst.verdict;
   if (worst.trial == 0) return;
-  table.AddRow({StepWords(step), VerdictBar(step.counts), Words(CountText(step.counts.contained)),
-                Words(CountText(step.counts.inconclusive)), Words(CountText(step.counts.violated)),
-                Words(CountText(step.counts.not_claimed)), WorstWords(worst, findings.database),
+  table.AddRow({StepWords(step), CountWords(step.counts), WorstWords(worst, findings.database),
                 Words(QuantityText(verdict.observed, worst.unit)),
                 Words(IntervalText({verdict.low, verdict.high}, worst.unit)),
                 Words(QuantityText(verdict.margin, worst.unit)),
@@ -43,11 +57,7 @@ Element CellTable(const Subject& subject, const CellFindings& cell) {
   DataTable table(fmt::format("{}: certificates of {}, and the claim that came out worst",
                               subject.NameOf(cell), CountText(cell.summary.done, "trial")),
                   {{"step"},
-                   {"", "chart"},
-                   {"contained", "number"},
-                   {"inconclusive", "number"},
-                   {"violated", "number"},
-                   {"not claimed", "number"},
+                   {"certificates"},
                    {"worst claim, and the command that runs it again"},
                    {"observed", "number"},
                    {"predicted", "number"},

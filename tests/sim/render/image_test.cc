@@ -11,7 +11,6 @@
 namespace assay::render {
 namespace {
 
-
 Image Noise(int width, int height) {
   Image image{width, height, {}};
   RandomStream random(3, "noise");
@@ -77,6 +76,24 @@ TEST(ContactSheet, CutsCaptionsThatAreTooLong) {
   for (int y = 0; y < sheet.height; ++y) {  // the right margin stays white
     EXPECT_EQ(sheet.rgb[3 * (std::size_t(y) * sheet.width + sheet.width - 2)], 255);
   }
+}
+
+TEST(ContactSheet, ShowsTheLegendBelowAll) {
+  const std::vector<CaptionedImage> images(3, {"step", Plain(240, 60, 9)});
+  const Image without = ContactSheet(images, 2);
+  const Image with = ContactSheet(images, 2, {{kPredicted, "ghosts"}});
+  ASSERT_EQ(with.width, without.width);
+  ASSERT_GT(with.height, without.height);
+  const auto has_colour = [&](int first_row, int last_row) {
+    const auto [red, green, blue] = kPredicted.Rgb();
+    for (int i = first_row * with.width; i < last_row * with.width; ++i) {
+      const std::uint8_t* pixel = &with.rgb[std::size_t{3} * i];
+      if (pixel[0] == red && pixel[1] == green && pixel[2] == blue) return true;
+    }
+    return false;
+  };
+  EXPECT_TRUE(has_colour(without.height - 12, with.height));
+  EXPECT_FALSE(has_colour(0, without.height - 12));
 }
 
 }  // namespace

@@ -145,6 +145,57 @@ TEST_F(RendererTest, WithoutEffectsTheShapesAreTheSame) {
   EXPECT_NEAR(Fraction(plain, IsOrange), Fraction(full, IsOrange), 0.01);
 }
 
+// Whether a pixel has the colour of predicted sets, nearly opaque over whatever is there.
+bool IsPredicted(const Rgb& c) {
+  const auto [red, green, blue] = kPredicted.Rgb();
+  return std::abs(c.red - red) < 26 && std::abs(c.green - green) < 26 &&
+         std::abs(c.blue - blue) < 26;
+}
+
+class GhostTest : public RendererTest {
+ protected:
+  Image PictureWith(std::span<const Ghost> ghosts) {
+    Renderer renderer(scene.model(), 320, 240);
+    return renderer.Render(data, scene.model().Camera("close"), ghosts);
+  }
+  // Of the block, displaced.
+  Ghost At(const geometry::Vector3& displacement) const {
+    const domain::Problem problem = scene::PegAndBlock();
+    geometry::Pose pose = scene.TruePose(data, scene::kBlock);
+    pose.pretranslate(displacement);
+    return GhostOf(*problem.part(scene::kBlock).model, pose, kPredicted);
+  }
+};
+
+TEST_F(GhostTest, IsSeenBesideThePart) {
+  const Ghost ghost = At({0, 0, 0.1});
+  const Image with = PictureWith({&ghost, 1});
+  const Image without = PictureWith({});
+  const double gained = Fraction(with, IsPredicted) - Fraction(without, IsPredicted);
+  EXPECT_GT(gained, 0.001);
+  EXPECT_LT(gained, 0.02) << "only edges";
+  EXPECT_LT(MeanDifference(with, without), 3) << "all else is as it was";
+}
+
+TEST_F(GhostTest, IsHiddenBehindWhatIsThere) {
+  const Ghost below = At({0, 0, -0.3});
+  EXPECT_EQ(MeanDifference(PictureWith({&below, 1}), PictureWith({})), 0) << "under the table";
+}
+
+TEST_F(GhostTest, LeavesNothingInTheNextPicture) {
+  Renderer renderer(scene.model(), 320, 240);
+  const mujoco::CameraId camera = scene.model().Camera("close");
+  const Image before = renderer.Render(data, camera);
+  const Ghost ghost = At({0, 0, 0.1});
+  renderer.Render(data, camera, {&ghost, 1});
+  EXPECT_TRUE(renderer.Render(data, camera) == before);
+}
+
+TEST_F(GhostTest, MoreThanTheEngineHasRoomForAreLeftOut) {
+  const std::vector<Ghost> many(500, At({0, 0, 0.1}));
+  EXPECT_GT(Fraction(PictureWith(many), IsPredicted), 0.001);
+}
+
 using RendererDeathTest = RendererTest;
 
 TEST_F(RendererDeathTest, RefusesSizesThatCannotBe) {
