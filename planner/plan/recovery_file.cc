@@ -7,6 +7,8 @@
 namespace assay::plan {
 namespace {
 
+constexpr double kLeastPitch = 1e-5;  // metres
+
 using Json = nlohmann::ordered_json;
 
 double ReadAtLeastZero(const Value& value) {
@@ -71,7 +73,13 @@ Recovery ReadRecovery(const Value& value, const std::vector<std::string>& step_n
   }
   value.AllowOnly({"step", "error", "strategy", "radius", "pitch"});
   recovery.radius = ReadAtLeastZero(value.At("radius"));
-  recovery.pitch = ReadAtLeastZero(value.At("pitch"));
+  const Value pitch = value.At("pitch");
+  recovery.pitch = ReadAtLeastZero(pitch);
+  // As in workcell files: a search has at least one place, and an end.
+  if (recovery.pitch < kLeastPitch || recovery.pitch > recovery.radius) {
+    pitch.Fail(fmt::format("{} is no pitch of this search", recovery.pitch),
+               fmt::format("{} to the radius, metres", kLeastPitch));
+  }
   return recovery;
 }
 

@@ -294,14 +294,15 @@ class Attacker {
     }
   }
 
-  // The violations with the most negative margins first, each step's once.
+  // Those that need the fewest steps first, then the most negative margins.
   void Shrink() {
     std::vector<const WorstClaim*> violations;
     for (const WorstClaim& worst : result_.worst) {
       if (worst.claim.verdict == ClaimVerdict::kViolated) violations.push_back(&worst);
     }
-    std::ranges::stable_sort(violations, {},
-                             [](const WorstClaim* worst) { return Length(worst->claim); });
+    std::ranges::stable_sort(violations, {}, [this](const WorstClaim* worst) {
+      return std::pair(experiment_.plan.step(worst->claim.step).executed, Length(worst->claim));
+    });
     const auto count = std::min(violations.size(), static_cast<std::size_t>(options_.shrunk));
     std::vector<Counterexample> examples(count);
     InParallel(count, [&](std::size_t i) { examples[i] = Shrunk(experiment_, *violations[i]); });

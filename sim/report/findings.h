@@ -108,6 +108,7 @@ struct CellFindings {
 
   const sweep::CellRecord& cell() const { return summary.cell; }
   bool is_control() const { return cell().noise == "none"; }
+  bool is_attack() const { return cell().noise == "attack"; }
 };
 
 // The trials that pictures are taken of.

@@ -224,7 +224,7 @@ std::vector<StepFindings> ReadSteps(const sweep::Store& store, int cell) {
 }
 
 NotableTrials FindNotable(const sweep::Store& store) {
-  std::vector<Merit> merits = Merits(store, "cell.noise <> 'none'");
+  std::vector<Merit> merits = Merits(store, "cell.noise NOT IN ('none', 'attack')");
   if (merits.empty()) merits = Merits(store, "cell.noise = 'none'");
   if (merits.empty()) return {};
   std::ranges::sort(merits, std::greater(), &Merit::Key);

@@ -23,6 +23,12 @@ struct Tally {
 };
 
 void Add(const CellFindings& cell, Tally& tally) {
+  if (cell.attack) {
+    tally.attacked += cell.attack->attempts;
+    tally.attacked_violated += cell.attack->certificates.violated;
+    tally.attacked_inconclusive += cell.attack->certificates.inconclusive;
+  }
+  if (cell.is_attack()) return;  // its one trial is all of these attempts
   (cell.is_control() ? tally.control_done : tally.done) += cell.summary.done;
   (cell.is_control() ? tally.control_succeeded : tally.succeeded) += cell.summary.succeeded;
   const VerdictCounts& counts = cell.summary.certificates;
@@ -31,10 +37,6 @@ void Add(const CellFindings& cell, Tally& tally) {
   tally.violated += counts.violated;
   tally.inconclusive += counts.inconclusive;
   tally.not_claimed += counts.not_claimed;
-  if (!cell.attack) return;
-  tally.attacked += cell.attack->attempts;
-  tally.attacked_violated += cell.attack->certificates.violated;
-  tally.attacked_inconclusive += cell.attack->certificates.inconclusive;
 }
 
 template <class Matches>

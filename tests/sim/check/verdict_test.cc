@@ -135,7 +135,7 @@ TEST(TrialOutcomeTest, NamesDiffer) {
   for (int i = 0; i <= static_cast<int>(TrialOutcome::kNotAtRest); ++i) {
     names.insert(Name(static_cast<TrialOutcome>(i)));
   }
-  EXPECT_EQ(names.size(), 10u);
+  EXPECT_EQ(names.size(), 12u);
 }
 
 }  // namespace
