@@ -7,22 +7,6 @@
 namespace assay::check {
 namespace {
 
-// Worse verdicts first.
-int Rank(ClaimVerdict verdict) {
-  switch (verdict) {
-    case ClaimVerdict::kViolated:
-      return 0;
-    case ClaimVerdict::kInconclusive:
-      return 1;
-    case ClaimVerdict::kContained:
-      return 2;
-    case ClaimVerdict::kNotClaimed:
-      return 3;
-  }
-  ASSAY_CHECK(false, "a verdict that the switch does not know");
-  return 0;
-}
-
 // Metres and radians are compared as lengths at a tenth of a metre from the axis.
 double AsLength(const Claim& claim) {
   constexpr double kArm = 0.1;
@@ -44,6 +28,21 @@ std::string_view Name(ClaimVerdict verdict) {
   }
   ASSAY_CHECK(false, "a verdict that the switch does not know");
   return {};
+}
+
+int Rank(ClaimVerdict verdict) {
+  switch (verdict) {
+    case ClaimVerdict::kViolated:
+      return 0;
+    case ClaimVerdict::kInconclusive:
+      return 1;
+    case ClaimVerdict::kContained:
+      return 2;
+    case ClaimVerdict::kNotClaimed:
+      return 3;
+  }
+  ASSAY_CHECK(false, "a verdict that the switch does not know");
+  return 0;
 }
 
 std::string_view Name(Claimed claimed) {

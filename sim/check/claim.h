@@ -19,6 +19,9 @@ enum class ClaimVerdict {
 };
 std::string_view Name(ClaimVerdict verdict);  // "not-claimed"
 
+// 0 for the worst, kViolated, and then in the order violated, inconclusive, contained, not claimed.
+int Rank(ClaimVerdict verdict);
+
 // What a claim is about.
 enum class Claimed {
   kBefore,        // a component of an input error set

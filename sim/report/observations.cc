@@ -12,21 +12,6 @@ using sweep::ClaimRecord;
 using sweep::Statement;
 using sweep::VerdictRecord;
 
-// From worst to best.
-int Rank(ClaimVerdict verdict) {
-  switch (verdict) {
-    case ClaimVerdict::kViolated:
-      return 0;
-    case ClaimVerdict::kInconclusive:
-      return 1;
-    case ClaimVerdict::kContained:
-      return 2;
-    case ClaimVerdict::kNotClaimed:
-      return 3;
-  }
-  return 3;
-}
-
 // Metres and radians are compared as check::ByStep does.
 double AsLength(double margin, std::string_view unit) {
   constexpr double kArm = 0.1;
@@ -212,10 +197,11 @@ ClaimVerdict VerdictNamed(std::string_view name) {
 
 ClaimVerdict VerdictOn(const ClaimRecord& claim, double observed, ClaimVerdict of_step) {
   if (of_step == ClaimVerdict::kNotClaimed || !claim.proved) return ClaimVerdict::kNotClaimed;
-  const double margin = std::min(observed - claim.low, claim.high - observed);
-  const ClaimVerdict verdict = margin >= 0             ? ClaimVerdict::kContained
-                               : margin >= -claim.gate ? ClaimVerdict::kInconclusive
-                                                       : ClaimVerdict::kViolated;
+  check::Claim observation;
+  observation.predicted = {claim.low, claim.high};
+  observation.observed = observed;
+  observation.gate = claim.gate;
+  const ClaimVerdict verdict = check::Judged(observation).verdict;
   return Rank(verdict) < Rank(of_step) ? ClaimVerdict::kNotClaimed : verdict;
 }
 

@@ -3,6 +3,8 @@
 #include <array>
 #include <string_view>
 
+#include "sim/render/palette.h"
+
 namespace assay::report {
 
 // The colour language: one meaning each, the same on every page and picture.
@@ -17,10 +19,10 @@ struct Colour {
 
 inline constexpr Colour kContained{"contained", "#0a9a78", "#5be3bd"};
 inline constexpr Colour kInconclusive{"inconclusive", "#c98500", "#ffd35c"};
-inline constexpr Colour kViolated{"violated", "#a11212", "#ff7a59"};
+inline constexpr Colour kViolated{"violated", render::kViolated.hex, "#ff7a59"};
 inline constexpr Colour kNotClaimed{"not-claimed", "#4f5560", "#7d838e"};
-inline constexpr Colour kPredicted{"predicted", "#4c9bd8", "#3f83bd"};
-inline constexpr Colour kObserved{"observed", "#14202e", "#f1f4f8"};
+inline constexpr Colour kPredicted{"predicted", render::kPredicted.hex, "#3f83bd"};
+inline constexpr Colour kObserved{"observed", render::kObserved.hex, "#f1f4f8"};
 
 inline constexpr std::array kPalette = {kContained,  kInconclusive, kViolated,
                                         kNotClaimed, kPredicted,    kObserved};

@@ -293,7 +293,7 @@ class ExecutedWorld {
             std::asin(R(2, 1)),
             std::atan2(-R(2, 0), R(2, 2))};
   }
-  // In the axes of the planned pose.
+  // In the world's axes, about the believed pose.
   std::array<double, 6> RestingErrorOf(PartId part) {
     const Body& b = body(part);
     const Vector3 d = b.truth.translation() - b.belief.translation();
