@@ -75,7 +75,8 @@ class PlayMeasurement {
     const geometry::MassProperties& mass = problem_.part(mating_.held).model->mass();
     const geometry::Matrix3 R = scene_.TruePose(data_, mating_.held).linear();
     const scene::Twist twist = scene_.TrueTwist(data_, mating_.held);
-    const Vector3 at_center = mass.mass * (Vector3(0, 0, kGravity) - kDamping * twist.linear);
+    const Vector3 at_center =
+        mass.mass * (Vector3(0, 0, scene::kGravity) - kDamping * twist.linear);
     const Vector3 at_middle = mass.mass * kPush * direction_World;
     const Vector3 force = at_center + at_middle;
     const Vector3 torque = mass.center.cross(R.transpose() * at_center) +
@@ -86,8 +87,6 @@ class PlayMeasurement {
       data_.qfrc_applied()[dof_ + 3 + i] = torque[i];
     }
   }
-
-  static constexpr double kGravity = 9.81;  // the engine's
 
   const Problem& problem_;
   const Mating& mating_;

@@ -1,32 +1,9 @@
 #include "sim/exec/action_commands.h"
 
 #include <algorithm>
-
-#include "planner/uncertainty/sensing.h"
+#include <optional>
 
 namespace assay::exec {
-namespace {
-
-// Which coordinates the planner counts on being taken from the sensor: what is known before the
-// look is in the step's certificate. Without one all that the sensor measures is taken.
-Look::Takes TakesOf(const domain::Problem& problem, const plan::Sense& sense,
-                    const plan::Certificate& certificate) {
-  constexpr Interval kUnknown = {-1e9, 1e9};
-  const domain::SensorModel& sensor =
-      *problem.workcell->uncertainty_operations().FindSensor(sense.sensor);
-  plan::ErrorSet known = {
-      .part = sense.part, .x = kUnknown, .y = kUnknown, .z = kUnknown, .theta = kUnknown};
-  for (const plan::ErrorSet& set : certificate.before) {
-    if (set.part == sense.part) known = set;
-  }
-  return {.x = uncertainty::TakesOver(known.x, sensor.x),
-          .y = uncertainty::TakesOver(known.y, sensor.y),
-          .z = uncertainty::TakesOver(known.z, sensor.z),
-          .yaw = uncertainty::TakesOver(known.theta, sensor.theta)};
-}
-
-}  // namespace
-
 std::vector<Command> StepCommands::InOrder() const {
   std::vector<Command> commands;
   for (const auto* phase : {&approach, &advance, &act, &depart}) {
@@ -37,12 +14,19 @@ std::vector<Command> StepCommands::InOrder() const {
 
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step) {
-  const auto commands = [&](const auto& action) { return CommandsFor(problem, world, action); };
-  StepCommands of_step = std::visit(commands, step.action);
-  if (const auto* sense = std::get_if<plan::Sense>(&step.action)) {
-    std::get<Look>(of_step.act.front()).takes = TakesOf(problem, *sense, step.certificate);
+  return std::visit(
+      [&](const auto& action) { return CommandsFor(problem, world, action, step.certificate); },
+      step.action);
+}
+
+// Both preconditions are that what is uncertain stays within the guarded travel.
+double DoubtOfContact(const domain::WorkcellRules& rules, const plan::Certificate& certificate) {
+  std::optional<double> margin;
+  for (const plan::CertifiedPrecondition& claim : certificate.preconditions) {
+    if (claim.condition != "landing height" && claim.condition != "seat") continue;
+    margin = std::min(margin.value_or(claim.margin), claim.margin);
   }
-  return of_step;
+  return rules.guarded_travel - std::max(0.0, margin.value_or(0));
 }
 
 Pose HomeTool(const domain::Workcell& workcell) {

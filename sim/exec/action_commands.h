@@ -29,18 +29,23 @@ struct StepCommands {
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step);
 
+// Of the actions. `certificate`: what is known of the step; empty: nothing.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Pickup& pickup);
+                         const plan::Pickup& pickup, const plan::Certificate& certificate = {});
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Putdown& putdown);
+                         const plan::Putdown& putdown, const plan::Certificate& certificate = {});
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Assemble& assemble);
+                         const plan::Assemble& assemble, const plan::Certificate& certificate = {});
 // The arm first goes to its home, so that it hangs over no part that does not lie there.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Sense& sense);
+                         const plan::Sense& sense, const plan::Certificate& certificate = {});
 // Closes on the part as a pickup does, and lets it go where it is.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Squeeze& squeeze);
+                         const plan::Squeeze& squeeze, const plan::Certificate& certificate = {});
+
+// How far from where it is expected a guarded move may meet something, by what is certified of the
+// step (its preconditions "landing height" and "seat"); the guarded travel, if nothing is. Metres.
+double DoubtOfContact(const domain::WorkcellRules& rules, const plan::Certificate& certificate);
 
 // What a guarded move takes for resistance. Less than what the pads can hold against (twice
 // friction times grip force), more than what starting and stopping the hand exerts. Newtons.

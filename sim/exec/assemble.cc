@@ -3,20 +3,21 @@
 namespace assay::exec {
 
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Assemble& assemble) {
+                         const plan::Assemble& assemble, const plan::Certificate& certificate) {
   const domain::Workcell& workcell = *problem.workcell;
   const domain::Mating& mating = problem.mating(assemble.mating);
   const Pose X_WorldFixed = world.PartPose(mating.fixed);
   const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
   const Vector3 vector = X_WorldFixed.linear() * mating.mating_vector;
-  const Vector3 beyond = workcell.rules().guarded_travel * vector.normalized();
+  const double travel = workcell.rules().guarded_travel;
+  const Vector3 beyond = travel * vector.normalized();
+  const Pace pace = MatingPace(travel + DoubtOfContact(workcell.rules(), certificate));
   const Pose mated = X_WorldHeld * assemble.hold.X_PartTool;
   const Pose start = geometry::Translation(-vector) * mated;
   const Pose retreated = Retreated(workcell, mated);
   return {
       .approach = {MoveAtSafeHeight{AtSafeHeight(workcell, start)}, MoveStraight{start, kFreePace}},
-      .advance = {MoveStraight{geometry::Translation(beyond) * mated, kMatingPace,
-                               Guard{kResistance}}},
+      .advance = {MoveStraight{geometry::Translation(beyond) * mated, pace, Guard{kResistance}}},
       .depart = {OpenGripper{OpenGripper::Release{mating.held, X_WorldHeld}},
                  MoveStraight{retreated, kFingersPace},
                  MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}}};

@@ -15,6 +15,7 @@ namespace {
 // Contact forces of stiff contacts jump from step to step: a stop needs a force that lasts.
 constexpr double kForceFilter = 0.02;   // seconds
 constexpr double kTouchFilter = 0.001;  // seconds
+constexpr double kBrakeTime = 0.002;    // seconds from slow motion to rest
 
 std::vector<std::pair<std::string, std::string>> ContactPairs(const mujoco::Data& data) {
   std::set<std::pair<std::string, std::string>> pairs;
@@ -87,47 +88,46 @@ Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from) 
   double time = 0;
   while (time < trajectory.duration()) {
     SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
-    servo_.Command(data_, commanded_.q, commanded_.qd);
     time += data_.timestep();
-    commanded_ = trajectory.At(time);
-    if (Progress failure = Step()) return failure;
+    if (Progress failure = StepTo(trajectory.At(time))) return failure;
   }
   return std::nullopt;
 }
 
 // What resists is felt as a force that was not there before the move: it grows by newtons in each
-// step once stiff things touch, so that a light filter against ripple is enough. At the end the
-// servos are told to hold the arm where it is, so that it does not go on pressing.
+// step once stiff things touch, so that a light filter against ripple is enough. The arm brakes
+// along its line, else its joints, each stopping in its own time, would drag aside what the hand
+// presses on. At the end the servos are told to hold the arm where it is, so that it does not go
+// on pressing.
 Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
                            const Guarded& guarded) {
   const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
   double resistance = 0;
   double time = 0;
-  while (time < trajectory.duration()) {
+  double rate = 1;  // of the trajectory's time
+  while (time < trajectory.duration() && rate > 0) {
     const bool fine = time >= fine_from;
     SetStepping(fine ? Stepping::kContact : Stepping::kFree);
-    servo_.Command(data_, commanded_.q, commanded_.qd);
-    time += data_.timestep();
-    commanded_ = trajectory.At(time);
-    if (Progress failure = Step()) return failure;
+    const bool resisted = fine && resistance >= guarded.force;
+    if (rate < 1 || resisted) rate = std::max(0.0, rate - data_.timestep() / kBrakeTime);
+    time += rate * data_.timestep();
+    const JointState along = trajectory.At(time);
+    if (Progress failure = StepTo({along.q, rate * along.qd})) return failure;
     const double against = before - scene_.WristWrench(data_).force.dot(guarded.direction);
     resistance += std::min(1.0, data_.timestep() / kTouchFilter) * (against - resistance);
-    if (!fine || resistance < guarded.force) continue;
-    commanded_ = {scene_.ArmPosition(data_), JointVector::Zero()};
-    trace_.events.push_back(GuardRecord{data_.time(), true, BelievedTool()});
-    return std::nullopt;
   }
-  trace_.events.push_back(GuardRecord{data_.time(), false, BelievedTool()});
+  const bool stopped = rate < 1;
+  if (stopped) commanded_ = {scene_.ArmPosition(data_), JointVector::Zero()};
+  trace_.events.push_back(GuardRecord{data_.time(), stopped, BelievedTool()});
   return std::nullopt;
 }
 
 Progress Execution::Stay(double seconds, Stepping stepping) {
-  commanded_.qd.setZero();
   SetStepping(stepping);
+  const JointState rest{commanded_.q, JointVector::Zero()};
   const double end = data_.time() + seconds;
   do {
-    servo_.Command(data_, commanded_.q, commanded_.qd);
-    if (Progress failure = Step()) return failure;
+    if (Progress failure = StepTo(rest)) return failure;
   } while (data_.time() < end);
   return std::nullopt;
 }
@@ -155,11 +155,24 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   while (options_.sample_rate > 0 && data_.time() >= samples_ / options_.sample_rate) ++samples_;
 }
 
-Progress Execution::Step() {
+Progress Execution::StepTo(const JointState& next) {
+  const JointVector qdd = (next.qd - commanded_.qd) / data_.timestep();
+  servo_.Command(data_, commanded_, qdd, Carried());
   data_.Step();
+  commanded_ = next;
   ++steps_;
   SampleIfDue();
   return Watch();
+}
+
+// Of the held part's weight what the wrist feels: the table, or the part that it is put on, may
+// carry the rest.
+scene::Load Execution::Carried() const {
+  if (world_.held().IsNone()) return {};
+  const geometry::MassProperties& mass = problem_.part(world_.held()).model->mass();
+  const double weight = mass.mass * scene::kGravity;
+  return {.force = {0, 0, std::clamp(felt_.z(), -weight, 0.0)},
+          .at = world_.PartPose(world_.held(), scene_.ToolPose(data_)) * mass.center};
 }
 
 void Execution::SampleIfDue() {

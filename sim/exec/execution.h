@@ -79,9 +79,10 @@ class Execution {
 
  private:
   void SetStepping(Stepping stepping);
-  // One timestep with everything that belongs to it: the trace's series, and the watch over force
-  // and engine.
-  Progress Step();
+  // One timestep, after which the arm is to be in this state, with everything that belongs to it:
+  // the trace's series, and the watch over force and engine.
+  Progress StepTo(const JointState& next);
+  scene::Load Carried() const;
   void SampleIfDue();
   Progress Watch();
 

@@ -3,15 +3,12 @@
 #include <vector>
 
 #include "planner/kinematics/arm.h"
+#include "sim/scene/servo.h"
 
 namespace assay::exec {
 
 using kinematics::JointVector;
-
-struct JointState {
-  JointVector q = JointVector::Zero();   // rad
-  JointVector qd = JointVector::Zero();  // rad/s
-};
+using scene::JointState;
 
 // Joint values over time: cubic between knots, with continuous velocity.
 class JointTrajectory {

@@ -14,13 +14,20 @@ struct Pace {
 inline constexpr Pace kFreePace = {.speed = 0.5, .final_speed = 0.5, .final_length = 0};
 // Open fingers beside a part, going to it or leaving it.
 inline constexpr Pace kFingersPace = {.speed = 0.2, .final_speed = 0.02, .final_length = 0.005};
-// A part that comes down on the table, whose height is known to within `travel`. At 10 mm/s and
-// steps of half a millisecond it meets the table with 5 micrometres of penetration at most.
-inline constexpr Pace LandingPace(double travel) {
-  return {.speed = 0.5, .final_speed = 0.01, .final_length = 2 * travel + 0.002};
+// Where a part may meet what it is put on or into. The arm weighs as much as many parts: what it
+// runs into at 20 mm/s slides on by 0.1 mm, with the square of speed; here, by a micrometre.
+inline constexpr double kContactSpeed = 0.002;
+// A part that comes down on the table, which it may meet in the last `length` of its way.
+inline constexpr Pace LandingPace(double length) {
+  return {.speed = 0.5, .final_speed = kContactSpeed, .final_length = length};
 }
-// A part on its way into another, slow over any length. The rim of a hole catches what overlaps it
-// by more than speed times step, 10 micrometres here: well below the clearance.
-inline constexpr Pace kMatingPace = {.speed = 0.02, .final_speed = 0.02, .final_length = 10};
+// A part on its way into another, which it may meet in the last `length`. It is slow before, too:
+// the rim of a hole catches what overlaps it by more than speed times step, 10 micrometres here,
+// well below the clearance.
+inline constexpr Pace MatingPace(double length) {
+  return {.speed = 0.02, .final_speed = kContactSpeed, .final_length = length};
+}
+// A part that is moved over the rim of a hole.
+inline constexpr Pace kGropingPace = {.speed = 0.02, .final_speed = 0.02, .final_length = 10};
 
 }  // namespace assay::exec

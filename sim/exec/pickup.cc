@@ -3,7 +3,7 @@
 namespace assay::exec {
 
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Pickup& pickup) {
+                         const plan::Pickup& pickup, const plan::Certificate&) {
   const domain::Workcell& workcell = *problem.workcell;
   const Pose grasp = world.PartPose(pickup.part) * pickup.hold.X_PartTool;
   const Pose retreated = Retreated(workcell, grasp);

@@ -3,7 +3,7 @@
 namespace assay::exec {
 
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
-                         const plan::Squeeze& squeeze) {
+                         const plan::Squeeze& squeeze, const plan::Certificate&) {
   const domain::Workcell& workcell = *problem.workcell;
   const Pose X_WorldPart = world.PartPose(squeeze.part);
   const Pose grasp = X_WorldPart * squeeze.hold.X_PartTool;

@@ -228,7 +228,7 @@ Progress StepExecution::TryAt(const Vector3& offset) {
 Progress StepExecution::Withdraw() {
   if (!commands_.withdraw.empty()) return RunAll(commands_.withdraw, {});
   const Pose back = geometry::Translation(-kBackOff * Direction()) * execution_.BelievedTool();
-  return RunAll({MoveStraight{back, kMatingPace}}, {});
+  return RunAll({MoveStraight{back, kGropingPace}}, {});
 }
 
 // To the line of the advance, as far along it as the tool is.
@@ -237,7 +237,7 @@ Progress StepExecution::MoveSideways() {
   Pose beside = LastTarget(commands_.advance);
   const Vector3 behind = execution_.BelievedTool().translation() - beside.translation();
   beside.translation() += direction * direction.dot(behind);
-  return RunAll({MoveStraight{beside, kMatingPace, Guard{kResistance}}}, {});
+  return RunAll({MoveStraight{beside, kGropingPace, Guard{kResistance}}}, {});
 }
 
 // In which the tool advances.

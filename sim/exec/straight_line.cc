@@ -9,7 +9,7 @@ namespace {
 using kinematics::Indicators;
 using kinematics::InverseSolution;
 
-constexpr double kStep = 0.002;            // metres
+constexpr double kStep = 0.0005;           // metres
 constexpr double kGreatestTurn = 0.2;      // radians of a joint in one step
 constexpr double kToolAcceleration = 1.5;  // m/s^2
 constexpr double kSameJointValues = 1e-6;  // radians
@@ -139,7 +139,8 @@ TimedLine WithTimes(const LinePath& path, const Pace& pace, const JointRates& ra
   std::vector<PointLimits> limits;
   std::size_t final_point = count - 1;  // the first in the final length
   for (std::size_t i = 0; i < count; ++i) {
-    const bool final = path.step * static_cast<double>(count - 1 - i) <= pace.final_length;
+    // The knot before is slow, too, so that all of the final length is.
+    const bool final = length - path.step * static_cast<double>(i + 1) <= pace.final_length;
     if (final) final_point = std::min(final_point, i);
     derivatives.push_back(DerivativesAt(path, i));
     limits.push_back(LimitsAt(derivatives[i], final ? pace.final_speed : pace.speed, rates));

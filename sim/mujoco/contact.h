@@ -7,17 +7,17 @@
 
 namespace assay::mujoco {
 
-// One contact point of the last step, world frame, metres and newtons. Forces of stiff contacts
-// jump from step to step: filter them before deciding anything.
+// One contact point of the present, world frame, metres and newtons.
 struct Contact {
   GeomId geom_a;
   GeomId geom_b;
   BodyId body_a;
   BodyId body_b;
   geometry::Vector3 position = geometry::Vector3::Zero();
-  geometry::Vector3 normal = geometry::Vector3::Zero();      // unit, from a to b
-  double distance = 0;                                       // negative: penetration
-  geometry::Vector3 force_on_b = geometry::Vector3::Zero();  // a gets the opposite
+  geometry::Vector3 normal = geometry::Vector3::Zero();  // unit, from a to b
+  double distance = 0;                                   // negative: penetration
+  // Right only after Data::Forward; a gets the opposite.
+  geometry::Vector3 force_on_b = geometry::Vector3::Zero();
 };
 
 std::vector<Contact> Contacts(const Data& data);

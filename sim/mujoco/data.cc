@@ -11,6 +11,7 @@ namespace assay::mujoco {
 namespace {
 
 using geometry::Pose;
+using geometry::Vector3;
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
@@ -38,7 +39,7 @@ void CopyBack(const std::vector<T>& from, int count, U* to) {
 
 // The engine's kinematics normalises the quaternions in qpos in place. That is not idempotent in
 // the last bit, so a state that was restored, normalised once more than the state that was saved,
-// would go another way. The engine normalises again at the start of each step.
+// would go another way.
 class KeepPosition {
  public:
   explicit KeepPosition(std::span<double> qpos) : qpos_(qpos), kept_(qpos.begin(), qpos.end()) {}
@@ -59,12 +60,18 @@ Data::Data(const Model& model)
   own_model_.reset(mj_copyModel(nullptr, model.get()));
   data_.reset(mj_makeData(own_model_.get()));
   ASSAY_CHECK(own_model_ != nullptr && data_ != nullptr);
+  gain_.resize(own_model_->nv);
   Forward();
 }
 
 double Data::time() const { return data_->time; }
 double Data::timestep() const { return own_model_->opt.timestep; }
-void Data::SetTimestep(double seconds) { own_model_->opt.timestep = seconds; }
+void Data::SetTimestep(double seconds) {
+  if (seconds == timestep()) return;
+  own_model_->opt.timestep = seconds;
+  BeginStep();  // how stiff contacts are depends on it
+}
+
 std::span<double> Data::qpos() { return SpanOf(data_->qpos, own_model_->nq); }
 std::span<const double> Data::qpos() const { return SpanOf(data_->qpos, own_model_->nq); }
 std::span<double> Data::qvel() { return SpanOf(data_->qvel, own_model_->nv); }
@@ -77,17 +84,25 @@ std::span<const double> Data::sensordata() const {
   return SpanOf(data_->sensordata, own_model_->nsensordata);
 }
 
+// The engine's step in two: its second half ends the step that the first began, so that after it
+// everything belongs to the present, as a controller needs it, and nothing is computed twice.
+//
 // The engine moves a free body along the tangent of the arc that the arm carries it on, so that a
 // part which is held by friction wanders outward in the pads by J' qd dt / 2 a second: half a
 // millimetre on a way across the table. With half a step of acceleration added to every position,
 // contacts are evaluated in the middle of the way to the next position, as in the leapfrog scheme,
 // and the first-order error is gone.
 void Data::Step() {
-  std::vector<double> gain(qvel().begin(), qvel().end());
-  mj_step(own_model_.get(), data_.get());
-  for (std::size_t i = 0; i < gain.size(); ++i) gain[i] = data_->qvel[i] - gain[i];
-  mj_integratePos(own_model_.get(), data_->qpos, gain.data(), timestep() / 2);
-  Refresh();
+  std::ranges::copy(qvel(), gain_.begin());
+  mj_step2(own_model_.get(), data_.get());
+  for (std::size_t i = 0; i < gain_.size(); ++i) gain_[i] = data_->qvel[i] - gain_[i];
+  mj_integratePos(own_model_.get(), data_->qpos, gain_.data(), timestep() / 2);
+  BeginStep();
+}
+
+void Data::BeginStep() {
+  const KeepPosition keep(qpos());
+  mj_step1(own_model_.get(), data_.get());
 }
 
 void Data::Forward() {
@@ -95,14 +110,14 @@ void Data::Forward() {
   mj_forward(own_model_.get(), data_.get());
 }
 
-// After mj_step the engine's poses are those before the integration. A controller that read them
-// would act one step late, and differently after Restore.
-void Data::Refresh() {
-  const KeepPosition keep(qpos());
-  mj_kinematics(own_model_.get(), data_.get());
-  mj_comPos(own_model_.get(), data_.get());
-  mj_comVel(own_model_.get(), data_.get());
-  mj_rne(own_model_.get(), data_.get(), 0, data_->qfrc_bias);
+void Data::AddForce(BodyId body, const Vector3& p_World, const Vector3& force_World) {
+  const Vector3 no_torque = Vector3::Zero();
+  mj_applyFT(own_model_.get(), data_.get(), force_World.data(), no_torque.data(), p_World.data(),
+             body.index(), data_->qfrc_applied);
+}
+
+void Data::MultiplyByInertia(std::span<const double> qacc, std::span<double> force) const {
+  mj_mulM(own_model_.get(), data_.get(), force.data(), qacc.data());
 }
 
 Pose Data::BodyPose(BodyId body) const {
@@ -117,14 +132,17 @@ double Data::GeomHeight(GeomId geom) const { return own_model_->geom_pos[3 * geo
 
 void Data::SetGeomHeight(GeomId geom, double z) {
   own_model_->geom_pos[3 * geom.index() + 2] = z;
-  Forward();
+  BeginStep();
 }
 
 bool Data::IsActive(EqualityId constraint) const {
   return own_model_->eq_active[constraint.index()] != 0;
 }
 
-void Data::Deactivate(EqualityId constraint) { own_model_->eq_active[constraint.index()] = 0; }
+void Data::Deactivate(EqualityId constraint) {
+  own_model_->eq_active[constraint.index()] = 0;
+  BeginStep();
+}
 
 // eq_data of a weld: anchor in the second body (3), pose of the second body in the first's frame
 // (position 3, quaternion 4), torque scale. The anchor is the second body's origin here.
@@ -140,6 +158,7 @@ void Data::ActivateWeldHere(EqualityId weld) {
   Eigen::Map<Eigen::Vector3d>(values + 3) = X_FirstSecond.translation();
   Eigen::Map<Eigen::Vector4d>(values + 6) << turn.w(), turn.x(), turn.y(), turn.z();
   own_model_->eq_active[i] = 1;
+  BeginStep();
 }
 
 State Data::Save() const {

@@ -19,9 +19,11 @@ struct EngineWarning {
   int count = 0;
 };
 
-// One simulation. Between calls of its methods, body, geom and site poses, velocities and
-// qfrc_bias belong to the present qpos and qvel; contacts, their forces, and sensor readings
-// belong to the start of the last step (or to the present, after Forward and Restore).
+// One simulation. Between calls of its methods, poses, contacts, inertia, velocities and qfrc_bias
+// belong to the present qpos and qvel. What accelerations are needed for, readings of force and
+// torque sensors, belongs to the start of the last step; to the present after Forward and
+// Restore, and only there forces of contacts can be had. Who writes into qpos or qvel calls
+// Forward before the next step.
 class Data {
  public:
   explicit Data(const Model& model);
@@ -49,6 +51,13 @@ class Data {
   void Step();     // one timestep
   void Forward();  // everything that follows from qpos, qvel and controls, at the present time
 
+  // Adds a force on a body at a point, newtons and metres in the world's axes, to qfrc_applied.
+  void AddForce(BodyId body, const geometry::Vector3& p_World,
+                const geometry::Vector3& force_World);
+  // The generalized force that gives accelerations `qacc` to what is at rest and free; both of
+  // the length of qvel.
+  void MultiplyByInertia(std::span<const double> qacc, std::span<double> force) const;
+
   geometry::Pose BodyPose(BodyId body) const;  // X_WorldBody
   geometry::Pose SitePose(SiteId site) const;  // X_WorldSite
 
@@ -71,11 +80,13 @@ class Data {
   bool HasWarnings() const;  // the same, faster
 
  private:
-  void Refresh();
+  // All that the next step needs but the controls.
+  void BeginStep();
 
   Model model_;
   std::unique_ptr<mjModel_, void (*)(mjModel_*)> own_model_;
   std::unique_ptr<mjData_, void (*)(mjData_*)> data_;
+  std::vector<double> gain_;  // of qvel in a step
 };
 
 }  // namespace assay::mujoco

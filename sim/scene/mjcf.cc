@@ -15,9 +15,12 @@ namespace {
 using domain::Part;
 using domain::Problem;
 
-// As stiff as a timestep of half a millisecond allows: a part of 1 kg sinks in by less than a
-// micrometre. (The engine raises the time constant to two timesteps where those are longer.)
-constexpr char kSolref[] = "0.001 1";
+// As stiff as the timestep allows: the engine raises the time constant to two timesteps. With half
+// a millisecond a part of 1 kg sinks in by less than a micrometre. A longer time constant would
+// also let held parts slip: the engine leaves the centripetal acceleration J' qd of the hand out of
+// its constraints, so that contacts follow with a velocity error of J' qd / b, b = 2 / time
+// constant, and mujoco::Data::Step takes away just half a timestep of it.
+constexpr char kSolref[] = "0.0001 1";
 constexpr char kSolimp[] = "0.99 0.9999 0.00001";
 // Small against every part's: of two frictions the engine takes the larger.
 constexpr double kGroundFriction = 0.01;

@@ -17,6 +17,8 @@ using geometry::Pose;
 using geometry::Vector3;
 using kinematics::JointVector;
 
+inline constexpr double kGravity = 9.81;  // m/s^2, the engine's
+
 // A force and a torque about a point, newtons and newton metres.
 struct Wrench {
   Vector3 force = Vector3::Zero();

@@ -1,10 +1,12 @@
 #include "sim/scene/servo.h"
 
+#include <vector>
+
 #include "sim/scene/servo_gains.h"
 
 namespace assay::scene {
 
-JointServo::JointServo(const Scene& scene) : arm_(scene.arm()) {
+JointServo::JointServo(const Scene& scene) : arm_(scene.arm()), hand_(scene.hand()) {
   for (std::size_t i = 0; i < kServoGains.size(); ++i) {
     lag_[static_cast<Eigen::Index>(i)] = kServoGains[i].damping / kServoGains[i].stiffness;
   }
@@ -12,12 +14,21 @@ JointServo::JointServo(const Scene& scene) : arm_(scene.arm()) {
 
 // A joint's damping is passive in the engine, which integrates it implicitly: the velocity that is
 // wanted comes in as an offset of the position, so that it does not lag.
-void JointServo::Command(mujoco::Data& data, const JointVector& q, const JointVector& qd) const {
+void JointServo::Command(mujoco::Data& data, const JointState& state, const JointVector& qdd,
+                         const Load& load) const {
+  std::vector<double> qacc(data.qvel().size());
+  std::vector<double> force(data.qvel().size());
+  for (std::size_t i = 0; i < kServoGains.size(); ++i) {
+    qacc[arm_.dof[i]] = qdd[static_cast<Eigen::Index>(i)];
+  }
+  data.MultiplyByInertia(qacc, force);
   for (std::size_t i = 0; i < kServoGains.size(); ++i) {
     const auto j = static_cast<Eigen::Index>(i);
-    data.ctrl()[arm_.ctrl[i]] = q[j] + lag_[j] * qd[j];
-    data.qfrc_applied()[arm_.dof[i]] = data.qfrc_bias()[arm_.dof[i]];
+    const int dof = arm_.dof[i];
+    data.ctrl()[arm_.ctrl[i]] = state.q[j] + lag_[j] * state.qd[j];
+    data.qfrc_applied()[dof] = data.qfrc_bias()[dof] + force[dof];
   }
+  if (!load.force.isZero()) data.AddForce(hand_, load.at, -load.force);
 }
 
 }  // namespace assay::scene

@@ -107,11 +107,11 @@ TEST(Data, CountsTheEnginesWarnings) {
   Data data(model);
   Steps(data, 10);
   EXPECT_THAT(data.Warnings(), testing::IsEmpty());
-  data.qvel()[0] = std::numeric_limits<double>::quiet_NaN();
+  data.qpos()[0] = std::numeric_limits<double>::quiet_NaN();
   data.Step();
   ASSERT_THAT(data.Warnings(), testing::SizeIs(1));
   EXPECT_GE(data.Warnings()[0].count, 1);
-  EXPECT_THAT(data.Warnings()[0].text, testing::HasSubstr("QVEL"));
+  EXPECT_THAT(data.Warnings()[0].text, testing::HasSubstr("QPOS"));
   EXPECT_FALSE(std::filesystem::exists("MUJOCO_LOG.TXT"));
 }
 

@@ -123,7 +123,7 @@ class Held : public testing::Test {
 
   void Hold(double seconds) {
     for (double t = 0; t < seconds; t += scene.options().timestep) {
-      servo.Command(data, q, JointVector::Zero());
+      servo.Command(data, {q, JointVector::Zero()});
       data.Step();
     }
   }
@@ -188,7 +188,7 @@ TEST(Scene, AttachedPartsFollowTheToolAndDetachedOnesFall) {
   scene.AttachPart(data, kPeg);
   const auto hold = [&](int steps) {
     for (int i = 0; i < steps; ++i) {
-      servo.Command(data, q, JointVector::Zero());
+      servo.Command(data, {q, JointVector::Zero()});
       data.Step();
     }
   };

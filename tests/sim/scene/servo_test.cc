@@ -17,7 +17,7 @@ constexpr double kLoad = 1.2 * 9.81;  // N
 class ServoAt : public testing::TestWithParam<double> {
  protected:
   void Follow(const JointVector& q, const JointVector& qd) {
-    servo.Command(data, q, qd);
+    servo.Command(data, {q, qd});
     data.Step();
   }
 
