@@ -32,7 +32,7 @@ struct Guard {
 struct MoveStraight {
   Pose X_WorldTool;
   Pace pace;
-  std::optional<Guard> guard = {};  // felt over the pace's final length
+  std::optional<Guard> guard = {};  // felt on the whole way
 };
 
 // The gripper opens wide. If it held a part, the part is believed to stay where it is let go.

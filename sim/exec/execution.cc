@@ -106,10 +106,8 @@ Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
   double time = 0;
   double rate = 1;  // of the trajectory's time
   while (time < trajectory.duration() && rate > 0) {
-    const bool fine = time >= fine_from;
-    SetStepping(fine ? Stepping::kContact : Stepping::kFree);
-    const bool resisted = fine && resistance >= guarded.force;
-    if (rate < 1 || resisted) rate = std::max(0.0, rate - data_.timestep() / kBrakeTime);
+    SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
+    if (rate < 1 || resistance >= guarded.force) rate = std::max(0.0, rate - data_.timestep() / kBrakeTime);
     time += rate * data_.timestep();
     const JointState along = trajectory.At(time);
     if (Progress failure = StepTo({along.q, rate * along.qd})) return failure;

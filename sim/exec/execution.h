@@ -64,8 +64,8 @@ class Execution {
 
   // The arm follows the trajectory, from `fine_from` (seconds from its start) on in small steps.
   Progress Follow(const JointTrajectory& trajectory, double fine_from);
-  // The same; over the fine part it stops where it feels the force against `direction`. Then the
-  // arm rests where it is.
+  // The same; it stops where it feels the force against `direction`. Then the arm rests where it
+  // is.
   struct Guarded {
     double force = 0;
     Vector3 direction = Vector3::Zero();
