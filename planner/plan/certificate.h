@@ -75,4 +75,9 @@ struct Certificate {
   bool operator==(const Certificate&) const = default;
 };
 
+// How far from where it is expected a guarded move may meet something, metres: its preconditions
+// "landing height" and "seat" are that this stays within the workcell's guarded travel. All of the
+// travel, if nothing is certified.
+double DoubtOfContact(const Certificate& certificate, double guarded_travel);
+
 }  // namespace assay::plan

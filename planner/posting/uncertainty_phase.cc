@@ -397,7 +397,7 @@ class Augmentation {
                 "'{}' is certified otherwise than it was decided", step.name);
     step.certificate = std::move(certified.certificate);
     step.certificate.resolutions = entry.resolutions;
-    if (Fails(entry)) AddVerification(problem_, entry.id, step.action, plan);
+    if (Fails(entry)) AddVerification(problem_, entry.id, step.action, step.certificate, plan);
   }
 
   // What was inserted was certified for this order.

@@ -1,6 +1,7 @@
 #include "planner/posting/verification.h"
 
 #include <algorithm>
+#include <numbers>
 #include <optional>
 
 #include "planner/base/check.h"
@@ -42,8 +43,25 @@ struct ExpectedAfter {
   std::optional<Expected> operator()(const plan::Squeeze&) const { return std::nullopt; }
 };
 
+// How far apart the places of a search may lie, so that none that is right is missed: a shaft finds
+// its hole within a square of twice the clearance, however that is turned against the search. A
+// tenth is for what the parts are turned against each other.
+struct FinestPitch {
+  const domain::Problem& problem;
+
+  double operator()(const plan::Assemble& assemble) const {
+    const domain::Mating& mating = problem.mating(assemble.mating);
+    const double clearance = std::max(problem.part(mating.held).model->clearance(),
+                                      problem.part(mating.fixed).model->clearance());
+    return clearance > 0 ? 0.9 * std::numbers::sqrt2 * clearance : kCoarse;
+  }
+  double operator()(const auto&) const { return kCoarse; }
+
+  static constexpr double kCoarse = 1;  // metres: no limit
+};
+
 void AddRecovery(const domain::Workcell& workcell, plan::StepId step, const std::string& error,
-                 plan::Plan& plan) {
+                 double finest_pitch, plan::Plan& plan) {
   const bool known = std::ranges::any_of(plan.recoveries, [&](const plan::Recovery& recovery) {
     return recovery.step == step && recovery.error == error;
   });
@@ -55,29 +73,31 @@ void AddRecovery(const domain::Workcell& workcell, plan::StepId step, const std:
                              .error = error,
                              .strategy = found->strategy,
                              .radius = found->radius,
-                             .pitch = found->pitch});
+                             .pitch = std::min(found->pitch, finest_pitch)});
 }
 
 }  // namespace
 
 void AddVerification(const domain::Problem& problem, plan::StepId step, const plan::Action& action,
-                     plan::Plan& plan) {
+                     const plan::Certificate& certificate, plan::Plan& plan) {
   const std::optional<Expected> expected = std::visit(ExpectedAfter{problem}, action);
   if (!expected) return;
+  const double pitch = std::visit(FinestPitch{problem}, action);
+  const double doubt = plan::DoubtOfContact(certificate, problem.workcell->rules().guarded_travel);
   for (const domain::VerificationTemplate& check :
        problem.workcell->uncertainty_operations().verifications) {
     if (check.after != expected->action) continue;
+    // A height is uncertain when all went well, too.
+    const bool is_height = check.quantity == MeasuredQuantity::kToolHeight;
     plan.verifications.push_back({.step = step,
                                   .name = check.name,
                                   .quantity = check.quantity,
-                                  .expected = check.quantity == MeasuredQuantity::kGripperOpening
-                                                  ? expected->opening
-                                                  : expected->tool_height,
-                                  .tolerance = check.tolerance,
+                                  .expected = is_height ? expected->tool_height : expected->opening,
+                                  .tolerance = check.tolerance + (is_height ? doubt : 0),
                                   .below = check.below,
                                   .above = check.above});
-    AddRecovery(*problem.workcell, step, check.below, plan);
-    AddRecovery(*problem.workcell, step, check.above, plan);
+    AddRecovery(*problem.workcell, step, check.below, pitch, plan);
+    AddRecovery(*problem.workcell, step, check.above, pitch, plan);
   }
 }
 

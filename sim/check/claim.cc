@@ -90,6 +90,21 @@ void VerdictCounts::Add(ClaimVerdict verdict) {
   ASSAY_CHECK(false, "a verdict that the switch does not know");
 }
 
+std::int64_t VerdictCounts::Of(ClaimVerdict verdict) const {
+  switch (verdict) {
+    case ClaimVerdict::kContained:
+      return contained;
+    case ClaimVerdict::kInconclusive:
+      return inconclusive;
+    case ClaimVerdict::kViolated:
+      return violated;
+    case ClaimVerdict::kNotClaimed:
+      return not_claimed;
+  }
+  ASSAY_CHECK(false, "a verdict that the switch does not know");
+  return 0;
+}
+
 VerdictCounts& VerdictCounts::operator+=(const VerdictCounts& other) {
   contained += other.contained;
   inconclusive += other.inconclusive;

@@ -53,6 +53,10 @@ struct VerdictCounts {
 
   void Add(ClaimVerdict verdict);
   VerdictCounts& operator+=(const VerdictCounts& other);
+  bool operator==(const VerdictCounts&) const = default;
+
+  std::int64_t Of(ClaimVerdict verdict) const;
+  std::int64_t Total() const { return contained + inconclusive + violated + not_claimed; }
 };
 
 // Whether a is worse than b: by verdict, then by margin, radians as lengths at a tenth of a metre.

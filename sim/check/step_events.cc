@@ -21,6 +21,9 @@ class Sorter {
   void operator()(const exec::GuardRecord& guard) {
     if (!steps_.empty() && !steps_.back().resisted) steps_.back().resisted = guard.resisted;
   }
+  void operator()(const exec::LookRecord& look) {
+    if (!steps_.empty()) steps_.back().look = &look;
+  }
   void operator()(const exec::RecoveryRecord&) { steps_.back().recovered = true; }
   void operator()(const exec::StepEnd& end) { steps_.back().end = &end.moment; }
   void operator()(const auto&) {}

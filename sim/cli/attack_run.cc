@@ -46,6 +46,7 @@ class AttackReport {
     for (std::size_t i = 0; i < result_.certificates.size(); ++i) {
       tally_.Add(plan::StepId(i), result_.certificates[i]);
     }
+    tally_.AddClaims(result_.claims);
     for (const check::WorstClaim& worst : result_.worst) tally_.AddWorst(worst.claim);
     const Json result = Result();
     Json printed = result;
@@ -63,11 +64,7 @@ class AttackReport {
   Json Result() const {
     Json result = {{"attempts", result_.attempts},
                    {"verdicts", tally_.ToJson()},
-                   {"claims",
-                    {{"contained", result_.claims.contained},
-                     {"inconclusive", result_.claims.inconclusive},
-                     {"violated", result_.claims.violated},
-                     {"not_claimed", result_.claims.not_claimed}}},
+                   {"claims", tally_.ClaimsToJson()},
                    {"worst", Json::array()},
                    {"counterexamples", Json::array()},
                    {"replay", Json::array()},

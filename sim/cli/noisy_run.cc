@@ -11,8 +11,10 @@
 #include <vector>
 
 #include "planner/base/input_error.h"
+#include "sim/check/ledger.h"
 #include "sim/check/noisy_trial.h"
 #include "sim/cli/console.h"
+#include "sim/cli/ledger_report.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stopwatch.h"
@@ -69,6 +71,8 @@ class NoisyTrials {
   }
 
  private:
+  bool IsSingle() const { return run_.only || run_.trials == 1; }
+
   noise::Noise NoiseOf(int number) const {
     if (!run_.errors) return noise::Sample(box_, run_.mode, run_.seed, number);
     try {
@@ -91,12 +95,19 @@ class NoisyTrials {
     return RunNoisyTrial(experiment_, noise, options);
   }
 
+  // The ledger of a single trial is in the result.
+  void WriteFiles(int number, const NoisyTrial& trial) const {
+    std::ostringstream text;
+    exec::WriteTrace(trial.trace, text);
+    WriteFile(run_.folder / fmt::format("trace-{}.jsonl", number), text.str());
+    if (IsSingle()) return;
+    const Json ledger = ToJson(check::LedgerOf(experiment_, trial.noise, trial.trace));
+    WriteFile(run_.folder / fmt::format("ledger-{}.json", number), ledger.dump(2) + "\n");
+  }
+
   void Keep(int number, NoisyTrial trial) {
-    if (!run_.folder.empty()) {
-      std::ostringstream text;
-      exec::WriteTrace(trial.trace, text);
-      WriteFile(run_.folder / fmt::format("trace-{}.jsonl", number), text.str());
-    }
+    if (!run_.folder.empty()) WriteFiles(number, trial);
+    if (IsSingle()) ledger_ = check::LedgerOf(experiment_, trial.noise, trial.trace);
     const auto is_violated = [](const check::Claim& claim) {
       return claim.verdict == check::ClaimVerdict::kViolated;
     };
@@ -150,6 +161,7 @@ class NoisyTrials {
                    {"succeeded", Succeeded()},
                    {"failed", failed.is_null() ? Json::object() : failed},
                    {"verdicts", tally.ToJson()},
+                   {"claims", tally.ClaimsToJson()},
                    {"worst", tally.WorstToJson()},
                    {"replay", Json::array()},
                    {"scenario", run_.planned.scenario},
@@ -169,6 +181,7 @@ class NoisyTrials {
                                 {"operator_called", row.operator_called},
                                 {"noise", row.noise}});
     }
+    if (IsSingle()) result["ledger"] = ToJson(ledger_);
     return result;
   }
 
@@ -183,6 +196,7 @@ class NoisyTrials {
   std::string Report() const {
     std::string text = "what the engine cannot tell from nothing\n";
     text += Text(plan_, experiment_.gate) + "\n" + Tally().Text(Actions()) + "\n";
+    if (!ledger_.empty()) text += Text(ledger_) + "\n";
     constexpr int kMostTold = 3;
     int told = 0;
     for (const auto& [number, row] : rows_) {
@@ -220,6 +234,7 @@ class NoisyTrials {
   std::mutex mutex_;
   std::map<int, Row> rows_;  // by number
   std::map<int, std::vector<check::Claim>> claims_;
+  std::vector<check::LedgerEntry> ledger_;  // of a single trial
 };
 
 }  // namespace

@@ -11,8 +11,10 @@
 #include <thread>
 
 #include "planner/base/input_error.h"
+#include "sim/check/ledger.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
+#include "sim/cli/ledger_report.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stored_trial.h"
@@ -67,7 +69,14 @@ void SetNumbers(const TrialRecord& from, TrialRecord& to) {
   to.number = from.number;
 }
 
-TrialRecord RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* film) {
+// A trial as it came out again, and in what it differs. An attack has no ledger.
+struct Again {
+  TrialRecord record;
+  std::vector<std::string> differences = {};
+  std::vector<check::LedgerEntry> ledger = {};
+};
+
+Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* film) {
   const Progress progress(fmt::format("trial {}", stored.trial));
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
   std::function<void(const exec::StepEnd&, const mujoco::Data&)> on_step_end;
@@ -76,31 +85,29 @@ TrialRecord RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, 
       film->TakeStepEnd(end, data);
     };
   }
-  TrialRecord again =
-      sweep::Recorded(cell.preparation->plan, sweep::Execute(cell, noise, on_step_end)).record;
-  SetNumbers(stored, again);
+  const sweep::Preparation& preparation = *cell.preparation;
+  const check::NoisyTrial trial = sweep::Execute(cell, noise, on_step_end);
+  const check::Experiment experiment{preparation.scenario.problem, preparation.plan,
+                                     preparation.scenario.simulation.scene};
+  Again again{.record = sweep::Recorded(preparation.plan, trial).record,
+              .ledger = check::LedgerOf(experiment, noise, trial.trace)};
+  SetNumbers(stored, again.record);
+  again.differences = sweep::Differences(stored, again.record);
   return again;
 }
 
 // The same with pictures.
-TrialRecord RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored,
-                      const Options& options) {
+Again RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored, const Options& options) {
   const scenario::Scenario& scenario = cell.preparation->scenario;
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
   const scene::Scene scene(scenario.problem, exec::TrueScene(scenario.simulation.scene, noise));
   Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
             options.pictures);
   film.TakeStart(exec::StartOf(scenario.problem, scene, noise));
-  TrialRecord again = RunAgain(cell, stored, &film);
+  Again again = RunAgain(cell, stored, &film);
   film.Write(options.folder);
   return again;
 }
-
-// A trial as it came out again, and in what it differs.
-struct Again {
-  TrialRecord record;
-  std::vector<std::string> differences;
-};
 
 Again AttackAgain(const sweep::Store& store, const sweep::Work& work,
                   const sweep::PlannedCell& cell, const TrialRecord& stored) {
@@ -115,7 +122,7 @@ Again AttackAgain(const sweep::Store& store, const sweep::Work& work,
     SetNumbers(stored, timed.record);
     std::vector<std::string> differences = sweep::Differences(stored, timed.record);
     std::ranges::move(sweep::Differences(*attack, *timed.attack), std::back_inserter(differences));
-    return {std::move(timed.record), std::move(differences)};
+    return {.record = std::move(timed.record), .differences = std::move(differences)};
   }
   throw InputError({.file = store.file().string()},
                    fmt::format("the attack of cell {} is missing", stored.cell),
@@ -125,10 +132,7 @@ Again AttackAgain(const sweep::Store& store, const sweep::Work& work,
 Again Repeat(const sweep::Store& store, const sweep::Work& work, const sweep::PlannedCell& cell,
              const TrialRecord& stored, const Options& options) {
   if (!IsAttack(cell)) {
-    TrialRecord again =
-        options.renders ? RunFilmed(cell, stored, options) : RunAgain(cell, stored, nullptr);
-    std::vector<std::string> differences = sweep::Differences(stored, again);
-    return {std::move(again), std::move(differences)};
+    return options.renders ? RunFilmed(cell, stored, options) : RunAgain(cell, stored, nullptr);
   }
   if (options.renders) {
     throw UsageError(fmt::format(
@@ -162,16 +166,16 @@ std::string OutcomeText(const TrialRecord& record) {
                                : fmt::format("{}: {}", record.outcome, record.reason);
 }
 
-std::string ForPeople(const TrialRecord& stored, const TrialRecord& again,
-                      const std::vector<std::string>& differences) {
+std::string ForPeople(const TrialRecord& stored, const Again& again) {
   std::string text =
       fmt::format("trial {}: number {} of cell {}\nnoise: {}\n", stored.trial, stored.number,
                   stored.cell, stored.noise.empty() ? "none" : stored.noise);
-  text += fmt::format("stored: {}\nagain:  {}\n\n{}\n", OutcomeText(stored), OutcomeText(again),
-                      VerdictTable(again));
-  if (differences.empty()) return text + "equal to what is stored, to the last bit\n";
+  text += fmt::format("stored: {}\nagain:  {}\n\n{}\n", OutcomeText(stored),
+                      OutcomeText(again.record), VerdictTable(again.record));
+  if (!again.ledger.empty()) text += Text(again.ledger) + "\n";
+  if (again.differences.empty()) return text + "equal to what is stored, to the last bit\n";
   text += "different from what is stored (stored and again):\n";
-  for (const std::string& difference : differences) text += fmt::format("  {}\n", difference);
+  for (const std::string& difference : again.differences) text += fmt::format("  {}\n", difference);
   return text;
 }
 
@@ -195,14 +199,19 @@ ExitCode Execute(const Options& options) {
   const TrialRecord stored = FindTrial(store, options.trial);
   const sweep::Sweep sweep = SweepOf(store);
   const sweep::PlannedCell cell = RestoredCell(store, stored, options.models);
-  const auto [again, differences] =
-      Repeat(store, sweep::RealWork(sweep, options.models), cell, stored, options);
-  const Json json = {{"trial", stored.trial},        {"cell", stored.cell},
-                     {"number", stored.number},      {"noise", stored.noise},
-                     {"equal", differences.empty()}, {"differences", differences},
-                     {"stored", ToJson(stored)},     {"again", ToJson(again)}};
-  Print(options.json ? json.dump(2) + "\n" : ForPeople(stored, again, differences));
-  return differences.empty() ? ExitCode::kDone : ExitCode::kFailed;
+  const Again again = Repeat(store, sweep::RealWork(sweep, options.models), cell, stored, options);
+  const bool equal = again.differences.empty();
+  const Json json = {{"trial", stored.trial},
+                     {"cell", stored.cell},
+                     {"number", stored.number},
+                     {"noise", stored.noise},
+                     {"equal", equal},
+                     {"differences", again.differences},
+                     {"stored", ToJson(stored)},
+                     {"again", ToJson(again.record)},
+                     {"ledger", cli::ToJson(again.ledger)}};
+  Print(options.json ? json.dump(2) + "\n" : ForPeople(stored, again));
+  return equal ? ExitCode::kDone : ExitCode::kFailed;
 }
 
 Execution Declare(CLI::App& command) {

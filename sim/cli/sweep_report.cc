@@ -11,6 +11,7 @@
 
 #include "sim/cli/models_folder.h"
 #include "sim/cli/table.h"
+#include "sim/cli/verdict_tally.h"
 #include "sim/scenario/scenario.h"
 #include "sim/sweep/grid.h"
 #include "sim/sweep/wilson.h"
@@ -81,13 +82,14 @@ Table CellTable(const SweepResults& results) {
   for (const CellSummary& summary : results.cells) {
     std::vector<std::string> row = {std::to_string(summary.cell.cell)};
     for (const Axis& axis : axes) row.push_back(axis.value(summary.cell));
-    const sweep::VerdictCounts& counts = summary.certificates;
+    const check::VerdictCounts& counts = summary.certificates;
     row.push_back(PlanText(summary.cell));
     row.push_back(fmt::format("{} of {}", summary.done, summary.cell.trials));
     row.push_back(RateText(summary));
-    for (const int count :
+    for (const std::int64_t count :
          {counts.contained, counts.inconclusive, counts.violated, counts.not_claimed,
-          summary.with_errors, summary.recovered, summary.operator_called}) {
+          std::int64_t{summary.with_errors}, std::int64_t{summary.recovered},
+          std::int64_t{summary.operator_called}}) {
       row.push_back(std::to_string(count));
     }
     table.Add(std::move(row));
@@ -157,13 +159,6 @@ Json ToJson(const sweep::RunRecord& run) {
 
 Json ToJson(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
-Json ToJson(const sweep::VerdictCounts& counts) {
-  return {{"contained", counts.contained},
-          {"violated", counts.violated},
-          {"inconclusive", counts.inconclusive},
-          {"not-claimed", counts.not_claimed}};
-}
-
 Json ToJson(const sweep::CounterexampleRecord& example, const std::string& database) {
   const auto number = [](double value) {
     return std::isfinite(value) ? Json(value) : Json(nullptr);
@@ -181,8 +176,8 @@ Json ToJson(const CellAttack& cell, const std::string& database) {
   const sweep::AttackRecord& attack = cell.attack;
   Json json = {{"cell", cell.cell},
                {"attempts", attack.attempts},
-               {"verdicts", ToJson(attack.certificates)},
-               {"claims", ToJson(attack.claims)},
+               {"verdicts", cli::ToJson(attack.certificates)},
+               {"claims", cli::ToJson(attack.claims)},
                {"counterexamples", Json::array()},
                {"conservatism", Json::array()}};
   for (const sweep::CounterexampleRecord& example : attack.counterexamples) {
@@ -217,7 +212,7 @@ Json ToJson(const CellSummary& summary) {
           {"succeeded", summary.succeeded},
           {"interval", {interval.low, interval.high}},
           {"failed", summary.failed},
-          {"verdicts", ToJson(summary.certificates)},
+          {"verdicts", cli::ToJson(summary.certificates)},
           {"signalled", summary.with_errors},
           {"recovered", summary.recovered},
           {"operator_called", summary.operator_called}};
@@ -250,13 +245,10 @@ int SweepResults::Succeeded() const {
   return succeeded;
 }
 
-sweep::VerdictCounts SweepResults::Certificates() const {
-  sweep::VerdictCounts sum;
+check::VerdictCounts SweepResults::Certificates() const {
+  check::VerdictCounts sum;
   for (const CellSummary& summary : cells) {
-    sum.contained += summary.certificates.contained;
-    sum.inconclusive += summary.certificates.inconclusive;
-    sum.violated += summary.certificates.violated;
-    sum.not_claimed += summary.certificates.not_claimed;
+    sum += summary.certificates;
   }
   return sum;
 }
@@ -302,7 +294,7 @@ Json ToJson(const SweepResults& results) {
   const std::map<std::string, int> failures = Failures(results);
   Json json = {{"database", results.database}, {"trials", results.trials},
                {"done", results.Done()},       {"succeeded", results.Succeeded()},
-               {"failed", failures},           {"verdicts", ToJson(results.Certificates())},
+               {"failed", failures},           {"verdicts", cli::ToJson(results.Certificates())},
                {"replay", Json::array()},      {"cells", Json::array()},
                {"attacks", Json::array()},     {"runs", Json::array()}};
   if (results.first_bad > 0) json["replay"].push_back(ReplayCommand(results));

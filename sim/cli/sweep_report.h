@@ -28,7 +28,7 @@ struct SweepResults {
 
   int Done() const;
   int Succeeded() const;
-  sweep::VerdictCounts Certificates() const;
+  check::VerdictCounts Certificates() const;
 };
 SweepResults ResultsOf(const sweep::Store& store, const std::string& database);
 

@@ -30,13 +30,6 @@ bool IsAngle(const std::string& name) {
 
 Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json CountsToJson(const VerdictCounts& counts) {
-  return {{"contained", counts.contained},
-          {"inconclusive", counts.inconclusive},
-          {"violated", counts.violated},
-          {"not_claimed", counts.not_claimed}};
-}
-
 std::string Place(const Claim& claim) {
   switch (claim.about) {
     case check::Claimed::kBefore:
@@ -54,15 +47,18 @@ std::string Place(const Claim& claim) {
 VerdictTally::VerdictTally(const plan::Plan& plan) : plan_(plan), counts_(plan.steps.size()) {}
 
 void VerdictTally::Add(const std::vector<Claim>& claims) {
+  for (const Claim& claim : claims) claims_.Add(claim.verdict);
   for (const check::CertificateVerdict& verdict : ByStep(claims)) {
     counts_[verdict.step.index()].Add(verdict.verdict);
     AddWorst(verdict.worst);
   }
 }
 
-void VerdictTally::Add(plan::StepId step, const VerdictCounts& counts) {
-  counts_[step.index()] += counts;
+void VerdictTally::Add(plan::StepId step, const VerdictCounts& certificates) {
+  counts_[step.index()] += certificates;
 }
+
+void VerdictTally::AddClaims(const VerdictCounts& claims) { claims_ += claims; }
 
 void VerdictTally::AddWorst(const Claim& claim) {
   const auto [at, is_new] = worst_.try_emplace(claim.step, claim);
@@ -91,10 +87,17 @@ std::string VerdictTally::Text(const std::vector<std::string>& actions) const {
                std::to_string(counts.violated), std::to_string(counts.not_claimed),
                worst == worst_.end() ? "" : cli::Text(worst->second)});
   }
-  return table.Text();
+  return table.Text() +
+         fmt::format(
+             "\nof {} claims {} contained, {} inconclusive, {} violated, {} not claimed; a "
+             "step comes out as its worst\n",
+             claims_.Total(), claims_.contained, claims_.inconclusive, claims_.violated,
+             claims_.not_claimed);
 }
 
-Json VerdictTally::ToJson() const { return CountsToJson(Total()); }
+Json VerdictTally::ClaimsToJson() const { return cli::ToJson(claims_); }
+
+Json VerdictTally::ToJson() const { return cli::ToJson(Total()); }
 
 Json VerdictTally::WorstToJson() const {
   Json json = Json::array();
@@ -102,10 +105,17 @@ Json VerdictTally::WorstToJson() const {
     const auto worst = worst_.find(id);
     if (worst == worst_.end()) continue;
     Json row = cli::ToJson(plan_, worst->second);
-    row["verdicts"] = CountsToJson(counts_[id.index()]);
+    row["verdicts"] = cli::ToJson(counts_[id.index()]);
     json.push_back(std::move(row));
   }
   return json;
+}
+
+Json ToJson(const VerdictCounts& counts) {
+  return {{"contained", counts.contained},
+          {"inconclusive", counts.inconclusive},
+          {"violated", counts.violated},
+          {"not_claimed", counts.not_claimed}};
 }
 
 std::string Text(const Claim& claim) {

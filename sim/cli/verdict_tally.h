@@ -18,22 +18,28 @@ class VerdictTally {
 
   // The claims of one trial.
   void Add(const std::vector<check::Claim>& claims);
-  // So many attempts at one step.
-  void Add(plan::StepId step, const check::VerdictCounts& counts);
+  // So many attempts at one step; so many claims in all attempts.
+  void Add(plan::StepId step, const check::VerdictCounts& certificates);
+  void AddClaims(const check::VerdictCounts& claims);
   // Keeps it, if it is the worst of its step.
   void AddWorst(const check::Claim& claim);
 
   check::VerdictCounts Total() const;
-  // A row for each step, in the order of execution: the verdicts and the worst claim.
+  // A row for each step, in the order of execution: the verdicts and the worst claim; and how the
+  // single claims came out.
   std::string Text(const std::vector<std::string>& actions) const;
-  nlohmann::ordered_json ToJson() const;       // the counts of all certificates
+  nlohmann::ordered_json ToJson() const;  // the counts of all certificates
+  nlohmann::ordered_json ClaimsToJson() const;
   nlohmann::ordered_json WorstToJson() const;  // the worst claim of each step
 
  private:
   const plan::Plan& plan_;
   std::vector<check::VerdictCounts> counts_;  // by StepId
+  check::VerdictCounts claims_;
   std::map<plan::StepId, check::Claim> worst_;
 };
+
+nlohmann::ordered_json ToJson(const check::VerdictCounts& counts);
 
 // "y of peg +0.038 in [-0.025, +0.025] mm, gate 0.016".
 std::string Text(const check::Claim& claim);

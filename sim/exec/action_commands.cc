@@ -1,7 +1,6 @@
 #include "sim/exec/action_commands.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace assay::exec {
 std::vector<Command> StepCommands::InOrder() const {
@@ -17,16 +16,6 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
   return std::visit(
       [&](const auto& action) { return CommandsFor(problem, world, action, step.certificate); },
       step.action);
-}
-
-// Both preconditions are that what is uncertain stays within the guarded travel.
-double DoubtOfContact(const domain::WorkcellRules& rules, const plan::Certificate& certificate) {
-  std::optional<double> margin;
-  for (const plan::CertifiedPrecondition& claim : certificate.preconditions) {
-    if (claim.condition != "landing height" && claim.condition != "seat") continue;
-    margin = std::min(margin.value_or(claim.margin), claim.margin);
-  }
-  return rules.guarded_travel - std::max(0.0, margin.value_or(0));
 }
 
 Pose HomeTool(const domain::Workcell& workcell) {

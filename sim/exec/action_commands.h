@@ -43,10 +43,6 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Squeeze& squeeze, const plan::Certificate& certificate = {});
 
-// How far from where it is expected a guarded move may meet something, by what is certified of the
-// step (its preconditions "landing height" and "seat"); the guarded travel, if nothing is. Metres.
-double DoubtOfContact(const domain::WorkcellRules& rules, const plan::Certificate& certificate);
-
 // What a guarded move takes for resistance. Less than what the pads can hold against (twice
 // friction times grip force), more than what starting and stopping the hand exerts. Newtons.
 inline constexpr double kResistance = 15;

@@ -11,7 +11,7 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
   const Vector3 vector = X_WorldFixed.linear() * mating.mating_vector;
   const double travel = workcell.rules().guarded_travel;
   const Vector3 beyond = travel * vector.normalized();
-  const Pace pace = MatingPace(travel + DoubtOfContact(workcell.rules(), certificate));
+  const Pace pace = MatingPace(travel + plan::DoubtOfContact(certificate, travel));
   const Pose mated = X_WorldHeld * assemble.hold.X_PartTool;
   const Pose start = geometry::Translation(-vector) * mated;
   const Pose retreated = Retreated(workcell, mated);

@@ -27,6 +27,8 @@ inline constexpr Pace LandingPace(double length) {
 inline constexpr Pace MatingPace(double length) {
   return {.speed = 0.02, .final_speed = kContactSpeed, .final_length = length};
 }
+// A part that is to feel whether there is a rim below it.
+inline constexpr Pace kProbingPace = {.speed = 0.005, .final_speed = 0.005, .final_length = 10};
 // A part that is moved over the rim of a hole.
 inline constexpr Pace kGropingPace = {.speed = 0.02, .final_speed = 0.02, .final_length = 10};
 

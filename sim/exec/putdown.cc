@@ -11,7 +11,7 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel&,
   const Pose retreated = Retreated(workcell, placed);
   return {.approach = {MoveAtSafeHeight{AtSafeHeight(workcell, placed)}},
           .advance = {MoveStraight{
-              lowest, LandingPace(travel + DoubtOfContact(workcell.rules(), certificate)),
+              lowest, LandingPace(travel + plan::DoubtOfContact(certificate, travel)),
               Guard{kResistance}}},
           .depart = {OpenGripper{OpenGripper::Release{putdown.part, putdown.to.X_WorldPart}},
                      MoveStraight{retreated, kFingersPace},

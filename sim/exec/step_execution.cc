@@ -31,7 +31,9 @@ struct AxisOf {
   Vector3 operator()(const auto&) const { return Vector3::UnitZ(); }
 };
 
-constexpr double kBackOff = 0.004;  // metres
+// Metres from a rim: it is where it was felt, but the part may lean, and the rim not be level.
+constexpr double kBackOff = 0.0005;
+constexpr double kBeyondRim = 0.0003;
 constexpr double kCalmDown = 0.05;  // seconds for the arm to come to rest
 
 // Where the last move of the commands goes.
@@ -215,14 +217,25 @@ Progress StepExecution::Recover(std::string error) {
 }
 
 // A held part that stopped at the rim of a hole is lifted a little, moved sideways, and pushed on
-// from there: the way down to the rim is made once.
+// from there if it does not meet the rim again: the way down to the rim is made once.
 Progress StepExecution::TryAt(const Vector3& offset) {
   if (Progress failure = Withdraw()) return failure;
   execution_.world().Believe(sought_, geometry::Translation(offset) * X_WorldSought_);
   commands_ = CommandsFor(execution_.problem(), execution_.world(), planned_);
   if (Progress failure = MoveSideways()) return failure;
+  if (commands_.withdraw.empty()) {
+    if (Progress failure = Probe()) return failure;
+    if (execution_.trace().All<GuardRecord>().back()->resisted) return std::nullopt;
+  }
   if (Progress failure = Run(Phase::kAdvance)) return failure;
   return Run(Phase::kAct);
+}
+
+// Slowly, because each rim that is run into pushes the part up in the pads.
+Progress StepExecution::Probe() {
+  const Vector3 way = (kBackOff + kBeyondRim) * Direction();
+  const Pose beyond = geometry::Translation(way) * execution_.BelievedTool();
+  return RunAll({MoveStraight{beyond, kProbingPace, Guard{kResistance}}}, {});
 }
 
 Progress StepExecution::Withdraw() {

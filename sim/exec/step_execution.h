@@ -45,6 +45,7 @@ class StepExecution {
   Progress TryAt(const Vector3& offset);
   Progress Withdraw();
   Progress MoveSideways();
+  Progress Probe();
   Vector3 Direction() const;
 
   const plan::Plan& plan_;

@@ -27,17 +27,17 @@ Element CountTable(const Subject& subject) {
                    {"violated", "number"},
                    {"not claimed", "number"},
                    {"claims", "number"},
+                   {"claims contained", "number"},
                    {"claims violated", "number"}});
   for (const CellFindings& cell : subject.findings.cells) {
     if (!cell.attack) continue;
     const auto& [certificates, claims] = std::pair(cell.attack->certificates, cell.attack->claims);
-    table.AddRow(
-        {Words(subject.NameOf(cell)), Words(CountText(cell.attack->attempts)),
-         Words(CountText(certificates.contained)), Words(CountText(certificates.inconclusive)),
-         Words(CountText(certificates.violated)), Words(CountText(certificates.not_claimed)),
-         Words(CountText(claims.contained + claims.inconclusive + claims.violated +
-                         claims.not_claimed)),
-         Words(CountText(claims.violated))});
+    table.AddRow({Words(subject.NameOf(cell)), Words(CountText(cell.attack->attempts)),
+                  Words(CountText(certificates.contained)),
+                  Words(CountText(certificates.inconclusive)),
+                  Words(CountText(certificates.violated)),
+                  Words(CountText(certificates.not_claimed)), Words(CountText(claims.Total())),
+                  Words(CountText(claims.contained)), Words(CountText(claims.violated))});
   }
   return table.Take();
 }

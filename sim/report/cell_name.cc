@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <set>
 
 #include "sim/report/figures.h"
@@ -12,8 +13,17 @@
 namespace assay::report {
 namespace {
 
+// "spar-fig15" of "../spar-fig15.yaml".
+std::string ScenarioName(const sweep::CellRecord& cell) {
+  std::filesystem::path name;
+  for (const auto& piece : std::filesystem::path(cell.scenario).replace_extension()) {
+    if (piece != "..") name /= piece;
+  }
+  return name.string();
+}
+
 constexpr std::array kAxes = {
-    CellAxis{"scenario", [](const sweep::CellRecord& cell) { return cell.scenario; }},
+    CellAxis{"scenario", ScenarioName},
     CellAxis{"clearance",
              [](const sweep::CellRecord& cell) { return QuantityText(cell.clearance, "m"); }},
     CellAxis{"errors",

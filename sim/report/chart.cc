@@ -106,20 +106,6 @@ std::string RateWords(const CellFindings& cell) {
   return words;
 }
 
-int CountOf(ClaimVerdict verdict, const VerdictCounts& counts) {
-  switch (verdict) {
-    case ClaimVerdict::kContained:
-      return counts.contained;
-    case ClaimVerdict::kInconclusive:
-      return counts.inconclusive;
-    case ClaimVerdict::kViolated:
-      return counts.violated;
-    case ClaimVerdict::kNotClaimed:
-      return counts.not_claimed;
-  }
-  return 0;
-}
-
 constexpr double kErrorWidth = 300;
 constexpr double kErrorHeight = 40;
 constexpr double kMiddle = 12;  // y of the bars
@@ -268,17 +254,16 @@ Element RateAxis() {
 
 Element VerdictBar(const VerdictCounts& counts) {
   constexpr double kWidth = 120;
-  double sum = 0;
-  for (const ClaimVerdict verdict : kVerdicts) sum += CountOf(verdict, counts);
+  const auto sum = static_cast<double>(counts.Total());
   std::string words;
   for (const ClaimVerdict verdict : kVerdicts) {
-    words += fmt::format("{}{} {}", words.empty() ? "" : ", ", check::Name(verdict),
-                         CountOf(verdict, counts));
+    words +=
+        fmt::format("{}{} {}", words.empty() ? "" : ", ", check::Name(verdict), counts.Of(verdict));
   }
   Element svg = Drawing(kWidth, 12, words);
   double x = 0;
   for (const ClaimVerdict verdict : kVerdicts) {
-    const int count = CountOf(verdict, counts);
+    const auto count = static_cast<double>(counts.Of(verdict));
     if (count == 0) continue;
     // What there is can be seen, however little it is.
     const double width = std::clamp(kWidth * count / sum, 3.0, kWidth - x);

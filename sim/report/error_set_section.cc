@@ -32,7 +32,7 @@ Element Worst(const VerdictCounts& counts) {
                             std::pair(counts.inconclusive, ClaimVerdict::kInconclusive),
                             std::pair(counts.contained, ClaimVerdict::kContained),
                             std::pair(counts.not_claimed, ClaimVerdict::kNotClaimed)};
-  const int all = counts.violated + counts.inconclusive + counts.contained + counts.not_claimed;
+  const std::int64_t all = counts.Total();
   for (const auto& [count, verdict] : kinds) {
     if (count == 0) continue;
     Element words = VerdictWords(check::Name(verdict));

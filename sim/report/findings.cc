@@ -184,6 +184,12 @@ CellFindings ReadCell(const sweep::Store& store, sweep::CellSummary summary) {
 
 }  // namespace
 
+VerdictCounts StepFindings::ObservedClaims() const {
+  VerdictCounts sum;
+  for (const ClaimFindings& claim : claims) sum += claim.observed.verdicts;
+  return sum;
+}
+
 int Findings::trials() const {
   const auto found = facts.find("trials");
   return found == facts.end() ? done() : std::atoi(found->second.c_str());

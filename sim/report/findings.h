@@ -14,7 +14,7 @@
 namespace assay::report {
 
 using check::ClaimVerdict;
-using sweep::VerdictCounts;
+using check::VerdictCounts;
 
 // What the trials of a cell observed of one claim, in the trials in which its
 // step's certificate claimed anything; in the claim's unit.
@@ -23,7 +23,9 @@ struct Observed {
   VerdictCounts verdicts = {};  // of every observation, one that is not claimed included
 
   // Observations that the five numbers are of.
-  int claimed() const { return verdicts.contained + verdicts.inconclusive + verdicts.violated; }
+  std::int64_t claimed() const {
+    return verdicts.contained + verdicts.inconclusive + verdicts.violated;
+  }
 };
 
 struct ClaimFindings {
@@ -46,6 +48,8 @@ struct StepFindings {
   VerdictCounts counts;
   WorstVerdict worst;
   std::vector<ClaimFindings> claims;
+
+  VerdictCounts ObservedClaims() const;  // of all claims together
 };
 
 // What verifications and recoveries did in the trials of a cell.
@@ -79,11 +83,8 @@ struct Counterexample {
 };
 
 struct AttackFindings {
-  struct Counts {
-    std::int64_t contained = 0, inconclusive = 0, violated = 0, not_claimed = 0;
-  };
   std::int64_t attempts = 0;
-  Counts certificates = {}, claims = {};
+  VerdictCounts certificates = {}, claims = {};
   std::vector<AttackedClaim> worst = {};
   std::vector<Counterexample> counterexamples = {};
 };

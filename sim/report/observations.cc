@@ -18,23 +18,6 @@ double AsLength(double margin, std::string_view unit) {
   return unit == "rad" ? kArm * margin : margin;
 }
 
-void Count(ClaimVerdict verdict, VerdictCounts& counts) {
-  switch (verdict) {
-    case ClaimVerdict::kContained:
-      ++counts.contained;
-      return;
-    case ClaimVerdict::kInconclusive:
-      ++counts.inconclusive;
-      return;
-    case ClaimVerdict::kViolated:
-      ++counts.violated;
-      return;
-    case ClaimVerdict::kNotClaimed:
-      ++counts.not_claimed;
-      return;
-  }
-}
-
 // Of sorted values, linear between them.
 double Quantile(const std::vector<double>& values, double share) {
   const double place = share * static_cast<double>(values.size() - 1);
@@ -127,7 +110,7 @@ class StepReader {
 
   void Take(WorstVerdict verdict) {
     StepFindings& step = Step(verdict.verdict.step, verdict.verdict.action);
-    Count(VerdictNamed(verdict.verdict.verdict), step.counts);
+    step.counts.Add(VerdictNamed(verdict.verdict.verdict));
     if (step.worst.trial == 0 || IsWorse(verdict, step.worst)) step.worst = std::move(verdict);
   }
 
@@ -141,7 +124,7 @@ class StepReader {
     std::vector<double> values;
     while (rows.Next()) {
       const ClaimVerdict verdict = VerdictOn(claim, rows.Real(0), VerdictNamed(rows.Text(1)));
-      Count(verdict, observed.verdicts);
+      observed.verdicts.Add(verdict);
       if (verdict != ClaimVerdict::kNotClaimed) values.push_back(rows.Real(0));
     }
     Summarize(std::move(values), observed);

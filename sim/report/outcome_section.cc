@@ -72,7 +72,8 @@ Element CellTable(const Subject& subject) {
 // What the cells with one value of an axis came to.
 struct Group {
   std::string value;
-  int cells = 0, done = 0, succeeded = 0, violated = 0;
+  int cells = 0, done = 0, succeeded = 0;
+  std::int64_t violated = 0;
 };
 
 // In the order in which the values come first. Trials without noise count only

@@ -32,8 +32,7 @@ void Add(const CellFindings& cell, Tally& tally) {
   (cell.is_control() ? tally.control_done : tally.done) += cell.summary.done;
   (cell.is_control() ? tally.control_succeeded : tally.succeeded) += cell.summary.succeeded;
   const VerdictCounts& counts = cell.summary.certificates;
-  tally.certificates +=
-      counts.contained + counts.inconclusive + counts.violated + counts.not_claimed;
+  tally.certificates += counts.Total();
   tally.violated += counts.violated;
   tally.inconclusive += counts.inconclusive;
   tally.not_claimed += counts.not_claimed;

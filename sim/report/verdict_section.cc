@@ -27,18 +27,28 @@ Element WorstWords(const WorstVerdict& worst, const std::string& database) {
   return words;
 }
 
-// What there is, drawn and in numbers.
-Element CountWords(const VerdictCounts& counts) {
+std::string CountsText(const VerdictCounts& counts) {
   std::vector<std::string> words;
   for (const auto& [count, name] :
        {std::pair(counts.contained, "contained"), std::pair(counts.inconclusive, "inconclusive"),
         std::pair(counts.violated, "violated"), std::pair(counts.not_claimed, "not claimed")}) {
     if (count > 0) words.push_back(fmt::format("{} {}", CountText(count), name));
   }
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+// What there is, drawn and in numbers.
+Element CountWords(const StepFindings& step) {
   Element contents("div");
-  contents.Add(VerdictBar(counts));
+  contents.Add(VerdictBar(step.counts));
   contents.Add("br");
-  contents.Text(fmt::format("{}", fmt::join(words, ", ")));
+  contents.Text(CountsText(step.counts));
+  const VerdictCounts claims = step.ObservedClaims();
+  if (claims.Total() == 0) return contents;
+  contents.Add("br");
+  contents
+      .Add("span", fmt::format("of {}: {}", CountText(claims.Total(), "claim"), CountsText(claims)))
+      .Set("class", "note");
   return contents;
 }
 
@@ -46,7 +56,7 @@ void AddRow(DataTable& table, const Findings& findings, const StepFindings& step
   const WorstVerdict& worst = step.worst;
   const sweep::VerdictRecord& verdict = worst.verdict;
   if (worst.trial == 0) return;
-  table.AddRow({StepWords(step), CountWords(step.counts), WorstWords(worst, findings.database),
+  table.AddRow({StepWords(step), CountWords(step), WorstWords(worst, findings.database),
                 Words(QuantityText(verdict.observed, worst.unit)),
                 Words(IntervalText({verdict.low, verdict.high}, worst.unit)),
                 Words(QuantityText(verdict.margin, worst.unit)),
@@ -76,7 +86,9 @@ Element Verdicts(const Subject& subject) {
     return section;
   }
   section.Add("p",
-              "A step's certificate comes out as its worst claim. The margin is the distance to "
+              "A step's certificate comes out as its worst claim: one that predicts less than the "
+              "engine resolves makes it inconclusive, however well the others do. The margin is "
+              "the distance to "
               "the nearer end of what was predicted, negative outside; the gate is what the engine "
               "cannot tell from nothing.");
   for (const CellFindings* cell : subject.in_full) section.Add(CellTable(subject, *cell));

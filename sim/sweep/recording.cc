@@ -53,28 +53,6 @@ VerdictRecord RecordOf(const plan::PlannedStep& step, const check::CertificateVe
           .gate = worst.gate};
 }
 
-void Count(check::ClaimVerdict verdict, VerdictCounts& counts) {
-  switch (verdict) {
-    case check::ClaimVerdict::kContained:
-      ++counts.contained;
-      return;
-    case check::ClaimVerdict::kInconclusive:
-      ++counts.inconclusive;
-      return;
-    case check::ClaimVerdict::kViolated:
-      ++counts.violated;
-      return;
-    case check::ClaimVerdict::kNotClaimed:
-      ++counts.not_claimed;
-      return;
-  }
-}
-
-VerdictCounts Counted(const check::VerdictCounts& counts) {
-  return {static_cast<int>(counts.contained), static_cast<int>(counts.inconclusive),
-          static_cast<int>(counts.violated), static_cast<int>(counts.not_claimed)};
-}
-
 WorstClaimRecord RecordOf(const plan::Plan& plan, const check::WorstClaim& worst) {
   const check::Claim& claim = worst.claim;
   const plan::PlannedStep& step = plan.step(claim.step);
@@ -119,11 +97,10 @@ CounterexampleRecord RecordOf(const plan::Plan& plan, const check::Counterexampl
 
 AttackRecord RecordOf(const plan::Plan& plan, const Attacked& attacked) {
   const check::AttackResult& result = attacked.result;
-  check::VerdictCounts certificates;
-  for (const check::VerdictCounts& counts : result.certificates) certificates += counts;
-  AttackRecord record{.attempts = result.attempts,
-                      .certificates = Counted(certificates),
-                      .claims = Counted(result.claims)};
+  VerdictCounts certificates;
+  for (const VerdictCounts& counts : result.certificates) certificates += counts;
+  AttackRecord record{
+      .attempts = result.attempts, .certificates = certificates, .claims = result.claims};
   for (const check::WorstClaim& worst : result.worst) record.worst.push_back(RecordOf(plan, worst));
   for (const check::Counterexample& example : result.counterexamples) {
     record.counterexamples.push_back(RecordOf(plan, example, attacked));
@@ -177,7 +154,7 @@ TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
   }
   for (const check::CertificateVerdict& verdict : check::ByStep(trial.claims)) {
     timed.record.verdicts.push_back(RecordOf(plan.step(verdict.step), verdict));
-    Count(verdict.verdict, timed.record.counts);
+    timed.record.counts.Add(verdict.verdict);
   }
   // As a database has them.
   std::ranges::sort(timed.record.observations, {}, &ObservationRecord::claim);

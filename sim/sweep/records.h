@@ -10,6 +10,8 @@
 
 namespace assay::sweep {
 
+using check::VerdictCounts;
+
 // Rows of the database. Apart from the seconds, they depend on nothing but the sweep file, the
 // files that it names and the program's version.
 
@@ -65,13 +67,6 @@ struct ObservationRecord {
   double observed = 0;
 
   bool operator==(const ObservationRecord&) const = default;
-};
-
-// How many certificates of a trial came out how.
-struct VerdictCounts {
-  int contained = 0, inconclusive = 0, violated = 0, not_claimed = 0;
-
-  bool operator==(const VerdictCounts&) const = default;
 };
 
 // One trial: a row of table `trial`, with its verdicts and observations. A whole attack is one,

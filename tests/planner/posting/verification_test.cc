@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "tests/planner/posting/scenarios.h"
 
@@ -20,9 +21,19 @@ constexpr double kRounding = 1e-12;  // metres
 
 class Verification : public ::testing::Test {
  protected:
-  plan::Plan After(const plan::Action& action) const {
+  // `doubt`: how far from where it is expected the step may meet something, metres.
+  plan::Plan After(const plan::Action& action, double doubt = 0) const {
+    const double travel = problem_.workcell->rules().guarded_travel;
+    plan::Certificate certificate;
+    certificate.preconditions = {{.condition = "seat",
+                                  .meaning = {},
+                                  .expression = {},
+                                  .limit = travel,
+                                  .bound = doubt,
+                                  .margin = travel - doubt,
+                                  .rung = {}}};
     plan::Plan plan;
-    AddVerification(problem_, kStep, action, plan);
+    AddVerification(problem_, kStep, action, certificate, plan);
     return plan;
   }
 
@@ -94,6 +105,30 @@ TEST_F(Verification, OfAnAssemblyReadsWhereItEnded) {
                                      assemble.hold.X_PartTool;
   EXPECT_NEAR(plan.verifications[0].expected, X_WorldTool.translation().z(), kRounding);
   EXPECT_THAT(ErrorsOf(plan), ElementsAre("error3", "error4"));
+}
+
+// Where the block's height is uncertain, so is where the peg comes to sit in it: that is no error.
+TEST_F(Verification, AHeightMayBeAsFarOffAsItsCertificateSays) {
+  const auto& assemble = First<plan::Assemble>();
+  const double sure = After(assemble).verifications[0].tolerance;
+  EXPECT_NEAR(After(assemble, 0.0028).verifications[0].tolerance, sure + 0.0028, kRounding);
+  const auto& pickup = First<plan::Pickup>();
+  EXPECT_EQ(After(pickup, 0.0028).verifications[0].tolerance,
+            After(pickup).verifications[0].tolerance)
+      << "an opening is no height";
+}
+
+// A peg falls into its hole where both coordinates across are within the clearance. However the
+// hole is turned, one of the places of a search must be so near.
+TEST_F(Verification, ASearchIsFineEnoughForTheClearance) {
+  const auto& assemble = First<plan::Assemble>();
+  const plan::Plan plan = After(assemble);
+  const plan::Recovery& search = plan.recoveries[1];
+  ASSERT_EQ(search.strategy, RecoveryStrategy::kGropingSearch);
+  const double clearance = problem_.part(problem_.mating(assemble.mating).fixed).model->clearance();
+  ASSERT_GT(clearance, 0);
+  EXPECT_LT(search.pitch / 2 * std::numbers::sqrt2, clearance);
+  EXPECT_GT(search.pitch, clearance) << "finer than that is waste";
 }
 
 TEST_F(Verification, NothingChecksWhatIsInsertedOnlyWhereItIsProved) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <sstream>
 
 #include "tests/sim/cli/program.h"
@@ -8,6 +9,7 @@
 namespace assay::cli {
 namespace {
 
+using ::testing::ContainsRegex;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -68,6 +70,26 @@ TEST(Run, ScatteredTrialsDependOnTheirNumberAlone) {
   const auto second = scatter("second", {"--trial", "2"});
   ASSERT_EQ(second["rows"].size(), 1u);
   EXPECT_EQ(second["rows"][0], both["rows"][1]);
+}
+
+// What was drawn for a trial, and what it did.
+TEST(Run, ASingleTrialUnderNoiseHasALedger) {
+  const Folder folder;
+  const Ended ended = Assay({"run", kTwoActions, "--errors", "dx_peg=4e-5 theta_hand@action_2=1e-4",
+                             "-o", folder / "out"});
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  EXPECT_THAT(ended.out, HasSubstr("drawn  applied  measured"));
+  EXPECT_THAT(ended.out, ContainsRegex("dx_peg +mm +[+]0.0400 +[+]0.0400 +[+]0.0"));
+  EXPECT_THAT(ended.out, ContainsRegex("theta_hand@action_2 +deg +[+]0.0057 +[+]0.0057 +[+]0.0"));
+  const nlohmann::json result = JsonOf(folder / "out/result.json");
+  std::map<std::string, nlohmann::json> ledger;
+  for (const nlohmann::json& entry : result["ledger"]) ledger[entry["name"]] = entry;
+  EXPECT_EQ(ledger.size(), 16u);  // four of each part and of each hand
+  EXPECT_EQ(ledger["theta_hand@action_2"]["unit"], "rad");
+  EXPECT_EQ(ledger["theta_hand@action_2"]["drawn"], 1e-4);
+  EXPECT_NEAR(ledger["theta_hand@action_2"]["measured"], 1e-4, 1e-5);
+  EXPECT_NEAR(ledger["dx_peg"]["measured"], 4e-5, 3e-6);
+  EXPECT_NEAR(ledger["dy_peg"]["measured"], 0, 3e-6);
 }
 
 TEST(Run, WhatHasNoPlanIsNotExecuted) {

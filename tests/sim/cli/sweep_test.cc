@@ -77,6 +77,7 @@ TEST_F(SweepVerb, RunsGoesOnAndReplays) {
   const nlohmann::json replayed = Replayed("a.sqlite", "2");
   EXPECT_EQ(replayed["equal"], true) << replayed["differences"];
   EXPECT_EQ(replayed["stored"], replayed["again"]);
+  EXPECT_EQ(replayed["ledger"].size(), 16u);  // four errors of each part and of each hand
   EXPECT_TRUE(std::filesystem::exists(folder_ / "pictures/contact-sheet.png"));
   EXPECT_EQ(Assay(WithModels({"replay", folder_ / "a.sqlite", "3"})).code, 2);
 

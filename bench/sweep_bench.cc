@@ -1,0 +1,453 @@
+// How much of the engine's speed a sweep keeps, and what a second thread adds.
+//
+// The same trials are done by a sweep on one thread, by a bare loop of mj_step, right after each
+// trial of the sweep, whose time is taken out, and by a sweep on two threads; all this in several
+// rounds, of which medians are told. So a loaded machine bends the seconds more than the ratios.
+//
+// Why the loop is a fair peer: a step costs what the engine's contacts ask for, which differs by a
+// factor between a hand on its way and a peg in its hole, so that the loop must see the same
+// contacts. All steps of the very executions are recorded once: the state before each, controls and
+// timestep. The loop writes them back and calls mj_step, nothing else; checked that it meets as
+// many contacts, and that the solver makes as many iterations. The check behind the engine's
+// collision of boxes belongs to both. Everything else is left to the sweep: compiling scenes,
+// letting the parts settle, drawing noise, servos, trajectories, sensing, claims, the database.
+// Settling is made of steps, too, but those are not counted.
+//
+// Trials differ in length, and when none is left to begin, one thread waits for the other. With a
+// thousand trials that is nothing, with a few it is much: two threads are judged by the time while
+// both work, and the rest is told beside it.
+//
+// CPU time is that of the whole process. On a loaded machine two threads cannot be twice as fast in
+// wall time; two times the ratio in CPU time is then what to expect of two free cores.
+
+#include <fmt/format.h>
+#include <mujoco/mujoco.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/base/check.h"
+#include "sim/exec/executor.h"
+#include "sim/sweep/machine.h"
+#include "sim/sweep/runner.h"
+
+namespace assay {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  std::string scenario = "spar-fig15";
+  double error_scale = 1;
+  int trials = 8;  // each is kept in memory: 100 MB
+  int rounds = 3;
+};
+
+// ---- time
+
+struct Seconds {
+  double wall = 0;
+  double cpu = 0;
+
+  Seconds operator-(const Seconds& other) const { return {wall - other.wall, cpu - other.cpu}; }
+  Seconds& operator+=(const Seconds& other) {
+    wall += other.wall;
+    cpu += other.cpu;
+    return *this;
+  }
+};
+
+Seconds Now() {
+  timespec cpu = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &cpu);
+  const auto wall = std::chrono::steady_clock::now().time_since_epoch();
+  return {std::chrono::duration<double>(wall).count(),
+          static_cast<double>(cpu.tv_sec) + 1e-9 * static_cast<double>(cpu.tv_nsec)};
+}
+
+Seconds Since(const Seconds& start) { return Now() - start; }
+
+// ---- recording
+
+// What a step costs the engine.
+struct Load {
+  std::int64_t steps = 0, contacts = 0, iterations = 0;
+
+  void Add(const Load& other) {
+    steps += other.steps;
+    contacts += other.contacts;
+    iterations += other.iterations;
+  }
+  bool operator==(const Load&) const = default;
+};
+
+using ModelCopy = std::unique_ptr<mjModel, void (*)(mjModel*)>;
+
+// All steps of an execution.
+struct Recording {
+  // Sizes of qpos, qvel and ctrl.
+  std::size_t nq = 0, nv = 0, nu = 0;
+  ModelCopy model = {nullptr, mj_deleteModel};
+  // Of each step, one after another: timestep, ctrl, qfrc_applied; qpos, qvel, qacc_warmstart.
+  std::vector<double> numbers = {};
+  // Tables are raised during a trial: the places of geoms from a step on.
+  struct Raised {
+    std::int64_t from = 0;
+    std::vector<double> geom_pos;
+  };
+  std::vector<Raised> raised = {};
+  Load load = {};
+};
+
+// Records the steps of a simulation while it lives, one at a time. The engine calls mjcb_control at
+// the end of mj_step1, which ends each of our steps: then the controls of the step are still there,
+// and the state is the one before the next step.
+class Recorder {
+ public:
+  explicit Recorder(const mujoco::Data& data) {
+    const mjModel& m = *data.own_model();
+    recording_ = {.nq = static_cast<std::size_t>(m.nq),
+                  .nv = static_cast<std::size_t>(m.nv),
+                  .nu = static_cast<std::size_t>(m.nu),
+                  .model = {mj_copyModel(nullptr, &m), mj_deleteModel}};
+    geom_pos_.assign(m.geom_pos, m.geom_pos + 3 * m.ngeom);
+    KeepState(*data.get());
+    ASSAY_CHECK(current == nullptr);
+    current = this;
+    mjcb_control = [](const mjModel* model, mjData* now) { current->See(*model, *now); };
+  }
+  ~Recorder() {
+    mjcb_control = nullptr;
+    current = nullptr;
+  }
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+
+  Recording Take() { return std::move(recording_); }
+
+ private:
+  void See(const mjModel& m, const mjData& d) {
+    if (d.time > time_) {
+      AddStep(m, d);
+    } else if (!std::equal(geom_pos_.begin(), geom_pos_.end(), m.geom_pos)) {
+      geom_pos_.assign(m.geom_pos, m.geom_pos + 3 * m.ngeom);
+      recording_.raised.push_back({recording_.load.steps, geom_pos_});
+    }
+    KeepState(d);
+  }
+
+  void AddStep(const mjModel& m, const mjData& d) {
+    std::vector<double>& numbers = recording_.numbers;
+    numbers.push_back(m.opt.timestep);
+    numbers.insert(numbers.end(), d.ctrl, d.ctrl + recording_.nu);
+    numbers.insert(numbers.end(), d.qfrc_applied, d.qfrc_applied + recording_.nv);
+    numbers.insert(numbers.end(), state_.begin(), state_.end());
+    recording_.load.Add({1, contacts_, d.solver_iter});
+  }
+
+  void KeepState(const mjData& d) {
+    time_ = d.time;
+    contacts_ = d.ncon;
+    state_.assign(d.qpos, d.qpos + recording_.nq);
+    state_.insert(state_.end(), d.qvel, d.qvel + recording_.nv);
+    state_.insert(state_.end(), d.qacc_warmstart, d.qacc_warmstart + recording_.nv);
+  }
+
+  static Recorder* current;
+
+  Recording recording_;
+  double time_ = 0;
+  std::int64_t contacts_ = 0;
+  std::vector<double> state_, geom_pos_;
+};
+
+Recorder* Recorder::current = nullptr;
+
+Recording Record(const sweep::PlannedCell& cell, int number) {
+  const noise::Noise noise = sweep::NoiseOf(cell, number);
+  const scenario::Scenario& scenario = cell.preparation->scenario;
+  const scene::Scene scene(scenario.problem, exec::TrueScene(scenario.simulation.scene, noise));
+  mujoco::Data data = exec::StartOf(scenario.problem, scene, noise);
+  exec::ExecutorOptions options;
+  options.sample_rate = 0;
+  options.noise = noise;
+  Recorder recorder(data);
+  const exec::Trace trace =
+      exec::Execute(scenario.problem, cell.preparation->plan, scene, data, options);
+  Recording recording = recorder.Take();
+  ASSAY_CHECK(recording.load.steps == trace.end().steps);
+  return recording;
+}
+
+std::vector<Recording> RecordAll(const sweep::Sweep& sweep) {
+  const sweep::PlannedCell cell = sweep::RealWork(sweep, {}).plan(sweep::Cells(sweep).front());
+  ASSAY_CHECK(cell.preparation != nullptr, "no plan");
+  std::vector<Recording> recordings;
+  for (int number = 1; number <= sweep.trials; ++number) {
+    recordings.push_back(Record(cell, number));
+  }
+  return recordings;
+}
+
+// ---- the bare loop
+
+struct Pace {
+  double steps = 0;
+  Seconds taken = {};
+
+  Pace& operator+=(const Pace& other) {
+    steps += other.steps;
+    taken += other.taken;
+    return *this;
+  }
+};
+
+const double* Write(const double* from, std::size_t count, mjtNum* to) {
+  std::copy(from, from + count, to);
+  return from + count;
+}
+
+Load Steps(const Recording& recording, mjModel* m, mjData* d) {
+  Load load;
+  const double* next = recording.numbers.data();
+  auto raised = recording.raised.begin();
+  while (load.steps < recording.load.steps) {
+    for (; raised != recording.raised.end() && raised->from == load.steps; ++raised) {
+      std::ranges::copy(raised->geom_pos, m->geom_pos);
+    }
+    next = Write(next, 1, &m->opt.timestep);
+    next = Write(next, recording.nu, d->ctrl);
+    next = Write(next, recording.nv, d->qfrc_applied);
+    next = Write(next, recording.nq, d->qpos);
+    next = Write(next, recording.nv, d->qvel);
+    next = Write(next, recording.nv, d->qacc_warmstart);
+    mj_step(m, d);
+    load.Add({1, d->ncon, d->solver_iter});
+  }
+  return load;
+}
+
+// Checked that it does what the execution did.
+Pace BareLoop(const Recording& recording) {
+  const ModelCopy model(mj_copyModel(nullptr, recording.model.get()), mj_deleteModel);
+  const std::unique_ptr<mjData, void (*)(mjData*)> data(mj_makeData(model.get()), mj_deleteData);
+  const Seconds start = Now();
+  const Load load = Steps(recording, model.get(), data.get());
+  const Seconds taken = Since(start);
+  ASSAY_CHECK(load == recording.load);
+  return {static_cast<double>(load.steps), taken};
+}
+
+// ---- the sweep
+
+sweep::Sweep TheSweep(const Options& options) {
+  return {.file = fs::path(ASSAY_SOURCE_DIR) / "scenarios" / "bench.yaml",
+          .text = "",
+          .scenarios = {options.scenario + ".yaml"},
+          .error_scales = {options.error_scale},
+          .noises = {sweep::NoiseKind::kUniform},
+          .seeds = {1},
+          .trials = options.trials};
+}
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder()
+      : path_(fs::temp_directory_path() / fmt::format("assay-sweep-bench-{}", getpid())) {
+    fs::create_directories(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  fs::path File(const std::string& name) const { return path_ / name; }
+
+ private:
+  fs::path path_;
+};
+
+// Is told the number of a trial; what it does is no part of the sweep.
+using Aside = std::function<void(int)>;
+
+// Notes when the trials of a sweep begin and end, and calls the aside after each.
+class Watch {
+ public:
+  Watch(sweep::Work& work, const Aside& aside) {
+    work.run = [this, run = work.run, &aside](const sweep::PlannedCell& cell, int number) {
+      Trial trial{.began = Now()};
+      sweep::TimedTrial timed = run(cell, number);
+      trial.ended = Now();
+      trial.steps = static_cast<double>(timed.record.steps);
+      const std::lock_guard lock(mutex_);
+      trials_.push_back(trial);
+      if (aside) aside(number);
+      aside_ += Since(trial.ended);
+      return timed;
+    };
+  }
+
+  const Seconds& aside() const { return aside_; }
+
+  // Without an aside. Until a thread found no trial to begin. Then each of the other ones was in
+  // its last trial, of which the share is counted that it had done by the time.
+  Pace WhileAllWorked(int threads) const {
+    const Seconds until = trials_.at(trials_.size() - static_cast<std::size_t>(threads)).ended;
+    Pace pace;
+    for (const Trial& trial : trials_) {
+      const Seconds so_far = until - trial.began;
+      if (so_far.wall > pace.taken.wall) pace.taken = so_far;
+      const double share = so_far.wall / (trial.ended.wall - trial.began.wall);
+      pace.steps += std::min(1.0, share) * trial.steps;
+    }
+    return pace;
+  }
+
+ private:
+  struct Trial {
+    Seconds began = {}, ended = {};
+    double steps = 0;
+  };
+
+  std::mutex mutex_;
+  std::vector<Trial> trials_;  // in the order of their ends
+  Seconds aside_;
+};
+
+struct SweepTurn {
+  Pace while_all_worked, trials, whole;
+};
+
+// The trials' time has all that is done for each of them, the database included. A whole sweep
+// reads, plans and measures the honesty gate before, once for a cell, however many trials it has.
+SweepTurn RunSweep(const sweep::Sweep& sweep, int threads, const Aside& aside) {
+  const TemporaryFolder folder;
+  sweep::Work work = sweep::RealWork(sweep, {});
+  const Watch watch(work, aside);
+  std::optional<Seconds> trials_began;
+  const auto tell = [&](const sweep::Advance& advance) {
+    if (advance.trials > 0 && !trials_began) trials_began = Now();
+  };
+  const Seconds start = Now();
+  sweep::Store store =
+      sweep::Store::Create(folder.File("bench.sqlite"), sweep::FactsOf(sweep, "bench"));
+  store.Add(sweep::ThisRun("bench", "1/1", threads));
+  const sweep::RunEnd end = sweep::RunSweep(sweep, work, store, {.jobs = threads, .tell = tell});
+  const Seconds trials = Since(trials_began.value()) - watch.aside();
+  store.Finish(end.throughput);
+  store.Close();
+  const Seconds whole = Since(start) - watch.aside();
+  ASSAY_CHECK(end.done == sweep.trials);
+  const auto steps = static_cast<double>(end.throughput.steps);
+  return {watch.WhileAllWorked(threads), {steps, trials}, {steps, whole}};
+}
+
+// ---- the table
+
+double Median(std::vector<double> values) {
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::ranges::nth_element(values, middle);
+  if (values.size() % 2 == 1) return *middle;
+  return (*std::max_element(values.begin(), middle) + *middle) / 2;
+}
+
+using Clock = double Seconds::*;
+
+// One pace of each round; the ratios are to the peer's of the same round.
+std::string Columns(const std::vector<Pace>& paces, const std::vector<Pace>& peers, Clock clock) {
+  const auto rate = [&](const Pace& pace) { return pace.steps / (pace.taken.*clock); };
+  std::vector<double> seconds, rates, ratios;
+  for (std::size_t i = 0; i < paces.size(); ++i) {
+    seconds.push_back(paces[i].taken.*clock);
+    rates.push_back(rate(paces[i]));
+    ratios.push_back(rate(paces[i]) / rate(peers[i]));
+  }
+  return fmt::format("{:9.2f} {:9.0f} {:7.3f}", Median(seconds), Median(rates), Median(ratios));
+}
+
+void PrintRow(const std::string& name, const std::vector<Pace>& paces,
+              const std::vector<Pace>& peers) {
+  std::vector<double> steps;
+  for (const Pace& pace : paces) steps.push_back(pace.steps);
+  fmt::print("{:<34}{:9.0f}  {}  {}\n", name, Median(steps), Columns(paces, peers, &Seconds::wall),
+             Columns(paces, peers, &Seconds::cpu));
+}
+
+std::vector<Pace> Of(Pace SweepTurn::*part, const std::vector<SweepTurn>& turns) {
+  std::vector<Pace> paces;
+  for (const SweepTurn& turn : turns) paces.push_back(turn.*part);
+  return paces;
+}
+
+struct Rounds {
+  std::vector<Pace> bare;
+  std::vector<SweepTurn> one_thread, two_threads;
+};
+
+void Print(const Rounds& rounds) {
+  const std::vector<Pace> one_thread = Of(&SweepTurn::trials, rounds.one_thread);
+  fmt::print("{:<34}{:>9}  {:>9} {:>9} {:>7}  {:>9} {:>9} {:>7}\n", "", "steps", "wall s",
+             "steps/s", "ratio", "CPU s", "steps/s", "ratio");
+  PrintRow("bare mj_step", rounds.bare, rounds.bare);
+  fmt::print("ratios to the bare loop\n");
+  PrintRow("  1 thread, trials", one_thread, rounds.bare);
+  PrintRow("  1 thread, whole sweep", Of(&SweepTurn::whole, rounds.one_thread), rounds.bare);
+  fmt::print("ratios to the trials on 1 thread\n");
+  PrintRow("  2 threads, while both worked", Of(&SweepTurn::while_all_worked, rounds.two_threads),
+           one_thread);
+  PrintRow("  2 threads, trials", Of(&SweepTurn::trials, rounds.two_threads), one_thread);
+  PrintRow("  2 threads, whole sweep", Of(&SweepTurn::whole, rounds.two_threads), one_thread);
+}
+
+void PrintLoad(const std::vector<Recording>& recordings) {
+  Load load;
+  for (const Recording& recording : recordings) load.Add(recording.load);
+  const auto steps = static_cast<double>(load.steps);
+  fmt::print("{} steps, {:.3f} contacts and {:.3f} iterations of the solver in each\n", load.steps,
+             static_cast<double>(load.contacts) / steps,
+             static_cast<double>(load.iterations) / steps);
+}
+
+void Measure(const Options& options) {
+  const sweep::Sweep sweep = TheSweep(options);
+  const std::vector<Recording> recordings = RecordAll(sweep);
+  fmt::print("{}, {} trials under uniform noise, medians of {} rounds\n", options.scenario,
+             options.trials, options.rounds);
+  PrintLoad(recordings);
+  Rounds rounds;
+  for (int round = 0; round < options.rounds; ++round) {
+    Pace& bare = rounds.bare.emplace_back();
+    const auto do_again = [&](int number) { bare += BareLoop(recordings[number - 1]); };
+    rounds.one_thread.push_back(RunSweep(sweep, 1, do_again));
+    rounds.two_threads.push_back(RunSweep(sweep, 2, {}));
+    ASSAY_CHECK(rounds.one_thread.back().trials.steps == rounds.bare.back().steps);
+    ASSAY_CHECK(rounds.two_threads.back().trials.steps == rounds.bare.back().steps);
+  }
+  Print(rounds);
+}
+
+}  // namespace
+}  // namespace assay
+
+int main(int argc, char** argv) {
+  assay::Options options;
+  CLI::App app("steps per second of sweeps and of a bare mj_step loop");
+  app.add_option("--scenario", options.scenario, "in scenarios/")->capture_default_str();
+  app.add_option("--error-scale", options.error_scale)->capture_default_str();
+  app.add_option("--trials", options.trials)->check(CLI::Range(2, 1'000))->capture_default_str();
+  app.add_option("--rounds", options.rounds)->check(CLI::Range(1, 1'000))->capture_default_str();
+  CLI11_PARSE(app, argc, argv);
+  assay::Measure(options);
+}
