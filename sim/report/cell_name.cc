@@ -15,8 +15,9 @@ namespace {
 
 // "spar-fig15" of "../spar-fig15.yaml".
 std::string ScenarioName(const sweep::CellRecord& cell) {
+  const std::filesystem::path file(cell.scenario);
   std::filesystem::path name;
-  for (const auto& piece : std::filesystem::path(cell.scenario).replace_extension()) {
+  for (const auto& piece : file.parent_path() / file.stem()) {
     if (piece != "..") name /= piece;
   }
   return name.string();

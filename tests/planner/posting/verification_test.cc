@@ -162,8 +162,8 @@ TEST_F(Verification, EveryTemplateOfTheWorkcellIsUsed) {
 
 TEST_F(Verification, TwoStepsHaveRecoveriesOfTheirOwn) {
   plan::Plan plan;
-  AddVerification(problem_, plan::StepId(0), First<plan::Pickup>(), plan);
-  AddVerification(problem_, plan::StepId(1), First<plan::Pickup>(), plan);
+  AddVerification(problem_, plan::StepId(0), First<plan::Pickup>(), {}, plan);
+  AddVerification(problem_, plan::StepId(1), First<plan::Pickup>(), {}, plan);
   EXPECT_THAT(ErrorsOf(plan), ElementsAre("error1", "error2", "error1", "error2"));
   EXPECT_EQ(plan.recoveries[2].step, plan::StepId(1));
 }
