@@ -1,0 +1,95 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "planner/finemotion/polyhedron.h"
+
+namespace assay::finemotion {
+
+// A convex polyhedron from its corners and its faces' outlines (indices of corners,
+// counter-clockwise seen from outside).
+inline Polyhedron FromOutlines(const std::vector<Vector3>& corners,
+                               const std::vector<std::vector<int>>& outlines) {
+  Polyhedron shape;
+  std::map<std::pair<int, int>, int> face_left_of;
+  for (const std::vector<int>& outline : outlines) {
+    OuterFace face;
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+      face.region.resize(1);
+      face.region[0].push_back(corners[static_cast<std::size_t>(outline[i])]);
+      face_left_of[{outline[i], outline[(i + 1) % outline.size()]}] =
+          static_cast<int>(shape.faces.size());
+    }
+    const std::vector<Vector3>& polygon = face.region[0];
+    face.normal = (polygon[1] - polygon[0]).cross(polygon[2] - polygon[0]).normalized();
+    face.height = face.normal.dot(polygon[0]);
+    shape.faces.push_back(face);
+  }
+  for (const Vector3& corner : corners) shape.vertices.push_back({corner, {}});
+  for (const auto& [ends, face] : face_left_of) {
+    const auto start = static_cast<std::size_t>(ends.first);
+    const auto end = static_cast<std::size_t>(ends.second);
+    if (start > end) continue;
+    const int index = static_cast<int>(shape.edges.size());
+    shape.edges.push_back(
+        {corners[start], corners[end], {face, face_left_of.at({ends.second, ends.first})}});
+    shape.vertices[start].edges.push_back(index);
+    shape.vertices[end].edges.push_back(index);
+  }
+  return shape;
+}
+
+// Faces in the order -x, +x, -y, +y, -z, +z; corner i has high x, y, z where its bits 1, 2, 4 are.
+inline Polyhedron BoxShape(const Vector3& low, const Vector3& high) {
+  std::vector<Vector3> corners;
+  for (int i = 0; i < 8; ++i) {
+    corners.emplace_back((i & 1) != 0 ? high.x() : low.x(), (i & 2) != 0 ? high.y() : low.y(),
+                         (i & 4) != 0 ? high.z() : low.z());
+  }
+  return FromOutlines(
+      corners,
+      {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}});
+}
+
+inline Polyhedron CubeShape(double half) {
+  return BoxShape(Vector3::Constant(-half), Vector3::Constant(half));
+}
+
+// The part of a block near a square hole through it, |x| and |y| < half, -depth < z < 0: its top
+// (face 0, out to |x| and |y| = outer), the walls (1 to 4) and the rim's edges (0 to 3) at +x, +y,
+// -x, -y. The hole has no convex corner.
+inline Polyhedron SquareHoleShape(double half, double outer, double depth) {
+  Polyhedron shape;
+  OuterFace top{Vector3::UnitZ(), 0, {}};
+  for (const double side : {1.0, -1.0}) {
+    const double in = side * half;
+    const double out = side * outer;
+    top.region.push_back({{in, -side * outer, 0},
+                          {out, -side * outer, 0},
+                          {out, side * outer, 0},
+                          {in, side * outer, 0}});
+    top.region.push_back({{half, in, 0}, {half, out, 0}, {-half, out, 0}, {-half, in, 0}});
+  }
+  for (std::vector<Vector3>& outline : top.region) {  // counter-clockwise from above
+    if ((outline[1] - outline[0]).cross(outline[2] - outline[1]).z() < 0) {
+      outline = {outline[3], outline[2], outline[1], outline[0]};
+    }
+  }
+  shape.faces.push_back(top);
+  Vector3 outward = Vector3::UnitX();
+  Vector3 along = Vector3::UnitY();
+  for (int wall = 1; wall <= 4; ++wall) {
+    const Vector3 start = half * (outward - along);
+    const Vector3 end = half * (outward + along);
+    const Vector3 down(0, 0, -depth);
+    shape.faces.push_back({-outward, -half, {{end, end + down, start + down, start}}});
+    shape.edges.push_back({start, end, {0, wall}});
+    outward = std::exchange(along, -outward);
+  }
+  return shape;
+}
+
+}  // namespace assay::finemotion
