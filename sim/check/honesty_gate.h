@@ -29,7 +29,8 @@ struct StepGate {
   double penetration = 0;   // metres, the deepest contact
   double force_ripple = 0;  // newtons, spread of the wrist's force while nothing moves
 
-  // All that adds up for a claim; offsets count twice, because noise may change them. Of a precondition: what adds up for the poses that it speaks of.
+  // All that adds up for a claim; offsets count twice, because noise may change them. Of a
+  // precondition: what adds up for the poses that it speaks of.
   double For(const Claim& claim) const;
 };
 

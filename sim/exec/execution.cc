@@ -107,7 +107,8 @@ Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
   double rate = 1;  // of the trajectory's time
   while (time < trajectory.duration() && rate > 0) {
     SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
-    if (rate < 1 || resistance >= guarded.force) rate = std::max(0.0, rate - data_.timestep() / kBrakeTime);
+    if (rate < 1 || resistance >= guarded.force)
+      rate = std::max(0.0, rate - data_.timestep() / kBrakeTime);
     time += rate * data_.timestep();
     const JointState along = trajectory.At(time);
     if (Progress failure = StepTo({along.q, rate * along.qd})) return failure;

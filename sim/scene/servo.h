@@ -4,6 +4,7 @@
 
 namespace assay::scene {
 
+// Where the joints are to be, and how fast.
 struct JointState {
   JointVector q = JointVector::Zero();   // rad
   JointVector qd = JointVector::Zero();  // rad/s
