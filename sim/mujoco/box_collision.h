@@ -8,6 +8,9 @@ namespace assay::mujoco {
 // 3 to 7 % of such poses, some that lie far outside of the boxes and are decimetres deep, which
 // shoot the part away. A contact is kept if it lies in both boxes, to a tenth of a millimetre. This
 // needs contacts without margin.
+//
+// Where pieces of one body meet, each of them has the same contact with another body; of contacts
+// at one place with one normal only the first is kept, which spares the solver a fifth of its work.
 void CheckBoxCollisions();
 
 }  // namespace assay::mujoco
