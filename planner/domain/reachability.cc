@@ -331,11 +331,15 @@ bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePos
   });
 }
 
+double LeastMatingFriction(const Problem& problem) {
+  return problem.workcell->rules().friction - problem.tolerances.friction;
+}
+
 // -v_z >= |v| cos(atan(mu)): the vector points into the cone about straight down.
 bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
   const Vector3 v = X_WorldFixed.linear() * mating.mating_vector;
   const double angle = std::atan2(v.head<2>().norm(), -v.z());
-  return angle <= std::atan(problem.workcell->rules().friction) + kRounding;
+  return angle <= std::atan(LeastMatingFriction(problem)) + kRounding;
 }
 
 bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp) {

@@ -65,6 +65,10 @@ PartId Obstacle(const Problem& problem, const Pose& X_WorldTool, double opening,
 PartId Obstacle(const Problem& problem, const PlacedPart& moving,
                 std::span<const PlacedPart> others);
 
+// Of mating surfaces, whatever it is within its tolerance: the friction cone can be relied on that
+// far. 0: straight down only.
+double LeastMatingFriction(const Problem& problem);
+
 // The stable poses of the fixed part that hide none of its mating features, with the mating vector
 // inside the friction cone: PositionList of assemble (Spar, "A Task Planning Example").
 bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed);

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "planner/domain/reachability.h"
 #include "planner/plan/box_overlap.h"
 #include "planner/plan/pad_contact.h"
 #include "planner/plan/resting_balance.h"
@@ -240,7 +241,7 @@ class ActionChecker::Examination {
   // The mating motion must push the fixed part onto the table and not along it (Spar, "Stable
   // Poses and Position Classes"): within atan(friction) of straight down.
   void ExamineFrictionCone() {
-    const double mu = cell_.rules().friction;
+    const double mu = domain::LeastMatingFriction(problem_);
     const Vector3& v = handling_.motion;
     if (-v.z() >= v.norm() / std::sqrt(1 + mu * mu) - kRounding) return;
     Report(

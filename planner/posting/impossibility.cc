@@ -272,7 +272,7 @@ std::string DescribeMating(const Problem& problem, const Mating& mating, Kind ki
   }
   return fmt::format(
       "the mating vector of {} into {} points down into the friction cone (friction {})", held,
-      fixed, problem.workcell->rules().friction);
+      fixed, domain::LeastMatingFriction(problem));
 }
 
 std::string RelaxedProblem::Describe(const Constraint& constraint) const {

@@ -63,6 +63,8 @@ class StepCertifier {
     if (decides()) {
       Require(LandingPreconditions(world_, putdown.part, putdown.hold, grasp, X_WorldPart, table,
                                    error));
+      RequireHandClear({putdown.part}, X_WorldPart * putdown.hold.X_PartTool, PartId::None(),
+                       putdown.hold, draw);
     }
     world_.SetResting(putdown.part, X_WorldPart, error, {});
     After(putdown.part);
@@ -72,12 +74,14 @@ class StepCertifier {
     const domain::Mating& mating = world_.problem().mating(assemble.mating);
     const ManipulatorError draw = world_.DrawManipulator();
     const Transform grasp = PossibleGrasp(world_.held(), draw, world_.propagation());
+    const Pose X_WorldHeld = world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
     Before(mating.held, grasp);
     Before(mating.fixed);
     if (decides()) {
       Require(MatingPreconditions(world_, assemble.mating, assemble.hold, grasp));
+      RequireHandClear({mating.held, mating.fixed}, X_WorldHeld * assemble.hold.X_PartTool,
+                       mating.fixed, assemble.hold, draw);
     }
-    const Pose X_WorldHeld = world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
     const RestingError error = ReleaseInSeat(world_, assemble.mating, assemble.hold, grasp, draw);
     world_.SetResting(mating.held, X_WorldHeld, error,
                       world_.ShiftAt(mating.fixed, X_WorldHeld.translation()));
@@ -109,8 +113,20 @@ class StepCertifier {
   HeldError RequireGrasp(PartId part, const plan::Hold& hold, const ManipulatorError& draw) {
     Before(part);
     const HeldError held = ClosePads(world_, part, hold, draw);
-    if (decides()) Require(GraspPreconditions(world_, part, hold, draw, held));
+    if (decides()) {
+      Require(GraspPreconditions(world_, part, hold, draw, held));
+      RequireHandClear({part}, world_.X_WorldPart(part) * hold.X_PartTool, part, hold, draw);
+    }
     return held;
+  }
+
+  // `guide`: the part by whose believed pose the hand goes; None where it goes as planned.
+  void RequireHandClear(const std::vector<PartId>& handled, const Pose& X_WorldTool, PartId guide,
+                        const plan::Hold& hold, const ManipulatorError& draw) {
+    if (world_.propagation() == Propagation::kPaper) return;
+    const BeliefShift shift =
+        guide.IsNone() ? BeliefShift{} : world_.ShiftAt(guide, X_WorldTool.translation());
+    Require(HandClearancePreconditions(world_, handled, X_WorldTool, shift, hold.width, draw));
   }
 
   void Require(const std::vector<Precondition>& preconditions) {

@@ -72,4 +72,14 @@ std::vector<Precondition> LandingPreconditions(const UncertainWorld& world, Part
 std::vector<Precondition> MatingPreconditions(const UncertainWorld& world, domain::MatingId mating,
                                               const plan::Hold& hold, const Transform& X_ToolGrasp);
 
+// Of every action with the hand, in sound mode:
+//   hand clear       a plane keeps each piece of hand and fingers, on the straight way to and from
+//                    X_WorldTool, and every part but those handled apart
+// `shift`: of the belief that the hand goes by, at X_WorldTool.
+std::vector<Precondition> HandClearancePreconditions(const UncertainWorld& world,
+                                                     const std::vector<PartId>& handled,
+                                                     const Pose& X_WorldTool,
+                                                     const BeliefShift& shift, double width,
+                                                     const ManipulatorError& draw);
+
 }  // namespace assay::uncertainty

@@ -129,6 +129,27 @@ class Meaning {
     return nearest > 0 ? nearest : -kOverlap;
   }
 
+  // Where the hand acts, or where it was stopped on its way.
+  double HandClear() const {
+    double nearest = kInfinity;
+    for (const exec::Moment* moment : {events_.reached, events_.acted, events_.stopped}) {
+      if (moment != nullptr) nearest = std::min(nearest, HandClearAt(*moment));
+    }
+    return nearest;
+  }
+  double HandClearAt(const exec::Moment& at) const {
+    const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
+    const geometry::CollisionShape hand = problem_.workcell->HandShape(opening);
+    double nearest = kInfinity;
+    for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+      if (PartId(p) == handling_.part || PartId(p) == FixedPart()) continue;
+      nearest = std::min(nearest,
+                         geometry::Distance(hand, at.tool.truth, problem_.parts[p].model->shape(),
+                                            at.parts[p].truth));
+    }
+    return nearest > 0 ? nearest : -kOverlap;
+  }
+
   const domain::Mating& mating() const {
     return problem_.mating(std::get<plan::Assemble>(step_.action).mating);
   }
@@ -155,6 +176,9 @@ class Meaning {
   static constexpr double kOverlap = 1e-3;   // metres, of unknown depth
 
  private:
+  PartId FixedPart() const {
+    return std::holds_alternative<plan::Assemble>(step_.action) ? mating().fixed : PartId::None();
+  }
   const Pose& PartAt(const exec::Moment& moment) const {
     return moment.parts[handling_.part.index()].truth;
   }
@@ -218,6 +242,7 @@ std::optional<GeometricMeaning> MeaningOf(const std::string& condition,
                                           const domain::Problem& problem,
                                           const plan::PlannedStep& step, const StepEvents& events) {
   const Meaning meaning(problem, step, events);
+  if (condition == "hand clear") return InMetres(meaning.HandClear());
   if (const auto* putdown = std::get_if<plan::Putdown>(&step.action)) {
     return OfLanding(condition, meaning, *putdown, events);
   }

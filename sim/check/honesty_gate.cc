@@ -17,6 +17,7 @@ struct StepMeasurement {
   struct Error {
     Claimed about;
     ObservedError error;
+    double turned = 0;  // what of the set's other displacements noise may turn into this one
   };
   std::vector<Error> errors;
   double duration = 0;      // seconds
@@ -24,6 +25,23 @@ struct StepMeasurement {
   double penetration = 0;   // metres
   double force_ripple = 0;  // newtons
 };
+
+double Magnitude(const Interval& range) { return std::max(-range.low, range.high); }
+
+// By how much noise may turn a part against where the plan has it, radians.
+double GreatestTurn(const domain::Problem& problem) {
+  double turn = 0;
+  for (const domain::Part& part : problem.parts) turn = std::max(turn, Magnitude(part.error.theta));
+  return turn + Magnitude(problem.gripper_error.theta);
+}
+
+double Displacement(const std::vector<ObservedError>& errors) {
+  double squares = 0;
+  for (const ObservedError& error : errors) {
+    if (error.unit == "m") squares += error.observed * error.observed;
+  }
+  return std::sqrt(squares);
+}
 
 class NoiselessExecution {
  public:
@@ -57,8 +75,11 @@ class NoiselessExecution {
                StepMeasurement& m) {
     const exec::Moment now = execution_.Now();
     for (const plan::ErrorSet& set : sets) {
-      for (ObservedError& error : ObservedErrors(problem_, plan_.step(id).action, set, now)) {
-        m.errors.push_back({about, std::move(error)});
+      std::vector<ObservedError> errors = ObservedErrors(problem_, plan_.step(id).action, set, now);
+      const double turned = GreatestTurn(problem_) * Displacement(errors);
+      for (ObservedError& error : errors) {
+        const bool is_displacement = error.unit == "m";
+        m.errors.push_back({about, std::move(error), is_displacement ? turned : 0});
       }
     }
   }
@@ -107,10 +128,10 @@ StepGate GateOf(const StepMeasurement& coarse, const StepMeasurement& fine, doub
                    .penetration = coarse.penetration,
                    .force_ripple = coarse.force_ripple};
   for (std::size_t i = 0; i < coarse.errors.size(); ++i) {
-    const auto& [about, error] = coarse.errors[i];
+    const auto& [about, error, turned] = coarse.errors[i];
     const bool both = i < fine.errors.size();
     const double change = both ? std::abs(error.observed - fine.errors[i].error.observed) : 0;
-    gate.components.push_back({about, error.name, std::abs(error.observed), change});
+    gate.components.push_back({about, error.name, std::abs(error.observed) + turned, change});
   }
   return gate;
 }

@@ -15,8 +15,10 @@ namespace assay::check {
 // Of one component of an error set; metres or radians.
 struct ComponentGate {
   Claimed about = Claimed::kAfter;
-  std::string name;      // as in Claim
-  double offset = 0;     // true minus believed without any noise: sag, slip, settling
+  std::string name;  // as in Claim
+  // True minus believed without any noise: sag, slip, settling; and what of the displacements along
+  // the other axes noise may turn into this one.
+  double offset = 0;
   double step_size = 0;  // how much it changes with half the timestep
 };
 

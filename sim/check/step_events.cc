@@ -26,6 +26,9 @@ class Sorter {
   }
   void operator()(const exec::RecoveryRecord&) { steps_.back().recovered = true; }
   void operator()(const exec::StepEnd& end) { steps_.back().end = &end.moment; }
+  void operator()(const exec::ExecutionEnd& end) {
+    if (!steps_.empty() && steps_.back().end == nullptr) steps_.back().stopped = &end.moment;
+  }
   void operator()(const auto&) {}
 
  private:

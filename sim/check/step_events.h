@@ -14,6 +14,7 @@ struct StepEvents {
   const exec::Moment* reached = nullptr;  // of the first attempt
   const exec::Moment* acted = nullptr;    // likewise
   const exec::Moment* end = nullptr;
+  const exec::Moment* stopped = nullptr;  // where the execution broke off before the step's end
   const exec::LookRecord* look = nullptr;
   std::optional<bool> resisted = {};  // of the first attempt's guarded move
   bool recovered = false;             // it was tried more than once

@@ -70,6 +70,7 @@ class AttackReport {
                    {"replay", Json::array()},
                    {"scenario", run_.planned.scenario},
                    {"seed", run_.seed},
+                   {"grasp", scene::Name(run_.planned.simulation.scene.grasp)},
                    {"noise", "attack"},
                    {"gate", ToJson(plan_, experiment_.gate)}};
     for (const check::WorstClaim& worst : result_.worst) {

@@ -166,6 +166,7 @@ class NoisyTrials {
                    {"replay", Json::array()},
                    {"scenario", run_.planned.scenario},
                    {"seed", run_.seed},
+                   {"grasp", scene::Name(run_.planned.simulation.scene.grasp)},
                    {"noise", noise::Name(run_.mode)},
                    {"sensing", run_.camera ? "camera" : "drawn"},
                    {"gate", ToJson(plan_, experiment_.gate)},

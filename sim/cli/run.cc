@@ -56,16 +56,6 @@ struct Options {
 
 bool IsNoisy(const Options& options) { return options.noise || options.errors; }
 
-std::string Word(scene::GraspMode mode) {
-  switch (mode) {
-    case scene::GraspMode::kFriction:
-      return "friction";
-    case scene::GraspMode::kWeld:
-      return "weld";
-  }
-  return "";
-}
-
 // What is kept of each trial.
 struct Summary {
   check::TrialOutcome outcome;
@@ -143,7 +133,7 @@ class Run {
   // The command that executes again what failed.
   std::string ReplayCommand() const {
     std::string command = fmt::format("assay run {} --seed {}", options_.input.string(), seed_);
-    if (options_.grasp) command += fmt::format(" --grasp {}", Word(*options_.grasp));
+    if (options_.grasp) command += fmt::format(" --grasp {}", scene::Name(*options_.grasp));
     if (!options_.models.empty()) command += fmt::format(" --models {}", options_.models.string());
     return command;
   }
@@ -159,7 +149,7 @@ class Run {
     if (succeeded < options_.trials) result["replay"].push_back(ReplayCommand());
     result["scenario"] = planned_.scenario;
     result["seed"] = seed_;
-    result["grasp"] = Word(scene_.options().grasp);
+    result["grasp"] = scene::Name(scene_.options().grasp);
     result["first"] = ToJson(planned_.problem, planned_.result.plan, *first_);
     return result;
   }
@@ -235,7 +225,7 @@ std::string CommandFor(const Options& options) {
   std::string command = "assay run " + options.input.string();
   if (options.propagation != "sound") command += " --propagation " + options.propagation;
   if (options.error_scale != 1) command += fmt::format(" --error-scale {}", options.error_scale);
-  if (options.grasp) command += fmt::format(" --grasp {}", Word(*options.grasp));
+  if (options.grasp) command += fmt::format(" --grasp {}", scene::Name(*options.grasp));
   if (!options.models.empty()) command += fmt::format(" --models {}", options.models.string());
   return command;
 }

@@ -145,6 +145,16 @@ void AddWelds(const Problem& problem, XmlElement& equality) {
 
 }  // namespace
 
+std::string_view Name(GraspMode mode) {
+  switch (mode) {
+    case GraspMode::kFriction:
+      return "friction";
+    case GraspMode::kWeld:
+      return "weld";
+  }
+  return {};
+}
+
 std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   XmlElement mujoco("mujoco");
   mujoco.Set("model", problem.name);

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "planner/domain/problem.h"
 
@@ -12,6 +13,7 @@ enum class GraspMode {
   kFriction,  // by the friction of the pads
   kWeld,      // by a rigid constraint besides, to leave slip out of a study
 };
+std::string_view Name(GraspMode mode);  // "friction", as files and commands have it
 
 // How the problem's world is simulated, and how the true one differs from the problem's.
 struct SceneOptions {

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/file.h>
 
+#include <cerrno>
 #include <cmath>
 #include <limits>
 #include <system_error>
@@ -126,6 +128,17 @@ Database::Database(const std::filesystem::path& file, Access access) : file_(fil
   if (code != SQLITE_OK) Fail(code);
   sqlite3_busy_timeout(handle, kPatienceMilliseconds);
   if (access == Access::kWrite && sqlite3_db_readonly(handle, "main") == 1) Fail(SQLITE_READONLY);
+  if (access == Access::kWrite) KeepOtherWritersOut();
+}
+
+// The system lets go of the lock when the program ends, however that comes about. Where the file
+// system knows no locks, transactions still keep their own.
+void Database::KeepOtherWritersOut() {
+  lock_.reset(std::fopen(file_.c_str(), "re"));
+  if (lock_ != nullptr && flock(fileno(lock_.get()), LOCK_EX | LOCK_NB) != 0 &&
+      errno == EWOULDBLOCK) {
+    Fail(SQLITE_LOCKED);
+  }
 }
 
 void Database::Execute(const std::string& sql) {

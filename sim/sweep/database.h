@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -57,7 +58,8 @@ class Database {
  public:
   enum class Access { kRead, kWrite };
 
-  // For kWrite the file is made if there is none.
+  // For kWrite the file is made if there is none, and no other Database, of any program, may write
+  // into it while this one lives; readers come and go.
   Database(const std::filesystem::path& file, Access access);
 
   const std::filesystem::path& file() const { return file_; }
@@ -75,7 +77,14 @@ class Database {
   struct Closer {
     void operator()(sqlite3* handle) const;
   };
+  struct FileCloser {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  void KeepOtherWritersOut();
+
   std::filesystem::path file_;
+  // Closed after the handle: closing any stream of a file lets go of SQLite's own locks on it.
+  std::unique_ptr<std::FILE, FileCloser> lock_;
   std::unique_ptr<sqlite3, Closer> handle_;
 };
 

@@ -189,10 +189,6 @@ std::string_view Name(Sensing sensing) { return SensingNames()[static_cast<std::
 std::string_view Name(uncertainty::Propagation propagation) {
   return PropagationNames()[static_cast<std::size_t>(propagation)];
 }
-std::string_view Name(scene::GraspMode grasp) {
-  return GraspNames()[static_cast<std::size_t>(grasp)];
-}
-
 fs::path Sweep::PathOf(const std::string& scenario) const {
   return (file.parent_path() / scenario).lexically_normal();
 }

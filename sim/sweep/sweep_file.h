@@ -38,7 +38,6 @@ const std::vector<std::string>& GraspNames();
 std::string_view Name(NoiseKind kind);
 std::string_view Name(Sensing sensing);
 std::string_view Name(uncertainty::Propagation propagation);
-std::string_view Name(scene::GraspMode grasp);
 
 // A sweep file ("assay-sweep/1"): a grid of trials. Each list is an axis; no value is in it twice.
 struct Sweep {

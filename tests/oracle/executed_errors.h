@@ -309,6 +309,7 @@ class ExecutedWorld {
     hand_ = HandAt(body(part).belief * hold.X_PartTool);
     const Pose X_HandGrasp = hand_.inverse() * body(part).truth * hold.X_PartTool;
     if (!Straddles(X_HandGrasp, hold.width) || !FingersAboveTable(body(part).table)) return false;
+    if (!HandPasses({part}, hold.width)) return false;
     const domain::PartModel& of = model(part);
     const Vector3 up = hand_.linear().transpose() * Vector3::UnitZ();
     const Vector3 up_in_part = body(part).truth.linear().transpose() * Vector3::UnitZ();
@@ -353,6 +354,41 @@ class ExecutedWorld {
       for (const Vector3& corner : box.Corners()) lowest = std::min(lowest, (hand_ * corner).z());
     }
     return Require("fingertip", lowest - table, "a finger goes through the table");
+  }
+  static bool AreFar(const Box& a, const Box& b) {
+    return (a.X_FrameBox.translation() - b.X_FrameBox.translation()).norm() >
+           a.half_extents.norm() + b.half_extents.norm();
+  }
+  // Places on the straight way to where the hand is, open and closed, beside all other parts.
+  bool HandPasses(const std::vector<PartId>& handled, double width) {
+    const kinematics::Gripper& gripper = problem_.workcell->gripper();
+    std::vector<Box> boxes = gripper.HandBoxes();
+    for (const double opening : {width, gripper.max_opening()}) {
+      for (const Box& box : gripper.FingerBoxes(opening)) boxes.push_back(box);
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const double way : {0.0, 0.3, 0.7, 1.0}) {
+      const Pose X = hand_ * geometry::Translation(0, 0, -way * rules().approach_distance);
+      for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const PartId other(static_cast<int>(i));
+        if (std::ranges::find(handled, other) != handled.end()) continue;
+        for (const Box& of_part : model(other).boxes()) {
+          for (const Box& box : boxes) {
+            if (AreFar(box.Transformed(X), of_part.Transformed(parts_[i].truth))) continue;
+            nearest = std::min(
+                nearest, Separation(box.Transformed(X), of_part.Transformed(parts_[i].truth)));
+          }
+        }
+      }
+    }
+    const auto denied = [](const plan::CertifiedPrecondition& claim) {
+      return claim.condition == "hand clear" && !claim.holds();
+    };
+    if (nearest > -kRounding) return true;
+    if (std::ranges::none_of(certificate_->preconditions, denied)) {
+      Contradict(fmt::format("hand clear: the hand goes through a part by {}", -nearest));
+    }
+    return false;
   }
 
   bool Act(const plan::Pickup& pickup) {
@@ -406,6 +442,7 @@ class ExecutedWorld {
     for (const plan::ErrorSet& set : certificate_->before) ExpectInside(set, "before");
     const PartId part = putdown.part;
     const Pose flat = putdown.to.X_WorldPart;
+    if (!HandPasses({part}, hold_.width)) return false;
     const Pose X = hand_ * X_HandPart_;
     const double table = draw_(problem_.part(part).error.z);
     for (const Vector3& foot : FeetOf(part, flat)) {
@@ -523,7 +560,7 @@ class ExecutedWorld {
     const std::vector<Seat> seats = SeatsOf(mating);
     const double travel = TravelToSeat(seats, end, axis);
     if (!Require("seat", rules().guarded_travel - std::abs(travel), "met too early or late") ||
-        !SlidesIn(mating, begin, end)) {
+        !SlidesIn(mating, begin, end) || !HandPasses({mating.held, mating.fixed}, hold_.width)) {
       return false;
     }
     // Let go, it sits flat on a corner of its seat.

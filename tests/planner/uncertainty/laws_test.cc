@@ -67,6 +67,23 @@ TEST_P(EachMode, WithoutErrorsSetsAreZeroAndEverythingIsProved) {
   }
 }
 
+// The greater the errors are, the more corners may come beside something: of those preconditions
+// there are more.
+std::vector<plan::CertifiedPrecondition> OfFixedNumber(
+    const std::vector<plan::CertifiedPrecondition>& claims) {
+  std::vector<plan::CertifiedPrecondition> fixed;
+  std::ranges::copy_if(claims, std::back_inserter(fixed), [](const auto& claim) {
+    return claim.condition != "hand clear" && claim.condition != "neighbour clear";
+  });
+  return fixed;
+}
+
+bool AllHold(const std::string& condition, const plan::Certificate& certificate) {
+  return std::ranges::all_of(certificate.preconditions, [&](const auto& claim) {
+    return claim.condition != condition || claim.holds();
+  });
+}
+
 TEST_P(EachMode, GreaterErrorsGiveGreaterSetsAndProveNoMore) {
   const domain::Problem small = LoadScenario("spar-fig15");
   const auto actions = Actions(small);
@@ -76,11 +93,17 @@ TEST_P(EachMode, GreaterErrorsGiveGreaterSetsAndProveNoMore) {
   for (std::size_t s = 0; s < actions.size(); ++s) {
     const auto& a = of_small[s].certificate;
     const auto& b = of_large[s].certificate;
-    ASSERT_EQ(a.preconditions.size(), b.preconditions.size());
-    for (std::size_t i = 0; i < a.preconditions.size(); ++i) {
-      if (b.preconditions[i].holds()) {
-        EXPECT_TRUE(a.preconditions[i].holds())
-            << "step " << s + 1 << ": " << a.preconditions[i].meaning;
+    const auto same_of_a = OfFixedNumber(a.preconditions);
+    const auto same_of_b = OfFixedNumber(b.preconditions);
+    ASSERT_EQ(same_of_a.size(), same_of_b.size());
+    for (std::size_t i = 0; i < same_of_a.size(); ++i) {
+      if (same_of_b[i].holds()) {
+        EXPECT_TRUE(same_of_a[i].holds()) << "step " << s + 1 << ": " << same_of_a[i].meaning;
+      }
+    }
+    for (const auto& claim : a.preconditions) {
+      if (!claim.holds()) {
+        EXPECT_FALSE(AllHold(claim.condition, b)) << "step " << s + 1 << ": " << claim.meaning;
       }
     }
     for (std::size_t i = 0; i < a.after.size(); ++i) {

@@ -72,6 +72,17 @@ TEST(Run, ScatteredTrialsDependOnTheirNumberAlone) {
   EXPECT_EQ(second["rows"][0], both["rows"][1]);
 }
 
+TEST(Run, AnAttackTellsWhatCameNearestToBeingViolated) {
+  const Ended ended = Assay(
+      {"run", kTwoActions, "--noise", "attack", "--attempts", "4", "--conservatism", "--json"});
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  const nlohmann::json result = ended.Json();
+  EXPECT_THAT(SchemaErrors("sim/cli/run.schema.json", result), IsEmpty());
+  EXPECT_EQ(result["grasp"], "friction");
+  EXPECT_THAT(result["worst"], Not(IsEmpty()));
+  EXPECT_THAT(result["counterexamples"], IsEmpty());
+}
+
 // What was drawn for a trial, and what it did.
 TEST(Run, ASingleTrialUnderNoiseHasALedger) {
   const Folder folder;
@@ -82,6 +93,7 @@ TEST(Run, ASingleTrialUnderNoiseHasALedger) {
   EXPECT_THAT(ended.out, ContainsRegex("dx_peg +mm +[+]0.0400 +[+]0.0400 +[+]0.0"));
   EXPECT_THAT(ended.out, ContainsRegex("theta_hand@action_2 +deg +[+]0.0057 +[+]0.0057 +[+]0.0"));
   const nlohmann::json result = JsonOf(folder / "out/result.json");
+  EXPECT_THAT(SchemaErrors("sim/cli/run.schema.json", result), IsEmpty());
   std::map<std::string, nlohmann::json> ledger;
   for (const nlohmann::json& entry : result["ledger"]) ledger[entry["name"]] = entry;
   EXPECT_EQ(ledger.size(), 16u);  // four of each part and of each hand

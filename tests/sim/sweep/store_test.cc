@@ -325,14 +325,15 @@ TEST_F(StoreTest, AFullDiskLosesNothingThatWasWritten) {
   EXPECT_LT(kept.size(), 21u);
 }
 
-TEST_F(StoreTest, ALockedOneIsTold) {
+TEST_F(StoreTest, HasOneWriterAtATime) {
   Fill(file_);
-  Database other(file_, Database::Access::kWrite);
-  other.Execute("BEGIN EXCLUSIVE");
-  Database database(file_, Database::Access::kWrite);
-  database.Prepare("PRAGMA busy_timeout = 10").Next();
-  EXPECT_THAT(MessageOf<EnvironmentError>([&] { database.Execute("BEGIN IMMEDIATE"); }),
-              AllOf(HasSubstr("sweep.sqlite"), HasSubstr("locked by another program")));
+  {
+    const Store writing = Store::Resume(file_, facts_);
+    EXPECT_THAT(MessageOf<EnvironmentError>([&] { Store::Resume(file_, facts_); }),
+                AllOf(HasSubstr("sweep.sqlite"), HasSubstr("locked by another program")));
+    EXPECT_EQ(Store::Open(file_).Trials(), writing.Trials());
+  }
+  Store::Resume(file_, facts_);
 }
 
 }  // namespace

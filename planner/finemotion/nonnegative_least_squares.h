@@ -1,0 +1,10 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace assay::finemotion {
+
+// The x >= 0 for which |a x - b| is least (Lawson and Hanson 1974, chapter 23); among several, one.
+Eigen::VectorXd NonnegativeLeastSquares(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
+
+}  // namespace assay::finemotion

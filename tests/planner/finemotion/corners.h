@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/finemotion/zonotope.h"
+
+namespace assay::finemotion {
+
+// All sums of the center and the generators with any signs: the corners, and points inside.
+inline std::vector<Eigen::VectorXd> Corners(const Zonotope& of) {
+  std::vector<Eigen::VectorXd> corners = {of.center};
+  for (const auto generator : of.generators.colwise()) {
+    std::vector<Eigen::VectorXd> both;
+    for (const Eigen::VectorXd& corner : corners) {
+      both.emplace_back(corner + generator);
+      both.emplace_back(corner - generator);
+    }
+    corners = both;
+  }
+  return corners;
+}
+
+}  // namespace assay::finemotion
