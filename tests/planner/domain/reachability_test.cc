@@ -320,13 +320,13 @@ TEST_F(PegAndBlock, FrictionConeOpensByTheArcTangentOfFriction) {
 
 // What may be smoother than the problem says is relied on no further than it is sure to hold.
 TEST_F(PegAndBlock, FrictionConeIsThatOfTheLeastFriction) {
-  problem_.tolerances.friction = 0.05;
-  const Pose X_Back = PoseAt(problem_.part(block_), Named(problem_, block_, "on-back"), {.x = 0.6});
+  Problem problem = problem_;
+  problem.tolerances.friction = 0.05;
+  const Pose X_Back = PoseAt(problem.part(block_), Named(problem, block_, "on-back"), {.x = 0.6});
   const double cone = std::atan(0.2);
   for (const double angle : {cone - 1e-6, cone + 1e-6}) {
-    EXPECT_EQ(
-        InFrictionCone(problem_, problem_.mating(mating_), geometry::RotationX(angle) * X_Back),
-        angle <= cone);
+    EXPECT_EQ(InFrictionCone(problem, problem.mating(mating_), geometry::RotationX(angle) * X_Back),
+              angle <= cone);
   }
 }
 

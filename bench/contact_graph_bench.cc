@@ -1,0 +1,96 @@
+#include <benchmark/benchmark.h>
+
+#include <fmt/format.h>
+
+#include "planner/finemotion/contact_graph.h"
+#include "planner/geometry/pose.h"
+
+namespace assay::finemotion {
+namespace {
+
+constexpr double kHalf = 0.01;  // of the peg's width, metres
+constexpr double kHalfLength = 0.02;
+constexpr double kClearance = 0.25e-3;  // on each side
+constexpr double kReach = 0.005;
+
+ConvexPiece Box(const Vector3& low, const Vector3& high) {
+  ConvexPiece box;
+  for (int i = 0; i < 8; ++i) {
+    box.corners.emplace_back((i & 1) != 0 ? high.x() : low.x(), (i & 2) != 0 ? high.y() : low.y(),
+                             (i & 4) != 0 ? high.z() : low.z());
+  }
+  return box;
+}
+
+// Four slabs around a square hole through a block, which is closed by a fifth at the bottom.
+Polyhedron Block() {
+  constexpr double kIn = kHalf + kClearance;
+  constexpr double kOut = 0.04;
+  constexpr double kDeep = -0.03;
+  return OutsideOf(
+      {Box({kIn, -kOut, kDeep}, {kOut, kOut, 0}), Box({-kOut, -kOut, kDeep}, {-kIn, kOut, 0}),
+       Box({-kIn, kIn, kDeep}, {kIn, kOut, 0}), Box({-kIn, -kOut, kDeep}, {kIn, -kIn, 0}),
+       Box({-kOut, -kOut, kDeep - 0.01}, {kOut, kOut, kDeep})});
+}
+
+// What a square peg can touch with its lower end so deep in the hole.
+ContactSpace PegInHole(double depth) {
+  const Polyhedron peg =
+      OutsideOf({Box({-kHalf, -kHalf, -kHalfLength}, {kHalf, kHalf, kHalfLength})});
+  return {PrimitiveContacts(peg, Block(), geometry::Translation(0, 0, kHalfLength - depth), 0.003)};
+}
+
+void Count(const ContactSpace& space, const ContactGraph& graph, benchmark::State& state) {
+  state.counters["contacts"] = static_cast<double>(space.contacts.size());
+  state.counters["states"] = static_cast<double>(graph.states.size());
+  for (const ContactState& contact_state : graph.states) {
+    state.counters[fmt::format("{}-D", contact_state.dimension)] += 1;
+  }
+}
+
+void MakeGraph(const ContactSpace& space, int target_points, benchmark::State& state) {
+  const ContactGraphOptions options = {
+      .target_points = target_points, .reach = kReach, .radius = 0.0245};
+  ContactGraph graph;
+  for (auto _ : state) graph = MakeContactGraph(space, options);
+  Count(space, graph, state);
+}
+
+// The square peg's critical points, for so many target points.
+void CriticalPoint(benchmark::State& state, double depth) {
+  MakeGraph(PegInHole(depth), static_cast<int>(state.range(0)), state);
+}
+
+// The first contacts of those at the rim only.
+void Contacts(benchmark::State& state) {
+  ContactSpace space = PegInHole(0);
+  space.contacts.resize(std::min(space.contacts.size(), static_cast<std::size_t>(state.range(0))));
+  MakeGraph(space, 12, state);
+  state.SetComplexityN(state.range(0));
+}
+
+BENCHMARK_CAPTURE(CriticalPoint, at_the_rim, 0.0)
+    ->ArgName("target_points")
+    ->Arg(6)
+    ->Arg(12)
+    ->Arg(24)
+    ->Arg(48)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(CriticalPoint, half_in, 0.015)
+    ->ArgName("target_points")
+    ->Arg(12)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(CriticalPoint, at_the_bottom, 0.03)
+    ->ArgName("target_points")
+    ->Arg(6)
+    ->Arg(12)
+    ->Arg(24)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(Contacts)
+    ->ArgName("contacts")
+    ->DenseRange(4, 32, 4)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity();
+
+}  // namespace
+}  // namespace assay::finemotion
