@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <map>
 #include <mutex>
 #include <nlopt.hpp>
@@ -128,7 +129,9 @@ class Attacker {
   void AttackStep(Step& step, std::int64_t budget) {
     std::vector<Sample>& samples = step.samples();
     const int d = step.dimensions();
-    const auto vertices = static_cast<int>(kShareOfVertices * static_cast<double>(budget));
+    // Upward: one attempt alone is a corner.
+    const auto vertices =
+        static_cast<int>(std::ceil(kShareOfVertices * static_cast<double>(budget)));
     const auto even = static_cast<int>(kShareOfEven * static_cast<double>(budget));
     for (int n = 0; n < vertices + even; ++n) {
       const bool corner = n < vertices;

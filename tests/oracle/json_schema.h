@@ -24,6 +24,11 @@ class JsonSchema {
  private:
   using Texts = std::vector<std::string>;
 
+  static bool HasOneOf(const Json& value, const Json& types) {
+    if (types.is_string()) return HasType(value, types.get<std::string>());
+    return std::ranges::any_of(
+        types, [&](const Json& type) { return HasType(value, type.get<std::string>()); });
+  }
   static bool HasType(const Json& value, const std::string& type) {
     if (type == "object") return value.is_object();
     if (type == "array") return value.is_array();
@@ -60,7 +65,7 @@ class JsonSchema {
     if (keyword == "$ref") {
       return Errors(root_.at(Json::json_pointer(argument.get<std::string>().substr(1))), value, at);
     }
-    if (keyword == "type") return unless(HasType(value, argument));
+    if (keyword == "type") return unless(HasOneOf(value, argument));
     if (keyword == "const") return unless(value == argument);
     if (keyword == "enum") return unless(std::ranges::count(argument, value) > 0);
     if (keyword == "minimum") return unless(!value.is_number() || value >= argument);
