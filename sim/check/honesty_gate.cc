@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/check/confirmation.h"
 #include "sim/check/observed_error.h"
 #include "sim/exec/step_execution.h"
 #include "sim/mujoco/contact.h"
@@ -157,10 +158,8 @@ double HonestyGate::For(const Claim& claim) const {
 
 HonestyGate MeasureGate(const domain::Problem& problem, const plan::Plan& plan,
                         const scene::SceneOptions& options) {
-  scene::SceneOptions half = options;
-  half.timestep /= 2;
   const auto coarse = NoiselessExecution(problem, plan, options).Run(true);
-  const auto fine = NoiselessExecution(problem, plan, half).Run(false);
+  const auto fine = NoiselessExecution(problem, plan, Finer(options)).Run(false);
   HonestyGate gate;
   const double arm = problem.workcell->gripper().pad_half_extents().minCoeff();
   for (std::size_t i = 0; i < coarse.size(); ++i) {

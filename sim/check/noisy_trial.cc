@@ -3,20 +3,41 @@
 #include <algorithm>
 
 #include "sim/check/certificate_check.h"
+#include "sim/check/confirmation.h"
 
 namespace assay::check {
+namespace {
+
+exec::Trace Traced(const Experiment& experiment, const scene::SceneOptions& nominal,
+                   const exec::ExecutorOptions& options) {
+  const scene::Scene scene(experiment.problem, exec::TrueScene(nominal, options.noise));
+  mujoco::Data data = exec::StartOf(experiment.problem, scene, options.noise);
+  return exec::Execute(experiment.problem, experiment.plan, scene, data, options);
+}
+
+std::vector<Claim> ClaimsOf(const Experiment& experiment, const exec::Trace& trace) {
+  return CheckCertificates(experiment.problem, experiment.plan, trace, experiment.gate);
+}
+
+std::vector<Claim> ConfirmedClaims(const Experiment& experiment, const exec::Trace& trace,
+                                   exec::ExecutorOptions options) {
+  return Confirmed(ClaimsOf(experiment, trace), [&] {
+    options.sample_rate = 0;
+    options.on_step_end = {};
+    return ClaimsOf(experiment, Traced(experiment, Finer(experiment.scene), options));
+  });
+}
+
+}  // namespace
 
 NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
                          exec::ExecutorOptions options) {
-  const scene::Scene scene(experiment.problem, exec::TrueScene(experiment.scene, noise));
-  mujoco::Data data = exec::StartOf(experiment.problem, scene, noise);
   options.noise = noise;
-  exec::Trace trace = exec::Execute(experiment.problem, experiment.plan, scene, data, options);
-  NoisyTrial trial{
-      .noise = noise,
-      .trace = {},
-      .verdict = Judge(experiment.problem, trace, {}),
-      .claims = CheckCertificates(experiment.problem, experiment.plan, trace, experiment.gate)};
+  exec::Trace trace = Traced(experiment, experiment.scene, options);
+  NoisyTrial trial{.noise = noise,
+                   .trace = {},
+                   .verdict = Judge(experiment.problem, trace, {}),
+                   .claims = ConfirmedClaims(experiment, trace, options)};
   for (const exec::VerificationRecord* check : trace.All<exec::VerificationRecord>()) {
     if (!check->error.empty()) ++trial.errors_signalled;
   }

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 
-#include "sim/check/certificate_check.h"
-#include "sim/exec/step_execution.h"
-
 namespace assay::check {
 namespace {
 
@@ -26,15 +23,9 @@ std::optional<Claim> Replayed(const Experiment& experiment, const Claim& claim,
                               const noise::Noise& noise) {
   exec::ExecutorOptions options;
   options.sample_rate = 0;
-  options.noise = noise;
   options.last = claim.step;
   options.recovers = false;
-  const scene::Scene scene(experiment.problem, exec::TrueScene(experiment.scene, noise));
-  mujoco::Data data = exec::StartOf(experiment.problem, scene, noise);
-  const exec::Trace trace =
-      exec::Execute(experiment.problem, experiment.plan, scene, data, options);
-  for (Claim& replayed :
-       CheckCertificates(experiment.problem, experiment.plan, trace, experiment.gate)) {
+  for (Claim& replayed : RunNoisyTrial(experiment, noise, options).claims) {
     const bool same =
         replayed.step == claim.step && replayed.about == claim.about && replayed.name == claim.name;
     if (same) return std::move(replayed);

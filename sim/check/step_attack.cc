@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/check/certificate_check.h"
+#include "sim/check/confirmation.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {
@@ -88,16 +89,24 @@ std::optional<PoisedTrial> StepAttack::Poise(const AttackedWorld& world, const n
 
 StepAttempt StepAttack::Attempt(const PoisedTrial& poised,
                                 const std::vector<double>& values) const {
-  StepAttempt attempt{.noise = poised.noise, .claims = {}, .end = {}};
-  for (std::size_t i = 0; i < free_.size(); ++i) attempt.noise.Set(free_[i], values[i]);
-  const scene::Scene& scene = poised.world->scene;
-  const exec::ExecutorOptions options = QuietOptions(attempt.noise);
+  noise::Noise noise = poised.noise;
+  for (std::size_t i = 0; i < free_.size(); ++i) noise.Set(free_[i], values[i]);
+  StepAttempt attempt = AttemptIn(poised.world->scene, poised, noise);
+  attempt.claims = Confirmed(std::move(attempt.claims),
+                             [&] { return AttemptIn(poised.world->finer, poised, noise).claims; });
+  return attempt;
+}
+
+StepAttempt StepAttack::AttemptIn(const scene::Scene& scene, const PoisedTrial& poised,
+                                  const noise::Noise& noise) const {
+  StepAttempt attempt{.noise = noise, .claims = {}, .end = {}};
+  const exec::ExecutorOptions options = QuietOptions(noise);
   mujoco::Data data(scene.model());
   exec::Execution execution(experiment_.problem, scene, data, options);
   execution.Restore(poised.checkpoint);
   for (const PartId part : untouched_) {
-    scene.SetTableHeight(data, part, attempt.noise.TableHeight(part));
-    scene.SetPart(data, part, attempt.noise.TruePose(part, poised.world->resting[part.index()]));
+    scene.SetTableHeight(data, part, noise.TableHeight(part));
+    scene.SetPart(data, part, noise.TruePose(part, poised.world->resting[part.index()]));
   }
   exec::StepExecution step(experiment_.plan, step_, execution);
   exec::Progress failure = step.TakeUpNoise();
@@ -125,9 +134,13 @@ std::vector<AttackedWorld> WorldsOf(const Experiment& experiment, const std::vec
       const Interval& range = box[of_world[i]].range;
       noise.Set(of_world[i], corner[i] > 0 ? range.high : range.low);
     }
-    scene::Scene scene(experiment.problem, exec::TrueScene(experiment.scene, noise));
+    const scene::SceneOptions truth = exec::TrueScene(experiment.scene, noise);
+    scene::Scene scene(experiment.problem, truth);
     std::vector<geometry::Pose> resting = exec::RestingPoses(experiment.problem, scene);
-    worlds.push_back({std::move(scene), std::move(noise), std::move(resting)});
+    worlds.push_back({std::move(scene),
+                      {experiment.problem, Finer(truth)},
+                      std::move(noise),
+                      std::move(resting)});
   }
   return worlds;
 }

@@ -12,6 +12,7 @@ namespace assay::check {
 // A world in which a plan is executed, and what is wrong in all of it: clearance and frictions.
 struct AttackedWorld {
   scene::Scene scene;
+  scene::Scene finer;  // with half the timestep
   noise::Noise noise;  // the box of the whole plan; values of what is drawn later are 0
   std::vector<geometry::Pose> resting;  // exec::RestingPoses
 };
@@ -48,6 +49,9 @@ class StepAttack {
   StepAttempt Attempt(const PoisedTrial& poised, const std::vector<double>& values) const;
 
  private:
+  StepAttempt AttemptIn(const scene::Scene& scene, const PoisedTrial& poised,
+                        const noise::Noise& noise) const;
+
   const Experiment& experiment_;
   plan::StepId step_;
   std::vector<domain::PartId> untouched_;
