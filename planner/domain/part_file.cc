@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 
 #include "planner/base/check.h"
 #include "planner/domain/exposed_faces.h"
@@ -66,6 +67,16 @@ Eigen::Vector4f ReadColor(const Value& value) {
   return color;
 }
 
+// The indices of one name or of a list of names. `what` they name: "solid".
+std::vector<int> OneOrMore(const Value& names, const std::vector<std::string>& known,
+                           const char* what) {
+  if (!names.IsList()) return {names.OneOf(known)};
+  std::vector<int> indices;
+  for (const Value& name : names.Items()) indices.push_back(name.OneOf(known));
+  if (indices.empty()) names.Fail("the list is empty", fmt::format("at least one {}", what));
+  return indices;
+}
+
 // The index in SidesOf of the side that looks along a direction; -1 if none does.
 int SideTowards(const Box& box, const Vector3& direction) {
   const std::array<Side, 6> sides = SidesOf(box);
@@ -73,7 +84,6 @@ int SideTowards(const Box& box, const Vector3& direction) {
       sides, [&](const Side& s) { return (s.normal - direction).norm() < kAligned; });
   return found == sides.end() ? -1 : static_cast<int>(found - sides.begin());
 }
-int Opposite(int side) { return side ^ 1; }
 
 int ReadSide(const Value& direction, const Box& box, const std::string& solid) {
   const int side = SideTowards(box, ReadDirection(direction));
@@ -132,27 +142,51 @@ Box Clipped(const Box& pocket, const Box& solid) {
   return Box::FromCorners(low(pocket).cwiseMax(low(solid)), high(pocket).cwiseMin(high(solid)));
 }
 
-// Where a pocket opens on one side of its solid, all in the part frame; none if it does not reach
-// that side or is covered there.
-std::optional<Mouth> FindMouth(const PartModel& model, const Box& clipped, const Box& solid,
-                               int side) {
-  const Side border = SidesOf(solid)[static_cast<std::size_t>(side)];
-  const Side end = SidesOf(clipped)[static_cast<std::size_t>(side)];
-  if (end.offset < border.offset - kRounding) return std::nullopt;
-  const FaceId id = FindFace(model.faces(), border.normal, border.offset);
+// A pocket and the solid that it is cut from, in the part frame.
+struct Hollow {
+  Box solid;                       // before the pockets
+  Box pocket;                      // widened
+  Box clipped;                     // the part of the pocket in the solid
+  std::array<bool, 3> is_widened;  // along the pocket's own axes
+};
+
+// The face in which a pocket ends, on the side of its solid that looks in a direction; None if it
+// does not reach that side, or if nothing of the side is left.
+FaceId EndOf(const PartModel& model, const Hollow& hollow, const Vector3& direction) {
+  const int towards = SideTowards(hollow.solid, direction);
+  if (towards < 0) return FaceId::None();
+  const Side border = SidesOf(hollow.solid)[static_cast<std::size_t>(towards)];
+  const Side end = SidesOf(hollow.clipped)[static_cast<std::size_t>(towards)];
+  if (end.offset < border.offset - kRounding) return FaceId::None();
+  return FindFace(model.faces(), border.normal, border.offset);
+}
+
+// Where the first pocket opens in a direction, and the other ones let it; none if they do not all
+// end in one plane, or if the mouth is covered.
+std::optional<Mouth> FindMouth(const PartModel& model, std::span<const Hollow> hollows,
+                               const Vector3& direction) {
+  const Hollow& first = hollows.front();
+  const FaceId id = EndOf(model, first, direction);
   if (id.IsNone()) return std::nullopt;
   const Face& face = model.faces()[id.index()];
-  geometry::Polygon outline = OnFace(face, end.corners);
-  if (!IsOpen(face, outline, model.boxes())) return std::nullopt;
+  const auto end = [&](const Box& pocket) {
+    const auto side = static_cast<std::size_t>(SideTowards(pocket, direction));
+    return OnFace(face, SidesOf(pocket)[side].corners);
+  };
+  geometry::Polygon outline = end(first.clipped);
+  for (const Hollow& other : hollows.subspan(1)) {
+    if (EndOf(model, other, direction) != id) return std::nullopt;
+    outline = geometry::Intersection(outline, end(other.pocket));
+  }
+  if (outline.empty() || !IsOpen(face, outline, model.boxes())) return std::nullopt;
   return Mouth{id, std::move(outline)};
 }
 
-// The exposed sides of a pocket, seen from within it, in the part frame. `pocket` is whole, the
-// other one clipped; where they end alike, the side goes with the clearance if the axis is widened.
-std::vector<Wall> WallsOf(const PartModel& model, const Box& pocket, const Box& clipped,
-                          const std::array<bool, 3>& is_widened) {
-  const std::array<Side, 6> whole = SidesOf(pocket);
-  const std::array<Side, 6> sides = SidesOf(clipped);
+// The exposed sides of a pocket, seen from within it. Where it is not clipped, the side goes with
+// the clearance if the axis is widened.
+std::vector<Wall> WallsOf(const PartModel& model, const Hollow& hollow) {
+  const std::array<Side, 6> whole = SidesOf(hollow.pocket);
+  const std::array<Side, 6> sides = SidesOf(hollow.clipped);
   std::vector<Wall> walls;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     Side side = sides[i];
@@ -162,7 +196,7 @@ std::vector<Wall> WallsOf(const PartModel& model, const Box& pocket, const Box& 
     const FaceId id = ExposedFaceOf(model, side);
     if (id.IsNone()) continue;
     walls.push_back(
-        {id, OnFace(model.faces()[id.index()], side.corners), is_own && is_widened[i / 2]});
+        {id, OnFace(model.faces()[id.index()], side.corners), is_own && hollow.is_widened[i / 2]});
   }
   return walls;
 }
@@ -383,26 +417,38 @@ void PartFile::ReadFace(const Value& entry, const PartModel& model, Feature& fea
   feature.X_PartFeature = FrameAlong(CentroidOf(face), face.normal);
 }
 
+// The axis runs through the first pocket.
 void PartFile::ReadHole(const Value& entry, const PartModel& model, Feature& feature) const {
   entry.AllowOnly({"hole", "axis", "what", "chamfer"});
-  const Pocket& pocket = PocketNamed(entry.At("hole"));
-  const Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
-  const Box whole = solid.whole.Transformed(solid.X_PartSolid);
-  const Box clipped = Clipped(pocket.box, solid.whole).Transformed(solid.X_PartSolid);
   const Value axis = entry.At("axis");
-  const int side = ReadSide(axis, whole, solid.name);
-  const std::optional<Mouth> mouth = FindMouth(model, clipped, whole, side);
+  std::vector<Hollow> hollows;
+  for (int i : PocketsNamed(entry.At("hole"))) {
+    const Pocket& pocket = pockets_[static_cast<std::size_t>(i)];
+    const Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
+    const Pose& X = solid.X_PartSolid;
+    hollows.push_back({.solid = solid.whole.Transformed(X),
+                       .pocket = pocket.box.Transformed(X),
+                       .clipped = Clipped(pocket.box, solid.whole).Transformed(X),
+                       .is_widened = pocket.is_widened});
+    ReadSide(axis, hollows.back().solid, solid.name);
+  }
+  const Hollow& first = hollows.front();
+  const int side = SideTowards(first.solid, ReadDirection(axis));
+  const Side end = SidesOf(first.clipped)[static_cast<std::size_t>(side)];
+  const std::optional<Mouth> mouth = FindMouth(model, hollows, end.normal);
   if (!mouth) {
-    axis.Fail(fmt::format("pocket '{}' has no open mouth on this side", pocket.name),
+    axis.Fail(hollows.size() == 1 ? "the pocket has no open mouth on this side"
+                                  : "the pockets have no open mouth in common on this side",
               "the direction in which the hole opens");
   }
   feature.description = "hole";
   feature.mouths = {*mouth};
-  const std::optional<Mouth> other = FindMouth(model, clipped, whole, Opposite(side));
+  const std::optional<Mouth> other = FindMouth(model, hollows, -end.normal);
   if (other) feature.mouths.push_back(*other);
-  feature.walls =
-      WallsOf(model, pocket.box.Transformed(solid.X_PartSolid), clipped, pocket.is_widened);
-  const Side end = SidesOf(clipped)[static_cast<std::size_t>(side)];
+  for (const Hollow& hollow : hollows) {
+    const std::vector<Wall> walls = WallsOf(model, hollow);
+    feature.walls.insert(feature.walls.end(), walls.begin(), walls.end());
+  }
   const Vector3 center = (end.corners[0] + end.corners[3]) / 2;  // diagonally opposite
   feature.X_PartFeature = FrameAlong(center, end.normal);
 }
@@ -439,17 +485,15 @@ int PartFile::SolidNamed(const Value& name) const {
 }
 
 std::vector<int> PartFile::SolidsNamed(const Value& names) const {
-  if (!names.IsList()) return {SolidNamed(names)};
-  std::vector<int> solids;
-  for (const Value& name : names.Items()) solids.push_back(SolidNamed(name));
-  if (solids.empty()) names.Fail("the list is empty", "at least one solid");
-  return solids;
+  std::vector<std::string> known;
+  for (const Solid& solid : solids_) known.push_back(solid.name);
+  return OneOrMore(names, known, "solid");
 }
 
-const PartFile::Pocket& PartFile::PocketNamed(const Value& name) const {
-  std::vector<std::string> names;
-  for (const Pocket& pocket : pockets_) names.push_back(pocket.name);
-  return pockets_[static_cast<std::size_t>(name.OneOf(names))];
+std::vector<int> PartFile::PocketsNamed(const Value& names) const {
+  std::vector<std::string> known;
+  for (const Pocket& pocket : pockets_) known.push_back(pocket.name);
+  return OneOrMore(names, known, "pocket");
 }
 
 }  // namespace assay::domain

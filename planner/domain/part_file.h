@@ -59,8 +59,9 @@ class PartFile {
   void ReadHole(const Value& entry, const PartModel& model, Feature& feature) const;
   void ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const;
   int SolidNamed(const Value& name) const;
-  std::vector<int> SolidsNamed(const Value& names) const;  // one name or a list
-  const Pocket& PocketNamed(const Value& name) const;
+  // One name or a list.
+  std::vector<int> SolidsNamed(const Value& names) const;
+  std::vector<int> PocketsNamed(const Value& names) const;
 
   double clearance_;
   Units units_;

@@ -195,10 +195,10 @@ Vector3 IntoFace(const Polyhedron& shape, const OuterEdge& edge, std::size_t whi
 // The parts are on their own sides of the plane through two crossing edges: all that leaves the
 // moving edge goes up n, or along the plane, and all that leaves the stationary edge goes down.
 bool Separates(const Vector3& n, const Polyhedron& moving, const OuterEdge& moving_edge,
-               const Polyhedron& stationary, const OuterEdge& stationary_edge) {
+               const Polyhedron& stationary, const OuterEdge& stationary_edge, double slack) {
   for (std::size_t which : {0U, 1U}) {
-    if (n.dot(IntoFace(moving, moving_edge, which)) < -kSameDirection) return false;
-    if (n.dot(IntoFace(stationary, stationary_edge, which)) > kSameDirection) return false;
+    if (n.dot(IntoFace(moving, moving_edge, which)) < -slack) return false;
+    if (n.dot(IntoFace(stationary, stationary_edge, which)) > slack) return false;
   }
   return true;
 }
@@ -221,12 +221,13 @@ class ContactFinder {
  public:
   ContactFinder(const Polyhedron& moving, const Polyhedron& stationary,
                 const Pose& X_StationaryMoving, double reach,
-                const std::vector<ModelTolerance>& tolerances)
+                const std::vector<ModelTolerance>& tolerances, double turn)
       : moving_(
             MakeSide(Transformed(moving, X_StationaryMoving), 1, ModelTolerance::Of::kMovingFaces)),
         stationary_(MakeSide(stationary, -1, ModelTolerance::Of::kStationaryFaces)),
         origin_(X_StationaryMoving.translation()),
         reach_(reach),
+        turn_(turn),
         tolerances_(tolerances) {
     for (const ModelTolerance& tolerance : tolerances) {
       const bool of_moving = tolerance.of == ModelTolerance::Of::kMovingFaces;
@@ -286,7 +287,8 @@ class ContactFinder {
   }
 
   // No edge that leaves the vertex may go behind the face. Only those that lie in it can, in small
-  // motions. Empty: one goes behind the face as things are, so the vertex cannot touch it.
+  // motions, or nearly so in larger ones. Empty: one goes behind the face whatever the motion, so
+  // the vertex cannot touch it.
   std::optional<std::vector<HalfSpace>> OverlapLimits(const Side& side, Index vertex,
                                                       const Vector3& n) const {
     std::vector<HalfSpace> limits;
@@ -297,8 +299,10 @@ class ContactFinder {
           (edge.start - corner.p).squaredNorm() < (edge.end - corner.p).squaredNorm();
       const Vector3 leaving = from_start ? edge.direction() : Vector3(-edge.direction());
       const double rise = n.dot(leaving);
-      if (rise < -kSameDirection) return std::nullopt;
-      if (rise < kSameDirection) limits.push_back(Turn(side.sign * n.cross(leaving)));
+      if (rise < -kSameDirection - turn_) return std::nullopt;
+      if (rise < kSameDirection + turn_) {
+        limits.push_back(Turn(side.sign * n.cross(leaving), rise));
+      }
     }
     return limits;
   }
@@ -327,12 +331,14 @@ class ContactFinder {
     const OuterEdge& a = moving_.shape.edges[moving];
     const OuterEdge& b = stationary_.shape.edges[stationary];
     Vector3 n = a.direction().cross(b.direction());
-    if (n.norm() < kSameDirection) return;
+    const double sine = n.norm();
+    if (sine < kSameDirection + turn_) return;  // they may be parallel
     n.normalize();
+    const double slack = kSameDirection + turn_ / sine;  // how much n may turn
     const Crossing crossing = CrossingOf(a, b);
     if (DistanceBetween(a, b, crossing) > reach_) return;
-    if (!Separates(n, moving_.shape, a, stationary_.shape, b)) n = -n;
-    if (!Separates(n, moving_.shape, a, stationary_.shape, b)) return;
+    if (!Separates(n, moving_.shape, a, stationary_.shape, b, slack)) n = -n;
+    if (!Separates(n, moving_.shape, a, stationary_.shape, b, slack)) return;
     const Vector3 at = a.start + crossing.s * a.direction();
     PrimitiveContact contact;
     contact.kind = ContactKind::kEdgeEdge;
@@ -342,24 +348,26 @@ class ContactFinder {
     contact.normal = n;
     contact.at = at - origin_;
     contact.row = RowOf(n, contact.at, EdgeShift(a, b).transpose() * n);
-    contact.limits = OrientationLimits(a, b, n);
+    contact.limits = OrientationLimits(a, b, n, slack);
     AddNearest(RangeLimits(a, b, crossing), contact);
     Keep(std::move(contact));
   }
 
-  // A face of one edge that lies in the plane of both: the half of the other edge that is over it
-  // must not go behind it. (Where the edges are at right angles, that is the condition on inward
-  // directions with n held fixed; elsewhere n turns with the moving edge, which this accounts for.)
-  std::vector<HalfSpace> OrientationLimits(const OuterEdge& a, const OuterEdge& b,
-                                           const Vector3& n) const {
+  // A face of one edge that lies in the plane of both, or nearly: the half of the other edge that
+  // is over it must not go behind it. (Where the edges are at right angles, that is the condition
+  // on inward directions with n held fixed; elsewhere n turns with the moving edge, which this
+  // accounts for.)
+  std::vector<HalfSpace> OrientationLimits(const OuterEdge& a, const OuterEdge& b, const Vector3& n,
+                                           double slack) const {
     std::vector<HalfSpace> limits;
     const auto add = [&](const Side& side, const OuterEdge& edge, const OuterEdge& other) {
       for (std::size_t which : {0U, 1U}) {
         const Vector3 into = IntoFace(side.shape, edge, which);
-        if (std::abs(n.dot(into)) > kSameDirection) continue;
+        if (std::abs(n.dot(into)) > slack) continue;
         const Vector3& normal = side.shape.faces[static_cast<Index>(edge.faces[which])].normal;
         const double over = other.direction().dot(into) < 0 ? -1 : 1;
-        limits.push_back(Turn(-side.sign * over * normal.cross(other.direction())));
+        limits.push_back(Turn(-side.sign * over * normal.cross(other.direction()),
+                              over * normal.dot(other.direction())));
       }
     };
     add(moving_, a, b);
@@ -434,9 +442,10 @@ class ContactFinder {
     return row;
   }
 
-  // axis . w <= 0.
-  HalfSpace Turn(const Vector3& axis) const {
+  // axis . w <= rise, of which rounding is left out.
+  HalfSpace Turn(const Vector3& axis, double rise) const {
     HalfSpace limit;
+    limit.b = std::abs(rise) < kSameDirection ? 0 : rise;
     limit.a.setZero(kPoseDimensions + static_cast<Eigen::Index>(tolerances_.size()));
     limit.a.segment<3>(3) = axis;
     return limit;
@@ -461,6 +470,7 @@ class ContactFinder {
   Side stationary_;
   Vector3 origin_;
   double reach_;
+  double turn_;
   const std::vector<ModelTolerance>& tolerances_;
   std::vector<PrimitiveContact> contacts_;
 };
@@ -470,8 +480,9 @@ class ContactFinder {
 std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
                                                 const Polyhedron& stationary,
                                                 const Pose& X_StationaryMoving, double reach,
-                                                const std::vector<ModelTolerance>& tolerances) {
-  return ContactFinder(moving, stationary, X_StationaryMoving, reach, tolerances).Find();
+                                                const std::vector<ModelTolerance>& tolerances,
+                                                double turn) {
+  return ContactFinder(moving, stationary, X_StationaryMoving, reach, tolerances, turn).Find();
 }
 
 std::string Name(const PrimitiveContact& contact) {

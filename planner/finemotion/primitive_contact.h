@@ -52,12 +52,14 @@ struct PrimitiveContact {
 };
 
 // The primitive contacts that parts whose features touch to within `reach` (metres) at
-// X_StationaryMoving can make near there. Where gap and limits are those of one contact seen twice
-// (an edge that lies in a face), it is named once.
+// X_StationaryMoving can make near there, turned by at most `turn` (radians) against it: contacts
+// that exist only when turned are among them, edges that may be parallel are not. Where gap and
+// limits are those of one contact seen twice (an edge that lies in a face), it is named once.
 std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
                                                 const Polyhedron& stationary,
                                                 const Pose& X_StationaryMoving, double reach,
-                                                const std::vector<ModelTolerance>& tolerances = {});
+                                                const std::vector<ModelTolerance>& tolerances = {},
+                                                double turn = 0);
 
 // "vertex 3 on face 1".
 std::string Name(const PrimitiveContact& contact);

@@ -16,20 +16,45 @@ using geometry::Vector3;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kParallel = 1e-6;  // of unit vectors
 constexpr double kTipLayer = 1e-6;  // metres
+constexpr double kOnPlane = 1e-9;   // metres
 
 bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
 bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }
 
-// The corners of a shaft's faces, in the frame of the feature: z = 0 at the tip.
+// What of a convex outline is behind the plane of a face.
+std::vector<Vector3> Behind(const domain::Face& face, const std::vector<Vector3>& outline) {
+  std::vector<Vector3> behind;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Vector3& p = outline[i];
+    const Vector3& q = outline[(i + 1) % outline.size()];
+    const double at_p = face.normal.dot(p) - face.offset;
+    const double at_q = face.normal.dot(q) - face.offset;
+    if (at_p <= kOnPlane) behind.push_back(p);
+    if (std::min(at_p, at_q) < -kOnPlane && std::max(at_p, at_q) > kOnPlane) {
+      behind.emplace_back(p + at_p / (at_p - at_q) * (q - p));
+    }
+  }
+  return behind;
+}
+
+// The corners of a shaft's faces, in the frame of the feature: z = 0 at the tip. Of a face that
+// goes on beyond the shaft, as the tips of shaft and key are one face, what is between its sides.
 std::vector<Vector3> Corners(const PartModel& model, const Feature& shaft) {
   const Pose X_FeaturePart = shaft.X_PartFeature.inverse();
+  const Vector3 axis = shaft.X_PartFeature.linear().col(2);
   std::vector<Vector3> corners;
   for (const domain::FaceId id : shaft.faces) {
     const domain::Face& face = model.faces()[id.index()];
     for (const geometry::Polygon& patch : face.patches) {
+      std::vector<Vector3> outline;
       for (const geometry::Vector2& p : patch) {
-        corners.push_back(X_FeaturePart * face.X_PartFace * Vector3(p.x(), p.y(), 0));
+        outline.push_back(face.X_PartFace * Vector3(p.x(), p.y(), 0));
       }
+      for (const domain::FaceId other : shaft.faces) {
+        const domain::Face& side = model.faces()[other.index()];
+        if (std::abs(side.normal.dot(axis)) < kParallel) outline = Behind(side, outline);
+      }
+      for (const Vector3& p : outline) corners.push_back(X_FeaturePart * p);
     }
   }
   return corners;

@@ -30,6 +30,7 @@ extern const Verb kDoctor;
 extern const Verb kExport;
 extern const Verb kLabel;
 extern const Verb kList;
+extern const Verb kMate;
 extern const Verb kPlan;
 extern const Verb kRender;
 extern const Verb kReplay;

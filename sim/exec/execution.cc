@@ -50,6 +50,11 @@ Pose Execution::BelievedTool() const {
   return ToolAt(*problem_.workcell, commanded_.q) * hand_error_.inverse();
 }
 
+void Execution::Place(const JointVector& q) {
+  scene_.SetArm(data_, q);
+  commanded_ = {q, JointVector::Zero()};
+}
+
 Moment Execution::Now() const {
   const Pose X_WorldTool = BelievedTool();
   Moment now{.time = data_.time(),
@@ -116,7 +121,7 @@ Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
     resistance += std::min(1.0, data_.timestep() / kTouchFilter) * (against - resistance);
   }
   const bool stopped = rate < 1;
-  if (stopped) commanded_ = {scene_.ArmPosition(data_), JointVector::Zero()};
+  if (stopped) TakeStock();
   trace_.events.push_back(GuardRecord{data_.time(), stopped, BelievedTool()});
   return std::nullopt;
 }
@@ -139,6 +144,8 @@ void Execution::SetStepping(Stepping stepping) {
   data_.SetTimestep(free ? std::max(fine, options_.free_timestep) : fine);
 }
 
+void Execution::TakeStock() { commanded_ = {scene_.ArmPosition(data_), JointVector::Zero()}; }
+
 Checkpoint Execution::Save() const {
   return {data_.Save(), world_, commanded_, felt_, hand_error_};
 }
@@ -154,9 +161,27 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   while (options_.sample_rate > 0 && data_.time() >= samples_ / options_.sample_rate) ++samples_;
 }
 
+// The servo's law is linear in what it is told: told a state between the arm's own and the wanted
+// one, it is as if its gains were lower. Damping goes with the root of stiffness, so that the arm
+// is as well damped as before. No torques for accelerations: most are those of the motors, and what
+// the hand touches would give them back as forces, and those become accelerations.
+Progress Execution::StepSoftly(const JointState& next, double share) {
+  SetStepping(Stepping::kContact);
+  const JointVector q = scene_.ArmPosition(data_);
+  const JointVector qd = scene_.ArmVelocity(data_);
+  const double damping = std::sqrt(share);
+  servo_.Command(data_, {q + share * (next.q - q), qd + damping * (next.qd - qd)},
+                 JointVector::Zero(), Carried());
+  return Advance(next);
+}
+
 Progress Execution::StepTo(const JointState& next) {
   const JointVector qdd = (next.qd - commanded_.qd) / data_.timestep();
   servo_.Command(data_, commanded_, qdd, Carried());
+  return Advance(next);
+}
+
+Progress Execution::Advance(const JointState& next) {
   data_.Step();
   commanded_ = next;
   ++steps_;

@@ -53,6 +53,8 @@ class Execution {
   Moment Now() const;
   std::int64_t steps() const { return steps_; }  // of the engine, so far
 
+  // The arm is with these joint values, at rest: a jump, for the start of a trial.
+  void Place(const JointVector& q);
   // From now on the hand errs so (noise::Noise::HandError).
   void SetHandError(const Pose& error) { hand_error_ = error; }
   // The same, and it goes where it now believes itself to be.
@@ -73,6 +75,12 @@ class Execution {
   Progress Follow(const JointTrajectory& trajectory, double fine_from, const Guarded& guarded);
   // The arm stays where it was last told to be, for at least one timestep.
   Progress Stay(double seconds, Stepping stepping);
+  // One small timestep with soft servos: their stiffness is this share of what it is otherwise, and
+  // what touches the hand can move it.
+  Progress StepSoftly(const JointState& next, double share);
+
+  // What the arm was last told becomes where it is.
+  void TakeStock();
 
   Checkpoint Save() const;
   void Restore(const Checkpoint& checkpoint);
@@ -82,6 +90,8 @@ class Execution {
   // One timestep, after which the arm is to be in this state, with everything that belongs to it:
   // the trace's series, and the watch over force and engine.
   Progress StepTo(const JointState& next);
+  // The same, with the servos told already.
+  Progress Advance(const JointState& next);
   scene::Load Carried() const;
   void SampleIfDue();
   Progress Watch();

@@ -138,6 +138,10 @@ void Scene::SetPart(Data& data, PartId part, const Pose& X_WorldPart) const {
   data.Forward();
 }
 
+void Scene::Clamp(Data& data, PartId part, double force) const {
+  data.get()->xfrc_applied[6 * Body(part).index() + 2] = -force;
+}
+
 void Scene::SetTableHeight(Data& data, PartId part, double height) const {
   data.SetGeomHeight(parts_[part.index()].table, table_middle_ + height);
 }
@@ -171,7 +175,51 @@ Wrench Scene::WristWrench(const Data& data) const {
   const Vector3 arm = center - X_WorldWrist.translation();
   const Vector3 force = X_WorldWrist.linear() * VectorAt(data.sensordata(), force_sensor_);
   const Vector3 torque = X_WorldWrist.linear() * VectorAt(data.sensordata(), torque_sensor_);
-  return {.force = -force - weight, .torque = -torque - arm.cross(weight)};
+  return {.force = -force - weight, .torque = -torque - arm.cross(weight) + WeldTorqueError(data)};
+}
+
+// The engine's sensors take the forces of a weld's three rows for angles as the torque itself.
+// Those rows are in half quaternions: the torque is what their Jacobian makes of the forces. (The
+// weld is at the part's origin, so that its other rows do not turn the part.)
+Vector3 Scene::WeldTorqueError(const Data& data) const {
+  const mjModel& m = *data.own_model();
+  const mjData& d = *data.get();
+  Vector3 error = Vector3::Zero();
+  for (int row = 0; row < d.ne; ++row) {
+    const auto part = std::ranges::find_if(parts_, [&](const FreeBody& body) {
+      return !body.weld.IsNone() && body.weld.index() == d.efc_id[row];
+    });
+    if (part == parts_.end()) continue;
+    std::vector<double> turning(d.nefc);
+    std::copy_n(d.efc_force + row + 3, 3, turning.begin() + row + 3);
+    std::vector<double> on_part(m.nv);
+    mj_mulJacTVec(&m, const_cast<mjData*>(&d), on_part.data(), turning.data());  // only reads d
+    error -= data.BodyPose(part->body).linear() * VectorAt(on_part, part->dof + 3);
+    error -= Eigen::Map<const Vector3>(d.efc_force + row + 3);
+    row += 5;
+  }
+  return error;
+}
+
+Wrench Scene::WristWrenchInMotion(const Data& data) const {
+  const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand_.index());
+  const Vector3 arm = center - data.SitePose(wrist_).translation();
+  const Vector3 inertial =
+      data.own_model()->body_subtreemass[hand_.index()] * HandAcceleration(data);
+  const Wrench wrist = WristWrench(data);
+  return {.force = wrist.force + inertial, .torque = wrist.torque + arm.cross(inertial)};
+}
+
+// The engine's accelerations are those that are felt: gravity is an acceleration upward.
+Vector3 Scene::HandAcceleration(const Data& data) const {
+  const mjModel& m = *data.own_model();
+  mjtNum felt[6];  // angular, linear, of the body's own centre of mass
+  mj_objectAcceleration(&m, data.get(), mjOBJ_BODY, hand_.index(), felt, 0);
+  const Eigen::Map<const Vector3> angular(felt);
+  const Eigen::Map<const Vector3> linear(felt + 3);
+  const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand_.index());
+  const Eigen::Map<const Vector3> own(data.get()->xipos + 3 * hand_.index());
+  return linear + angular.cross(center - own) + Eigen::Map<const Vector3>(m.opt.gravity);
 }
 
 bool Scene::Touching(const Data& data, PartId part, mujoco::BodyId body) const {

@@ -73,6 +73,10 @@ class Scene {
   // Puts a part somewhere, at rest: a jump, for the start of a trial.
   void SetPart(mujoco::Data& data, PartId part, const Pose& X_WorldPart) const;
 
+  // From now on a clamp presses the part down with this force, newtons, so that it stays on the
+  // table where it is.
+  void Clamp(mujoco::Data& data, PartId part, double force) const;
+
   // The table is this much higher, in metres, under one part; and where the hand works. Whatever
   // rests there must be raised with it.
   void SetTableHeight(mujoco::Data& data, PartId part, double height) const;
@@ -87,6 +91,11 @@ class Scene {
   // site's origin (the flange), world frame. Reading of the force and torque sensor without the
   // weight of hand and fingers; quasi-static: their inertial forces are not taken out.
   Wrench WristWrench(const mujoco::Data& data) const;
+  // The same with the inertial force of hand and fingers taken out, as an accelerometer in the hand
+  // allows to. What turns them is left in: it is small.
+  Wrench WristWrenchInMotion(const mujoco::Data& data) const;
+  // Of the hand's and fingers' centre of mass, world frame, m/s^2.
+  Vector3 HandAcceleration(const mujoco::Data& data) const;
 
   // Bodies that contacts are asked about (mujoco::ContactsBetween). Table and floor belong to the
   // world.
@@ -111,6 +120,7 @@ class Scene {
     int ctrl = 0;
   };
 
+  Vector3 WeldTorqueError(const mujoco::Data& data) const;
   Finger FindFinger(const std::string& name) const;
   FreeBody FindPart(const std::string& name) const;
 

@@ -119,6 +119,8 @@ TEST(PartFileTest, EachSlipIsNamed) {
       {"hole: slot, axis: [1, 0, 0]", "hole: slot, axis: [0, 1, 0]", "no open mouth"},
       {"hole: slot, axis: [1, 0, 0]", "hole: slot, axis: [-1, 0, 0]", "no open mouth"},
       {"hole: slot, axis", "hole: slot, normal", "unknown key 'normal'"},
+      {"hole: slot", "hole: []", "at least one pocket"},
+      {"hole: slot", "hole: [slot, slit]", "did you mean 'slot'"},
       {"shaft: lug", "shaft: []", "at least one solid"},
       {"shaft: lug", "shaft: [lug, peg]", "unknown name 'peg'"},
       {"shaft: lug, axis", "rod: lug, axis", "face, a hole or a shaft"},
@@ -147,6 +149,26 @@ TEST(PartFileTest, AMouthMustBeOpen) {
     const std::string text = With("pockets:", std::string("  plug: {box: ") + box + "}\npockets:");
     EXPECT_THAT(ErrorOf(text), HasSubstr("no open mouth")) << box;
   }
+}
+
+// A bush in the mouth: the hole is what slot and bore have in common.
+TEST(PartFileTest, AHoleMayGoThroughSeveralSolids) {
+  const auto with_bush = [](const std::string& bore, const std::string& hole) {
+    std::string text = With("pockets:",
+                            "  bush: {box: [[50, 8, 3], [60, 32, 9]]}\npockets:\n"
+                            "  bore: {cut_from: bush, box: " +
+                                bore + "}");
+    return text.replace(text.find("hole: slot"), 10, hole);
+  };
+  const std::string through = "[[45, 15, 0], [60, 25, 30]]";
+  EXPECT_THAT(ErrorOf(with_bush(through, "hole: slot")), HasSubstr("no open mouth"));
+  EXPECT_THAT(ErrorOf(with_bush("[[45, 15, 0], [55, 25, 30]]", "hole: [slot, bore]")),
+              HasSubstr("no open mouth in common"));
+  const auto part = ParsePart(with_bush(through, "hole: [slot, bore]"));
+  const Feature& hole = *part->FindFeature(FeatureNumber(3));
+  ASSERT_EQ(hole.mouths.size(), 1u);
+  EXPECT_NEAR(geometry::Area(hole.mouths[0].outline), 10 * 10 * 1e-6, 1e-12)
+      << "y from 15 to 25 of the bore, z from 5 to 15 of the slot";
 }
 
 TEST(PartFileTest, APocketTurnsWithItsSolid) {

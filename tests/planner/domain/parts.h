@@ -34,8 +34,9 @@ inline const kinematics::Gripper& ParallelJaw() {
 }
 
 inline const std::vector<std::string>& PartNames() {
-  static const std::vector<std::string> names = {"block",     "brick", "keyed-block",
-                                                 "keyed-peg", "peg",   "twin-block"};
+  static const std::vector<std::string> names = {
+      "block", "brick",         "keyed-block", "keyed-peg", "octagonal-block", "octagonal-peg",
+      "peg",   "stepped-block", "stepped-peg", "t-rail",    "t-slide",         "twin-block"};
   return names;
 }
 

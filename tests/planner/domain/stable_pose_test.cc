@@ -118,7 +118,7 @@ TEST(StablePoseTest, RollingEndsInTheComputedPosesAndReachesAll) {
   for (const auto& part : parts) {
     RandomStream random(kSeed, part->name());
     std::vector<int> ended(part->stable_poses().size());
-    for (int i = 0; i < 150; ++i) {
+    for (int i = 0; i < 300; ++i) {
       const Vector3 start = oracle::RandomRotation(random).col(0);
       const Vector3 end =
           oracle::RollToRest(part->hull().vertices, part->mass().center, start, random);

@@ -1,5 +1,6 @@
 #include "sim/check/fit.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,6 +74,22 @@ TEST_F(FitTest, ALeanIsTheSineOfItsAngle) {
   Pose tilt = Pose::Identity();
   tilt.linear() = Eigen::AngleAxisd(0.004, Vector3::UnitY()).toRotationMatrix();
   EXPECT_NEAR(With(tilt).lean, std::sin(0.004), 1e-12);
+}
+
+// Also where the tip's face goes on beyond the shaft, as it does on a key and on a T-slide's head.
+TEST(FitOfParts, ACentredShaftHasTheClearanceOnEachSide) {
+  for (const char* name :
+       {"spar-fig15", "keyed", "mate-stepped", "mate-octagonal", "mate-t-slot"}) {
+    const domain::Problem problem = domain::ReadProblem(
+        Document::Load(fmt::format("{}/scenarios/{}.yaml", ASSAY_SOURCE_DIR, name)),
+        ASSAY_SOURCE_DIR "/models");
+    const domain::Mating& mating = problem.matings.front();
+    const Pose start = geometry::Translation(-mating.mating_vector) * mating.X_FixedHeld;
+    const FitMargins margins =
+        MarginsOfFits(problem, mating, {start, mating.mating_vector.normalized()});
+    EXPECT_NEAR(margins.entry, problem.clearance, 1e-9) << name;
+    EXPECT_NEAR(margins.slide_in, problem.clearance, 1e-9) << name;
+  }
 }
 
 }  // namespace

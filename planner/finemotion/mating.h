@@ -1,0 +1,27 @@
+#pragma once
+
+#include "planner/domain/problem.h"
+#include "planner/finemotion/critical_points.h"
+#include "planner/finemotion/strategy_search.h"
+#include "planner/plan/strategy.h"
+
+namespace assay::finemotion {
+
+// What a part's boxes are outside.
+Polyhedron OutsideOf(const domain::PartModel& model);
+
+// A mating as fine motion sees it. The tip is the frame in the middle of the held feature that goes
+// in first (Mating::features), with the fixed part's axes when it is mated.
+struct MatingGeometry {
+  Pose X_HeldTip = Pose::Identity();
+  Passage passage;  // at the first critical point; the moving part about its tip, with clearance
+  Pose X_FixedSeat = Pose::Identity();         // of the tip, at the end
+  std::vector<CriticalPoint> critical_points;  // of the parts without clearance
+};
+MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& mating);
+
+// The plan for hybrid control: its motions, then the way on to the seat in the crevice between the
+// walls.
+plan::Strategy StrategyOf(const MatingGeometry& geometry, const FineMotionPlan& plan);
+
+}  // namespace assay::finemotion

@@ -1,0 +1,331 @@
+#include "planner/finemotion/strategy_search.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <queue>
+
+#include "planner/base/random.h"
+#include "planner/finemotion/force_signature.h"
+
+namespace assay::finemotion {
+
+namespace {
+
+constexpr double kAbove = 0.002;         // metres, of starts over all that errors can bring near
+constexpr double kFarthest = 0.015;      // metres that a move may take to a contact
+constexpr double kWidestTurn = 0.15;     // radians that a turn may take to one
+constexpr double kUprightEnough = 0.02;  // radians
+constexpr double kThin = 1.5e-4;         // metres: errors that are less are none
+constexpr std::size_t kMostMotions = 24;
+// The guidance is not a lower bound of the cost, so that sequences need not be the cheapest: what
+// counts is that they absorb errors, which the cost of small ones only hints at.
+constexpr double kPerWideDirection = 4;
+constexpr double kPerError = 3;
+constexpr double kPerRadian = 20;
+// Of the errors, that sequences are searched for, round by round.
+constexpr double kMultiples[] = {0.5, 0.3, 0.7, 0.15};
+constexpr double kGrowth = 1.06;  // of the errors that a moved start must absorb
+
+// Where a trial starts: turned and beside the entry.
+struct Start {
+  Vector3 turn = Vector3::Zero();    // rotation vector
+  Vector3 beside = Vector3::Zero();  // across the way in
+};
+
+struct Node {
+  Belief belief;
+  std::shared_ptr<const Node> parent = {};
+  Maneuver maneuver = {};
+  Start start = {};
+  std::size_t motions = 0;
+  double cost = 0;
+  double guidance = 0;
+  int number = 0;  // in the order of their making
+};
+using NodePointer = std::shared_ptr<const Node>;
+
+// By what the whole may cost; of equals, the ones that came farther.
+struct IsLater {
+  bool operator()(const NodePointer& a, const NodePointer& b) const {
+    const double cost_a = a->cost + a->guidance;
+    const double cost_b = b->cost + b->guidance;
+    if (cost_a != cost_b) return cost_a > cost_b;
+    return a->motions != b->motions ? a->motions < b->motions : a->number > b->number;
+  }
+};
+
+struct Replay {
+  bool certain = false;
+  std::vector<CertainMotion> motions;
+};
+
+class Search {
+ public:
+  // `multiple`: of the errors, that the sequence is searched for.
+  Search(const Passage& passage, const FineMotionErrors& errors, const StrategyOptions& options,
+         int round, double multiple)
+      : errors_(errors),
+        options_(options),
+        multiple_(multiple),
+        maneuvering_(passage, {.velocity_error = errors.velocity,
+                               .turn_error = 1.5 * errors.pose.tail<3>().maxCoeff() + 0.005,
+                               .reach = options.reach,
+                               .radius = options.radius}),
+        random_(options.seed, fmt::format("starts of strategies {}", round)) {}
+
+  FineMotionPlan Run() {
+    if (const NodePointer goal = Find()) {
+      Start start = goal->start;
+      for (const Node* node = goal.get(); node->parent; node = node->parent.get()) {
+        plan_.maneuvers.insert(plan_.maneuvers.begin(), node->maneuver);
+      }
+      plan_.absorbed = multiple_;
+      Widen(start);
+      Finish(start);
+    }
+    return std::move(plan_);
+  }
+
+ private:
+  const Passage& passage() const { return maneuvering_.passage(); }
+
+  // --- Starts.
+
+  // Tilted any way, and shifted so that the corner that is then the lowest is inside the entry.
+  Start RandomStart() {
+    const auto within = [&](double most) { return random_.Uniform(-most, most); };
+    const Vector3& in = passage().mating;
+    const Vector3 side = in.unitOrthogonal();
+    const Vector3 other = in.cross(side);
+    Start start;
+    start.turn =
+        within(options_.twist) * in + within(options_.tilt) * side + within(options_.tilt) * other;
+    const Vector3 corner = LowestCorner(start.turn);
+    for (const Vector3& axis : {side, other}) {
+      start.beside -= std::copysign(random_.Uniform(0, options_.offset), corner.dot(axis)) * axis;
+    }
+    return start;
+  }
+
+  Vector3 LowestCorner(const Vector3& turn) const {
+    GeneralizedPoint z = GeneralizedPoint::Zero(kPoseDimensions);
+    z.tail<3>() = turn;
+    const Pose X = Displaced(passage().X_StationaryEntry, z);
+    Vector3 lowest = Vector3::Zero();
+    for (const OuterVertex& vertex : passage().moving.vertices) {
+      const Vector3 at = X.linear() * vertex.p;
+      if (at.dot(passage().mating) > lowest.dot(passage().mating)) lowest = at;
+    }
+    return lowest;
+  }
+
+  Start Near(const Start& start, double size) {
+    const auto within = [&](double most) { return random_.Uniform(-most, most) * size; };
+    const Vector3& in = passage().mating;
+    const Vector3 side = in.unitOrthogonal();
+    const Vector3 other = in.cross(side);
+    Start near = start;
+    near.turn +=
+        within(options_.twist) * in + within(options_.tilt) * side + within(options_.tilt) * other;
+    near.beside += within(options_.offset) * side + within(options_.offset) * other;
+    return near;
+  }
+
+  // So far up that the part is free, whatever the errors.
+  Belief BeliefAt(const Start& start, double multiple) const {
+    Belief belief;
+    belief.errors = multiple * Eigen::MatrixXd(errors_.pose.asDiagonal());
+    GeneralizedPoint z(kPoseDimensions);
+    z << start.beside, start.turn;
+    belief.X_StationaryMoving = Displaced(passage().X_StationaryEntry, z);
+    double deepest = 0;
+    for (const OuterVertex& vertex : passage().moving.vertices) {
+      const Vector3 at = belief.X_StationaryMoving * vertex.p;
+      const double reach =
+          errors_.pose.head<3>().norm() +
+          errors_.pose.tail<3>().norm() * std::min(vertex.p.norm(), options_.reach);
+      const double depth = (at - passage().X_StationaryEntry.translation()).dot(passage().mating);
+      deepest = std::max(deepest, depth + reach);
+    }
+    belief.X_StationaryMoving.translation() -= (deepest + kAbove) * passage().mating;
+    return belief;
+  }
+
+  // --- The search for a sequence.
+
+  NodePointer Find() {
+    std::priority_queue<NodePointer, std::vector<NodePointer>, IsLater> open;
+    for (int i = 0; i < options_.starts; ++i) {
+      Node node;
+      node.start = RandomStart();
+      node.belief = BeliefAt(node.start, multiple_);
+      Push(std::move(node), open);
+    }
+    while (!open.empty() && plan_.expanded < options_.nodes) {
+      const NodePointer node = open.top();
+      open.pop();
+      if (IsGoal(node->belief)) return node;
+      ++plan_.expanded;
+      if (node->motions >= kMostMotions) continue;
+      for (const Maneuver& maneuver : ManeuversFrom(node->belief)) {
+        const Maneuvered done = maneuvering_.Apply(node->belief, maneuver, true);
+        if (!done.certain) continue;
+        Push({.belief = done.after,
+              .parent = node,
+              .maneuver = maneuver,
+              .start = node->start,
+              .motions = node->motions + done.motions.size(),
+              .cost = node->cost + CostOf(done)},
+             open);
+      }
+    }
+    return nullptr;
+  }
+
+  template <class Queue>
+  void Push(Node node, Queue& open) {
+    node.number = made_++;
+    node.guidance = GuidanceOf(node.belief);
+    open.push(std::make_shared<const Node>(std::move(node)));
+  }
+
+  bool IsGoal(const Belief& belief) const {
+    return maneuvering_.ToUpright(belief.X_StationaryMoving).norm() < kUprightEnough &&
+           maneuvering_.WideDirections(belief) == 0 && maneuvering_.ComesThrough(belief);
+  }
+
+  std::vector<Maneuver> ManeuversFrom(const Belief& belief) const {
+    using Kind = Maneuver::Kind;
+    const Vector3& in = passage().mating;
+    std::vector<Maneuver> maneuvers;
+    for (const double length : {1e-3, 3e-3}) maneuvers.push_back({Kind::kMove, -in, length});
+    maneuvers.push_back({Kind::kMove, in, kFarthest, true});
+    for (const Vector3& lateral : maneuvering_.laterals()) {
+      maneuvers.push_back({Kind::kMove, lateral, kFarthest, true});
+      maneuvers.push_back({Kind::kTurn, lateral, kWidestTurn, true});
+    }
+    for (const double sign : {1.0, -1.0}) {
+      maneuvers.push_back({Kind::kTurn, sign * in, kWidestTurn, true});
+    }
+    for (const ContactKey& contact : belief.kept) {
+      maneuvers.push_back({Kind::kLetGo, {}, 1e-3, false, contact});
+    }
+    maneuvers.push_back({Kind::kCenter});
+    maneuvers.push_back({Kind::kUpright});
+    return maneuvers;
+  }
+
+  double CostOf(const Maneuvered& done) const {
+    double cost = options_.transitions * static_cast<double>(done.motions.size());
+    cost += options_.deviation / done.least_scale;
+    return cost + options_.confusion * ConfusionOf(done);
+  }
+
+  // How alike the forces of the last planned contact and of what is likeliest instead are.
+  double ConfusionOf(const Maneuvered& done) const {
+    const CertainMotion& last = done.motions.back();
+    if (last.check.unwanted.empty() || !last.command.until) return 0;
+    const auto contacts = maneuvering_.ContactsAt(last.X_StationaryAfter);
+    const auto signature = [&](const ContactKey& key) {
+      std::vector<PrimitiveContact> touching;
+      for (const ContactKey& kept : last.command.kept) {
+        if (const auto* contact = finemotion::Find(contacts, kept)) touching.push_back(*contact);
+      }
+      if (const auto* contact = finemotion::Find(contacts, key)) touching.push_back(*contact);
+      return SignatureOf(touching, 0);
+    };
+    const double separation =
+        Separation(signature(*last.command.until), signature(last.check.unwanted.front().contact),
+                   options_.radius);
+    return 1 - separation;
+  }
+
+  double GuidanceOf(const Belief& belief) const {
+    Eigen::MatrixXd errors = belief.errors.topRows<kPoseDimensions>();
+    errors.bottomRows<3>() *= options_.radius;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(errors * errors.transpose(),
+                                                              Eigen::EigenvaluesOnly);
+    const auto thick = (axes.eigenvalues().array() > kThin * kThin).count();
+    const double turn = maneuvering_.ToUpright(belief.X_StationaryMoving).norm();
+    return kPerWideDirection * maneuvering_.WideDirections(belief) +
+           kPerError * static_cast<double>(thick) + std::min(2.0, kPerRadian * turn);
+  }
+
+  // --- The sequence from other starts, with larger errors.
+
+  Replay From(const Start& start, double multiple, bool margins) {
+    ++plan_.replayed;
+    Replay replay;
+    Belief belief = BeliefAt(start, multiple);
+    for (const Maneuver& maneuver : plan_.maneuvers) {
+      Maneuvered done = maneuvering_.Apply(belief, maneuver, margins);
+      std::ranges::move(done.motions, std::back_inserter(replay.motions));
+      if (!done.certain) return replay;
+      belief = std::move(done.after);
+    }
+    replay.certain = IsGoal(belief);
+    return replay;
+  }
+
+  // Moves the start at random, less and less, and keeps it where it absorbs more.
+  void Widen(Start& start) {
+    double size = 0.3;
+    for (int i = 0; i < options_.tries && plan_.absorbed < options_.greatest; ++i) {
+      const Start moved = i == 0 ? start : Near(start, size);
+      if (From(moved, kGrowth * plan_.absorbed, false).certain) {
+        start = moved;
+        plan_.absorbed *= kGrowth;
+        size = std::min(0.3, 1.5 * size);
+      } else {
+        size = std::max(0.02, 0.97 * size);
+      }
+    }
+  }
+
+  // All motions, with as many of the errors as they are certain for.
+  void Finish(const Start& start) {
+    plan_.found = plan_.absorbed >= 1;
+    plan_.X_StationaryStart = BeliefAt(start, 1).X_StationaryMoving;
+    if (!plan_.found) {
+      const Replay replay = From(start, 1, true);
+      if (!replay.certain && !replay.motions.empty()) {
+        const std::vector<Unwanted>& unwanted = replay.motions.back().check.unwanted;
+        if (!unwanted.empty()) plan_.obstacle = unwanted.front();
+      }
+    }
+    plan_.motions = From(start, std::min(1.0, plan_.absorbed), true).motions;
+  }
+
+  const FineMotionErrors& errors_;
+  const StrategyOptions& options_;
+  double multiple_;
+  Maneuvering maneuvering_;
+  RandomStream random_;
+  FineMotionPlan plan_;
+  int made_ = 0;
+};
+
+}  // namespace
+
+FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& errors,
+                              const StrategyOptions& options) {
+  FineMotionPlan best;
+  int expanded = 0;
+  int replayed = 0;
+  for (int round = 0; round < options.rounds && !best.found; ++round) {
+    const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
+    FineMotionPlan plan = Search(passage, errors, options, round, multiple).Run();
+    expanded += plan.expanded;
+    replayed += plan.replayed;
+    if (round == 0 || plan.absorbed > best.absorbed) best = std::move(plan);
+  }
+  best.expanded = expanded;
+  best.replayed = replayed;
+  return best;
+}
+
+}  // namespace assay::finemotion

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "planner/finemotion/maneuver.h"
+
+namespace assay::finemotion {
+
+// Half widths of what is not known.
+struct FineMotionErrors {
+  Eigen::Matrix<double, kPoseDimensions, 1> pose;  // where the tip is at first: metres, radians
+  double velocity = 0.002;                         // as SegmentModel
+};
+
+struct StrategyOptions {
+  // Weights of the three costs (Dakin and Popplestone, sections 2 and 4): of a motion, of how
+  // likely another contact is, and of how alike its forces are.
+  double transitions = 1;
+  double deviation = 1;
+  double confusion = 0.5;
+  double friction = 0.2;  // of the parts
+  double reach = 0.012;   // metres within which contacts are looked for
+  double radius = 0.02;   // metres; what a radian comes to
+  double tilt = 0.2;      // radians, that starts may be tilted by
+  double twist = 0.08;    // radians, about the way in
+  double offset = 0.006;  // metres, that they may be beside the entry
+  int rounds = 8;         // searches from other starts, until all errors are absorbed
+  int starts = 100;       // that are drawn for a search
+  int tries = 400;        // at moving a start
+  double greatest = 1.5;  // multiple of the errors that is worth being absorbed
+  int nodes = 200;        // that a search may expand
+  std::uint64_t seed = 1;
+};
+
+struct FineMotionPlan {
+  bool found = false;                         // with all the errors
+  Pose X_StationaryStart = Pose::Identity();  // of the tip, in free space
+  std::vector<Maneuver> maneuvers = {};
+  std::vector<CertainMotion> motions = {};
+  // The greatest multiple of the errors for which all motions are certain, as far as was looked.
+  double absorbed = 0;
+  // If all the errors are too much: what then happens first.
+  std::optional<Unwanted> obstacle = {};
+  int expanded = 0;  // nodes
+  int replayed = 0;  // sequences, from other starts
+};
+
+// A perturbed approach and a sequence of contact states by which the tip surely comes in, in spite
+// of the errors (Dakin and Popplestone, section 4). An A* search finds the sequence for smaller
+// errors; then its start is moved so that it absorbs as much as it can. Of several rounds, the plan
+// that absorbs most. Contacts are linearized
+// anew at the end of every segment, not once at the critical point as in the paper: edges that are
+// parallel there are not where the part is tilted, and how it is tilted is what makes the sequence
+// certain.
+FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& errors,
+                              const StrategyOptions& options = {});
+
+}  // namespace assay::finemotion

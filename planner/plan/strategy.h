@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/geometry/pose.h"
+
+namespace assay::plan {
+
+using geometry::Pose;
+using geometry::Vector3;
+
+// One way in which the parts of a mating touch: a row of generalized contact space (Dakin and
+// Popplestone, section 3). All in the fixed part's axes.
+struct StrategyContact {
+  std::string name;                  // "vertex 3 on face 1"
+  Vector3 normal = Vector3::Zero();  // from the fixed part into free space, unit
+  Vector3 at = Vector3::Zero();      // from the tip's origin, metres
+};
+
+// One segment of a piecewise-linear trajectory: a contact state to be in, where to go in it, and
+// what ends it (figure 3 of the paper). What of the motion is along the normals of the contacts
+// that are kept is left to force control; the rest is position-controlled.
+struct StrategyMotion {
+  std::vector<int> kept;     // contacts that are pressed on all the way; indices
+  Pose X_FixedTip;           // where it leads if there are no errors; the way is straight, and the
+                             // rotation about one axis
+  std::optional<int> until;  // the contact that ends it; none: the motion as a whole
+  double beyond = 0;    // how much farther it may go until that is made, in lengths of the motion
+  bool slides = false;  // in a crevice: all but the motion's direction is force-controlled,
+                        // to nothing
+};
+
+// A fine-motion plan as hybrid control runs it (Dakin and Popplestone, sections 2 and 5).
+struct Strategy {
+  Pose X_HeldTip;     // the tip: the point and axes in which errors and rotations are told
+  Pose X_FixedStart;  // of the tip, where the first motion starts; in free space
+  std::vector<StrategyContact> contacts;
+  std::vector<StrategyMotion> motions;
+};
+
+}  // namespace assay::plan

@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "planner/finemotion/critical_points.h"
+#include "tests/planner/domain/scenario.h"
+
+// The matings of the repository's parts: where on the way in other faces begin to touch, by the
+// dimensions of the part files.
+namespace assay::finemotion {
+namespace {
+
+constexpr double kInch = 0.0254;
+
+Polyhedron OutsideOf(const domain::PartModel& model) {
+  std::vector<ConvexPiece> pieces;
+  for (const geometry::Box& box : model.boxes()) {
+    const auto corners = box.Corners();
+    pieces.push_back({{corners.begin(), corners.end()}});
+  }
+  return OutsideOf(pieces);
+}
+
+// Along the mating vector of the scenario's goal, of the parts without clearance.
+std::vector<CriticalPoint> CriticalPointsIn(const std::string& scenario) {
+  const domain::Problem problem = domain::LoadScenario(scenario);
+  const domain::Mating& mating = problem.matings.front();
+  const auto outside = [&](domain::PartId part) {
+    return OutsideOf(*problem.part(part).model->WithClearance(0));
+  };
+  return CriticalPoints(outside(mating.held), outside(mating.fixed), mating.X_FixedHeld,
+                        mating.mating_vector);
+}
+
+// The ways, in inches, that are left at the critical points, and how many pairs of faces touch
+// after them.
+struct Expected {
+  const char* scenario;
+  std::vector<double> left;
+  std::vector<std::size_t> touching;
+};
+
+class ModelCriticalPoints : public testing::TestWithParam<Expected> {};
+
+TEST_P(ModelCriticalPoints, AreWhereTheDimensionsSay) {
+  const std::vector<CriticalPoint> points = CriticalPointsIn(GetParam().scenario);
+  ASSERT_EQ(points.size(), GetParam().left.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_NEAR(points[i].travel, (4 - GetParam().left[i]) * kInch, 1e-9) << i;
+    EXPECT_EQ(points[i].after.size(), GetParam().touching[i]) << i;
+    EXPECT_EQ(points[i].before, i == 0 ? std::vector<TouchingFaces>() : points[i - 1].after);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenarios, ModelCriticalPoints,
+    testing::Values(
+        // The shaft enters; the plate lands.
+        Expected{"spar-fig15", {2.75, 0}, {4, 5}},
+        // Shaft and key enter together: three sides of each, and of the shaft's fourth side what is
+        // to the left and to the right of the key.
+        Expected{"keyed", {2.75, 0}, {8, 9}},
+        // The narrow shaft, 1.65 of it, enters its hole in the step; then the wide one; the plate.
+        Expected{"mate-stepped", {1.65, 1.05, 0}, {4, 8, 9}},
+        Expected{"mate-octagonal", {2.75, 0}, {8, 9}},
+        // The head enters the mouth: both ends and the back. Then it goes under the two lips, and
+        // the stem between them. The plate lands.
+        Expected{"mate-t-slot", {2.75, 1.95, 0}, {3, 7, 8}}),
+    [](const auto& test) {
+      std::string name = test.param.scenario;
+      std::ranges::replace(name, '-', '_');
+      return name;
+    });
+
+}  // namespace
+}  // namespace assay::finemotion

@@ -1,0 +1,197 @@
+#include "sim/exec/mating_trial.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/exec/figure15.h"
+
+namespace assay::exec {
+namespace {
+
+constexpr double kDegree = M_PI / 180;
+constexpr double kHalfWidth = 0.01905;  // of the shaft
+constexpr double kMouth = 0.0762;       // of the hole along the block's x
+constexpr double kAxis = 0.08255;       // of the hole, z of the block
+constexpr double kSeat = 0.00635;       // of the tip along x
+constexpr double kClearance = 0.00025;  // on each side
+const Vector3 kNone = Vector3::Zero();
+
+// A square shaft's way into its hole, by hand: one vertex of the tip goes first.
+class SquareStrategy {
+ public:
+  explicit SquareStrategy(const Pose& X_HeldTip) { strategy_.X_HeldTip = X_HeldTip; }
+
+  // The tip tilted about y and z and turned about x, with a vertex of its end somewhere.
+  static Pose VertexAt(const Vector3& tilts, int y, int z, const Vector3& where) {
+    Pose X = geometry::RotationX(tilts.x()) * geometry::RotationY(-tilts.y()) *
+             geometry::RotationZ(tilts.z());
+    X.translation() = where - X.linear() * Vertex(y, z);
+    return X;
+  }
+  static Vector3 Vertex(int y, int z) { return {0, y * kHalfWidth, z * kHalfWidth}; }
+
+  void Start(const Pose& X_FixedTip) { strategy_.X_FixedStart = X_FixedTip; }
+  int Contact(const std::string& name, const Vector3& normal, const Vector3& at) {
+    strategy_.contacts.push_back({name, normal, at});
+    return static_cast<int>(strategy_.contacts.size()) - 1;
+  }
+  void Go(const Pose& X_FixedTip, const std::vector<int>& kept = {},
+          std::optional<int> until = std::nullopt, double beyond = 0) {
+    strategy_.motions.push_back(
+        {.kept = kept, .X_FixedTip = X_FixedTip, .until = until, .beyond = beyond});
+  }
+  void Slide(const Pose& X_FixedTip) {
+    Go(X_FixedTip);
+    strategy_.motions.back().slides = true;
+  }
+  const plan::Strategy& strategy() const { return strategy_; }
+
+ private:
+  plan::Strategy strategy_;
+};
+
+class MatingTrial : public testing::Test {
+ protected:
+  static const domain::Problem& problem() {
+    static const domain::Problem problem = domain::ReadProblem(
+        Document::Load(ASSAY_SOURCE_DIR "/scenarios/mate-square.yaml"), ASSAY_SOURCE_DIR "/models");
+    return problem;
+  }
+  static const scene::Scene& scene() {
+    static const scene::Scene scene(problem(),
+                                    {.grasp = scene::GraspMode::kWeld, .part_friction = 0.2});
+    return scene;
+  }
+  static MatingSetting Setting(const Vector3& d, const Vector3& w) {
+    const domain::MatingId id(0);
+    Pose X_HeldTip = Pose::Identity();
+    X_HeldTip.linear() = problem().mating(id).X_FixedHeld.linear().transpose();
+    X_HeldTip.translation().x() = kMouth - kSeat;
+    return {id, HoldForMating(problem(), id), X_HeldTip, d, w};
+  }
+  static double Depth(const MatingResult& result) {
+    return (result.X_FixedHeld * Setting(kNone, kNone).X_HeldTip).translation().x() - kSeat;
+  }
+};
+
+// Down from 4 mm above the block's front, beside the hole, until the tip's vertex is on it.
+SquareStrategy ToTheFront(const Pose& X_HeldTip, double beyond) {
+  SquareStrategy plan(X_HeldTip);
+  const Vector3 tilts = Vector3(0, 16, 8) * kDegree;
+  const Vector3 beside(kMouth, kHalfWidth, kAxis - 0.045 + kHalfWidth);
+  const Pose end = SquareStrategy::VertexAt(tilts, 1, 1, beside);
+  const int front = plan.Contact("vertex on front", Vector3::UnitX(),
+                                 end.linear() * SquareStrategy::Vertex(1, 1));
+  plan.Start(geometry::Translation(0.004, 0, 0) * end);
+  plan.Go(end, {}, front, beyond);
+  return plan;
+}
+
+// First the tip is laid flat on the block's front, which tells its height and both tilts; then one
+// vertex goes into the hole and finds two walls, the next one is lowered and found by turning, and
+// with that the place is known.
+plan::Strategy Insertion(const Pose& X_HeldTip) {
+  SquareStrategy plan = ToTheFront(X_HeldTip, 1);
+  const auto tilted = [](double turn, double y, double z) -> Vector3 {
+    return Vector3(turn, y, z) * kDegree;
+  };
+  const auto at = SquareStrategy::VertexAt;
+  const auto vertex = [&](const Vector3& tilts, int y, int z) -> Vector3 {
+    return Vector3(at(tilts, 1, 1, kNone).linear() * SquareStrategy::Vertex(y, z));
+  };
+  const Vector3 up = Vector3::UnitX();
+  const Vector3 beside(kMouth, kHalfWidth, kAxis - 0.045 + kHalfWidth);
+  const Vector3 one = tilted(0, 16, 0);
+  const int second = plan.Contact("second vertex on front", up, vertex(one, -1, 1));
+  const int third = plan.Contact("third vertex on front", up, vertex(kNone, 1, -1));
+  plan.Go(at(one, 1, 1, beside), {0}, second, 0.5);
+  plan.Go(at(kNone, 1, 1, beside), {0, second}, third, 0.5);
+  plan.Go(at(kNone, 1, 1, beside + 0.002 * up));
+
+  const Vector3 both = tilted(1.2, 16, 8);
+  const double depth = 0.001;
+  const double shift = 0.0035;
+  const Vector3 corner(kMouth - depth, kHalfWidth + kClearance, kAxis + kHalfWidth + kClearance);
+  const Vector3 inside = corner - Vector3(0, shift, shift);
+  const int again = plan.Contact("vertex on front again", up, vertex(both, 1, 1));
+  plan.Go(at(both, 1, 1, beside + 0.003 * up));
+  plan.Go(at(both, 1, 1, beside), {}, again, 0.5);
+  plan.Go(at(both, 1, 1, beside + 0.0015 * up));
+  plan.Go(at(both, 1, 1, inside + (depth + 0.0015) * up));
+  plan.Go(at(both, 1, 1, inside));
+
+  const Vector3 rim = depth * up;
+  const Vector3 turned = tilted(1.2, 16, 0);
+  const int left = plan.Contact("vertex on left wall", {0, -1, 0}, vertex(both, 1, 1) + rim);
+  const int top = plan.Contact("vertex on upper wall", {0, 0, -1}, vertex(both, 1, 1) + rim);
+  const int level = plan.Contact("vertex on upper wall", {0, 0, -1}, vertex(one, 1, 1) + rim);
+  const int other =
+      plan.Contact("second vertex on upper wall", {0, 0, -1}, vertex(one, -1, 1) + rim);
+  plan.Go(at(both, 1, 1, inside + Vector3(0, shift, 0)), {}, left, 1);
+  plan.Go(at(both, 1, 1, corner), {left}, top, 1);
+  plan.Go(at(turned, 1, 1, corner), {left, top});
+  plan.Go(at(one, 1, 1, corner), {left, top}, other, 2);
+  const Vector3 centred = corner - Vector3(0, kClearance, 0);
+  plan.Go(at(one, 1, 1, centred), {level, other});
+  plan.Go(at(kNone, 1, 1, centred), {level, other});
+  const Vector3 free = centred - Vector3(0, 0, kClearance);
+  plan.Go(at(kNone, 1, 1, free));
+  plan.Slide(at(kNone, 1, 1, Vector3(kSeat, free.y(), free.z())));
+  return plan.strategy();
+}
+
+MatingResult Insert(const domain::Problem& problem, const scene::Scene& scene,
+                    const MatingSetting& setting) {
+  return RunMatingTrial(problem, scene, setting, Insertion(setting.X_HeldTip));
+}
+
+TEST_F(MatingTrial, InsertsWithoutErrors) {
+  const MatingResult result = Insert(problem(), scene(), Setting(kNone, kNone));
+  EXPECT_EQ(result.end.outcome, MatingOutcome::kDone) << result.end.reason;
+  EXPECT_NEAR(Depth(result), 0, 1e-3);
+}
+
+TEST_F(MatingTrial, InsertsWithErrorsAtTheirBounds) {
+  const Vector3 ones(1, 1, 1);
+  for (const Vector3& signs : {Vector3(1, -1, 1), Vector3(-1, 1, 1)}) {
+    const MatingResult result =
+        Insert(problem(), scene(), Setting(0.002 * signs, kDegree * signs.cwiseProduct(ones)));
+    EXPECT_EQ(result.end.outcome, MatingOutcome::kDone) << result.end.reason;
+    EXPECT_NEAR(Depth(result), 0, 1e-3);
+  }
+}
+
+TEST_F(MatingTrial, AStraightLineDoesNotInsertWithSuchErrors) {
+  const MatingSetting setting = Setting({0, 0.002, -0.002}, kNone);
+  const MatingResult result = RunStraightMating(problem(), scene(), setting);
+  EXPECT_EQ(result.end.outcome, MatingOutcome::kWrongContact);
+  EXPECT_GT(Depth(result), 0.05);
+}
+
+// The way ends 3 mm above the front.
+TEST_F(MatingTrial, AContactThatDoesNotComeIsATimeout) {
+  const MatingSetting setting = Setting(kNone, kNone);
+  SquareStrategy plan = ToTheFront(setting.X_HeldTip, 0);
+  plan::Strategy strategy = plan.strategy();
+  strategy.motions[0].X_FixedTip =
+      geometry::Translation(0.003, 0, 0) * strategy.motions[0].X_FixedTip;
+  const MatingResult result = RunMatingTrial(problem(), scene(), setting, strategy);
+  EXPECT_EQ(result.end.outcome, MatingOutcome::kTimeout);
+  EXPECT_EQ(result.end.motion, 0);
+  EXPECT_LT(result.greatest_force, 1) << "it touched nothing";
+}
+
+TEST_F(MatingTrial, AnObstructedMotionStops) {
+  const MatingSetting setting = Setting(kNone, kNone);
+  plan::Strategy strategy = ToTheFront(setting.X_HeldTip, 0).strategy();
+  strategy.motions[0].until.reset();
+  strategy.motions[0].X_FixedTip =
+      geometry::Translation(-0.02, 0, 0) * strategy.motions[0].X_FixedTip;
+  const MatingResult result = RunMatingTrial(problem(), scene(), setting, strategy);
+  EXPECT_TRUE(result.end.outcome == MatingOutcome::kWrongContact ||
+              result.end.outcome == MatingOutcome::kOverload)
+      << Name(result.end.outcome);
+  EXPECT_GT(Depth(result), 0.06) << "it did not go through the block";
+}
+
+}  // namespace
+}  // namespace assay::exec
