@@ -6,6 +6,8 @@ namespace assay::finemotion {
 
 namespace {
 
+constexpr double kLag = 0.3;  // of a motion's length, by which soft servos may be late
+
 Polyhedron Seen(Polyhedron shape, const Pose& X_NewOld) {
   for (OuterFace& face : shape.faces) {
     face.normal = X_NewOld.linear() * face.normal;
@@ -77,7 +79,7 @@ plan::Strategy StrategyOf(const MatingGeometry& geometry, const FineMotionPlan& 
     }
     if (motion.command.until) {
       out.until = AddContact(motion.contacts, *motion.command.until, strategy);
-      out.beyond = motion.check.longest - 1;
+      out.beyond = motion.check.longest - 1 + kLag;
     }
     strategy.motions.push_back(std::move(out));
   }

@@ -82,6 +82,10 @@ class Checker {
       if (scale < kBeyondLadder) check.unwanted.push_back({KeyOf(*kept), true, scale});
       if (scale <= 1 && !whole) return check;
     }
+    if (until_ != nullptr) {
+      const double scale = ScaleOf([&](double s) { return CanPass(s); }, whole);
+      if (scale < kBeyondLadder) check.unwanted.push_back({KeyOf(*until_), true, scale});
+    }
     std::ranges::stable_sort(check.unwanted, {}, &Unwanted::scale);
     check.certain = check.unwanted.empty() || check.unwanted.front().scale > 1;
     if (check.certain) check.after = After();
@@ -165,6 +169,16 @@ class Checker {
     return std::ranges::any_of(contact.limits, [&](const HalfSpace& limit) {
       return !Stops(limit) && f.projection.Support(limit.a) > limit.b + Slack(limit) &&
              f.Support(limit.a) > limit.b + Slack(limit);
+    });
+  }
+
+  // The contact that is waited for is not where the part comes to its surface.
+  bool CanPass(double scale) const {
+    if (!Time(scale)) return true;
+    const Zonotope region =
+        RegionAtContact({Start(scale), Scaled(velocity_, scale), *Time(scale)}, *until_);
+    return std::ranges::any_of(until_->limits, [&](const HalfSpace& limit) {
+      return !Stops(limit) && region.Support(limit.a) > limit.b + Slack(limit);
     });
   }
 

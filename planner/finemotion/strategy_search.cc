@@ -19,15 +19,19 @@ constexpr double kAbove = 0.002;         // metres, of starts over all that erro
 constexpr double kFarthest = 0.015;      // metres that a move may take to a contact
 constexpr double kWidestTurn = 0.15;     // radians that a turn may take to one
 constexpr double kUprightEnough = 0.02;  // radians
-constexpr double kThin = 1.5e-4;         // metres: errors that are less are none
+constexpr double kLeastTurn = 0.03;  // radians: edges that are nearer to parallel make no contact
+constexpr double kThin = 1.5e-4;     // metres: errors that are less are none
 constexpr std::size_t kMostMotions = 24;
 // The guidance is not a lower bound of the cost, so that sequences need not be the cheapest: what
 // counts is that they absorb errors, which the cost of small ones only hints at.
 constexpr double kPerWideDirection = 4;
 constexpr double kPerError = 3;
 constexpr double kPerRadian = 20;
+// What is certain for larger errors is for smaller ones; and sequences are not always found for
+// the smaller ones, as parts that are less tilted come nearer to having parallel edges.
+constexpr double kEnlarged[] = {1, 2};
 // Of the errors, that sequences are searched for, round by round.
-constexpr double kMultiples[] = {0.5, 0.3, 0.7, 0.15};
+constexpr double kMultiples[] = {0.5, 1, 0.3, 0.7, 1.5, 0.15};
 constexpr double kGrowth = 1.06;  // of the errors that a moved start must absorb
 
 // Where a trial starts: turned and beside the entry.
@@ -71,10 +75,11 @@ class Search {
       : errors_(errors),
         options_(options),
         multiple_(multiple),
-        maneuvering_(passage, {.velocity_error = errors.velocity,
-                               .turn_error = 1.5 * errors.pose.tail<3>().maxCoeff() + 0.005,
-                               .reach = options.reach,
-                               .radius = options.radius}),
+        maneuvering_(passage,
+                     {.velocity_error = errors.velocity,
+                      .turn_error = std::max(kLeastTurn, 1.5 * errors.pose.tail<3>().maxCoeff()),
+                      .reach = options.reach,
+                      .radius = options.radius}),
         random_(options.seed, fmt::format("starts of strategies {}", round)) {}
 
   FineMotionPlan Run() {
@@ -316,12 +321,16 @@ FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& er
   FineMotionPlan best;
   int expanded = 0;
   int replayed = 0;
-  for (int round = 0; round < options.rounds && !best.found; ++round) {
-    const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
-    FineMotionPlan plan = Search(passage, errors, options, round, multiple).Run();
-    expanded += plan.expanded;
-    replayed += plan.replayed;
-    if (round == 0 || plan.absorbed > best.absorbed) best = std::move(plan);
+  for (const double enlarged : kEnlarged) {
+    const FineMotionErrors larger{enlarged * errors.pose, errors.velocity};
+    for (int round = 0; round < options.rounds && !best.found; ++round) {
+      const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
+      FineMotionPlan plan = Search(passage, larger, options, round, multiple).Run();
+      plan.absorbed *= enlarged;
+      expanded += plan.expanded;
+      replayed += plan.replayed;
+      if (plan.found || plan.absorbed > best.absorbed) best = std::move(plan);
+    }
   }
   best.expanded = expanded;
   best.replayed = replayed;

@@ -26,7 +26,7 @@ struct StrategyOptions {
   double tilt = 0.2;      // radians, that starts may be tilted by
   double twist = 0.08;    // radians, about the way in
   double offset = 0.006;  // metres, that they may be beside the entry
-  int rounds = 8;         // searches from other starts, until all errors are absorbed
+  int rounds = 4;         // searches from other starts, until all errors are absorbed
   int starts = 100;       // that are drawn for a search
   int tries = 400;        // at moving a start
   double greatest = 1.5;  // multiple of the errors that is worth being absorbed

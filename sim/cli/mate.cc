@@ -114,6 +114,7 @@ Json ToJson(const FineMotionPlan& plan) {
 struct Tally {
   int seated = 0;
   std::map<std::string, int> ends;
+  std::vector<std::string> failures;
   double greatest_force = 0;
 };
 
@@ -138,10 +139,16 @@ class MatingTrials {
                    : exec::RunStraightMating(planned_.problem, *scene_, setting);
     });
     Tally tally;
-    for (const exec::MatingResult& result : results) {
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const exec::MatingResult& result = results[i];
       const Pose at = result.X_FixedHeld * geometry_.X_HeldTip;
       const Vector3 left = geometry_.X_FixedSeat.translation() - at.translation();
-      if (std::abs(left.dot(geometry_.passage.mating)) < kSeated) ++tally.seated;
+      if (std::abs(left.dot(geometry_.passage.mating)) < kSeated) {
+        ++tally.seated;
+      } else {
+        tally.failures.push_back(fmt::format("trial {}: {}: {}", i + 1,
+                                             exec::Name(result.end.outcome), result.end.reason));
+      }
       ++tally.ends[std::string(exec::Name(result.end.outcome))];
       tally.greatest_force = std::max(tally.greatest_force, result.greatest_force);
     }
@@ -178,7 +185,10 @@ std::string TextOf(const char* name, const Tally& tally, int trials) {
 }
 
 Json ToJson(const Tally& tally) {
-  return {{"seated", tally.seated}, {"ends", tally.ends}, {"force", tally.greatest_force}};
+  return {{"seated", tally.seated},
+          {"ends", tally.ends},
+          {"failures", tally.failures},
+          {"force", tally.greatest_force}};
 }
 
 // --- The verb.
@@ -216,6 +226,7 @@ ExitCode Execute(const Options& options) {
     const Tally with = trials.Run(&strategy);
     const Tally straight = trials.Run(nullptr);
     text += TextOf("strategy", with, options.trials);
+    for (const std::string& failure : with.failures) text += fmt::format("  {}\n", failure);
     text += TextOf("straight", straight, options.trials);
     json["trials"] = {
         {"number", options.trials}, {"strategy", ToJson(with)}, {"straight", ToJson(straight)}};
