@@ -5,7 +5,7 @@
 namespace assay::cli {
 
 std::span<const Verb* const> Verbs() {
-  static constexpr std::array kVerbs = {&kCheck,  &kPlan,      &kMate,   &kRun,    &kSweep,
+  static constexpr std::array kVerbs = {&kCheck,  &kPlan,      &kRun,    &kMate,   &kSweep,
                                         &kReplay, &kReport,    &kRender, &kExport, &kLabel,
                                         &kBound,  &kCalibrate, &kDoctor, &kList};
   return kVerbs;
