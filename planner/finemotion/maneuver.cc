@@ -88,23 +88,6 @@ std::optional<GeneralizedPoint> Complied(const std::vector<const PrimitiveContac
   return z;
 }
 
-// The least change of pose that closes the gaps, to first order; rotations as lengths.
-GeneralizedPoint Closing(const std::vector<const PrimitiveContact*>& contacts, double radius,
-                         Eigen::Index dimensions) {
-  Eigen::MatrixXd rows(std::ssize(contacts), kPoseDimensions);
-  Eigen::VectorXd gaps(rows.rows());
-  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-    rows.row(i) = contacts[static_cast<std::size_t>(i)]->row.head<kPoseDimensions>();
-    gaps[i] = contacts[static_cast<std::size_t>(i)]->offset;
-  }
-  rows.rightCols<3>() /= radius;
-  GeneralizedPoint z = GeneralizedPoint::Zero(dimensions);
-  if (contacts.empty()) return z;
-  z.head<kPoseDimensions>() = rows.completeOrthogonalDecomposition().solve(-gaps);
-  z.segment<3>(3) /= radius;
-  return z;
-}
-
 std::vector<PrimitiveContact> ContactsOf(const Command& command,
                                          const std::vector<PrimitiveContact>& contacts) {
   std::vector<ContactKey> keys = command.kept;
@@ -208,7 +191,8 @@ GeneralizedPoint Maneuvering::Refined(const Pose& X, const Command& command) con
     const std::vector<PrimitiveContact> contacts = ContactsAt(end);
     const auto those = Those(contacts, touching);
     if (those.size() != touching.size()) return z;
-    const GeneralizedPoint closing = Closing(those, options_.radius, z.size());
+    const GeneralizedPoint closing =
+        Closing(those, GeneralizedPoint::Zero(z.size()), options_.radius);
     if (closing.head<3>().norm() > kCorrection) return z;
     end = Displaced(end, closing);
   }

@@ -8,22 +8,6 @@ namespace {
 
 constexpr double kLag = 0.3;  // of a motion's length, by which soft servos may be late
 
-Polyhedron Seen(Polyhedron shape, const Pose& X_NewOld) {
-  for (OuterFace& face : shape.faces) {
-    face.normal = X_NewOld.linear() * face.normal;
-    face.height += face.normal.dot(X_NewOld.translation());
-    for (std::vector<Vector3>& outline : face.region) {
-      for (Vector3& corner : outline) corner = X_NewOld * corner;
-    }
-  }
-  for (OuterEdge& edge : shape.edges) {
-    edge.start = X_NewOld * edge.start;
-    edge.end = X_NewOld * edge.end;
-  }
-  for (OuterVertex& vertex : shape.vertices) vertex.p = X_NewOld * vertex.p;
-  return shape;
-}
-
 // The contacts of a motion as hybrid control wants them, as they are at its end.
 int AddContact(const std::vector<PrimitiveContact>& contacts, const ContactKey& key,
                plan::Strategy& strategy) {
@@ -56,7 +40,7 @@ MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& 
   geometry.critical_points =
       CriticalPoints(OutsideOf(*held.WithClearance(0)), OutsideOf(*fixed.WithClearance(0)),
                      mating.X_FixedHeld, mating.mating_vector);
-  geometry.passage.moving = Seen(OutsideOf(held), geometry.X_HeldTip.inverse());
+  geometry.passage.moving = Transformed(OutsideOf(held), geometry.X_HeldTip.inverse());
   geometry.passage.stationary = OutsideOf(fixed);
   geometry.passage.mating = mating.mating_vector.normalized();
   const Pose& entry = geometry.critical_points.empty()

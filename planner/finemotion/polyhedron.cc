@@ -524,4 +524,20 @@ Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces, double tolerance) {
   return Union(pieces, tolerance).Outside();
 }
 
+Polyhedron Transformed(Polyhedron shape, const Pose& X_NewOld) {
+  for (OuterFace& face : shape.faces) {
+    face.normal = X_NewOld.linear() * face.normal;
+    face.height += face.normal.dot(X_NewOld.translation());
+    for (std::vector<Vector3>& outline : face.region) {
+      for (Vector3& corner : outline) corner = X_NewOld * corner;
+    }
+  }
+  for (OuterEdge& edge : shape.edges) {
+    edge.start = X_NewOld * edge.start;
+    edge.end = X_NewOld * edge.end;
+  }
+  for (OuterVertex& vertex : shape.vertices) vertex.p = X_NewOld * vertex.p;
+  return shape;
+}
+
 }  // namespace assay::finemotion

@@ -39,8 +39,8 @@ struct OuterVertex {
 };
 
 // The outside of a union of convex pieces: what another part can touch (Dakin and Popplestone,
-// section 2: "primitive contacts"). Seams between pieces that lie in one plane are no edges; concave
-// edges and corners, which touch nothing before their neighbours do, are left out.
+// section 2: "primitive contacts"). Seams between pieces that lie in one plane are no edges;
+// concave edges and corners, which touch nothing before their neighbours do, are left out.
 struct Polyhedron {
   std::vector<OuterFace> faces;
   std::vector<OuterEdge> edges;
@@ -50,5 +50,8 @@ struct Polyhedron {
 // Pieces may touch and overlap. Features shorter than `tolerance` (metres) are dropped, points
 // nearer than it count as one.
 Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces, double tolerance = 1e-7);
+
+// The same shape in another frame.
+Polyhedron Transformed(Polyhedron shape, const Pose& X_NewOld);
 
 }  // namespace assay::finemotion

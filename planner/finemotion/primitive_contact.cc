@@ -106,22 +106,6 @@ std::vector<Polygon> ConvexRegions(const OuterFace& face) {
   return polygons;
 }
 
-Polyhedron Transformed(Polyhedron shape, const Pose& X) {
-  for (OuterFace& face : shape.faces) {
-    face.normal = X.linear() * face.normal;
-    face.height += face.normal.dot(X.translation());
-    for (std::vector<Vector3>& outline : face.region) {
-      for (Vector3& corner : outline) corner = X * corner;
-    }
-  }
-  for (OuterEdge& edge : shape.edges) {
-    edge.start = X * edge.start;
-    edge.end = X * edge.end;
-  }
-  for (OuterVertex& vertex : shape.vertices) vertex.p = X * vertex.p;
-  return shape;
-}
-
 Side MakeSide(Polyhedron shape, double sign, ModelTolerance::Of tolerance) {
   Side side{std::move(shape), sign, tolerance, {}};
   for (const OuterFace& face : side.shape.faces) side.regions.push_back(ConvexRegions(face));

@@ -204,34 +204,17 @@ class Checker {
     Belief after;
     Zonotope region = Sum(Start(1), velocity_);
     if (until_ != nullptr) region = RegionAtContact({Start(1), velocity_, *Time(1)}, *until_);
+    // Kept contacts drift off their surfaces in the second order.
+    std::vector<const PrimitiveContact*> touching = kept_;
+    if (until_ != nullptr) touching.push_back(until_);
     after.X_StationaryMoving =
         Displaced(Displaced(belief_.X_StationaryMoving, command_.displacement),
-                  region.center + OntoKept(region.center));
+                  region.center + Closing(touching, region.center, model_.radius));
     after.errors = region.generators;
     after.kept = command_.kept;
     if (until_ != nullptr) after.kept.push_back(*command_.until);
     std::ranges::sort(after.kept);
     return after;
-  }
-
-  // The least displacement from there to where all that touches has gap 0, to first order: kept
-  // contacts drift off theirs in the second.
-  Eigen::VectorXd OntoKept(const Eigen::VectorXd& z) const {
-    std::vector<const PrimitiveContact*> touching = kept_;
-    if (until_ != nullptr) touching.push_back(until_);
-    Eigen::MatrixXd rows(std::ssize(touching), kPoseDimensions);
-    Eigen::VectorXd gaps(rows.rows());
-    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-      const PrimitiveContact& contact = *touching[static_cast<std::size_t>(i)];
-      rows.row(i) = contact.row.head<kPoseDimensions>();
-      gaps[i] = contact.Gap(z);
-    }
-    rows.rightCols<3>() /= model_.radius;
-    Eigen::VectorXd correction = Eigen::VectorXd::Zero(z.size());
-    if (touching.empty()) return correction;
-    correction.head<kPoseDimensions>() = rows.completeOrthogonalDecomposition().solve(-gaps);
-    correction.segment<3>(3) /= model_.radius;
-    return correction;
   }
 
   const SegmentModel& model_;
@@ -250,6 +233,14 @@ ContactKey KeyOf(const PrimitiveContact& contact) {
   return {contact.kind, contact.moving, contact.stationary};
 }
 
+std::string Name(const ContactKey& key) {
+  PrimitiveContact contact;
+  contact.kind = key.kind;
+  contact.moving = key.moving;
+  contact.stationary = key.stationary;
+  return Name(contact);
+}
+
 const PrimitiveContact* Find(const std::vector<PrimitiveContact>& contacts, const ContactKey& key) {
   const PrimitiveContact* found = nullptr;
   double least = kInfinity;
@@ -262,6 +253,23 @@ const PrimitiveContact* Find(const std::vector<PrimitiveContact>& contacts, cons
     found = &contact;
   }
   return found;
+}
+
+GeneralizedPoint Closing(const std::vector<const PrimitiveContact*>& contacts,
+                         const GeneralizedPoint& z, double radius) {
+  GeneralizedPoint closing = GeneralizedPoint::Zero(z.size());
+  if (contacts.empty()) return closing;
+  Eigen::MatrixXd rows(std::ssize(contacts), kPoseDimensions);
+  Eigen::VectorXd gaps(rows.rows());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const PrimitiveContact& contact = *contacts[static_cast<std::size_t>(i)];
+    rows.row(i) = contact.row.head<kPoseDimensions>();
+    gaps[i] = contact.Gap(z);
+  }
+  rows.rightCols<3>() /= radius;
+  closing.head<kPoseDimensions>() = rows.completeOrthogonalDecomposition().solve(-gaps);
+  closing.segment<3>(3) /= radius;
+  return closing;
 }
 
 Pose Displaced(const Pose& X_StationaryMoving, const GeneralizedPoint& z) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <compare>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "planner/finemotion/meeting.h"
@@ -18,6 +19,7 @@ struct ContactKey {
   auto operator<=>(const ContactKey&) const = default;
 };
 ContactKey KeyOf(const PrimitiveContact& contact);
+std::string Name(const ContactKey& key);  // "vertex 3 on face 1"
 // Of several with these features (a face in regions) the one that the pose where they are
 // linearized is most inside of; null: there is none.
 const PrimitiveContact* Find(const std::vector<PrimitiveContact>& contacts, const ContactKey& key);
@@ -32,6 +34,11 @@ struct Belief {
 
 // The moving part displaced by a point of generalized space: d added, turned by w about its origin.
 Pose Displaced(const Pose& X_StationaryMoving, const GeneralizedPoint& z);
+
+// The least change of a pose, from z, that closes the contacts' gaps to first order; rotations
+// count as lengths at `radius`.
+GeneralizedPoint Closing(const std::vector<const PrimitiveContact*>& contacts,
+                         const GeneralizedPoint& z, double radius);
 
 // A straight motion in a contact state, and what ends it.
 struct Command {
@@ -61,8 +68,8 @@ struct SegmentCheck {
 };
 
 struct SegmentModel {
-  const std::vector<PrimitiveContact>&
-      contacts;  // linearized where the command leads without errors
+  // Linearized where the command leads without errors.
+  const std::vector<PrimitiveContact>& contacts;
   // Of a displacement: of its length, and of its turn times the radius, in each direction; of its
   // turn about each axis.
   double velocity_error = 0.02;

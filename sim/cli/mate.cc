@@ -57,23 +57,15 @@ const plan::Assemble& AssembleOf(const PlannedProblem& planned) {
 
 // --- What is told of a plan.
 
-std::string NameOf(const finemotion::ContactKey& key) {
-  finemotion::PrimitiveContact contact;
-  contact.kind = key.kind;
-  contact.moving = key.moving;
-  contact.stationary = key.stationary;
-  return finemotion::Name(contact);
-}
-
 std::string NamesOf(const std::vector<finemotion::ContactKey>& keys) {
   std::vector<std::string> names;
-  for (const auto& key : keys) names.push_back(NameOf(key));
+  for (const auto& key : keys) names.push_back(finemotion::Name(key));
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string TextOf(const finemotion::Unwanted& unwanted) {
   return fmt::format("{}{} at {:g} times the errors", unwanted.is_loss ? "loss of " : "",
-                     NameOf(unwanted.contact), unwanted.scale);
+                     finemotion::Name(unwanted.contact), unwanted.scale);
 }
 
 std::string TextOf(const FineMotionPlan& plan) {
@@ -82,7 +74,7 @@ std::string TextOf(const FineMotionPlan& plan) {
   for (const finemotion::CertainMotion& motion : plan.motions) {
     const auto& unwanted = motion.check.unwanted;
     table.Add({fmt::format("{}", ++number),
-               motion.command.until ? NameOf(*motion.command.until) : "its way",
+               motion.command.until ? finemotion::Name(*motion.command.until) : "its way",
                NamesOf(motion.check.after.kept),
                unwanted.empty() ? "none" : TextOf(unwanted.front())});
   }
@@ -94,15 +86,16 @@ Json ToJson(const FineMotionPlan& plan) {
   for (const finemotion::CertainMotion& motion : plan.motions) {
     Json unwanted = Json::array();
     for (const auto& u : motion.check.unwanted) {
-      unwanted.push_back({{"contact", NameOf(u.contact)}, {"loss", u.is_loss}, {"scale", u.scale}});
+      unwanted.push_back(
+          {{"contact", finemotion::Name(u.contact)}, {"loss", u.is_loss}, {"scale", u.scale}});
     }
     const Eigen::VectorXd& d = motion.command.displacement;
     Json kept = Json::array();
-    for (const auto& key : motion.command.kept) kept.push_back(NameOf(key));
+    for (const auto& key : motion.command.kept) kept.push_back(finemotion::Name(key));
     motions.push_back(
         {{"state", kept},
          {"velocity", std::vector<double>(d.begin(), d.begin() + 6)},
-         {"until", motion.command.until ? Json(NameOf(*motion.command.until)) : Json()},
+         {"until", motion.command.until ? Json(finemotion::Name(*motion.command.until)) : Json()},
          {"longest", motion.check.longest},
          {"margins", unwanted}});
   }
@@ -253,7 +246,9 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::Range(0, std::numeric_limits<int>::max()));
   command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
   command.add_option("--seed", options->seed, "of all that is random")->capture_default_str();
-  command.add_option("--grasp", options->grasp, "how the gripper holds parts: friction or weld")
+  command
+      .add_option("--grasp", options->grasp,
+                  "how the gripper holds parts: friction or weld (the default)")
       ->transform(CLI::CheckedTransformer(std::map<std::string, scene::GraspMode>{
           {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}}));
   command.add_flag("--json", options->json, "print the result as JSON");

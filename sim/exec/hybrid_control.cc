@@ -79,7 +79,6 @@ MatingOutcome OutcomeOf(ExecutionOutcome outcome) {
 HybridControl::HybridControl(const plan::Strategy& strategy, PartId fixed, const ControlLaw& law,
                              Execution& execution)
     : strategy_(strategy),
-      fixed_(fixed),
       law_(law),
       execution_(execution),
       X_WorldFixed_(execution.world().PartPose(fixed)),

@@ -79,8 +79,6 @@ class HybridControl {
 
   StrategyEnd Run(const MotionObserver& observer = {});
 
-  // Where the tip is believed to be, in the fixed part's frame.
-  const Pose& X_FixedTip() const { return X_FixedTip_; }
   double greatest_force() const { return greatest_force_; }  // at the wrist, so far
 
  private:
@@ -126,7 +124,6 @@ class HybridControl {
   StrategyEnd End(MatingOutcome outcome, std::string reason) const;
 
   const plan::Strategy& strategy_;
-  PartId fixed_;
   const ControlLaw& law_;
   Execution& execution_;
   MotionObserver observer_;
@@ -135,7 +132,7 @@ class HybridControl {
   Matrix6 ease_ = Matrix6::Identity();  // of shifts and turns
   Matrix6 compliance_;                  // of the arm, as soft as it is; m/N, rad/(N m)
   kinematics::Indicators configuration_;
-  Pose X_FixedTip_;
+  Pose X_FixedTip_;  // where the tip is believed to be
   Vector6 velocity_ = Vector6::Zero();
   Vector6 wrench_ = Vector6::Zero();  // on the held part, about the tip, fixed part's axes
   double greatest_force_ = 0;

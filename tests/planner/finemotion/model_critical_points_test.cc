@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "planner/finemotion/critical_points.h"
+#include "planner/finemotion/mating.h"
 #include "tests/planner/domain/scenario.h"
 
 // The matings of the repository's parts: where on the way in other faces begin to touch, by the
@@ -11,15 +11,6 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kInch = 0.0254;
-
-Polyhedron OutsideOf(const domain::PartModel& model) {
-  std::vector<ConvexPiece> pieces;
-  for (const geometry::Box& box : model.boxes()) {
-    const auto corners = box.Corners();
-    pieces.push_back({{corners.begin(), corners.end()}});
-  }
-  return OutsideOf(pieces);
-}
 
 // Along the mating vector of the scenario's goal, of the parts without clearance.
 std::vector<CriticalPoint> CriticalPointsIn(const std::string& scenario) {
