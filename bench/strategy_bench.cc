@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "planner/finemotion/strategy_search.h"
@@ -50,13 +51,51 @@ void Search(benchmark::State& state, double multiple) {
   state.counters["replayed"] = plan.replayed;
 }
 
+// So many tolerances, of each face of peg and hole in turn; together a twentieth of the play at a
+// face.
+void Tolerances(benchmark::State& state) {
+  Passage passage = SquarePegInHole();
+  const auto count = static_cast<int>(state.range(0));
+  const int moving = static_cast<int>(passage.moving.faces.size());
+  const int faces = moving + static_cast<int>(passage.stationary.faces.size());
+  for (int i = 0; i < count; ++i) {
+    const int face = i % faces;
+    const bool of_moving = face < moving;
+    passage.tolerances.push_back(
+        {.name = "face",
+         .of = of_moving ? ModelTolerance::Of::kMovingFaces : ModelTolerance::Of::kStationaryFaces,
+         .faces = {of_moving ? face : face - moving}});
+  }
+  FineMotionErrors errors = ErrorsOf(1);
+  const int on_each_face = (count + faces - 1) / faces;
+  errors.tolerances.setConstant(count, 0.05 * kClearance / std::max(1, on_each_face));
+  FineMotionPlan plan;
+  for (auto _ : state) plan = SearchStrategy(passage, errors, {.seed = 3});
+  state.counters["found"] = plan.found ? 1 : 0;
+  state.counters["absorbed"] = plan.absorbed;
+  state.counters["nodes"] = plan.expanded;
+  state.counters["replayed"] = plan.replayed;
+}
+
+// How often the paper's edge test would have answered otherwise.
+void Compared(benchmark::State& state) {
+  const Passage passage = SquarePegInHole();
+  FineMotionPlan plan;
+  for (auto _ : state) {
+    plan = SearchStrategy(passage, ErrorsOf(1), {.test = MeetingTest::kCompare, .seed = 3});
+  }
+  state.counters["tests"] = plan.comparison.tests;
+  state.counters["compared"] = plan.comparison.compared;
+  state.counters["missed"] = plan.comparison.missed;
+}
+
 void Contacts(benchmark::State& state) {
   const Passage passage = SquarePegInHole();
+  const ContactFinder finder(passage.moving, passage.stationary);
   const Pose X = OnTheFace();
   std::size_t count = 0;
   for (auto _ : state) {
-    const auto contacts =
-        PrimitiveContacts(passage.moving, passage.stationary, X, kReach, {}, kTurn);
+    const auto contacts = finder.Near(X, {.reach = kReach, .turn = kTurn});
     benchmark::DoNotOptimize(count = contacts.size());
   }
   state.counters["contacts"] = static_cast<double>(count);
@@ -85,6 +124,15 @@ BENCHMARK_CAPTURE(Search, all_errors, 1.0)
     ->ArgName("seed")
     ->DenseRange(1, 3)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(Tolerances)
+    ->ArgName("tolerances")
+    ->Arg(0)
+    ->Arg(10)
+    ->Arg(20)
+    ->Arg(50)
+    ->Arg(100)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(Compared)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(Contacts)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(CheckDown, verdict, false)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(CheckDown, all_scales, true)->Unit(benchmark::kMicrosecond);

@@ -11,6 +11,7 @@
 #include "planner/domain/part_model.h"
 #include "planner/domain/pose_error.h"
 #include "planner/domain/tolerances.h"
+#include "planner/domain/uncertainty_operations.h"
 #include "planner/domain/workcell.h"
 
 namespace assay::domain {
@@ -53,8 +54,10 @@ struct Problem {
   std::vector<Goal> goals;
   PoseError gripper_error;
   std::vector<std::string> sensors;  // of the workcell that may be used: "overhead-camera"
-  double clearance = 0;              // metres on each side of a mated shaft
-  Tolerances tolerances = {};        // of the clearance, and of the workcell's frictions
+  // What may be done about uncertainty, each once, in the order of the enum; by default as in Spar.
+  std::vector<ResolverKind> resolvers = {ResolverKind::kSensing, ResolverKind::kSqueezing};
+  double clearance = 0;        // metres on each side of a mated shaft
+  Tolerances tolerances = {};  // of the clearance, and of the workcell's frictions
 
   const Part& part(PartId id) const { return parts[id.index()]; }
   const Mating& mating(MatingId id) const { return matings[id.index()]; }

@@ -1,6 +1,7 @@
 #include "planner/domain/problem_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -115,6 +116,7 @@ class ProblemFile {
   void ReadPart(const std::string& name, const Value& entry);
   Model ReadModel(const Value& name);
   void ReadSensing(const Value& root);
+  void ReadResolvers(const Value& root);
   void ReadInitially(const Value& root);
   void ReadInitialMating(const Value& value);
   void PlaceParts();
@@ -150,7 +152,8 @@ ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& 
   scenario.RequireFormat("assay-scenario/1");
   const Value& root = scenario.root();
   root.AllowOnly({"format", "title", "description", "units", "workcell", "rules", "clearance",
-                  "tolerances", "parts", "gripper", "sensing", "initially", "goal", "simulation"});
+                  "tolerances", "parts", "gripper", "sensing", "resolvers", "initially", "goal",
+                  "simulation"});
   problem_.name = std::filesystem::path(root.Place().file).stem().string();
   problem_.title = ReadOptionalText(root, "title");
   problem_.description = ReadOptionalText(root, "description");
@@ -162,6 +165,7 @@ ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& 
     problem_.gripper_error = ReadError(*gripper);
   }
   ReadSensing(root);
+  ReadResolvers(root);
   const Value goals = root.At("goal");
   ReadParts(root.At("parts"));
   if (const auto tolerances = root.Find("tolerances")) {
@@ -271,6 +275,25 @@ void ProblemFile::ReadSensing(const Value& root) {
     }
     problem_.sensors.push_back(sensor);
   }
+}
+
+void ProblemFile::ReadResolvers(const Value& root) {
+  if (const std::optional<Value> resolvers = root.Find("resolvers")) {
+    problem_.resolvers.clear();
+    for (const Value& item : resolvers->Items()) {
+      const auto kind = static_cast<ResolverKind>(item.OneOf(ResolverNames()));
+      if (std::ranges::count(problem_.resolvers, kind) > 0) {
+        item.Fail(fmt::format("'{}' is given twice", item.Text()), "each resolver once");
+      }
+      problem_.resolvers.push_back(kind);
+    }
+    if (problem_.resolvers.empty()) {
+      resolvers->Fail("no resolver",
+                      fmt::format("at least one of {}", fmt::join(ResolverNames(), ", ")));
+    }
+  }
+  if (overrides_.resolvers) problem_.resolvers = *overrides_.resolvers;
+  std::ranges::sort(problem_.resolvers);
 }
 
 void ProblemFile::ReadInitially(const Value& root) {

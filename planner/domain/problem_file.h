@@ -11,9 +11,9 @@ namespace assay::domain {
 
 // Reads the problem in a scenario file ("assay-scenario/1"): title, description, units, workcell,
 // rules (those of the workcell that this scenario replaces), clearance, tolerances, parts, gripper,
-// sensing, `initially` (matings that hold at the start, written like goals), and goal. `models` is
-// the folder with parts/ and workcells/. The key `simulation` is left to sim/scenario. Throws
-// InputError for what is wrong, with the place. scenarios/README.md describes the format.
+// sensing, resolvers, `initially` (matings that hold at the start, written like goals), and goal.
+// `models` is the folder with parts/ and workcells/. The key `simulation` is left to sim/scenario.
+// Throws InputError for what is wrong, with the place. scenarios/README.md describes the format.
 Problem ReadProblem(const Document& scenario, const std::filesystem::path& models);
 
 // What a study changes of a scenario without writing it anew.
@@ -21,6 +21,7 @@ struct Overrides {
   std::optional<double> clearance = std::nullopt;  // metres, as if the file said so
   // Of every error of parts and gripper, 0 or more; not of what sensors promise, nor of tolerances.
   double error_scale = 1;
+  std::optional<std::vector<ResolverKind>> resolvers = std::nullopt;
 };
 Problem ReadProblem(const Document& scenario, const std::filesystem::path& models,
                     const Overrides& overrides);

@@ -19,6 +19,11 @@ const std::vector<std::string>& RecoveryStrategyNames() {
   return names;
 }
 
+const std::vector<std::string>& ResolverNames() {
+  static const std::vector<std::string> names = {"sensing", "squeezing", "fine-motion"};
+  return names;
+}
+
 const SensorModel* UncertaintyOperations::FindSensor(std::string_view name) const {
   const auto found = std::ranges::find(sensors, name, &SensorModel::name);
   return found == sensors.end() ? nullptr : &*found;

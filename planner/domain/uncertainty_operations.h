@@ -49,10 +49,15 @@ struct RecoveryTemplate {
   double pitch = 0;   // metres, between its tries
 };
 
+// Ways to meet uncertainty-reduction goals, in the order in which they are preferred (Spar,
+// "Satisfying Uncertainty-Reduction Goals"; fine motion: Dakin and Popplestone).
+enum class ResolverKind { kSensing, kSqueezing, kFineMotion };
+
 // The words for them in files, in the order of the enums.
 const std::vector<std::string>& VerifiedActionNames();
 const std::vector<std::string>& MeasuredQuantityNames();
 const std::vector<std::string>& RecoveryStrategyNames();
+const std::vector<std::string>& ResolverNames();
 
 struct UncertaintyOperations {
   std::vector<SensorModel> sensors;

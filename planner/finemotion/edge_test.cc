@@ -67,6 +67,8 @@ bool EdgeMeets(const ImagePoint<K>& center, const ImagePoints<K>& generators) {
   });
 }
 
+}  // namespace
+
 // Edges of the start, from its vertices to where they move to, and of what has moved for the whole
 // time.
 template <int K>
@@ -82,8 +84,15 @@ bool EdgeMeets(const ProjectionImage<K>& image) {
   far << near, image.motion_generators;
   return EdgeMeets<K>(image.start + image.motion, far);
 }
-
-}  // namespace
+template bool EdgeMeets<1>(const ProjectionImage<1>&);
+template bool EdgeMeets<2>(const ProjectionImage<2>&);
+template bool EdgeMeets<3>(const ProjectionImage<3>&);
+template bool EdgeMeets<4>(const ProjectionImage<4>&);
+template bool EdgeMeets<5>(const ProjectionImage<5>&);
+template bool EdgeMeets<6>(const ProjectionImage<6>&);
+template bool EdgeMeets<7>(const ProjectionImage<7>&);
+template bool EdgeMeets<8>(const ProjectionImage<8>&);
+template bool EdgeMeets<Eigen::Dynamic>(const ProjectionImage<Eigen::Dynamic>&);
 
 bool MeetAtAnEdge(const ForwardProjection& projection, const PrimitiveContact& contact) {
   CheckDimensions(projection, contact);

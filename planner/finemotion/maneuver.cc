@@ -17,6 +17,7 @@ constexpr double kBefore = 0.9;       // of the way to a contact that must not b
 constexpr double kRoom = 0.6;         // of the play, that errors across it may take
 constexpr double kLeast = 1e-6;       // metres and radians that are worth a motion
 constexpr double kBlocked = 0.2;      // what contacts must leave of a direction
+constexpr double kGrazing = 0.3;      // sine of an angle that is too small to feel a contact
 constexpr double kCorrection = 2e-3;  // metres; more is no correction
 
 bool IsOneOf(const std::vector<ContactKey>& keys, const PrimitiveContact& contact) {
@@ -37,10 +38,10 @@ Vector3 RotationBetween(const Pose& from, const Pose& to) {
   return turn.angle() * turn.axis();
 }
 
-GeneralizedPoint Between(const Pose& from, const Pose& to, Eigen::Index dimensions) {
-  GeneralizedPoint z = GeneralizedPoint::Zero(dimensions);
+PoseChange Between(const Pose& from, const Pose& to) {
+  PoseChange z;
   z.head<3>() = to.translation() - from.translation();
-  z.segment<3>(3) = RotationBetween(from, to);
+  z.tail<3>() = RotationBetween(from, to);
   return z;
 }
 
@@ -51,24 +52,30 @@ struct Hit {
 };
 
 Hit FirstHit(const std::vector<PrimitiveContact>& contacts, const std::vector<ContactKey>& without,
-             const GeneralizedPoint& direction) {
+             const PoseChange& direction) {
   Hit hit;
   for (const PrimitiveContact& contact : contacts) {
-    const double rate = contact.row.dot(direction);
+    const double rate = contact.row.head<kPoseDimensions>().dot(direction);
     if (rate > -1e-9 || IsOneOf(without, contact)) continue;
     const double distance = -contact.offset / rate;
     if (distance < 0 || distance >= hit.distance) continue;
     const bool inside = std::ranges::all_of(contact.limits, [&](const HalfSpace& limit) {
-      return distance * limit.a.dot(direction) <= limit.b + 1e-9;
+      return distance * limit.a.head<kPoseDimensions>().dot(direction) <= limit.b + 1e-9;
     });
     if (inside) hit = {&contact, distance};
   }
   return hit;
 }
 
+// A contact that is come upon at a small angle is felt late, and where it is felt is not certain.
+bool IsGrazing(const PrimitiveContact& contact, const PoseChange& direction, double radius) {
+  const double size = direction.head<3>().norm() + radius * direction.tail<3>().norm();
+  return contact.row.head<kPoseDimensions>().dot(direction) > -kGrazing * size;
+}
+
 // d and w so that kept contacts neither close nor open: w as it is, d as little changed as can be.
-std::optional<GeneralizedPoint> Complied(const std::vector<const PrimitiveContact*>& kept,
-                                         Vector3 d, const Vector3& w, Eigen::Index dimensions) {
+std::optional<PoseChange> Complied(const std::vector<const PrimitiveContact*>& kept, Vector3 d,
+                                   const Vector3& w) {
   if (!kept.empty()) {
     Eigen::MatrixX3d normals(std::ssize(kept), 3);
     Eigen::VectorXd rates(std::ssize(kept));
@@ -82,9 +89,9 @@ std::optional<GeneralizedPoint> Complied(const std::vector<const PrimitiveContac
     d += change;
   }
   if (w.isZero(1e-12) && d.norm() < kBlocked) return std::nullopt;
-  GeneralizedPoint z = GeneralizedPoint::Zero(dimensions);
+  PoseChange z;
   z.head<3>() = d;
-  z.segment<3>(3) = w;
+  z.tail<3>() = w;
   return z;
 }
 
@@ -97,23 +104,21 @@ std::vector<PrimitiveContact> ContactsOf(const Command& command,
   return those;
 }
 
-double LeastScale(const SegmentCheck& check) {
-  return check.unwanted.empty() ? kBeyondLadder : check.unwanted.front().scale;
-}
-
 }  // namespace
 
 // Per metre or radian of the amount.
 struct Maneuvering::Direction {
-  GeneralizedPoint along;
+  PoseChange along;
   double amount = 0;
   std::vector<ContactKey> kept;
 };
 
 Maneuvering::Maneuvering(const Passage& passage, const Options& options)
-    : passage_(passage), options_(options) {
-  for (const PrimitiveContact& contact : PrimitiveContacts(
-           passage.moving, passage.stationary, passage.X_StationaryEntry, passage.depth)) {
+    : passage_(passage),
+      options_(options),
+      finder_(passage.moving, passage.stationary, passage.tolerances) {
+  for (const PrimitiveContact& contact :
+       finder_.Near(passage.X_StationaryEntry, {.reach = passage.depth, .turn = 0})) {
     if (contact.kind == ContactKind::kEdgeEdge) continue;
     if (std::abs(contact.normal.dot(passage.mating)) > kAcross) continue;
     walls_.push_back(contact);
@@ -124,17 +129,20 @@ Maneuvering::Maneuvering(const Passage& passage, const Options& options)
 }
 
 std::vector<PrimitiveContact> Maneuvering::ContactsAt(const Pose& X) const {
-  return PrimitiveContacts(passage_.moving, passage_.stationary, X, options_.reach, {},
-                           options_.turn_error);
+  return finder_.Near(X, {.reach = options_.reach, .turn = options_.turn_error});
+}
+
+Situation Maneuvering::At(const Belief& belief) const {
+  return {belief, ContactsAt(belief.X_StationaryMoving)};
 }
 
 Vector3 Maneuvering::ToUpright(const Pose& X_StationaryMoving) const {
   return RotationBetween(X_StationaryMoving, passage_.X_StationaryEntry);
 }
 
-std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(
-    const Belief& belief, const Maneuver& maneuver,
-    const std::vector<PrimitiveContact>& contacts) const {
+std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& situation,
+                                                               const Maneuver& maneuver) const {
+  const auto& [belief, contacts] = situation;
   Vector3 d = Vector3::Zero();
   Vector3 w = Vector3::Zero();
   Direction direction{.along = {}, .amount = maneuver.amount, .kept = belief.kept};
@@ -174,67 +182,79 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(
   }
   const auto kept = Those(contacts, direction.kept);
   if (kept.size() != direction.kept.size()) return std::nullopt;
-  auto along = Complied(kept, d, w, belief.errors.rows());
+  auto along = Complied(kept, d, w);
   if (!along) return std::nullopt;
   direction.along = std::move(*along);
   return direction;
 }
 
 // Where contacts that touch at the end do so to second order, too.
-GeneralizedPoint Maneuvering::Refined(const Pose& X, const Command& command) const {
-  const GeneralizedPoint& z = command.displacement;
+PoseChange Maneuvering::Refined(const Pose& X, const Command& command) const {
+  const PoseChange& z = command.displacement;
   std::vector<ContactKey> touching = command.kept;
   if (command.until) touching.push_back(*command.until);
-  if (touching.empty() || z.segment<3>(3).isZero(1e-9)) return z;
+  if (touching.empty() || z.tail<3>().isZero(1e-9)) return z;
   Pose end = Displaced(X, z);
   for (int round = 0; round < 2; ++round) {
-    const std::vector<PrimitiveContact> contacts = ContactsAt(end);
+    const std::vector<PrimitiveContact> contacts = finder_.Of(touching, end, options_.turn_error);
     const auto those = Those(contacts, touching);
     if (those.size() != touching.size()) return z;
-    const GeneralizedPoint closing =
-        Closing(those, GeneralizedPoint::Zero(z.size()), options_.radius);
+    const PoseChange closing = Closing(those, PoseChange::Zero(), options_.radius);
     if (closing.head<3>().norm() > kCorrection) return z;
     end = Displaced(end, closing);
   }
-  return Between(X, end, z.size());
+  return Between(X, end);
 }
 
-Maneuvered Maneuvering::Apply(const Belief& belief, const Maneuver& maneuver, bool margins) const {
-  Maneuvered result{.after = belief};
+Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuver,
+                              Margins margins) const {
+  Maneuvered result{.after = situation.belief};
+  const Situation* now = &situation;
+  Situation later;
   double done = 0;
   while (true) {
-    const std::vector<PrimitiveContact> contacts = ContactsAt(result.after.X_StationaryMoving);
-    const auto direction = DirectionOf(result.after, maneuver, contacts);
+    const Pose& X = now->belief.X_StationaryMoving;
+    const auto direction = DirectionOf(*now, maneuver);
     if (!direction) return result;
     const bool anew = maneuver.kind == Maneuver::Kind::kUpright;  // what is left, each time
     const double left = direction->amount - (anew ? 0 : done);
-    const double turn = direction->along.segment<3>(3).norm();
+    const double turn = direction->along.tail<3>().norm();
     const double most = turn > 0 ? std::min(left, kStep / turn) : left;
-    const Hit hit = FirstHit(contacts, result.after.kept, direction->along);
+    const Hit hit = FirstHit(now->contacts, now->belief.kept, direction->along);
     const bool touches = hit.contact != nullptr && hit.distance <= most;
     if (touches && !maneuver.to_contact && hit.distance < most / kBefore) return result;
+    if (touches && IsGrazing(*hit.contact, direction->along, options_.radius)) return result;
     const double length = touches ? hit.distance : most;
     if (length < kLeast) return result;
     Command command{length * direction->along, direction->kept, {}};
     if (touches) command.until = KeyOf(*hit.contact);
-    command.displacement = Refined(result.after.X_StationaryMoving, command);
-    const std::vector<PrimitiveContact> at_end =
-        ContactsAt(Displaced(result.after.X_StationaryMoving, command.displacement));
-    const SegmentModel model{at_end, options_.velocity_error, options_.radius};
-    SegmentCheck check = Check(model, result.after, command, false);
-    if (check.certain && margins) check = Check(model, result.after, command, true);
-    result.least_scale = std::min(result.least_scale, LeastScale(check));
+    command.displacement = Refined(X, command);
+    std::vector<PrimitiveContact> at_end = ContactsAt(Displaced(X, command.displacement));
+    const SegmentModel model{at_end, options_.velocity_error, options_.radius, options_.test};
+    SegmentCheck check = Check(model, now->belief, command, margins == Margins::kAll);
     const bool certain = check.certain;
     if (certain) result.after = check.after;
-    result.motions.push_back(
-        {command, result.after.X_StationaryMoving, std::move(check), ContactsOf(command, at_end)});
+    std::vector<PrimitiveContact> its_contacts;
+    if (margins == Margins::kAll) its_contacts = ContactsOf(command, at_end);
+    result.motions.push_back({std::move(command), result.after.X_StationaryMoving, std::move(check),
+                              std::move(its_contacts)});
     done += length;
     if (!certain) return result;
-    const bool complete = touches || left - length < kLeast;
-    if (!complete) continue;
-    result.certain = touches == maneuver.to_contact;
-    return result;
+    if (touches || left - length < kLeast) {
+      result.certain = touches == maneuver.to_contact;
+      return result;
+    }
+    later = At(result.after);
+    now = &later;
   }
+}
+
+double Maneuvered::LeastScale() const {
+  double least = kBeyondLadder;
+  for (const CertainMotion& motion : motions) {
+    for (const Unwanted& unwanted : motion.check.unwanted) least = std::min(least, unwanted.scale);
+  }
+  return least;
 }
 
 bool Maneuvering::ComesThrough(const Belief& belief) const {
@@ -242,24 +262,24 @@ bool Maneuvering::ComesThrough(const Belief& belief) const {
   const Vector3 above = passage_.X_StationaryEntry.translation() - X.translation();
   const double way = passage_.depth + above.dot(passage_.mating);
   if (way <= 0) return true;
-  GeneralizedPoint in = GeneralizedPoint::Zero(belief.errors.rows());
+  PoseChange in = PoseChange::Zero();
   in.head<3>() = way * passage_.mating;
   const Pose end = Displaced(X, in);
-  std::vector<PrimitiveContact> opposing = PrimitiveContacts(
-      passage_.moving, passage_.stationary, end, options_.reach + way, {}, options_.turn_error);
+  std::vector<PrimitiveContact> opposing =
+      finder_.Near(end, {.reach = options_.reach + way, .turn = options_.turn_error});
   std::erase_if(opposing, [&](const PrimitiveContact& contact) {
-    return contact.row.dot(in) > -kAgainst * way;
+    return contact.row.head<3>().dot(in.head<3>()) > -kAgainst * way;
   });
-  const Belief free{X, belief.errors, {}};
-  return Check({opposing, options_.velocity_error, options_.radius}, free, {in, {}, {}}, false)
-      .certain;
+  const Belief free{X, belief.errors, {}, belief.tolerances};
+  const SegmentModel model{opposing, options_.velocity_error, options_.radius, options_.test};
+  return Check(model, free, {in, {}, {}}, false).certain;
 }
 
 int Maneuvering::WideDirections(const Belief& belief) const {
   Eigen::MatrixXd basis(kPoseDimensions, kPoseDimensions);
   Eigen::Index count = 0;
   for (const PrimitiveContact& wall : walls_) {
-    if ((belief.errors.transpose() * wall.row).lpNorm<1>() <= kRoom * wall.offset) continue;
+    if (ErrorOf(wall.row, belief) <= kRoom * wall.offset) continue;
     Eigen::VectorXd row = wall.row.head<kPoseDimensions>();
     row.tail<3>() /= options_.radius;
     for (int pass = 0; pass < 2; ++pass) {

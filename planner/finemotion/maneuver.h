@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "planner/finemotion/contact_finder.h"
 #include "planner/finemotion/segment.h"
 
 namespace assay::finemotion {
@@ -14,6 +15,7 @@ struct Passage {
   Pose X_StationaryEntry = Pose::Identity();  // of the tip at the critical point, without errors
   Vector3 mating = -Vector3::UnitZ();         // unit, the way in
   double depth = 0.003;                       // metres from there that count as in
+  std::vector<ModelTolerance> tolerances = {};
 };
 
 // A way to move that means something wherever the part is: what strategies are made of.
@@ -37,7 +39,14 @@ struct CertainMotion {
   Command command;
   Pose X_StationaryAfter = Pose::Identity();  // of the tip, if there are no errors
   SegmentCheck check;
-  std::vector<PrimitiveContact> contacts;  // of the command, kept and made, as they are then
+  std::vector<PrimitiveContact> contacts;  // of the command, kept and made, as they are then; told
+                                           // with the margins
+};
+
+// Where maneuvers start, and what can be touched there.
+struct Situation {
+  Belief belief;
+  std::vector<PrimitiveContact> contacts;
 };
 
 // What became of a maneuver: its motions, the turns in steps that are small enough for contacts to
@@ -46,7 +55,9 @@ struct Maneuvered {
   bool certain = false;
   std::vector<CertainMotion> motions = {};
   Belief after = {};
-  double least_scale = kBeyondLadder;  // of what is unwanted in any of the motions
+
+  // Of what is unwanted in any of the motions, as far as they tell.
+  double LeastScale() const;
 };
 
 // Maneuvers at one passage. Kept contacts are complied with: a move goes along them, and a turn
@@ -58,6 +69,11 @@ class Maneuvering {
     double turn_error = 0.02;  // radians: about how far the part may be turned against its belief
     double reach = 0.012;      // metres within which contacts are looked for
     double radius = 0.02;
+    MeetingTest test = MeetingTest::kExact;
+  };
+  enum class Margins {
+    kNone,  // only whether motions are certain
+    kAll,   // all that is unwanted is told, with its scale, and contacts
   };
 
   Maneuvering(const Passage& passage, const Options& options);
@@ -66,8 +82,8 @@ class Maneuvering {
   // Normals of what the tip can touch across the way in, outward from the walls.
   const std::vector<Vector3>& laterals() const { return laterals_; }
 
-  // `margins`: all that is unwanted is told, with its scale.
-  Maneuvered Apply(const Belief& belief, const Maneuver& maneuver, bool margins) const;
+  Situation At(const Belief& belief) const;
+  Maneuvered Apply(const Situation& situation, const Maneuver& maneuver, Margins margins) const;
   std::vector<PrimitiveContact> ContactsAt(const Pose& X_StationaryMoving) const;
   // Straight on along the way in, the tip comes as deep as it should, and nothing stands against
   // it. Walls may be touched: they lead.
@@ -81,12 +97,12 @@ class Maneuvering {
  private:
   struct Direction;
 
-  std::optional<Direction> DirectionOf(const Belief& belief, const Maneuver& maneuver,
-                                       const std::vector<PrimitiveContact>& contacts) const;
-  GeneralizedPoint Refined(const Pose& X, const Command& command) const;
+  std::optional<Direction> DirectionOf(const Situation& situation, const Maneuver& maneuver) const;
+  PoseChange Refined(const Pose& X, const Command& command) const;
 
   const Passage& passage_;
   Options options_;
+  ContactFinder finder_;
   std::vector<Vector3> laterals_;
   std::vector<PrimitiveContact> walls_;
 };

@@ -33,21 +33,9 @@ class NearestPoint {
   }
 
   // They meet unless a direction shows that they do not.
-  Meeting Find() {
-    double lower = 0;  // bound of the distance
-    for (int round = 0; round < kMostRounds; ++round) {
-      ImagePoint<K> outward = nearest_.cwiseMax(0);
-      outward[0] = nearest_[0];
-      const double upper = outward.norm();
-      if (upper <= tolerance_) return {};
-      const ImagePoint<K> lowest = image_.Lowest(outward);
-      lower = std::max(lower, outward.dot(lowest) / upper);
-      if (upper - lower <= kExactness * tolerance_) break;
-      if (!Improve(lowest)) break;
-    }
-    if (lower <= tolerance_) return {};
-    return {.meets = false, .margin = lower};
-  }
+  Meeting Find() { return Search(false); }
+  // The verdict alone is had earlier.
+  bool Meets() { return Search(true).meets; }
 
  private:
   struct Element {
@@ -63,6 +51,23 @@ class NearestPoint {
   static constexpr int kMostRounds = 1000;
   static constexpr double kExactness = 0.1;    // of the tolerance
   static constexpr double kDependent = 1e-14;  // sine of an angle
+
+  Meeting Search(bool verdict_only) {
+    double lower = 0;  // bound of the distance
+    for (int round = 0; round < kMostRounds; ++round) {
+      ImagePoint<K> outward = nearest_.cwiseMax(0);
+      outward[0] = nearest_[0];
+      const double upper = outward.norm();
+      if (upper <= tolerance_) return {};
+      const ImagePoint<K> lowest = image_.Lowest(outward);
+      lower = std::max(lower, outward.dot(lowest) / upper);
+      if (upper - lower <= kExactness * tolerance_) break;
+      if (verdict_only && lower > tolerance_) break;
+      if (!Improve(lowest)) break;
+    }
+    if (lower <= tolerance_) return {};
+    return {.meets = false, .margin = lower};
+  }
 
   ImagePoint<K> Origin() const { return ImagePoint<K>::Zero(image_.start.size()); }
   ImagePoint<K> Axis(int j) const { return ImagePoint<K>::Unit(image_.start.size(), j); }
@@ -178,5 +183,19 @@ Meeting Meet(const ForwardProjection& projection, const PrimitiveContact& contac
     return NearestPoint<K>(image, tolerance).Find();
   });
 }
+
+template <int K>
+bool Meets(const ProjectionImage<K>& image, double tolerance) {
+  return NearestPoint<K>(image, tolerance).Meets();
+}
+template bool Meets<1>(const ProjectionImage<1>&, double);
+template bool Meets<2>(const ProjectionImage<2>&, double);
+template bool Meets<3>(const ProjectionImage<3>&, double);
+template bool Meets<4>(const ProjectionImage<4>&, double);
+template bool Meets<5>(const ProjectionImage<5>&, double);
+template bool Meets<6>(const ProjectionImage<6>&, double);
+template bool Meets<7>(const ProjectionImage<7>&, double);
+template bool Meets<8>(const ProjectionImage<8>&, double);
+template bool Meets<Eigen::Dynamic>(const ProjectionImage<Eigen::Dynamic>&, double);
 
 }  // namespace assay::finemotion

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <compare>
 #include <string>
 #include <vector>
 
@@ -54,14 +55,29 @@ struct PrimitiveContact {
 // The primitive contacts that parts whose features touch to within `reach` (metres) at
 // X_StationaryMoving can make near there, turned by at most `turn` (radians) against it: contacts
 // that exist only when turned are among them, edges that may be parallel are not. Where gap and
-// limits are those of one contact seen twice (an edge that lies in a face), it is named once.
+// limits are those of one contact seen twice (an edge that lies in a face), it is named once. For
+// many poses: ContactFinder.
 std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
                                                 const Polyhedron& stationary,
                                                 const Pose& X_StationaryMoving, double reach,
                                                 const std::vector<ModelTolerance>& tolerances = {},
                                                 double turn = 0);
 
+// A primitive contact by its features, wherever it is linearized.
+struct ContactKey {
+  ContactKind kind = ContactKind::kVertexFace;
+  int moving = 0;
+  int stationary = 0;
+
+  auto operator<=>(const ContactKey&) const = default;
+};
+ContactKey KeyOf(const PrimitiveContact& contact);
+// Of several with these features (a face in regions) the one that the pose where they are
+// linearized is most inside of; null: there is none.
+const PrimitiveContact* Find(const std::vector<PrimitiveContact>& contacts, const ContactKey& key);
+
 // "vertex 3 on face 1".
+std::string Name(const ContactKey& key);
 std::string Name(const PrimitiveContact& contact);
 
 }  // namespace assay::finemotion

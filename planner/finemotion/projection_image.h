@@ -9,7 +9,7 @@
 
 namespace assay::finemotion {
 
-inline constexpr int kUsualRows = 5;  // at most: more where a face is narrow
+inline constexpr int kUsualRows = 8;  // at most: more where a face is narrow
 
 // Where a contact's rows take a point of generalized space to: its gap and its excess over each
 // limit, K numbers. There the contact is { 0 } x { not positive } x ..., in few dimensions however
@@ -75,6 +75,14 @@ struct ProjectionImage {
     motion_generators = projection.time * rows.Images(projection.velocity.generators);
   }
 
+  // To be filled in: without errors of the start, without a motion.
+  ProjectionImage(Eigen::Index rows, Eigen::Index start_errors, Eigen::Index motion_errors) {
+    start.setZero(rows);
+    motion.setZero(rows);
+    start_generators.setZero(rows, start_errors);
+    motion_generators.setZero(rows, motion_errors);
+  }
+
   bool moves() const { return !motion.isZero(0) || !motion_generators.isZero(0); }
 
   // Leaves out the errors that move nothing here: those of other faces.
@@ -111,6 +119,12 @@ struct ProjectionImage {
   }
 };
 
+// The exact test and the paper's (meeting.h), for up to kUsualRows rows and for any number.
+template <int K>
+bool Meets(const ProjectionImage<K>& image, double tolerance);
+template <int K>
+bool EdgeMeets(const ProjectionImage<K>& image);
+
 inline void CheckDimensions(const ForwardProjection& projection, const PrimitiveContact& contact) {
   const Eigen::Index n = contact.row.size();
   ASSAY_CHECK(projection.start.center.size() == n && projection.start.generators.rows() == n &&
@@ -118,16 +132,22 @@ inline void CheckDimensions(const ForwardProjection& projection, const Primitive
   for (const HalfSpace& limit : contact.limits) ASSAY_CHECK(limit.a.size() == n);
 }
 
-// Calls `use` with the image, whose dimension the compiler knows for the usual contacts.
+// Calls `use` with the number of rows as the compiler knows it; Eigen::Dynamic: it does not.
 template <int K = 1, class Use>
+auto WithRows(Eigen::Index rows, const Use& use) {
+  if constexpr (K > kUsualRows) {
+    return use.template operator()<Eigen::Dynamic>();
+  } else {
+    return rows == K ? use.template operator()<K>() : WithRows<K + 1>(rows, use);
+  }
+}
+
+// Calls `use` with the image, whose dimension the compiler knows for the usual contacts.
+template <class Use>
 auto WithImage(const ForwardProjection& projection, const PrimitiveContact& contact,
                const Use& use) {
-  if constexpr (K > kUsualRows) {
-    return use(ProjectionImage<Eigen::Dynamic>(projection, contact));
-  } else {
-    if (1 + std::ssize(contact.limits) == K) return use(ProjectionImage<K>(projection, contact));
-    return WithImage<K + 1>(projection, contact, use);
-  }
+  return WithRows(1 + std::ssize(contact.limits),
+                  [&]<int K>() { return use(ProjectionImage<K>(projection, contact)); });
 }
 
 }  // namespace assay::finemotion

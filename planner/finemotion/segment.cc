@@ -3,128 +3,262 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "planner/finemotion/projection_image.h"
 
 namespace assay::finemotion {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kLost = 2e-5;    // metres beyond a limit
 constexpr double kTurned = 2e-3;  // radians
 constexpr double kLongest = 20;   // displacements, until a contact is surely made
 constexpr double kGreatestMultiplier = 1e6;
-constexpr int kThirds = 30;         // that remain of an interval's two, one after another
-constexpr double kParallel = 1e-9;  // coefficients of rows
+constexpr int kThirds = 30;              // that remain of an interval's two, one after another
+constexpr double kParallel = 1e-9;       // coefficients of rows
+constexpr double kParted = 1e-9;         // metres
+constexpr double kVanished = 1e-12;      // of a generator: what rounding leaves
+constexpr double kExactness = 1e-9;      // metres, of meetings
+constexpr Eigen::Index kFewErrors = 12;  // that the edge test takes a millisecond for
 
-// The projection with `gap` of the contact that ends it not negative.
-struct Truncated {
-  ForwardProjection projection;
-  const PrimitiveContact* until = nullptr;
+// Of a row's value, what is due to the start's errors: a number for each.
+using ErrorParts = Eigen::VectorXd;
 
-  // The least upper bound of a . z: by the Lagrangian, convex in the multiplier.
-  double Support(const Eigen::VectorXd& a) const {
-    const double whole = projection.Support(a);
-    if (until == nullptr) return whole;
-    const auto bound = [&](double multiplier) {
-      return projection.Support(a + multiplier * until->row) + multiplier * until->offset;
-    };
-    double high = a.norm() / until->row.norm();
-    while (high < kGreatestMultiplier && bound(2 * high) < bound(high)) high *= 2;
-    high *= 2;
-    double low = 0;
-    for (int i = 0; i < kThirds; ++i) {
-      const double third = (high - low) / 3;
-      const bool is_left = bound(low + third) < bound(high - third);
-      (is_left ? high : low) += is_left ? -third : third;
-    }
-    return std::min(whole, bound((low + high) / 2));
+ErrorParts PartsOf(const Eigen::VectorXd& row, const PoseChanges& errors,
+                   const Eigen::VectorXd& tolerances) {
+  ErrorParts parts = errors.transpose() * row.head<kPoseDimensions>();
+  const Eigen::Index t = tolerances.size();
+  if (t > 0) parts.head(t) += row.tail(t).cwiseProduct(tolerances);
+  return parts;
+}
+
+// Of their sizes.
+double SumOfParts(const Eigen::VectorXd& row, const PoseChanges& errors,
+                  const Eigen::VectorXd& tolerances) {
+  const PoseChange pose = row.head<kPoseDimensions>();
+  const Eigen::Index t = tolerances.size();
+  double sum = 0;
+  for (Eigen::Index i = 0; i < t; ++i) {
+    sum += std::abs(pose.dot(errors.col(i)) + row[kPoseDimensions + i] * tolerances[i]);
   }
+  for (Eigen::Index i = t; i < errors.cols(); ++i) sum += std::abs(pose.dot(errors.col(i)));
+  return sum;
+}
+
+// The range of a linear function over a forward projection: over the start, displaced by all of its
+// errors, and the velocity with all of its. Errors may be enlarged.
+struct RowRange {
+  double start = 0;
+  double motion = 0;  // in a displacement
+  ErrorParts start_errors;
+  PoseChange motion_errors;
+
+  double Lowest(double scale, double time) const { return Extreme(-1, scale, time); }
+  double Highest(double scale, double time) const { return Extreme(1, scale, time); }
+  // Of velocities.
+  double Fastest(double scale) const { return motion + scale * motion_errors.lpNorm<1>(); }
+
+ private:
+  double Extreme(double sign, double scale, double time) const {
+    const double moved = sign * motion + scale * motion_errors.lpNorm<1>();
+    return sign * (sign * start + scale * start_errors.lpNorm<1>() + time * std::max(0.0, moved));
+  }
+};
+
+// Part of the poses that a motion can come to are where the contact that ends it stays open: the
+// highest value of `row` there is at most its highest with a multiple of the contact's gap added,
+// which is convex in the multiplier (Lagrange). Tells whether one of these bounds is below `most`.
+bool StaysBelow(const RowRange& row, const RowRange& gap, double gap_offset, double most,
+                double scale, double time) {
+  const auto bound = [&](double multiplier) {
+    const double errors = (row.start_errors + multiplier * gap.start_errors).lpNorm<1>();
+    const double moved = row.motion + multiplier * gap.motion +
+                         scale * (row.motion_errors + multiplier * gap.motion_errors).lpNorm<1>();
+    return row.start + multiplier * (gap.start + gap_offset) + scale * errors +
+           time * std::max(0.0, moved);
+  };
+  double high = 1;
+  while (high < kGreatestMultiplier && bound(2 * high) < bound(high)) high *= 2;
+  high *= 2;
+  double low = 0;
+  for (int i = 0; i < kThirds; ++i) {
+    const double third = (high - low) / 3;
+    const double left = bound(low + third);
+    const double right = bound(high - third);
+    if (std::min(left, right) <= most) return true;
+    (left < right ? high : low) += left < right ? -third : third;
+  }
+  return false;
+}
+
+// Directions of kept contacts' gaps, of which force control lets nothing go on: orthonormal, with
+// turns as lengths at a radius, and how tolerances shift these contacts.
+class KeptDirections {
+ public:
+  KeptDirections(const std::vector<const PrimitiveContact*>& kept,
+                 const Eigen::VectorXd& tolerances, double radius)
+      : tolerances_(tolerances) {
+    lengths_ << 1, 1, 1, radius, radius, radius;
+    shifts_.resize(tolerances.size(), kPoseDimensions);
+    for (const PrimitiveContact* contact : kept) Add(*contact);
+  }
+
+  // Errors of the model open some of the contacts when others are closed.
+  bool are_parted() const { return are_parted_; }
+
+  // Moved by the least that closes the contacts; the first columns also are tolerances.
+  PoseChanges Closed(PoseChanges errors, bool with_tolerances) const {
+    if (count_ == 0) return errors;
+    const auto basis = basis_.leftCols(count_);
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kPoseDimensions, Eigen::Dynamic> open =
+        basis.transpose() * lengths_.asDiagonal() * errors;
+    if (with_tolerances && tolerances_.size() > 0) {
+      open.leftCols(tolerances_.size()) +=
+          shifts_.leftCols(count_).transpose() * tolerances_.asDiagonal();
+    }
+    errors -= lengths_.cwiseInverse().asDiagonal() * basis * open;
+    return errors;
+  }
+
+ private:
+  void Add(const PrimitiveContact& contact) {
+    PoseChange row = contact.row.head<kPoseDimensions>().cwiseQuotient(lengths_);
+    Eigen::VectorXd shift = contact.row.tail(tolerances_.size());
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int i = 0; i < count_; ++i) {
+        const double along = basis_.col(i).dot(row);
+        row -= along * basis_.col(i);
+        shift -= along * shifts_.col(i);
+      }
+    }
+    const double length = row.norm();
+    if (length > 1e-9) {
+      basis_.col(count_) = row / length;
+      shifts_.col(count_++) = shift / length;
+    } else if (shift.cwiseProduct(tolerances_).lpNorm<1>() > kParted) {
+      are_parted_ = true;
+    }
+  }
+
+  const Eigen::VectorXd& tolerances_;
+  PoseChange lengths_;
+  Eigen::Matrix<double, kPoseDimensions, kPoseDimensions> basis_;
+  Eigen::Matrix<double, Eigen::Dynamic, kPoseDimensions> shifts_;
+  int count_ = 0;
+  bool are_parted_ = false;
+};
+
+// Where motions come to the surface of the contact that ends them: the start's errors moved there
+// along the mean velocity, and what the velocity's errors add on the longest way.
+struct Arrival {
+  PoseChange center;
+  PoseChanges errors;  // of the start, moved
+  PoseChanges drifts;  // for a way of one displacement
 };
 
 class Checker {
  public:
   Checker(const SegmentModel& model, const Belief& belief, const Command& command)
-      : model_(model), belief_(belief), command_(command) {
-    const Eigen::Index n = belief.errors.rows();
-    for (const ContactKey& key : command.kept) {
-      if (const PrimitiveContact* contact = Find(model.contacts, key)) kept_.push_back(contact);
-    }
-    if (command.until) until_ = Find(model.contacts, *command.until);
-    velocity_.center = command.displacement;
-    const double turn = command.displacement.segment<3>(3).norm();
+      : model_(model),
+        belief_(belief),
+        command_(command),
+        kept_(FoundOf(command.kept)),
+        until_(command.until ? Find(model.contacts, *command.until) : nullptr),
+        directions_(kept_, belief.tolerances, model.radius) {
+    const double turn = command.displacement.tail<3>().norm();
     const double move = command.displacement.head<3>().norm();
-    velocity_.generators.setZero(n, kPoseDimensions);
-    velocity_.generators.diagonal().head<3>().setConstant(model.velocity_error *
-                                                          (move + model.radius * turn));
-    velocity_.generators.diagonal().tail<3>().setConstant(model.velocity_error * turn);
-    velocity_.generators = Tangential(velocity_.generators);
-    errors_ = Tangential(Turned(belief.errors));
-    swept_.resize(n, errors_.cols() + belief.errors.cols());
-    swept_ << errors_, errors_ - belief.errors;
-    if (turn == 0) swept_ = errors_;
+    PoseChange drift;
+    drift.head<3>().setConstant(model.velocity_error * (move + model.radius * turn));
+    drift.tail<3>().setConstant(model.velocity_error * turn);
+    drifts_ = directions_.Closed(drift.asDiagonal().toDenseMatrix(), false);
+    errors_ = directions_.Closed(Turned(belief.errors), true);
+    if (turn == 0) {
+      swept_ = errors_;
+    } else {
+      swept_.resize(Eigen::NoChange, 2 * errors_.cols());
+      swept_ << errors_, errors_ - belief.errors;
+    }
+    if (until_ != nullptr) {
+      until_at_start_ = RangeOf(until_->row, errors_);
+      until_on_the_way_ = RangeOf(until_->row, swept_);
+    }
   }
 
   SegmentCheck Run(bool whole) {
-    SegmentCheck check;
-    if (!KeptStay() || (command_.until && until_ == nullptr)) return check;
+    if (!KeptStay() || (command_.until && until_ == nullptr)) return check_;
     const std::optional<double> time = Time(1);
-    if (!time) return check;
-    check.longest = *time;
-    for (const PrimitiveContact& contact : model_.contacts) {
-      if (IsWanted(contact)) continue;
-      const double scale = ScaleOf([&](double s) { return CanMeet(contact, s); }, whole);
-      if (scale < kBeyondLadder) check.unwanted.push_back({KeyOf(contact), false, scale});
-      if (scale <= 1 && !whole) return check;
-    }
-    for (const PrimitiveContact* kept : kept_) {
-      const double scale = ScaleOf([&](double s) { return CanLose(*kept, s); }, whole);
-      if (scale < kBeyondLadder) check.unwanted.push_back({KeyOf(*kept), true, scale});
-      if (scale <= 1 && !whole) return check;
-    }
-    if (until_ != nullptr) {
-      const double scale = ScaleOf([&](double s) { return CanPass(s); }, whole);
-      if (scale < kBeyondLadder) check.unwanted.push_back({KeyOf(*until_), true, scale});
-    }
-    std::ranges::stable_sort(check.unwanted, {}, &Unwanted::scale);
-    check.certain = check.unwanted.empty() || check.unwanted.front().scale > 1;
-    if (check.certain) check.after = After();
-    return check;
+    if (!time) return check_;
+    check_.longest = *time;
+    const bool goes_on = AddContacts(whole) && AddLosses(whole) && AddMissing(whole);
+    if (!goes_on) return check_;
+    std::ranges::stable_sort(check_.unwanted, {}, &Unwanted::scale);
+    check_.certain = check_.unwanted.empty() || check_.unwanted.front().scale > 1;
+    if (check_.certain) check_.after = After();
+    return check_;
   }
 
  private:
-  // Contacts that disappear where others of one C-surface take over are none of ours.
-  bool KeptStay() const { return kept_.size() == command_.kept.size(); }
-
-  // What force control leaves of motions: the tangential part, in lengths at the radius.
-  Eigen::MatrixXd Tangential(Eigen::MatrixXd motions) const {
-    Eigen::VectorXd scale = Eigen::VectorXd::Ones(motions.rows());
-    scale.segment<3>(3).setConstant(model_.radius);
-    Eigen::MatrixXd basis(kPoseDimensions, std::ssize(kept_));
-    Eigen::Index count = 0;
-    for (const PrimitiveContact* contact : kept_) {
-      Eigen::VectorXd row =
-          (contact->row.head<kPoseDimensions>().array() / scale.head<kPoseDimensions>().array());
-      for (int pass = 0; pass < 2; ++pass) {
-        row -= basis.leftCols(count) * (basis.leftCols(count).transpose() * row);
-      }
-      if (row.norm() > 1e-9) basis.col(count++) = row.normalized();
+  std::vector<const PrimitiveContact*> FoundOf(const std::vector<ContactKey>& keys) const {
+    std::vector<const PrimitiveContact*> found;
+    found.reserve(keys.size() + 1);
+    for (const ContactKey& key : keys) {
+      if (const PrimitiveContact* contact = Find(model_.contacts, key)) found.push_back(contact);
     }
-    auto pose = motions.topRows<kPoseDimensions>();
-    Eigen::MatrixXd scaled = scale.head<kPoseDimensions>().asDiagonal() * pose;
-    scaled -= basis.leftCols(count) * (basis.leftCols(count).transpose() * scaled);
-    pose = scale.head<kPoseDimensions>().cwiseInverse().asDiagonal() * scaled;
-    return motions;
+    return found;
+  }
+
+  // Contacts that disappear where others of one C-surface take over are none of ours.
+  bool KeptStay() const {
+    return kept_.size() == command_.kept.size() && !directions_.are_parted();
   }
 
   // The hand turns the part about where it believes the tip to be: errors turn with it.
-  Eigen::MatrixXd Turned(Eigen::MatrixXd errors) const {
-    const Vector3 w = command_.displacement.segment<3>(3);
-    if (w.isZero(0)) return errors;
+  PoseChanges Turned(PoseChanges errors) const {
+    if (command_.displacement.tail<3>().isZero(0)) return errors;
     const Eigen::Matrix3d R = Displaced(Pose::Identity(), command_.displacement).linear();
     errors.topRows<3>() = R * errors.topRows<3>();
-    errors.middleRows<3>(3) = R * errors.middleRows<3>(3);
+    errors.bottomRows<3>() = R * errors.bottomRows<3>();
     return errors;
+  }
+
+  // As seen from the end.
+  RowRange RangeOf(const Eigen::VectorXd& row, const PoseChanges& errors) const {
+    const auto pose = row.head<kPoseDimensions>();
+    RowRange range;
+    range.motion = pose.dot(command_.displacement);
+    range.start = -range.motion;
+    range.motion_errors = drifts_.transpose() * pose;
+    range.start_errors = PartsOf(row, errors);
+    return range;
+  }
+
+  ErrorParts PartsOf(const Eigen::VectorXd& row, const PoseChanges& errors) const {
+    return finemotion::PartsOf(row, errors, belief_.tolerances);
+  }
+
+  // Displacements until it is surely over; none: it may never be.
+  std::optional<double> Time(double scale) const {
+    if (until_ == nullptr) return 1;
+    const double slowest = -until_at_start_.Fastest(scale);
+    const double farthest = until_->offset + until_at_start_.Highest(scale, 0);
+    if (slowest <= 0 || farthest > kLongest * slowest) return std::nullopt;
+    return std::max(0.0, farthest / slowest);
+  }
+
+  // --- Contacts that must not be made.
+
+  bool AddContacts(bool whole) {
+    for (const PrimitiveContact& contact : model_.contacts) {
+      if (IsWanted(contact)) continue;
+      if (!Add({KeyOf(contact), false, ScaleOfMeeting(contact, whole)}, whole)) return false;
+    }
+    return true;
+  }
+
+  // Tells whether to go on.
+  bool Add(Unwanted unwanted, bool whole) {
+    if (unwanted.scale < kBeyondLadder) check_.unwanted.push_back(unwanted);
+    return whole || unwanted.scale > 1;
   }
 
   // Also what is let go, if it is surely left.
@@ -132,53 +266,122 @@ class Checker {
     const ContactKey key = KeyOf(contact);
     if (command_.until && key == *command_.until) return true;
     if (std::ranges::find(command_.kept, key) != command_.kept.end()) return true;
-    return std::ranges::find(belief_.kept, key) != belief_.kept.end() &&
-           velocity_.Support(-contact.row) < 0;
+    if (std::ranges::find(belief_.kept, key) == belief_.kept.end()) return false;
+    const auto row = contact.row.head<kPoseDimensions>();
+    return row.dot(command_.displacement) > (drifts_.transpose() * row).lpNorm<1>();
   }
 
-  // As seen from the end, and anywhere on the way there.
-  Zonotope Start(double scale) const { return {-command_.displacement, scale * errors_}; }
-  Zonotope Swept(double scale) const { return {-command_.displacement, scale * swept_}; }
-
-  // Displacements until it is surely over; none: it may never be.
-  std::optional<double> Time(double scale) const {
-    if (until_ == nullptr) return 1;
-    const double slowest = -Scaled(velocity_, scale).Support(until_->row);
-    const double farthest = until_->offset + Start(scale).Support(until_->row);
-    if (slowest <= 0 || farthest > kLongest * slowest) return std::nullopt;
-    return std::max(0.0, farthest / slowest);
+  double ScaleOfMeeting(const PrimitiveContact& contact, bool whole) {
+    const double most = whole ? std::ranges::max(kLadder) : 1;
+    if (!MayClose(contact, most)) return kBeyondLadder;
+    const RowRange gap = RangeOf(contact.row, swept_);
+    const auto is_apart = [&](const RowRange& range, double offset, double scale) {
+      const std::optional<double> time = Time(scale);
+      return time && offset + range.Lowest(scale, *time) > 0;
+    };
+    std::vector<RowRange> limits;
+    limits.reserve(contact.limits.size());
+    for (const HalfSpace& limit : contact.limits) {
+      limits.push_back(RangeOf(limit.a, swept_));
+      if (is_apart(limits.back(), -limit.b, most)) return kBeyondLadder;
+    }
+    return ScaleOf(
+        [&](double scale) {
+          const std::optional<double> time = Time(scale);
+          if (!time) return true;
+          if (contact.offset + gap.Lowest(scale, *time) > 0) return false;
+          return Meets(contact, gap, limits, scale, *time);
+        },
+        whole);
   }
 
-  Truncated Projection(double scale) const {
-    return {{Swept(scale), Scaled(velocity_, scale), *Time(scale)}, until_};
+  // What rules most contacts out.
+  bool MayClose(const PrimitiveContact& contact, double scale) const {
+    const std::optional<double> time = Time(scale);
+    if (!time) return true;
+    const PoseChange row = contact.row.head<kPoseDimensions>();
+    const double motion = row.dot(command_.displacement);
+    const double drift = scale * (drifts_.transpose() * row).lpNorm<1>();
+    const double error = scale * SumOfParts(contact.row, swept_, belief_.tolerances);
+    return contact.offset - motion - error + *time * std::min(0.0, motion - drift) <= 0;
   }
 
-  bool CanMeet(const PrimitiveContact& contact, double scale) const {
-    if (!Time(scale)) return true;
-    const Truncated f = Projection(scale);
-    if (contact.offset - f.projection.Support(-contact.row) > 0) return false;
-    PrimitiveContact before = contact;
-    if (until_ != nullptr) before.limits.push_back({-until_->row, until_->offset});
-    return Meet(f.projection, before).meets;
+  // Before the contact that ends the motion is made.
+  bool Meets(const PrimitiveContact& contact, const RowRange& gap,
+             const std::vector<RowRange>& limits, double scale, double time) {
+    const Eigen::Index rows = std::ssize(limits) + (until_ != nullptr ? 2 : 1);
+    return WithRows(rows, [&]<int K>() {
+      ProjectionImage<K> image(rows, swept_.cols(), drifts_.cols());
+      Eigen::Index row = 0;
+      const auto add = [&](const RowRange& range, double offset, double sign) {
+        image.start[row] = sign * (range.start + offset);
+        image.motion[row] = sign * time * range.motion;
+        image.start_generators.row(row) = sign * scale * range.start_errors.transpose();
+        image.motion_generators.row(row) = sign * time * scale * range.motion_errors.transpose();
+        ++row;
+      };
+      add(gap, contact.offset, 1);
+      for (std::size_t i = 0; i < limits.size(); ++i) add(limits[i], -contact.limits[i].b, 1);
+      if (until_ != nullptr) add(until_on_the_way_, until_->offset, -1);
+      image.ForgetZeros();
+      return Decide(image);
+    });
+  }
+
+  template <int K>
+  bool Decide(const ProjectionImage<K>& image) {
+    const auto is_exactly = [&] { return finemotion::Meets(image, kExactness); };
+    ++check_.comparison.tests;
+    const Eigen::Index errors = image.start_generators.cols() + image.motion_generators.cols();
+    if (model_.test == MeetingTest::kExact || errors > kFewErrors) return is_exactly();
+    if (model_.test == MeetingTest::kEdges) return finemotion::EdgeMeets(image);
+    const bool meets = is_exactly();
+    ++check_.comparison.compared;
+    if (meets && !finemotion::EdgeMeets(image)) ++check_.comparison.missed;
+    return meets;
+  }
+
+  // --- Contacts that must not be lost.
+
+  bool AddLosses(bool whole) {
+    for (const PrimitiveContact* kept : kept_) {
+      const double scale = ScaleOf([&](double s) { return CanLose(*kept, s); }, whole);
+      if (!Add({KeyOf(*kept), true, scale}, whole)) return false;
+    }
+    return true;
   }
 
   // A limit is exceeded where nothing stops the part.
   bool CanLose(const PrimitiveContact& contact, double scale) const {
-    if (!Time(scale)) return true;
-    const Truncated f = Projection(scale);
+    const std::optional<double> time = Time(scale);
+    if (!time) return true;
     return std::ranges::any_of(contact.limits, [&](const HalfSpace& limit) {
-      return !Stops(limit) && f.projection.Support(limit.a) > limit.b + Slack(limit) &&
-             f.Support(limit.a) > limit.b + Slack(limit);
+      const double most = limit.b + Slack(limit);
+      const RowRange range = RangeOf(limit.a, swept_);
+      if (range.Highest(scale, *time) <= most || Stops(limit)) return false;
+      return until_ == nullptr ||
+             !StaysBelow(range, until_on_the_way_, until_->offset, most, scale, *time);
     });
+  }
+
+  bool AddMissing(bool whole) {
+    if (until_ == nullptr) return true;
+    arrival_ = ArrivalAt(*until_);
+    const double scale = ScaleOf([&](double s) { return CanPass(s); }, whole);
+    Add({KeyOf(*until_), true, scale}, true);
+    return true;
   }
 
   // The contact that is waited for is not where the part comes to its surface.
   bool CanPass(double scale) const {
-    if (!Time(scale)) return true;
-    const Zonotope region =
-        RegionAtContact({Start(scale), Scaled(velocity_, scale), *Time(scale)}, *until_);
+    const std::optional<double> time = Time(scale);
+    if (!time) return true;
     return std::ranges::any_of(until_->limits, [&](const HalfSpace& limit) {
-      return !Stops(limit) && region.Support(limit.a) > limit.b + Slack(limit);
+      const auto pose = limit.a.head<kPoseDimensions>();
+      const double highest = pose.dot(arrival_.center) +
+                             scale * PartsOf(limit.a, arrival_.errors).lpNorm<1>() +
+                             scale * *time * (arrival_.drifts.transpose() * pose).lpNorm<1>();
+      return highest > limit.b + Slack(limit) && !Stops(limit);
     });
   }
 
@@ -200,81 +403,108 @@ class Checker {
     return *std::ranges::find_if(kLadder, happens);
   }
 
+  // --- What is known afterwards.
+
+  // A motion from z at v0 + e is on the surface after s: the projection P along v0 leaves that
+  // point where it is and forgets s v0, so that it is P z + s (linear part of P) e, with s at most
+  // that of the farthest start at the slowest approach.
+  Arrival ArrivalAt(const PrimitiveContact& contact) const {
+    const auto row = contact.row.head<kPoseDimensions>();
+    const PoseChange step =  // changes the gap by 1
+        command_.displacement / row.dot(command_.displacement);
+    return {-contact.offset * step, errors_ - step * PartsOf(contact.row, errors_).transpose(),
+            drifts_ - step * (row.transpose() * drifts_)};
+  }
+
   Belief After() const {
-    Belief after;
-    Zonotope region = Sum(Start(1), velocity_);
-    if (until_ != nullptr) region = RegionAtContact({Start(1), velocity_, *Time(1)}, *until_);
+    PoseChange center = PoseChange::Zero();
+    if (until_ != nullptr) center = arrival_.center;
     // Kept contacts drift off their surfaces in the second order.
     std::vector<const PrimitiveContact*> touching = kept_;
     if (until_ != nullptr) touching.push_back(until_);
-    after.X_StationaryMoving =
-        Displaced(Displaced(belief_.X_StationaryMoving, command_.displacement),
-                  region.center + Closing(touching, region.center, model_.radius));
-    after.errors = region.generators;
-    after.kept = command_.kept;
+    Belief after{.X_StationaryMoving =
+                     Displaced(Displaced(belief_.X_StationaryMoving, command_.displacement),
+                               center + Closing(touching, center, model_.radius)),
+                 .errors = until_ != nullptr ? Joined(arrival_.errors, *Time(1) * arrival_.drifts)
+                                             : Joined(errors_, drifts_),
+                 .kept = command_.kept,
+                 .tolerances = belief_.tolerances};
     if (until_ != nullptr) after.kept.push_back(*command_.until);
     std::ranges::sort(after.kept);
     return after;
+  }
+
+  // Without those that come to nothing; tolerances stay.
+  PoseChanges Joined(const PoseChanges& errors, const PoseChanges& drifts) const {
+    PoseChanges joined(kPoseDimensions, errors.cols() + drifts.cols());
+    Eigen::Index count = 0;
+    for (Eigen::Index i = 0; i < errors.cols(); ++i) {
+      if (i < belief_.tolerances.size() || IsSomething(errors.col(i), belief_.errors.col(i))) {
+        joined.col(count++) = errors.col(i);
+      }
+    }
+    for (Eigen::Index i = 0; i < drifts.cols(); ++i) {
+      if (IsSomething(drifts.col(i), drifts_.col(i))) joined.col(count++) = drifts.col(i);
+    }
+    joined.conservativeResize(Eigen::NoChange, count);
+    return joined;
+  }
+
+  // Of what it was.
+  static bool IsSomething(const PoseChange& error, const PoseChange& before) {
+    return error.norm() > kVanished * before.norm();
   }
 
   const SegmentModel& model_;
   const Belief& belief_;
   const Command& command_;
   std::vector<const PrimitiveContact*> kept_;
-  const PrimitiveContact* until_ = nullptr;
-  Zonotope velocity_;
-  Eigen::MatrixXd errors_;
-  Eigen::MatrixXd swept_;
+  const PrimitiveContact* until_;
+  KeptDirections directions_;
+  // Of a displacement; of the start as seen from the end; of it and anywhere on the way there.
+  Eigen::Matrix<double, kPoseDimensions, kPoseDimensions> drifts_;
+  PoseChanges errors_;
+  PoseChanges swept_;
+  RowRange until_at_start_;
+  RowRange until_on_the_way_;
+  Arrival arrival_;
+  SegmentCheck check_;
 };
 
 }  // namespace
 
-ContactKey KeyOf(const PrimitiveContact& contact) {
-  return {contact.kind, contact.moving, contact.stationary};
+TestComparison& TestComparison::operator+=(const TestComparison& other) {
+  tests += other.tests;
+  compared += other.compared;
+  missed += other.missed;
+  return *this;
 }
 
-std::string Name(const ContactKey& key) {
-  PrimitiveContact contact;
-  contact.kind = key.kind;
-  contact.moving = key.moving;
-  contact.stationary = key.stationary;
-  return Name(contact);
+double ErrorOf(const Eigen::VectorXd& row, const Belief& belief) {
+  return SumOfParts(row, belief.errors, belief.tolerances);
 }
 
-const PrimitiveContact* Find(const std::vector<PrimitiveContact>& contacts, const ContactKey& key) {
-  const PrimitiveContact* found = nullptr;
-  double least = kInfinity;
-  for (const PrimitiveContact& contact : contacts) {
-    if (KeyOf(contact) != key) continue;
-    double excess = -kInfinity;
-    for (const HalfSpace& limit : contact.limits) excess = std::max(excess, -limit.b);
-    if (excess >= least) continue;
-    least = excess;
-    found = &contact;
-  }
-  return found;
-}
-
-GeneralizedPoint Closing(const std::vector<const PrimitiveContact*>& contacts,
-                         const GeneralizedPoint& z, double radius) {
-  GeneralizedPoint closing = GeneralizedPoint::Zero(z.size());
+PoseChange Closing(const std::vector<const PrimitiveContact*>& contacts, const PoseChange& z,
+                   double radius) {
+  PoseChange closing = PoseChange::Zero();
   if (contacts.empty()) return closing;
-  Eigen::MatrixXd rows(std::ssize(contacts), kPoseDimensions);
+  Eigen::Matrix<double, Eigen::Dynamic, kPoseDimensions> rows(std::ssize(contacts),
+                                                              kPoseDimensions);
   Eigen::VectorXd gaps(rows.rows());
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     const PrimitiveContact& contact = *contacts[static_cast<std::size_t>(i)];
     rows.row(i) = contact.row.head<kPoseDimensions>();
-    gaps[i] = contact.Gap(z);
+    gaps[i] = contact.offset + rows.row(i).dot(z);
   }
   rows.rightCols<3>() /= radius;
-  closing.head<kPoseDimensions>() = rows.completeOrthogonalDecomposition().solve(-gaps);
-  closing.segment<3>(3) /= radius;
+  closing = rows.completeOrthogonalDecomposition().solve(-gaps);
+  closing.tail<3>() /= radius;
   return closing;
 }
 
-Pose Displaced(const Pose& X_StationaryMoving, const GeneralizedPoint& z) {
+Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z) {
   Pose X = X_StationaryMoving;
-  const Vector3 w = z.segment<3>(3);
+  const Vector3 w = z.tail<3>();
   const double angle = w.norm();
   if (angle > 0) X.linear() = Eigen::AngleAxisd(angle, w / angle) * X.linear();
   X.translation() += z.head<3>();

@@ -1,48 +1,41 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <compare>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "planner/finemotion/meeting.h"
+#include "planner/finemotion/primitive_contact.h"
 
 namespace assay::finemotion {
 
-// A primitive contact by its features, wherever it is linearized.
-struct ContactKey {
-  ContactKind kind = ContactKind::kVertexFace;
-  int moving = 0;
-  int stationary = 0;
+// A change of the moving part's pose: d added, turned by w about its origin. The pose's part of a
+// point of generalized space.
+using PoseChange = Eigen::Matrix<double, kPoseDimensions, 1>;
+using PoseChanges = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;  // a column each
 
-  auto operator<=>(const ContactKey&) const = default;
-};
-ContactKey KeyOf(const PrimitiveContact& contact);
-std::string Name(const ContactKey& key);  // "vertex 3 on face 1"
-// Of several with these features (a face in regions) the one that the pose where they are
-// linearized is most inside of; null: there is none.
-const PrimitiveContact* Find(const std::vector<PrimitiveContact>& contacts, const ContactKey& key);
-
-// What is known of where the moving part is: nominally at X, displaced and with model errors by any
-// point of the region, in contact with what it keeps.
+// What is known of where the moving part is: nominally at X, displaced by errors.col(i) times any
+// factor in -1 .. 1, for all i, and in contact with what it keeps. The first factors are also those
+// of the model's tolerances, in their half widths.
 struct Belief {
   Pose X_StationaryMoving = Pose::Identity();
-  Eigen::MatrixXd errors;  // generators of the region about 0, a column each
+  PoseChanges errors;
   std::vector<ContactKey> kept = {};
+  Eigen::VectorXd tolerances = {};  // half widths, metres
 };
 
-// The moving part displaced by a point of generalized space: d added, turned by w about its origin.
-Pose Displaced(const Pose& X_StationaryMoving, const GeneralizedPoint& z);
+// By how much errors can change the value of a row.
+double ErrorOf(const Eigen::VectorXd& row, const Belief& belief);
+
+Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z);
 
 // The least change of a pose, from z, that closes the contacts' gaps to first order; rotations
 // count as lengths at `radius`.
-GeneralizedPoint Closing(const std::vector<const PrimitiveContact*>& contacts,
-                         const GeneralizedPoint& z, double radius);
+PoseChange Closing(const std::vector<const PrimitiveContact*>& contacts, const PoseChange& z,
+                   double radius);
 
 // A straight motion in a contact state, and what ends it.
 struct Command {
-  Eigen::VectorXd displacement;  // generalized; without errors it leads so far
+  PoseChange displacement;       // without errors it leads so far
   std::vector<ContactKey> kept;  // of those there were; the others are let go
   std::optional<ContactKey> until = {};
 };
@@ -58,6 +51,16 @@ struct Unwanted {
 inline constexpr double kLadder[] = {1, 1.25, 1.5, 2, 3, 4};
 inline constexpr double kBeyondLadder = 8;  // where none of them does it
 
+// How many exact tests whether a contact can be made there were, and of those in which the paper's
+// edge test (meeting.h) is applicable how many it answers otherwise.
+struct TestComparison {
+  int tests = 0;
+  int compared = 0;
+  int missed = 0;  // a contact that can be made, but at no edge
+
+  TestComparison& operator+=(const TestComparison& other);
+};
+
 // What becomes of a command, whatever the errors.
 struct SegmentCheck {
   // The sequence of contact states is certain: nothing unwanted happens with errors as they are.
@@ -65,6 +68,14 @@ struct SegmentCheck {
   std::vector<Unwanted> unwanted;  // by rising scale; of those that can happen on the ladder
   Belief after;
   double longest = 1;  // how many displacements it may take at most
+  TestComparison comparison = {};
+};
+
+// How it is decided whether errors can bring a contact about.
+enum class MeetingTest {
+  kExact,
+  kEdges,    // the paper's, where there are few enough errors; it misses some
+  kCompare,  // exact, and compared with the paper's
 };
 
 struct SegmentModel {
@@ -74,14 +85,15 @@ struct SegmentModel {
   // turn about each axis.
   double velocity_error = 0.02;
   double radius = 0.02;  // metres
+  MeetingTest test = MeetingTest::kExact;
 };
 
 // A loop over all contacts with the exact test (meeting.h). The hand turns the part about where it
 // believes the tip to be, so that errors turn with it. Kept contacts may run off their ends by 20
 // micrometres and 2 milliradians, which is what linear rows leave out. Not certain, with nothing
-// unwanted: a contact of the command is not there, or its end never surely comes. `whole`: all
-// unwanted contacts and their scales are told; else it ends at the first that can happen with
-// errors as they are.
+// unwanted: a contact of the command is not there, tolerances part kept contacts, or its end never
+// surely comes. `whole`: all unwanted contacts and their scales are told; else it ends at the first
+// that can happen with errors as they are.
 SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,
                    bool whole);
 

@@ -46,7 +46,8 @@ struct Node {
   Maneuver maneuver = {};
   Start start = {};
   std::size_t motions = 0;
-  double cost = 0;
+  double cost = 0;  // at least; all of it, once it is `exact`
+  bool exact = true;
   double guidance = 0;
   int number = 0;  // in the order of their making
 };
@@ -79,7 +80,8 @@ class Search {
                      {.velocity_error = errors.velocity,
                       .turn_error = std::max(kLeastTurn, 1.5 * errors.pose.tail<3>().maxCoeff()),
                       .reach = options.reach,
-                      .radius = options.radius}),
+                      .radius = options.radius,
+                      .test = options.test}),
         random_(options.seed, fmt::format("starts of strategies {}", round)) {}
 
   FineMotionPlan Run() {
@@ -117,8 +119,8 @@ class Search {
   }
 
   Vector3 LowestCorner(const Vector3& turn) const {
-    GeneralizedPoint z = GeneralizedPoint::Zero(kPoseDimensions);
-    z.tail<3>() = turn;
+    PoseChange z;
+    z << Vector3::Zero(), turn;
     const Pose X = Displaced(passage().X_StationaryEntry, z);
     Vector3 lowest = Vector3::Zero();
     for (const OuterVertex& vertex : passage().moving.vertices) {
@@ -143,18 +145,22 @@ class Search {
   // So far up that the part is free, whatever the errors.
   Belief BeliefAt(const Start& start, double multiple) const {
     Belief belief;
-    belief.errors = multiple * Eigen::MatrixXd(errors_.pose.asDiagonal());
-    GeneralizedPoint z(kPoseDimensions);
+    belief.tolerances = multiple * errors_.tolerances;
+    belief.errors.setZero(Eigen::NoChange, belief.tolerances.size() + kPoseDimensions);
+    belief.errors.rightCols<kPoseDimensions>() =
+        multiple * errors_.pose.asDiagonal().toDenseMatrix();
+    PoseChange z;
     z << start.beside, start.turn;
     belief.X_StationaryMoving = Displaced(passage().X_StationaryEntry, z);
     double deepest = 0;
+    const double wrong = errors_.tolerances.sum();  // of the parts, at most
     for (const OuterVertex& vertex : passage().moving.vertices) {
       const Vector3 at = belief.X_StationaryMoving * vertex.p;
       const double reach =
           errors_.pose.head<3>().norm() +
           errors_.pose.tail<3>().norm() * std::min(vertex.p.norm(), options_.reach);
       const double depth = (at - passage().X_StationaryEntry.translation()).dot(passage().mating);
-      deepest = std::max(deepest, depth + reach);
+      deepest = std::max(deepest, depth + reach + wrong);
     }
     belief.X_StationaryMoving.translation() -= (deepest + kAbove) * passage().mating;
     return belief;
@@ -173,22 +179,49 @@ class Search {
     while (!open.empty() && plan_.expanded < options_.nodes) {
       const NodePointer node = open.top();
       open.pop();
+      if (!node->exact) {
+        open.push(WithExactCost(*node));
+        continue;
+      }
       if (IsGoal(node->belief)) return node;
       ++plan_.expanded;
-      if (node->motions >= kMostMotions) continue;
-      for (const Maneuver& maneuver : ManeuversFrom(node->belief)) {
-        const Maneuvered done = maneuvering_.Apply(node->belief, maneuver, true);
-        if (!done.certain) continue;
-        Push({.belief = done.after,
-              .parent = node,
-              .maneuver = maneuver,
-              .start = node->start,
-              .motions = node->motions + done.motions.size(),
-              .cost = node->cost + CostOf(done)},
-             open);
-      }
+      if (node->motions < kMostMotions) Expand(node, open);
     }
     return nullptr;
+  }
+
+  template <class Queue>
+  void Expand(const NodePointer& node, Queue& open) {
+    const Situation situation = maneuvering_.At(node->belief);
+    for (const Maneuver& maneuver : ManeuversFrom(node->belief)) {
+      const Maneuvered done = Apply(situation, maneuver, Maneuvering::Margins::kNone);
+      if (!done.certain) continue;
+      const auto motions = static_cast<double>(done.motions.size());
+      Push({.belief = done.after,
+            .parent = node,
+            .maneuver = maneuver,
+            .start = node->start,
+            .motions = node->motions + done.motions.size(),
+            .cost = node->cost + options_.transitions * motions,
+            .exact = false},
+           open);
+    }
+  }
+
+  // Margins take long, and most nodes are never first.
+  NodePointer WithExactCost(Node node) {
+    const Situation before = maneuvering_.At(node.parent->belief);
+    const Maneuvered done = Apply(before, node.maneuver, Maneuvering::Margins::kAll);
+    node.cost += options_.deviation / done.LeastScale() + options_.confusion * ConfusionOf(done);
+    node.exact = true;
+    return std::make_shared<const Node>(std::move(node));
+  }
+
+  Maneuvered Apply(const Situation& situation, const Maneuver& maneuver,
+                   Maneuvering::Margins margins) {
+    Maneuvered done = maneuvering_.Apply(situation, maneuver, margins);
+    for (const CertainMotion& motion : done.motions) plan_.comparison += motion.check.comparison;
+    return done;
   }
 
   template <class Queue>
@@ -224,12 +257,6 @@ class Search {
     return maneuvers;
   }
 
-  double CostOf(const Maneuvered& done) const {
-    double cost = options_.transitions * static_cast<double>(done.motions.size());
-    cost += options_.deviation / done.least_scale;
-    return cost + options_.confusion * ConfusionOf(done);
-  }
-
   // How alike the forces of the last planned contact and of what is likeliest instead are.
   double ConfusionOf(const Maneuvered& done) const {
     const CertainMotion& last = done.motions.back();
@@ -250,10 +277,11 @@ class Search {
   }
 
   double GuidanceOf(const Belief& belief) const {
-    Eigen::MatrixXd errors = belief.errors.topRows<kPoseDimensions>();
+    PoseChanges errors = belief.errors;
     errors.bottomRows<3>() *= options_.radius;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> axes(errors * errors.transpose(),
-                                                              Eigen::EigenvaluesOnly);
+    using Spread = Eigen::Matrix<double, kPoseDimensions, kPoseDimensions>;
+    const Spread spread = errors * errors.transpose();
+    const Eigen::SelfAdjointEigenSolver<Spread> axes(spread, Eigen::EigenvaluesOnly);
     const auto thick = (axes.eigenvalues().array() > kThin * kThin).count();
     const double turn = maneuvering_.ToUpright(belief.X_StationaryMoving).norm();
     return kPerWideDirection * maneuvering_.WideDirections(belief) +
@@ -262,12 +290,12 @@ class Search {
 
   // --- The sequence from other starts, with larger errors.
 
-  Replay From(const Start& start, double multiple, bool margins) {
+  Replay From(const Start& start, double multiple, Maneuvering::Margins margins) {
     ++plan_.replayed;
     Replay replay;
     Belief belief = BeliefAt(start, multiple);
     for (const Maneuver& maneuver : plan_.maneuvers) {
-      Maneuvered done = maneuvering_.Apply(belief, maneuver, margins);
+      Maneuvered done = Apply(maneuvering_.At(belief), maneuver, margins);
       std::ranges::move(done.motions, std::back_inserter(replay.motions));
       if (!done.certain) return replay;
       belief = std::move(done.after);
@@ -281,7 +309,7 @@ class Search {
     double size = 0.3;
     for (int i = 0; i < options_.tries && plan_.absorbed < options_.greatest; ++i) {
       const Start moved = i == 0 ? start : Near(start, size);
-      if (From(moved, kGrowth * plan_.absorbed, false).certain) {
+      if (From(moved, kGrowth * plan_.absorbed, Maneuvering::Margins::kNone).certain) {
         start = moved;
         plan_.absorbed *= kGrowth;
         size = std::min(0.3, 1.5 * size);
@@ -296,13 +324,13 @@ class Search {
     plan_.found = plan_.absorbed >= 1;
     plan_.X_StationaryStart = BeliefAt(start, 1).X_StationaryMoving;
     if (!plan_.found) {
-      const Replay replay = From(start, 1, true);
+      const Replay replay = From(start, 1, Maneuvering::Margins::kAll);
       if (!replay.certain && !replay.motions.empty()) {
         const std::vector<Unwanted>& unwanted = replay.motions.back().check.unwanted;
         if (!unwanted.empty()) plan_.obstacle = unwanted.front();
       }
     }
-    plan_.motions = From(start, std::min(1.0, plan_.absorbed), true).motions;
+    plan_.motions = From(start, std::min(1.0, plan_.absorbed), Maneuvering::Margins::kAll).motions;
   }
 
   const FineMotionErrors& errors_;
@@ -321,19 +349,27 @@ FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& er
   FineMotionPlan best;
   int expanded = 0;
   int replayed = 0;
+  TestComparison comparison;
   for (const double enlarged : kEnlarged) {
-    const FineMotionErrors larger{enlarged * errors.pose, errors.velocity};
+    const FineMotionErrors larger{enlarged * errors.pose, errors.velocity,
+                                  enlarged * errors.tolerances};
     for (int round = 0; round < options.rounds && !best.found; ++round) {
       const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
       FineMotionPlan plan = Search(passage, larger, options, round, multiple).Run();
       plan.absorbed *= enlarged;
+      if (plan.absorbed >= 1) {  // of the errors that were asked for
+        plan.found = true;
+        plan.obstacle.reset();
+      }
       expanded += plan.expanded;
       replayed += plan.replayed;
+      comparison += plan.comparison;
       if (plan.found || plan.absorbed > best.absorbed) best = std::move(plan);
     }
   }
   best.expanded = expanded;
   best.replayed = replayed;
+  best.comparison = comparison;
   return best;
 }
 

@@ -12,6 +12,7 @@ namespace assay::finemotion {
 struct FineMotionErrors {
   Eigen::Matrix<double, kPoseDimensions, 1> pose;  // where the tip is at first: metres, radians
   double velocity = 0.002;                         // as SegmentModel
+  Eigen::VectorXd tolerances = {};                 // of the passage's, metres
 };
 
 struct StrategyOptions {
@@ -31,6 +32,7 @@ struct StrategyOptions {
   int tries = 400;        // at moving a start
   double greatest = 1.5;  // multiple of the errors that is worth being absorbed
   int nodes = 200;        // that a search may expand
+  MeetingTest test = MeetingTest::kExact;
   std::uint64_t seed = 1;
 };
 
@@ -43,8 +45,9 @@ struct FineMotionPlan {
   double absorbed = 0;
   // If all the errors are too much: what then happens first.
   std::optional<Unwanted> obstacle = {};
-  int expanded = 0;  // nodes
-  int replayed = 0;  // sequences, from other starts
+  int expanded = 0;                // nodes
+  int replayed = 0;                // sequences, from other starts
+  TestComparison comparison = {};  // with the paper's edge test, if that was asked for
 };
 
 // A perturbed approach and a sequence of contact states by which the tip surely comes in, in spite

@@ -36,6 +36,22 @@ struct SpeaksOf {
   bool operator()(const Squeeze& squeeze) const { return IsIndexOf(squeeze.part, problem.parts); }
 };
 
+// Of strategies: whether they have a form that the executor can follow, and fit their steps.
+std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
+  std::vector<Flaw> flaws;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const PlannedStep& step = plan.steps[i];
+    if (!step.strategy) continue;
+    if (!std::holds_alternative<Assemble>(step.action)) {
+      flaws.push_back({StepId(i), "it has a strategy, which only assemble can have"});
+    }
+    for (std::string& what : FlawsOfForm(*step.strategy)) {
+      flaws.push_back({StepId(i), "the strategy: " + std::move(what)});
+    }
+  }
+  return flaws;
+}
+
 // What makes a plan no plan at all, so that no order of it can be gone through.
 std::vector<Flaw> FlawsOfForm(const domain::Problem& problem, const Plan& plan) {
   std::vector<Flaw> flaws;
@@ -143,6 +159,7 @@ CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_lin
                                             return Visit::kContinue;
                                           });
   report.flaws = simulation.TakeFlaws();
+  std::ranges::move(FlawsOfStrategies(plan), std::back_inserter(report.flaws));
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     for (std::string& label : MisleadingLabels(problem, plan.steps[i].action)) {
       report.flaws.push_back({StepId(i), std::move(label)});

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,6 +14,7 @@
 #include "planner/domain/uncertainty_operations.h"
 #include "planner/geometry/pose.h"
 #include "planner/plan/certificate.h"
+#include "planner/plan/strategy.h"
 
 namespace assay::plan {
 
@@ -75,6 +77,8 @@ struct PlannedStep {
   int inserted = 0;  // position in the order in which the planner added the steps, from 1
   int executed = 0;  // position in the order of execution, from 1
   Certificate certificate = {};
+  std::optional<Strategy> strategy =
+      {};  // of assemble: how fine motion executes it; none: straight
 };
 
 // A check after a step whose preconditions could not be proved: a measured quantity against what it

@@ -11,16 +11,16 @@
 #include "planner/base/check.h"
 #include "planner/plan/certificate_file.h"
 #include "planner/plan/linearization.h"
+#include "planner/plan/pose_file.h"
 #include "planner/plan/recovery_file.h"
+#include "planner/plan/strategy_file.h"
 
 namespace assay::plan {
 namespace {
 
-using geometry::Vector3;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "assay-plan/1";
-constexpr double kOrthonormal = 1e-6;                 // of a rotation's columns
 constexpr double kSameMating = 1e-9;                  // metres, and entries of a rotation
 constexpr double kLargestCount = 9007199254740992.0;  // 2^53: greater ones are no exact doubles
 
@@ -29,15 +29,6 @@ const std::vector<std::string> kOutcomes = {"planned", "none", "budget"};
 // In the order of the alternatives of Action.
 enum class ActionName { kPickup, kPutdown, kAssemble, kSense, kSqueeze };
 const std::vector<std::string> kActions = {"pickup", "putdown", "assemble", "sense", "squeeze"};
-
-Json VectorToJson(const Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
-
-// The columns x, y, z and the position.
-Json PoseToJson(const Pose& X) {
-  Json columns = Json::array();
-  for (int i = 0; i < 4; ++i) columns.push_back(VectorToJson(X.matrix().col(i).head<3>()));
-  return columns;
-}
 
 Json HoldToJson(const Hold& hold) {
   return {{"X_PartTool", PoseToJson(hold.X_PartTool)}, {"width", hold.width}};
@@ -119,6 +110,7 @@ Json StepToJson(const PlannedStep& step, const domain::Problem& problem) {
                {"executed", step.executed}};
   if (const Hold* hold = std::visit(HoldOf{}, step.action)) json["hold"] = HoldToJson(*hold);
   json["place"] = PlaceToJson(PlaceOf(step.action));
+  if (step.strategy) json["strategy"] = ToJson(*step.strategy);
   return json;
 }
 
@@ -141,27 +133,6 @@ Json OrderingToJson(const Plan& plan) {
     ordering.push_back(Json::array({plan.step(first).name, plan.step(second).name}));
   }
   return ordering;
-}
-
-Vector3 ReadVector(const Value& value) {
-  const std::vector<double> numbers = value.Numbers(3);
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-// The numbers are taken as they stand, so that they are written again as they were read.
-Pose ReadPose(const Value& value) {
-  const std::string allowed = "four columns [x, y, z, position] of three numbers each";
-  const std::vector<Value> columns = value.Items();
-  if (columns.size() != 4) value.Fail(fmt::format("{} columns", columns.size()), allowed);
-  Pose X = Pose::Identity();
-  for (int i = 0; i < 4; ++i) X.matrix().col(i).head<3>() = ReadVector(columns[i]);
-  const geometry::Matrix3 R = X.linear();
-  const geometry::Matrix3 error = R.transpose() * R - geometry::Matrix3::Identity();
-  if (!(error.cwiseAbs().maxCoeff() <= kOrthonormal) || !(R.determinant() > 0)) {
-    value.Fail("the first three columns are not the axes of a frame",
-               "unit vectors, perpendicular to each other, right-handed");
-  }
-  return X;
 }
 
 Hold ReadHold(const Value& action) {
@@ -275,11 +246,20 @@ Action ReadAction(const Value& action, const domain::Problem& problem) {
 }
 
 PlannedStep ReadStep(const Value& action, const domain::Problem& problem) {
-  action.AllowOnly(
-      {"id", "name", "arguments", "inserted", "executed", "hold", "place", "certificate"});
+  action.AllowOnly({"id", "name", "arguments", "inserted", "executed", "hold", "place", "strategy",
+                    "certificate"});
   const int most = std::numeric_limits<int>::max();
-  return {action.At("id").Text(), ReadAction(action, problem),
-          action.At("inserted").Integer(1, most), action.At("executed").Integer(1, most)};
+  PlannedStep step = {action.At("id").Text(), ReadAction(action, problem),
+                      action.At("inserted").Integer(1, most),
+                      action.At("executed").Integer(1, most)};
+  const std::optional<Value> strategy = action.Find("strategy");
+  if (!strategy) return step;
+  if (!std::holds_alternative<Assemble>(step.action)) {
+    strategy->Fail(fmt::format("a strategy of {}", action.At("name").Text()),
+                   "a strategy of assemble");
+  }
+  step.strategy = ReadStrategy(*strategy);
+  return step;
 }
 
 // Ids are unique, insertion numbers increase, execution numbers are a permutation.

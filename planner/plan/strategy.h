@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planner/geometry/pose.h"
@@ -19,6 +20,13 @@ struct StrategyContact {
   Vector3 at = Vector3::Zero();      // from the tip's origin, metres
 };
 
+// A contact that a motion must not make; or must not lose, if it is kept or waited for.
+struct UnwantedContact {
+  std::string name;  // "vertex 8 on face 6"
+  bool is_loss = false;
+  double scale = 0;  // the least enlargement of all errors, of a ladder, at which it happens
+};
+
 // One segment of a piecewise-linear trajectory: a contact state to be in, where to go in it, and
 // what ends it (figure 3 of the paper). What of the motion is along the normals of the contacts
 // that are kept is left to force control; the rest is position-controlled.
@@ -30,6 +38,17 @@ struct StrategyMotion {
   double beyond = 0;    // how much farther it may go until that is made, in lengths of the motion
   bool slides = false;  // in a crevice: all but the motion's direction is force-controlled,
                         // to nothing
+  std::vector<UnwantedContact> unwanted = {};  // by rising scale; of those on the ladder
+};
+
+// What is certain of a strategy: all its motions come about as planned while the tip is where it is
+// believed to be, but for these errors. All in the fixed part's axes.
+struct StrategyCertificate {
+  std::vector<std::string> absorbs = {};  // conditions of the step that need not hold
+  Vector3 d = Vector3::Zero();            // half widths: metres the tip may be displaced,
+  Vector3 w = Vector3::Zero();            // and components of the rotation vector, radians
+  double velocity = 0;                    // what directions of motion err by, a share
+  double absorbed = 0;  // the greatest multiple of d and w for which all is certain; >= 1
 };
 
 // A fine-motion plan as hybrid control runs it (Dakin and Popplestone, sections 2 and 5).
@@ -38,6 +57,15 @@ struct Strategy {
   Pose X_FixedStart;  // of the tip, where the first motion starts; in free space
   std::vector<StrategyContact> contacts;
   std::vector<StrategyMotion> motions;
+  StrategyCertificate certificate = {};
 };
+
+// Whether the step's condition (CertifiedPrecondition::condition) need not hold, since its strategy
+// takes care of it.
+bool Absorbs(const std::optional<Strategy>& strategy, std::string_view condition);
+
+// What makes it no strategy, in words; empty: nothing. That its numbers mean something is not that
+// it works.
+std::vector<std::string> FlawsOfForm(const Strategy& strategy);
 
 }  // namespace assay::plan

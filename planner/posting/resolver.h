@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,8 @@ struct UnmetGoals {
   std::span<const plan::Action> actions;  // of the instance, in the order of execution
   int step = 0;                           // whose goals they are: index in `actions`
   std::vector<uncertainty::Unproved> goals;
+  // By which fine motion executes them; by index in `actions`. Empty: none has any.
+  std::vector<std::optional<plan::Strategy>> strategies = {};
 
   // The parts whose errors occur in the goals, in increasing order.
   std::vector<domain::PartId> Parts() const;
@@ -31,11 +34,12 @@ struct Insertion {
 // One thing to do about unmet goals, as far as one part is concerned: actions to insert, whose own
 // preconditions are then proved like any other's; or a way to execute the step that needs certain
 // conditions no longer, because it absorbs the error itself (fine motion) or finds out at run time
-// (contingent plans).
+// (contingent plans). What a strategy takes for granted of the errors is proved instead.
 struct Remedy {
   domain::PartId part;
-  std::vector<Insertion> insertions = {};  // in the order of execution
-  std::vector<std::string> absorbs = {};   // conditions of the step (Precondition::condition)
+  std::vector<Insertion> insertions = {};       // in the order of execution
+  std::vector<std::string> absorbs = {};        // conditions of the step (Precondition::condition)
+  std::optional<plan::Strategy> strategy = {};  // by which the step is then executed
 };
 
 // A way to reduce uncertainty. The uncertainty phase knows nothing else of it.

@@ -40,10 +40,17 @@ struct Entry {
   plan::Action action;
   std::vector<Resolution> resolutions = {};
   std::vector<std::string> absorbed = {};  // conditions that a remedy takes care of
-  bool given_up = false;                   // its goals cannot all be proved
-  std::size_t unproved = 0;                // goals
-  double violation = 0;                    // by how much they fail
+  std::optional<plan::Strategy> strategy = {};
+  bool given_up = false;     // its goals cannot all be proved
+  std::size_t unproved = 0;  // goals
+  double violation = 0;      // by how much they fail
+
+  const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
 };
+
+void Propagate(UncertainWorld& world, const Entry& entry) {
+  uncertainty::Propagate(world, entry.action, entry.way());
+}
 
 // How far a step is from being proved; less is better.
 struct Shortfall {
@@ -71,7 +78,7 @@ std::string WhyUnproved(const std::vector<Unproved>& unproved) {
   const auto margin = [](const Unproved& unmet) { return unmet.claim.margin; };
   const plan::CertifiedPrecondition& worst = std::ranges::min_element(unproved, {}, margin)->claim;
   const bool less = worst.relation == plan::Relation::kLess;
-  const bool is_angle = worst.condition == "tilt";
+  const bool is_angle = worst.condition == "tilt" || worst.condition == "tip turn";
   const double scale = is_angle ? 180 / std::numbers::pi : 1000;
   return fmt::format("not proved that {}: {} {:.4g}, must be {} {:.4g} {}", worst.meaning,
                      less ? "SUP" : "INF", scale * worst.bound, less ? "<" : ">",
@@ -183,7 +190,7 @@ class Augmentation {
   }
 
   CertifiedStep Certify(UncertainWorld& world, const Entry& entry) const {
-    CertifiedStep step = CertifyStep(world, entry.action, options_.bound);
+    CertifiedStep step = CertifyStep(world, entry.action, options_.bound, entry.way());
     Absorb(entry, step.unproved);
     return step;
   }
@@ -218,7 +225,7 @@ class Augmentation {
         candidates, [](const Candidate& c) { return !c.remedy.absorbs.empty(); });
     if (absorbs) return true;
     UncertainWorld world(best_known_, options_.propagation);
-    for (int i = 0; i < step; ++i) Propagate(world, entries_[i].action);
+    for (int i = 0; i < step; ++i) Propagate(world, entries_[i]);
     return Decide(world, entries_[step], uncertainty::Wanted::kFirstUnproved).empty();
   }
 
@@ -268,7 +275,7 @@ class Augmentation {
     const std::optional<Mended> nearest = NearingRemedies(step, candidates, why);
     if (!nearest) return;
     UncertainWorld world(problem_, options_.propagation);
-    for (int i = 0; i < nearest->step; ++i) Propagate(world, nearest->entries[i].action);
+    for (int i = 0; i < nearest->step; ++i) Propagate(world, nearest->entries[i]);
     const Entry& entry = nearest->entries[nearest->step];
     const std::vector<Unproved> unproved = Certify(world, entry).unproved;
     if (unproved.empty()) return;
@@ -289,8 +296,12 @@ class Augmentation {
 
   std::vector<Candidate> Candidates(int step, const std::vector<Unproved>& failed) const {
     std::vector<plan::Action> actions;
-    for (const Entry& entry : entries_) actions.push_back(entry.action);
-    const UnmetGoals unmet = {problem_, actions, step, failed};
+    std::vector<std::optional<plan::Strategy>> strategies;
+    for (const Entry& entry : entries_) {
+      actions.push_back(entry.action);
+      strategies.push_back(entry.strategy);
+    }
+    const UnmetGoals unmet = {problem_, actions, step, failed, std::move(strategies)};
     std::vector<Candidate> candidates;
     for (std::size_t r = 0; r < options_.resolvers.size(); ++r) {
       for (Remedy& remedy : options_.resolvers[r]->Propose(unmet)) {
@@ -319,8 +330,9 @@ class Augmentation {
       mended.entries.push_back(entries_[position]);
     }
     for (const int c : chosen) {
-      const std::vector<std::string>& absorbs = candidates[c].remedy.absorbs;
-      target.absorbed.insert(target.absorbed.end(), absorbs.begin(), absorbs.end());
+      const Remedy& remedy = candidates[c].remedy;
+      target.absorbed.insert(target.absorbed.end(), remedy.absorbs.begin(), remedy.absorbs.end());
+      if (remedy.strategy) target.strategy = remedy.strategy;
       Note(target, NameOf(candidates[c]), why);
     }
     mended.entries[mended.step] = std::move(target);
@@ -362,7 +374,7 @@ class Augmentation {
     for (int i = 0; i < mended.step; ++i) {
       const Entry& entry = mended.entries[i];
       if (i < unchanged || entry.given_up) {
-        Propagate(world, entry.action);
+        Propagate(world, entry);
         continue;
       }
       if (!Decide(world, entry, uncertainty::Wanted::kFirstUnproved).empty()) return std::nullopt;
@@ -374,13 +386,16 @@ class Augmentation {
                                uncertainty::Wanted wanted) const {
     // The search must not stop at what is absorbed.
     if (!entry.absorbed.empty()) wanted = uncertainty::Wanted::kAllUnproved;
-    std::vector<Unproved> unproved = DecideStep(world, entry.action, options_.bound, wanted);
+    std::vector<Unproved> unproved =
+        DecideStep(world, entry.action, options_.bound, wanted, entry.way());
     Absorb(entry, unproved);
     return unproved;
   }
 
   static void GiveUp(Entry& entry, const std::string& why) {
     entry.given_up = true;
+    entry.strategy.reset();
+    entry.absorbed.clear();
     Note(entry, "verification", why);
   }
 
@@ -392,6 +407,7 @@ class Augmentation {
       step.inserted = entry.id.index() + 1;
     }
     step.executed = executed;
+    step.strategy = entry.strategy;
     CertifiedStep certified = Certify(world, entry);
     ASSAY_CHECK(certified.unproved.empty() == !Fails(entry),
                 "'{}' is certified otherwise than it was decided", step.name);

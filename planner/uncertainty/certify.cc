@@ -23,8 +23,9 @@ enum class Effort { kPropagate, kDecideFirst, kDecideAll, kCertify };
 
 class StepCertifier {
  public:
-  StepCertifier(UncertainWorld& world, Effort effort, const algebra::BoundRequest& request)
-      : world_(world), effort_(effort), request_(request) {}
+  StepCertifier(UncertainWorld& world, Effort effort, const algebra::BoundRequest& request,
+                const plan::Strategy* strategy)
+      : world_(world), effort_(effort), request_(request), strategy_(strategy) {}
 
   CertifiedStep Take() {
     certified_.certificate.variables = world_.VariablesIn(expressions_);
@@ -79,10 +80,15 @@ class StepCertifier {
     Before(mating.fixed);
     if (decides()) {
       Require(MatingPreconditions(world_, assemble.mating, assemble.hold, grasp));
+      if (strategy_ != nullptr) {
+        Require(TipPreconditions(world_, assemble.mating, assemble.hold, grasp, *strategy_));
+      }
       RequireHandClear({mating.held, mating.fixed}, X_WorldHeld * assemble.hold.X_PartTool,
                        mating.fixed, assemble.hold, draw);
     }
-    const RestingError error = ReleaseInSeat(world_, assemble.mating, assemble.hold, grasp, draw);
+    const RestingError error =
+        strategy_ != nullptr ? LedToSeat(world_, assemble.mating)
+                             : ReleaseInSeat(world_, assemble.mating, assemble.hold, grasp, draw);
     world_.SetResting(mating.held, X_WorldHeld, error,
                       world_.ShiftAt(mating.fixed, X_WorldHeld.translation()));
     After(mating.held);
@@ -213,6 +219,7 @@ class StepCertifier {
   UncertainWorld& world_;
   Effort effort_;
   const algebra::BoundRequest& request_;
+  const plan::Strategy* strategy_;
   CertifiedStep certified_;
   std::vector<Expression> expressions_;
 };
@@ -226,24 +233,25 @@ double Violation(const std::vector<Unproved>& unproved) {
 }
 
 CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
-                          const algebra::BoundRequest& request) {
-  StepCertifier certifier(world, Effort::kCertify, request);
+                          const algebra::BoundRequest& request, const plan::Strategy* strategy) {
+  StepCertifier certifier(world, Effort::kCertify, request, strategy);
   std::visit(certifier, action);
   return certifier.Take();
 }
 
 std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& action,
-                                 const algebra::BoundRequest& request, Wanted wanted) {
+                                 const algebra::BoundRequest& request, Wanted wanted,
+                                 const plan::Strategy* strategy) {
   const Effort effort =
       wanted == Wanted::kFirstUnproved ? Effort::kDecideFirst : Effort::kDecideAll;
-  StepCertifier certifier(world, effort, request);
+  StepCertifier certifier(world, effort, request, strategy);
   std::visit(certifier, action);
   return certifier.Take().unproved;
 }
 
-void Propagate(UncertainWorld& world, const plan::Action& action) {
+void Propagate(UncertainWorld& world, const plan::Action& action, const plan::Strategy* strategy) {
   const algebra::BoundRequest none;
-  StepCertifier certifier(world, Effort::kPropagate, none);
+  StepCertifier certifier(world, Effort::kPropagate, none, strategy);
   std::visit(certifier, action);
 }
 

@@ -21,18 +21,23 @@ double Violation(const std::vector<Unproved>& unproved);
 
 // Certifies the next action of a plan instance, and takes the world to where it is after it: the
 // action's add and delete lists at the uncertainty-reduction level, of manipulations and of sensing
-// alike. The action's own preconditions are assumed to have held.
+// alike. The action's own preconditions are assumed to have held; if it is executed by a strategy,
+// those that the strategy takes for granted, and not those that it absorbs. `strategy`: null if the
+// action goes straight.
 CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
-                          const algebra::BoundRequest& request);
+                          const algebra::BoundRequest& request,
+                          const plan::Strategy* strategy = nullptr);
 
 // The same, only for the answer what is not proved: the claims have no texts and no worst corners.
 // Stops at the first that is not, if that is enough to know: the world is then of no more use.
 enum class Wanted { kAllUnproved, kFirstUnproved };
 std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& action,
-                                 const algebra::BoundRequest& request, Wanted wanted);
+                                 const algebra::BoundRequest& request, Wanted wanted,
+                                 const plan::Strategy* strategy = nullptr);
 
 // The same without looking at preconditions.
-void Propagate(UncertainWorld& world, const plan::Action& action);
+void Propagate(UncertainWorld& world, const plan::Action& action,
+               const plan::Strategy* strategy = nullptr);
 
 // What is known of a part: while held, in the frame of the commanded hand.
 plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transform& X_ToolGrasp);

@@ -6,8 +6,8 @@
 
 #include "planner/algebra/simplify.h"
 #include "planner/base/check.h"
-#include "planner/domain/part_model.h"
 #include "planner/uncertainty/precondition.h"
+#include "planner/uncertainty/shaft_fit.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -18,17 +18,7 @@ using geometry::Polygon;
 using geometry::Vector2;
 
 constexpr double kParallel = 1e-6;  // of unit vectors
-constexpr double kWide = 1e3;       // metres: beyond every part
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
-bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }
-
-// A side of a hole: the shaft must stay where normal . p > offset, in the hole's part.
-struct Wall {
-  Vector3 normal;
-  double offset = 0;
-};
 
 // What may be worse in a mating than the problem says. Narrower holes and greater friction are the
 // worst case of every condition here: the larger hole has the smaller one's room, and it is not
@@ -45,59 +35,6 @@ Worst WorstOf(const UncertainWorld& world) {
   return {.narrowing = tolerances.clearance, .friction = friction + tolerances.friction};
 }
 
-std::vector<Wall> SideWalls(const PartModel& model, const Feature& hole, double narrowing) {
-  const Vector3 axis = hole.X_PartFeature.linear().col(2);
-  std::vector<Wall> walls;
-  for (const domain::Wall& wall : hole.walls) {
-    const domain::Face& face = model.faces()[wall.face.index()];
-    if (std::abs(face.normal.dot(axis)) >= kParallel) continue;
-    walls.push_back({face.normal, face.offset});
-    if (narrowing > 0 && wall.moves_with_clearance) walls.back().offset += narrowing;
-  }
-  return walls;
-}
-
-// The cross-section of a shaft: inside the planes of its sides and the outline of its tip. Corners
-// in the axes of the feature's frame, at the tip.
-Polygon CrossSection(const PartModel& model, const Feature& shaft) {
-  const Pose X_FeaturePart = shaft.X_PartFeature.inverse();
-  Polygon section;
-  for (const domain::FaceId id : shaft.faces) {
-    const domain::Face& face = model.faces()[id.index()];
-    const Vector3 normal = X_FeaturePart.linear() * face.normal;
-    if (normal.z() < 1 - kParallel) continue;
-    std::vector<Vector2> points;
-    for (const Polygon& patch : face.patches) {
-      for (const Vector2& p : patch) {
-        points.push_back((X_FeaturePart * face.X_PartFace * Vector3(p.x(), p.y(), 0)).head<2>());
-      }
-    }
-    section = geometry::Hull2(points);
-  }
-  for (const domain::FaceId id : shaft.faces) {
-    const domain::Face& face = model.faces()[id.index()];
-    const Vector3 normal = X_FeaturePart.linear() * face.normal;
-    if (std::abs(normal.z()) > kParallel) continue;
-    const Vector2 n = normal.head<2>();
-    const Vector2 along(-n.y(), n.x());
-    const double offset = face.offset - face.normal.dot(shaft.X_PartFeature.translation());
-    const Vector2 on = offset * n;
-    section = geometry::Intersection(
-        section, {on - kWide * along, on + kWide * along, on + kWide * along - kWide * n,
-                  on - kWide * along - kWide * n});
-  }
-  return section;
-}
-
-// A shaft that goes into a hole, wherever the two belong.
-struct Fit {
-  const PartModel& hole_model;
-  const Feature& hole;
-  const PartModel& shaft_model;
-  const Feature& shaft;
-  std::string name;  // "shaft of peg in hole of block"
-};
-
 // The pose of the shaft's part as the hole's part sees it: where it should be, and where it may be.
 struct Relative {
   Pose nominal;
@@ -106,13 +43,13 @@ struct Relative {
 
 class FitConditions {
  public:
-  FitConditions(const Fit& fit, const UncertainWorld& world, Preconditions& conditions)
+  FitConditions(const ShaftFit& fit, const UncertainWorld& world, Preconditions& conditions)
       : fit_(fit),
         compliance_(world.problem().workcell->rules().lateral_compliance),
         worst_(WorstOf(world)),
         conditions_(conditions),
-        walls_(SideWalls(fit.hole_model, fit.hole, worst_.narrowing)),
-        section_(CrossSection(fit.shaft_model, fit.shaft)) {
+        walls_(SideWalls(fit, worst_.narrowing)),
+        section_(CrossSection(fit)) {
     ASSAY_CHECK(!walls_.empty() && !section_.empty(), "nothing to prove of {}", fit.name);
   }
 
@@ -137,8 +74,8 @@ class FitConditions {
                                                Vector3(corner.x(), corner.y(), -behind)));
     }
     const std::string meaning = fmt::format("{} stays inside the walls", fit_.name);
-    for (const Wall& wall : walls_) {
-      const Wall* opposite = Opposite(wall);
+    for (const SideWall& wall : walls_) {
+      const SideWall* opposite = Opposite(wall);
       const double yields = opposite != nullptr ? compliance_ : 0;
       for (const SymbolicVector& p : corners) {
         conditions_.Greater(condition, meaning, algebra::Dot(AsVector(wall.normal), p),
@@ -149,7 +86,7 @@ class FitConditions {
   }
 
   // However the wrist yields, the shaft is no wider than the hole.
-  void RequireBetween(const std::string& condition, const Wall& wall, const Wall& opposite,
+  void RequireBetween(const std::string& condition, const SideWall& wall, const SideWall& opposite,
                       const std::vector<SymbolicVector>& corners, double bevel) {
     for (const SymbolicVector& p : corners) {
       for (const SymbolicVector& q : corners) {
@@ -163,9 +100,9 @@ class FitConditions {
 
   // The wall that faces this one; null if there is none, or if another wall stands at another than
   // a right angle to them: then to yield across one pair would be to yield across another.
-  const Wall* Opposite(const Wall& wall) const {
-    const Wall* opposite = nullptr;
-    for (const Wall& other : walls_) {
+  const SideWall* Opposite(const SideWall& wall) const {
+    const SideWall* opposite = nullptr;
+    for (const SideWall& other : walls_) {
       const double facing = other.normal.dot(wall.normal);
       if (facing < kParallel - 1) {
         opposite = &other;
@@ -202,7 +139,7 @@ class FitConditions {
   Play ClearanceAlong(const Vector3& across, const Pose& X_HoleShaft) const {
     double low = -kInfinity;
     double high = kInfinity;
-    for (const Wall& wall : walls_) {
+    for (const SideWall& wall : walls_) {
       const double facing = wall.normal.dot(across);
       if (facing > 1 - kParallel) low = std::max(low, wall.offset);
       if (facing < kParallel - 1) high = std::min(high, -wall.offset);
@@ -218,11 +155,11 @@ class FitConditions {
     return {high - low - (most - least), most - least};
   }
 
-  const Fit& fit_;
+  const ShaftFit& fit_;
   double compliance_;
   Worst worst_;
   Preconditions& conditions_;
-  std::vector<Wall> walls_;
+  std::vector<SideWall> walls_;
   Polygon section_;
 };
 
@@ -232,8 +169,6 @@ class MatingConditions {
                    const Transform& X_ToolGrasp)
       : world_(world),
         mating_(world.problem().mating(id)),
-        held_(world.problem().part(mating_.held)),
-        fixed_(world.problem().part(mating_.fixed)),
         possible_fixed_(
             PossiblePose(world.X_WorldPart(mating_.fixed), world.resting(mating_.fixed))),
         possible_held_(PossibleHeld(hold, X_ToolGrasp)),
@@ -241,7 +176,7 @@ class MatingConditions {
         seated_(Seated()) {}
 
   std::vector<Precondition> Run() {
-    for (const auto& [of_held, of_fixed] : mating_.features) RequireFit(of_held, of_fixed);
+    for (const ShaftFit& fit : FitsOf(world_.problem(), mating_)) RequireFit(fit);
     RequireSeat();
     return conditions_.Take();
   }
@@ -288,35 +223,14 @@ class MatingConditions {
     return {relative.nominal.inverse(), algebra::Inverse(relative.possible)};
   }
 
-  void RequireFit(domain::FeatureNumber of_held, domain::FeatureNumber of_fixed) {
-    const Feature& held = *held_.model->FindFeature(of_held);
-    const Feature& fixed = *fixed_.model->FindFeature(of_fixed);
-    if (IsShaft(held) && IsHole(fixed)) {
-      const Fit fit = {*fixed_.model, fixed, *held_.model, held,
-                       FitName(held_, held, fixed_, fixed)};
-      const double depth = Depth(fit, seated_.nominal);
-      const Relative entering = Before(depth);
-      FitConditions(fit, world_, conditions_).Require(entering, seated_, depth);
-    } else if (IsHole(held) && IsShaft(fixed)) {
-      const Fit fit = {*held_.model, held, *fixed_.model, fixed,
-                       FitName(fixed_, fixed, held_, held)};
-      const double depth = Depth(fit, seated_.nominal.inverse());
-      const Relative entering = Inverted(Before(depth));
-      FitConditions(fit, world_, conditions_).Require(entering, Inverted(seated_), depth);
+  void RequireFit(const ShaftFit& fit) {
+    const Relative entering = Before(fit.depth);
+    if (fit.shaft_is_held) {
+      FitConditions(fit, world_, conditions_).Require(entering, seated_, fit.depth);
+    } else {
+      FitConditions(fit, world_, conditions_)
+          .Require(Inverted(entering), Inverted(seated_), fit.depth);
     }
-  }
-
-  // How far the seated shaft's tip is behind the mouth, metres.
-  static double Depth(const Fit& fit, const Pose& X_HoleShaft) {
-    const Pose X_MouthTip =
-        fit.hole.X_PartFeature.inverse() * X_HoleShaft * fit.shaft.X_PartFeature;
-    return std::max(0.0, -X_MouthTip.translation().z());
-  }
-
-  static std::string FitName(const domain::Part& shaft_part, const Feature& shaft,
-                             const domain::Part& hole_part, const Feature& hole) {
-    return fmt::format("{} of {} in {} of {}", shaft.description, shaft_part.name, hole.description,
-                       hole_part.name);
   }
 
   void RequireSeat() {
@@ -326,8 +240,6 @@ class MatingConditions {
 
   const UncertainWorld& world_;
   const domain::Mating& mating_;
-  const domain::Part& held_;
-  const domain::Part& fixed_;
   Transform possible_fixed_;
   Transform possible_held_;
   Expression overtravel_;

@@ -72,6 +72,12 @@ std::vector<Precondition> LandingPreconditions(const UncertainWorld& world, Part
 std::vector<Precondition> MatingPreconditions(const UncertainWorld& world, domain::MatingId mating,
                                               const plan::Hold& hold, const Transform& X_ToolGrasp);
 
+// Of assemble by a strategy, instead of entry, slide-in, tilt and seat:
+//   tip shift, tip turn   the tip's error (tip_error.h) is one that the strategy absorbs
+std::vector<Precondition> TipPreconditions(const UncertainWorld& world, domain::MatingId mating,
+                                           const plan::Hold& hold, const Transform& X_ToolGrasp,
+                                           const plan::Strategy& strategy);
+
 // Of every action with the hand, in sound mode:
 //   hand clear       a plane keeps each piece of hand and fingers, on the straight way to and from
 //                    X_WorldTool, and every part but those handled apart

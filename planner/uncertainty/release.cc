@@ -7,6 +7,7 @@
 #include "planner/algebra/simplify.h"
 #include "planner/domain/part_model.h"
 #include "planner/uncertainty/axis_angle.h"
+#include "planner/uncertainty/shaft_fit.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -99,6 +100,25 @@ RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId id, const pla
   for (const int axis : {0, 1, 2}) {
     error.displacement[axis] = algebra::Simplify(error.displacement[axis] + farther * motion[axis]);
   }
+  return error;
+}
+
+RestingError LedToSeat(UncertainWorld& world, domain::MatingId id) {
+  const domain::Problem& problem = world.problem();
+  const domain::Mating& mating = problem.mating(id);
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  const RestingError& fixed = world.resting(mating.fixed);
+  const SymbolicVector origin = AsVector(mating.X_FixedHeld.translation());
+  const SeatPlay play = PlayInSeat(problem, mating, problem.tolerances.clearance);
+  const std::string name = world.SymbolName(mating.held);
+  const auto declare = [&](const char* what, double magnitude) {
+    return world.Declare(fmt::format("{}_{}", what, name), {-magnitude, magnitude}, mating.held);
+  };
+  RestingError error;
+  error.displacement = algebra::Simplify(PossiblePose(X_WorldFixed, fixed) * origin -
+                                         AsTransform(X_WorldFixed) * origin);
+  for (Expression& along : error.displacement) along = along + declare("play", play.shift);
+  error.theta = fixed.theta + declare("turn", play.turn);
   return error;
 }
 

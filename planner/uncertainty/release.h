@@ -22,4 +22,8 @@ RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
 RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                            const Transform& X_ToolGrasp, const ManipulatorError& draw);
 
+// The same of a part that a strategy has led in: the walls have it, whatever the hand does, so that
+// it is displaced like the fixed part, but for the play between them.
+RestingError LedToSeat(UncertainWorld& world, domain::MatingId mating);
+
 }  // namespace assay::uncertainty

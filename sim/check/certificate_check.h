@@ -13,7 +13,7 @@ namespace assay::check {
 //
 // What a certificate says of the end of a step, it says on the assumption that the preconditions of
 // this and of all earlier steps hold. One that the planner could not prove may fail: from then on
-// nothing is claimed. Nor is it after a recovery.
+// nothing is claimed. Nor is it after a recovery. What a strategy absorbs is no claim.
 std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,
                                      const exec::Trace& trace, const HonestyGate& gate);
 

@@ -164,9 +164,15 @@ class Comparison {
     const domain::Problem problem = ScaledProblem(experiment_.problem, variable).At(multiple);
     uncertainty::UncertainWorld world(problem, uncertainty::Propagation::kSound);
     for (const plan::StepId id : experiment_.plan.ExecutionOrder()) {
-      const auto unproved = uncertainty::DecideStep(world, experiment_.plan.step(id).action, {},
-                                                    uncertainty::Wanted::kFirstUnproved);
-      if (!unproved.empty()) return false;
+      const plan::PlannedStep& step = experiment_.plan.step(id);
+      using enum uncertainty::Wanted;
+      const auto unproved = uncertainty::DecideStep(world, step.action, {},
+                                                    step.strategy ? kAllUnproved : kFirstUnproved,
+                                                    step.strategy ? &*step.strategy : nullptr);
+      const bool holds = std::ranges::all_of(unproved, [&](const uncertainty::Unproved& unmet) {
+        return plan::Absorbs(step.strategy, unmet.claim.condition);
+      });
+      if (!holds) return false;
     }
     return true;
   }

@@ -164,6 +164,19 @@ class Meaning {
     return {X_FixedWorld * poised.parts[mating().held.index()].truth,
             X_FixedWorld.linear() * MatingDirection(poised)};
   }
+  // Where the strategy starts: the true tip against the believed one, as the fixed part sees both.
+  GeometricMeaning TipError(const exec::Moment& poised, bool of_turn) const {
+    const plan::Strategy& strategy = *step_.strategy;
+    const Pose X_HandTip = handling_.hold->X_PartTool.inverse() * strategy.X_HeldTip;
+    const exec::TrueAndBelieved& fixed = poised.parts[mating().fixed.index()];
+    const Pose believed = fixed.believed.inverse() * poised.tool.believed * X_HandTip;
+    const Pose truth = fixed.truth.inverse() * PartAt(poised) * strategy.X_HeldTip;
+    const Eigen::AngleAxisd turn(geometry::Matrix3(truth.linear() * believed.linear().inverse()));
+    const Vector3 shift = truth.translation() - believed.translation();
+    const plan::StrategyCertificate& absorbed = strategy.certificate;
+    if (!of_turn) return {"m", (absorbed.d - shift.cwiseAbs()).minCoeff()};
+    return {"rad", (absorbed.w - (turn.angle() * turn.axis()).cwiseAbs()).minCoeff()};
+  }
   double TiltLimit() const {
     double limit = kInfinity;
     for (const plan::CertifiedPrecondition& claim : step_.certificate.preconditions) {
@@ -228,6 +241,8 @@ std::optional<GeometricMeaning> OfMating(const std::string& condition,
                                             meaning.MatingDirection(reached)));
   }
   if (events.poised == nullptr) return std::nullopt;
+  if (condition == "tip shift") return meaning.TipError(*events.poised, false);
+  if (condition == "tip turn") return meaning.TipError(*events.poised, true);
   const FitMargins margins =
       MarginsOfFits(problem, meaning.mating(), meaning.MatingMotion(*events.poised));
   if (condition == "entry") return InMetres(margins.entry);

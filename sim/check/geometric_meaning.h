@@ -28,6 +28,8 @@ struct GeometricMeaning {
 //   entry, slide-in  the shaft, moved along the mating motion from where it was poised, is inside
 //                    the walls of its hole: with its tip in the mouth; and at its seat
 //   tilt             the shaft's axis leans in the hole by less than the certificate's limit
+//   tip shift, tip turn  the tip is where it is believed to be, where its strategy starts, but for
+//                    what the strategy absorbs
 //   seat             the motion meets its end on the guarded way
 std::optional<GeometricMeaning> MeaningOf(const std::string& condition,
                                           const domain::Problem& problem,

@@ -155,7 +155,20 @@ struct VerifiedActionOf {
 };
 
 bool IsUnproved(const plan::PlannedStep& step) {
-  return !std::ranges::all_of(step.certificate.preconditions, &CertifiedPrecondition::holds);
+  return !std::ranges::all_of(step.certificate.preconditions, [&](const auto& claim) {
+    return claim.holds() || plan::Absorbs(step.strategy, claim.condition);
+  });
+}
+
+// What is absorbed is so for the errors that the strategy takes for granted: at every step that has
+// one these must be proved.
+bool LacksTipErrors(const plan::PlannedStep& step) {
+  if (!step.strategy || step.certificate == plan::Certificate{}) return false;
+  const auto is_claimed = [&](const char* condition) {
+    return std::ranges::count(step.certificate.preconditions, condition,
+                              &CertifiedPrecondition::condition) > 0;
+  };
+  return !is_claimed("tip shift") || !is_claimed("tip turn");
 }
 
 bool LacksVerification(const domain::Problem& problem, const plan::Plan& plan, plan::StepId id) {
@@ -197,6 +210,9 @@ std::vector<plan::Flaw> CertificateFlaws(const domain::Problem& problem, const p
   }
   for (const plan::StepId id : plan.ExecutionOrder()) {
     CheckClaims(id, plan.step(id), file, flaws);
+    if (LacksTipErrors(plan.step(id))) {
+      flaws.push_back({id, "nothing is said of the errors that its strategy takes for granted"});
+    }
     if (LacksVerification(problem, plan, id)) {
       flaws.push_back({id, "preconditions of it are not proved, and no verification follows it"});
     }

@@ -13,9 +13,9 @@ namespace assay::cli {
 // bounded anew over its certificate's variables. Found are preconditions that are said to be proved
 // and are not; margins that are not from the bound to the limit; bounds that the expression
 // crosses, or is further from at the worst corner than the gap says; corners outside of the ranges;
-// an error count that is not the number of steps with unproved preconditions; and such steps
-// without a verification, if the workcell has one for their action. None for a plan without
-// certificates.
+// an error count that is not the number of steps with unproved preconditions; such steps without a
+// verification, if the workcell has one for their action; and strategies of whose errors nothing is
+// claimed. What a strategy absorbs need not be proved. None for a plan without certificates.
 //
 // That an expression is the one which the step needs cannot be seen here.
 //

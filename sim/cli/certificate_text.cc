@@ -10,7 +10,6 @@
 namespace assay::cli {
 namespace {
 
-using plan::Certificate;
 using plan::CertifiedPrecondition;
 using plan::StepId;
 
@@ -47,15 +46,48 @@ std::string VerificationText(const plan::Plan& plan, const plan::Verification& v
   return text + "\n";
 }
 
+bool AnyStrategy(const plan::Plan& plan) {
+  return std::ranges::any_of(
+      plan.steps, [](const plan::PlannedStep& step) { return step.strategy.has_value(); });
+}
+
+// How great errors the strategy absorbs, and what would be the first to go wrong.
+std::string StrategyText(const plan::Strategy& strategy) {
+  const plan::StrategyCertificate& certificate = strategy.certificate;
+  const auto numbers = [](const geometry::Vector3& v, const Unit& unit) {
+    const geometry::Vector3 scaled = unit.scale * v;
+    return fmt::format("({:.3g}, {:.3g}, {:.3g}) {}", scaled.x(), scaled.y(), scaled.z(),
+                       unit.name);
+  };
+  std::string text = fmt::format(
+      "    {} by contacts, in spite of errors of the tip of {} and {}\n"
+      "    certain for {:.2f} times these errors",
+      Counted(strategy.motions.size(), "motion", "motions"), numbers(certificate.d, kMillimetre),
+      numbers(certificate.w, UnitOf("theta_")), certificate.absorbed);
+  const plan::UnwantedContact* first = nullptr;
+  for (const plan::StrategyMotion& motion : strategy.motions) {
+    for (const plan::UnwantedContact& unwanted : motion.unwanted) {
+      if (first == nullptr || unwanted.scale < first->scale) first = &unwanted;
+    }
+  }
+  if (first == nullptr) return text + "\n";
+  return text + fmt::format("; then {} of {} comes first, at {:g} times\n",
+                            first->is_loss ? "the loss" : "the contact", first->name, first->scale);
+}
+
 }  // namespace
 
-std::string CertificateText(const Certificate& certificate) {
-  const std::size_t all = certificate.preconditions.size();
+std::string CertificateText(const plan::PlannedStep& step) {
+  const std::vector<CertifiedPrecondition>& preconditions = step.certificate.preconditions;
+  const std::size_t all = preconditions.size();
   if (all == 0) return "";
-  const std::size_t proved =
-      std::ranges::count_if(certificate.preconditions, &CertifiedPrecondition::holds);
-  return proved == all ? fmt::format("{} proved", all)
-                       : fmt::format("{} of {} proved", proved, all);
+  const std::size_t proved = std::ranges::count_if(preconditions, &CertifiedPrecondition::holds);
+  if (proved == all) return fmt::format("{} proved", all);
+  const std::size_t absorbed = std::ranges::count_if(preconditions, [&](const auto& claim) {
+    return !claim.holds() && plan::Absorbs(step.strategy, claim.condition);
+  });
+  const std::string text = fmt::format("{} of {} proved", proved, all);
+  return absorbed == 0 ? text : fmt::format("{}, {} absorbed", text, absorbed);
 }
 
 std::string UncertaintyText(const plan::Plan& plan) {
@@ -69,7 +101,7 @@ std::string UncertaintyText(const plan::Plan& plan) {
   }
   const std::string summary =
       plan.errors == 0
-          ? "Every precondition is proved."
+          ? fmt::format("Every precondition is proved{}.", AnyStrategy(plan) ? " or absorbed" : "")
           : fmt::format("Not all preconditions of {} are proved: {} and {} stand by.",
                         Counted(plan.errors, "step", "steps"),
                         Counted(plan.verifications.size(), "verification", "verifications"),
@@ -97,6 +129,7 @@ std::string ResolutionsText(const plan::Plan& plan, StepId step) {
         i + 1 < resolutions.size() && resolutions[i + 1].why == resolutions[i].why;
     text += same_reason ? ", " : fmt::format(", because\n    {}\n", resolutions[i].why);
   }
+  if (plan.step(step).strategy) text += StrategyText(*plan.step(step).strategy);
   for (const plan::Verification& verification : plan.verifications) {
     if (verification.step == step) text += VerificationText(plan, verification);
   }

@@ -229,13 +229,19 @@ std::string ClaimsTable(const std::vector<const CertifiedPrecondition*>& claims)
   return table.Text();
 }
 
+std::string StandingText(std::size_t unproved, std::size_t all, bool absorbed) {
+  if (unproved == 0) return fmt::format("{} proved", all);
+  return fmt::format("{} of {} {}", unproved, all,
+                     absorbed ? "not proved, and absorbed by fine motion" : "NOT PROVED");
+}
+
 // Where something is not proved, the tightest in full; else shorter.
-std::string KindText(const Kind& kind, const CertificateProofs& proofs, bool in_full) {
+std::string KindText(const Kind& kind, const CertificateProofs& proofs, bool absorbed,
+                     bool in_full) {
   const std::size_t unproved = kind.unproved();
   const std::size_t all = kind.claims.size();
   std::string text = fmt::format("\n{}: {}: {}\n", kind.condition, kind.meaning,
-                                 unproved == 0 ? fmt::format("{} proved", all)
-                                               : fmt::format("{} of {} NOT PROVED", unproved, all));
+                                 StandingText(unproved, all, absorbed));
   if (!in_full) {
     return text + fmt::format("    {}\n", OneLine(kind.claims.front()->expression)) +
            ClaimsTable(kind.claims);
@@ -254,9 +260,12 @@ std::string PreconditionsText(const PlannedStep& step, const std::string& file) 
   std::string text = fmt::format(
       "\nUncertainty-reduction preconditions: {}, the tightest first.\n"
       "Expressions are in metres and radians; the terms that vary most come first.\n",
-      CertificateText(step.certificate));
+      CertificateText(step));
+  bool is_tightest = true;  // of those that count
   for (const Kind& kind : kinds) {
-    text += KindText(kind, proofs, kind.unproved() > 0 || &kind == &kinds.front());
+    const bool absorbed = plan::Absorbs(step.strategy, kind.condition);
+    text += KindText(kind, proofs, absorbed, !absorbed && (kind.unproved() > 0 || is_tightest));
+    is_tightest &= absorbed;
   }
   return text;
 }

@@ -7,19 +7,19 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
-#include <vector>
+#include <numeric>
+#include <optional>
 
-#include "planner/base/random.h"
-#include "planner/finemotion/mating.h"
+#include "sim/check/margin_ranking.h"
 #include "sim/cli/console.h"
+#include "sim/cli/mating_report.h"
+#include "sim/cli/mating_trials.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stopwatch.h"
-#include "sim/cli/table.h"
 #include "sim/cli/trial.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
-#include "sim/exec/mating_trial.h"
 
 namespace assay::cli {
 namespace {
@@ -30,19 +30,29 @@ using finemotion::MatingGeometry;
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMillimetre = 1e-3;
-constexpr double kSeated = 1e-3;  // metres from the seat along the way in
 
 struct Options {
   std::filesystem::path scenario;
   std::filesystem::path models;
   double displacement_mm = 2;
   double rotation_deg = 1;
+  std::optional<double> clearance_mm;
+  std::optional<double> friction;
+  double beyond = 1;
   int trials = 0;
+  std::optional<int> trial;  // the only one
   int jobs = 1;
   std::uint64_t seed = 1;
+  std::uint64_t search_seed = 1;
   scene::GraspMode grasp = scene::GraspMode::kWeld;
   bool json = false;
 };
+
+PlannedProblem Planned(const Options& options) {
+  scenario::Overrides overrides;
+  if (options.clearance_mm) overrides.clearance = *options.clearance_mm * kMillimetre;
+  return MakePlan(options.scenario, options.models, {}, {}, overrides);
+}
 
 // The last assemble action of a plan: what fine motion is for.
 const plan::Assemble& AssembleOf(const PlannedProblem& planned) {
@@ -55,202 +65,160 @@ const plan::Assemble& AssembleOf(const PlannedProblem& planned) {
   throw UsageError(fmt::format("mate: {}: no plan with an assemble action", planned.scenario));
 }
 
-// --- What is told of a plan.
-
-std::string NamesOf(const std::vector<finemotion::ContactKey>& keys) {
-  std::vector<std::string> names;
-  for (const auto& key : keys) names.push_back(finemotion::Name(key));
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
-std::string TextOf(const finemotion::Unwanted& unwanted) {
-  return fmt::format("{}{} at {:g} times the errors", unwanted.is_loss ? "loss of " : "",
-                     finemotion::Name(unwanted.contact), unwanted.scale);
-}
-
-std::string TextOf(const FineMotionPlan& plan) {
-  Table table({{""}, {"ends with"}, {"in contact after it"}, {"first unwanted"}});
-  int number = 0;
-  for (const finemotion::CertainMotion& motion : plan.motions) {
-    const auto& unwanted = motion.check.unwanted;
-    table.Add({fmt::format("{}", ++number),
-               motion.command.until ? finemotion::Name(*motion.command.until) : "its way",
-               NamesOf(motion.check.after.kept),
-               unwanted.empty() ? "none" : TextOf(unwanted.front())});
-  }
-  return table.Text();
-}
-
-Json ToJson(const FineMotionPlan& plan) {
-  Json motions = Json::array();
-  for (const finemotion::CertainMotion& motion : plan.motions) {
-    Json unwanted = Json::array();
-    for (const auto& u : motion.check.unwanted) {
-      unwanted.push_back(
-          {{"contact", finemotion::Name(u.contact)}, {"loss", u.is_loss}, {"scale", u.scale}});
-    }
-    const Eigen::VectorXd& d = motion.command.displacement;
-    Json kept = Json::array();
-    for (const auto& key : motion.command.kept) kept.push_back(finemotion::Name(key));
-    motions.push_back(
-        {{"state", kept},
-         {"velocity", std::vector<double>(d.begin(), d.begin() + 6)},
-         {"until", motion.command.until ? Json(finemotion::Name(*motion.command.until)) : Json()},
-         {"longest", motion.check.longest},
-         {"margins", unwanted}});
-  }
-  return motions;
-}
-
-// --- Trials.
-
-struct Tally {
-  int seated = 0;
-  std::map<std::string, int> ends;
-  std::vector<std::string> failures;
-  double greatest_force = 0;
-};
-
-class MatingTrials {
- public:
-  MatingTrials(const PlannedProblem& planned, const plan::Assemble& assemble,
-               const MatingGeometry& geometry, const Options& options)
-      : planned_(planned), assemble_(assemble), geometry_(geometry), options_(options) {
-    scene::SceneOptions scene = planned.simulation.scene;
-    scene.grasp = options.grasp;
-    scene_ = std::make_unique<scene::Scene>(planned.problem, scene);
-  }
-
-  // With a strategy, or straight in.
-  Tally Run(const plan::Strategy* strategy) const {
-    std::vector<exec::MatingResult> results(static_cast<std::size_t>(options_.trials));
-    ForEachTrial(options_.trials, options_.jobs, [&](int number) {
-      const exec::MatingSetting setting = SettingOf(number);
-      auto& result = results[static_cast<std::size_t>(number - 1)];
-      result = strategy != nullptr
-                   ? exec::RunMatingTrial(planned_.problem, *scene_, setting, *strategy)
-                   : exec::RunStraightMating(planned_.problem, *scene_, setting);
-    });
-    Tally tally;
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      const exec::MatingResult& result = results[i];
-      const Pose at = result.X_FixedHeld * geometry_.X_HeldTip;
-      const Vector3 left = geometry_.X_FixedSeat.translation() - at.translation();
-      if (std::abs(left.dot(geometry_.passage.mating)) < kSeated) {
-        ++tally.seated;
-      } else {
-        tally.failures.push_back(fmt::format("trial {}: {}: {}", i + 1,
-                                             exec::Name(result.end.outcome), result.end.reason));
-      }
-      ++tally.ends[std::string(exec::Name(result.end.outcome))];
-      tally.greatest_force = std::max(tally.greatest_force, result.greatest_force);
-    }
-    return tally;
-  }
-
- private:
-  using Pose = geometry::Pose;
-  using Vector3 = geometry::Vector3;
-
-  exec::MatingSetting SettingOf(int number) const {
-    RandomStream random(options_.seed, fmt::format("mating trial {}", number));
-    exec::MatingSetting setting{
-        .mating = assemble_.mating, .hold = assemble_.hold, .X_HeldTip = geometry_.X_HeldTip};
-    const double most = options_.displacement_mm * kMillimetre;
-    for (double& d : setting.d) d = random.Uniform(-most, most);
-    const double turn = options_.rotation_deg * kDegree;
-    for (double& w : setting.w) w = random.Uniform(-turn, turn);
-    return setting;
-  }
-
-  const PlannedProblem& planned_;
-  const plan::Assemble& assemble_;
-  const MatingGeometry& geometry_;
-  const Options& options_;
-  std::unique_ptr<scene::Scene> scene_;
-};
-
-std::string TextOf(const char* name, const Tally& tally, int trials) {
-  std::string ends;
-  for (const auto& [end, count] : tally.ends) ends += fmt::format(", {} {}", end, count);
-  return fmt::format("{}: {} of {} seated{}; at most {:.0f} N\n", name, tally.seated, trials, ends,
-                     tally.greatest_force);
-}
-
-Json ToJson(const Tally& tally) {
-  return {{"seated", tally.seated},
-          {"ends", tally.ends},
-          {"failures", tally.failures},
-          {"force", tally.greatest_force}};
-}
-
-// --- The verb.
-
-ExitCode Execute(const Options& options) {
-  const PlannedProblem planned = MakePlan(options.scenario, options.models, {}, {});
-  const plan::Assemble& assemble = AssembleOf(planned);
-  const MatingGeometry geometry =
-      finemotion::GeometryOf(planned.problem, planned.problem.mating(assemble.mating));
+finemotion::FineMotionErrors ErrorsOf(const Options& options) {
   finemotion::FineMotionErrors errors;
   errors.pose.head<3>().setConstant(options.displacement_mm * kMillimetre);
   errors.pose.tail<3>().setConstant(options.rotation_deg * kDegree);
-  const Stopwatch stopwatch;
+  return errors;
+}
+
+finemotion::StrategyOptions SearchOptions(const Options& options) {
+  finemotion::StrategyOptions search{.seed = options.search_seed};
+  search.friction = options.friction.value_or(search.friction);
+  return search;
+}
+
+// Of the first critical point, between the parts as they are.
+finemotion::ContactGraph GraphOf(const MatingGeometry& geometry) {
+  constexpr double kReach = 0.003;  // metres
+  const finemotion::Passage& passage = geometry.passage;
+  const finemotion::ContactSpace space{finemotion::PrimitiveContacts(
+      passage.moving, passage.stationary, passage.X_StationaryEntry, kReach)};
+  finemotion::ContactGraphOptions options;
+  for (const auto& contact : space.contacts)
+    options.radius = std::max(options.radius, contact.at.norm());
+  return MakeContactGraph(space, options);
+}
+
+// What makes the trials again, up to the number of one.
+std::string ReplayCommand(const Options& options) {
+  const Options usual;
+  std::string command = fmt::format("assay mate {}", options.scenario.string());
+  const auto add = [&](const char* name, const auto& value, const auto& default_value) {
+    if (value != default_value) command += fmt::format(" --{} {}", name, value);
+  };
+  add("displacement", options.displacement_mm, usual.displacement_mm);
+  add("rotation", options.rotation_deg, usual.rotation_deg);
+  if (options.clearance_mm) command += fmt::format(" --clearance {}", *options.clearance_mm);
+  if (options.friction) command += fmt::format(" --friction {}", *options.friction);
+  add("beyond", options.beyond, usual.beyond);
+  add("seed", options.seed, usual.seed);
+  add("search-seed", options.search_seed, usual.search_seed);
+  add("grasp", scene::Name(options.grasp), scene::Name(usual.grasp));
+  if (!options.models.empty()) command += fmt::format(" --models {}", options.models.string());
+  return command + " --trial ";
+}
+
+std::vector<int> NumbersOf(const Options& options) {
+  if (options.trial) return {*options.trial};
+  std::vector<int> numbers(static_cast<std::size_t>(options.trials));
+  std::iota(numbers.begin(), numbers.end(), 1);
+  return numbers;
+}
+
+MatingStudy Tried(const PlannedProblem& planned, const MatingGeometry& geometry,
+                  const FineMotionPlan& plan, const Options& options) {
+  Progress progress("mating in physics");
+  MatingTrialSettings settings{.errors = ErrorsOf(options),
+                               .beyond = options.beyond,
+                               .scene = planned.simulation.scene,
+                               .seed = options.seed};
+  settings.scene.grasp = options.grasp;
+  if (options.friction) settings.scene.part_friction = *options.friction;
+  const MatingTrials trials(planned, AssembleOf(planned), geometry, settings);
+  const plan::Strategy strategy = finemotion::StrategyOf(geometry, plan);
+  const check::PlannedContacts contacts = check::PlannedContactsOf(plan);
+  const std::vector<int> numbers = NumbersOf(options);
+  MatingStudy study{.strategy = std::vector<MatedTrial>(numbers.size()),
+                    .straight = std::vector<MatedTrial>(numbers.size()),
+                    .covered = plan.absorbed,
+                    .replay = ReplayCommand(options)};
+  ForEachTrial(static_cast<int>(numbers.size()), options.jobs, [&](int nth) {
+    const auto i = static_cast<std::size_t>(nth - 1);
+    study.strategy[i] = trials.RunStrategy(numbers[i], strategy, contacts);
+    study.straight[i] = trials.RunStraight(numbers[i]);
+    progress.Tell(fmt::format("mating in physics, trial {} of {}", nth, numbers.size()));
+  });
+  std::vector<check::SequenceComparison> comparisons;
+  for (const MatedTrial& trial : study.strategy) comparisons.push_back(trial.sequence->comparison);
+  study.ranking =
+      check::RankMargins(geometry.passage, plan, SearchOptions(options).reach, comparisons);
+  return study;
+}
+
+ExitCode Execute(const Options& options) {
+  const PlannedProblem planned = Planned(options);
+  const MatingGeometry geometry =
+      finemotion::GeometryOf(planned.problem, planned.problem.mating(AssembleOf(planned).mating));
+  Json seconds;
+  const Stopwatch graphing;
+  const finemotion::ContactGraph graph = GraphOf(geometry);
+  seconds["graph"] = graphing.Seconds();
+  const Stopwatch searching;
   const FineMotionPlan plan =
-      finemotion::SearchStrategy(geometry.passage, errors, {.seed = options.seed});
-  Json critical_points = Json::array();
-  for (const auto& point : geometry.critical_points) critical_points.push_back(point.travel);
-  Json json = {{"outcome", plan.found ? "plan" : "none"},
-               {"critical_points", critical_points},
-               {"absorbed", plan.absorbed},
-               {"strategy", ToJson(plan)},
-               {"seconds", stopwatch.Seconds()}};
-  std::string text = fmt::format(
-      "{} critical points; {} motions, certain for {:.2f} times the errors\n{}",
-      geometry.critical_points.size(), plan.motions.size(), plan.absorbed, TextOf(plan));
-  if (!plan.found) {
-    text += fmt::format("no strategy absorbs the errors{}\n",
-                        plan.obstacle ? "; in the way: " + TextOf(*plan.obstacle) : "");
-    if (plan.obstacle) json["obstacle"] = TextOf(*plan.obstacle);
+      finemotion::SearchStrategy(geometry.passage, ErrorsOf(options), SearchOptions(options));
+  seconds["search"] = searching.Seconds();
+  Json json = ToJson(geometry, plan, graph);
+  std::string text = TextOf(geometry, plan);
+  ExitCode code = plan.found ? ExitCode::kDone : ExitCode::kNoPlan;
+  if ((options.trials > 0 || options.trial) && !plan.motions.empty()) {
+    const Stopwatch trying;
+    const MatingStudy study = Tried(planned, geometry, plan, options);
+    seconds["trials"] = trying.Seconds();
+    text += TextOf(study);
+    json["trials"] = ToJson(study);
+    if (plan.found && study.CoveredFailures() > 0) code = ExitCode::kFailed;
   }
-  if (options.trials > 0 && !plan.motions.empty()) {
-    const Progress progress("mating in physics");
-    const MatingTrials trials(planned, assemble, geometry, options);
-    const plan::Strategy strategy = finemotion::StrategyOf(geometry, plan);
-    const Tally with = trials.Run(&strategy);
-    const Tally straight = trials.Run(nullptr);
-    text += TextOf("strategy", with, options.trials);
-    for (const std::string& failure : with.failures) text += fmt::format("  {}\n", failure);
-    text += TextOf("straight", straight, options.trials);
-    json["trials"] = {
-        {"number", options.trials}, {"strategy", ToJson(with)}, {"straight", ToJson(straight)}};
-  }
+  json["seconds"] = seconds;
   Print(options.json ? json.dump(2) + "\n" : text);
-  return plan.found ? ExitCode::kDone : ExitCode::kNoPlan;
+  return code;
+}
+
+void AddUncertainty(CLI::App& command, Options& options) {
+  command
+      .add_option("--displacement", options.displacement_mm,
+                  "of the part in the hand at first: so many mm at most, in x, y and z")
+      ->check(CLI::Range(0.0, 20.0))
+      ->capture_default_str();
+  command
+      .add_option("--rotation", options.rotation_deg, "so many degrees at most, about x, y and z")
+      ->check(CLI::Range(0.0, 10.0))
+      ->capture_default_str();
+  command
+      .add_option("--clearance", options.clearance_mm, "mm on each side, instead of the scenario's")
+      ->check(CLI::Range(0.0, 100.0));
+  command.add_option("--friction", options.friction, "of the parts, instead of the part files'")
+      ->check(CLI::Range(0.0, 10.0));
+  command.add_option("--search-seed", options.search_seed, "of all that is random in planning")
+      ->capture_default_str();
+}
+
+void AddTrials(CLI::App& command, Options& options) {
+  command
+      .add_option("--trials", options.trials, "execute it so often, and a straight line beside it")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()));
+  command.add_option("--trial", options.trial, "run only this one of the trials")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  command
+      .add_option("--beyond", options.beyond,
+                  "trials draw errors from a box so many times as wide as planned for")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  command.add_option("--jobs", options.jobs, "how many threads")->check(CLI::Range(1, 1024));
+  command.add_option("--seed", options.seed, "of the trials' errors")->capture_default_str();
+  command
+      .add_option("--grasp", options.grasp,
+                  "how the gripper holds parts: friction or weld (the default)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, scene::GraspMode>{
+          {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}}));
 }
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command.add_option("scenario", options->scenario, "scenario file with an assembled goal")
       ->required();
-  command
-      .add_option("--displacement", options->displacement_mm,
-                  "of the part in the hand at first: so many mm at most, in x, y and z")
-      ->check(CLI::Range(0.0, 20.0))
-      ->capture_default_str();
-  command
-      .add_option("--rotation", options->rotation_deg, "so many degrees at most, about x, y and z")
-      ->check(CLI::Range(0.0, 10.0))
-      ->capture_default_str();
-  command
-      .add_option("--trials", options->trials, "execute it so often, and a straight line beside it")
-      ->check(CLI::Range(0, std::numeric_limits<int>::max()));
-  command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
-  command.add_option("--seed", options->seed, "of all that is random")->capture_default_str();
-  command
-      .add_option("--grasp", options->grasp,
-                  "how the gripper holds parts: friction or weld (the default)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, scene::GraspMode>{
-          {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}}));
+  AddUncertainty(command, *options);
+  AddTrials(command, *options);
   command.add_flag("--json", options->json, "print the result as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

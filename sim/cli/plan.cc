@@ -15,6 +15,7 @@
 #include "sim/cli/plan_report.h"
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
+#include "sim/cli/resolver_option.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
@@ -34,6 +35,7 @@ struct Options {
   int instances = 1;
   std::int64_t budget = posting::PlannerOptions().partial_plans;
   std::string propagation = "sound";
+  std::vector<std::string> resolvers = {};           // empty: the scenario's
   std::optional<int> explain;                        // place of a step, from 1
   std::vector<const CLI::Option*> of_planning = {};  // of no use with a plan file
 };
@@ -54,7 +56,8 @@ PlannedProblem LoadOrMakePlan(const Options& options) {
     return MakePlan(
         options.input, options.models, PlannerOptionsFrom(options),
         {.propagation = options.propagation == "paper" ? uncertainty::Propagation::kPaper
-                                                       : uncertainty::Propagation::kSound});
+                                                       : uncertainty::Propagation::kSound},
+        {.resolvers = ResolversFrom(options.resolvers)});
   }
   for (const CLI::Option* option : options.of_planning) {
     if (option->count() == 0) continue;
@@ -173,6 +176,7 @@ void DeclarePlanning(CLI::App& command, Options& options) {
                       "false; paper, as published")
           ->check(CLI::IsMember({"sound", "paper"}))
           ->capture_default_str(),
+      AddResolvers(command, options.resolvers),
       command.add_option("--budget", options.budget, "how many partial plans to look at")
           ->check(CLI::Range(1, std::numeric_limits<int>::max()))
           ->capture_default_str()};

@@ -61,7 +61,7 @@ std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
     const plan::PlannedStep& step = plan.step(id);
     std::vector<std::string> row = {std::to_string(step.executed), std::to_string(step.inserted),
                                     step.name, Text(problem, step.action)};
-    if (is_certified) row.push_back(CertificateText(step.certificate));
+    if (is_certified) row.push_back(CertificateText(step));
     table.Add(std::move(row));
   }
   return table.Text();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "planner/assembly/resolvers.h"
 #include "planner/plan/plan_file.h"
 #include "sim/cli/certificate_check.h"
 #include "sim/cli/progress.h"
@@ -59,7 +60,7 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
                                   const posting::PlannerOptions& planner,
                                   const posting::UncertaintyOptions& uncertainty) {
   const Progress progress("planning " + problem.name);
-  return posting::MakeCertifiedPlan(problem, planner, uncertainty);
+  return assembly::MakeCertifiedPlan(problem, planner, uncertainty);
 }
 
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan) {

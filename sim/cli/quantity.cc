@@ -28,14 +28,15 @@ double TowardZero(double number) {
 }  // namespace
 
 Unit UnitOf(const std::string& variable) {
-  for (const char* angle : {"theta_", "skew_", "tip_", "twist_"}) {
+  for (const char* angle : {"theta_", "skew_", "tip_", "twist_", "turn_"}) {
     if (variable.starts_with(angle)) return kDegree;
   }
   return kMillimetre;
 }
 
 Unit UnitOf(const plan::CertifiedPrecondition& precondition) {
-  return precondition.condition == "tilt" ? kDegree : kMillimetre;
+  const bool is_angle = precondition.condition == "tilt" || precondition.condition == "tip turn";
+  return is_angle ? kDegree : kMillimetre;
 }
 
 std::string QuantityText(double value, const Unit& unit) {

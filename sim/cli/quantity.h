@@ -13,7 +13,8 @@ struct Unit {
   double scale;  // people's number / SI's
 };
 
-// Of what an error variable measures: theta, skew, tip and twist are angles, all else lengths.
+// Of what an error variable measures: theta, skew, tip, twist and turn are angles, all else
+// lengths.
 Unit UnitOf(const std::string& variable);
 // Of a precondition's bound, limit, margin and gap.
 Unit UnitOf(const plan::CertifiedPrecondition& precondition);

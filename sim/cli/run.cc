@@ -19,6 +19,7 @@
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/resolver_option.h"
 #include "sim/cli/scattered_run.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/trial.h"
@@ -52,6 +53,7 @@ struct Options {
   bool conservatism = false;
   std::string propagation = "sound";
   double error_scale = 1;
+  std::vector<std::string> resolvers = {};  // empty: the scenario's
 };
 
 bool IsNoisy(const Options& options) { return options.noise || options.errors; }
@@ -203,20 +205,21 @@ ExitCode ExecuteScattered(const Options& options) {
 }
 
 bool ChangesThePlan(const Options& options) {
-  return options.propagation != "sound" || options.error_scale != 1;
+  return options.propagation != "sound" || options.error_scale != 1 || !options.resolvers.empty();
 }
 
 PlannedProblem Planned(const Options& options) {
   if (!ChangesThePlan(options)) return LoadOrMakePlan(options.input, options.models);
   if (IsPlanFile(Document::Load(options.input))) {
     throw UsageError(
-        "run: --propagation and --error-scale are for scenarios: a plan file has been "
+        "run: --propagation, --resolvers and --error-scale are for scenarios: a plan file has been "
         "planned already");
   }
   posting::UncertaintyOptions uncertainty;
   if (options.propagation == "paper") uncertainty.propagation = uncertainty::Propagation::kPaper;
   scenario::Overrides overrides;
   overrides.error_scale = options.error_scale;
+  overrides.resolvers = ResolversFrom(options.resolvers);
   return MakePlan(options.input, options.models, {}, uncertainty, overrides);
 }
 
@@ -224,6 +227,9 @@ PlannedProblem Planned(const Options& options) {
 std::string CommandFor(const Options& options) {
   std::string command = "assay run " + options.input.string();
   if (options.propagation != "sound") command += " --propagation " + options.propagation;
+  if (!options.resolvers.empty()) {
+    command += fmt::format(" --resolvers {}", fmt::join(options.resolvers, ","));
+  }
   if (options.error_scale != 1) command += fmt::format(" --error-scale {}", options.error_scale);
   if (options.grasp) command += fmt::format(" --grasp {}", scene::Name(*options.grasp));
   if (!options.models.empty()) command += fmt::format(" --models {}", options.models.string());
@@ -303,6 +309,7 @@ void AddNoise(CLI::App& command, Options& options, CLI::Option* scatter) {
       .add_option("--propagation", options.propagation,
                   "of errors by actions, in planning: sound or paper")
       ->check(CLI::IsMember({"sound", "paper"}));
+  AddResolvers(command, options.resolvers)->excludes(scatter);
   command
       .add_option("--error-scale", options.error_scale, "multiplies all errors, in planning too")
       ->check(CLI::NonNegativeNumber);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "planner/assembly/resolvers.h"
 #include "planner/domain/scatter.h"
-#include "planner/posting/uncertainty_phase.h"
 #include "sim/cli/console.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/planned_problem.h"
@@ -57,7 +57,7 @@ class Scattering {
     RandomStream random(run_.seed, fmt::format("scatter/{}", number));
     const std::optional<domain::Problem> problem = domain::Scatter(scenario_.problem, random);
     if (!problem) return {number, "no-room", "no places for all parts were found"};
-    const plan::PlanResult result = posting::MakeCertifiedPlan(*problem, {}, {});
+    const plan::PlanResult result = assembly::MakeCertifiedPlan(*problem, {}, {});
     if (result.outcome != Outcome::kFound) return WithoutPlan(number, result);
     const int actions = static_cast<int>(result.plan.steps.size());
     const plan::CheckReport check = CheckPlan(*problem, result.plan);

@@ -13,6 +13,9 @@ std::vector<Command> StepCommands::InOrder() const {
 
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step) {
+  if (step.strategy) {
+    return CommandsFor(problem, world, std::get<plan::Assemble>(step.action), *step.strategy);
+  }
   return std::visit(
       [&](const auto& action) { return CommandsFor(problem, world, action, step.certificate); },
       step.action);

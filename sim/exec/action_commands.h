@@ -36,6 +36,10 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
                          const plan::Putdown& putdown, const plan::Certificate& certificate = {});
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Assemble& assemble, const plan::Certificate& certificate = {});
+// The same by fine motion. The fixed part is clamped: it lies on the table by little more than its
+// weight, and to be felt it must stay.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Assemble& assemble, const plan::Strategy& strategy);
 // The arm first goes to its home, so that it hangs over no part that does not lie there.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Sense& sense, const plan::Certificate& certificate = {});

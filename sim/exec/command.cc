@@ -32,6 +32,15 @@ struct TextOf {
   std::string operator()(const Look& look) const {
     return fmt::format("look at {} with {}", problem.part(look.part).name, look.sensor);
   }
+  std::string operator()(const Clamp& clamp) const {
+    const std::string& part = problem.part(clamp.part).name;
+    return clamp.force > 0 ? fmt::format("clamp {} with {:g} N", part, clamp.force)
+                           : fmt::format("unclamp {}", part);
+  }
+  std::string operator()(const FollowStrategy& follow) const {
+    return fmt::format("feel the way into {} by {} motions", problem.part(follow.fixed).name,
+                       follow.strategy.motions.size());
+  }
 };
 
 }  // namespace

@@ -60,7 +60,21 @@ struct Look {
   } takes = {};
 };
 
-using Command = std::variant<MoveAtSafeHeight, MoveStraight, OpenGripper, CloseGripper, Look>;
+// A clamp presses a part down on the table; with no force, it lets go.
+struct Clamp {
+  PartId part;
+  double force = 0;  // newtons
+};
+
+// Hybrid control of position and force leads the held part into the fixed one, from where the
+// strategy starts.
+struct FollowStrategy {
+  plan::Strategy strategy;
+  PartId fixed;
+};
+
+using Command = std::variant<MoveAtSafeHeight, MoveStraight, OpenGripper, CloseGripper, Look, Clamp,
+                             FollowStrategy>;
 
 // One line for people; millimetres, world frame.
 std::string Text(const domain::Problem& problem, const Command& command);

@@ -14,6 +14,7 @@ namespace {
 
 // Contact forces of stiff contacts jump from step to step: a stop needs a force that lasts.
 constexpr double kForceFilter = 0.02;   // seconds
+constexpr double kPeakFilter = 0.002;   // seconds
 constexpr double kTouchFilter = 0.001;  // seconds
 constexpr double kBrakeTime = 0.002;    // seconds from slow motion to rest
 
@@ -48,6 +49,10 @@ Execution::Execution(const domain::Problem& problem, const scene::Scene& scene, 
 
 Pose Execution::BelievedTool() const {
   return ToolAt(*problem_.workcell, commanded_.q) * hand_error_.inverse();
+}
+
+Pose Execution::MeasuredTool() const {
+  return ToolAt(*problem_.workcell, scene_.ArmPosition(data_)) * hand_error_.inverse();
 }
 
 void Execution::Place(const JointVector& q) {
@@ -163,15 +168,14 @@ void Execution::Restore(const Checkpoint& checkpoint) {
 
 // The servo's law is linear in what it is told: told a state between the arm's own and the wanted
 // one, it is as if its gains were lower. Damping goes with the root of stiffness, so that the arm
-// is as well damped as before. No torques for accelerations: most are those of the motors, and what
-// the hand touches would give them back as forces, and those become accelerations.
-Progress Execution::StepSoftly(const JointState& next, double share) {
+// is as well damped as before. No torques for accelerations that forces ask for: most are those of
+// the motors, and what the hand touches would give them back as forces.
+Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
   SetStepping(Stepping::kContact);
   const JointVector q = scene_.ArmPosition(data_);
   const JointVector qd = scene_.ArmVelocity(data_);
   const double damping = std::sqrt(share);
-  servo_.Command(data_, {q + share * (next.q - q), qd + damping * (next.qd - qd)},
-                 JointVector::Zero(), Carried());
+  servo_.Command(data_, {q + share * (next.q - q), qd + damping * (next.qd - qd)}, qdd, Carried());
   return Advance(next);
 }
 
@@ -211,8 +215,10 @@ Progress Execution::Watch() {
     return Failure{ExecutionOutcome::kEngineWarning,
                    fmt::format("{} ({} times)", warning.text, warning.count)};
   }
-  const double weight = std::min(1.0, data_.timestep() / kForceFilter);
-  felt_ += weight * (scene_.WristWrench(data_).force - felt_);
+  const Vector3 force = scene_.WristWrench(data_).force;
+  felt_ += std::min(1.0, data_.timestep() / kForceFilter) * (force - felt_);
+  peak_ += std::min(1.0, data_.timestep() / kPeakFilter) * (force - peak_);
+  greatest_force_ = std::max(greatest_force_, peak_.norm());
   if (felt_.norm() <= options_.force_limit) return std::nullopt;
   const Vector3 p = 1e3 * scene_.ToolPose(data_).translation();
   return Failure{ExecutionOutcome::kOverload,

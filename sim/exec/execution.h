@@ -50,8 +50,12 @@ class Execution {
   const JointVector& commanded() const { return commanded_.q; }
   // Where the hand believes itself to be: where it was last told to go.
   Pose BelievedTool() const;
+  // Where it believes itself to be by the joints' own sensors.
+  Pose MeasuredTool() const;
   Moment Now() const;
   std::int64_t steps() const { return steps_; }  // of the engine, so far
+  // Newtons at the wrist, the greatest so far that lasted for some milliseconds.
+  double greatest_force() const { return greatest_force_; }
 
   // The arm is with these joint values, at rest: a jump, for the start of a trial.
   void Place(const JointVector& q);
@@ -76,8 +80,8 @@ class Execution {
   // The arm stays where it was last told to be, for at least one timestep.
   Progress Stay(double seconds, Stepping stepping);
   // One small timestep with soft servos: their stiffness is this share of what it is otherwise, and
-  // what touches the hand can move it.
-  Progress StepSoftly(const JointState& next, double share);
+  // what touches the hand can move it. `qdd`: of what is planned, so that it does not lag.
+  Progress StepSoftly(const JointState& next, const JointVector& qdd, double share);
 
   // What the arm was last told becomes where it is.
   void TakeStock();
@@ -109,6 +113,8 @@ class Execution {
   int samples_ = 0;
   std::int64_t steps_ = 0;
   Vector3 felt_ = Vector3::Zero();  // wrist force, low-pass filtered
+  Vector3 peak_ = Vector3::Zero();  // the same, with a lighter filter
+  double greatest_force_ = 0;
 };
 
 // The commands (one file each). `rest`: the commands that follow in the same step.
@@ -117,5 +123,7 @@ Progress Run(const MoveStraight& move, std::span<const Command> rest, Execution&
 Progress Run(const OpenGripper& open, std::span<const Command> rest, Execution& execution);
 Progress Run(const CloseGripper& close, std::span<const Command> rest, Execution& execution);
 Progress Run(const Look& look, std::span<const Command> rest, Execution& execution);
+Progress Run(const Clamp& clamp, std::span<const Command> rest, Execution& execution);
+Progress Run(const FollowStrategy& follow, std::span<const Command> rest, Execution& execution);
 
 }  // namespace assay::exec

@@ -5,33 +5,16 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/exec/straight_line.h"
-#include "sim/scene/servo_gains.h"
-
 namespace assay::exec {
 namespace {
 
-constexpr double kGreatestTurn = 0.05;  // radians of a joint in one timestep
-constexpr double kStalled = 0.3;        // seconds without way along a crevice
-constexpr double kSeated = 0.002;       // metres from a crevice's end, which is not known better
+constexpr double kStalled = 0.3;   // seconds without way along a crevice
+constexpr double kSeated = 0.002;  // metres from a crevice's end, which is not known better
+constexpr double kNoWay = 1e-9;    // metres, radians
 
-using Vector6 = HybridControl::Vector6;
-
-Vector3 RotationVector(const geometry::Matrix3& R) {
-  const Eigen::AngleAxisd turn(R);
-  return turn.angle() * turn.axis();
-}
-
-geometry::Matrix3 Rotation(const Vector3& vector) {
-  const double angle = vector.norm();
-  if (angle < 1e-15) return geometry::Matrix3::Identity();
-  return Eigen::AngleAxisd(angle, vector / angle).toRotationMatrix();
-}
-
-Vector6 Joined(const Vector3& a, const Vector3& b) {
-  Vector6 joined;
-  joined << a, b;
-  return joined;
+bool CanBeLeft(MatingOutcome error) {
+  return error == MatingOutcome::kJammed || error == MatingOutcome::kWrongContact ||
+         error == MatingOutcome::kTimeout;
 }
 
 }  // namespace
@@ -78,52 +61,100 @@ MatingOutcome OutcomeOf(ExecutionOutcome outcome) {
 
 HybridControl::HybridControl(const plan::Strategy& strategy, PartId fixed, const ControlLaw& law,
                              Execution& execution)
-    : strategy_(strategy),
-      law_(law),
-      execution_(execution),
-      X_WorldFixed_(execution.world().PartPose(fixed)),
-      X_TipTool_(strategy.X_HeldTip.inverse() * execution.world().hold().X_PartTool),
-      configuration_(execution.problem().workcell->arm().IndicatorsOf(execution.commanded())),
-      X_FixedTip_(X_WorldFixed_.inverse() * execution.BelievedTool() * X_TipTool_.inverse()) {
-  ease_.bottomRightCorner<3, 3>() /= law.lever * law.lever;
-  compliance_ = ArmCompliance() / law.softness;
-}
+    : strategy_(strategy), law_(law), arm_(execution, fixed, strategy.X_HeldTip, law) {}
 
 StrategyEnd HybridControl::Run(const MotionObserver& observer) {
   observer_ = observer;
+  StrategyEnd end;
+  for (attempt_ = 1;; ++attempt_) {
+    Ended error = RunOnce();
+    if (!error) return end;
+    if (attempt_ < law_.attempts && CanBeLeft(error->outcome)) {
+      end.recovered.push_back(*std::move(error));
+      error = DrawBack();
+      if (!error) continue;
+    }
+    end.outcome = error->outcome;
+    end.reason = error->reason;
+    end.motion = error->motion;
+    return end;
+  }
+}
+
+HybridControl::Ended HybridControl::RunOnce() {
   for (std::size_t i = 0; i < strategy_.motions.size(); ++i) {
     motion_ = static_cast<int>(i);
-    if (Ended end = RunMotion(i)) return *end;
+    if (Ended error = RunMotion(i)) return error;
   }
-  return {.motion = motion_};
+  return std::nullopt;
 }
 
-HybridControl::Way HybridControl::WayOf(std::size_t motion) const {
-  const Pose& from =
-      motion == 0 ? strategy_.X_FixedStart : strategy_.motions[motion - 1].X_FixedTip;
-  const Pose& to = strategy_.motions[motion].X_FixedTip;
-  const Vector3 shift = to.translation() - from.translation();
-  const Vector3 turn = RotationVector(to.linear() * from.linear().transpose());
-  const double speed = SpeedOf(strategy_.motions[motion]);
-  const double turning_speed =
-      strategy_.motions[motion].until ? law_.contact_turning_speed : law_.turning_speed;
-  return {.twist = Joined(shift, turn),
-          .duration = std::max(shift.norm() / speed, turn.norm() / turning_speed)};
+HybridControl::Ended HybridControl::DrawBack() {
+  constexpr double kAbove = 0.01;  // metres over the start, where the part can be turned
+  const Vector3 out = WayOut();
+  Pose X_FixedStart = strategy_.X_FixedStart;
+  const Vector3 start = X_FixedStart.translation();
+  arm_.TakeStock();
+  const Vector6 up = law_.sliding_speed * Joined(out, Vector3::Zero());
+  while (out.dot(arm_.MeasuredTip().translation() - start) < kAbove) {
+    if (Ended error = Step({.yielding = up + YieldingAcross(up)})) return error;
+    if (arm_.wrench().head<3>().dot(-out) > law_.obstructing_force)
+      return Error(MatingOutcome::kWedged, "it cannot be drawn back");
+  }
+  arm_.TakeStock();
+  X_FixedStart.translation() = start + kAbove * out;
+  if (Ended error =
+          MoveAlong(WayTo(X_FixedStart, {law_.free_speed, law_.turning_speed}), Pressed({})))
+    return error;
+  X_FixedStart.translation() = start;
+  return MoveAlong(WayTo(X_FixedStart, {law_.free_speed, law_.turning_speed}), Pressed({}));
 }
 
-double HybridControl::SpeedOf(const plan::StrategyMotion& motion) const {
-  if (motion.until) return law_.contact_speed;
-  return motion.kept.empty() && !motion.slides ? law_.free_speed : law_.sliding_speed;
+// Against the last motion.
+Vector3 HybridControl::WayOut() const {
+  const auto& motions = strategy_.motions;
+  const Pose& before =
+      motions.size() > 1 ? motions[motions.size() - 2].X_FixedTip : strategy_.X_FixedStart;
+  return (before.translation() - motions.back().X_FixedTip.translation()).normalized();
 }
 
-HybridControl::Rows HybridControl::RowsOf(std::span<const int> contacts) const {
-  Rows rows(static_cast<Eigen::Index>(contacts.size()), 6);
+HybridControl::Way HybridControl::WayTo(const Pose& X_FixedTip, Speed speed) const {
+  const Vector6 twist = TwistBetween(arm_.MeasuredTip(), X_FixedTip);
+  const double length = twist.head<3>().norm() + kNoWay;
+  const double angle = twist.tail<3>().norm() + kNoWay;
+  return {.twist = twist,
+          .rate = std::min(speed.shift / length, speed.turn / angle),
+          .acceleration = std::min(law_.acceleration / length, law_.turning_acceleration / angle)};
+}
+
+HybridControl::Speed HybridControl::SpeedOf(const plan::StrategyMotion& motion) const {
+  if (motion.until) return {law_.contact_speed, law_.contact_turning_speed};
+  const bool is_free = motion.kept.empty() && !motion.slides;
+  return {is_free ? law_.free_speed : law_.sliding_speed, law_.turning_speed};
+}
+
+double HybridControl::NextRate(const Way& way, double rate, double left) const {
+  const double dt = arm_.timestep();
+  const double braking = std::sqrt(2 * way.acceleration * left);
+  return std::min({way.rate, rate + way.acceleration * dt, braking});
+}
+
+PressedContacts HybridControl::Pressed(std::span<const int> contacts) const {
+  std::vector<plan::StrategyContact> pressed;
+  for (const int index : contacts) {
+    plan::StrategyContact contact = strategy_.contacts[static_cast<std::size_t>(index)];
+    if (const auto found = beside_.find(contact.name); found != beside_.end())
+      contact.at += found->second;
+    pressed.push_back(contact);
+  }
+  return PressedContacts(pressed);
+}
+
+void HybridControl::Remember(std::span<const int> contacts, const PressedContacts& pressed) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto& contact = strategy_.contacts[static_cast<std::size_t>(contacts[i])];
-    rows.row(static_cast<Eigen::Index>(i)) =
-        Joined(contact.normal, contact.at.cross(contact.normal)).transpose();
+    const auto& planned = strategy_.contacts[static_cast<std::size_t>(contacts[i])];
+    beside_[planned.name] = pressed.contacts()[i].at - planned.at;
   }
-  return rows;
 }
 
 // What presses on a contact is commanded to be beyond it.
@@ -137,55 +168,74 @@ bool HybridControl::LetsGo(std::size_t motion) const {
 
 HybridControl::Ended HybridControl::RunMotion(std::size_t index) {
   const plan::StrategyMotion& motion = strategy_.motions[index];
-  const Way way = WayOf(index);
-  if (way.duration == 0) return std::nullopt;
-  if (LetsGo(index)) TakeStock();
+  if (LetsGo(index)) arm_.TakeStock();
+  arm_.Linearize();
+  const Way way = WayTo(motion.X_FixedTip, SpeedOf(motion));
   if (motion.slides) return Slide(way);
-  return motion.until ? MoveUntil(motion, way) : MoveAlong(motion, way);
+  if (motion.until) return MoveUntil(motion, way);
+  const PressedContacts kept = Pressed(motion.kept);
+  if (Ended error = MoveAlong(way, kept)) return error;
+  Believe(kept, motion.X_FixedTip);
+  return std::nullopt;
 }
 
-HybridControl::Ended HybridControl::MoveAlong(const plan::StrategyMotion& motion, const Way& way) {
-  const Rows rows = RowsOf(motion.kept);
-  const double dt = execution_.data().timestep();
-  for (double time = 0; time < way.duration; time += dt) {
-    if (Ended end = Step(Hybrid(rows, way.twist / way.duration))) return end;
-    if (Ended end = CheckObstruction(rows)) return end;
+HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedContacts& kept) {
+  constexpr double kEnd = 1e-3;  // of the way, that is not worth a timestep
+  double gone = 0;
+  double rate = 0;
+  while (gone < 1 - kEnd) {
+    rate = NextRate(way, rate, 1 - gone);
+    if (Ended error = Step(Hybrid(kept, rate * way.twist))) return error;
+    if (Ended error = CheckObstruction(kept)) return error;
+    gone += arm_.timestep() * rate;
   }
-  return Settle(motion.kept);
+  return Settle(kept);
 }
 
-// The contact that is waited for is told from those that are kept, and from friction, by the force
-// that each of them would have to bear for what is felt.
+// The contact is told from those that are kept, and from friction, by the force that each of them
+// would have to bear for what is felt. When it has not come once, errors are greater than they
+// should be: the next time it may be farther away.
 HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion, const Way& way) {
-  const Rows kept = RowsOf(motion.kept);
   std::vector<int> after = motion.kept;
   after.push_back(*motion.until);
-  const Rows rows = RowsOf(after);
-  const double dt = execution_.data().timestep();
-  double felt = 0;  // seconds
-  const double longest = (1 + motion.beyond) * way.duration;
-  for (double time = 0; time < longest + law_.settling; time += dt) {
-    const Vector6 wanted = time < longest ? Vector6(way.twist / way.duration) : Vector6::Zero();
-    if (Ended end = Step(Hybrid(kept, wanted))) return end;
-    const bool touches = ForcesOn(rows)[rows.rows() - 1] > law_.touching_force;
-    felt = touches ? felt + dt : 0;
-    if (felt > law_.touch_duration) {
-      TakeStock();
-      BelieveAt(motion.X_FixedTip);
-      return Settle(after);
+  PressedContacts kept = Pressed(motion.kept);
+  const double dt = arm_.timestep();
+  const double latest = 1 + attempt_ * motion.beyond + Slack(*motion.until, way);
+  const double touching = kept.empty() ? law_.first_touching_force : law_.touching_force;
+  double felt = 0;  // newtons
+  double gone = 0;
+  double rate = 0;
+  for (double waited = 0; waited < law_.settling;) {
+    rate = gone < latest ? NextRate(way, rate, latest - gone) : 0;
+    if (Ended error = Step(Hybrid(kept, rate * way.twist))) return error;
+    const PressedContacts touched = Pressed(after);
+    const double force = touched.Forces(arm_.wrench()).tail<1>()[0];
+    felt += std::min(1.0, dt / law_.touch_filter) * (force - felt);
+    if (felt > touching) {
+      if (Ended error = Brake(Hybrid(kept, rate * way.twist))) return error;
+      if (Ended error = Settle(touched)) return error;
+      Believe(kept, motion.X_FixedTip);
+      BelieveMade(*motion.until, motion.X_FixedTip, Hybrid(kept, way.twist).planned);
+      return std::nullopt;
     }
-    if (Ended end = CheckObstruction(rows)) return end;
+    if (Ended error = CheckObstruction(touched)) return error;
+    if (felt < touching / 2) {
+      kept.Locate(arm_.wrench(), std::min(1.0, dt / law_.location_filter));
+      Remember(motion.kept, kept);
+    }
+    gone += dt * rate;
+    if (rate == 0) waited += dt;
   }
   const auto& awaited = strategy_.contacts[static_cast<std::size_t>(*motion.until)];
-  return End(MatingOutcome::kTimeout, fmt::format("no contact of {}", awaited.name));
+  return Error(MatingOutcome::kTimeout, fmt::format("no contact of {}", awaited.name));
 }
 
-HybridControl::Ended HybridControl::CheckObstruction(const Rows& rows) {
-  const double force = Unexplained(rows);
-  obstructed_ = force > law_.obstructing_force ? obstructed_ + execution_.data().timestep() : 0;
+HybridControl::Ended HybridControl::CheckObstruction(const PressedContacts& contacts) {
+  const double force = contacts.Unexplained(arm_.wrench());
+  obstructed_ = force > law_.obstructing_force ? obstructed_ + arm_.timestep() : 0;
   if (obstructed_ <= law_.obstruction_duration) return std::nullopt;
-  return End(MatingOutcome::kWrongContact,
-             fmt::format("{:.0f} N that no contact of the plan explains", force));
+  return Error(MatingOutcome::kWrongContact,
+               fmt::format("{:.0f} N that no contact of the plan explains", force));
 }
 
 // In a crevice there is one way to go, and the walls show it: the hand gives way to all that is
@@ -193,20 +243,18 @@ HybridControl::Ended HybridControl::CheckObstruction(const Rows& rows) {
 HybridControl::Ended HybridControl::Slide(const Way& way) {
   const double length = way.twist.norm();
   const Vector6 direction = way.twist / length;
-  const double dt = execution_.data().timestep();
+  const double dt = arm_.timestep();
   double gone = 0;
   double stalled = 0;
   while (gone < length + kSeated && stalled < kStalled) {
-    const double resistance = std::max(0.0, -direction.dot(wrench_));
-    const double near =
-        length - gone < law_.seating_length ? law_.contact_speed / law_.sliding_speed : 1;
-    const double rate = near * std::clamp(1 - resistance / law_.pushing_force, 0.0, 1.0);
-    const Vector6 across = wrench_ - direction * direction.dot(wrench_);
-    Vector6 yielding = law_.relaxation * compliance_ * across;
-    yielding -= direction * direction.dot(yielding);
-    if (Ended end = Step(rate * length / way.duration * direction + yielding)) return end;
-    gone += dt * direction.dot(velocity_);
-    stalled = rate < 0.02 * near ? stalled + dt : 0;
+    const double resistance = std::max(0.0, -direction.dot(arm_.wrench()));
+    const bool near = std::min(gone, length - gone) < law_.seating_length;
+    const double speed = near ? law_.contact_speed : law_.sliding_speed;
+    const double share = std::clamp(1 - resistance / law_.pushing_force, 0.0, 1.0);
+    const Vector6 yielding = share * speed * direction + YieldingAcross(direction);
+    if (Ended error = Step({.yielding = yielding})) return error;
+    gone += dt * direction.dot(arm_.velocity().yielding);
+    stalled = share < 0.02 ? stalled + dt : 0;
   }
   if (length - gone < kSeated) return std::nullopt;
   return Stuck(direction, length - gone);
@@ -216,135 +264,94 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
 // does.
 HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left) {
   constexpr double kBack = 0.002;  // metres
-  const double dt = execution_.data().timestep();
+  const double dt = arm_.timestep();
   for (double gone = 0; gone < kBack; gone += dt * law_.contact_speed) {
-    if (Ended end = Step(-law_.contact_speed * direction)) return end;
-    if (direction.dot(wrench_) > law_.obstructing_force) {
-      return End(MatingOutcome::kWedged, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
+    if (Ended error = Step({.yielding = -law_.contact_speed * direction})) return error;
+    if (direction.dot(arm_.wrench()) > law_.obstructing_force) {
+      return Error(MatingOutcome::kWedged,
+                   fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
     }
   }
-  return End(MatingOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
+  return Error(MatingOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
 }
 
-HybridControl::Ended HybridControl::Settle(std::vector<int> contacts) {
-  const Rows rows = RowsOf(contacts);
-  const double dt = execution_.data().timestep();
-  for (double time = 0; time < law_.settling; time += dt) {
-    if (Ended end = Step(Hybrid(rows, Vector6::Zero()))) return end;
+// In ways: until the contact is pressed on, although the parts may be a little farther apart than
+// errors explain.
+double HybridControl::Slack(int contact, const Way& way) const {
+  const auto& awaited = strategy_.contacts[static_cast<std::size_t>(contact)];
+  const Vector6 row = Joined(awaited.normal, awaited.at.cross(awaited.normal));
+  return law_.slack / std::max(law_.slack, -row.dot(way.twist));
+}
+
+// A part that comes to rest slowly turns about what it has hit, and other contacts are lost.
+HybridControl::Ended HybridControl::Brake(TipMotion motion) {
+  const Vector6 change = arm_.timestep() / law_.braking * motion.planned;
+  for (double time = 0; time < law_.braking; time += arm_.timestep()) {
+    motion.planned -= change;
+    if (Ended error = Step(motion)) return error;
+  }
+  arm_.TakeStock();
+  return std::nullopt;
+}
+
+// Until all contacts are pressed on.
+HybridControl::Ended HybridControl::Settle(const PressedContacts& contacts) {
+  constexpr double kLongest = 5;  // times as long as usual
+  const double share = arm_.timestep() / law_.settling;
+  double least = 0;  // newtons, averaged
+  for (double time = 0; time < 1 || (time < kLongest && least < law_.touching_force / 2);
+       time += share) {
+    if (Ended error = Step(Hybrid(contacts, Vector6::Zero()))) return error;
+    if (contacts.empty()) {
+      least = law_.touching_force;
+    } else {
+      least += 5 * share * (contacts.Forces(arm_.wrench()).minCoeff() - least);
+    }
   }
   return std::nullopt;
 }
 
-// With the arm's ease W of moving, J W J' is how contacts open under each other's forces.
-HybridControl::Vector6 HybridControl::Hybrid(const Rows& rows, const Vector6& wanted) const {
-  if (rows.rows() == 0) return wanted;
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> give = ease_ * rows.transpose();
-  const Eigen::LDLT<Eigen::MatrixXd> opening((rows * give).eval());
+// Kept contacts take from what is wanted its part along their normals. What is commanded beyond a
+// contact is what the arm gives way to its force, so that the part stays where it is.
+TipMotion HybridControl::Hybrid(const PressedContacts& contacts, const Vector6& wanted) const {
+  if (contacts.empty()) return {.planned = wanted};
+  const PressedContacts::Rows& rows = contacts.rows();
   const Eigen::VectorXd excess =
-      ForcesOn(rows) - Eigen::VectorXd::Constant(rows.rows(), law_.pressing_force);
-  const Eigen::VectorXd opens = (law_.relaxation * rows * compliance_ * rows.transpose() * excess)
-                                    .cwiseMax(-law_.seeking_speed)
-                                    .cwiseMin(law_.yielding_speed);
-  const Eigen::VectorXd rates = opens - rows * wanted;
-  return wanted + give * opening.solve(rates);
+      contacts.Forces(arm_.wrench()) - Eigen::VectorXd::Constant(rows.rows(), law_.pressing_force);
+  const Vector6 yielding = law_.relaxation * arm_.compliance() * rows.transpose() * excess;
+  const Eigen::VectorXd opens = rows * yielding;
+  const double most = std::max(
+      {1.0, opens.maxCoeff() / law_.yielding_speed, -opens.minCoeff() / law_.seeking_speed});
+  return {wanted - contacts.Opening(rows * wanted), yielding / most};
 }
 
-Eigen::VectorXd HybridControl::ForcesOn(const Rows& rows) const {
-  const Eigen::Matrix<double, 6, Eigen::Dynamic> give = ease_ * rows.transpose();
-  return (rows * give).eval().ldlt().solve(give.transpose() * wrench_);
-}
-
-double HybridControl::Unexplained(const Rows& rows) const {
-  if (rows.rows() == 0) return wrench_.head<3>().norm();
-  return (wrench_ - rows.transpose() * ForcesOn(rows)).head<3>().norm();
-}
-
-void HybridControl::TakeStock() {
-  execution_.TakeStock();
-  X_FixedTip_ = X_WorldFixed_.inverse() * execution_.BelievedTool() * X_TipTool_.inverse();
-  velocity_.setZero();
-}
-
-void HybridControl::BelieveAt(const Pose& X_FixedTip) {
-  X_FixedTip_ = X_FixedTip;
-  X_TipTool_ = X_FixedTip.inverse() * X_WorldFixed_.inverse() * execution_.BelievedTool();
-}
-
-HybridControl::Ended HybridControl::Step(const Vector6& twist) {
-  const double dt = execution_.data().timestep();
-  velocity_ += std::min(1.0, dt / law_.velocity_filter) * (twist - velocity_);
-  X_FixedTip_.translation() += dt * velocity_.head<3>();
-  X_FixedTip_.linear() = Rotation(dt * velocity_.tail<3>()) * X_FixedTip_.linear();
-  const auto q = JointsFor(execution_.Erring(X_WorldFixed_ * X_FixedTip_ * X_TipTool_));
-  if (!q) return End(MatingOutcome::kUnreachable, "the arm cannot follow");
-  const JointVector qd = (*q - execution_.commanded()) / dt;
-  if (Progress failure = execution_.StepSoftly({*q, qd}, law_.softness)) {
-    return End(OutcomeOf(failure->outcome), failure->reason);
-  }
-  Feel();
-  if (observer_) observer_(execution_.data(), motion_);
-  return std::nullopt;
-}
-
-// J K^-1 J', with the arm's Jacobian at the tip by differences and the servos' stiffness.
-HybridControl::Matrix6 HybridControl::ArmCompliance() const {
-  constexpr double kTurn = 1e-5;  // radians
-  const domain::Workcell& workcell = *execution_.problem().workcell;
-  const auto tip_at = [&](const JointVector& q) {
-    return X_WorldFixed_.inverse() * ToolAt(workcell, q) * X_TipTool_.inverse();
+Vector6 HybridControl::YieldingAcross(const Vector6& direction) const {
+  const auto across = [&](const Vector6& v) -> Vector6 {
+    return v - direction * direction.dot(v) / direction.squaredNorm();
   };
-  const JointVector q = execution_.commanded();
-  const Pose X_FixedTip = tip_at(q);
-  Matrix6 compliance = Matrix6::Zero();
-  for (int joint = 0; joint < 6; ++joint) {
-    JointVector turned = q;
-    turned[joint] += kTurn;
-    const Pose X = tip_at(turned);
-    const Vector6 column = Joined(X.translation() - X_FixedTip.translation(),
-                                  RotationVector(X.linear() * X_FixedTip.linear().transpose())) /
-                           kTurn;
-    compliance +=
-        column * column.transpose() / scene::kServoGains[static_cast<std::size_t>(joint)].stiffness;
-  }
-  return compliance;
+  return across(law_.relaxation * arm_.compliance() * across(arm_.wrench()));
 }
 
-std::optional<JointVector> HybridControl::JointsFor(const Pose& X_WorldTool) const {
-  const domain::Workcell& workcell = *execution_.problem().workcell;
-  const JointVector& now = execution_.commanded();
-  for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), now)) {
-    if (s.indicators != configuration_) continue;
-    const auto q = workcell.arm().NearestInRange(s.q, now);
-    if (q && (*q - now).cwiseAbs().maxCoeff() < kGreatestTurn) return q;
-  }
+void HybridControl::Believe(const PressedContacts& kept, const Pose& X_FixedTip) {
+  const Vector6 off = TwistBetween(X_FixedTip, arm_.MeasuredTip());
+  arm_.Correct(-kept.Opening(kept.rows() * off));
+}
+
+// So much farther or less far than believed, and turned so much more or less.
+void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along) {
+  const auto& made = strategy_.contacts[static_cast<std::size_t>(contact)];
+  const Vector6 row = Joined(made.normal, made.at.cross(made.normal));
+  arm_.Correct(-row.dot(TwistBetween(X_FixedTip, arm_.MeasuredTip())) / row.dot(along) * along);
+}
+
+HybridControl::Ended HybridControl::Step(const TipMotion& motion) {
+  if (Progress failure = arm_.Step(motion))
+    return Error(OutcomeOf(failure->outcome), failure->reason);
+  if (observer_) observer_(arm_.data(), motion_);
   return std::nullopt;
 }
 
-// The wrench of the contacts on the held part: what the wrist feels, without the part's weight.
-void HybridControl::Feel() {
-  const scene::Scene& scene = execution_.scene();
-  mujoco::Data& data = execution_.data();
-  const WorldModel& world = execution_.world();
-  const Pose X_WorldTool = scene.ToolPose(data);
-  const Pose X_WorldHeld = world.PartPose(world.held(), X_WorldTool);
-  const auto& mass = execution_.problem().part(world.held()).model->mass();
-  const Vector3 tip = (X_WorldFixed_ * X_FixedTip_).translation();
-  const Vector3 load =
-      -mass.mass * (scene::kGravity * Vector3::UnitZ() + scene.HandAcceleration(data));
-  const scene::Wrench wrist = scene.WristWrenchInMotion(data);
-  const Vector3 flange = X_WorldTool *
-                         execution_.problem().workcell->gripper().X_FlangeTool().inverse() *
-                         Vector3::Zero();
-  const Vector3 force = wrist.force - load;
-  const Vector3 torque = wrist.torque + (flange - tip).cross(wrist.force) -
-                         (X_WorldHeld * mass.center - tip).cross(load);
-  const geometry::Matrix3 R = X_WorldFixed_.linear().transpose();
-  const double share = std::min(1.0, data.timestep() / law_.wrench_filter);
-  wrench_ += share * (Joined(R * force, R * torque) - wrench_);
-  greatest_force_ = std::max(greatest_force_, wrench_.head<3>().norm());
-}
-
-StrategyEnd HybridControl::End(MatingOutcome outcome, std::string reason) const {
+ErrorState HybridControl::Error(MatingOutcome outcome, std::string reason) const {
   return {outcome, fmt::format("motion {}: {}", motion_, reason), motion_};
 }
 

@@ -5,12 +5,14 @@
 #include "planner/base/check.h"
 #include "sim/exec/action_commands.h"
 #include "sim/exec/straight_line.h"
+#include "sim/mujoco/contact.h"
 
 namespace assay::exec {
 namespace {
 
 constexpr double kClosing = 0.2;   // seconds for the grip to build up
 constexpr double kSeated = 0.001;  // metres
+constexpr double kApart = 1e-4;    // metres that parts may overlap where they are put
 
 // Everything that a trial needs, with the part in the hand.
 class Trial {
@@ -35,6 +37,12 @@ class Trial {
     if (!PlaceArm(truly)) return Failure{ExecutionOutcome::kUnreachable, "the arm cannot start"};
     scene_.SetGripper(data_, setting_.hold.width);
     scene_.SetPart(data_, mating_.held, truly * setting_.hold.X_PartTool.inverse());
+    data_.Forward();
+    for (const auto& contact :
+         mujoco::ContactsBetween(data_, scene_.Body(mating_.fixed), scene_.Body(mating_.held))) {
+      if (contact.distance < -kApart)
+        return Failure{ExecutionOutcome::kOverload, "the parts overlap where it is to start"};
+    }
     scene_.CommandGripper(data_, 0);
     scene_.AttachPart(data_, mating_.held);
     execution_.world().Take(mating_.held, setting_.hold);
@@ -44,12 +52,12 @@ class Trial {
   Execution& execution() { return execution_; }
   Pose X_WorldFixed() const { return execution_.world().PartPose(mating_.fixed); }
 
-  MatingResult Result(StrategyEnd end, double greatest_force) const {
+  MatingResult Result(StrategyEnd end) const {
     if (end.outcome != MatingOutcome::kEngineWarning && !InHand())
       end.outcome = MatingOutcome::kDropped;
     return {.end = std::move(end),
             .duration = data_.time(),
-            .greatest_force = greatest_force,
+            .greatest_force = execution_.greatest_force(),
             .X_FixedHeld = scene_.TruePose(data_, mating_.fixed).inverse() *
                            scene_.TruePose(data_, mating_.held)};
   }
@@ -99,12 +107,12 @@ MatingResult RunMatingTrial(const domain::Problem& problem, const scene::Scene& 
   const Pose X_TipTool = strategy.X_HeldTip.inverse() * setting.hold.X_PartTool;
   if (const Progress failure =
           trial.Poise(trial.X_WorldFixed() * strategy.X_FixedStart * X_TipTool)) {
-    return trial.Result({OutcomeOf(failure->outcome), failure->reason}, 0);
+    return trial.Result({OutcomeOf(failure->outcome), failure->reason});
   }
   HybridControl control(strategy, problem.mating(setting.mating).fixed, options.law,
                         trial.execution());
   StrategyEnd end = control.Run(options.observer);
-  return trial.Result(std::move(end), control.greatest_force());
+  return trial.Result(std::move(end));
 }
 
 MatingResult RunStraightMating(const domain::Problem& problem, const scene::Scene& scene,
@@ -117,8 +125,8 @@ MatingResult RunStraightMating(const domain::Problem& problem, const scene::Scen
   const auto& advance = std::get<MoveStraight>(commands.advance.back());
   Progress failure = trial.Poise(start.X_WorldTool);
   if (!failure) failure = Run(advance, {}, execution);
-  if (failure) return trial.Result({OutcomeOf(failure->outcome), failure->reason}, 0);
-  MatingResult result = trial.Result({}, 0);
+  if (failure) return trial.Result({OutcomeOf(failure->outcome), failure->reason});
+  MatingResult result = trial.Result({});
   const domain::Mating& mating = problem.mating(setting.mating);
   const Vector3 short_by = mating.X_FixedHeld.translation() - result.X_FixedHeld.translation();
   if (std::abs(short_by.dot(mating.mating_vector.normalized())) > kSeated) {

@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 
 #include "planner/geometry/pose.h"
@@ -15,16 +16,87 @@ using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 constexpr double kOutside = 1e-4;    // m
 constexpr double kSamePlace = 1e-6;  // m
+constexpr double kFlush = 1e-6;      // m, between pieces that lie against each other
+constexpr double kBeside = 2e-5;     // m: a face that is covered so far around is no surface
 constexpr double kSameNormal = 1 - 1e-9;
+constexpr double kAcross = 0.2;  // cosine: a normal with less of a face's has nothing to do with it
 
 mjfCollision engine_box_box = nullptr;
 
-bool LiesIn(const mjModel* m, const mjData* d, int geom, const Vector3& p) {
-  const Eigen::Map<const Vector3> center(d->geom_xpos + 3 * geom);
-  const Eigen::Map<const RowMajor> R_WorldGeom(d->geom_xmat + 9 * geom);
-  const Eigen::Map<const Vector3> half_extents(m->geom_size + 3 * geom);
-  const Vector3 local = R_WorldGeom.transpose() * (p - center);
-  return ((local.cwiseAbs() - half_extents).array() <= kOutside).all();
+Eigen::Map<const Vector3> HalfExtents(const mjModel* m, int geom) {
+  return Eigen::Map<const Vector3>(m->geom_size + 3 * geom);
+}
+
+Eigen::Map<const RowMajor> Axes(const mjData* d, int geom) {
+  return Eigen::Map<const RowMajor>(d->geom_xmat + 9 * geom);
+}
+
+Vector3 InGeom(const mjData* d, int geom, const Vector3& p) {
+  return Axes(d, geom).transpose() * (p - Eigen::Map<const Vector3>(d->geom_xpos + 3 * geom));
+}
+
+Vector3 InWorld(const mjData* d, int geom, const Vector3& local) {
+  return Axes(d, geom) * local + Eigen::Map<const Vector3>(d->geom_xpos + 3 * geom);
+}
+
+bool LiesIn(const mjModel* m, const mjData* d, int geom, const Vector3& p, double outside) {
+  return ((InGeom(d, geom, p).cwiseAbs() - HalfExtents(m, geom)).array() <= outside).all();
+}
+
+bool Collide(const mjModel* m, int a, int b) {
+  return (m->geom_contype[a] & m->geom_conaffinity[b]) != 0 ||
+         (m->geom_contype[b] & m->geom_conaffinity[a]) != 0;
+}
+
+// Another piece of the geom's body is there, with which `other` collides as well.
+bool IsInAnotherPiece(const mjModel* m, const mjData* d, int geom, int other, const Vector3& p) {
+  const int body = m->geom_bodyid[geom];
+  const int first = m->body_geomadr[body];
+  for (int piece = first; piece < first + m->body_geomnum[body]; ++piece) {
+    if (piece == geom || m->geom_type[piece] != mjGEOM_BOX) continue;
+    if (!Collide(m, piece, other)) continue;
+    if (LiesIn(m, d, piece, p, kFlush)) return true;
+  }
+  return false;
+}
+
+// Whether the geom's face across an axis, on the side to which `side` points, lies against other
+// pieces of its body, where p is (in the geom's frame) and as far as it goes a little beside it.
+bool IsCovered(const mjModel* m, const mjData* d, int geom, int other, const Vector3& p,
+               Eigen::Index axis, double side) {
+  const Vector3 half_extents = HalfExtents(m, geom);
+  for (const Eigen::Index across : {(axis + 1) % 3, (axis + 2) % 3}) {
+    for (const double beside : {-kBeside, kBeside}) {
+      Vector3 q = p;
+      q[across] += beside;
+      q = q.cwiseMax(-half_extents).cwiseMin(half_extents);
+      q[axis] = std::copysign(half_extents[axis] + 3 * kFlush, side);
+      if (!IsInAnotherPiece(m, d, geom, other, InWorld(d, geom, q))) return false;
+    }
+  }
+  return true;
+}
+
+// Whether the way out along a normal goes through a face that is inside of the geom's body: faces,
+// edges and corners of a piece that lies against another are none of the body's.
+bool LeadsInside(const mjModel* m, const mjData* d, int geom, int other, const Vector3& p,
+                 const Vector3& outward) {
+  const Vector3 normal = Axes(d, geom).transpose() * outward;
+  const Vector3 local = InGeom(d, geom, p);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double to_face =
+        HalfExtents(m, geom)[axis] - std::copysign(1.0, normal[axis]) * local[axis];
+    if (std::abs(normal[axis]) < kAcross || to_face > kOutside) continue;
+    if (IsCovered(m, d, geom, other, local, axis, normal[axis])) return true;
+  }
+  return false;
+}
+
+// A normal leads from the first geom to the second.
+bool IsInside(const mjModel* m, const mjData* d, int g1, int g2, const mjContact& contact) {
+  const Eigen::Map<const Vector3> p(contact.pos);
+  const Eigen::Map<const Vector3> normal(contact.frame);
+  return LeadsInside(m, d, g1, g2, p, normal) || LeadsInside(m, d, g2, g1, p, -normal);
 }
 
 // Whether the engine gives contacts of both geoms the same parameters, and moves both as one.
@@ -47,7 +119,8 @@ int CheckedBoxBox(const mjModel* m, const mjData* d, mjContact* contacts, int g1
   const int count = engine_box_box(m, d, contacts, g1, g2, margin);
   mjContact* const end = std::remove_if(contacts, contacts + count, [&](const mjContact& contact) {
     const Eigen::Map<const Vector3> p(contact.pos);
-    return !LiesIn(m, d, g1, p) || !LiesIn(m, d, g2, p) || IsFoundAlready(m, d, g1, g2, contact);
+    return !LiesIn(m, d, g1, p, kOutside) || !LiesIn(m, d, g2, p, kOutside) ||
+           IsFoundAlready(m, d, g1, g2, contact) || IsInside(m, d, g1, g2, contact);
   });
   return static_cast<int>(end - contacts);
 }

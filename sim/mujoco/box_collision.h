@@ -9,6 +9,10 @@ namespace assay::mujoco {
 // shoot the part away. A contact is kept if it lies in both boxes, to a tenth of a millimetre. This
 // needs contacts without margin.
 //
+// Where pieces of one body meet flush, what slides over them and sinks in by a micrometre can be
+// stopped by the next piece's end, which is inside of the body. Contacts on faces that lie against
+// another piece are left out.
+//
 // Where pieces of one body meet, each of them has the same contact with another body; of contacts
 // at one place with one normal only the first is kept, which spares the solver a fifth of its work.
 void CheckBoxCollisions();

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "planner/assembly/resolvers.h"
 #include "planner/plan/plan_file.h"
 #include "sim/check/attack.h"
 #include "sim/check/conservatism.h"
@@ -91,7 +92,7 @@ class Planning {
 
   PlannedCell Plan(const Cell& cell) const {
     scenario::Scenario scenario = LoadScenario(sweep_, models_, cell);
-    plan::PlanResult result = posting::MakeCertifiedPlan(
+    plan::PlanResult result = assembly::MakeCertifiedPlan(
         scenario.problem, {.partial_plans = sweep_.partial_plans},
         {.propagation = cell.propagation, .instances = sweep_.instances});
     PlannedCell planned{cell, RecordOf(cell, scenario.problem, result), nullptr};

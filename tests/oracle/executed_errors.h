@@ -221,6 +221,13 @@ class ExecutedWorld {
     return execution_;
   }
 
+  // Once more, the hand is told to be at X_FixedTool as it believes the fixed part to be: where, as
+  // that truly is, the part in the hand is then.
+  Pose HeldSeenBy(PartId fixed, const Pose& X_FixedTool) {
+    const Pose X_WorldHeld = HandAt(body(fixed).belief * X_FixedTool) * X_HandPart_;
+    return body(fixed).truth.inverse() * X_WorldHeld;
+  }
+
  private:
   struct Body {
     Pose truth;

@@ -70,6 +70,26 @@ TEST(ProblemFile, EveryScenarioLoads) {
   }
 }
 
+TEST(ProblemFile, ReadsResolvers) {
+  using enum ResolverKind;
+  const auto resolvers = [](const std::string& key, const Overrides& overrides) {
+    return ReadProblem(Document::Parse(kBrick + key, "s.yaml"), ModelsFolder(), overrides)
+        .resolvers;
+  };
+  EXPECT_THAT(resolvers("", {}), testing::ElementsAre(kSensing, kSqueezing));
+  const std::string both = "resolvers: [fine-motion, sensing]\n";
+  EXPECT_THAT(resolvers(both, {}), testing::ElementsAre(kSensing, kFineMotion));
+  Overrides overrides;
+  overrides.resolvers = {kFineMotion};
+  EXPECT_THAT(resolvers(both, overrides), testing::ElementsAre(kFineMotion));
+  EXPECT_THAT(MessageOf(kBrick + "resolvers: [sensing, fine-moton]\n", "s.yaml"),
+              testing::AllOf(HasSubstr("s.yaml:15:22"), HasSubstr("did you mean 'fine-motion'")));
+  EXPECT_THAT(MessageOf(kBrick + "resolvers: [sensing, sensing]\n", "s.yaml"),
+              HasSubstr("'sensing' is given twice"));
+  EXPECT_THAT(MessageOf(kBrick + "resolvers: []\n", "s.yaml"),
+              HasSubstr("at least one of sensing, squeezing, fine-motion"));
+}
+
 // Spar, "A Task Planning Example" and Table 2, in metres and radians.
 TEST(ProblemFile, ReadsTheNumbersOfThePaper) {
   const Problem problem = LoadScenario("spar-example");

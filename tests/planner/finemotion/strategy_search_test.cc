@@ -102,6 +102,42 @@ TEST(SearchStrategy, FindsAShortOneForSmallErrors) {
   }
 }
 
+// --- Parts that are wrong by up to their tolerances.
+
+Passage WithTolerances(std::vector<ModelTolerance> tolerances) {
+  Passage passage = SquarePegInHole();
+  passage.tolerances = std::move(tolerances);
+  return passage;
+}
+
+FineMotionPlan PlanFor(double width) {
+  using Of = ModelTolerance::Of;
+  FineMotionErrors errors = ErrorsOf(0.5e-3, 0.25 * kDegree);
+  errors.tolerances = Eigen::Vector2d(width, width);
+  return SearchStrategy(WithTolerances({{"width of the peg", Of::kMovingFaces, {0, 1}},
+                                        {"hole", Of::kStationaryFaces, {2, 4}}}),
+                        errors, OptionsOf(1));
+}
+
+TEST(SearchStrategy, TolerancesOfNothingChangeNothing) {
+  const FineMotionPlan exact =
+      SearchStrategy(SquarePegInHole(), ErrorsOf(0.5e-3, 0.25 * kDegree), OptionsOf(1));
+  const FineMotionPlan plan = PlanFor(0);
+  EXPECT_TRUE(exact.found);
+  EXPECT_TRUE(plan.found);
+  EXPECT_NEAR(plan.absorbed, exact.absorbed, 1e-9);
+  EXPECT_EQ(plan.motions.size(), exact.motions.size());
+}
+
+TEST(SearchStrategy, FindsOneForSmallTolerances) { EXPECT_TRUE(PlanFor(0.02e-3).found); }
+
+// The peg may be wider than the hole.
+TEST(SearchStrategy, FindsNothingForTolerancesGreaterThanThePlay) {
+  const FineMotionPlan plan = PlanFor(kPlay + 0.05e-3);
+  EXPECT_FALSE(plan.found);
+  EXPECT_LT(plan.absorbed, 1);
+}
+
 // --- A replay in exact geometry, with features taken by their points and planes. Parts are moved
 // in small steps; kept contacts are closed after each.
 
@@ -171,7 +207,7 @@ std::vector<ContactKey> AllPairs(const Passage& passage) {
       }
     }
   };
-  const auto& [moving, stationary, X, mating, depth] = passage;
+  const auto& [moving, stationary, X, mating, depth, tolerances] = passage;
   add(ContactKind::kVertexFace, moving.vertices.size(), stationary.faces.size());
   add(ContactKind::kFaceVertex, moving.faces.size(), stationary.vertices.size());
   add(ContactKind::kEdgeEdge, moving.edges.size(), stationary.edges.size());

@@ -53,6 +53,28 @@ TEST(Plan, TableTellsWhatIsProved) {
   EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved. Nothing was inserted.\n"));
 }
 
+// Fine motion is used where it is asked for, and told of.
+TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
+  const std::string scenario = kTree / "scenarios/uncertain-fine-motion.yaml";
+  const Folder folder;
+  const Ended ended = Assay({"plan", scenario, "-o", folder / "plan.json", "--check"});
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  EXPECT_THAT(ended.out,
+              ContainsRegex("assemble\\(peg, .*\\) +[0-9]+ of [0-9]+ proved, [0-9]+ abs"));
+  EXPECT_THAT(ended.out, HasSubstr("for step 3: fine-motion, because\n"));
+  EXPECT_THAT(ended.out, ContainsRegex("motions by contacts, in spite of errors of the tip of "));
+  EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved or absorbed."));
+  EXPECT_THAT(SchemaErrors(kSchema, JsonOf(folder / "plan.json")), IsEmpty());
+  const Ended explained = Assay({"plan", folder / "plan.json", "--explain", "3"});
+  EXPECT_THAT(explained.out, HasSubstr("not proved, and absorbed by fine motion\n"));
+  EXPECT_THAT(explained.out, HasSubstr("tip shift: the tip is displaced by less than"));
+  const Ended without = Assay({"plan", scenario, "--resolvers", "sensing,squeezing"});
+  EXPECT_THAT(without.out, HasSubstr("Not all preconditions of 1 step are proved"));
+  const Ended unknown = Assay({"plan", scenario, "--resolvers", "luck"});
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("fine-motion"));
+}
+
 TEST(Plan, TellsWhatWasInsertedForWhichStep) {
   const Ended ended = Assay({"plan", kTwoLooks});
   EXPECT_EQ(ended.code, 0) << ended.err;

@@ -94,5 +94,33 @@ TEST(BoxCollision, OfNearlyParallelFacesTheCornersTouch) {
   }
 }
 
+// Two pieces of one body, flush, and a box whose lowest corner slides over where they meet.
+TEST(BoxCollision, APieceIsNotStoppedByTheEndOfAnother) {
+  const Model model = Model::FromMjcf(R"(<mujoco><worldbody>
+    <geom name="left" type="box" size="0.05 0.05 0.02" pos="-0.05 0 0"/>
+    <geom name="right" type="box" size="0.05 0.05 0.02" pos="0.05 0 0"/>
+    <body name="upper"><freejoint/><geom type="box" size="0.03 0.02 0.01" mass="1"/></body>
+    </worldbody></mujoco>)");
+  const Vector3 half_extents(0.03, 0.02, 0.01);
+  Data data(model);
+  RandomStream random(21, "a corner over a seam");
+  for (int i = 0; i < 20000; ++i) {
+    const double depth = Magnitude(random, 1e-9, 2e-6);
+    Pose X = Pose(geometry::RotationZ(random.Uniform(-3, 3)) *
+                  geometry::RotationX(random.Uniform(0.002, 0.03)) *
+                  geometry::RotationY(random.Uniform(0.002, 0.03)));
+    const auto corners = geometry::Box{X, half_extents}.Corners();
+    const auto height = [](const Vector3& corner) { return corner.z(); };
+    const Vector3 lowest = *std::ranges::min_element(corners, {}, height);
+    const Vector3 at(random.Uniform(-3e-6, 3e-6), random.Uniform(-0.04, 0.04), 0.02 - depth);
+    X.pretranslate(at - lowest);
+    Put(X, data);
+    SCOPED_TRACE(testing::Message() << "pose " << i << " of seed 21, depth " << depth);
+    const auto contacts = ContactsBetween(data, BodyId(0), model.Body("upper"));
+    ASSERT_FALSE(contacts.empty());
+    for (const Contact& contact : contacts) ASSERT_GT(std::abs(contact.normal.z()), 0.9);
+  }
+}
+
 }  // namespace
 }  // namespace assay::mujoco

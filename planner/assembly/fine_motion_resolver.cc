@@ -1,0 +1,240 @@
+#include "planner/assembly/fine_motion_resolver.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "planner/domain/reachability.h"
+#include "planner/posting/moment.h"
+#include "planner/posting/sensing_resolver.h"
+
+namespace assay::assembly {
+namespace {
+
+using finemotion::FineMotionErrors;
+using finemotion::FineMotionPlan;
+using finemotion::MatingGeometry;
+using geometry::Pose;
+using posting::Insertion;
+using posting::Remedy;
+using posting::UnmetGoals;
+using uncertainty::TipBox;
+using uncertainty::TipWay;
+using uncertainty::UncertainWorld;
+
+constexpr int kRounds = 4;            // of computing errors at starts that are searched for them
+constexpr double kSpare = 1.05;       // of errors: they are a little different at every start
+constexpr double kLeastShift = 5e-5;  // metres: errors that are less make a search no easier
+constexpr double kLeastTurn = 5e-4;   // radians
+// What strategies are first asked to absorb, though less would do: those that do without most of it
+// rely on contacts that hardly move the part, which soft servos feel late or not at all.
+constexpr double kUsualShift = 0.002;
+constexpr double kUsualTurn = 0.0175;
+constexpr double kGreatestShift = 0.006;  // metres: half of where contacts are looked for
+
+// Conditions of assemble that a strategy absorbs, and those that take their place.
+const std::vector<std::string>& AbsorbedConditions() {
+  static const std::vector<std::string> conditions = {"entry", "slide-in", "tilt", "seat"};
+  return conditions;
+}
+bool IsAnswered(const std::string& condition) {
+  return std::ranges::count(AbsorbedConditions(), condition) > 0 || condition == "tip shift" ||
+         condition == "tip turn";
+}
+
+// The parts with holes as narrow as they may be.
+domain::Problem Narrowed(domain::Problem problem, const domain::Mating& mating) {
+  const double tolerance = problem.tolerances.clearance;
+  if (tolerance == 0) return problem;
+  for (const domain::PartId id : {mating.held, mating.fixed}) {
+    auto& model = problem.parts[id.index()].model;
+    model = model->WithClearance(model->clearance() - tolerance);
+  }
+  return problem;
+}
+
+bool IsWithin(const TipBox& box, const TipBox& limits) {
+  return (box.d.array() < limits.d.array()).all() && (box.w.array() < limits.w.array()).all();
+}
+
+TipBox WithSpare(const TipBox& box) { return {kSpare * box.d, kSpare * box.w}; }
+
+plan::Strategy StrategyFrom(const MatingGeometry& geometry, const FineMotionPlan& plan,
+                            const TipBox& box, const FineMotionErrors& errors) {
+  plan::Strategy strategy = finemotion::StrategyOf(geometry, plan);
+  for (std::size_t i = 0; i < plan.motions.size(); ++i) {
+    for (const finemotion::Unwanted& unwanted : plan.motions[i].check.unwanted) {
+      strategy.motions[i].unwanted.push_back(
+          {finemotion::Name(unwanted.contact), unwanted.is_loss, unwanted.scale});
+    }
+  }
+  strategy.certificate = {.absorbs = AbsorbedConditions(),
+                          .d = box.d,
+                          .w = box.w,
+                          .velocity = errors.velocity,
+                          .absorbed = plan.absorbed};
+  return strategy;
+}
+
+// Whether the arm gets to where the motions begin and end, if there are no errors, and the hand is
+// then free of the other parts.
+bool IsFree(const UnmetGoals& unmet, const plan::Assemble& assemble,
+            const plan::Strategy& strategy) {
+  const domain::Problem& problem = unmet.problem;
+  const domain::Workcell& workcell = *problem.workcell;
+  const plan::WorldState state =
+      posting::StatesOf(problem, unmet.actions)[static_cast<std::size_t>(unmet.step)];
+  std::vector<domain::PlacedPart> others;
+  for (std::size_t p = 0; p < state.parts.size(); ++p) {
+    if (domain::PartId(p) == problem.mating(assemble.mating).held) continue;
+    others.push_back({domain::PartId(p), state.parts[p].X_WorldPart});
+  }
+  const auto is_free = [&](const Pose& X_FixedTip) {
+    const Pose X_WorldTool = assemble.fixed.X_WorldPart * X_FixedTip *
+                             strategy.X_HeldTip.inverse() * assemble.hold.X_PartTool;
+    const auto solutions = workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), workcell.home());
+    const bool reached = std::ranges::any_of(solutions, [&](const auto& solution) {
+      return workcell.arm().NearestInRange(solution.q, workcell.home()).has_value();
+    });
+    return reached && Obstacle(problem, X_WorldTool, assemble.hold.width, others).IsNone();
+  };
+  return is_free(strategy.X_FixedStart) &&
+         std::ranges::all_of(strategy.motions, is_free, &plan::StrategyMotion::X_FixedTip);
+}
+
+// The plan with the insertions of remedies, and where the step is then.
+struct Prepared {
+  std::vector<plan::Action> actions;
+  std::vector<std::optional<plan::Strategy>> strategies;
+  int step = 0;
+};
+
+Prepared With(const UnmetGoals& unmet, const std::vector<Insertion>& insertions) {
+  Prepared prepared;
+  for (int i = 0; i < std::ssize(unmet.actions); ++i) {
+    for (const Insertion& insertion : insertions) {
+      if (insertion.before != i) continue;
+      prepared.actions.push_back(insertion.action);
+      prepared.strategies.emplace_back();
+    }
+    if (i == unmet.step) prepared.step = static_cast<int>(prepared.actions.size());
+    prepared.actions.push_back(unmet.actions[static_cast<std::size_t>(i)]);
+    prepared.strategies.push_back(
+        unmet.strategies.empty() ? std::nullopt : unmet.strategies[static_cast<std::size_t>(i)]);
+  }
+  return prepared;
+}
+
+// Looks at one of the two parts, or at both.
+std::vector<std::vector<Insertion>> LooksAt(const UnmetGoals& unmet, const domain::Mating& mating) {
+  std::vector<std::vector<Insertion>> looks;
+  if (std::ranges::count(unmet.problem.resolvers, domain::ResolverKind::kSensing) == 0)
+    return looks;
+  const std::vector<Remedy> remedies = posting::SensingResolver().Propose(unmet);
+  for (const Remedy& remedy : remedies) {
+    if (remedy.part == mating.held || remedy.part == mating.fixed) {
+      looks.push_back(remedy.insertions);
+    }
+  }
+  for (const Remedy& first : remedies) {
+    for (const Remedy& second : remedies) {
+      if (first.part != mating.held || second.part != mating.fixed) continue;
+      std::vector<Insertion> both = first.insertions;
+      both.insert(both.end(), second.insertions.begin(), second.insertions.end());
+      looks.push_back(std::move(both));
+    }
+  }
+  return looks;
+}
+
+}  // namespace
+
+TipBox TipBoxAt(const UnmetGoals& unmet, uncertainty::Propagation propagation, const TipWay& way) {
+  UncertainWorld world(unmet.problem, propagation);
+  for (int i = 0; i < unmet.step; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const bool has_strategy = at < unmet.strategies.size() && unmet.strategies[at];
+    Propagate(world, unmet.actions[at], has_strategy ? &*unmet.strategies[at] : nullptr);
+  }
+  const auto& assemble =
+      std::get<plan::Assemble>(unmet.actions[static_cast<std::size_t>(unmet.step)]);
+  const auto grasp = PossibleGrasp(world.held(), world.DrawManipulator(), propagation);
+  return BoxOf(world, TipErrors(world, assemble.mating, assemble.hold, grasp, way));
+}
+
+std::vector<Remedy> FineMotionResolver::Propose(const UnmetGoals& unmet) {
+  const auto* assemble =
+      std::get_if<plan::Assemble>(&unmet.actions[static_cast<std::size_t>(unmet.step)]);
+  if (assemble == nullptr) return {};
+  if (!std::ranges::all_of(unmet.goals, [](const uncertainty::Unproved& goal) {
+        return IsAnswered(goal.claim.condition);
+      })) {
+    return {};
+  }
+  const domain::Mating& mating = unmet.problem.mating(assemble->mating);
+  std::vector<std::vector<Insertion>> preparations = {{}};
+  std::ranges::move(LooksAt(unmet, mating), std::back_inserter(preparations));
+  for (std::vector<Insertion>& insertions : preparations) {
+    const Prepared prepared = With(unmet, insertions);
+    auto strategy = StrategyFor(
+        {unmet.problem, prepared.actions, prepared.step, unmet.goals, prepared.strategies});
+    if (!strategy) continue;
+    return {{.part = mating.held,
+             .insertions = std::move(insertions),
+             .absorbs = AbsorbedConditions(),
+             .strategy = std::move(strategy)}};
+  }
+  return {};
+}
+
+std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& unmet) {
+  auto strategy = StrategyFor(unmet, {kUsualShift, kUsualTurn});
+  return strategy ? strategy : StrategyFor(unmet, {kLeastShift, kLeastTurn});
+}
+
+// Where the start is decides on the errors there, and these on the start: the two are looked for in
+// turn.
+std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& unmet,
+                                                              const LeastErrors& least) {
+  const auto& assemble =
+      std::get<plan::Assemble>(unmet.actions[static_cast<std::size_t>(unmet.step)]);
+  const domain::Mating& mating = unmet.problem.mating(assemble.mating);
+  const domain::Problem narrowed = Narrowed(unmet.problem, mating);
+  const MatingGeometry geometry = finemotion::GeometryOf(narrowed, mating);
+  const double tolerance = unmet.problem.tolerances.clearance;
+  const double friction =
+      unmet.problem.workcell->rules().friction + unmet.problem.tolerances.friction;
+  TipBox box = WithSpare(TipBoxAt(
+      unmet, propagation_,
+      {geometry.X_HeldTip, geometry.passage.X_StationaryEntry, geometry.X_FixedSeat.linear()}));
+  for (int round = 0; round < kRounds && box.d.norm() < kGreatestShift; ++round) {
+    box = {box.d.cwiseMax(least.shift), box.w.cwiseMax(least.turn)};
+    FineMotionErrors errors;
+    errors.pose << box.d.array() + tolerance, box.w;
+    const FineMotionPlan& plan = PlanFor(assemble.mating, geometry, errors, friction);
+    if (!plan.found) return std::nullopt;
+    plan::Strategy strategy = StrategyFrom(geometry, plan, box, errors);
+    const TipBox there = TipBoxAt(unmet, propagation_, uncertainty::WayOf(strategy));
+    if (IsWithin(there, box)) {
+      return IsFree(unmet, assemble, strategy) ? std::optional(std::move(strategy)) : std::nullopt;
+    }
+    box = WithSpare({box.d.cwiseMax(there.d), box.w.cwiseMax(there.w)});
+  }
+  return std::nullopt;
+}
+
+const FineMotionPlan& FineMotionResolver::PlanFor(domain::MatingId mating,
+                                                  const MatingGeometry& geometry,
+                                                  const FineMotionErrors& errors, double friction) {
+  const std::string key =
+      fmt::format("{} {:.17g} {:.17g}", mating.index(), fmt::join(errors.pose, " "), friction);
+  const auto [plan, is_new] = plans_.try_emplace(key);
+  if (is_new) {
+    plan->second = SearchStrategy(geometry.passage, errors, {.friction = friction});
+  }
+  return plan->second;
+}
+
+}  // namespace assay::assembly

@@ -1,0 +1,49 @@
+#include "planner/assembly/resolvers.h"
+
+#include <algorithm>
+
+#include "planner/assembly/fine_motion_resolver.h"
+#include "planner/base/check.h"
+#include "planner/posting/sensing_resolver.h"
+#include "planner/posting/squeezing_resolver.h"
+
+namespace assay::assembly {
+namespace {
+
+std::shared_ptr<posting::Resolver> ResolverOf(domain::ResolverKind kind,
+                                              uncertainty::Propagation propagation) {
+  switch (kind) {
+    case domain::ResolverKind::kSensing:
+      return std::make_shared<posting::SensingResolver>();
+    case domain::ResolverKind::kSqueezing:
+      return std::make_shared<posting::SqueezingResolver>();
+    case domain::ResolverKind::kFineMotion:
+      return std::make_shared<FineMotionResolver>(propagation);
+  }
+  ASSAY_CHECK(false, "a resolver that the switch does not know");
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<std::shared_ptr<posting::Resolver>> Resolvers(
+    const std::vector<domain::ResolverKind>& kinds, uncertainty::Propagation propagation) {
+  std::vector<domain::ResolverKind> in_order = kinds;
+  std::ranges::sort(in_order);
+  std::vector<std::shared_ptr<posting::Resolver>> resolvers;
+  for (const domain::ResolverKind kind : in_order) {
+    resolvers.push_back(ResolverOf(kind, propagation));
+  }
+  return resolvers;
+}
+
+plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
+                                   const posting::PlannerOptions& planner,
+                                   posting::UncertaintyOptions uncertainty) {
+  if (uncertainty.resolvers.empty()) {
+    uncertainty.resolvers = Resolvers(problem.resolvers, uncertainty.propagation);
+  }
+  return posting::MakeCertifiedPlan(problem, planner, uncertainty);
+}
+
+}  // namespace assay::assembly

@@ -1,0 +1,571 @@
+#include "planner/finemotion/contact_finder.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "planner/base/check.h"
+#include "planner/finemotion/face_regions.h"
+
+namespace assay::finemotion {
+
+namespace {
+
+constexpr double kSameDirection = 1e-6;  // sine of the angle below which directions agree
+constexpr double kSamePoint = 1e-6;      // metres
+constexpr double kSameSurface = 1e-9;    // coefficients of rows
+constexpr std::size_t kUsualLimits = 4;  // the paper's greatest number, section 3
+constexpr std::size_t kUsualContacts = 32;
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+using Index = std::size_t;
+// How a feature moves for one metre of each tolerance, a column for each; or how far along a
+// direction.
+using Shift = Eigen::Matrix3Xd;
+using ShiftAlong = Eigen::VectorXd;
+
+// The direction in face edge.faces[which], perpendicular to the edge, that leads into the face. A
+// convex edge's faces fall away behind each other's plane.
+Vector3 IntoFace(const Polyhedron& shape, const OuterEdge& edge, Index which) {
+  const Vector3& own = shape.faces[static_cast<Index>(edge.faces[which])].normal;
+  const Vector3& other = shape.faces[static_cast<Index>(edge.faces[1 - which])].normal;
+  return (other.dot(own) * own - other).normalized();
+}
+
+// An edge and what the tolerances do to it.
+struct Edge {
+  Vector3 start = Vector3::Zero();
+  Vector3 direction = Vector3::Zero();
+  double length = 0;
+  std::array<Vector3, 2> into{};
+  std::array<Vector3, 2> normals{};      // of the faces
+  Shift shift;                           // of the line, across its direction
+  std::array<ShiftAlong, 2> end_shifts;  // of start and end, along it
+
+  Vector3 middle() const { return start + length / 2 * direction; }
+};
+
+struct Vertex {
+  Vector3 p = Vector3::Zero();
+  std::vector<Vector3> leaving;  // directions of its edges
+  Shift shift;
+};
+
+struct Region {
+  FaceRegion sides;
+  std::vector<ShiftAlong> shifts;  // of each, outward
+};
+
+struct Face {
+  Vector3 normal = Vector3::Zero();
+  double height = 0;
+  ShiftAlong shift;  // outward
+  std::vector<Region> regions;
+};
+
+// A part in its own axes.
+struct Part {
+  double sign = 1;  // of (d, w) in the motion relative to the other part: 1 moving, -1 stationary
+  std::vector<Face> faces;
+  std::vector<Edge> edges;
+  std::vector<Vertex> vertices;
+};
+
+// How the tolerances displace a part's features.
+class Shifts {
+ public:
+  Shifts(const Polyhedron& shape, ModelTolerance::Of of,
+         const std::vector<ModelTolerance>& tolerances)
+      : shape_(shape), tolerances_(tolerances), of_(of) {
+    for (const OuterFace& face : shape.faces) {
+      regions_.push_back(tolerances.empty() ? std::vector<FaceRegion>() : ConvexRegions(face));
+    }
+    for (const ModelTolerance& tolerance : tolerances) {
+      if (tolerance.of != of) continue;
+      for (const int face : tolerance.faces) {
+        ASSAY_CHECK(face >= 0 && static_cast<Index>(face) < shape.faces.size(), "{}: no face {}",
+                    tolerance.name, face);
+      }
+    }
+  }
+
+  // Of a corner, or of a point of an edge or face.
+  Shift At(const Vector3& p) const {
+    return Of(tolerances_.empty() ? std::vector<int>() : FacesThrough(p));
+  }
+
+  // Of the point (line, plane) where these faces' planes meet: the least motion that keeps it in
+  // all of them. Where more than three planes meet and do not any longer, the nearest to all.
+  Shift Of(const std::vector<int>& faces) const {
+    Shift shift = Shift::Zero(3, std::ssize(tolerances_));
+    if (tolerances_.empty()) return shift;
+    Eigen::MatrixX3d normals(faces.size(), 3);
+    Eigen::MatrixXd outward = Eigen::MatrixXd::Zero(normals.rows(), shift.cols());
+    for (Eigen::Index row = 0; row < normals.rows(); ++row) {
+      const int face = faces[static_cast<Index>(row)];
+      normals.row(row) = shape_.faces[static_cast<Index>(face)].normal;
+      for (Eigen::Index column = 0; column < shift.cols(); ++column) {
+        const ModelTolerance& tolerance = tolerances_[static_cast<Index>(column)];
+        if (tolerance.of != of_) continue;
+        outward(row, column) = std::ranges::count(tolerance.faces, face) > 0 ? 1 : 0;
+      }
+    }
+    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
+    decomposition.setThreshold(kSameDirection);
+    decomposition.compute(normals);
+    shift = decomposition.solve(outward);
+    return shift;
+  }
+
+ private:
+  std::vector<int> FacesThrough(const Vector3& p) const {
+    std::vector<int> faces;
+    for (Index i = 0; i < shape_.faces.size(); ++i) {
+      const OuterFace& face = shape_.faces[i];
+      if (std::abs(face.normal.dot(p) - face.height) > kSamePoint) continue;
+      const auto touches = [&](const FaceRegion& region) {
+        return DistanceTo(region, p) < kSamePoint;
+      };
+      if (std::ranges::any_of(regions_[i], touches)) faces.push_back(static_cast<int>(i));
+    }
+    return faces;
+  }
+
+  const Polyhedron& shape_;
+  const std::vector<ModelTolerance>& tolerances_;
+  ModelTolerance::Of of_;
+  std::vector<std::vector<FaceRegion>> regions_;
+};
+
+Face MakeFace(const OuterFace& face, int index, const Shifts& shifts) {
+  Face made{.normal = face.normal, .height = face.height, .shift = {}, .regions = {}};
+  made.shift = shifts.Of({index}).transpose() * face.normal;
+  for (FaceRegion& sides : ConvexRegions(face)) {
+    Region region{std::move(sides), {}};
+    for (const RegionSide& side : region.sides) {
+      region.shifts.emplace_back(shifts.At(side.middle()).transpose() * side.outward);
+    }
+    made.regions.push_back(std::move(region));
+  }
+  return made;
+}
+
+Edge MakeEdge(const OuterEdge& edge, const Polyhedron& shape, const Shifts& shifts) {
+  Edge made{.start = edge.start,
+            .direction = edge.direction(),
+            .length = (edge.end - edge.start).norm(),
+            .shift = shifts.Of({edge.faces[0], edge.faces[1]}),
+            .end_shifts = {}};
+  for (const Index which : {0U, 1U}) {
+    made.into[which] = IntoFace(shape, edge, which);
+    made.normals[which] = shape.faces[static_cast<Index>(edge.faces[which])].normal;
+    const Vector3& end = which == 0 ? edge.start : edge.end;
+    made.end_shifts[which] = shifts.At(end).transpose() * made.direction;
+  }
+  return made;
+}
+
+Vertex MakeVertex(const OuterVertex& vertex, const Polyhedron& shape, const Shifts& shifts) {
+  Vertex made{.p = vertex.p, .leaving = {}, .shift = shifts.At(vertex.p)};
+  for (const int index : vertex.edges) {
+    const OuterEdge& edge = shape.edges[static_cast<Index>(index)];
+    const bool from_start =
+        (edge.start - vertex.p).squaredNorm() < (edge.end - vertex.p).squaredNorm();
+    made.leaving.push_back(from_start ? edge.direction() : Vector3(-edge.direction()));
+  }
+  return made;
+}
+
+Part MakePart(const Polyhedron& shape, double sign, ModelTolerance::Of of,
+              const std::vector<ModelTolerance>& tolerances) {
+  const Shifts shifts(shape, of, tolerances);
+  Part part{.sign = sign, .faces = {}, .edges = {}, .vertices = {}};
+  for (Index i = 0; i < shape.faces.size(); ++i) {
+    part.faces.push_back(MakeFace(shape.faces[i], static_cast<int>(i), shifts));
+  }
+  for (const OuterEdge& edge : shape.edges) part.edges.push_back(MakeEdge(edge, shape, shifts));
+  for (const OuterVertex& vertex : shape.vertices) {
+    part.vertices.push_back(MakeVertex(vertex, shape, shifts));
+  }
+  return part;
+}
+
+// A part at a pose, in the stationary part's axes.
+struct PlacedEdge {
+  Vector3 start;
+  Vector3 direction;
+};
+
+struct Placed {
+  const Part& part;
+  Pose X;
+  std::vector<PlacedEdge> edges;
+
+  Placed(const Part& placed_part, const Pose& X_StationaryPart)
+      : part(placed_part), X(X_StationaryPart) {
+    edges.reserve(part.edges.size());
+    for (const Edge& edge : part.edges) edges.push_back({X * edge.start, Turned(edge.direction)});
+  }
+
+  Vector3 Turned(const Vector3& v) const { return X.linear() * v; }
+  Vector3 TurnedBack(const Vector3& v) const { return X.linear().transpose() * v; }
+  Vector3 MovedBack(const Vector3& p) const { return TurnedBack(p - X.translation()); }
+};
+
+// Of the edge's line, at the points of both lines that are nearest to each other.
+struct Crossing {
+  double s = 0;  // metres from the start of the first edge
+  double t = 0;
+};
+
+double DistanceToEdge(const Vector3& p, const PlacedEdge& edge, double length) {
+  const double s = std::clamp((p - edge.start).dot(edge.direction), 0.0, length);
+  return (p - edge.start - s * edge.direction).norm();
+}
+
+bool Same(const HalfSpace& a, const HalfSpace& b) {
+  return std::abs(a.b - b.b) < kSameSurface && (a.a - b.a).cwiseAbs().maxCoeff() < kSameSurface;
+}
+
+bool Same(const PrimitiveContact& a, const PrimitiveContact& b) {
+  if (a.limits.size() != b.limits.size() || std::abs(a.offset - b.offset) > kSameSurface ||
+      (a.row - b.row).cwiseAbs().maxCoeff() > kSameSurface) {
+    return false;
+  }
+  return std::ranges::all_of(a.limits, [&](const HalfSpace& limit) {
+    return std::ranges::any_of(b.limits, [&](const HalfSpace& l) { return Same(l, limit); });
+  });
+}
+
+}  // namespace
+
+class ContactFinder::Parts {
+ public:
+  Parts(const Polyhedron& moving_shape, const Polyhedron& stationary_shape,
+        const std::vector<ModelTolerance>& model_tolerances)
+      : moving(MakePart(moving_shape, 1, ModelTolerance::Of::kMovingFaces, model_tolerances)),
+        stationary(
+            MakePart(stationary_shape, -1, ModelTolerance::Of::kStationaryFaces, model_tolerances)),
+        tolerances(std::ssize(model_tolerances)),
+        placed_stationary(stationary, Pose::Identity()) {}
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  const Part moving;
+  const Part stationary;
+  const Eigen::Index tolerances;
+  const Placed placed_stationary;
+};
+
+namespace {
+
+// Linearizes contacts of parts at one pose.
+class Linearizer {
+ public:
+  Linearizer(const Placed& moving, const Placed& stationary, Eigen::Index tolerances,
+             const ContactRange& range)
+      : moving_(moving),
+        stationary_(stationary),
+        origin_(moving.X.translation()),
+        dimensions_(kPoseDimensions + tolerances),
+        reach_(range.reach),
+        turn_(range.turn) {
+    contacts_.reserve(kUsualContacts);
+    ends_.reserve(2 * kUsualLimits);
+  }
+
+  void AddAll() {
+    AddVerticesOnFaces(moving_, stationary_);
+    AddVerticesOnFaces(stationary_, moving_);
+    for (Index i = 0; i < moving_.edges.size(); ++i) {
+      for (Index j = 0; j < stationary_.edges.size(); ++j) AddEdgeOnEdge(i, j);
+    }
+  }
+
+  void Add(const ContactKey& key) {
+    const auto moving = static_cast<Index>(key.moving);
+    const auto stationary = static_cast<Index>(key.stationary);
+    switch (key.kind) {
+      case ContactKind::kVertexFace:
+        return AddVertexOnFace(moving_, moving, stationary_, stationary);
+      case ContactKind::kFaceVertex:
+        return AddVertexOnFace(stationary_, stationary, moving_, moving);
+      case ContactKind::kEdgeEdge:
+        return AddEdgeOnEdge(moving, stationary);
+    }
+  }
+
+  std::vector<PrimitiveContact> Take() && { return std::move(contacts_); }
+
+ private:
+  // Where a contact ends: by how much it is inside of that, and which of its ends it is.
+  struct End {
+    double left = 0;
+    Index which = 0;
+
+    auto operator<=>(const End&) const = default;
+  };
+
+  void AddVerticesOnFaces(const Placed& with_vertex, const Placed& with_face) {
+    for (Index i = 0; i < with_vertex.part.vertices.size(); ++i) {
+      for (Index j = 0; j < with_face.part.faces.size(); ++j) {
+        AddVertexOnFace(with_vertex, i, with_face, j);
+      }
+    }
+  }
+
+  void AddVertexOnFace(const Placed& with_vertex, Index vertex_index, const Placed& with_face,
+                       Index face_index) {
+    const Vertex& vertex = with_vertex.part.vertices[vertex_index];
+    const Face& face = with_face.part.faces[face_index];
+    const Vector3 p = with_vertex.X * vertex.p;
+    const Vector3 p_in_face = with_face.MovedBack(p);
+    const double gap = face.normal.dot(p_in_face) - face.height;
+    if (std::abs(gap) > reach_) return;
+    const Vector3 normal = with_face.Turned(face.normal);
+    if (!MayTouch(vertex, with_vertex.TurnedBack(normal))) return;
+    const bool moving_vertex = with_vertex.part.sign > 0;
+    for (const Region& region : face.regions) {
+      if (IsBeyondReach(region.sides, p_in_face, face.normal, gap)) continue;
+      PrimitiveContact contact;
+      contact.kind = moving_vertex ? ContactKind::kVertexFace : ContactKind::kFaceVertex;
+      contact.moving = static_cast<int>(moving_vertex ? vertex_index : face_index);
+      contact.stationary = static_cast<int>(moving_vertex ? face_index : vertex_index);
+      contact.offset = gap;
+      contact.normal = with_vertex.part.sign * normal;
+      contact.at = p - origin_;
+      contact.row = Row(contact.normal, contact.at);
+      Tolerances(contact.row) = Along(vertex.shift, with_vertex.TurnedBack(normal)) - face.shift;
+      contact.limits.reserve(vertex.leaving.size() + region.sides.size());
+      AddOverlapLimits(with_vertex, vertex, normal, contact);
+      AddExtentLimits(with_vertex, vertex, with_face, region, p_in_face, contact);
+      Keep(std::move(contact));
+    }
+  }
+
+  bool IsBeyondReach(const FaceRegion& region, const Vector3& p, const Vector3& normal,
+                     double gap) const {
+    for (const RegionSide& side : region) {
+      if (side.Excess(p) > reach_) return true;
+    }
+    return std::hypot(gap, DistanceTo(region, p - gap * normal)) > reach_;
+  }
+
+  // No edge that leaves the vertex goes behind the face whatever the motion. (Normal in the axes of
+  // the vertex's part.)
+  bool MayTouch(const Vertex& vertex, const Vector3& n) const {
+    return std::ranges::none_of(vertex.leaving, [&](const Vector3& leaving) {
+      return n.dot(leaving) < -kSameDirection - turn_;
+    });
+  }
+
+  // No edge that leaves the vertex may go behind the face. Only those that lie in it can, in small
+  // motions, or nearly so in larger ones.
+  void AddOverlapLimits(const Placed& side, const Vertex& vertex, const Vector3& n,
+                        PrimitiveContact& contact) const {
+    for (const Vector3& direction : vertex.leaving) {
+      const Vector3 leaving = side.Turned(direction);
+      const double rise = n.dot(leaving);
+      if (rise < kSameDirection + turn_) {
+        contact.limits.push_back(TurnLimit(side.part.sign * n.cross(leaving), rise));
+      }
+    }
+  }
+
+  // The vertex stays on this region of the face.
+  void AddExtentLimits(const Placed& with_vertex, const Vertex& vertex, const Placed& with_face,
+                       const Region& region, const Vector3& p_in_face, PrimitiveContact& contact) {
+    ends_.clear();
+    for (const RegionSide& side : region.sides) {
+      ends_.push_back({-side.Excess(p_in_face), ends_.size()});
+    }
+    AddNearest(contact, [&](Index which) {
+      const Vector3 outward = with_face.Turned(region.sides[which].outward);
+      Eigen::VectorXd row = Row(with_vertex.part.sign * outward, contact.at);
+      Tolerances(row) = Along(vertex.shift, with_vertex.TurnedBack(outward)) - region.shifts[which];
+      return row;
+    });
+  }
+
+  void AddEdgeOnEdge(Index moving, Index stationary) {
+    const PlacedEdge& a = moving_.edges[moving];
+    const PlacedEdge& b = stationary_.edges[stationary];
+    const Edge& edge_a = moving_.part.edges[moving];
+    const Edge& edge_b = stationary_.part.edges[stationary];
+    const Vector3 between = a.start - b.start;
+    Vector3 n = a.direction.cross(b.direction);
+    const double sine2 = n.squaredNorm();
+    const double apart = n.dot(between);
+    if (apart * apart > reach_ * reach_ * sine2) return;
+    const double sine = std::sqrt(sine2);
+    if (sine < kSameDirection + turn_) return;  // they may be parallel
+    n /= sine;
+    const double slack = kSameDirection + turn_ / sine;  // how much n may turn
+    const double c = a.direction.dot(b.direction);
+    const Crossing crossing = {(c * b.direction - a.direction).dot(between) / sine2,
+                               (b.direction - c * a.direction).dot(between) / sine2};
+    if (AreBeyondReach(a, edge_a.length, b, edge_b.length, crossing)) return;
+    if (!Separates(n, edge_a, edge_b, slack)) n = -n;
+    if (!Separates(n, edge_a, edge_b, slack)) return;
+    const Vector3 at = a.start + crossing.s * a.direction;
+    PrimitiveContact contact;
+    contact.kind = ContactKind::kEdgeEdge;
+    contact.moving = static_cast<int>(moving);
+    contact.stationary = static_cast<int>(stationary);
+    contact.offset = n.dot(at - b.start);
+    contact.normal = n;
+    contact.at = at - origin_;
+    contact.row = EdgeRow(n, contact.at, edge_a, edge_b);
+    contact.limits.reserve(2 * kUsualLimits);
+    AddOrientationLimits(moving_, edge_a, b.direction, n, slack, contact);
+    AddOrientationLimits(stationary_, edge_b, a.direction, n, slack, contact);
+    AddRangeLimits(a, edge_a, b, edge_b, crossing, contact);
+    Keep(std::move(contact));
+  }
+
+  // Of edges that are not parallel.
+  bool AreBeyondReach(const PlacedEdge& a, double length_a, const PlacedEdge& b, double length_b,
+                      const Crossing& at) const {
+    if (at.s >= 0 && at.s <= length_a && at.t >= 0 && at.t <= length_b) return false;
+    const Vector3 end_a = a.start + length_a * a.direction;
+    const Vector3 end_b = b.start + length_b * b.direction;
+    return DistanceToEdge(a.start, b, length_b) > reach_ &&
+           DistanceToEdge(end_a, b, length_b) > reach_ &&
+           DistanceToEdge(b.start, a, length_a) > reach_ &&
+           DistanceToEdge(end_b, a, length_a) > reach_;
+  }
+
+  // The parts are on their own sides of the plane through two crossing edges: all that leaves the
+  // moving edge goes up n, or along the plane, and all that leaves the stationary edge goes down.
+  bool Separates(const Vector3& n, const Edge& moving, const Edge& stationary, double slack) const {
+    const Vector3 n_moving = moving_.TurnedBack(n);
+    return std::ranges::all_of(moving.into,
+                               [&](const Vector3& into) { return n_moving.dot(into) >= -slack; }) &&
+           std::ranges::all_of(stationary.into,
+                               [&](const Vector3& into) { return n.dot(into) <= slack; });
+  }
+
+  // A face of one edge that lies in the plane of both, or nearly: the half of the other edge that
+  // is over it must not go behind it. (Where the edges are at right angles, that is the condition
+  // on inward directions with n held fixed; elsewhere n turns with the moving edge, which this
+  // accounts for.)
+  void AddOrientationLimits(const Placed& side, const Edge& edge, const Vector3& other,
+                            const Vector3& n, double slack, PrimitiveContact& contact) const {
+    for (const Index which : {0U, 1U}) {
+      const Vector3 into = side.Turned(edge.into[which]);
+      if (std::abs(n.dot(into)) > slack) continue;
+      const Vector3 normal = side.Turned(edge.normals[which]);
+      const double over = other.dot(into) < 0 ? -1 : 1;
+      contact.limits.push_back(
+          TurnLimit(-side.part.sign * over * normal.cross(other), over * normal.dot(other)));
+    }
+  }
+
+  // The point where the edges cross stays between the ends of both.
+  void AddRangeLimits(const PlacedEdge& a, const Edge& edge_a, const PlacedEdge& b,
+                      const Edge& edge_b, const Crossing& crossing, PrimitiveContact& contact) {
+    const double c = a.direction.dot(b.direction);
+    const double sine2 = 1 - c * c;
+    const std::array<Vector3, 2> slides = {(c * b.direction - a.direction) / sine2,
+                                           (b.direction - c * a.direction) / sine2};
+    ends_ = {{crossing.s, 0},
+             {edge_a.length - crossing.s, 1},
+             {crossing.t, 2},
+             {edge_b.length - crossing.t, 3}};
+    AddNearest(contact, [&](Index which) {
+      const Edge& edge = which < 2 ? edge_a : edge_b;
+      const double sign = which % 2 == 0 ? -1 : 1;
+      Eigen::VectorXd row = EdgeRow(sign * slides[which / 2], contact.at, edge_a, edge_b);
+      Tolerances(row) -= sign * edge.end_shifts[which % 2];
+      return row;
+    });
+  }
+
+  // Of a slide of the moving edge's line against the stationary one's.
+  Eigen::VectorXd EdgeRow(const Vector3& direction, const Vector3& r, const Edge& moving,
+                          const Edge& stationary) const {
+    Eigen::VectorXd row = Row(direction, r);
+    Tolerances(row) =
+        Along(moving.shift, moving_.TurnedBack(direction)) - Along(stationary.shift, direction);
+    return row;
+  }
+
+  static Eigen::VectorXd Along(const Shift& shift, const Vector3& direction) {
+    return shift.transpose() * direction;
+  }
+
+  // direction . (d + w x r), and nothing for tolerances.
+  Eigen::VectorXd Row(const Vector3& direction, const Vector3& r) const {
+    Eigen::VectorXd row(dimensions_);
+    row.head<3>() = direction;
+    row.segment<3>(3) = r.cross(direction);
+    Tolerances(row).setZero();
+    return row;
+  }
+
+  Eigen::Ref<Eigen::VectorXd> Tolerances(Eigen::VectorXd& row) const {
+    return row.tail(dimensions_ - kPoseDimensions);
+  }
+
+  // axis . w <= rise, of which rounding is left out.
+  HalfSpace TurnLimit(const Vector3& axis, double rise) const {
+    HalfSpace limit{.a = Eigen::VectorXd::Zero(dimensions_),
+                    .b = std::abs(rise) < kSameDirection ? 0 : rise};
+    limit.a.segment<3>(3) = axis;
+    return limit;
+  }
+
+  // Ends that are far away cannot be reached in the range where rows are good. Those within reach
+  // stay even if they are many: a face or an edge narrower than that.
+  template <class RowOf>
+  void AddNearest(PrimitiveContact& contact, const RowOf& row_of) {
+    std::ranges::sort(ends_);
+    for (const End& end : ends_) {
+      if (contact.limits.size() >= kUsualLimits && end.left > reach_) break;
+      contact.limits.push_back({row_of(end.which), end.left});
+    }
+  }
+
+  void Keep(PrimitiveContact contact) {
+    const auto same = [&](const PrimitiveContact& other) { return Same(other, contact); };
+    if (std::ranges::none_of(contacts_, same)) contacts_.push_back(std::move(contact));
+  }
+
+  const Placed& moving_;
+  const Placed& stationary_;
+  Vector3 origin_;
+  Eigen::Index dimensions_;
+  double reach_;
+  double turn_;
+  std::vector<PrimitiveContact> contacts_;
+  std::vector<End> ends_;
+};
+
+}  // namespace
+
+ContactFinder::ContactFinder(const Polyhedron& moving, const Polyhedron& stationary,
+                             const std::vector<ModelTolerance>& tolerances)
+    : parts_(std::make_shared<const Parts>(moving, stationary, tolerances)) {}
+
+std::vector<PrimitiveContact> ContactFinder::Near(const Pose& X_StationaryMoving,
+                                                  const ContactRange& range) const {
+  const Placed moving(parts_->moving, X_StationaryMoving);
+  Linearizer linearizer(moving, parts_->placed_stationary, parts_->tolerances, range);
+  linearizer.AddAll();
+  return std::move(linearizer).Take();
+}
+
+std::vector<PrimitiveContact> ContactFinder::Of(std::span<const ContactKey> keys,
+                                                const Pose& X_StationaryMoving, double turn) const {
+  const Placed moving(parts_->moving, X_StationaryMoving);
+  Linearizer linearizer(moving, parts_->placed_stationary, parts_->tolerances,
+                        {.reach = kFar, .turn = turn});
+  for (const ContactKey& key : keys) linearizer.Add(key);
+  return std::move(linearizer).Take();
+}
+
+}  // namespace assay::finemotion

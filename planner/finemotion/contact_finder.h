@@ -1,0 +1,36 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "planner/finemotion/primitive_contact.h"
+
+namespace assay::finemotion {
+
+// How far from a pose contacts are looked for.
+struct ContactRange {
+  double reach = 0;  // metres between features
+  double turn = 0;   // radians that the part may be turned by
+};
+
+// Finds the primitive contacts of two parts at one pose after another (PrimitiveContacts tells
+// which these are): what depends on the parts alone is worked out once.
+class ContactFinder {
+ public:
+  ContactFinder(const Polyhedron& moving, const Polyhedron& stationary,
+                const std::vector<ModelTolerance>& tolerances = {});
+
+  std::vector<PrimitiveContact> Near(const Pose& X_StationaryMoving,
+                                     const ContactRange& range) const;
+  // Only those of these features, however far apart.
+  std::vector<PrimitiveContact> Of(std::span<const ContactKey> keys, const Pose& X_StationaryMoving,
+                                   double turn) const;
+
+ private:
+  class Parts;
+
+  std::shared_ptr<const Parts> parts_;
+};
+
+}  // namespace assay::finemotion

@@ -1,0 +1,143 @@
+#include "planner/plan/strategy_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "planner/plan/pose_file.h"
+
+namespace assay::plan {
+namespace {
+
+using geometry::Vector3;
+using Json = nlohmann::ordered_json;
+
+constexpr double kUnit = 1e-6;
+
+// In the order of UnwantedContact::is_loss.
+const std::vector<std::string> kHappenings = {"made", "lost"};
+
+Json ContactToJson(const StrategyContact& contact) {
+  return {{"name", contact.name},
+          {"normal", VectorToJson(contact.normal)},
+          {"at", VectorToJson(contact.at)}};
+}
+
+Json UnwantedToJson(const UnwantedContact& unwanted) {
+  return {{"contact", unwanted.name},
+          {"is", kHappenings[unwanted.is_loss ? 1 : 0]},
+          {"scale", unwanted.scale}};
+}
+
+Json MotionToJson(const StrategyMotion& motion) {
+  Json json = {{"kept", motion.kept}, {"X_FixedTip", PoseToJson(motion.X_FixedTip)}};
+  if (motion.until) json["until"] = *motion.until;
+  json["beyond"] = motion.beyond;
+  json["slides"] = motion.slides;
+  json["unwanted"] = Json::array();
+  for (const UnwantedContact& u : motion.unwanted) json["unwanted"].push_back(UnwantedToJson(u));
+  return json;
+}
+
+Json CertificateToJson(const StrategyCertificate& certificate) {
+  return {{"absorbs", certificate.absorbs},
+          {"d", VectorToJson(certificate.d)},
+          {"w", VectorToJson(certificate.w)},
+          {"velocity", certificate.velocity},
+          {"absorbed", certificate.absorbed}};
+}
+
+double ReadAtLeastZero(const Value& value) {
+  const double number = value.Number();
+  if (number < 0) value.Fail(fmt::format("{} is below 0", value.Text()), "0 or more");
+  return number;
+}
+
+Vector3 ReadHalfWidths(const Value& value) {
+  for (const Value& item : value.Items()) ReadAtLeastZero(item);
+  return ReadVector(value);
+}
+
+StrategyContact ReadContact(const Value& value) {
+  value.AllowOnly({"name", "normal", "at"});
+  const Value normal = value.At("normal");
+  StrategyContact contact = {value.At("name").Text(), ReadVector(normal),
+                             ReadVector(value.At("at"))};
+  if (std::abs(contact.normal.norm() - 1) > kUnit) {
+    normal.Fail(fmt::format("a normal of length {:.6g}", contact.normal.norm()), "length 1");
+  }
+  return contact;
+}
+
+UnwantedContact ReadUnwanted(const Value& value) {
+  value.AllowOnly({"contact", "is", "scale"});
+  return {value.At("contact").Text(), value.At("is").OneOf(kHappenings) == 1,
+          ReadAtLeastZero(value.At("scale"))};
+}
+
+int ReadContactIndex(const Value& value, std::size_t contacts) {
+  if (contacts == 0) value.Fail("the strategy has no contacts");
+  return value.Integer(0, static_cast<int>(contacts) - 1);
+}
+
+StrategyMotion ReadMotion(const Value& value, std::size_t contacts) {
+  value.AllowOnly({"kept", "X_FixedTip", "until", "beyond", "slides", "unwanted"});
+  StrategyMotion motion{.kept = {}, .X_FixedTip = ReadPose(value.At("X_FixedTip")), .until = {}};
+  for (const Value& kept : value.At("kept").Items()) {
+    motion.kept.push_back(ReadContactIndex(kept, contacts));
+  }
+  if (const auto until = value.Find("until")) motion.until = ReadContactIndex(*until, contacts);
+  motion.beyond = ReadAtLeastZero(value.At("beyond"));
+  motion.slides = value.At("slides").Flag();
+  for (const Value& unwanted : value.At("unwanted").Items()) {
+    motion.unwanted.push_back(ReadUnwanted(unwanted));
+  }
+  return motion;
+}
+
+StrategyCertificate ReadCertificate(const Value& value) {
+  value.AllowOnly({"absorbs", "d", "w", "velocity", "absorbed"});
+  StrategyCertificate certificate;
+  for (const Value& condition : value.At("absorbs").Items()) {
+    certificate.absorbs.push_back(condition.Text());
+  }
+  certificate.d = ReadHalfWidths(value.At("d"));
+  certificate.w = ReadHalfWidths(value.At("w"));
+  certificate.velocity = ReadAtLeastZero(value.At("velocity"));
+  certificate.absorbed = ReadAtLeastZero(value.At("absorbed"));
+  return certificate;
+}
+
+}  // namespace
+
+Json ToJson(const Strategy& strategy) {
+  Json json = {{"X_HeldTip", PoseToJson(strategy.X_HeldTip)},
+               {"X_FixedStart", PoseToJson(strategy.X_FixedStart)},
+               {"contacts", Json::array()},
+               {"motions", Json::array()}};
+  for (const StrategyContact& c : strategy.contacts) json["contacts"].push_back(ContactToJson(c));
+  for (const StrategyMotion& m : strategy.motions) json["motions"].push_back(MotionToJson(m));
+  json["certificate"] = CertificateToJson(strategy.certificate);
+  return json;
+}
+
+Strategy ReadStrategy(const Value& value) {
+  value.AllowOnly({"X_HeldTip", "X_FixedStart", "contacts", "motions", "certificate"});
+  Strategy strategy{.X_HeldTip = ReadPose(value.At("X_HeldTip")),
+                    .X_FixedStart = ReadPose(value.At("X_FixedStart")),
+                    .contacts = {},
+                    .motions = {},
+                    .certificate = ReadCertificate(value.At("certificate"))};
+  for (const Value& contact : value.At("contacts").Items()) {
+    strategy.contacts.push_back(ReadContact(contact));
+  }
+  const std::vector<Value> motions = value.At("motions").Items();
+  if (motions.empty()) value.At("motions").Fail("a strategy without motions", "at least one");
+  for (const Value& motion : motions) {
+    strategy.motions.push_back(ReadMotion(motion, strategy.contacts.size()));
+  }
+  return strategy;
+}
+
+}  // namespace assay::plan

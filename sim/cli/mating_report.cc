@@ -1,0 +1,299 @@
+#include "sim/cli/mating_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "sim/cli/table.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using check::ContactSet;
+using finemotion::FineMotionPlan;
+
+std::vector<std::string> NamesOf(const ContactSet& keys) {
+  std::vector<std::string> names;
+  for (const finemotion::ContactKey& key : keys) names.push_back(finemotion::Name(key));
+  return names;
+}
+
+std::string TextOf(const ContactSet& keys) {
+  return keys.empty() ? "no contact" : fmt::format("{}", fmt::join(NamesOf(keys), ", "));
+}
+
+std::string TextOf(const finemotion::Unwanted& unwanted) {
+  return fmt::format("{}{} at {:g} times the errors", unwanted.is_loss ? "loss of " : "",
+                     finemotion::Name(unwanted.contact), unwanted.scale);
+}
+
+Json ToJson(const finemotion::Unwanted& unwanted) {
+  return {{"contact", finemotion::Name(unwanted.contact)},
+          {"loss", unwanted.is_loss},
+          {"scale", unwanted.scale}};
+}
+
+Json StrategyJson(const FineMotionPlan& plan) {
+  Json motions = Json::array();
+  for (const finemotion::CertainMotion& motion : plan.motions) {
+    const Eigen::VectorXd& d = motion.command.displacement;
+    Json until;
+    if (motion.command.until) {
+      until = {{"contact", finemotion::Name(*motion.command.until)},
+               {"longest", motion.check.longest}};
+    }
+    motions.push_back({{"state", NamesOf(motion.command.kept)},
+                       {"velocity", std::vector<double>(d.begin(), d.begin() + 6)},
+                       {"until", until}});
+  }
+  return motions;
+}
+
+Json MarginsJson(const FineMotionPlan& plan) {
+  Json margins = Json::array();
+  int number = 0;
+  for (const finemotion::CertainMotion& motion : plan.motions) {
+    ++number;
+    for (const finemotion::Unwanted& unwanted : motion.check.unwanted) {
+      Json margin = {{"motion", number}};
+      margin.update(ToJson(unwanted));
+      margins.push_back(std::move(margin));
+    }
+  }
+  return margins;
+}
+
+Json ToJson(const finemotion::ContactGraph& graph) {
+  std::size_t arcs = 0;
+  for (const finemotion::ContactState& state : graph.states) arcs += state.sons.size();
+  return {{"states", graph.states.size()}, {"arcs", arcs}};
+}
+
+// --- Trials.
+
+struct Tally {
+  int seated = 0;
+  std::map<std::string, int> ends;
+  double greatest_force = 0;
+};
+
+Tally TallyOf(const std::vector<MatedTrial>& trials) {
+  Tally tally;
+  for (const MatedTrial& trial : trials) {
+    if (trial.seated) ++tally.seated;
+    ++tally.ends[std::string(exec::Name(trial.result.end.outcome))];
+    tally.greatest_force = std::max(tally.greatest_force, trial.result.greatest_force);
+  }
+  return tally;
+}
+
+std::string TextOf(const char* name, const std::vector<MatedTrial>& trials) {
+  const Tally tally = TallyOf(trials);
+  std::string ends;
+  for (const auto& [end, count] : tally.ends) ends += fmt::format(", {} {}", end, count);
+  return fmt::format("{}: {} of {} seated{}; at most {:.0f} N\n", name, tally.seated, trials.size(),
+                     ends, tally.greatest_force);
+}
+
+Json ToJson(const std::vector<MatedTrial>& trials) {
+  const Tally tally = TallyOf(trials);
+  return {{"seated", tally.seated}, {"ends", tally.ends}, {"force", tally.greatest_force}};
+}
+
+bool Matches(const MatedTrial& trial) { return trial.sequence->comparison.matches(); }
+
+struct SequenceTally {
+  int matching = 0;
+  int covered = 0;
+  int covered_matching = 0;
+  int points = 0;
+  int unmapped = 0;
+  std::string first_unmapped = {};
+};
+
+SequenceTally SequencesOf(const MatingStudy& study) {
+  SequenceTally tally;
+  for (const MatedTrial& trial : study.strategy) {
+    const bool covered = study.Covers(trial);
+    if (covered) ++tally.covered;
+    if (Matches(trial)) ++(covered ? tally.covered_matching : tally.matching);
+    const check::ObservedContacts& contacts = trial.sequence->contacts;
+    if (tally.unmapped == 0 && contacts.unmapped > 0) {
+      tally.first_unmapped = fmt::format("trial {}: {}", trial.number, contacts.first_unmapped);
+    }
+    tally.points += contacts.points;
+    tally.unmapped += contacts.unmapped;
+  }
+  tally.matching += tally.covered_matching;
+  return tally;
+}
+
+std::string TextOf(const check::Divergence& divergence) {
+  return fmt::format("motion {}: planned {}, observed {}", divergence.motion + 1,
+                     TextOf(divergence.planned),
+                     divergence.observed ? TextOf(*divergence.observed) : "its end before that");
+}
+
+// What went wrong, a line each; none if nothing did.
+std::string TextOf(const MatingStudy& study, const MatedTrial& trial) {
+  std::string text;
+  if (!trial.seated) {
+    text += fmt::format("  trial {}: {}: {}\n", trial.number, exec::Name(trial.result.end.outcome),
+                        trial.result.end.reason);
+  }
+  if (!Matches(trial)) {
+    text += fmt::format("  trial {}: {}\n", trial.number,
+                        TextOf(*trial.sequence->comparison.divergence));
+  }
+  if (!trial.seated) text += fmt::format("  again: {}{}\n", study.replay, trial.number);
+  return text;
+}
+
+std::string TextOf(const check::MarginRanking& ranking) {
+  if (!ranking.correlation) {
+    return "margins and frequencies of unwanted contacts: not enough variation\n";
+  }
+  return fmt::format(
+      "margins and frequencies of unwanted contacts: rank correlation {:.2f}, 95 % in "
+      "{:.2f} .. {:.2f}\n",
+      *ranking.correlation, ranking.interval->low, ranking.interval->high);
+}
+
+Json ToJson(const check::Divergence& divergence) {
+  return {{"motion", divergence.motion + 1},
+          {"time", divergence.time},
+          {"planned", NamesOf(divergence.planned)},
+          {"observed", divergence.observed ? Json(NamesOf(*divergence.observed)) : Json()}};
+}
+
+Json ToJson(const check::ContactEvent& event) {
+  return {{"motion", event.motion + 1},
+          {"contact", finemotion::Name(event.contact)},
+          {"loss", event.is_loss}};
+}
+
+Json ToJson(const SequenceRecord& sequence) {
+  Json states = Json::array();
+  for (const check::ObservedState& state : sequence.states) {
+    states.push_back({{"state", NamesOf(state.contacts)},
+                      {"motion", state.motion + 1},
+                      {"start", state.start},
+                      {"dwell", state.dwell}});
+  }
+  Json events = Json::array();
+  for (const check::ContactEvent& event : sequence.comparison.events)
+    events.push_back(ToJson(event));
+  const auto& divergence = sequence.comparison.divergence;
+  return {{"matches", sequence.comparison.matches()},
+          {"divergence", divergence ? ToJson(*divergence) : Json()},
+          {"edit_distance", sequence.comparison.edit_distance},
+          {"unwanted", events},
+          {"states", states},
+          {"points", sequence.contacts.points},
+          {"unmapped", sequence.contacts.unmapped}};
+}
+
+Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
+  return {{"trial", trial.number},
+          {"scale", trial.scale},
+          {"covered", study.Covers(trial)},
+          {"seated", trial.seated},
+          {"end", exec::Name(trial.result.end.outcome)},
+          {"reason", trial.result.end.reason},
+          {"force", trial.result.greatest_force},
+          {"simulated", trial.result.duration},
+          {"sequence", ToJson(*trial.sequence)},
+          {"replay", fmt::format("{}{}", study.replay, trial.number)}};
+}
+
+Json ToJson(const check::MarginRanking& ranking) {
+  Json contacts = Json::array();
+  for (const check::RankedContact& contact : ranking.contacts) {
+    if (contact.happened == 0 && contact.scale == finemotion::kBeyondLadder) continue;
+    Json row = ToJson(contact.event);
+    row.update(
+        {{"scale", contact.scale}, {"happened", contact.happened}, {"trials", contact.trials}});
+    contacts.push_back(std::move(row));
+  }
+  const auto& interval = ranking.interval;
+  return {{"correlation", ranking.correlation ? Json(*ranking.correlation) : Json()},
+          {"interval", interval ? Json({interval->low, interval->high}) : Json()},
+          {"ranked", ranking.contacts.size()},
+          {"contacts", contacts}};
+}
+
+}  // namespace
+
+std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
+  Table table({{""}, {"ends with"}, {"in contact after it"}, {"first unwanted"}});
+  int number = 0;
+  for (const finemotion::CertainMotion& motion : plan.motions) {
+    const auto& unwanted = motion.check.unwanted;
+    table.Add({fmt::format("{}", ++number),
+               motion.command.until ? finemotion::Name(*motion.command.until) : "its way",
+               fmt::format("{}", fmt::join(NamesOf(motion.check.after.kept), ", ")),
+               unwanted.empty() ? "none" : TextOf(unwanted.front())});
+  }
+  std::string text = fmt::format(
+      "{} critical points; {} motions, certain for {:.2f} times the errors\n{}",
+      geometry.critical_points.size(), plan.motions.size(), plan.absorbed, table.Text());
+  if (!plan.found) {
+    text += fmt::format("no strategy absorbs the errors{}\n",
+                        plan.obstacle ? "; in the way: " + TextOf(*plan.obstacle) : "");
+  }
+  return text;
+}
+
+Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan,
+            const finemotion::ContactGraph& graph) {
+  Json critical_points = Json::array();
+  for (const auto& point : geometry.critical_points) critical_points.push_back(point.travel);
+  Json json = {{"outcome", plan.found ? "plan" : "none"},
+               {"critical_points", critical_points},
+               {"absorbed", plan.absorbed},
+               {"strategy", StrategyJson(plan)},
+               {"margins", MarginsJson(plan)},
+               {"graph", ToJson(graph)}};
+  if (!plan.found && plan.obstacle) json["obstacle"] = ToJson(*plan.obstacle);
+  return json;
+}
+
+int MatingStudy::CoveredFailures() const {
+  return static_cast<int>(std::ranges::count_if(
+      strategy, [&](const MatedTrial& trial) { return Covers(trial) && !trial.seated; }));
+}
+
+std::string TextOf(const MatingStudy& study) {
+  std::string text = TextOf("strategy", study.strategy);
+  const SequenceTally tally = SequencesOf(study);
+  text += fmt::format("contact sequences: {} of {} as planned; {} of {} that are certain\n",
+                      tally.matching, study.strategy.size(), tally.covered_matching, tally.covered);
+  for (const MatedTrial& trial : study.strategy) text += TextOf(study, trial);
+  if (tally.unmapped > 0) {
+    text += fmt::format("of no contact of the model: {} of {} points; first {}\n", tally.unmapped,
+                        tally.points, tally.first_unmapped);
+  }
+  return text + TextOf(study.ranking) + TextOf("straight", study.straight);
+}
+
+Json ToJson(const MatingStudy& study) {
+  Json rows = Json::array();
+  for (const MatedTrial& trial : study.strategy) rows.push_back(ToJson(study, trial));
+  const SequenceTally tally = SequencesOf(study);
+  return {{"number", study.strategy.size()},
+          {"strategy", ToJson(study.strategy)},
+          {"straight", ToJson(study.straight)},
+          {"sequences",
+           {{"matching", tally.matching},
+            {"covered", tally.covered},
+            {"covered_matching", tally.covered_matching},
+            {"points", tally.points},
+            {"unmapped", tally.unmapped}}},
+          {"ranking", ToJson(study.ranking)},
+          {"rows", rows}};
+}
+
+}  // namespace assay::cli

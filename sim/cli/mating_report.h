@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "planner/finemotion/contact_graph.h"
+#include "planner/finemotion/mating.h"
+#include "sim/check/margin_ranking.h"
+#include "sim/cli/mating_trials.h"
+
+namespace assay::cli {
+
+// What `mate` tells of a plan: for people a table of its motions, numbered from 1, and what is in
+// the way if there is none; for programs the fields of mate.schema.json.
+std::string TextOf(const finemotion::MatingGeometry& geometry,
+                   const finemotion::FineMotionPlan& plan);
+nlohmann::ordered_json ToJson(const finemotion::MatingGeometry& geometry,
+                              const finemotion::FineMotionPlan& plan,
+                              const finemotion::ContactGraph& graph);
+
+// Trials with a strategy and straight in, and what they say of the plan.
+struct MatingStudy {
+  std::vector<MatedTrial> strategy = {};  // by number
+  std::vector<MatedTrial> straight = {};
+  double covered = 0;  // multiple of the errors for which the plan is certain
+  check::MarginRanking ranking = {};
+  std::string replay = {};  // command that the number of a trial completes
+
+  bool Covers(const MatedTrial& trial) const { return trial.scale <= covered; }
+  int CoveredFailures() const;
+};
+std::string TextOf(const MatingStudy& study);
+nlohmann::ordered_json ToJson(const MatingStudy& study);
+
+}  // namespace assay::cli

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "planner/finemotion/mating.h"
+#include "sim/check/contact_observer.h"
+#include "sim/check/sequence_comparison.h"
+#include "sim/cli/planned_problem.h"
+#include "sim/exec/mating_trial.h"
+
+namespace assay::cli {
+
+// What touched in a trial, against what was planned.
+struct SequenceRecord {
+  check::ObservedContacts contacts;
+  std::vector<check::ObservedState> states;
+  check::SequenceComparison comparison;
+};
+
+// One trial of a mating.
+struct MatedTrial {
+  int number = 0;    // from 1
+  double scale = 0;  // of the greatest of its errors, in half widths of those planned for
+  exec::MatingResult result;
+  bool seated = false;
+  std::optional<SequenceRecord> sequence = {};  // of a strategy
+};
+
+struct MatingTrialSettings {
+  finemotion::FineMotionErrors errors;  // that were planned for
+  double beyond = 1;                    // trials draw theirs from so many times as wide a box
+  scene::SceneOptions scene = {};
+  std::uint64_t seed = 1;
+};
+
+// Executes one mating again and again in one scene, with errors drawn from the seed and the
+// trial's number alone. All that it is given must outlive it.
+class MatingTrials {
+ public:
+  MatingTrials(const PlannedProblem& planned, const plan::Assemble& assemble,
+               const finemotion::MatingGeometry& geometry, const MatingTrialSettings& settings);
+
+  MatedTrial RunStrategy(int number, const plan::Strategy& strategy,
+                         const check::PlannedContacts& contacts) const;
+  MatedTrial RunStraight(int number) const;
+
+ private:
+  exec::MatingSetting SettingOf(int number) const;
+  MatedTrial Told(int number, const exec::MatingSetting& setting, exec::MatingResult result) const;
+
+  const domain::Problem& problem_;
+  const plan::Assemble& assemble_;
+  const finemotion::MatingGeometry& geometry_;
+  const MatingTrialSettings& settings_;
+  scene::Scene scene_;
+};
+
+}  // namespace assay::cli
