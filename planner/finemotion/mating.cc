@@ -1,5 +1,7 @@
 #include "planner/finemotion/mating.h"
 
+#include <algorithm>
+
 #include "planner/base/check.h"
 
 namespace assay::finemotion {
@@ -48,6 +50,18 @@ MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& 
                           : geometry.critical_points.front().X_StationaryMoving;
   geometry.passage.X_StationaryEntry = entry * geometry.X_HeldTip;
   return geometry;
+}
+
+LocalTopology TopologyOf(const Passage& passage) {
+  constexpr double kReach = 0.003;  // metres
+  LocalTopology topology{
+      {PrimitiveContacts(passage.moving, passage.stationary, passage.X_StationaryEntry, kReach)},
+      {}};
+  ContactGraphOptions options;
+  for (const PrimitiveContact& contact : topology.space.contacts)
+    options.radius = std::max(options.radius, contact.at.norm());
+  topology.graph = MakeContactGraph(topology.space, options);
+  return topology;
 }
 
 plan::Strategy StrategyOf(const MatingGeometry& geometry, const FineMotionPlan& plan) {

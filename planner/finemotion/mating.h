@@ -1,6 +1,7 @@
 #pragma once
 
 #include "planner/domain/problem.h"
+#include "planner/finemotion/contact_graph.h"
 #include "planner/finemotion/critical_points.h"
 #include "planner/finemotion/strategy_search.h"
 #include "planner/plan/strategy.h"
@@ -19,6 +20,13 @@ struct MatingGeometry {
   std::vector<CriticalPoint> critical_points;  // of the parts without clearance
 };
 MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& mating);
+
+// Contact space about the first critical point, and how its contact states hang together.
+struct LocalTopology {
+  ContactSpace space;
+  ContactGraph graph;
+};
+LocalTopology TopologyOf(const Passage& passage);
 
 // The plan for hybrid control: its motions, then the way on to the seat in the crevice between the
 // walls.

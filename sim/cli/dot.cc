@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <tuple>
+
 #include "sim/cli/plan_text.h"
 
 namespace assay::cli {
@@ -67,6 +70,27 @@ std::string ConstraintNetworkToDot(const posting::PartialPlan& plan) {
     text +=
         fmt::format("  {} -- {} [label={}];\n", name(constraint.grasp), name(constraint.position),
                     constraint.mating.IsNone() ? "reachable" : "mate_reachable");
+  }
+  return text + "}\n";
+}
+
+std::string ContactGraphToDot(const std::string& name, const finemotion::LocalTopology& topology) {
+  const auto& [contacts, graph] = std::tie(topology.space.contacts, topology.graph);
+  std::string text = fmt::format("graph {} {{\n  rankdir=TB;\n  node [shape=box];\n", Quoted(name));
+  std::map<int, std::string> rows;  // by dimension
+  for (std::size_t i = 0; i < graph.states.size(); ++i) {
+    const finemotion::ContactState& state = graph.states[i];
+    std::string label = state.contacts.empty() ? "free" : "";
+    for (const int contact : state.contacts) {
+      label += fmt::format("{}{}", label.empty() ? "" : "\\n",
+                           Name(contacts[static_cast<std::size_t>(contact)]));
+    }
+    text += fmt::format("  s{} [label=\"{}\"];\n", i, label);
+    rows[state.dimension] += fmt::format(" s{};", i);
+    for (const int son : state.sons) text += fmt::format("  s{} -- s{};\n", i, son);
+  }
+  for (const auto& [dimension, states] : rows) {
+    text += fmt::format("  {{ rank=same;{} }}  // {} dimensions\n", states, dimension);
   }
   return text + "}\n";
 }

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "planner/domain/problem.h"
+#include "planner/finemotion/mating.h"
 #include "planner/plan/plan.h"
 #include "planner/posting/partial_plan.h"
 
@@ -15,5 +16,9 @@ std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan&
 // The constraint network of a partial plan: a node for each plan variable with its labels that are
 // left, and an arc for each constraint between two of them (Spar, figures 9 and 10).
 std::string ConstraintNetworkToDot(const posting::PartialPlan& plan);
+
+// The contact states at a critical point, a row for each dimension, and an edge where one contact
+// is made or broken (Dakin and Popplestone, figure 4).
+std::string ContactGraphToDot(const std::string& name, const finemotion::LocalTopology& topology);
 
 }  // namespace assay::cli

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
@@ -7,6 +9,7 @@
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
+#include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
 #include "sim/exec/command_file.h"
 #include "sim/scene/mjcf.h"
@@ -21,6 +24,7 @@ struct Options {
   bool mjcf = false;
   bool dot = false;
   bool network = false;
+  bool contacts = false;
   bool commands = false;
 };
 
@@ -67,6 +71,18 @@ ExitCode ExportNetwork(const Options& options) {
   return ExitCodeOf(result.outcome);
 }
 
+ExitCode ExportContacts(const Options& options) {
+  const scenario::Scenario scenario = LoadScenario(options.input, options.models);
+  const domain::Problem& problem = scenario.problem;
+  if (problem.matings.empty()) {
+    throw UsageError(fmt::format("export: {}: no goal mates parts", options.input.string()));
+  }
+  const finemotion::MatingGeometry geometry =
+      finemotion::GeometryOf(problem, problem.matings.back());
+  Deliver(ContactGraphToDot(problem.name, TopologyOf(geometry.passage)), options);
+  return ExitCode::kDone;
+}
+
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command
@@ -77,6 +93,8 @@ Execution Declare(CLI::App& command) {
   what->add_flag("--mjcf", options->mjcf, "the scene as a model for MuJoCo");
   what->add_flag("--dot", options->dot, "the plan's ordering graph for Graphviz");
   what->add_flag("--network", options->network, "the plan's constraint network for Graphviz");
+  what->add_flag("--contacts", options->contacts,
+                 "the contact states of the last mating at its first critical point, for Graphviz");
   what->add_flag("--commands", options->commands, "what the robot is told, command by command");
   what->require_option(1);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
@@ -85,6 +103,7 @@ Execution Declare(CLI::App& command) {
   return [options] {
     RequireWritable(options->output);
     if (options->mjcf) return ExportMjcf(*options);
+    if (options->contacts) return ExportContacts(*options);
     if (options->network) return ExportNetwork(*options);
     return ExportPlan(*options, options->dot ? OrderingGraphToDot : CommandFileText);
   };

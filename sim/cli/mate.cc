@@ -12,8 +12,10 @@
 
 #include "sim/check/margin_ranking.h"
 #include "sim/cli/console.h"
+#include "sim/cli/contact_pictures.h"
 #include "sim/cli/mating_report.h"
 #include "sim/cli/mating_trials.h"
+#include "sim/cli/output_file.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stopwatch.h"
@@ -45,6 +47,7 @@ struct Options {
   std::uint64_t seed = 1;
   std::uint64_t search_seed = 1;
   scene::GraspMode grasp = scene::GraspMode::kWeld;
+  std::filesystem::path pictures;  // folder
   bool json = false;
 };
 
@@ -76,18 +79,6 @@ finemotion::StrategyOptions SearchOptions(const Options& options) {
   finemotion::StrategyOptions search{.seed = options.search_seed};
   search.friction = options.friction.value_or(search.friction);
   return search;
-}
-
-// Of the first critical point, between the parts as they are.
-finemotion::ContactGraph GraphOf(const MatingGeometry& geometry) {
-  constexpr double kReach = 0.003;  // metres
-  const finemotion::Passage& passage = geometry.passage;
-  const finemotion::ContactSpace space{finemotion::PrimitiveContacts(
-      passage.moving, passage.stationary, passage.X_StationaryEntry, kReach)};
-  finemotion::ContactGraphOptions options;
-  for (const auto& contact : space.contacts)
-    options.radius = std::max(options.radius, contact.at.norm());
-  return MakeContactGraph(space, options);
 }
 
 // What makes the trials again, up to the number of one.
@@ -147,12 +138,13 @@ MatingStudy Tried(const PlannedProblem& planned, const MatingGeometry& geometry,
 }
 
 ExitCode Execute(const Options& options) {
+  if (!options.pictures.empty()) MakeFolder(options.pictures);
   const PlannedProblem planned = Planned(options);
   const MatingGeometry geometry =
       finemotion::GeometryOf(planned.problem, planned.problem.mating(AssembleOf(planned).mating));
   Json seconds;
   const Stopwatch graphing;
-  const finemotion::ContactGraph graph = GraphOf(geometry);
+  const finemotion::ContactGraph graph = TopologyOf(geometry.passage).graph;
   seconds["graph"] = graphing.Seconds();
   const Stopwatch searching;
   const FineMotionPlan plan =
@@ -168,6 +160,14 @@ ExitCode Execute(const Options& options) {
     text += TextOf(study);
     json["trials"] = ToJson(study);
     if (plan.found && study.CoveredFailures() > 0) code = ExitCode::kFailed;
+  }
+  if (!options.pictures.empty() && !plan.motions.empty()) {
+    const scene::Scene scene(planned.problem, planned.simulation.scene);
+    const std::vector<std::string> files = WriteContactPictures(
+        options.pictures, planned.problem, scene,
+        planned.problem.mating(AssembleOf(planned).mating), StrategyOf(geometry, plan));
+    json["pictures"] = files;
+    text += fmt::format("{}\n", fmt::join(files, "\n"));
   }
   json["seconds"] = seconds;
   Print(options.json ? json.dump(2) + "\n" : text);
@@ -219,6 +219,8 @@ Execution Declare(CLI::App& command) {
       ->required();
   AddUncertainty(command, *options);
   AddTrials(command, *options);
+  command.add_option("--pictures", options->pictures,
+                     "folder for pictures of the contact states that are planned");
   command.add_flag("--json", options->json, "print the result as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

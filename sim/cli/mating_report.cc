@@ -76,6 +76,7 @@ Json ToJson(const finemotion::ContactGraph& graph) {
 
 struct Tally {
   int seated = 0;
+  int recovered = 0;  // at the second attempt
   std::map<std::string, int> ends;
   double greatest_force = 0;
 };
@@ -84,6 +85,7 @@ Tally TallyOf(const std::vector<MatedTrial>& trials) {
   Tally tally;
   for (const MatedTrial& trial : trials) {
     if (trial.seated) ++tally.seated;
+    if (trial.seated && !trial.result.end.recovered.empty()) ++tally.recovered;
     ++tally.ends[std::string(exec::Name(trial.result.end.outcome))];
     tally.greatest_force = std::max(tally.greatest_force, trial.result.greatest_force);
   }
@@ -94,13 +96,17 @@ std::string TextOf(const char* name, const std::vector<MatedTrial>& trials) {
   const Tally tally = TallyOf(trials);
   std::string ends;
   for (const auto& [end, count] : tally.ends) ends += fmt::format(", {} {}", end, count);
+  if (tally.recovered > 0) ends += fmt::format(", {} at the second attempt", tally.recovered);
   return fmt::format("{}: {} of {} seated{}; at most {:.0f} N\n", name, tally.seated, trials.size(),
                      ends, tally.greatest_force);
 }
 
 Json ToJson(const std::vector<MatedTrial>& trials) {
   const Tally tally = TallyOf(trials);
-  return {{"seated", tally.seated}, {"ends", tally.ends}, {"force", tally.greatest_force}};
+  return {{"seated", tally.seated},
+          {"recovered", tally.recovered},
+          {"ends", tally.ends},
+          {"force", tally.greatest_force}};
 }
 
 bool Matches(const MatedTrial& trial) { return trial.sequence->comparison.matches(); }
@@ -196,6 +202,16 @@ Json ToJson(const SequenceRecord& sequence) {
           {"unmapped", sequence.contacts.unmapped}};
 }
 
+Json ToJson(const std::vector<exec::ErrorState>& states) {
+  Json json = Json::array();
+  for (const exec::ErrorState& state : states) {
+    json.push_back({{"motion", state.motion + 1},
+                    {"end", exec::Name(state.outcome)},
+                    {"reason", state.reason}});
+  }
+  return json;
+}
+
 Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
   return {{"trial", trial.number},
           {"scale", trial.scale},
@@ -203,6 +219,7 @@ Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
           {"seated", trial.seated},
           {"end", exec::Name(trial.result.end.outcome)},
           {"reason", trial.result.end.reason},
+          {"recovered", ToJson(trial.result.end.recovered)},
           {"force", trial.result.greatest_force},
           {"simulated", trial.result.duration},
           {"sequence", ToJson(*trial.sequence)},

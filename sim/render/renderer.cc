@@ -157,7 +157,8 @@ Image Renderer::Render(const mujoco::Data& data, mujoco::CameraId camera,
   return contents_->Draw();
 }
 
-Image Renderer::Render(const mujoco::Data& data, const FreeCamera& camera) {
+Image Renderer::Render(const mujoco::Data& data, const FreeCamera& camera,
+                       std::span<const Ghost> ghosts) {
   mjvCamera view;
   mjv_defaultCamera(&view);
   contents_->Update(data, view);
@@ -165,6 +166,7 @@ Image Renderer::Render(const mujoco::Data& data, const FreeCamera& camera) {
   for (mjvGLCamera& eye : contents_->shapes.camera) {
     eye = ToEngine(camera, *contents_->engine_model);
   }
+  for (const Ghost& ghost : ghosts) contents_->Add(ghost);
   return contents_->Draw();
 }
 

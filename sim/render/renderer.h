@@ -38,7 +38,8 @@ class Renderer {
 
   Image Render(const mujoco::Data& data, mujoco::CameraId camera,
                std::span<const Ghost> ghosts = {});
-  Image Render(const mujoco::Data& data, const FreeCamera& camera);
+  Image Render(const mujoco::Data& data, const FreeCamera& camera,
+               std::span<const Ghost> ghosts = {});
 
  private:
   struct Contents;

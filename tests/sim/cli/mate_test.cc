@@ -50,5 +50,18 @@ TEST(Mate, AFewTrialsComeToTheSeat) {
   EXPECT_EQ(again.Json()["trials"]["rows"][0], trials["rows"][1]);
 }
 
+// A picture for each motion, and one of all of them.
+TEST(Mate, PicturesOfTheContactStates) {
+  const Folder folder;
+  const std::string pictures = folder / "pictures";
+  const Ended ended = Assay({"mate", kSquare, "--pictures", pictures, "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json result = ended.Json();
+  EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
+  EXPECT_EQ(result["pictures"].size(), result["strategy"].size() + 2);  // and the slide's end
+  for (const std::string file : result["pictures"])
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / file)) << file;
+}
+
 }  // namespace
 }  // namespace assay::cli

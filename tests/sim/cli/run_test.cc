@@ -201,6 +201,24 @@ TEST(Export, NetworkOfTheWorkedExample) {
   EXPECT_EQ(mate_reachable, 1);
 }
 
+// As many states and arcs as `mate` counts.
+TEST(Export, ContactStatesOfAMating) {
+  const std::string square = kTree / "scenarios/mate-square.yaml";
+  const Ended ended = Assay({"export", square, "--contacts"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  int states = 0;
+  int arcs = 0;
+  std::istringstream lines(ended.out);
+  for (std::string line; std::getline(lines, line);) {
+    states += line.starts_with("  s") && line.find("[label=") != std::string::npos;
+    arcs += line.find(" -- ") != std::string::npos;
+  }
+  const nlohmann::json graph = Assay({"mate", square, "--json"}).Json()["graph"];
+  EXPECT_EQ(graph["states"], states);
+  EXPECT_EQ(graph["arcs"], arcs);
+  EXPECT_EQ(Assay({"export", kTree / "scenarios/uncertain-sensing.yaml", "--contacts"}).code, 0);
+}
+
 TEST(Export, CommandsOfThePrimitives) {
   const Ended ended = Assay({"export", kTwoActions, "--commands"});
   EXPECT_EQ(ended.code, 0) << ended.err;

@@ -1,0 +1,107 @@
+#include "sim/cli/contact_pictures.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "sim/cli/output_file.h"
+#include "sim/render/renderer.h"
+
+namespace assay::cli {
+namespace {
+
+using geometry::Pose;
+using geometry::Vector3;
+
+constexpr int kWidth = 640;
+constexpr int kHeight = 480;
+constexpr double kDistance = 0.25;  // metres from the eye to the tip
+constexpr double kAngle = 0.35;     // radians, of the whole picture
+constexpr double kArm = 0.003;      // metres, of a cross
+constexpr double kOutOfSight = -2;  // metres
+// On whatever the fixed part is painted with, and in the dark of its hole.
+constexpr render::Colour kHeld{"#ffd24a"};
+constexpr render::Colour kTouching{"#ff5a4d"};
+
+// From the side that the part goes in by, and from above.
+render::FreeCamera CameraOn(const Vector3& tip, const Vector3& out) {
+  const Vector3 aside = out.cross(out.unitOrthogonal() + 0.3 * Vector3::UnitZ()).normalized();
+  const Vector3 back = (out + 0.7 * aside + 0.3 * Vector3::UnitZ()).normalized();
+  const Vector3 right = Vector3::UnitZ().cross(back).normalized();
+  Pose X_WorldCamera = Pose::Identity();
+  X_WorldCamera.linear() << right, back.cross(right), back;
+  X_WorldCamera.translation() = tip + kDistance * back;
+  return {X_WorldCamera, kAngle};
+}
+
+// Lines whose face looks at the eye.
+render::Ghost Cross(const Vector3& at, const Vector3& eye) {
+  render::Ghost cross{.colour = kTouching};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vector3 arm = kArm * Vector3::Unit(axis);
+    cross.edges.push_back({at - arm, at + arm, eye - at});
+  }
+  return cross;
+}
+
+// What touches at the end of a motion.
+std::vector<int> ContactsAfter(const plan::StrategyMotion& motion) {
+  std::vector<int> contacts = motion.kept;
+  if (motion.until) contacts.push_back(*motion.until);
+  return contacts;
+}
+
+std::string CaptionOf(int number, const plan::Strategy& strategy,
+                      const std::vector<int>& contacts) {
+  std::vector<std::string> names;
+  for (const int contact : contacts)
+    names.push_back(strategy.contacts[static_cast<std::size_t>(contact)].name);
+  return fmt::format("{}: {}", number,
+                     names.empty() ? "no contact" : fmt::format("{}", fmt::join(names, ", ")));
+}
+
+void Write(const render::Image& image, const std::filesystem::path& file) {
+  WriteFileBy(file, [&](const std::filesystem::path& to) { render::WritePng(image, to); });
+}
+
+}  // namespace
+
+std::vector<std::string> WriteContactPictures(const std::filesystem::path& folder,
+                                              const domain::Problem& problem,
+                                              const scene::Scene& scene,
+                                              const domain::Mating& mating,
+                                              const plan::Strategy& strategy) {
+  mujoco::Data data = scene.Start();
+  scene.SetPart(data, mating.held, geometry::Translation(0, 0, kOutOfSight));
+  data.Forward();
+  const Pose X_WorldFixed = scene.TruePose(data, mating.fixed);
+  const Vector3 out = -(X_WorldFixed.linear() * mating.mating_vector.normalized());
+  const plan::StrategyMotion& entered = strategy.motions[strategy.motions.size() - 2];
+  const render::FreeCamera camera = CameraOn(X_WorldFixed * entered.X_FixedTip.translation(), out);
+  render::Renderer renderer(scene.model(), kWidth, kHeight);
+  std::vector<std::string> files;
+  std::vector<render::CaptionedImage> sheet;
+  for (const plan::StrategyMotion& motion : strategy.motions) {
+    const std::vector<int> contacts = ContactsAfter(motion);
+    const Pose X_WorldHeld = X_WorldFixed * motion.X_FixedTip * strategy.X_HeldTip.inverse();
+    std::vector<render::Ghost> lines = {
+        render::GhostOf(*problem.part(mating.held).model, X_WorldHeld, kHeld)};
+    for (const int contact : contacts) {
+      const Vector3 at =
+          motion.X_FixedTip.translation() + strategy.contacts[static_cast<std::size_t>(contact)].at;
+      lines.push_back(Cross(X_WorldFixed * at, camera.X_WorldCamera.translation()));
+    }
+    const int number = static_cast<int>(sheet.size()) + 1;
+    sheet.push_back({CaptionOf(number, strategy, contacts), renderer.Render(data, camera, lines)});
+    files.push_back(fmt::format("{:02}-contacts.png", number));
+    Write(sheet.back().image, folder / files.back());
+  }
+  files.push_back("contact-sheet.png");
+  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet.size()))));
+  Write(
+      render::ContactSheet(sheet, columns, {{kHeld, "held part"}, {kTouching, "where it touches"}}),
+      folder / files.back());
+  return files;
+}
+
+}  // namespace assay::cli
