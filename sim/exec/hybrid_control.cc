@@ -352,7 +352,7 @@ HybridControl::Ended HybridControl::Step(const TipMotion& motion) {
 }
 
 ErrorState HybridControl::Error(MatingOutcome outcome, std::string reason) const {
-  return {outcome, fmt::format("motion {}: {}", motion_, reason), motion_};
+  return {outcome, fmt::format("motion {}: {}", motion_ + 1, reason), motion_};
 }
 
 }  // namespace assay::exec

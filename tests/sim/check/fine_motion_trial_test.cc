@@ -85,7 +85,7 @@ TEST_F(FeltAssembly, AFailureTellsHowTheMatingEnded) {
   const NoisyTrial trial = Run(plan, noise::Mode::kNone, {});
   EXPECT_EQ(trial.verdict.outcome, TrialOutcome::kOperatorCalled);
   EXPECT_THAT(trial.trace.end().reason, StartsWith(plan.step(AssembleStep()).name));
-  EXPECT_THAT(trial.trace.end().reason, HasSubstr("timeout: motion 0: no contact of"));
+  EXPECT_THAT(trial.trace.end().reason, HasSubstr("timeout: motion 1: no contact of"));
   const auto stopped = std::ranges::find(trial.claims, "comes to its end", &Claim::name);
   ASSERT_NE(stopped, trial.claims.end());
   EXPECT_EQ(stopped->verdict, ClaimVerdict::kViolated);
