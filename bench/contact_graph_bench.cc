@@ -2,41 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "bench/workloads/pegs.h"
 #include "planner/finemotion/contact_graph.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::finemotion {
 namespace {
 
+using workloads::BoxPiece;
+
 constexpr double kHalf = 0.01;  // of the peg's width, metres
 constexpr double kHalfLength = 0.02;
 constexpr double kClearance = 0.25e-3;  // on each side
 constexpr double kReach = 0.005;
-
-ConvexPiece Box(const Vector3& low, const Vector3& high) {
-  ConvexPiece box;
-  for (int i = 0; i < 8; ++i) {
-    box.corners.emplace_back((i & 1) != 0 ? high.x() : low.x(), (i & 2) != 0 ? high.y() : low.y(),
-                             (i & 4) != 0 ? high.z() : low.z());
-  }
-  return box;
-}
 
 // Four slabs around a square hole through a block, which is closed by a fifth at the bottom.
 Polyhedron Block() {
   constexpr double kIn = kHalf + kClearance;
   constexpr double kOut = 0.04;
   constexpr double kDeep = -0.03;
-  return OutsideOf(
-      {Box({kIn, -kOut, kDeep}, {kOut, kOut, 0}), Box({-kOut, -kOut, kDeep}, {-kIn, kOut, 0}),
-       Box({-kIn, kIn, kDeep}, {kIn, kOut, 0}), Box({-kIn, -kOut, kDeep}, {kIn, -kIn, 0}),
-       Box({-kOut, -kOut, kDeep - 0.01}, {kOut, kOut, kDeep})});
+  return OutsideOf({BoxPiece({kIn, -kOut, kDeep}, {kOut, kOut, 0}),
+                    BoxPiece({-kOut, -kOut, kDeep}, {-kIn, kOut, 0}),
+                    BoxPiece({-kIn, kIn, kDeep}, {kIn, kOut, 0}),
+                    BoxPiece({-kIn, -kOut, kDeep}, {kIn, -kIn, 0}),
+                    BoxPiece({-kOut, -kOut, kDeep - 0.01}, {kOut, kOut, kDeep})});
 }
 
 // What a square peg can touch with its lower end so deep in the hole.
 ContactSpace PegInHole(double depth) {
   const Polyhedron peg =
-      OutsideOf({Box({-kHalf, -kHalf, -kHalfLength}, {kHalf, kHalf, kHalfLength})});
+      OutsideOf({BoxPiece({-kHalf, -kHalf, -kHalfLength}, {kHalf, kHalf, kHalfLength})});
   return {PrimitiveContacts(peg, Block(), geometry::Translation(0, 0, kHalfLength - depth), 0.003)};
 }
 
@@ -48,9 +45,8 @@ void Count(const ContactSpace& space, const ContactGraph& graph, benchmark::Stat
   }
 }
 
-void MakeGraph(const ContactSpace& space, int target_points, benchmark::State& state) {
-  const ContactGraphOptions options = {
-      .target_points = target_points, .reach = kReach, .radius = 0.0245};
+void MakeGraph(const ContactSpace& space, const ContactGraphOptions& options,
+               benchmark::State& state) {
   ContactGraph graph;
   for (auto _ : state) graph = MakeContactGraph(space, options);
   Count(space, graph, state);
@@ -58,23 +54,37 @@ void MakeGraph(const ContactSpace& space, int target_points, benchmark::State& s
 
 // The square peg's critical points, for so many target points.
 void CriticalPoint(benchmark::State& state, double depth) {
-  MakeGraph(PegInHole(depth), static_cast<int>(state.range(0)), state);
+  MakeGraph(PegInHole(depth),
+            {.target_points = static_cast<int>(state.range(0)), .reach = kReach, .radius = 0.0245},
+            state);
 }
 
-// The first contacts of those at the rim only.
+// Pegs of so many sides at the rim: more contacts, each of them one of a whole shape.
+void Sides(benchmark::State& state) {
+  const Passage passage = workloads::PegInHole(
+      {.sides = static_cast<int>(state.range(0)), .half = kHalf, .length = 0.04}, kClearance);
+  const ContactSpace space = {
+      PrimitiveContacts(passage.moving, passage.stationary, passage.X_StationaryEntry, 0.003)};
+  MakeGraph(space, {.reach = kReach, .radius = 0.0245}, state);
+  state.SetComplexityN(static_cast<std::int64_t>(space.contacts.size()));
+}
+
+// The first contacts of those of the square peg at the rim only.
 void Contacts(benchmark::State& state) {
   ContactSpace space = PegInHole(0);
   space.contacts.resize(std::min(space.contacts.size(), static_cast<std::size_t>(state.range(0))));
-  MakeGraph(space, 12, state);
+  MakeGraph(space, {.reach = kReach, .radius = 0.0245}, state);
   state.SetComplexityN(state.range(0));
 }
 
 BENCHMARK_CAPTURE(CriticalPoint, at_the_rim, 0.0)
     ->ArgName("target_points")
+    ->Arg(3)
     ->Arg(6)
     ->Arg(12)
     ->Arg(24)
     ->Arg(48)
+    ->Arg(96)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(CriticalPoint, half_in, 0.015)
     ->ArgName("target_points")
@@ -86,6 +96,14 @@ BENCHMARK_CAPTURE(CriticalPoint, at_the_bottom, 0.03)
     ->Arg(12)
     ->Arg(24)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK(Sides)
+    ->ArgName("sides")
+    ->Arg(4)
+    ->Arg(6)
+    ->Arg(8)
+    ->Arg(12)
+    ->Unit(benchmark::kMillisecond)
+    ->Complexity();
 BENCHMARK(Contacts)
     ->ArgName("contacts")
     ->DenseRange(4, 32, 4)

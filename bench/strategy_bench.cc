@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "bench/workloads/pegs.h"
 #include "planner/finemotion/strategy_search.h"
-#include "tests/planner/finemotion/boxes.h"
 
 namespace assay::finemotion {
 namespace {
@@ -16,8 +16,8 @@ constexpr double kTurn = 0.03;  // radians
 
 Passage SquarePegInHole() {
   Passage passage;
-  passage.moving = BoxShape({-kHalf, -kHalf, 0}, {kHalf, kHalf, 0.07});
-  passage.stationary = SquareHoleShape(kHalf + kClearance, 0.038, 0.07);
+  passage.moving = workloads::BoxShape({-kHalf, -kHalf, 0}, {kHalf, kHalf, 0.07});
+  passage.stationary = workloads::SquareHoleShape(kHalf + kClearance, 0.038, 0.07);
   return passage;
 }
 
@@ -51,11 +51,44 @@ void Search(benchmark::State& state, double multiple) {
   state.counters["replayed"] = plan.replayed;
 }
 
-// So many tolerances, of each face of peg and hole in turn; together a twentieth of the play at a
-// face.
-void Tolerances(benchmark::State& state) {
-  Passage passage = SquarePegInHole();
-  const auto count = static_cast<int>(state.range(0));
+// --- How the cost of a node grows. A search that ends after so many nodes, without moved starts;
+// errors that nothing absorbs, so that it does not end sooner.
+
+constexpr int kNodes = 20;  // of a search; for the errors and for twice as large ones
+
+StrategyOptions FixedNodes() { return {.rounds = 1, .tries = 0, .nodes = kNodes, .seed = 3}; }
+
+void SearchNodes(const Passage& passage, const FineMotionErrors& errors,
+                 const StrategyOptions& options, benchmark::State& state) {
+  FineMotionPlan plan;
+  for (auto _ : state) plan = SearchStrategy(passage, errors, options);
+  const ContactFinder finder(passage.moving, passage.stationary, passage.tolerances);
+  state.counters["contacts"] = static_cast<double>(
+      finder.Near(passage.X_StationaryEntry, {.reach = kReach, .turn = kTurn}).size());
+  state.counters["nodes"] = plan.expanded;
+  state.counters["replayed"] = plan.replayed;
+  state.counters["tests"] = plan.comparison.tests;  // whether a contact can be made
+  state.counters["per_node"] = benchmark::Counter(
+      plan.expanded, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+
+// Contacts: pegs of so many sides.
+void NodesBySides(benchmark::State& state) {
+  const Passage passage = workloads::PegInHole(
+      {.sides = static_cast<int>(state.range(0)), .half = kHalf, .length = 0.07}, kClearance);
+  SearchNodes(passage, ErrorsOf(1), FixedNodes(), state);
+}
+
+// What of the paper are target points, points that motions start from and lead to, are starts that
+// are drawn here: from there on, a node has one maneuver for each contact and direction.
+void NodesByStarts(benchmark::State& state) {
+  StrategyOptions options = FixedNodes();
+  options.starts = static_cast<int>(state.range(0));
+  SearchNodes(SquarePegInHole(), ErrorsOf(1), options, state);
+}
+
+// So many tolerances, of each face of peg and hole in turn.
+Passage WithTolerances(Passage passage, int count) {
   const int moving = static_cast<int>(passage.moving.faces.size());
   const int faces = moving + static_cast<int>(passage.stationary.faces.size());
   for (int i = 0; i < count; ++i) {
@@ -66,9 +99,29 @@ void Tolerances(benchmark::State& state) {
          .of = of_moving ? ModelTolerance::Of::kMovingFaces : ModelTolerance::Of::kStationaryFaces,
          .faces = {of_moving ? face : face - moving}});
   }
-  FineMotionErrors errors = ErrorsOf(1);
-  const int on_each_face = (count + faces - 1) / faces;
-  errors.tolerances.setConstant(count, 0.05 * kClearance / std::max(1, on_each_face));
+  return passage;
+}
+
+// The tolerances of a face are together a twentieth of the play at it.
+FineMotionErrors WithTolerances(FineMotionErrors errors, const Passage& passage) {
+  const std::size_t count = passage.tolerances.size();
+  const std::size_t faces = passage.moving.faces.size() + passage.stationary.faces.size();
+  const std::size_t on_each_face = std::max<std::size_t>(1, (count + faces - 1) / faces);
+  errors.tolerances.setConstant(static_cast<Eigen::Index>(count),
+                                0.05 * kClearance / static_cast<double>(on_each_face));
+  return errors;
+}
+
+void NodesByTolerances(benchmark::State& state) {
+  const Passage passage = WithTolerances(SquarePegInHole(), static_cast<int>(state.range(0)));
+  SearchNodes(passage, WithTolerances(ErrorsOf(1), passage), FixedNodes(), state);
+}
+
+// --- Whole searches.
+
+void Tolerances(benchmark::State& state) {
+  const Passage passage = WithTolerances(SquarePegInHole(), static_cast<int>(state.range(0)));
+  const FineMotionErrors errors = WithTolerances(ErrorsOf(1), passage);
   FineMotionPlan plan;
   for (auto _ : state) plan = SearchStrategy(passage, errors, {.seed = 3});
   state.counters["found"] = plan.found ? 1 : 0;
@@ -123,6 +176,33 @@ BENCHMARK_CAPTURE(Search, half_errors, 0.5)
 BENCHMARK_CAPTURE(Search, all_errors, 1.0)
     ->ArgName("seed")
     ->DenseRange(1, 3)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(NodesBySides)
+    ->ArgName("sides")
+    ->Arg(4)
+    ->Arg(6)
+    ->Arg(8)
+    ->Arg(12)
+    ->Arg(16)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(NodesByStarts)
+    ->ArgName("starts")
+    ->Arg(25)
+    ->Arg(50)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(400)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(NodesByTolerances)
+    ->ArgName("tolerances")
+    ->Arg(0)
+    ->Arg(1)
+    ->Arg(2)
+    ->Arg(5)
+    ->Arg(10)
+    ->Arg(20)
+    ->Arg(50)
+    ->Arg(100)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(Tolerances)
     ->ArgName("tolerances")

@@ -33,6 +33,7 @@ constexpr double kLeastTurn = 5e-4;   // radians
 constexpr double kUsualShift = 0.002;
 constexpr double kUsualTurn = 0.0175;
 constexpr double kGreatestShift = 0.006;  // metres: half of where contacts are looked for
+constexpr double kGreatestTurn = 0.2;     // radians: contacts are linear in no more
 
 // Conditions of assemble that a strategy absorbs, and those that take their place.
 const std::vector<std::string>& AbsorbedConditions() {
@@ -62,14 +63,8 @@ bool IsWithin(const TipBox& box, const TipBox& limits) {
 TipBox WithSpare(const TipBox& box) { return {kSpare * box.d, kSpare * box.w}; }
 
 plan::Strategy StrategyFrom(const MatingGeometry& geometry, const FineMotionPlan& plan,
-                            const TipBox& box, const FineMotionErrors& errors) {
-  plan::Strategy strategy = finemotion::StrategyOf(geometry, plan);
-  for (std::size_t i = 0; i < plan.motions.size(); ++i) {
-    for (const finemotion::Unwanted& unwanted : plan.motions[i].check.unwanted) {
-      strategy.motions[i].unwanted.push_back(
-          {finemotion::Name(unwanted.contact), unwanted.is_loss, unwanted.scale});
-    }
-  }
+                            const TipBox& box, const FineMotionErrors& errors, double friction) {
+  plan::Strategy strategy = finemotion::StrategyOf(geometry, plan, {.friction = friction});
   strategy.certificate = {.absorbs = AbsorbedConditions(),
                           .d = box.d,
                           .w = box.w,
@@ -209,13 +204,14 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
   TipBox box = WithSpare(TipBoxAt(
       unmet, propagation_,
       {geometry.X_HeldTip, geometry.passage.X_StationaryEntry, geometry.X_FixedSeat.linear()}));
-  for (int round = 0; round < kRounds && box.d.norm() < kGreatestShift; ++round) {
+  for (int round = 0; round < kRounds; ++round) {
+    if (box.d.norm() >= kGreatestShift || box.w.norm() >= kGreatestTurn) return std::nullopt;
     box = {box.d.cwiseMax(least.shift), box.w.cwiseMax(least.turn)};
     FineMotionErrors errors;
     errors.pose << box.d.array() + tolerance, box.w;
     const FineMotionPlan& plan = PlanFor(assemble.mating, geometry, errors, friction);
     if (!plan.found) return std::nullopt;
-    plan::Strategy strategy = StrategyFrom(geometry, plan, box, errors);
+    plan::Strategy strategy = StrategyFrom(geometry, plan, box, errors, friction);
     const TipBox there = TipBoxAt(unmet, propagation_, uncertainty::WayOf(strategy));
     if (IsWithin(there, box)) {
       return IsFree(unmet, assemble, strategy) ? std::optional(std::move(strategy)) : std::nullopt;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/finemotion/extent.h"
 #include "planner/finemotion/face_regions.h"
 
 namespace assay::finemotion {
@@ -20,6 +21,7 @@ constexpr double kSamePoint = 1e-6;      // metres
 constexpr double kSameSurface = 1e-9;    // coefficients of rows
 constexpr std::size_t kUsualLimits = 4;  // the paper's greatest number, section 3
 constexpr std::size_t kUsualContacts = 32;
+constexpr double kTurnOnTheWay = 0.05;  // radians, more than parts are turned in one motion
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 using Index = std::size_t;
@@ -46,7 +48,8 @@ struct Edge {
   Shift shift;                           // of the line, across its direction
   std::array<ShiftAlong, 2> end_shifts;  // of start and end, along it
 
-  Vector3 middle() const { return start + length / 2 * direction; }
+  Vector3 Bisector() const { return (normals[0] + normals[1]).normalized(); }
+  Shift EndShift(Index which) const { return shift + direction * end_shifts[which].transpose(); }
 };
 
 struct Vertex {
@@ -65,6 +68,7 @@ struct Face {
   double height = 0;
   ShiftAlong shift;  // outward
   std::vector<Region> regions;
+  Extent extent;
 };
 
 // A part in its own axes.
@@ -73,6 +77,7 @@ struct Part {
   std::vector<Face> faces;
   std::vector<Edge> edges;
   std::vector<Vertex> vertices;
+  Extent extent;
 };
 
 // How the tolerances displace a part's features.
@@ -142,12 +147,13 @@ class Shifts {
 };
 
 Face MakeFace(const OuterFace& face, int index, const Shifts& shifts) {
-  Face made{.normal = face.normal, .height = face.height, .shift = {}, .regions = {}};
+  Face made{.normal = face.normal, .height = face.height, .shift = {}, .regions = {}, .extent = {}};
   made.shift = shifts.Of({index}).transpose() * face.normal;
   for (FaceRegion& sides : ConvexRegions(face)) {
     Region region{std::move(sides), {}};
     for (const RegionSide& side : region.sides) {
       region.shifts.emplace_back(shifts.At(side.middle()).transpose() * side.outward);
+      made.extent.Add(side.start);
     }
     made.regions.push_back(std::move(region));
   }
@@ -183,9 +189,11 @@ Vertex MakeVertex(const OuterVertex& vertex, const Polyhedron& shape, const Shif
 Part MakePart(const Polyhedron& shape, double sign, ModelTolerance::Of of,
               const std::vector<ModelTolerance>& tolerances) {
   const Shifts shifts(shape, of, tolerances);
-  Part part{.sign = sign, .faces = {}, .edges = {}, .vertices = {}};
+  Part part{.sign = sign, .faces = {}, .edges = {}, .vertices = {}, .extent = {}};
   for (Index i = 0; i < shape.faces.size(); ++i) {
     part.faces.push_back(MakeFace(shape.faces[i], static_cast<int>(i), shifts));
+    part.extent.Add(part.faces.back().extent.low);
+    part.extent.Add(part.faces.back().extent.high);
   }
   for (const OuterEdge& edge : shape.edges) part.edges.push_back(MakeEdge(edge, shape, shifts));
   for (const OuterVertex& vertex : shape.vertices) {
@@ -198,6 +206,7 @@ Part MakePart(const Polyhedron& shape, double sign, ModelTolerance::Of of,
 struct PlacedEdge {
   Vector3 start;
   Vector3 direction;
+  Extent extent;
 };
 
 struct Placed {
@@ -208,7 +217,11 @@ struct Placed {
   Placed(const Part& placed_part, const Pose& X_StationaryPart)
       : part(placed_part), X(X_StationaryPart) {
     edges.reserve(part.edges.size());
-    for (const Edge& edge : part.edges) edges.push_back({X * edge.start, Turned(edge.direction)});
+    for (const Edge& edge : part.edges) {
+      const Vector3 start = X * edge.start;
+      const Vector3 direction = Turned(edge.direction);
+      edges.push_back({start, direction, Extent::Of(start, start + edge.length * direction)});
+    }
   }
 
   Vector3 Turned(const Vector3& v) const { return X.linear() * v; }
@@ -281,9 +294,7 @@ class Linearizer {
   void AddAll() {
     AddVerticesOnFaces(moving_, stationary_);
     AddVerticesOnFaces(stationary_, moving_);
-    for (Index i = 0; i < moving_.edges.size(); ++i) {
-      for (Index j = 0; j < stationary_.edges.size(); ++j) AddEdgeOnEdge(i, j);
-    }
+    ForNearEdges([&](Index moving, Index stationary) { AddEdgeOnEdge(moving, stationary); });
   }
 
   void Add(const ContactKey& key) {
@@ -301,6 +312,28 @@ class Linearizer {
 
   std::vector<PrimitiveContact> Take() && { return std::move(contacts_); }
 
+  std::vector<ParallelEdges> NearlyParallel() const {
+    std::vector<ParallelEdges> found;
+    ForNearEdges([&](Index moving, Index stationary) {
+      const PlacedEdge& a = moving_.edges[moving];
+      const PlacedEdge& b = stationary_.edges[stationary];
+      if (!MayBeParallel(a.direction.cross(b.direction).norm())) return;
+      const Edge& edge_a = moving_.part.edges[moving];
+      const Edge& edge_b = stationary_.part.edges[stationary];
+      const Crossing nearest = NearestOf(a, edge_a.length, b, edge_b.length);
+      const Vector3 from_b = a.start + nearest.s * a.direction - b.start - nearest.t * b.direction;
+      if (from_b.norm() > reach_ || !MayPress(edge_a, edge_b)) return;
+      found.push_back({.moving = static_cast<int>(moving),
+                       .stationary = static_cast<int>(stationary),
+                       .along_stationary = Along(stationary_, b, edge_b, moving_, a, edge_a),
+                       .along_moving = Along(moving_, a, edge_a, stationary_, b, edge_b),
+                       .contact = Halfway(a, edge_a, nearest.s, edge_b, from_b)});
+      found.back().contact.moving = found.back().moving;
+      found.back().contact.stationary = found.back().stationary;
+    });
+    return found;
+  }
+
  private:
   // Where a contact ends: by how much it is inside of that, and which of its ends it is.
   struct End {
@@ -310,10 +343,27 @@ class Linearizer {
     auto operator<=>(const End&) const = default;
   };
 
+  // Those whose extents are not farther apart than the reach.
   void AddVerticesOnFaces(const Placed& with_vertex, const Placed& with_face) {
+    const double reach = reach_ + kSamePoint;
+    const Part& part = with_face.part;
     for (Index i = 0; i < with_vertex.part.vertices.size(); ++i) {
-      for (Index j = 0; j < with_face.part.faces.size(); ++j) {
-        AddVertexOnFace(with_vertex, i, with_face, j);
+      const Vector3 p = with_face.MovedBack(with_vertex.X * with_vertex.part.vertices[i].p);
+      if (!part.extent.IsNear(p, reach)) continue;
+      for (Index j = 0; j < part.faces.size(); ++j) {
+        if (part.faces[j].extent.IsNear(p, reach)) AddVertexOnFace(with_vertex, i, with_face, j);
+      }
+    }
+  }
+
+  template <class Use>
+  void ForNearEdges(const Use& use) const {
+    const double reach = reach_ + kSamePoint;
+    for (Index i = 0; i < moving_.edges.size(); ++i) {
+      const Extent& extent = moving_.edges[i].extent;
+      if (!stationary_.part.extent.IsNear(extent, reach)) continue;
+      for (Index j = 0; j < stationary_.edges.size(); ++j) {
+        if (stationary_.edges[j].extent.IsNear(extent, reach)) use(i, j);
       }
     }
   }
@@ -385,7 +435,7 @@ class Linearizer {
     }
     AddNearest(contact, [&](Index which) {
       const Vector3 outward = with_face.Turned(region.sides[which].outward);
-      Eigen::VectorXd row = Row(with_vertex.part.sign * outward, contact.at);
+      SmallVector row = Row(with_vertex.part.sign * outward, contact.at);
       Tolerances(row) = Along(vertex.shift, with_vertex.TurnedBack(outward)) - region.shifts[which];
       return row;
     });
@@ -402,7 +452,7 @@ class Linearizer {
     const double apart = n.dot(between);
     if (apart * apart > reach_ * reach_ * sine2) return;
     const double sine = std::sqrt(sine2);
-    if (sine < kSameDirection + turn_) return;  // they may be parallel
+    if (MayBeParallel(sine)) return;
     n /= sine;
     const double slack = kSameDirection + turn_ / sine;  // how much n may turn
     const double c = a.direction.dot(b.direction);
@@ -425,6 +475,84 @@ class Linearizer {
     AddOrientationLimits(stationary_, edge_b, a.direction, n, slack, contact);
     AddRangeLimits(a, edge_a, b, edge_b, crossing, contact);
     Keep(std::move(contact));
+  }
+
+  bool MayBeParallel(double sine) const { return sine < kSameDirection + turn_; }
+
+  // The points of nearly parallel edges that are nearest to each other.
+  static Crossing NearestOf(const PlacedEdge& a, double length_a, const PlacedEdge& b,
+                            double length_b) {
+    const Vector3 between = a.start - b.start;
+    const double c = a.direction.dot(b.direction);
+    const double sine2 = a.direction.cross(b.direction).squaredNorm();
+    if (sine2 > kSameDirection * kSameDirection) {
+      const Crossing at = {(c * b.direction - a.direction).dot(between) / sine2,
+                           (b.direction - c * a.direction).dot(between) / sine2};
+      if (at.s >= 0 && at.s <= length_a && at.t >= 0 && at.t <= length_b) return at;
+    }
+    Crossing nearest;
+    double least = kFar;
+    const auto consider = [&](const Crossing& at) {
+      const double distance = (between + at.s * a.direction - at.t * b.direction).norm();
+      if (distance >= least) return;
+      least = distance;
+      nearest = at;
+    };
+    for (const double s : {0.0, length_a}) {
+      const double t = (between + s * a.direction).dot(b.direction);
+      consider({s, std::clamp(t, 0.0, length_b)});
+    }
+    for (const double t : {0.0, length_b}) {
+      const double s = (t * b.direction - between).dot(a.direction);
+      consider({std::clamp(s, 0.0, length_a), t});
+    }
+    return nearest;
+  }
+
+  // There is a direction between the faces' normals of the one edge and against those of the other,
+  // or may be where parts are turned: across the edges these are angles about their bisectors.
+  bool MayPress(const Edge& moving, const Edge& stationary) const {
+    const auto half_angle = [](const Edge& edge) {
+      return std::acos(std::clamp(edge.normals[0].dot(edge.normals[1]), -1.0, 1.0)) / 2;
+    };
+    const double cosine = -moving_.Turned(moving.Bisector()).dot(stationary.Bisector());
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) <=
+           half_angle(moving) + half_angle(stationary) + 2 * turn_ + kTurnOnTheWay;
+  }
+
+  // The other edge, as seen along a bar.
+  EdgeAlongEdge Along(const Placed& with_bar, const PlacedEdge& bar, const Edge& bar_edge,
+                      const Placed& with_other, const PlacedEdge& other,
+                      const Edge& other_edge) const {
+    Eigen::Matrix3d axes;  // rows
+    const Vector3 across = bar.direction.unitOrthogonal();
+    axes << across.transpose(), bar.direction.cross(across).transpose(), bar.direction.transpose();
+    EdgeAlongEdge seen{.ends = {}, .length = bar_edge.length, .elongation = {}};
+    for (const Index which : {0U, 1U}) {
+      const Vector3 p = other.start + (which == 0 ? 0 : other_edge.length) * other.direction;
+      const Vector3 r = p - origin_;
+      Eigen::Matrix3d lever;
+      lever << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;
+      PointAtEdge& end = seen.ends[which];
+      end.offset = axes * (p - bar.start);
+      end.pose << with_other.part.sign * axes, with_other.part.sign * axes * lever;
+      end.tolerances = axes * (with_other.X.linear() * other_edge.EndShift(which) -
+                               with_bar.X.linear() * bar_edge.shift);
+    }
+    seen.elongation = bar_edge.end_shifts[0].cwiseAbs().cwiseMax(bar_edge.end_shifts[1].cwiseAbs());
+    return seen;
+  }
+
+  PrimitiveContact Halfway(const PlacedEdge& a, const Edge& moving, double s,
+                           const Edge& stationary, const Vector3& from_b) const {
+    const Vector3 n = (stationary.Bisector() - moving_.Turned(moving.Bisector())).normalized();
+    PrimitiveContact contact;
+    contact.kind = ContactKind::kEdgeEdge;
+    contact.offset = n.dot(from_b);
+    contact.normal = n;
+    contact.at = a.start + s * a.direction - origin_;
+    contact.row = EdgeRow(n, contact.at, moving, stationary);
+    return contact;
   }
 
   // Of edges that are not parallel.
@@ -479,16 +607,16 @@ class Linearizer {
     AddNearest(contact, [&](Index which) {
       const Edge& edge = which < 2 ? edge_a : edge_b;
       const double sign = which % 2 == 0 ? -1 : 1;
-      Eigen::VectorXd row = EdgeRow(sign * slides[which / 2], contact.at, edge_a, edge_b);
+      SmallVector row = EdgeRow(sign * slides[which / 2], contact.at, edge_a, edge_b);
       Tolerances(row) -= sign * edge.end_shifts[which % 2];
       return row;
     });
   }
 
   // Of a slide of the moving edge's line against the stationary one's.
-  Eigen::VectorXd EdgeRow(const Vector3& direction, const Vector3& r, const Edge& moving,
-                          const Edge& stationary) const {
-    Eigen::VectorXd row = Row(direction, r);
+  SmallVector EdgeRow(const Vector3& direction, const Vector3& r, const Edge& moving,
+                      const Edge& stationary) const {
+    SmallVector row = Row(direction, r);
     Tolerances(row) =
         Along(moving.shift, moving_.TurnedBack(direction)) - Along(stationary.shift, direction);
     return row;
@@ -499,15 +627,15 @@ class Linearizer {
   }
 
   // direction . (d + w x r), and nothing for tolerances.
-  Eigen::VectorXd Row(const Vector3& direction, const Vector3& r) const {
-    Eigen::VectorXd row(dimensions_);
+  SmallVector Row(const Vector3& direction, const Vector3& r) const {
+    SmallVector row(dimensions_);
     row.head<3>() = direction;
     row.segment<3>(3) = r.cross(direction);
     Tolerances(row).setZero();
     return row;
   }
 
-  Eigen::Ref<Eigen::VectorXd> Tolerances(Eigen::VectorXd& row) const {
+  Eigen::Ref<Eigen::VectorXd> Tolerances(SmallVector& row) const {
     return row.tail(dimensions_ - kPoseDimensions);
   }
 
@@ -557,6 +685,12 @@ std::vector<PrimitiveContact> ContactFinder::Near(const Pose& X_StationaryMoving
   Linearizer linearizer(moving, parts_->placed_stationary, parts_->tolerances, range);
   linearizer.AddAll();
   return std::move(linearizer).Take();
+}
+
+std::vector<ParallelEdges> ContactFinder::NearlyParallel(const Pose& X_StationaryMoving,
+                                                         const ContactRange& range) const {
+  const Placed moving(parts_->moving, X_StationaryMoving);
+  return Linearizer(moving, parts_->placed_stationary, parts_->tolerances, range).NearlyParallel();
 }
 
 std::vector<PrimitiveContact> ContactFinder::Of(std::span<const ContactKey> keys,

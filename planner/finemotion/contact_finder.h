@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "planner/finemotion/parallel_edges.h"
 #include "planner/finemotion/primitive_contact.h"
 
 namespace assay::finemotion {
@@ -23,6 +24,9 @@ class ContactFinder {
 
   std::vector<PrimitiveContact> Near(const Pose& X_StationaryMoving,
                                      const ContactRange& range) const;
+  // Edges that may be parallel there, and are no contacts for that.
+  std::vector<ParallelEdges> NearlyParallel(const Pose& X_StationaryMoving,
+                                            const ContactRange& range) const;
   // Only those of these features, however far apart.
   std::vector<PrimitiveContact> Of(std::span<const ContactKey> keys, const Pose& X_StationaryMoving,
                                    double turn) const;

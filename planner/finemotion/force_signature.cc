@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "planner/base/check.h"
 #include "planner/finemotion/nonnegative_least_squares.h"
@@ -15,7 +16,9 @@ constexpr double kSameWrench = 1e-7;  // sine of the angle between wrenches that
 
 using Rays = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;
 
-Wrench OfForce(const PrimitiveContact& contact, const Vector3& force) {
+// `Contact`: with a normal, and where it is.
+template <class Contact>
+Wrench OfForce(const Contact& contact, const Vector3& force) {
   Wrench wrench;
   wrench << force, contact.at.cross(force);
   return wrench;
@@ -39,13 +42,11 @@ double DistanceOfMeans(const Rays& a, const Rays& b) {
   return least < 1 ? std::sqrt(least / (1 - least)) : 1;
 }
 
-}  // namespace
-
-ForceSignature SignatureOf(const std::vector<PrimitiveContact>& contacts, double friction,
-                           int sides) {
+template <class Contact>
+ForceSignature Signature(const std::vector<Contact>& contacts, double friction, int sides) {
   ASSAY_CHECK(friction >= 0 && sides >= 3);
   std::vector<Wrench> rays;
-  for (const PrimitiveContact& contact : contacts) {
+  for (const Contact& contact : contacts) {
     if (friction == 0) {
       rays.push_back(OfForce(contact, contact.normal));
       continue;
@@ -68,6 +69,24 @@ ForceSignature SignatureOf(const std::vector<PrimitiveContact>& contacts, double
   return signature;
 }
 
+Rays Together(const Rays& a, const Rays& b) {
+  Rays both(kPoseDimensions, a.cols() + b.cols());
+  both << a, b;
+  return both;
+}
+
+}  // namespace
+
+ForceSignature SignatureOf(const std::vector<PrimitiveContact>& contacts, double friction,
+                           int sides) {
+  return Signature(contacts, friction, sides);
+}
+
+ForceSignature SignatureOf(const std::vector<plan::StrategyContact>& contacts, double friction,
+                           int sides) {
+  return Signature(contacts, friction, sides);
+}
+
 double Separation(const Wrench& wrench, const ForceSignature& signature, double length) {
   ASSAY_CHECK(wrench.norm() > 0);
   const Eigen::VectorXd direction = Compared(wrench, length);
@@ -81,6 +100,19 @@ double Separation(const ForceSignature& a, const ForceSignature& b, double lengt
   const Rays of_a = Compared(a.rays, length);
   const Rays of_b = Compared(b.rays, length);
   return std::min(DistanceOfMeans(of_a, of_b), DistanceOfMeans(of_b, of_a));
+}
+
+double SeparationOfStates(const ForceSignature& common, const ForceSignature& only_a,
+                          const ForceSignature& only_b, double length) {
+  const Rays in_both = Compared(common.rays, length);
+  const Rays of_a = Compared(only_a.rays, length);
+  const Rays of_b = Compared(only_b.rays, length);
+  double least = 1;
+  for (const auto& [only, other] : {std::pair(of_a, of_b), std::pair(of_b, of_a)}) {
+    const Rays rest = Together(in_both, other);
+    if (only.cols() > 0 && rest.cols() > 0) least = std::min(least, DistanceOfMeans(only, rest));
+  }
+  return least;
 }
 
 bool Jams(const ForceSignature& signature, const Wrench& applied, double length) {

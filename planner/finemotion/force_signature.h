@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/finemotion/primitive_contact.h"
+#include "planner/plan/strategy.h"
 
 namespace assay::finemotion {
 
@@ -22,6 +23,8 @@ struct ForceSignature {
 // so that whatever the cones allow is in it. Without friction: the normals.
 ForceSignature SignatureOf(const std::vector<PrimitiveContact>& contacts, double friction,
                            int sides = 8);
+ForceSignature SignatureOf(const std::vector<plan::StrategyContact>& contacts, double friction,
+                           int sides = 8);
 
 // In these functions torques are divided by `length` (metres, about half the part's size), so that
 // they compare with forces. Rays and wrenches count by their directions.
@@ -33,6 +36,13 @@ double Separation(const Wrench& wrench, const ForceSignature& signature, double 
 // The least distance between a mean of the unit rays of one signature and the other's wrenches, in
 // 0 .. 1: 0 where they have a wrench in common, the sine of the angle where both are single rays.
 double Separation(const ForceSignature& a, const ForceSignature& b, double length);
+
+// Of contact states that have contacts in common: which of them press, and how much, does not tell
+// the states apart, so that only what is not in both counts. The least distance between a mean of
+// the unit rays that only one of the states has and the other state's wrenches, in 0 .. 1: 0 where
+// what is new in one of them may as well be the other; 1 where no wrench is new.
+double SeparationOfStates(const ForceSignature& common, const ForceSignature& only_a,
+                          const ForceSignature& only_b, double length);
 
 // The part does not move although `applied` pushes it: the contacts can hold it by friction alone
 // (Simunovic 1975). Conservative, as pyramids are.

@@ -10,15 +10,16 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kAcross = 0.1;       // cosine, between a wall's normal and the way in
-constexpr double kAgainst = 0.3;      // of the way in, that a contact must take back to oppose it
-constexpr double kStep = 0.045;       // radians that one linearization is good for
-constexpr double kBefore = 0.9;       // of the way to a contact that must not be made
-constexpr double kRoom = 0.6;         // of the play, that errors across it may take
-constexpr double kLeast = 1e-6;       // metres and radians that are worth a motion
-constexpr double kBlocked = 0.2;      // what contacts must leave of a direction
-constexpr double kGrazing = 0.3;      // sine of an angle that is too small to feel a contact
-constexpr double kCorrection = 2e-3;  // metres; more is no correction
+constexpr double kAcross = 0.1;        // cosine, between a wall's normal and the way in
+constexpr double kAgainst = 0.3;       // of the way in, that a contact must take back to oppose it
+constexpr double kStep = 0.045;        // radians that one linearization is good for
+constexpr double kRoom = 0.6;          // of the play, that errors across it may take
+constexpr double kLeast = 1e-6;        // metres and radians that are worth a motion
+constexpr double kBlocked = 0.2;       // what contacts must leave of a direction
+constexpr double kGrazing = 0.3;       // sine of an angle that is too small to feel a contact
+constexpr double kCorrection = 2e-3;   // metres; more is no correction
+constexpr double kLongest = 0.015;     // metres that contacts are looked for at the end of only
+constexpr double kShortOfNext = 5e-4;  // metres from the next critical point, to be free there
 
 bool IsOneOf(const std::vector<ContactKey>& keys, const PrimitiveContact& contact) {
   return std::ranges::find(keys, KeyOf(contact)) != keys.end();
@@ -95,10 +96,15 @@ std::optional<PoseChange> Complied(const std::vector<const PrimitiveContact*>& k
   return z;
 }
 
-std::vector<PrimitiveContact> ContactsOf(const Command& command,
+// All that its strategy tells of: kept, waited for, and unwanted.
+std::vector<PrimitiveContact> ContactsOf(const Command& command, const SegmentCheck& check,
                                          const std::vector<PrimitiveContact>& contacts) {
   std::vector<ContactKey> keys = command.kept;
   if (command.until) keys.push_back(*command.until);
+  for (const Unwanted& unwanted : check.unwanted) keys.push_back(unwanted.contact);
+  std::ranges::sort(keys);
+  const auto rest = std::ranges::unique(keys);
+  keys.erase(rest.begin(), rest.end());
   std::vector<PrimitiveContact> those;
   for (const PrimitiveContact* contact : Those(contacts, keys)) those.push_back(*contact);
   return those;
@@ -113,12 +119,21 @@ struct Maneuvering::Direction {
   std::vector<ContactKey> kept;
 };
 
-Maneuvering::Maneuvering(const Passage& passage, const Options& options)
+Pose Passage::X_StationaryEntryAt(int i) const {
+  if (i == 0) return X_StationaryEntry;
+  return geometry::Translation(further[static_cast<std::size_t>(i) - 1] * mating) *
+         X_StationaryEntry;
+}
+
+Maneuvering::Maneuvering(const Passage& passage, int critical_point, const ContactFinder& finder,
+                         const Options& options)
     : passage_(passage),
+      critical_point_(critical_point),
+      X_StationaryEntry_(passage.X_StationaryEntryAt(critical_point)),
       options_(options),
-      finder_(passage.moving, passage.stationary, passage.tolerances) {
+      finder_(finder) {
   for (const PrimitiveContact& contact :
-       finder_.Near(passage.X_StationaryEntry, {.reach = passage.depth, .turn = 0})) {
+       finder_.Near(X_StationaryEntry_, {.reach = passage.depth, .turn = 0})) {
     if (contact.kind == ContactKind::kEdgeEdge) continue;
     if (std::abs(contact.normal.dot(passage.mating)) > kAcross) continue;
     walls_.push_back(contact);
@@ -136,8 +151,31 @@ Situation Maneuvering::At(const Belief& belief) const {
   return {belief, ContactsAt(belief.X_StationaryMoving)};
 }
 
+Maneuvering::Nearby Maneuvering::OnTheWayTo(const Pose& end, double way) const {
+  const ContactRange range = {.reach = options_.reach + way, .turn = options_.turn_error};
+  return {finder_.Near(end, range), finder_.NearlyParallel(end, range)};
+}
+
+SegmentCheck Maneuvering::Checked(const Nearby& nearby, const Belief& belief,
+                                  const Command& command, Margins margins) const {
+  const SegmentModel model{nearby.contacts, options_.velocity_error, options_.radius, options_.test,
+                           nearby.parallel};
+  return Check(model, belief, command, margins == Margins::kAll);
+}
+
 Vector3 Maneuvering::ToUpright(const Pose& X_StationaryMoving) const {
-  return RotationBetween(X_StationaryMoving, passage_.X_StationaryEntry);
+  return RotationBetween(X_StationaryMoving, X_StationaryEntry_);
+}
+
+double Maneuvering::WayToNext(const Belief& belief) const {
+  const Pose X_StationaryNext = passage_.X_StationaryEntryAt(critical_point_ + 1);
+  const Vector3 way = X_StationaryNext.translation() - belief.X_StationaryMoving.translation();
+  PoseChange down = PoseChange::Zero();
+  down.head<3>() = passage_.mating;
+  const double shift = (belief.errors.transpose() * down).lpNorm<1>();
+  const double turn = belief.errors.bottomRows<3>().rowwise().lpNorm<1>().maxCoeff();
+  const double deepest = shift + 2 * options_.radius * turn;
+  return way.dot(passage_.mating) - deepest - kShortOfNext;
 }
 
 std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& situation,
@@ -162,7 +200,7 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& 
       break;
     }
     case Maneuver::Kind::kCenter: {
-      d = passage_.X_StationaryEntry.translation() - X.translation();
+      d = X_StationaryEntry_.translation() - X.translation();
       d -= d.dot(passage_.mating) * passage_.mating;
       direction.amount = d.norm();
       if (direction.amount < kLeast) return std::nullopt;
@@ -178,6 +216,11 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& 
       direction.amount = w.norm();
       if (direction.amount < kLeast) return std::nullopt;
       w /= direction.amount;
+      break;
+    case Maneuver::Kind::kAdvance:
+      d = passage_.mating;
+      direction.amount = WayToNext(belief);
+      if (direction.amount < kLeast) return std::nullopt;
       break;
   }
   const auto kept = Those(contacts, direction.kept);
@@ -216,26 +259,30 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     const Pose& X = now->belief.X_StationaryMoving;
     const auto direction = DirectionOf(*now, maneuver);
     if (!direction) return result;
-    const bool anew = maneuver.kind == Maneuver::Kind::kUpright;  // what is left, each time
+    const bool anew = maneuver.kind == Maneuver::Kind::kUpright ||
+                      maneuver.kind == Maneuver::Kind::kAdvance;  // what is left, each time
     const double left = direction->amount - (anew ? 0 : done);
     const double turn = direction->along.tail<3>().norm();
-    const double most = turn > 0 ? std::min(left, kStep / turn) : left;
+    const double most = std::min(left, turn > 0 ? kStep / turn : kLongest);
     const Hit hit = FirstHit(now->contacts, now->belief.kept, direction->along);
     const bool touches = hit.contact != nullptr && hit.distance <= most;
-    if (touches && !maneuver.to_contact && hit.distance < most / kBefore) return result;
+    if (touches && !maneuver.to_contact) return result;
     if (touches && IsGrazing(*hit.contact, direction->along, options_.radius)) return result;
     const double length = touches ? hit.distance : most;
     if (length < kLeast) return result;
     Command command{length * direction->along, direction->kept, {}};
     if (touches) command.until = KeyOf(*hit.contact);
     command.displacement = Refined(X, command);
-    std::vector<PrimitiveContact> at_end = ContactsAt(Displaced(X, command.displacement));
-    const SegmentModel model{at_end, options_.velocity_error, options_.radius, options_.test};
-    SegmentCheck check = Check(model, now->belief, command, margins == Margins::kAll);
+    const Pose end = Displaced(X, command.displacement);
+    Nearby nearby = OnTheWayTo(end, command.displacement.head<3>().norm());
+    SegmentCheck check = Checked(nearby, now->belief, command, margins);
     const bool certain = check.certain;
     if (certain) result.after = check.after;
     std::vector<PrimitiveContact> its_contacts;
-    if (margins == Margins::kAll) its_contacts = ContactsOf(command, at_end);
+    if (margins == Margins::kAll) {
+      for (const ParallelEdges& edges : nearby.parallel) nearby.contacts.push_back(edges.contact);
+      its_contacts = ContactsOf(command, check, nearby.contacts);
+    }
     result.motions.push_back({std::move(command), result.after.X_StationaryMoving, std::move(check),
                               std::move(its_contacts)});
     done += length;
@@ -257,22 +304,37 @@ double Maneuvered::LeastScale() const {
   return least;
 }
 
+bool Maneuvering::IsReached(const Belief& belief) const {
+  const Vector3& in = passage_.mating;
+  const Pose& X = belief.X_StationaryMoving;
+  double lowest = -kInfinity;
+  for (const OuterVertex& vertex : passage_.moving.vertices)
+    lowest = std::max(lowest, (X * vertex.p).dot(in));
+  double highest = kInfinity;
+  for (const OuterVertex& vertex : passage_.stationary.vertices)
+    highest = std::min(highest, vertex.p.dot(in));
+  const double way = lowest - highest;
+  if (way <= 0) return true;
+  PoseChange down = PoseChange::Zero();
+  down.head<3>() = way * in;
+  Belief outside = belief;
+  outside.X_StationaryMoving = Displaced(X, -down);
+  return Checked(OnTheWayTo(X, way), outside, {down, {}, {}}, Margins::kNone).certain;
+}
+
 bool Maneuvering::ComesThrough(const Belief& belief) const {
   const Pose& X = belief.X_StationaryMoving;
-  const Vector3 above = passage_.X_StationaryEntry.translation() - X.translation();
+  const Vector3 above = X_StationaryEntry_.translation() - X.translation();
   const double way = passage_.depth + above.dot(passage_.mating);
   if (way <= 0) return true;
   PoseChange in = PoseChange::Zero();
   in.head<3>() = way * passage_.mating;
-  const Pose end = Displaced(X, in);
-  std::vector<PrimitiveContact> opposing =
-      finder_.Near(end, {.reach = options_.reach + way, .turn = options_.turn_error});
-  std::erase_if(opposing, [&](const PrimitiveContact& contact) {
+  Nearby nearby = OnTheWayTo(Displaced(X, in), way);
+  std::erase_if(nearby.contacts, [&](const PrimitiveContact& contact) {
     return contact.row.head<3>().dot(in.head<3>()) > -kAgainst * way;
   });
   const Belief free{X, belief.errors, {}, belief.tolerances};
-  const SegmentModel model{opposing, options_.velocity_error, options_.radius, options_.test};
-  return Check(model, free, {in, {}, {}}, false).certain;
+  return Checked(nearby, free, {in, {}, {}}, Margins::kNone).certain;
 }
 
 int Maneuvering::WideDirections(const Belief& belief) const {

@@ -12,10 +12,15 @@ namespace assay::finemotion {
 struct Passage {
   Polyhedron moving;  // about the tip: the moving part's origin, in the stationary part's axes
   Polyhedron stationary;
-  Pose X_StationaryEntry = Pose::Identity();  // of the tip at the critical point, without errors
+  Pose X_StationaryEntry = Pose::Identity();  // of the tip at the first critical point, no errors
   Vector3 mating = -Vector3::UnitZ();         // unit, the way in
-  double depth = 0.003;                       // metres from there that count as in
+  std::vector<double> further = {};  // metres from there to the next critical points, ascending
+  double depth = 0.003;              // metres from a critical point that count as in
   std::vector<ModelTolerance> tolerances = {};
+
+  int critical_points() const { return 1 + static_cast<int>(further.size()); }
+  // Of the tip at critical point i, without errors.
+  Pose X_StationaryEntryAt(int i) const;
 };
 
 // A way to move that means something wherever the part is: what strategies are made of.
@@ -26,6 +31,7 @@ struct Maneuver {
     kLetGo,    // of a contact, along its normal
     kCenter,   // to the middle of the entry, across the way in
     kUpright,  // to the entry's orientation
+    kAdvance,  // straight on to the next critical point, in the crevice
   };
   Kind kind = Kind::kMove;
   Vector3 direction = Vector3::Zero();  // unit; of kMove and kTurn
@@ -39,8 +45,8 @@ struct CertainMotion {
   Command command;
   Pose X_StationaryAfter = Pose::Identity();  // of the tip, if there are no errors
   SegmentCheck check;
-  std::vector<PrimitiveContact> contacts;  // of the command, kept and made, as they are then; told
-                                           // with the margins
+  std::vector<PrimitiveContact> contacts;  // kept, made and unwanted, as they are then; told with
+                                           // the margins
 };
 
 // Where maneuvers start, and what can be touched there.
@@ -60,8 +66,8 @@ struct Maneuvered {
   double LeastScale() const;
 };
 
-// Maneuvers at one passage. Kept contacts are complied with: a move goes along them, and a turn
-// about the tip is made one about the contacts by moving as well.
+// Maneuvers at one critical point of a passage. Kept contacts are complied with: a move goes along
+// them, and a turn about the tip is made one about the contacts by moving as well.
 class Maneuvering {
  public:
   struct Options {
@@ -76,15 +82,17 @@ class Maneuvering {
     kAll,   // all that is unwanted is told, with its scale, and contacts
   };
 
-  Maneuvering(const Passage& passage, const Options& options);
+  Maneuvering(const Passage& passage, int critical_point, const ContactFinder& finder,
+              const Options& options);
 
-  const Passage& passage() const { return passage_; }
   // Normals of what the tip can touch across the way in, outward from the walls.
   const std::vector<Vector3>& laterals() const { return laterals_; }
 
   Situation At(const Belief& belief) const;
   Maneuvered Apply(const Situation& situation, const Maneuver& maneuver, Margins margins) const;
   std::vector<PrimitiveContact> ContactsAt(const Pose& X_StationaryMoving) const;
+  // Straight along the way in, from outside, the part comes there without touching anything.
+  bool IsReached(const Belief& belief) const;
   // Straight on along the way in, the tip comes as deep as it should, and nothing stands against
   // it. Walls may be touched: they lead.
   bool ComesThrough(const Belief& belief) const;
@@ -96,11 +104,24 @@ class Maneuvering {
 
  private:
   struct Direction;
+  struct Nearby {
+    std::vector<PrimitiveContact> contacts;
+    std::vector<ParallelEdges> parallel;
+  };
 
   std::optional<Direction> DirectionOf(const Situation& situation, const Maneuver& maneuver) const;
+  // What can be touched on a way of so many metres that ends there.
+  Nearby OnTheWayTo(const Pose& end, double way) const;
+  SegmentCheck Checked(const Nearby& nearby, const Belief& belief, const Command& command,
+                       Margins margins) const;
   PoseChange Refined(const Pose& X, const Command& command) const;
+  // Along the way in to the next critical point, short of it by what errors may put the part
+  // beyond where it is believed to be.
+  double WayToNext(const Belief& belief) const;
 
   const Passage& passage_;
+  int critical_point_;
+  Pose X_StationaryEntry_;
   Options options_;
   ContactFinder finder_;
   std::vector<Vector3> laterals_;

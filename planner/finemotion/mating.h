@@ -15,7 +15,7 @@ Polyhedron OutsideOf(const domain::PartModel& model);
 // in first (Mating::features), with the fixed part's axes when it is mated.
 struct MatingGeometry {
   Pose X_HeldTip = Pose::Identity();
-  Passage passage;  // at the first critical point; the moving part about its tip, with clearance
+  Passage passage;  // the moving part about its tip, with clearance; not where it only lands
   Pose X_FixedSeat = Pose::Identity();         // of the tip, at the end
   std::vector<CriticalPoint> critical_points;  // of the parts without clearance
 };
@@ -29,7 +29,8 @@ struct LocalTopology {
 LocalTopology TopologyOf(const Passage& passage);
 
 // The plan for hybrid control: its motions, then the way on to the seat in the crevice between the
-// walls.
-plan::Strategy StrategyOf(const MatingGeometry& geometry, const FineMotionPlan& plan);
+// walls. `options`: with which it was searched for.
+plan::Strategy StrategyOf(const MatingGeometry& geometry, const FineMotionPlan& plan,
+                          const StrategyOptions& options = {});
 
 }  // namespace assay::finemotion

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/finemotion/polyhedron.h"
+#include "planner/finemotion/small_vector.h"
 
 namespace assay::finemotion {
 
@@ -27,7 +28,7 @@ struct ModelTolerance {
 
 // a . z <= b.
 struct HalfSpace {
-  Eigen::VectorXd a;
+  SmallVector a;
   double b = 0;
 
   double Excess(const GeneralizedPoint& z) const { return a.dot(z) - b; }  // positive: outside
@@ -41,8 +42,8 @@ struct PrimitiveContact {
   ContactKind kind = ContactKind::kVertexFace;
   int moving = 0;  // index of the feature in its polyhedron
   int stationary = 0;
-  Eigen::VectorXd row;  // gap = offset + row . z
-  double offset = 0;    // the gap at the critical point, metres
+  SmallVector row;    // gap = offset + row . z
+  double offset = 0;  // the gap at the critical point, metres
   // The contact is inside of all. At most 4, the paper's number: of a feature's ends the nearest;
   // more only where a face or an edge is narrower than the reach that was asked for.
   std::vector<HalfSpace> limits;

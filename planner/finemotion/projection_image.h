@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -89,6 +90,12 @@ struct ProjectionImage {
   void ForgetZeros() {
     ForgetZeros(start_generators);
     ForgetZeros(motion_generators);
+  }
+
+  // A point of it: along the mean motion as near to gap 0 as it comes.
+  ImagePoint<K> Begin() const {
+    if (motion[0] == 0) return start;
+    return start + std::clamp(-start[0] / motion[0], 0.0, 1.0) * motion;
   }
 
   // The point where a . y is least.

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "planner/finemotion/projection_image.h"
@@ -24,7 +25,7 @@ constexpr Eigen::Index kFewErrors = 12;  // that the edge test takes a milliseco
 // Of a row's value, what is due to the start's errors: a number for each.
 using ErrorParts = Eigen::VectorXd;
 
-ErrorParts PartsOf(const Eigen::VectorXd& row, const PoseChanges& errors,
+ErrorParts PartsOf(const SmallVector& row, const PoseChanges& errors,
                    const Eigen::VectorXd& tolerances) {
   ErrorParts parts = errors.transpose() * row.head<kPoseDimensions>();
   const Eigen::Index t = tolerances.size();
@@ -33,7 +34,7 @@ ErrorParts PartsOf(const Eigen::VectorXd& row, const PoseChanges& errors,
 }
 
 // Of their sizes.
-double SumOfParts(const Eigen::VectorXd& row, const PoseChanges& errors,
+double SumOfParts(const SmallVector& row, const PoseChanges& errors,
                   const Eigen::VectorXd& tolerances) {
   const PoseChange pose = row.head<kPoseDimensions>();
   const Eigen::Index t = tolerances.size();
@@ -106,6 +107,18 @@ class KeptDirections {
   // Errors of the model open some of the contacts when others are closed.
   bool are_parted() const { return are_parted_; }
 
+  // Writes the point's coordinates so that they are constant where the contacts make them so, also
+  // along a motion that keeps contacts only to first order.
+  void TakeOut(PointAtEdge& point) const {
+    for (int i = 0; i < count_; ++i) {
+      const PoseChange row = lengths_.cwiseProduct(basis_.col(i));
+      const Vector3 along = point.pose * lengths_.cwiseInverse().cwiseProduct(basis_.col(i));
+      point.offset -= offsets_[i] * along;
+      point.pose -= along * row.transpose();
+      if (tolerances_.size() > 0) point.tolerances -= along * shifts_.col(i).transpose();
+    }
+  }
+
   // Moved by the least that closes the contacts; the first columns also are tolerances.
   PoseChanges Closed(PoseChanges errors, bool with_tolerances) const {
     if (count_ == 0) return errors;
@@ -124,16 +137,19 @@ class KeptDirections {
   void Add(const PrimitiveContact& contact) {
     PoseChange row = contact.row.head<kPoseDimensions>().cwiseQuotient(lengths_);
     Eigen::VectorXd shift = contact.row.tail(tolerances_.size());
+    double offset = contact.offset;
     for (int pass = 0; pass < 2; ++pass) {
       for (int i = 0; i < count_; ++i) {
         const double along = basis_.col(i).dot(row);
         row -= along * basis_.col(i);
         shift -= along * shifts_.col(i);
+        offset -= along * offsets_[i];
       }
     }
     const double length = row.norm();
     if (length > 1e-9) {
       basis_.col(count_) = row / length;
+      offsets_[count_] = offset / length;
       shifts_.col(count_++) = shift / length;
     } else if (shift.cwiseProduct(tolerances_).lpNorm<1>() > kParted) {
       are_parted_ = true;
@@ -143,6 +159,7 @@ class KeptDirections {
   const Eigen::VectorXd& tolerances_;
   PoseChange lengths_;
   Eigen::Matrix<double, kPoseDimensions, kPoseDimensions> basis_;
+  PoseChange offsets_;  // gaps where the motion leads to
   Eigen::Matrix<double, Eigen::Dynamic, kPoseDimensions> shifts_;
   int count_ = 0;
   bool are_parted_ = false;
@@ -189,7 +206,8 @@ class Checker {
     const std::optional<double> time = Time(1);
     if (!time) return check_;
     check_.longest = *time;
-    const bool goes_on = AddContacts(whole) && AddLosses(whole) && AddMissing(whole);
+    const bool goes_on =
+        AddContacts(whole) && AddParallelEdges(whole) && AddLosses(whole) && AddMissing(whole);
     if (!goes_on) return check_;
     std::ranges::stable_sort(check_.unwanted, {}, &Unwanted::scale);
     check_.certain = check_.unwanted.empty() || check_.unwanted.front().scale > 1;
@@ -222,7 +240,7 @@ class Checker {
   }
 
   // As seen from the end.
-  RowRange RangeOf(const Eigen::VectorXd& row, const PoseChanges& errors) const {
+  RowRange RangeOf(const SmallVector& row, const PoseChanges& errors) const {
     const auto pose = row.head<kPoseDimensions>();
     RowRange range;
     range.motion = pose.dot(command_.displacement);
@@ -232,7 +250,7 @@ class Checker {
     return range;
   }
 
-  ErrorParts PartsOf(const Eigen::VectorXd& row, const PoseChanges& errors) const {
+  ErrorParts PartsOf(const SmallVector& row, const PoseChanges& errors) const {
     return finemotion::PartsOf(row, errors, belief_.tolerances);
   }
 
@@ -339,6 +357,56 @@ class Checker {
     ++check_.comparison.compared;
     if (meets && !finemotion::EdgeMeets(image)) ++check_.comparison.missed;
     return meets;
+  }
+
+  bool AddParallelEdges(bool whole) {
+    if (model_.parallel_edges.empty()) return true;
+    std::optional<SweptValues<1>> until;
+    if (until_ != nullptr) until = UntilOnTheWay();
+    for (const ParallelEdges& edges : model_.parallel_edges) {
+      const SweptEdge along_stationary = SweptAlong(edges.along_stationary);
+      const SweptEdge along_moving = SweptAlong(edges.along_moving);
+      const auto may_touch = [&](double scale) {
+        const std::optional<double> time = Time(scale);
+        if (!time) return true;
+        return std::ranges::all_of(
+            std::array{&along_stationary, &along_moving}, [&](const SweptEdge* edge) {
+              return MayTouch(*edge, until ? &*until : nullptr, scale, *time);
+            });
+      };
+      if (!Add({KeyOf(edges), false, ScaleOf(may_touch, whole)}, whole)) return false;
+    }
+    return true;
+  }
+
+  SweptEdge SweptAlong(const EdgeAlongEdge& edge) const {
+    return {.ends = {Swept(edge.ends[0]), Swept(edge.ends[1])},
+            .length = edge.length,
+            .elongation = edge.elongation.head(belief_.tolerances.size()).dot(belief_.tolerances)};
+  }
+
+  // As seen from the end.
+  SweptValues<3> Swept(PointAtEdge point) const {
+    directions_.TakeOut(point);
+    SweptValues<3> swept;
+    swept.motion = point.pose * command_.displacement;
+    swept.start = point.offset - swept.motion;
+    swept.start_errors = point.pose * swept_;
+    const Eigen::Index t = belief_.tolerances.size();
+    if (t > 0) {
+      swept.start_errors.leftCols(t) += point.tolerances * belief_.tolerances.asDiagonal();
+    }
+    swept.motion_errors = point.pose * drifts_;
+    return swept;
+  }
+
+  SweptValues<1> UntilOnTheWay() const {
+    SweptValues<1> gap;
+    gap.start << until_->offset + until_on_the_way_.start;
+    gap.motion << until_on_the_way_.motion;
+    gap.start_errors = until_on_the_way_.start_errors.transpose();
+    gap.motion_errors = until_on_the_way_.motion_errors.transpose();
+    return gap;
   }
 
   // --- Contacts that must not be lost.
@@ -480,7 +548,7 @@ TestComparison& TestComparison::operator+=(const TestComparison& other) {
   return *this;
 }
 
-double ErrorOf(const Eigen::VectorXd& row, const Belief& belief) {
+double ErrorOf(const SmallVector& row, const Belief& belief) {
   return SumOfParts(row, belief.errors, belief.tolerances);
 }
 

@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "planner/finemotion/parallel_edges.h"
 #include "planner/finemotion/primitive_contact.h"
 
 namespace assay::finemotion {
@@ -24,7 +26,7 @@ struct Belief {
 };
 
 // By how much errors can change the value of a row.
-double ErrorOf(const Eigen::VectorXd& row, const Belief& belief);
+double ErrorOf(const SmallVector& row, const Belief& belief);
 
 Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z);
 
@@ -86,6 +88,8 @@ struct SegmentModel {
   double velocity_error = 0.02;
   double radius = 0.02;  // metres
   MeetingTest test = MeetingTest::kExact;
+  // Those that are no contacts, as they are there, too. None of them may touch.
+  std::span<const ParallelEdges> parallel_edges = {};
 };
 
 // A loop over all contacts with the exact test (meeting.h). The hand turns the part about where it

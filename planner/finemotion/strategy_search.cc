@@ -19,19 +19,23 @@ constexpr double kAbove = 0.002;         // metres, of starts over all that erro
 constexpr double kFarthest = 0.015;      // metres that a move may take to a contact
 constexpr double kWidestTurn = 0.15;     // radians that a turn may take to one
 constexpr double kUprightEnough = 0.02;  // radians
-constexpr double kLeastTurn = 0.03;  // radians: edges that are nearer to parallel make no contact
-constexpr double kThin = 1.5e-4;     // metres: errors that are less are none
+constexpr double kLeastTurn = 0.03;    // radians: edges that are nearer to parallel make no contact
+constexpr double kLeastTilt = 0.035;   // radians, of starts: their edges are not parallel
+constexpr double kLeastInside = 1e-3;  // metres, that their lowest corner is inside the entry
+constexpr double kThin = 1.5e-4;       // metres: errors that are less are none
 constexpr std::size_t kMostMotions = 24;
 // The guidance is not a lower bound of the cost, so that sequences need not be the cheapest: what
 // counts is that they absorb errors, which the cost of small ones only hints at.
+constexpr double kPerCriticalPoint = 10;
 constexpr double kPerWideDirection = 4;
 constexpr double kPerError = 3;
 constexpr double kPerRadian = 20;
+constexpr double kPerMetre = 1000;
 // What is certain for larger errors is for smaller ones; and sequences are not always found for
 // the smaller ones, as parts that are less tilted come nearer to having parallel edges.
 constexpr double kEnlarged[] = {1, 2};
 // Of the errors, that sequences are searched for, round by round.
-constexpr double kMultiples[] = {0.5, 1, 0.3, 0.7, 1.5, 0.15};
+constexpr double kMultiples[] = {0.8, 0.7, 1, 0.5, 0.3, 0.15};
 constexpr double kGrowth = 1.06;  // of the errors that a moved start must absorb
 
 // Where a trial starts: turned and beside the entry.
@@ -45,6 +49,7 @@ struct Node {
   std::shared_ptr<const Node> parent = {};
   Maneuver maneuver = {};
   Start start = {};
+  int point = 0;  // of the passage's critical points, the one that it is at
   std::size_t motions = 0;
   double cost = 0;  // at least; all of it, once it is `exact`
   bool exact = true;
@@ -73,19 +78,26 @@ class Search {
   // `multiple`: of the errors, that the sequence is searched for.
   Search(const Passage& passage, const FineMotionErrors& errors, const StrategyOptions& options,
          int round, double multiple)
-      : errors_(errors),
+      : passage_(passage),
+        errors_(errors),
         options_(options),
         multiple_(multiple),
-        maneuvering_(passage,
-                     {.velocity_error = errors.velocity,
-                      .turn_error = std::max(kLeastTurn, 1.5 * errors.pose.tail<3>().maxCoeff()),
-                      .reach = options.reach,
-                      .radius = options.radius,
-                      .test = options.test}),
-        random_(options.seed, fmt::format("starts of strategies {}", round)) {}
+        random_(options.seed, fmt::format("starts of strategies {}", round)) {
+    const ContactFinder finder(passage.moving, passage.stationary, passage.tolerances);
+    for (int point = 0; point < passage.critical_points(); ++point) {
+      maneuvering_.push_back(
+          Maneuvering(passage, point, finder,
+                      {.velocity_error = errors.velocity,
+                       .turn_error = std::max(kLeastTurn, 1.5 * errors.pose.tail<3>().maxCoeff()),
+                       .reach = options.reach,
+                       .radius = options.radius,
+                       .test = options.test}));
+    }
+  }
 
   FineMotionPlan Run() {
     if (const NodePointer goal = Find()) {
+      plan_.obstacle.reset();
       Start start = goal->start;
       for (const Node* node = goal.get(); node->parent; node = node->parent.get()) {
         plan_.maneuvers.insert(plan_.maneuvers.begin(), node->maneuver);
@@ -98,41 +110,54 @@ class Search {
   }
 
  private:
-  const Passage& passage() const { return maneuvering_.passage(); }
+  // Maneuvers at the critical point that a node is at.
+  const Maneuvering& ManeuveringAt(int point) const {
+    return maneuvering_[static_cast<std::size_t>(point)];
+  }
+  bool IsLast(int point) const { return point == passage_.critical_points() - 1; }
 
   // --- Starts.
 
   // Tilted any way, and shifted so that the corner that is then the lowest is inside the entry.
   Start RandomStart() {
-    const auto within = [&](double most) { return random_.Uniform(-most, most); };
-    const Vector3& in = passage().mating;
+    const Vector3& in = passage_.mating;
     const Vector3 side = in.unitOrthogonal();
     const Vector3 other = in.cross(side);
     Start start;
-    start.turn =
-        within(options_.twist) * in + within(options_.tilt) * side + within(options_.tilt) * other;
+    start.turn = random_.Uniform(-options_.twist, options_.twist) * in;
+    for (const Vector3& axis : {side, other}) {
+      const double tilt = random_.Uniform(-1, 1);
+      const double most = std::max(kLeastTilt, options_.tilt);
+      start.turn += std::copysign(std::lerp(kLeastTilt, most, std::abs(tilt)), tilt) * axis;
+    }
     const Vector3 corner = LowestCorner(start.turn);
     for (const Vector3& axis : {side, other}) {
-      start.beside -= std::copysign(random_.Uniform(0, options_.offset), corner.dot(axis)) * axis;
+      const double inside = random_.Uniform(kLeastInside, options_.offset);
+      start.beside -= std::copysign(inside, corner.dot(axis)) * axis;
     }
     return start;
+  }
+
+  // For errors that are less than the play.
+  Start UprightStart() const {
+    return {.turn = Vector3::Zero(), .beside = kLeastInside * passage_.mating.unitOrthogonal()};
   }
 
   Vector3 LowestCorner(const Vector3& turn) const {
     PoseChange z;
     z << Vector3::Zero(), turn;
-    const Pose X = Displaced(passage().X_StationaryEntry, z);
+    const Pose X = Displaced(passage_.X_StationaryEntry, z);
     Vector3 lowest = Vector3::Zero();
-    for (const OuterVertex& vertex : passage().moving.vertices) {
+    for (const OuterVertex& vertex : passage_.moving.vertices) {
       const Vector3 at = X.linear() * vertex.p;
-      if (at.dot(passage().mating) > lowest.dot(passage().mating)) lowest = at;
+      if (at.dot(passage_.mating) > lowest.dot(passage_.mating)) lowest = at;
     }
     return lowest;
   }
 
   Start Near(const Start& start, double size) {
     const auto within = [&](double most) { return random_.Uniform(-most, most) * size; };
-    const Vector3& in = passage().mating;
+    const Vector3& in = passage_.mating;
     const Vector3 side = in.unitOrthogonal();
     const Vector3 other = in.cross(side);
     Start near = start;
@@ -151,18 +176,18 @@ class Search {
         multiple * errors_.pose.asDiagonal().toDenseMatrix();
     PoseChange z;
     z << start.beside, start.turn;
-    belief.X_StationaryMoving = Displaced(passage().X_StationaryEntry, z);
+    belief.X_StationaryMoving = Displaced(passage_.X_StationaryEntry, z);
     double deepest = 0;
     const double wrong = errors_.tolerances.sum();  // of the parts, at most
-    for (const OuterVertex& vertex : passage().moving.vertices) {
+    for (const OuterVertex& vertex : passage_.moving.vertices) {
       const Vector3 at = belief.X_StationaryMoving * vertex.p;
       const double reach =
           errors_.pose.head<3>().norm() +
           errors_.pose.tail<3>().norm() * std::min(vertex.p.norm(), options_.reach);
-      const double depth = (at - passage().X_StationaryEntry.translation()).dot(passage().mating);
+      const double depth = (at - passage_.X_StationaryEntry.translation()).dot(passage_.mating);
       deepest = std::max(deepest, depth + reach + wrong);
     }
-    belief.X_StationaryMoving.translation() -= (deepest + kAbove) * passage().mating;
+    belief.X_StationaryMoving.translation() -= (deepest + kAbove) * passage_.mating;
     return belief;
   }
 
@@ -172,18 +197,18 @@ class Search {
     std::priority_queue<NodePointer, std::vector<NodePointer>, IsLater> open;
     for (int i = 0; i < options_.starts; ++i) {
       Node node;
-      node.start = RandomStart();
+      node.start = i == 0 ? UprightStart() : RandomStart();
       node.belief = BeliefAt(node.start, multiple_);
-      Push(std::move(node), open);
+      if (ManeuveringAt(0).IsReached(node.belief)) Push(std::move(node), open);
     }
-    while (!open.empty() && plan_.expanded < options_.nodes) {
+    while (!open.empty() && plan_.expanded < options_.nodes * passage_.critical_points()) {
       const NodePointer node = open.top();
       open.pop();
       if (!node->exact) {
         open.push(WithExactCost(*node));
         continue;
       }
-      if (IsGoal(node->belief)) return node;
+      if (IsLast(node->point) && IsThrough(node->point, node->belief)) return node;
       ++plan_.expanded;
       if (node->motions < kMostMotions) Expand(node, open);
     }
@@ -192,15 +217,19 @@ class Search {
 
   template <class Queue>
   void Expand(const NodePointer& node, Queue& open) {
-    const Situation situation = maneuvering_.At(node->belief);
-    for (const Maneuver& maneuver : ManeuversFrom(node->belief)) {
-      const Maneuvered done = Apply(situation, maneuver, Maneuvering::Margins::kNone);
-      if (!done.certain) continue;
+    const Situation situation = ManeuveringAt(node->point).At(node->belief);
+    for (const Maneuver& maneuver : ManeuversFrom(*node)) {
+      const Maneuvered done = Apply(node->point, situation, maneuver, Maneuvering::Margins::kNone);
+      if (!done.certain) {
+        Refuse(*node, done);
+        continue;
+      }
       const auto motions = static_cast<double>(done.motions.size());
       Push({.belief = done.after,
             .parent = node,
             .maneuver = maneuver,
             .start = node->start,
+            .point = PointAfter(maneuver, node->point),
             .motions = node->motions + done.motions.size(),
             .cost = node->cost + options_.transitions * motions,
             .exact = false},
@@ -208,18 +237,29 @@ class Search {
     }
   }
 
+  // Of the refused maneuvers, that from the node nearest to the goal tells what is in the way.
+  void Refuse(const Node& node, const Maneuvered& done) {
+    if (done.motions.empty() || done.motions.back().check.unwanted.empty()) return;
+    if (plan_.obstacle && node.guidance >= refused_guidance_) return;
+    plan_.obstacle = done.motions.back().check.unwanted.front();
+    plan_.obstacle->scale *= multiple_;
+    refused_guidance_ = node.guidance;
+  }
+
   // Margins take long, and most nodes are never first.
   NodePointer WithExactCost(Node node) {
-    const Situation before = maneuvering_.At(node.parent->belief);
-    const Maneuvered done = Apply(before, node.maneuver, Maneuvering::Margins::kAll);
-    node.cost += options_.deviation / done.LeastScale() + options_.confusion * ConfusionOf(done);
+    const int point = node.parent->point;
+    const Situation before = ManeuveringAt(point).At(node.parent->belief);
+    const Maneuvered done = Apply(point, before, node.maneuver, Maneuvering::Margins::kAll);
+    node.cost +=
+        options_.deviation / done.LeastScale() + options_.confusion * ConfusionOf(point, done);
     node.exact = true;
     return std::make_shared<const Node>(std::move(node));
   }
 
-  Maneuvered Apply(const Situation& situation, const Maneuver& maneuver,
+  Maneuvered Apply(int point, const Situation& situation, const Maneuver& maneuver,
                    Maneuvering::Margins margins) {
-    Maneuvered done = maneuvering_.Apply(situation, maneuver, margins);
+    Maneuvered done = ManeuveringAt(point).Apply(situation, maneuver, margins);
     for (const CertainMotion& motion : done.motions) plan_.comparison += motion.check.comparison;
     return done;
   }
@@ -227,29 +267,36 @@ class Search {
   template <class Queue>
   void Push(Node node, Queue& open) {
     node.number = made_++;
-    node.guidance = GuidanceOf(node.belief);
+    node.guidance = GuidanceOf(node);
     open.push(std::make_shared<const Node>(std::move(node)));
   }
 
-  bool IsGoal(const Belief& belief) const {
-    return maneuvering_.ToUpright(belief.X_StationaryMoving).norm() < kUprightEnough &&
-           maneuvering_.WideDirections(belief) == 0 && maneuvering_.ComesThrough(belief);
+  bool IsThrough(int point, const Belief& belief) const {
+    const Maneuvering& here = ManeuveringAt(point);
+    return here.ToUpright(belief.X_StationaryMoving).norm() < kUprightEnough &&
+           here.WideDirections(belief) == 0 && here.ComesThrough(belief);
   }
 
-  std::vector<Maneuver> ManeuversFrom(const Belief& belief) const {
+  static int PointAfter(const Maneuver& maneuver, int point) {
+    return maneuver.kind == Maneuver::Kind::kAdvance ? point + 1 : point;
+  }
+
+  std::vector<Maneuver> ManeuversFrom(const Node& node) const {
     using Kind = Maneuver::Kind;
-    const Vector3& in = passage().mating;
+    const Vector3& in = passage_.mating;
     std::vector<Maneuver> maneuvers;
+    if (!IsLast(node.point) && IsThrough(node.point, node.belief))
+      maneuvers.push_back({Kind::kAdvance});
     for (const double length : {1e-3, 3e-3}) maneuvers.push_back({Kind::kMove, -in, length});
     maneuvers.push_back({Kind::kMove, in, kFarthest, true});
-    for (const Vector3& lateral : maneuvering_.laterals()) {
+    for (const Vector3& lateral : ManeuveringAt(node.point).laterals()) {
       maneuvers.push_back({Kind::kMove, lateral, kFarthest, true});
       maneuvers.push_back({Kind::kTurn, lateral, kWidestTurn, true});
     }
     for (const double sign : {1.0, -1.0}) {
       maneuvers.push_back({Kind::kTurn, sign * in, kWidestTurn, true});
     }
-    for (const ContactKey& contact : belief.kept) {
+    for (const ContactKey& contact : node.belief.kept) {
       maneuvers.push_back({Kind::kLetGo, {}, 1e-3, false, contact});
     }
     maneuvers.push_back({Kind::kCenter});
@@ -258,10 +305,10 @@ class Search {
   }
 
   // How alike the forces of the last planned contact and of what is likeliest instead are.
-  double ConfusionOf(const Maneuvered& done) const {
+  double ConfusionOf(int point, const Maneuvered& done) const {
     const CertainMotion& last = done.motions.back();
     if (last.check.unwanted.empty() || !last.command.until) return 0;
-    const auto contacts = maneuvering_.ContactsAt(last.X_StationaryAfter);
+    const auto contacts = ManeuveringAt(point).ContactsAt(last.X_StationaryAfter);
     const auto signature = [&](const ContactKey& key) {
       std::vector<PrimitiveContact> touching;
       for (const ContactKey& kept : last.command.kept) {
@@ -276,16 +323,26 @@ class Search {
     return 1 - separation;
   }
 
-  double GuidanceOf(const Belief& belief) const {
-    PoseChanges errors = belief.errors;
+  // How far the tip is from the way in, metres.
+  double Beside(const Node& node) const {
+    const Vector3 to =
+        node.belief.X_StationaryMoving.translation() - passage_.X_StationaryEntry.translation();
+    return (to - to.dot(passage_.mating) * passage_.mating).norm();
+  }
+
+  double GuidanceOf(const Node& node) const {
+    PoseChanges errors = node.belief.errors;
     errors.bottomRows<3>() *= options_.radius;
     using Spread = Eigen::Matrix<double, kPoseDimensions, kPoseDimensions>;
     const Spread spread = errors * errors.transpose();
     const Eigen::SelfAdjointEigenSolver<Spread> axes(spread, Eigen::EigenvaluesOnly);
     const auto thick = (axes.eigenvalues().array() > kThin * kThin).count();
-    const double turn = maneuvering_.ToUpright(belief.X_StationaryMoving).norm();
-    return kPerWideDirection * maneuvering_.WideDirections(belief) +
-           kPerError * static_cast<double>(thick) + std::min(2.0, kPerRadian * turn);
+    const Maneuvering& here = ManeuveringAt(node.point);
+    const double turn = here.ToUpright(node.belief.X_StationaryMoving).norm();
+    return kPerCriticalPoint * (passage_.critical_points() - node.point) +
+           kPerWideDirection * here.WideDirections(node.belief) +
+           kPerError * static_cast<double>(thick) + std::min(2.0, kPerRadian * turn) +
+           std::min(1.0, kPerMetre * Beside(node));
   }
 
   // --- The sequence from other starts, with larger errors.
@@ -294,13 +351,18 @@ class Search {
     ++plan_.replayed;
     Replay replay;
     Belief belief = BeliefAt(start, multiple);
+    if (!ManeuveringAt(0).IsReached(belief)) return replay;
+    int point = 0;
     for (const Maneuver& maneuver : plan_.maneuvers) {
-      Maneuvered done = Apply(maneuvering_.At(belief), maneuver, margins);
+      const int after = PointAfter(maneuver, point);
+      if (after != point && !IsThrough(point, belief)) return replay;
+      Maneuvered done = Apply(point, ManeuveringAt(point).At(belief), maneuver, margins);
       std::ranges::move(done.motions, std::back_inserter(replay.motions));
       if (!done.certain) return replay;
       belief = std::move(done.after);
+      point = after;
     }
-    replay.certain = IsGoal(belief);
+    replay.certain = IsThrough(point, belief);
     return replay;
   }
 
@@ -333,14 +395,25 @@ class Search {
     plan_.motions = From(start, std::min(1.0, plan_.absorbed), Maneuvering::Margins::kAll).motions;
   }
 
+  const Passage& passage_;
   const FineMotionErrors& errors_;
   const StrategyOptions& options_;
   double multiple_;
-  Maneuvering maneuvering_;
+  std::vector<Maneuvering> maneuvering_;  // at each critical point
   RandomStream random_;
   FineMotionPlan plan_;
+  double refused_guidance_ = 0;  // of the node that the obstacle is of
   int made_ = 0;
 };
+
+// What it tells in multiples of larger errors, in multiples of the errors.
+void Enlarge(FineMotionPlan& plan, double enlarged) {
+  plan.absorbed *= enlarged;
+  if (plan.obstacle) plan.obstacle->scale *= enlarged;
+  for (CertainMotion& motion : plan.motions) {
+    for (Unwanted& unwanted : motion.check.unwanted) unwanted.scale *= enlarged;
+  }
+}
 
 }  // namespace
 
@@ -356,7 +429,7 @@ FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& er
     for (int round = 0; round < options.rounds && !best.found; ++round) {
       const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
       FineMotionPlan plan = Search(passage, larger, options, round, multiple).Run();
-      plan.absorbed *= enlarged;
+      Enlarge(plan, enlarged);
       if (plan.absorbed >= 1) {  // of the errors that were asked for
         plan.found = true;
         plan.obstacle.reset();
@@ -364,7 +437,8 @@ FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& er
       expanded += plan.expanded;
       replayed += plan.replayed;
       comparison += plan.comparison;
-      if (plan.found || plan.absorbed > best.absorbed) best = std::move(plan);
+      const bool tells_more = best.absorbed == 0 && !best.obstacle;
+      if (plan.found || plan.absorbed > best.absorbed || tells_more) best = std::move(plan);
     }
   }
   best.expanded = expanded;

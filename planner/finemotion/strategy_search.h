@@ -31,7 +31,7 @@ struct StrategyOptions {
   int starts = 100;       // that are drawn for a search
   int tries = 400;        // at moving a start
   double greatest = 1.5;  // multiple of the errors that is worth being absorbed
-  int nodes = 200;        // that a search may expand
+  int nodes = 200;        // that a search may expand for each critical point
   MeetingTest test = MeetingTest::kExact;
   std::uint64_t seed = 1;
 };

@@ -21,6 +21,8 @@ class FormCheck {
     Require(!strategy_.motions.empty(), "it has no motions");
     for (const StrategyContact& contact : strategy_.contacts) CheckContact(contact);
     for (std::size_t i = 0; i < strategy_.motions.size(); ++i) CheckMotion(i);
+    Require(IsAtLeast(0, strategy_.friction), "its friction is below 0");
+    Require(IsAtLeast(0, strategy_.length) && strategy_.length > 0, "its length is not above 0");
     CheckCertificate();
     return std::move(flaws_);
   }
@@ -54,7 +56,15 @@ class FormCheck {
             "it waits for a contact that it keeps");
     require(IsAtLeast(0, motion.beyond), "it goes on for less than nothing");
     for (const UnwantedContact& unwanted : motion.unwanted) {
-      require(IsAtLeast(0, unwanted.scale), fmt::format("the scale of {}", unwanted.name));
+      const int contact = unwanted.contact;
+      require(IsContact(contact), fmt::format("no contact {}", contact));
+      require(unwanted.is_loss == Wants(motion, contact),
+              fmt::format("contact {} is {}", contact,
+                          unwanted.is_loss ? "not there to be lost" : "wanted and unwanted"));
+      require(IsAtLeast(0, unwanted.scale), fmt::format("the scale of contact {}", contact));
+      require(std::isfinite(unwanted.gap), fmt::format("the gap of contact {}", contact));
+      require(IsAtLeast(0, unwanted.separation) && unwanted.separation <= 1,
+              fmt::format("the separation of contact {}", contact));
     }
   }
 
@@ -70,6 +80,10 @@ class FormCheck {
         fmt::format("it absorbs {:.4g} times the errors, and 1 is needed", certificate.absorbed));
   }
 
+  static bool Wants(const StrategyMotion& motion, int contact) {
+    return std::ranges::count(ContactsAfter(motion), contact) > 0;
+  }
+
   bool IsContact(int index) const { return index >= 0 && index < std::ssize(strategy_.contacts); }
 
   void Require(bool holds, std::string what) {
@@ -81,6 +95,29 @@ class FormCheck {
 };
 
 }  // namespace
+
+std::vector<StrategyContact> ContactsAt(const Strategy& strategy, const std::vector<int>& indices) {
+  std::vector<StrategyContact> those;
+  for (const int index : indices)
+    those.push_back(strategy.contacts[static_cast<std::size_t>(index)]);
+  return those;
+}
+
+std::vector<int> ContactsAfter(const StrategyMotion& motion) {
+  std::vector<int> contacts = motion.kept;
+  if (motion.until) contacts.push_back(*motion.until);
+  return contacts;
+}
+
+std::vector<int> ContactsInError(const StrategyMotion& motion, const UnwantedContact& unwanted) {
+  std::vector<int> contacts = unwanted.is_loss ? ContactsAfter(motion) : motion.kept;
+  if (unwanted.is_loss) {
+    std::erase(contacts, unwanted.contact);
+  } else {
+    contacts.push_back(unwanted.contact);
+  }
+  return contacts;
+}
 
 bool Absorbs(const std::optional<Strategy>& strategy, std::string_view condition) {
   return strategy && strategy->certificate.absorbed >= 1 &&

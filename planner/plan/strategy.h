@@ -20,16 +20,22 @@ struct StrategyContact {
   Vector3 at = Vector3::Zero();      // from the tip's origin, metres
 };
 
-// A contact that a motion must not make; or must not lose, if it is kept or waited for.
+// A contact that a motion must not make; or must not lose, if it is kept or waited for. The error
+// state is then that of the contacts that are kept and this one, or of the planned ones but this.
 struct UnwantedContact {
-  std::string name;  // "vertex 8 on face 6"
+  int contact = 0;  // index in Strategy::contacts
   bool is_loss = false;
-  double scale = 0;  // the least enlargement of all errors, of a ladder, at which it happens
+  double scale = 0;       // the least enlargement of all errors, of a ladder, at which it happens
+  double gap = 0;         // metres, where the motion leads if there are no errors
+  double separation = 0;  // of the error state's force signature from the planned one's, 0 .. 1
 };
 
 // One segment of a piecewise-linear trajectory: a contact state to be in, where to go in it, and
 // what ends it (figure 3 of the paper). What of the motion is along the normals of the contacts
 // that are kept is left to force control; the rest is position-controlled.
+//
+// It is over when the tip bears a wrench of the contact state after it: of the force signature of
+// what is kept and waited for, with a part that only what is waited for explains.
 struct StrategyMotion {
   std::vector<int> kept;     // contacts that are pressed on all the way; indices
   Pose X_FixedTip;           // where it leads if there are no errors; the way is straight, and the
@@ -57,8 +63,15 @@ struct Strategy {
   Pose X_FixedStart;  // of the tip, where the first motion starts; in free space
   std::vector<StrategyContact> contacts;
   std::vector<StrategyMotion> motions;
+  double friction = 0;   // of the parts at the contacts: how wide force signatures are
+  double length = 0.02;  // metres that torques are divided by to compare with forces
   StrategyCertificate certificate = {};
 };
+
+std::vector<StrategyContact> ContactsAt(const Strategy& strategy, const std::vector<int>& indices);
+// Indices of the contacts that touch after a motion as planned, and in an error state of it.
+std::vector<int> ContactsAfter(const StrategyMotion& motion);
+std::vector<int> ContactsInError(const StrategyMotion& motion, const UnwantedContact& unwanted);
 
 // Whether the step's condition (CertifiedPrecondition::condition) need not hold, since its strategy
 // takes care of it.

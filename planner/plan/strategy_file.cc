@@ -25,9 +25,11 @@ Json ContactToJson(const StrategyContact& contact) {
 }
 
 Json UnwantedToJson(const UnwantedContact& unwanted) {
-  return {{"contact", unwanted.name},
+  return {{"contact", unwanted.contact},
           {"is", kHappenings[unwanted.is_loss ? 1 : 0]},
-          {"scale", unwanted.scale}};
+          {"scale", unwanted.scale},
+          {"gap", unwanted.gap},
+          {"separation", unwanted.separation}};
 }
 
 Json MotionToJson(const StrategyMotion& motion) {
@@ -70,15 +72,22 @@ StrategyContact ReadContact(const Value& value) {
   return contact;
 }
 
-UnwantedContact ReadUnwanted(const Value& value) {
-  value.AllowOnly({"contact", "is", "scale"});
-  return {value.At("contact").Text(), value.At("is").OneOf(kHappenings) == 1,
-          ReadAtLeastZero(value.At("scale"))};
-}
-
 int ReadContactIndex(const Value& value, std::size_t contacts) {
   if (contacts == 0) value.Fail("the strategy has no contacts");
   return value.Integer(0, static_cast<int>(contacts) - 1);
+}
+
+UnwantedContact ReadUnwanted(const Value& value, std::size_t contacts) {
+  value.AllowOnly({"contact", "is", "scale", "gap", "separation"});
+  const Value separation = value.At("separation");
+  UnwantedContact unwanted{.contact = ReadContactIndex(value.At("contact"), contacts),
+                           .is_loss = value.At("is").OneOf(kHappenings) == 1,
+                           .scale = ReadAtLeastZero(value.At("scale")),
+                           .gap = value.At("gap").Number(),
+                           .separation = ReadAtLeastZero(separation)};
+  if (unwanted.separation > 1)
+    separation.Fail(fmt::format("{} is above 1", separation.Text()), "0 .. 1");
+  return unwanted;
 }
 
 StrategyMotion ReadMotion(const Value& value, std::size_t contacts) {
@@ -91,7 +100,7 @@ StrategyMotion ReadMotion(const Value& value, std::size_t contacts) {
   motion.beyond = ReadAtLeastZero(value.At("beyond"));
   motion.slides = value.At("slides").Flag();
   for (const Value& unwanted : value.At("unwanted").Items()) {
-    motion.unwanted.push_back(ReadUnwanted(unwanted));
+    motion.unwanted.push_back(ReadUnwanted(unwanted, contacts));
   }
   return motion;
 }
@@ -118,17 +127,24 @@ Json ToJson(const Strategy& strategy) {
                {"motions", Json::array()}};
   for (const StrategyContact& c : strategy.contacts) json["contacts"].push_back(ContactToJson(c));
   for (const StrategyMotion& m : strategy.motions) json["motions"].push_back(MotionToJson(m));
+  json["friction"] = strategy.friction;
+  json["length"] = strategy.length;
   json["certificate"] = CertificateToJson(strategy.certificate);
   return json;
 }
 
 Strategy ReadStrategy(const Value& value) {
-  value.AllowOnly({"X_HeldTip", "X_FixedStart", "contacts", "motions", "certificate"});
+  value.AllowOnly(
+      {"X_HeldTip", "X_FixedStart", "contacts", "motions", "friction", "length", "certificate"});
+  const Value length = value.At("length");
   Strategy strategy{.X_HeldTip = ReadPose(value.At("X_HeldTip")),
                     .X_FixedStart = ReadPose(value.At("X_FixedStart")),
                     .contacts = {},
                     .motions = {},
+                    .friction = ReadAtLeastZero(value.At("friction")),
+                    .length = ReadAtLeastZero(length),
                     .certificate = ReadCertificate(value.At("certificate"))};
+  if (strategy.length == 0) length.Fail("0 is no length", "more than 0");
   for (const Value& contact : value.At("contacts").Items()) {
     strategy.contacts.push_back(ReadContact(contact));
   }

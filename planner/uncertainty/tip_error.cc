@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "planner/algebra/simplify.h"
-#include "planner/base/check.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -63,8 +63,11 @@ TipBox BoxOf(const UncertainWorld& world, const std::vector<TipError>& errors) {
     }
   }
   const double sine = sines.norm();
-  ASSAY_CHECK(sine < kAlmostOne, "a part in the hand that may be turned by a right angle");
-  if (sine > 0) box.w = std::asin(sine) / sine * sines;
+  if (sine >= kAlmostOne) {
+    box.w.setConstant(std::numbers::pi);  // the part may be turned any way
+  } else if (sine > 0) {
+    box.w = std::asin(sine) / sine * sines;
+  }
   return box;
 }
 

@@ -28,7 +28,7 @@ std::vector<TipError> TipErrors(const UncertainWorld& world, domain::MatingId ma
                                 const TipWay& way);
 
 // A box that contains them: half widths of the displacement, and of the components of the rotation
-// vector. All turns are less than a right angle.
+// vector; pi each where turns may reach a right angle.
 struct TipBox {
   Vector3 d = Vector3::Zero();
   Vector3 w = Vector3::Zero();

@@ -94,6 +94,7 @@ ContactObserver::ContactObserver(const scene::Scene& scene, const domain::Mating
       mating_(mating),
       geometry_(geometry),
       planned_(planned),
+      finder_(geometry.passage.moving, geometry.passage.stationary),
       scratch_(scene.model()) {}
 
 void ContactObserver::operator()(const mujoco::Data& data, int motion) {
@@ -133,8 +134,8 @@ ContactSet ContactObserver::ContactsOf(const mujoco::Data& data, int motion) {
   if (points.empty() && touching_.empty()) return {};
   const Pose X_FixedTip = scene_.TruePose(data, mating_.fixed).inverse() *
                           scene_.TruePose(data, mating_.held) * geometry_.X_HeldTip;
-  const std::vector<PrimitiveContact> contacts = finemotion::PrimitiveContacts(
-      geometry_.passage.moving, geometry_.passage.stationary, X_FixedTip, kReach, {}, kTurn);
+  const std::vector<PrimitiveContact> contacts =
+      finder_.Near(X_FixedTip, {.reach = kReach, .turn = kTurn});
   ContactSet touching;
   for (const ContactKey& key : touching_) {
     if (StillTouches(finemotion::Find(contacts, key), kApart)) touching.push_back(key);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/finemotion/contact_finder.h"
 #include "planner/finemotion/mating.h"
 #include "sim/check/contact_sequence.h"
 #include "sim/scene/scene.h"
@@ -71,6 +72,7 @@ class ContactObserver {
   const domain::Mating& mating_;
   const finemotion::MatingGeometry& geometry_;
   const PlannedContacts& planned_;
+  finemotion::ContactFinder finder_;
   mujoco::Data scratch_;  // forces of the present are to be had by a forward pass only
   double next_ = 0;
   ContactSet touching_;  // at the last sample

@@ -72,7 +72,9 @@ std::string StrategyText(const plan::Strategy& strategy) {
   }
   if (first == nullptr) return text + "\n";
   return text + fmt::format("; then {} of {} comes first, at {:g} times\n",
-                            first->is_loss ? "the loss" : "the contact", first->name, first->scale);
+                            first->is_loss ? "the loss" : "the contact",
+                            strategy.contacts[static_cast<std::size_t>(first->contact)].name,
+                            first->scale);
 }
 
 }  // namespace

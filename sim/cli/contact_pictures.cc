@@ -44,13 +44,6 @@ render::Ghost Cross(const Vector3& at, const Vector3& eye) {
   return cross;
 }
 
-// What touches at the end of a motion.
-std::vector<int> ContactsAfter(const plan::StrategyMotion& motion) {
-  std::vector<int> contacts = motion.kept;
-  if (motion.until) contacts.push_back(*motion.until);
-  return contacts;
-}
-
 std::string CaptionOf(int number, const plan::Strategy& strategy,
                       const std::vector<int>& contacts) {
   std::vector<std::string> names;
@@ -66,11 +59,11 @@ void Write(const render::Image& image, const std::filesystem::path& file) {
 
 }  // namespace
 
-std::vector<std::string> WriteContactPictures(const std::filesystem::path& folder,
-                                              const domain::Problem& problem,
-                                              const scene::Scene& scene,
-                                              const domain::Mating& mating,
-                                              const plan::Strategy& strategy) {
+std::vector<ContactPicture> WriteContactPictures(const std::filesystem::path& folder,
+                                                 const domain::Problem& problem,
+                                                 const scene::Scene& scene,
+                                                 const domain::Mating& mating,
+                                                 const plan::Strategy& strategy) {
   mujoco::Data data = scene.Start();
   scene.SetPart(data, mating.held, geometry::Translation(0, 0, kOutOfSight));
   data.Forward();
@@ -79,10 +72,10 @@ std::vector<std::string> WriteContactPictures(const std::filesystem::path& folde
   const plan::StrategyMotion& entered = strategy.motions[strategy.motions.size() - 2];
   const render::FreeCamera camera = CameraOn(X_WorldFixed * entered.X_FixedTip.translation(), out);
   render::Renderer renderer(scene.model(), kWidth, kHeight);
-  std::vector<std::string> files;
+  std::vector<ContactPicture> files;
   std::vector<render::CaptionedImage> sheet;
   for (const plan::StrategyMotion& motion : strategy.motions) {
-    const std::vector<int> contacts = ContactsAfter(motion);
+    const std::vector<int> contacts = plan::ContactsAfter(motion);
     const Pose X_WorldHeld = X_WorldFixed * motion.X_FixedTip * strategy.X_HeldTip.inverse();
     std::vector<render::Ghost> lines = {
         render::GhostOf(*problem.part(mating.held).model, X_WorldHeld, kHeld)};
@@ -93,14 +86,14 @@ std::vector<std::string> WriteContactPictures(const std::filesystem::path& folde
     }
     const int number = static_cast<int>(sheet.size()) + 1;
     sheet.push_back({CaptionOf(number, strategy, contacts), renderer.Render(data, camera, lines)});
-    files.push_back(fmt::format("{:02}-contacts.png", number));
-    Write(sheet.back().image, folder / files.back());
+    files.push_back({fmt::format("{:02}-contacts.png", number), sheet.back().caption});
+    Write(sheet.back().image, folder / files.back().file);
   }
-  files.push_back("contact-sheet.png");
+  files.push_back({"contact-sheet.png", "all of them"});
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet.size()))));
   Write(
       render::ContactSheet(sheet, columns, {{kHeld, "held part"}, {kTouching, "where it touches"}}),
-      folder / files.back());
+      folder / files.back().file);
   return files;
 }
 

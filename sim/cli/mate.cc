@@ -12,7 +12,7 @@
 
 #include "sim/check/margin_ranking.h"
 #include "sim/cli/console.h"
-#include "sim/cli/contact_pictures.h"
+#include "sim/cli/mating_pictures.h"
 #include "sim/cli/mating_report.h"
 #include "sim/cli/mating_trials.h"
 #include "sim/cli/output_file.h"
@@ -117,7 +117,7 @@ MatingStudy Tried(const PlannedProblem& planned, const MatingGeometry& geometry,
   settings.scene.grasp = options.grasp;
   if (options.friction) settings.scene.part_friction = *options.friction;
   const MatingTrials trials(planned, AssembleOf(planned), geometry, settings);
-  const plan::Strategy strategy = finemotion::StrategyOf(geometry, plan);
+  const plan::Strategy strategy = finemotion::StrategyOf(geometry, plan, SearchOptions(options));
   const check::PlannedContacts contacts = check::PlannedContactsOf(plan);
   const std::vector<int> numbers = NumbersOf(options);
   MatingStudy study{.strategy = std::vector<MatedTrial>(numbers.size()),
@@ -144,13 +144,13 @@ ExitCode Execute(const Options& options) {
       finemotion::GeometryOf(planned.problem, planned.problem.mating(AssembleOf(planned).mating));
   Json seconds;
   const Stopwatch graphing;
-  const finemotion::ContactGraph graph = TopologyOf(geometry.passage).graph;
+  const finemotion::LocalTopology topology = TopologyOf(geometry.passage);
   seconds["graph"] = graphing.Seconds();
   const Stopwatch searching;
   const FineMotionPlan plan =
       finemotion::SearchStrategy(geometry.passage, ErrorsOf(options), SearchOptions(options));
   seconds["search"] = searching.Seconds();
-  Json json = ToJson(geometry, plan, graph);
+  Json json = ToJson(geometry, plan, topology.graph);
   std::string text = TextOf(geometry, plan);
   ExitCode code = plan.found ? ExitCode::kDone : ExitCode::kNoPlan;
   if ((options.trials > 0 || options.trial) && !plan.motions.empty()) {
@@ -162,10 +162,9 @@ ExitCode Execute(const Options& options) {
     if (plan.found && study.CoveredFailures() > 0) code = ExitCode::kFailed;
   }
   if (!options.pictures.empty() && !plan.motions.empty()) {
-    const scene::Scene scene(planned.problem, planned.simulation.scene);
-    const std::vector<std::string> files = WriteContactPictures(
-        options.pictures, planned.problem, scene,
-        planned.problem.mating(AssembleOf(planned).mating), StrategyOf(geometry, plan));
+    const std::vector<std::string> files = WriteMatingPictures(
+        options.pictures, {planned, planned.problem.mating(AssembleOf(planned).mating), geometry,
+                           topology, plan, StrategyOf(geometry, plan, SearchOptions(options))});
     json["pictures"] = files;
     text += fmt::format("{}\n", fmt::join(files, "\n"));
   }
@@ -220,7 +219,8 @@ Execution Declare(CLI::App& command) {
   AddUncertainty(command, *options);
   AddTrials(command, *options);
   command.add_option("--pictures", options->pictures,
-                     "folder for pictures of the contact states that are planned");
+                     "folder for pictures of the contact states and their graph; index.html has "
+                     "all of it");
   command.add_flag("--json", options->json, "print the result as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "sim/check/error_recognition.h"
 #include "sim/cli/table.h"
 
 namespace assay::cli {
@@ -143,12 +144,19 @@ std::string TextOf(const check::Divergence& divergence) {
                      divergence.observed ? TextOf(*divergence.observed) : "its end before that");
 }
 
+std::string TextOf(const std::optional<exec::RecognizedContact>& recognized) {
+  if (!recognized) return {};
+  return fmt::format("; by its forces {}{}", recognized->is_loss ? "the loss of " : "",
+                     recognized->name);
+}
+
 // What went wrong, a line each; none if nothing did.
 std::string TextOf(const MatingStudy& study, const MatedTrial& trial) {
   std::string text;
   if (!trial.seated) {
-    text += fmt::format("  trial {}: {}: {}\n", trial.number, exec::Name(trial.result.end.outcome),
-                        trial.result.end.reason);
+    const exec::StrategyEnd& end = trial.result.end;
+    text += fmt::format("  trial {}: {}: {}{}\n", trial.number, exec::Name(end.outcome), end.reason,
+                        TextOf(end.recognized));
   }
   if (!Matches(trial)) {
     text += fmt::format("  trial {}: {}\n", trial.number,
@@ -156,6 +164,22 @@ std::string TextOf(const MatingStudy& study, const MatedTrial& trial) {
   }
   if (!trial.seated) text += fmt::format("  again: {}{}\n", study.replay, trial.number);
   return text;
+}
+
+// Of all trials' error states, but for those in the crevice: no contacts are planned there.
+check::RecognitionTally RecognitionOf(const MatingStudy& study) {
+  check::RecognitionTally tally;
+  for (const MatedTrial& trial : study.strategy) {
+    check::Count(trial.result.end, check::Bridged(trial.sequence->contacts.spans), tally);
+  }
+  return tally;
+}
+
+std::string TextOf(const check::RecognitionTally& tally) {
+  if (tally.errors == 0) return {};
+  return fmt::format(
+      "error states: {} by contacts; {} recognized as one of the plan's, {} rightly\n",
+      tally.errors, tally.named, tally.right);
 }
 
 std::string TextOf(const check::MarginRanking& ranking) {
@@ -202,12 +226,23 @@ Json ToJson(const SequenceRecord& sequence) {
           {"unmapped", sequence.contacts.unmapped}};
 }
 
-Json ToJson(const std::vector<exec::ErrorState>& states) {
+// What an error state was recognized as, and whether that is what the engine had; null: nothing.
+Json RecognizedJson(const std::optional<exec::RecognizedContact>& recognized, double time,
+                    const SequenceRecord& sequence) {
+  if (!recognized) return {};
+  const auto bridged = check::Bridged(sequence.contacts.spans);
+  return {{"contact", recognized->name},
+          {"loss", recognized->is_loss},
+          {"right", check::IsRight(*recognized, time, bridged)}};
+}
+
+Json ToJson(const std::vector<exec::ErrorState>& states, const SequenceRecord& sequence) {
   Json json = Json::array();
   for (const exec::ErrorState& state : states) {
     json.push_back({{"motion", state.motion + 1},
                     {"end", exec::Name(state.outcome)},
-                    {"reason", state.reason}});
+                    {"reason", state.reason},
+                    {"recognized", RecognizedJson(state.recognized, state.time, sequence)}});
   }
   return json;
 }
@@ -219,7 +254,9 @@ Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
           {"seated", trial.seated},
           {"end", exec::Name(trial.result.end.outcome)},
           {"reason", trial.result.end.reason},
-          {"recovered", ToJson(trial.result.end.recovered)},
+          {"recognized",
+           RecognizedJson(trial.result.end.recognized, trial.result.end.time, *trial.sequence)},
+          {"recovered", ToJson(trial.result.end.recovered, *trial.sequence)},
           {"force", trial.result.greatest_force},
           {"simulated", trial.result.duration},
           {"sequence", ToJson(*trial.sequence)},
@@ -244,19 +281,30 @@ Json ToJson(const check::MarginRanking& ranking) {
 
 }  // namespace
 
+std::string SummaryOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
+  return fmt::format("{} critical points; {} motions, certain for {:.2f} times the errors",
+                     geometry.critical_points.size(), plan.motions.size(), plan.absorbed);
+}
+
+std::vector<report::MatingSubject::Motion> MotionsOf(const FineMotionPlan& plan) {
+  std::vector<report::MatingSubject::Motion> motions;
+  for (const finemotion::CertainMotion& motion : plan.motions) {
+    const auto& unwanted = motion.check.unwanted;
+    motions.push_back(
+        {.ends_with = motion.command.until ? finemotion::Name(*motion.command.until) : "its way",
+         .contacts = fmt::format("{}", fmt::join(NamesOf(motion.check.after.kept), ", ")),
+         .unwanted = unwanted.empty() ? "none" : TextOf(unwanted.front())});
+  }
+  return motions;
+}
+
 std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
   Table table({{""}, {"ends with"}, {"in contact after it"}, {"first unwanted"}});
   int number = 0;
-  for (const finemotion::CertainMotion& motion : plan.motions) {
-    const auto& unwanted = motion.check.unwanted;
-    table.Add({fmt::format("{}", ++number),
-               motion.command.until ? finemotion::Name(*motion.command.until) : "its way",
-               fmt::format("{}", fmt::join(NamesOf(motion.check.after.kept), ", ")),
-               unwanted.empty() ? "none" : TextOf(unwanted.front())});
+  for (const auto& motion : MotionsOf(plan)) {
+    table.Add({fmt::format("{}", ++number), motion.ends_with, motion.contacts, motion.unwanted});
   }
-  std::string text = fmt::format(
-      "{} critical points; {} motions, certain for {:.2f} times the errors\n{}",
-      geometry.critical_points.size(), plan.motions.size(), plan.absorbed, table.Text());
+  std::string text = fmt::format("{}\n{}", SummaryOf(geometry, plan), table.Text());
   if (!plan.found) {
     text += fmt::format("no strategy absorbs the errors{}\n",
                         plan.obstacle ? "; in the way: " + TextOf(*plan.obstacle) : "");
@@ -293,6 +341,7 @@ std::string TextOf(const MatingStudy& study) {
     text += fmt::format("of no contact of the model: {} of {} points; first {}\n", tally.unmapped,
                         tally.points, tally.first_unmapped);
   }
+  text += TextOf(RecognitionOf(study));
   return text + TextOf(study.ranking) + TextOf("straight", study.straight);
 }
 
@@ -300,6 +349,7 @@ Json ToJson(const MatingStudy& study) {
   Json rows = Json::array();
   for (const MatedTrial& trial : study.strategy) rows.push_back(ToJson(study, trial));
   const SequenceTally tally = SequencesOf(study);
+  const check::RecognitionTally recognition = RecognitionOf(study);
   return {{"number", study.strategy.size()},
           {"strategy", ToJson(study.strategy)},
           {"straight", ToJson(study.straight)},
@@ -309,6 +359,10 @@ Json ToJson(const MatingStudy& study) {
             {"covered_matching", tally.covered_matching},
             {"points", tally.points},
             {"unmapped", tally.unmapped}}},
+          {"recognition",
+           {{"errors", recognition.errors},
+            {"named", recognition.named},
+            {"right", recognition.right}}},
           {"ranking", ToJson(study.ranking)},
           {"rows", rows}};
 }

@@ -8,6 +8,7 @@
 #include "planner/finemotion/mating.h"
 #include "sim/check/margin_ranking.h"
 #include "sim/cli/mating_trials.h"
+#include "sim/report/mating_page.h"
 
 namespace assay::cli {
 
@@ -15,6 +16,10 @@ namespace assay::cli {
 // the way if there is none; for programs the fields of mate.schema.json.
 std::string TextOf(const finemotion::MatingGeometry& geometry,
                    const finemotion::FineMotionPlan& plan);
+std::string SummaryOf(
+    const finemotion::MatingGeometry& geometry,
+    const finemotion::FineMotionPlan& plan);  // a line of it, and the table's rows
+std::vector<report::MatingSubject::Motion> MotionsOf(const finemotion::FineMotionPlan& plan);
 nlohmann::ordered_json ToJson(const finemotion::MatingGeometry& geometry,
                               const finemotion::FineMotionPlan& plan,
                               const finemotion::ContactGraph& graph);

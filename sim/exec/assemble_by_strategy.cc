@@ -3,11 +3,6 @@
 #include "sim/exec/action_commands.h"
 
 namespace assay::exec {
-namespace {
-
-constexpr double kClampForce = 300;  // newtons
-
-}  // namespace
 
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Assemble& assemble, const plan::Strategy& strategy) {

@@ -61,6 +61,7 @@ struct Look {
 };
 
 // A clamp presses a part down on the table; with no force, it lets go.
+inline constexpr double kClampForce = 300;  // newtons, on the fixed part of a mating by contacts
 struct Clamp {
   PartId part;
   double force = 0;  // newtons

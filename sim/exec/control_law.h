@@ -15,6 +15,7 @@ struct ControlLaw {
   double touching_force = 3;        // on a contact that counts as made, where others are kept
   double first_touching_force = 1;  // where no others are
   double obstructing_force = 15;    // that no contact explains
+  double force_limit = 60;          // at the wrist; impacts may be twice as much
   double softness = 0.03;           // share of the servos' stiffness
   double relaxation = 40;           // of forces that are too much, 1/s
   double seeking_speed = 0.002;     // of a contact that is lost, m/s
@@ -26,6 +27,7 @@ struct ControlLaw {
   double touch_filter = 0.008;         // of a contact that is waited for
   double location_filter = 0.05;       // of where contacts are felt
   double obstruction_duration = 0.05;  // longer than an impact takes
+  double recognition_filter = 0.02;    // of what error states are recognized by
   double settling = 0.1;               // after each motion, at least
   double braking = 0.002;              // when a contact is made
   double slack = 1e-4;                 // that a contact may be farther away than errors explain, m

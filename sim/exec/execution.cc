@@ -45,7 +45,8 @@ Execution::Execution(const domain::Problem& problem, const scene::Scene& scene, 
       servo_(scene),
       world_(problem),
       trace_(EmptyTrace(problem)),
-      commanded_{scene.ArmPosition(data), JointVector::Zero()} {}
+      commanded_{scene.ArmPosition(data), JointVector::Zero()},
+      force_limit_(options.force_limit) {}
 
 Pose Execution::BelievedTool() const {
   return ToolAt(*problem_.workcell, commanded_.q) * hand_error_.inverse();
@@ -149,6 +150,12 @@ void Execution::SetStepping(Stepping stepping) {
   data_.SetTimestep(free ? std::max(fine, options_.free_timestep) : fine);
 }
 
+bool Execution::IsInHand() const {
+  if (world_.held().IsNone()) return false;
+  return scene_.Touching(data_, world_.held(), scene_.left_finger()) ||
+         scene_.Touching(data_, world_.held(), scene_.right_finger());
+}
+
 void Execution::TakeStock() { commanded_ = {scene_.ArmPosition(data_), JointVector::Zero()}; }
 
 Checkpoint Execution::Save() const {
@@ -219,12 +226,12 @@ Progress Execution::Watch() {
   felt_ += std::min(1.0, data_.timestep() / kForceFilter) * (force - felt_);
   peak_ += std::min(1.0, data_.timestep() / kPeakFilter) * (force - peak_);
   greatest_force_ = std::max(greatest_force_, peak_.norm());
-  if (felt_.norm() <= options_.force_limit) return std::nullopt;
+  if (felt_.norm() <= force_limit_) return std::nullopt;
   const Vector3 p = 1e3 * scene_.ToolPose(data_).translation();
   return Failure{ExecutionOutcome::kOverload,
                  fmt::format("the wrist felt {:.0f} N, more than {:.0f} N, with the tool at "
                              "({:.1f}, {:.1f}, {:.1f}) mm",
-                             felt_.norm(), options_.force_limit, p.x(), p.y(), p.z())};
+                             felt_.norm(), force_limit_, p.x(), p.y(), p.z())};
 }
 
 }  // namespace assay::exec

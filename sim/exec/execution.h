@@ -59,6 +59,11 @@ class Execution {
 
   // The arm is with these joint values, at rest: a jump, for the start of a trial.
   void Place(const JointVector& q);
+  // From now on the arm stops where the wrist feels more newtons than this.
+  void LimitForce(double newtons) { force_limit_ = newtons; }
+  double force_limit() const { return force_limit_; }
+  // Whether a finger touches the part that it is believed to hold.
+  bool IsInHand() const;
   // From now on the hand errs so (noise::Noise::HandError).
   void SetHandError(const Pose& error) { hand_error_ = error; }
   // The same, and it goes where it now believes itself to be.
@@ -115,6 +120,7 @@ class Execution {
   Vector3 felt_ = Vector3::Zero();  // wrist force, low-pass filtered
   Vector3 peak_ = Vector3::Zero();  // the same, with a lighter filter
   double greatest_force_ = 0;
+  double force_limit_;
 };
 
 // The commands (one file each). `rest`: the commands that follow in the same step.

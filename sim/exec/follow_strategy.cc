@@ -6,12 +6,6 @@
 namespace assay::exec {
 namespace {
 
-bool InHand(PartId part, const Execution& execution, const mujoco::Data& data) {
-  const scene::Scene& scene = execution.scene();
-  return scene.Touching(data, part, scene.left_finger()) ||
-         scene.Touching(data, part, scene.right_finger());
-}
-
 // What the executor calls it: what only the mating knows of is for people to look at.
 ExecutionOutcome ExecutionOutcomeOf(MatingOutcome outcome) {
   switch (outcome) {
@@ -37,12 +31,14 @@ ExecutionOutcome ExecutionOutcomeOf(MatingOutcome outcome) {
 
 Progress Run(const FollowStrategy& follow, std::span<const Command>, Execution& execution) {
   const ControlLaw law;
+  const double usual_limit = execution.force_limit();
+  execution.LimitForce(law.force_limit);
   HybridControl control(follow.strategy, follow.fixed, law, execution);
   StrategyEnd end = control.Run();
+  execution.LimitForce(usual_limit);
   // Servos that were soft are stiff again.
   execution.TakeStock();
-  if (end.outcome == MatingOutcome::kDone &&
-      !InHand(execution.world().held(), execution, execution.data())) {
+  if (end.outcome == MatingOutcome::kDone && !execution.IsInHand()) {
     end.outcome = MatingOutcome::kDropped;
     end.reason = "the part is no longer in the hand";
   }

@@ -19,30 +19,6 @@ bool CanBeLeft(MatingOutcome error) {
 
 }  // namespace
 
-std::string_view Name(MatingOutcome outcome) {
-  switch (outcome) {
-    case MatingOutcome::kDone:
-      return "done";
-    case MatingOutcome::kJammed:
-      return "jammed";
-    case MatingOutcome::kWedged:
-      return "wedged";
-    case MatingOutcome::kWrongContact:
-      return "wrong-contact";
-    case MatingOutcome::kTimeout:
-      return "timeout";
-    case MatingOutcome::kOverload:
-      return "overload";
-    case MatingOutcome::kUnreachable:
-      return "unreachable";
-    case MatingOutcome::kDropped:
-      return "dropped";
-    case MatingOutcome::kEngineWarning:
-      return "engine-warning";
-  }
-  return {};
-}
-
 MatingOutcome OutcomeOf(ExecutionOutcome outcome) {
   switch (outcome) {
     case ExecutionOutcome::kOverload:
@@ -61,7 +37,10 @@ MatingOutcome OutcomeOf(ExecutionOutcome outcome) {
 
 HybridControl::HybridControl(const plan::Strategy& strategy, PartId fixed, const ControlLaw& law,
                              Execution& execution)
-    : strategy_(strategy), law_(law), arm_(execution, fixed, strategy.X_HeldTip, law) {}
+    : strategy_(strategy),
+      law_(law),
+      execution_(execution),
+      arm_(execution, fixed, strategy.X_HeldTip, law) {}
 
 StrategyEnd HybridControl::Run(const MotionObserver& observer) {
   observer_ = observer;
@@ -77,6 +56,8 @@ StrategyEnd HybridControl::Run(const MotionObserver& observer) {
     end.outcome = error->outcome;
     end.reason = error->reason;
     end.motion = error->motion;
+    end.recognized = std::move(error->recognized);
+    end.time = error->time;
     return end;
   }
 }
@@ -84,9 +65,33 @@ StrategyEnd HybridControl::Run(const MotionObserver& observer) {
 HybridControl::Ended HybridControl::RunOnce() {
   for (std::size_t i = 0; i < strategy_.motions.size(); ++i) {
     motion_ = static_cast<int>(i);
-    if (Ended error = RunMotion(i)) return error;
+    Ended error = RunMotion(i);
+    if (error) error->recognized = Recognized(strategy_.motions[i]);
+    Record(error.value_or(Error(MatingOutcome::kDone, {})));
+    if (error) return error;
   }
   return std::nullopt;
+}
+
+void HybridControl::Record(const ErrorState& end) {
+  execution_.trace().events.push_back(MotionRecord{.time = end.time,
+                                                   .step = execution_.step(),
+                                                   .motion = end.motion,
+                                                   .attempt = attempt_,
+                                                   .outcome = end.outcome,
+                                                   .recognized = end.recognized});
+}
+
+// With contacts where they are found to be.
+std::optional<RecognizedContact> HybridControl::Recognized(
+    const plan::StrategyMotion& motion) const {
+  plan::Strategy found = strategy_;
+  for (plan::StrategyContact& contact : found.contacts) contact.at += Beside(contact);
+  const auto error =
+      Recognize(found, motion, {felt_, TwistBetween(motion.X_FixedTip, arm_.MeasuredTip())});
+  if (!error) return std::nullopt;
+  return RecognizedContact{found.contacts[static_cast<std::size_t>(error->contact)].name,
+                           error->is_loss};
 }
 
 HybridControl::Ended HybridControl::DrawBack() {
@@ -142,12 +147,15 @@ double HybridControl::NextRate(const Way& way, double rate, double left) const {
 PressedContacts HybridControl::Pressed(std::span<const int> contacts) const {
   std::vector<plan::StrategyContact> pressed;
   for (const int index : contacts) {
-    plan::StrategyContact contact = strategy_.contacts[static_cast<std::size_t>(index)];
-    if (const auto found = beside_.find(contact.name); found != beside_.end())
-      contact.at += found->second;
-    pressed.push_back(contact);
+    pressed.push_back(strategy_.contacts[static_cast<std::size_t>(index)]);
+    pressed.back().at += Beside(pressed.back());
   }
   return PressedContacts(pressed);
+}
+
+Vector3 HybridControl::Beside(const plan::StrategyContact& planned) const {
+  const auto found = beside_.find(planned.name);
+  return found == beside_.end() ? Vector3::Zero() : found->second;
 }
 
 void HybridControl::Remember(std::span<const int> contacts, const PressedContacts& pressed) {
@@ -196,8 +204,7 @@ HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedConta
 // would have to bear for what is felt. When it has not come once, errors are greater than they
 // should be: the next time it may be farther away.
 HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion, const Way& way) {
-  std::vector<int> after = motion.kept;
-  after.push_back(*motion.until);
+  const std::vector<int> after = plan::ContactsAfter(motion);
   PressedContacts kept = Pressed(motion.kept);
   const double dt = arm_.timestep();
   const double latest = 1 + attempt_ * motion.beyond + Slack(*motion.until, way);
@@ -211,13 +218,7 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
     const PressedContacts touched = Pressed(after);
     const double force = touched.Forces(arm_.wrench()).tail<1>()[0];
     felt += std::min(1.0, dt / law_.touch_filter) * (force - felt);
-    if (felt > touching) {
-      if (Ended error = Brake(Hybrid(kept, rate * way.twist))) return error;
-      if (Ended error = Settle(touched)) return error;
-      Believe(kept, motion.X_FixedTip);
-      BelieveMade(*motion.until, motion.X_FixedTip, Hybrid(kept, way.twist).planned);
-      return std::nullopt;
-    }
+    if (felt > touching) return Make(motion, way, rate, kept);
     if (Ended error = CheckObstruction(touched)) return error;
     if (felt < touching / 2) {
       kept.Locate(arm_.wrench(), std::min(1.0, dt / law_.location_filter));
@@ -228,6 +229,15 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
   }
   const auto& awaited = strategy_.contacts[static_cast<std::size_t>(*motion.until)];
   return Error(MatingOutcome::kTimeout, fmt::format("no contact of {}", awaited.name));
+}
+
+HybridControl::Ended HybridControl::Make(const plan::StrategyMotion& motion, const Way& way,
+                                         double rate, const PressedContacts& kept) {
+  if (Ended error = Brake(Hybrid(kept, rate * way.twist))) return error;
+  if (Ended error = Settle(Pressed(plan::ContactsAfter(motion)))) return error;
+  Believe(kept, motion.X_FixedTip);
+  BelieveMade(*motion.until, motion.X_FixedTip, Hybrid(kept, way.twist).planned);
+  return std::nullopt;
 }
 
 HybridControl::Ended HybridControl::CheckObstruction(const PressedContacts& contacts) {
@@ -294,19 +304,14 @@ HybridControl::Ended HybridControl::Brake(TipMotion motion) {
   return std::nullopt;
 }
 
-// Until all contacts are pressed on.
+// Until all contacts are pressed on, on average, but at most five times as long as usual.
 HybridControl::Ended HybridControl::Settle(const PressedContacts& contacts) {
-  constexpr double kLongest = 5;  // times as long as usual
   const double share = arm_.timestep() / law_.settling;
-  double least = 0;  // newtons, averaged
-  for (double time = 0; time < 1 || (time < kLongest && least < law_.touching_force / 2);
-       time += share) {
+  double least = contacts.empty() ? law_.touching_force : 0;  // newtons
+  for (double time = 0; time < 1 || (time < 5 && least < law_.touching_force / 2); time += share) {
     if (Ended error = Step(Hybrid(contacts, Vector6::Zero()))) return error;
-    if (contacts.empty()) {
-      least = law_.touching_force;
-    } else {
-      least += 5 * share * (contacts.Forces(arm_.wrench()).minCoeff() - least);
-    }
+    if (contacts.empty()) continue;
+    least += 5 * share * (contacts.Forces(arm_.wrench()).minCoeff() - least);
   }
   return std::nullopt;
 }
@@ -347,12 +352,17 @@ void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vecto
 HybridControl::Ended HybridControl::Step(const TipMotion& motion) {
   if (Progress failure = arm_.Step(motion))
     return Error(OutcomeOf(failure->outcome), failure->reason);
+  felt_ += std::min(1.0, arm_.timestep() / law_.recognition_filter) * (arm_.wrench() - felt_);
   if (observer_) observer_(arm_.data(), motion_);
   return std::nullopt;
 }
 
 ErrorState HybridControl::Error(MatingOutcome outcome, std::string reason) const {
-  return {outcome, fmt::format("motion {}: {}", motion_ + 1, reason), motion_};
+  return {.outcome = outcome,
+          .reason = fmt::format("motion {}: {}", motion_ + 1, reason),
+          .motion = motion_,
+          .recognized = {},
+          .time = arm_.data().time()};
 }
 
 }  // namespace assay::exec

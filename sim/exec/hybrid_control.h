@@ -8,31 +8,22 @@
 #include <vector>
 
 #include "planner/plan/strategy.h"
+#include "sim/exec/mating_outcome.h"
 #include "sim/exec/pressed_contacts.h"
+#include "sim/exec/recognition.h"
 #include "sim/exec/soft_arm.h"
 
 namespace assay::exec {
 
-// How a mating by a strategy ended, as far as the arm can tell.
-enum class MatingOutcome {
-  kDone,           // every motion was made
-  kJammed,         // it stopped short of its end; without the push it is free
-  kWedged,         // it stopped short of its end, and cannot be drawn back either
-  kWrongContact,   // something touched that was not to
-  kTimeout,        // a contact that was to end a motion did not come
-  kOverload,       // the wrist felt more force than it may: protective stop
-  kUnreachable,    // the arm cannot go on
-  kDropped,        // the part is no longer in the hand
-  kEngineWarning,  // the engine's numbers cannot be trusted
-};
-std::string_view Name(MatingOutcome outcome);  // "wrong-contact"
 MatingOutcome OutcomeOf(ExecutionOutcome outcome);
 
 // A contact state that is not of the plan, or in which it does not go on.
 struct ErrorState {
   MatingOutcome outcome = MatingOutcome::kDone;
   std::string reason = {};
-  int motion = 0;  // that it came in
+  int motion = 0;                                    // that it came in
+  std::optional<RecognizedContact> recognized = {};  // none: of the known ones none
+  double time = 0;                                   // simulated seconds
 };
 
 struct StrategyEnd {
@@ -40,6 +31,8 @@ struct StrategyEnd {
   std::string reason = {};                 // empty if done
   int motion = 0;                          // the one that it ended in
   std::vector<ErrorState> recovered = {};  // that it had come into before, and out of again
+  std::optional<RecognizedContact> recognized = {};
+  double time = 0;  // simulated seconds
 };
 
 // Told of each timestep: the simulation after it, and the motion's index.
@@ -75,6 +68,8 @@ class HybridControl {
   using Ended = std::optional<ErrorState>;  // none: it goes on
 
   Ended RunOnce();
+  void Record(const ErrorState& end);
+  std::optional<RecognizedContact> Recognized(const plan::StrategyMotion& motion) const;
   // Out of the hole, and to where the strategy starts.
   Ended DrawBack();
   Vector3 WayOut() const;
@@ -90,6 +85,7 @@ class HybridControl {
   double NextRate(const Way& way, double rate, double left) const;
   // Where they are found to be.
   PressedContacts Pressed(std::span<const int> contacts) const;
+  Vector3 Beside(const plan::StrategyContact& planned) const;
   void Remember(std::span<const int> contacts, const PressedContacts& pressed);
 
   // Whether a contact that was made before is not kept in this motion.
@@ -101,6 +97,9 @@ class HybridControl {
   Ended Stuck(const Vector6& direction, double left);
   double Slack(int contact, const Way& way) const;
   Ended Brake(TipMotion motion);
+  // The awaited contact was made on the way: it and what is kept are pressed on.
+  Ended Make(const plan::StrategyMotion& motion, const Way& way, double rate,
+             const PressedContacts& kept);
   Ended Settle(const PressedContacts& contacts);
   Ended Step(const TipMotion& motion);
 
@@ -120,10 +119,12 @@ class HybridControl {
 
   const plan::Strategy& strategy_;
   const ControlLaw& law_;
+  Execution& execution_;
   SoftArm arm_;
   MotionObserver observer_;
   std::map<std::string, Vector3> beside_;  // where contacts are planned, that they are found
   double obstructed_ = 0;                  // seconds, without a break
+  Vector6 felt_ = Vector6::Zero();         // the arm's wrench, averaged
   int attempt_ = 1;
   int motion_ = 0;
 };

@@ -22,11 +22,11 @@ class Trial {
       : mating_(problem.mating(setting.mating)),
         scene_(scene),
         setting_(setting),
-        options_{.sample_rate = 0, .force_limit = options.force_limit},
+        options_{.sample_rate = 0, .force_limit = options.law.force_limit},
         data_(scene.Start()),
         execution_(problem, scene, data_, options_) {
     scene.SetPart(data_, mating_.fixed, RestingPoses(problem, scene)[mating_.fixed.index()]);
-    scene.Clamp(data_, mating_.fixed, options.clamp_force);
+    scene.Clamp(data_, mating_.fixed, kClampForce);
     execution_.world().Believe(mating_.fixed, scene.TruePose(data_, mating_.fixed));
   }
 
@@ -53,7 +53,8 @@ class Trial {
   Pose X_WorldFixed() const { return execution_.world().PartPose(mating_.fixed); }
 
   MatingResult Result(StrategyEnd end) const {
-    if (end.outcome != MatingOutcome::kEngineWarning && !InHand())
+    const bool was_taken = !execution_.world().held().IsNone();
+    if (end.outcome != MatingOutcome::kEngineWarning && was_taken && !execution_.IsInHand())
       end.outcome = MatingOutcome::kDropped;
     return {.end = std::move(end),
             .duration = data_.time(),
@@ -83,11 +84,6 @@ class Trial {
     }
     if (nearest) execution_.Place(*nearest);
     return nearest.has_value();
-  }
-
-  bool InHand() const {
-    return scene_.Touching(data_, mating_.held, scene_.left_finger()) ||
-           scene_.Touching(data_, mating_.held, scene_.right_finger());
   }
 
   const domain::Mating& mating_;

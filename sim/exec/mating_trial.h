@@ -15,8 +15,6 @@ struct MatingSetting {
 
 struct MatingTrialOptions {
   ControlLaw law = {};
-  double force_limit = 60;   // newtons at the wrist
-  double clamp_force = 300;  // newtons, on the fixed part
   MotionObserver observer = {};
 };
 

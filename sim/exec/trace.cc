@@ -53,6 +53,19 @@ class TraceWriter {
             {"resisted", guard.resisted},
             {"tool", ToJson(guard.tool)}};
   }
+  Json operator()(const MotionRecord& motion) const {
+    Json recognized;
+    if (motion.recognized) {
+      recognized = {{"contact", motion.recognized->name}, {"loss", motion.recognized->is_loss}};
+    }
+    return {{"kind", "motion"},
+            {"time", motion.time},
+            {"step", motion.step.index()},
+            {"motion", motion.motion + 1},
+            {"attempt", motion.attempt},
+            {"outcome", exec::Name(motion.outcome)},
+            {"recognized", recognized}};
+  }
   Json operator()(const Milestone& milestone) const {
     Json json = Of("milestone", milestone.moment);
     json["step"] = milestone.step.index();

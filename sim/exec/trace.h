@@ -2,12 +2,14 @@
 
 #include <cstdint>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "planner/plan/plan.h"
+#include "sim/exec/mating_outcome.h"
 #include "sim/exec/world_model.h"
 #include "sim/scene/scene.h"
 
@@ -63,6 +65,23 @@ struct GuardRecord {
   double time = 0;
   bool resisted = false;  // before its end
   Pose tool;              // where the hand believes itself to be
+};
+
+// An unwanted contact of a strategy (plan::UnwantedContact) that was made, or lost, by what is
+// felt.
+struct RecognizedContact {
+  std::string name;  // "vertex 8 on face 6"
+  bool is_loss = false;
+};
+
+// How a motion of a strategy ended.
+struct MotionRecord {
+  double time = 0;
+  plan::StepId step;
+  int motion = 0;   // index
+  int attempt = 1;  // at the strategy, from 1
+  MatingOutcome outcome = MatingOutcome::kDone;
+  std::optional<RecognizedContact> recognized = {};  // if not done; none: none of the known ones
 };
 
 // What is reached in a step.
@@ -137,8 +156,8 @@ struct ExecutionEnd {
 };
 
 using TraceEvent =
-    std::variant<Sample, GraspFact, LookRecord, GuardRecord, Milestone, VerificationRecord,
-                 RecoveryRecord, StepEnd, RestRecord, ExecutionEnd>;
+    std::variant<Sample, GraspFact, LookRecord, GuardRecord, MotionRecord, Milestone,
+                 VerificationRecord, RecoveryRecord, StepEnd, RestRecord, ExecutionEnd>;
 
 // All that is recorded about one execution, in the order of time.
 struct Trace {

@@ -30,6 +30,7 @@ constexpr std::array kAxes = {
     CellAxis{"errors",
              [](const sweep::CellRecord& cell) { return "× " + NumberText(cell.error_scale); }},
     CellAxis{"propagation", [](const sweep::CellRecord& cell) { return cell.propagation; }},
+    CellAxis{"resolvers", [](const sweep::CellRecord& cell) { return cell.resolvers; }},
     CellAxis{"grasp", [](const sweep::CellRecord& cell) { return cell.grasp; }},
     CellAxis{"sensing", [](const sweep::CellRecord& cell) { return cell.sensing; }},
     CellAxis{"noise", [](const sweep::CellRecord& cell) { return cell.noise; }},

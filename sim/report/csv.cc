@@ -52,15 +52,17 @@ class Csv {
 
 CsvFile Outcomes(const Findings& findings) {
   Csv csv("outcomes.csv",
-          "cell,scenario,clearance,error_scale,propagation,grasp,sensing,noise,seed,plan,actions,"
+          "cell,scenario,clearance,error_scale,propagation,resolvers,grasp,sensing,noise,seed,plan,"
+          "actions,"
           "unproved,trials,done,succeeded,wilson_low,wilson_high,control_done,control_succeeded");
   for (const CellFindings& cell : findings.cells) {
     const sweep::CellRecord& record = cell.cell();
     const Interval wilson = sweep::WilsonInterval(cell.summary.succeeded, cell.summary.done);
     csv.Add(record.cell, record.scenario, record.clearance, record.error_scale, record.propagation,
-            record.grasp, record.sensing, record.noise, record.seed, record.outcome, record.actions,
-            record.errors, record.trials, cell.summary.done, cell.summary.succeeded, wilson.low,
-            wilson.high, cell.control_done, cell.control_succeeded);
+            record.resolvers, record.grasp, record.sensing, record.noise, record.seed,
+            record.outcome, record.actions, record.errors, record.trials, cell.summary.done,
+            cell.summary.succeeded, wilson.low, wilson.high, cell.control_done,
+            cell.control_succeeded);
   }
   return csv.Take();
 }

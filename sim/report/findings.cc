@@ -149,7 +149,8 @@ std::vector<Conservatism> ReadConservatism(const Database& database, int cell) {
 // under.
 bool SamePlan(const CellRecord& a, const CellRecord& b) {
   return a.scenario == b.scenario && a.clearance == b.clearance && a.error_scale == b.error_scale &&
-         a.propagation == b.propagation && a.sensing == b.sensing && a.grasp == b.grasp;
+         a.propagation == b.propagation && a.resolvers == b.resolvers && a.sensing == b.sensing &&
+         a.grasp == b.grasp;
 }
 
 void AddControls(std::vector<CellFindings>& cells) {

@@ -6,8 +6,8 @@
 #include "planner/base/input_error.h"
 #include "sim/report/chart.h"
 #include "sim/report/figures.h"
+#include "sim/report/head.h"
 #include "sim/report/section.h"
-#include "sim/report/style.h"
 
 namespace assay::report {
 namespace {
@@ -28,23 +28,6 @@ std::string TitleOf(const Findings& findings) {
   } catch (const InputError&) {
     return name;
   }
-}
-
-Element Head(const std::string& title) {
-  Element head("head");
-  head.Add("meta").Set("charset", "utf-8");
-  head.Add("meta").Set("name", "viewport").Set("content", "width=device-width, initial-scale=1");
-  head.Add("meta").Set("name", "color-scheme").Set("content", "light dark");
-  head.Add("meta").Set("name", "generator").Set("content", "assay report");
-  // Whatever a browser is told here, it fetches nothing.
-  head.Add("meta")
-      .Set("http-equiv", "Content-Security-Policy")
-      .Set("content", "default-src 'none'; style-src 'unsafe-inline'; img-src data:");
-  // Else a browser asks for one.
-  head.Add("link").Set("rel", "icon").Set("href", "data:,");
-  head.Add("title", title + " – assay report");
-  head.Add("style", StyleSheet());
-  return head;
 }
 
 std::string AboutText(const Findings& findings) {

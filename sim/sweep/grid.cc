@@ -44,6 +44,7 @@ std::vector<Cell> Cells(const Sweep& sweep) {
   cells = Spread(cells, sweep.clearances, &Cell::clearance);
   cells = Spread(cells, sweep.error_scales, &Cell::error_scale);
   cells = Spread(cells, sweep.propagations, &Cell::propagation);
+  cells = Spread(cells, sweep.resolvers, &Cell::resolvers);
   cells = Spread(cells, sweep.grasps, &Cell::grasp);
   cells = Spread(cells, sweep.sensings, &Cell::sensing);
   cells = Spread(cells, sweep.noises, &Cell::noise);
@@ -74,7 +75,7 @@ TrialPlace PlaceOf(const std::vector<Cell>& cells, int trial) {
 
 bool SharePlan(const Cell& a, const Cell& b) {
   return a.scenario == b.scenario && a.clearance == b.clearance && a.error_scale == b.error_scale &&
-         a.propagation == b.propagation && a.grasp == b.grasp;
+         a.propagation == b.propagation && a.resolvers == b.resolvers && a.grasp == b.grasp;
 }
 
 }  // namespace assay::sweep

@@ -16,6 +16,7 @@ struct Cell {
   std::optional<double> clearance;
   double error_scale = 1;
   uncertainty::Propagation propagation = uncertainty::Propagation::kSound;
+  std::optional<Resolvers> resolvers = {};
   scene::GraspMode grasp = scene::GraspMode::kFriction;
   Sensing sensing = Sensing::kDrawn;
   NoiseKind noise = NoiseKind::kUniform;

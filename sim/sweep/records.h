@@ -22,7 +22,9 @@ struct CellRecord {
   std::string scenario;  // its path, as in the sweep file
   double clearance = 0;  // metres, what it really is
   double error_scale = 1;
-  std::string propagation, noise, sensing;
+  std::string propagation;
+  std::string resolvers;  // "sensing,squeezing", what they really are
+  std::string noise, sensing;
   std::int64_t seed = 0;
   int trials = 0;
   std::string grasp;

@@ -15,8 +15,8 @@ CREATE TABLE run(
 
 CREATE TABLE cell(
   cell INTEGER PRIMARY KEY, scenario TEXT NOT NULL, clearance REAL NOT NULL,
-  error_scale REAL NOT NULL, propagation TEXT NOT NULL, noise TEXT NOT NULL,
-  sensing TEXT NOT NULL, seed INTEGER NOT NULL, trials INTEGER NOT NULL, grasp TEXT NOT NULL,
+  error_scale REAL NOT NULL, propagation TEXT NOT NULL, resolvers TEXT NOT NULL,
+  noise TEXT NOT NULL, sensing TEXT NOT NULL, seed INTEGER NOT NULL, trials INTEGER NOT NULL, grasp TEXT NOT NULL,
   outcome TEXT NOT NULL, actions INTEGER NOT NULL, errors INTEGER NOT NULL,
   proved INTEGER NOT NULL, conflict TEXT NOT NULL, plan TEXT NOT NULL);
 

@@ -43,17 +43,18 @@ CellRecord ReadCell(const Statement& row) {
           .clearance = row.Real(2),
           .error_scale = row.Real(3),
           .propagation = row.Text(4),
-          .noise = row.Text(5),
-          .sensing = row.Text(6),
-          .seed = row.Integer(7),
-          .trials = row.Int(8),
-          .grasp = row.Text(9),
-          .outcome = row.Text(10),
-          .actions = row.Int(11),
-          .errors = row.Int(12),
-          .proved = row.Int(13) != 0,
-          .conflict = row.Text(14),
-          .plan = row.Text(15)};
+          .resolvers = row.Text(5),
+          .noise = row.Text(6),
+          .sensing = row.Text(7),
+          .seed = row.Integer(8),
+          .trials = row.Int(9),
+          .grasp = row.Text(10),
+          .outcome = row.Text(11),
+          .actions = row.Int(12),
+          .errors = row.Int(13),
+          .proved = row.Int(14) != 0,
+          .conflict = row.Text(15),
+          .plan = row.Text(16)};
 }
 
 check::Claimed ReadClaimed(const std::string& name) {
@@ -228,7 +229,7 @@ struct Store::Writing {
         claim(database.Prepare("INSERT OR IGNORE INTO claim VALUES(?,?,?,?,?,?,?,?,?,?,?)")),
         observation(database.Prepare("INSERT INTO observation VALUES(?,?,?)")),
         timing(database.Prepare("INSERT INTO timing VALUES(?,?)")),
-        cell(database.Prepare("INSERT INTO cell VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
+        cell(database.Prepare("INSERT INTO cell VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)")),
         gate(database.Prepare("INSERT INTO gate VALUES(?,?,?,?,?,?)")),
         component(database.Prepare("INSERT INTO gate_component VALUES(?,?,?,?,?,?,?)")),
         planning(database.Prepare("INSERT INTO planning VALUES(?,?)")),
@@ -370,8 +371,8 @@ void Store::Add(const std::vector<CellRecord>& cells, double seconds) {
 void Store::WriteCell(const CellRecord& cell) {
   writing_->cell
       .Bind(cell.cell, cell.scenario, cell.clearance, cell.error_scale, cell.propagation,
-            cell.noise, cell.sensing, cell.seed, cell.trials, cell.grasp, cell.outcome,
-            cell.actions, cell.errors, cell.proved, cell.conflict, cell.plan)
+            cell.resolvers, cell.noise, cell.sensing, cell.seed, cell.trials, cell.grasp,
+            cell.outcome, cell.actions, cell.errors, cell.proved, cell.conflict, cell.plan)
       .Run();
   for (std::size_t id = 0; id < cell.gate.steps.size(); ++id) {
     WriteGate(cell.cell, static_cast<int>(id), cell.gate.steps[id]);

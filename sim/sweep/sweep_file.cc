@@ -22,26 +22,38 @@ constexpr domain::Range kClearances = {0, 0.01};  // metres
 constexpr domain::Range kErrorScales = {0, 100};
 constexpr int kLargestBudget = std::numeric_limits<int>::max();
 
-// The values of an axis, each once; those of `axis` if the key is left out.
+// A list of values, each once.
 template <class T, class Read>
-void ReadAxis(const Value& root, const char* key, std::vector<T>& axis, const Read& read) {
-  const std::optional<Value> list = root.Find(key);
-  if (!list) return;
+void ReadAxis(const Value& list, std::vector<T>& axis, const Read& read) {
   axis.clear();
-  for (const Value& item : list->Items()) {
+  for (const Value& item : list.Items()) {
     const T value = read(item);
     if (std::ranges::find(axis, value) != axis.end()) {
       item.Fail("the value is given twice", "each value once");
     }
     axis.push_back(value);
   }
-  if (axis.empty()) list->Fail("the list is empty", "one value or more");
+  if (axis.empty()) list.Fail("the list is empty", "one value or more");
+}
+
+// `axis` stays as it is if the key is left out.
+template <class T, class Read>
+void ReadAxis(const Value& root, const char* key, std::vector<T>& axis, const Read& read) {
+  if (const std::optional<Value> list = root.Find(key)) ReadAxis(*list, axis, read);
 }
 
 // Values with names, in the order of their enumeration.
 template <class Enum>
 auto Named(const std::vector<std::string>& names) {
   return [&names](const Value& value) { return static_cast<Enum>(value.OneOf(names)); };
+}
+
+// In their order, whatever that of the list is.
+Resolvers ReadResolvers(const Value& list) {
+  Resolvers resolvers;
+  ReadAxis(list, resolvers, Named<domain::ResolverKind>(domain::ResolverNames()));
+  std::ranges::sort(resolvers);
+  return resolvers;
 }
 
 std::string ReadScenario(const Value& value, const fs::path& folder) {
@@ -77,6 +89,8 @@ void ReadAxes(const Value& root, Sweep& sweep) {
            [](const Value& value) { return domain::ReadWithin(value, 1, kErrorScales); });
   ReadAxis(root, "propagation", sweep.propagations,
            Named<uncertainty::Propagation>(PropagationNames()));
+  ReadAxis(root, "resolvers", sweep.resolvers,
+           [](const Value& value) -> std::optional<Resolvers> { return ReadResolvers(value); });
   ReadAxis(root, "grasp", sweep.grasps, Named<scene::GraspMode>(GraspNames()));
   ReadAxis(root, "sensing", sweep.sensings, Named<Sensing>(SensingNames()));
   ReadAxis(root, "noise", sweep.noises, Named<NoiseKind>(NoiseNames()));
@@ -127,8 +141,8 @@ void CheckSize(const Value& root, const Sweep& sweep) {
   double trials = std::max(sweep.trials, sweep.control_trials);
   for (const std::size_t length :
        {sweep.scenarios.size(), sweep.clearances.size(), sweep.error_scales.size(),
-        sweep.propagations.size(), sweep.grasps.size(), sweep.sensings.size(), sweep.noises.size(),
-        sweep.seeds.size()}) {
+        sweep.propagations.size(), sweep.resolvers.size(), sweep.grasps.size(),
+        sweep.sensings.size(), sweep.noises.size(), sweep.seeds.size()}) {
     trials *= static_cast<double>(length);
   }
   if (trials <= 100.0 * kMostTrials) return;
@@ -189,6 +203,15 @@ std::string_view Name(Sensing sensing) { return SensingNames()[static_cast<std::
 std::string_view Name(uncertainty::Propagation propagation) {
   return PropagationNames()[static_cast<std::size_t>(propagation)];
 }
+
+std::string Name(const Resolvers& resolvers) {
+  std::vector<std::string> names;
+  for (const domain::ResolverKind kind : resolvers) {
+    names.push_back(domain::ResolverNames()[static_cast<std::size_t>(kind)]);
+  }
+  return fmt::format("{}", fmt::join(names, ","));
+}
+
 fs::path Sweep::PathOf(const std::string& scenario) const {
   return (file.parent_path() / scenario).lexically_normal();
 }
@@ -197,8 +220,8 @@ Sweep ReadSweep(const Document& document, const fs::path& file, std::string text
   document.RequireFormat("assay-sweep/1");
   const Value& root = document.root();
   root.AllowOnly({"format", "title", "units", "scenarios", "clearances", "error_scales",
-                  "propagation", "grasp", "sensing", "noise", "seeds", "trials", "control_trials",
-                  "attempts", "conservatism", "planner"});
+                  "propagation", "resolvers", "grasp", "sensing", "noise", "seeds", "trials",
+                  "control_trials", "attempts", "conservatism", "planner"});
   Sweep sweep{.file = file, .text = std::move(text)};
   if (const auto title = root.Find("title")) sweep.title = title->Text();
   root.At("scenarios");

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planner/base/document.h"
+#include "planner/domain/uncertainty_operations.h"
 #include "planner/posting/uncertainty_phase.h"
 #include "sim/noise/sampling.h"
 #include "sim/scene/mjcf.h"
@@ -39,6 +40,9 @@ std::string_view Name(NoiseKind kind);
 std::string_view Name(Sensing sensing);
 std::string_view Name(uncertainty::Propagation propagation);
 
+using Resolvers = std::vector<domain::ResolverKind>;  // ascending
+std::string Name(const Resolvers& resolvers);         // "sensing,fine-motion"
+
 // A sweep file ("assay-sweep/1"): a grid of trials. Each list is an axis; no value is in it twice.
 struct Sweep {
   std::filesystem::path file;  // as the user gave it
@@ -49,6 +53,7 @@ struct Sweep {
   std::vector<std::optional<double>> clearances = {std::nullopt};  // metres; none: the scenario's
   std::vector<double> error_scales = {1};  // factors on the errors of parts and hand
   std::vector<uncertainty::Propagation> propagations = {uncertainty::Propagation::kSound};
+  std::vector<std::optional<Resolvers>> resolvers = {std::nullopt};  // none: the scenario's
   std::vector<scene::GraspMode> grasps = {scene::GraspMode::kFriction};
   std::vector<Sensing> sensings = {Sensing::kDrawn};
   std::vector<NoiseKind> noises = {NoiseKind::kUniform};

@@ -39,9 +39,9 @@ std::string_view OutcomeName(Outcome outcome) {
 
 scenario::Scenario LoadScenario(const Sweep& sweep, const fs::path& models, const Cell& cell) {
   const fs::path file = sweep.PathOf(cell.scenario);
-  scenario::Scenario scenario =
-      scenario::Load(file, models.empty() ? scenario::FindModels(file) : models,
-                     {.clearance = cell.clearance, .error_scale = cell.error_scale});
+  scenario::Scenario scenario = scenario::Load(
+      file, models.empty() ? scenario::FindModels(file) : models,
+      {.clearance = cell.clearance, .error_scale = cell.error_scale, .resolvers = cell.resolvers});
   return scenario;
 }
 
@@ -58,6 +58,7 @@ std::string RunCommand(const Sweep& sweep, const fs::path& models, const Cell& c
   if (cell.propagation != uncertainty::Propagation::kSound) {
     command += fmt::format(" --propagation {}", Name(cell.propagation));
   }
+  if (cell.resolvers) command += fmt::format(" --resolvers {}", Name(*cell.resolvers));
   if (cell.error_scale != 1) command += fmt::format(" --error-scale {}", cell.error_scale);
   if (cell.grasp != grasp_of_scenario) command += fmt::format(" --grasp {}", Name(cell.grasp));
   if (!models.empty()) command += fmt::format(" --models {}", Word(models.generic_string()));
@@ -72,6 +73,7 @@ CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
           .clearance = problem.clearance,
           .error_scale = cell.error_scale,
           .propagation = std::string(Name(cell.propagation)),
+          .resolvers = Name(problem.resolvers),
           .noise = std::string(Name(cell.noise)),
           .sensing = std::string(Name(cell.sensing)),
           .seed = static_cast<std::int64_t>(cell.seed),

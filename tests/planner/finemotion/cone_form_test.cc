@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "planner/base/random.h"
-#include "tests/planner/finemotion/boxes.h"
 
 namespace assay::finemotion {
 namespace {

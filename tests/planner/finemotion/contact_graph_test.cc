@@ -8,8 +8,8 @@
 #include <functional>
 #include <set>
 
+#include "bench/workloads/pegs.h"
 #include "planner/geometry/pose.h"
-#include "tests/planner/finemotion/boxes.h"
 #include "tests/planner/finemotion/feasible_contacts.h"
 
 namespace assay::finemotion {
@@ -20,6 +20,8 @@ using testing::Contains;
 using testing::Each;
 using testing::IsEmpty;
 using testing::SizeIs;
+using workloads::BoxShape;
+using workloads::SquareHoleShape;
 
 // --- Scenes.
 

@@ -67,7 +67,7 @@ TEST(ForceSignature, SeparationOfSingleRaysIsTheSineOfTheirAngle) {
   EXPECT_NEAR(Separation(ForceAt(Vector3::Zero(), Vector3::UnitZ()), both, kLength), std::sqrt(0.5),
               1e-9);
   EXPECT_NEAR(Separation(ForceAt(Vector3::Zero(), -Vector3::UnitZ()), force, kLength), 1, 1e-12);
-  EXPECT_EQ(Separation(force, SignatureOf({}, 0.2), kLength), 1);
+  EXPECT_EQ(Separation(force, SignatureOf(std::vector<PrimitiveContact>{}, 0.2), kLength), 1);
 }
 
 // No wrench of the one makes a smaller angle with a wrench of the other.
@@ -102,6 +102,81 @@ TEST(ForceSignature, OfASubsetIsNotSeparate) {
               1e-7);
 }
 
+// A random wrench of contacts, none of which is without force.
+Wrench WrenchOf(const std::vector<PrimitiveContact>& contacts, double friction,
+                RandomStream& random) {
+  Wrench wrench = Wrench::Zero();
+  for (const PrimitiveContact& contact : contacts) {
+    wrench += ForceAt(contact.at, ForceOf(contact, friction, random));
+  }
+  return wrench;
+}
+
+double SineBetween(Wrench a, Wrench b) {
+  a.tail<3>() /= kLength;
+  b.tail<3>() /= kLength;
+  const double cosine = a.dot(b) / (a.norm() * b.norm());
+  return cosine > 0 ? std::sqrt(std::max(0.0, 1 - cosine * cosine)) : 1;
+}
+
+// The oracle: wrenches of both cones, drawn at random and moved at random to where they are nearer
+// to each other, never come nearer than told; and they come as near.
+TEST(ForceSignature, SeparationIsWhatSampledWrenchesComeTo) {
+  RandomStream random(7, "sampled separation");
+  for (int round = 0; round < 6; ++round) {
+    const PrimitiveContact a = ContactAt(0.02 * RandomVector(random), RandomVector(random));
+    const PrimitiveContact b = ContactAt(0.02 * RandomVector(random), RandomVector(random));
+    const double friction = 0.2;
+    const double told =
+        Separation(SignatureOf({a}, friction, 32), SignatureOf({b}, friction, 32), kLength);
+    double nearest = 1;
+    for (int sample = 0; sample < 20'000; ++sample) {
+      nearest = std::min(
+          nearest, SineBetween(WrenchOf({a}, friction, random), WrenchOf({b}, friction, random)));
+    }
+    EXPECT_GE(nearest, told - 1e-9);
+    EXPECT_LT(nearest, told + 0.1);
+  }
+}
+
+// What both states have does not tell them apart; by what only one has, they are as far apart as
+// the least that its wrenches are from all wrenches of the other.
+TEST(ForceSignature, StatesAreApartByWhatIsNotInBoth) {
+  RandomStream random(8, "states");
+  const double friction = 0.2;
+  for (int round = 0; round < 20; ++round) {
+    const PrimitiveContact kept = ContactAt(0.02 * RandomVector(random), RandomVector(random));
+    const PrimitiveContact one = ContactAt(0.02 * RandomVector(random), RandomVector(random));
+    const PrimitiveContact other = ContactAt(0.02 * RandomVector(random), RandomVector(random));
+    const auto signature = [&](const std::vector<PrimitiveContact>& contacts) {
+      return SignatureOf(contacts, friction);
+    };
+    const double told =
+        SeparationOfStates(signature({kept}), signature({one}), signature({other}), kLength);
+    EXPECT_NEAR(
+        told, SeparationOfStates(signature({kept}), signature({other}), signature({one}), kLength),
+        1e-9);
+    for (int sample = 0; sample < 200; ++sample) {
+      EXPECT_GE(Separation(WrenchOf({one}, friction, random), signature({kept, other}), kLength),
+                told - 1e-9);
+      EXPECT_GE(Separation(WrenchOf({other}, friction, random), signature({kept, one}), kLength),
+                told - 1e-9);
+    }
+  }
+}
+
+TEST(ForceSignature, StatesOfTheSameForcesAreNotApart) {
+  const auto up = SignatureOf({ContactAt({0.01, 0, 0}, Vector3::UnitZ())}, 0);
+  const auto beside = SignatureOf({ContactAt({-0.01, 0, 0}, Vector3::UnitZ())}, 0);
+  const auto between = SignatureOf({ContactAt({0, 0, 0}, Vector3::UnitZ())}, 0);
+  const auto none = SignatureOf(std::vector<PrimitiveContact>{}, 0);
+  EXPECT_NEAR(SeparationOfStates(up, beside, between, kLength), 0, 1e-7)
+      << "a force between two contacts may be of both";
+  EXPECT_NEAR(SeparationOfStates(up, up, none, kLength), 0, 1e-7);
+  EXPECT_EQ(SeparationOfStates(none, up, none, kLength), 1);
+  EXPECT_EQ(SeparationOfStates(up, none, none, kLength), 1);
+}
+
 // A part on a table sticks where it is pushed steeper than the friction's angle from the table
 // (through the point of contact), else it slides.
 TEST(ForceSignature, JamsInsideTheFrictionCone) {
@@ -134,7 +209,7 @@ TEST(ForceSignature, WedgesWhereContactsAreInEachOthersCones) {
     }
   }
   EXPECT_FALSE(Wedges(SignatureOf({ContactAt(Vector3::Zero(), Vector3::UnitZ())}, 0.5), kLength));
-  EXPECT_FALSE(Wedges(SignatureOf({}, 0.5), kLength));
+  EXPECT_FALSE(Wedges(SignatureOf(std::vector<PrimitiveContact>{}, 0.5), kLength));
 }
 
 }  // namespace

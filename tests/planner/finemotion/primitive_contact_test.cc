@@ -10,14 +10,18 @@
 #include <map>
 #include <numbers>
 
+#include "bench/workloads/pegs.h"
 #include "tests/oracle/random_pose.h"
-#include "tests/planner/finemotion/boxes.h"
 
 namespace assay::finemotion {
 namespace {
 
 using oracle::RandomPose;
 using oracle::RandomVector;
+using workloads::BoxShape;
+using workloads::CubeShape;
+using workloads::FromOutlines;
+using workloads::SquareHoleShape;
 
 constexpr std::uint64_t kSeed = 57;
 constexpr double kTouch = 1e-6;

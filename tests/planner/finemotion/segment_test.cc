@@ -11,11 +11,14 @@
 #include <set>
 #include <vector>
 
+#include "bench/workloads/pegs.h"
 #include "tests/oracle/random_pose.h"
-#include "tests/planner/finemotion/boxes.h"
 
 namespace assay::finemotion {
 namespace {
+
+using workloads::BoxShape;
+using workloads::SquareHoleShape;
 
 using Contacts = std::vector<PrimitiveContact>;
 

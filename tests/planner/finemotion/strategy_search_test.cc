@@ -7,13 +7,19 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "bench/workloads/pegs.h"
+#include "planner/finemotion/mating.h"
 #include "tests/oracle/random_pose.h"
-#include "tests/planner/finemotion/boxes.h"
+#include "tests/planner/domain/scenario.h"
 
 namespace assay::finemotion {
 namespace {
+
+using workloads::BoxShape;
+using workloads::SquareHoleShape;
 
 constexpr std::uint64_t kSeed = 72;
 constexpr double kDegree = std::numbers::pi / 180;
@@ -99,6 +105,20 @@ TEST(SearchStrategy, FindsAShortOneForSmallErrors) {
     EXPECT_TRUE(plan.found) << length;
     EXPECT_LE(plan.motions.size(), 6U) << length;
     for (const CertainMotion& motion : plan.motions) EXPECT_TRUE(motion.check.certain);
+  }
+}
+
+// Also where the sequence was searched for with larger errors than were asked for.
+TEST(SearchStrategy, NothingUnwantedHappensWithinWhatIsAbsorbed) {
+  for (const double length : {0.5e-3, 2e-3}) {
+    const FineMotionPlan plan =
+        SearchStrategy(SquarePegInHole(), ErrorsOf(length, length / 2e-3 * kDegree), OptionsOf(1));
+    ASSERT_TRUE(plan.found) << length;
+    for (const CertainMotion& motion : plan.motions) {
+      for (const Unwanted& unwanted : motion.check.unwanted)
+        EXPECT_GT(unwanted.scale, 0.999 * plan.absorbed)
+            << length << ": " << Name(unwanted.contact);
+    }
   }
 }
 
@@ -207,7 +227,8 @@ std::vector<ContactKey> AllPairs(const Passage& passage) {
       }
     }
   };
-  const auto& [moving, stationary, X, mating, depth, tolerances] = passage;
+  const Polyhedron& moving = passage.moving;
+  const Polyhedron& stationary = passage.stationary;
   add(ContactKind::kVertexFace, moving.vertices.size(), stationary.faces.size());
   add(ContactKind::kFaceVertex, moving.faces.size(), stationary.vertices.size());
   add(ContactKind::kEdgeEdge, moving.edges.size(), stationary.edges.size());
@@ -329,6 +350,68 @@ TEST(SearchStrategy, ContactsComeInThePlannedOrderInExactGeometry) {
     EXPECT_EQ(outcome.motions, WidePlan().motions.size()) << "sample " << sample;
   }
 }
+
+// --- Matings with several critical points.
+
+struct SeveralPoints {
+  const char* scenario;
+  double length;  // errors: metres, radians
+  double angle;
+};
+
+class CriticalPointsInTurn : public testing::TestWithParam<SeveralPoints> {
+ protected:
+  // With a play of 0.5 mm on each side.
+  static MatingGeometry Geometry() {
+    const domain::Problem problem =
+        domain::ReadProblem(Document::Load(domain::ScenarioPath(GetParam().scenario)),
+                            domain::ModelsFolder(), {.clearance = 0.5e-3});
+    return GeometryOf(problem, problem.matings.front());
+  }
+};
+
+TEST_P(CriticalPointsInTurn, ArePassedByOneStrategyInExactGeometry) {
+  const MatingGeometry geometry = Geometry();
+  const Passage& passage = geometry.passage;
+  ASSERT_EQ(passage.critical_points(), 2);
+  const FineMotionErrors errors = ErrorsOf(GetParam().length, GetParam().angle);
+  const FineMotionPlan plan = SearchStrategy(passage, errors, OptionsOf(1));
+  ASSERT_TRUE(plan.found);
+  EXPECT_EQ(std::ranges::count(plan.maneuvers, Maneuver::Kind::kAdvance, &Maneuver::kind), 1);
+  const Vector3 end = plan.motions.back().X_StationaryAfter.translation();
+  const double deep = (end - passage.X_StationaryEntry.translation()).dot(passage.mating);
+  EXPECT_GT(deep, passage.further.back() - 0.01);
+  RandomStream random(kSeed, "replay");
+  for (int sample = 0; sample < 10; ++sample) {
+    const ReplayOutcome outcome = ReplayFrom(passage, plan, RandomError(errors, random));
+    EXPECT_EQ(outcome.motions, plan.motions.size()) << "sample " << sample;
+  }
+}
+
+// The narrow shaft enters in the bottom of the wide hole.
+TEST_P(CriticalPointsInTurn, TheStartIsReachedStraightFromOutside) {
+  const Passage passage = Geometry().passage;
+  const FineMotionErrors errors = ErrorsOf(GetParam().length, GetParam().angle);
+  const FineMotionPlan plan = SearchStrategy(passage, errors, OptionsOf(1));
+  constexpr double kOutside = 0.06;  // metres
+  PoseChange in = PoseChange::Zero();
+  in.head<3>() = kOutside * passage.mating;
+  RandomStream random(kSeed, "approach");
+  for (int sample = 0; sample < 10; ++sample) {
+    const Pose start = Displaced(plan.X_StationaryStart, RandomError(errors, random));
+    ExactReplay replay(passage, Displaced(start, -in));
+    EXPECT_EQ(replay.Move({in, {}, {}}, 1, start.translation()), std::nullopt);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Matings, CriticalPointsInTurn,
+                         testing::Values(SeveralPoints{"mate-stepped", 0.5e-3, 0.25 * kDegree},
+                                         SeveralPoints{"mate-t-slot", 0.3e-3, 0.15 * kDegree}),
+                         [](const auto& test) {
+                           std::string name = test.param.scenario;
+                           std::ranges::replace(name, '-', '_');
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace assay::finemotion

@@ -41,12 +41,19 @@ Strategy SomeStrategy(RandomStream& random, double size) {
                        .until = 1,
                        .beyond = random.Uniform(0, 2),
                        .slides = false,
-                       .unwanted = {{"vertex 3 on face 1", false, 1.25}, {"edge", true, 3}}},
+                       .unwanted = {{.contact = 0,
+                                     .is_loss = false,
+                                     .scale = 1.25,
+                                     .gap = random.Uniform(-size, size),
+                                     .separation = random.Uniform()},
+                                    {.contact = 1, .is_loss = true, .scale = 3}}},
                       {.kept = {1, 0},
                        .X_FixedTip = oracle::RandomPose(random, size),
                        .until = {},
                        .beyond = 0,
                        .slides = true}};
+  strategy.friction = random.Uniform(0, 1);
+  strategy.length = random.Uniform(0.1, 1) * size;
   strategy.certificate = {.absorbs = {"entry", "tilt"},
                           .d = vector(),
                           .w = 0.1 / size * vector(),
@@ -108,6 +115,7 @@ TEST(StrategyFile, APlanCarriesIt) {
   ASSERT_TRUE(read.plan.steps[3].strategy);
   EXPECT_EQ(read.plan.steps[3].strategy->motions[0].until, 1);
   EXPECT_TRUE(read.plan.steps[3].strategy->motions[0].unwanted[1].is_loss);
+  EXPECT_EQ(read.plan.steps[3].strategy->friction, SomeStrategy().friction);
 }
 
 TEST(StrategyFile, TheSchemaKnowsIt) {
@@ -115,9 +123,16 @@ TEST(StrategyFile, TheSchemaKnowsIt) {
   const oracle::JsonSchema schema(nlohmann::json::parse(file));
   Json json = ToJson(WithStrategy(), FigureFourteen(), "s.yaml");
   EXPECT_THAT(schema.Errors(json), IsEmpty());
-  json["actions"][3]["strategy"].erase("certificate");
-  EXPECT_FALSE(schema.Errors(json).empty());
-  json = ToJson(WithStrategy(), FigureFourteen(), "s.yaml");
+  for (const char* field : {"friction", "length", "certificate"}) {
+    Json less = json;
+    less["actions"][3]["strategy"].erase(field);
+    EXPECT_FALSE(schema.Errors(less).empty()) << field;
+  }
+  for (const char* field : {"contact", "is", "scale", "gap", "separation"}) {
+    Json less = json;
+    less["actions"][3]["strategy"]["motions"][0]["unwanted"][0].erase(field);
+    EXPECT_FALSE(schema.Errors(less).empty()) << field;
+  }
   json["actions"][0]["strategy"] = json["actions"][3]["strategy"];
   EXPECT_FALSE(schema.Errors(json).empty());
 }
@@ -150,6 +165,19 @@ TEST(StrategyFile, WhatDoesNotFitIsRefusedAtItsPlace) {
   EXPECT_THAT(ErrorAfter([](Json& j) { j["motions"][0]["beyond"] = -1; }), HasSubstr("below 0"));
   EXPECT_THAT(ErrorAfter([](Json& j) { j["motions"][0]["unwanted"][0]["is"] = "mad"; }),
               HasSubstr("'made'"));
+  const auto of_unwanted = [](const char* field, const Json& value) {
+    return ErrorAfter([&](Json& j) { j["motions"][0]["unwanted"][0][field] = value; });
+  };
+  EXPECT_THAT(of_unwanted("contact", 2), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(of_unwanted("contact", "vertex 3 on face 1"), HasSubstr("plan.json:"));
+  EXPECT_THAT(of_unwanted("scale", -1), HasSubstr("below 0"));
+  EXPECT_THAT(of_unwanted("separation", 1.5), HasSubstr("1.5 is above 1"));
+  EXPECT_THAT(of_unwanted("separation", -0.5), HasSubstr("below 0"));
+  EXPECT_THAT(ErrorAfter([](Json& j) { j["motions"][0]["unwanted"][0].erase("gap"); }),
+              HasSubstr("gap"));
+  EXPECT_THAT(ErrorAfter([](Json& j) { j["friction"] = -0.1; }), HasSubstr("below 0"));
+  EXPECT_THAT(ErrorAfter([](Json& j) { j["length"] = 0; }), HasSubstr("more than 0"));
+  EXPECT_THAT(ErrorAfter([](Json& j) { j.erase("friction"); }), HasSubstr("friction"));
   EXPECT_THAT(ErrorAfter([](Json& j) {
                 j["X_HeldTip"][0] = {1, 1, 0};
               }),
@@ -175,11 +203,27 @@ TEST(Strategy, FlawsOfFormAreTold) {
   expect([](Strategy& s) { s.motions[1].kept = {-1}; }, "motion 2: no contact -1");
   expect([](Strategy& s) { s.motions[1].until = 1; }, "that it keeps");
   expect([](Strategy& s) { s.contacts[0].normal *= 2; }, "not of unit length");
+  expect([](Strategy& s) { s.motions[0].unwanted[0].contact = 5; }, "motion 1: no contact 5");
+  expect([](Strategy& s) { s.motions[0].unwanted[0].is_loss = true; }, "not there to be lost");
+  expect([](Strategy& s) { s.motions[0].unwanted[1].is_loss = false; }, "wanted and unwanted");
+  expect([](Strategy& s) { s.motions[0].unwanted[0].separation = 1.1; }, "separation of contact 0");
+  expect([](Strategy& s) { s.motions[0].unwanted[0].gap = std::nan(""); }, "gap of contact 0");
+  expect([](Strategy& s) { s.friction = -1; }, "friction is below 0");
+  expect([](Strategy& s) { s.length = 0; }, "length is not above 0");
   expect([](Strategy& s) { s.X_FixedStart.linear() *= 1.1; }, "X_FixedStart is no frame");
   expect([](Strategy& s) { s.certificate.absorbed = 0.9; }, "absorbs 0.9 times");
   expect([](Strategy& s) { s.certificate.w = Vector3(0, 2, 0); }, "more than a right angle");
   expect([](Strategy& s) { s.certificate.d.x() = std::numeric_limits<double>::quiet_NaN(); },
          "half width");
+}
+
+TEST(Strategy, StatesAreOfWhatIsKeptAndWaitedFor) {
+  const StrategyMotion motion{.kept = {4, 2}, .X_FixedTip = {}, .until = 7};
+  EXPECT_EQ(ContactsAfter(motion), (std::vector<int>{4, 2, 7}));
+  EXPECT_EQ(ContactsInError(motion, {.contact = 5}), (std::vector<int>{4, 2, 5}));
+  EXPECT_EQ(ContactsInError(motion, {.contact = 2, .is_loss = true}), (std::vector<int>{4, 7}));
+  EXPECT_EQ(ContactsInError(motion, {.contact = 7, .is_loss = true}), (std::vector<int>{4, 2}));
+  EXPECT_EQ(ContactsAt(SomeStrategy(), {1})[0].name, "edge 2 on \"edge 5\"");
 }
 
 TEST(Strategy, AbsorbsOnlyWhatItSaysAndIfItAbsorbsAllErrors) {

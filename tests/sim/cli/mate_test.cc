@@ -12,6 +12,12 @@ using ::testing::IsEmpty;
 const std::string kSquare = kTree / "scenarios/mate-square.yaml";
 constexpr char kSchema[] = "sim/cli/mate.schema.json";
 
+int CountOf(const std::string& word, const std::string& text) {
+  int count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
 TEST(Mate, PlansAStrategyThatIsCertainForAllTheErrors) {
   const Ended ended = Assay({"mate", kSquare, "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -28,7 +34,19 @@ TEST(Mate, PlansAStrategyThatIsCertainForAllTheErrors) {
 TEST(Mate, WithoutAStrategyThereIsNoPlan) {
   const Ended ended = Assay({"mate", kSquare, "--displacement", "20", "--rotation", "10"});
   EXPECT_EQ(ended.code, 10) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("no strategy absorbs the errors"));
+  EXPECT_THAT(ended.out, HasSubstr("no strategy absorbs the errors; in the way: "));
+}
+
+// The mouth, the lips, and the plate's landing.
+TEST(Mate, AStrategyLeadsThroughAllCriticalPoints) {
+  const Ended ended =
+      Assay({"mate", kTree / "scenarios/mate-t-slot.yaml", "--clearance", "0.5", "--displacement",
+             "0.3", "--rotation", "0.15", "--trials", "1", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json result = ended.Json();
+  EXPECT_EQ(result["critical_points"].size(), 3u);
+  EXPECT_GE(result["absorbed"], 1);
+  EXPECT_EQ(result["trials"]["strategy"]["seated"], 1);
 }
 
 // The one that is run alone is the same as among others.
@@ -50,7 +68,7 @@ TEST(Mate, AFewTrialsComeToTheSeat) {
   EXPECT_EQ(again.Json()["trials"]["rows"][0], trials["rows"][1]);
 }
 
-// A picture for each motion, and one of all of them.
+// A picture for each motion, one of all of them, the graph, and a page that shows them.
 TEST(Mate, PicturesOfTheContactStates) {
   const Folder folder;
   const std::string pictures = folder / "pictures";
@@ -58,9 +76,15 @@ TEST(Mate, PicturesOfTheContactStates) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   const nlohmann::json result = ended.Json();
   EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
-  EXPECT_EQ(result["pictures"].size(), result["strategy"].size() + 2);  // and the slide's end
+  const int states = static_cast<int>(result["strategy"].size()) + 1;  // and the slide's end
+  EXPECT_EQ(static_cast<int>(result["pictures"].size()), states + 3);
   for (const std::string file : result["pictures"])
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / file)) << file;
+  const std::string graph = TextOf(pictures + "/graph.svg");
+  EXPECT_EQ(CountOf("class=\"state\"", graph), result["graph"]["states"]);
+  const std::string page = TextOf(pictures + "/index.html");
+  EXPECT_EQ(CountOf("<img", page), states);
+  EXPECT_EQ(CountOf("<svg", page), 1);
 }
 
 }  // namespace

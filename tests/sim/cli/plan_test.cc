@@ -75,6 +75,13 @@ TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
   EXPECT_THAT(unknown.err, HasSubstr("fine-motion"));
 }
 
+// The part may lie any way in the hand.
+TEST(Plan, FineMotionIsNoHelpForErrorsOfARightAngle) {
+  const Ended ended = Assay({"plan", kUnproved, "--resolvers", "sensing,squeezing,fine-motion"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("Not all preconditions of 2 steps are proved"));
+}
+
 TEST(Plan, TellsWhatWasInsertedForWhichStep) {
   const Ended ended = Assay({"plan", kTwoLooks});
   EXPECT_EQ(ended.code, 0) << ended.err;

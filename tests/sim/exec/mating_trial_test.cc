@@ -1,10 +1,12 @@
 #include "sim/exec/mating_trial.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "planner/base/random.h"
+#include "sim/mujoco/contact.h"
 #include "tests/sim/exec/figure15.h"
 
 namespace assay::exec {
@@ -210,6 +212,90 @@ TEST_F(MatingTrial, AContactThatIsTooFarAwayIsFoundAtTheSecondAttempt) {
             MatingOutcome::kTimeout);
 }
 
+// What the engine lets the parts press on each other with, at the last timestep that they do.
+struct Pressed {
+  std::vector<Vector3> points = {};  // fixed part's frame
+
+  void operator()(const scene::Scene& scene, const domain::Mating& mating,
+                  const mujoco::Data& data) {
+    const auto contacts =
+        mujoco::ContactsBetween(data, scene.Body(mating.fixed), scene.Body(mating.held));
+    if (contacts.empty()) return;
+    points.clear();
+    const Pose X_FixedWorld = scene.TruePose(data, mating.fixed).inverse();
+    for (const mujoco::Contact& contact : contacts)
+      points.push_back(X_FixedWorld * contact.position);
+  }
+};
+
+std::string VertexName(int y, int z) { return fmt::format("vertex {} {} on front", y, z); }
+
+// The tip, tilted somehow, goes down as if the block's front were 10 mm lower. Each of its four
+// vertices is known to be unwanted there, and so is a wall that is nowhere near.
+plan::Strategy ThroughTheFront(const Pose& X_HeldTip, const Vector3& tilts) {
+  SquareStrategy plan(X_HeldTip);
+  const Vector3 beside(kMouth, kHalfWidth, kAxis - 0.045 + kHalfWidth);
+  Pose end = SquareStrategy::VertexAt(tilts, 1, 1, beside);
+  double lowest = 0;
+  for (const int y : {-1, 1}) {
+    for (const int z : {-1, 1})
+      lowest = std::min(lowest, (end * SquareStrategy::Vertex(y, z)).x() - kMouth);
+  }
+  end.translation().x() -= lowest;
+  const Pose below = geometry::Translation(-0.01, 0, 0) * end;
+  plan.Start(geometry::Translation(0.003, 0, 0) * end);
+  plan.Go(below);
+  plan::Strategy strategy = plan.strategy();
+  const auto add = [&](const std::string& name, const Vector3& normal, const Vector3& at,
+                       double gap) {
+    strategy.contacts.push_back({name, normal, at});
+    strategy.motions[0].unwanted.push_back(
+        {.contact = static_cast<int>(strategy.contacts.size()) - 1,
+         .scale = 2,
+         .gap = gap,
+         .separation = 1});
+  };
+  for (const int y : {-1, 1}) {
+    for (const int z : {-1, 1}) {
+      const Vector3 vertex = below * SquareStrategy::Vertex(y, z);
+      add(VertexName(y, z), Vector3::UnitX(), vertex - below.translation(), vertex.x() - kMouth);
+    }
+  }
+  add("wall", -Vector3::UnitY(), {0, kHalfWidth, 0}, 0.001);
+  strategy.friction = 0.2;
+  return strategy;
+}
+
+// Which vertex it is, torques tell; the engine knows.
+TEST_F(MatingTrial, TheContactThatItRunsIntoIsRecognized) {
+  RandomStream random(9, "tilts");
+  const MatingSetting setting = Setting(kNone, kNone);
+  const domain::Mating& mating = problem().mating(setting.mating);
+  for (int trial = 0; trial < 6; ++trial) {
+    const auto tilt = [&] { return std::copysign(random.Uniform(4, 12), random.Uniform(-1, 1)); };
+    const Vector3 tilts = kDegree * Vector3(0, tilt(), tilt());
+    const plan::Strategy strategy = ThroughTheFront(setting.X_HeldTip, tilts);
+    Pressed pressed;
+    MatingTrialOptions options;
+    options.law.attempts = 1;
+    options.observer = [&](const mujoco::Data& data, int) { pressed(scene(), mating, data); };
+    const MatingResult result = RunMatingTrial(problem(), scene(), setting, strategy, options);
+    SCOPED_TRACE(testing::Message() << "trial " << trial << ": " << result.end.reason);
+    EXPECT_EQ(result.end.outcome, MatingOutcome::kWrongContact);
+    ASSERT_TRUE(result.end.recognized);
+    EXPECT_FALSE(result.end.recognized->is_loss);
+    ASSERT_FALSE(pressed.points.empty());
+    const Pose X_FixedTip = result.X_FixedHeld * setting.X_HeldTip;
+    for (const int y : {-1, 1}) {
+      for (const int z : {-1, 1}) {
+        const Vector3 vertex = X_FixedTip * SquareStrategy::Vertex(y, z);
+        const bool is_touched = (vertex - pressed.points[0]).norm() < 1e-3;
+        EXPECT_EQ(result.end.recognized->name == VertexName(y, z), is_touched);
+      }
+    }
+  }
+}
+
 // Straight along the hole's axis, without feeling for its walls first.
 plan::Strategy SlideOnly(const Pose& X_HeldTip, const Vector3& beside) {
   SquareStrategy plan(X_HeldTip);
@@ -219,8 +305,8 @@ plan::Strategy SlideOnly(const Pose& X_HeldTip, const Vector3& beside) {
   return plan.strategy();
 }
 
-// MatingTrialOptions::force_limit, newtons, is for forces that last; impacts may be twice as much.
-constexpr double kImpact = 2 * 60;
+// ControlLaw::force_limit is for forces that last; impacts may be twice as much.
+const double kImpact = 2 * ControlLaw().force_limit;
 
 TEST_F(MatingTrial, BesideTheHoleItJams) {
   const MatingSetting setting = Setting(kNone, kNone);

@@ -49,6 +49,12 @@ Trace OneOfEach() {
                                    .strategy = domain::RecoveryStrategy::kGropingSearch,
                                    .attempt = 3,
                                    .offset = {0.003, 0, 0}};
+  const MotionRecord motion = {.time = 1.5,
+                               .step = plan::StepId(1),
+                               .motion = 3,
+                               .attempt = 2,
+                               .outcome = MatingOutcome::kWrongContact,
+                               .recognized = RecognizedContact{"vertex 8 on face 6", false}};
   return {.problem = "test",
           .parts = {"peg"},
           .events = {Sample{SomeMoment(0)},
@@ -61,7 +67,7 @@ Trace OneOfEach() {
                      GuardRecord{0.76, true, geometry::Translation(1, 2, 6)},
                      Milestone{plan::StepId(2), Stage::kReached, SomeMoment(0.78)}, check, recovery,
                      StepEnd{plan::StepId(0), "action_1", "pickup(peg, PG1)", SomeMoment(1)},
-                     RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
+                     motion, RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
                      ExecutionEnd{.outcome = ExecutionOutcome::kOverload,
                                   .reason = "too much",
                                   .moment = SomeMoment(2)}}};
@@ -76,7 +82,7 @@ class TraceSchema : public testing::Test {
 
 TEST_F(TraceSchema, EveryLineFollowsIt) {
   const std::vector<Json> lines = Lines(OneOfEach());
-  ASSERT_EQ(lines.size(), 12u);
+  ASSERT_EQ(lines.size(), 13u);
   for (const Json& line : lines) EXPECT_THAT(schema_.Errors(line), IsEmpty()) << line.dump(2);
 }
 
@@ -95,6 +101,11 @@ TEST_F(TraceSchema, HasEveryOutcomeAndStage) {
   Trace trace = OneOfEach();
   for (int i = 0; i <= static_cast<int>(ExecutionOutcome::kOperatorCalled); ++i) {
     std::get<ExecutionEnd>(trace.events.back()).outcome = static_cast<ExecutionOutcome>(i);
+    EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
+  }
+  for (int i = 0; i <= static_cast<int>(MatingOutcome::kEngineWarning); ++i) {
+    trace.events = {
+        MotionRecord{.step = plan::StepId(0), .outcome = static_cast<MatingOutcome>(i)}};
     EXPECT_THAT(schema_.Errors(Lines(trace).back()), IsEmpty());
   }
   for (const Stage stage : {Stage::kPoised, Stage::kReached, Stage::kActed}) {
@@ -123,7 +134,7 @@ TEST(TraceTest, SaysWhatItWasGiven) {
   EXPECT_EQ(lines[1]["wrist"]["torque"], Json::parse("[4.0, 5.0, 6.0]"));
   EXPECT_EQ(lines[2]["holds"], false);
   EXPECT_EQ(lines[9]["action"], "pickup(peg, PG1)");
-  EXPECT_EQ(lines[11]["outcome"], "overload");
+  EXPECT_EQ(lines[12]["outcome"], "overload");
 }
 
 TEST(TraceTest, SaysWhatSensorsTold) {
@@ -147,6 +158,17 @@ TEST(TraceTest, SaysWhatWasVerifiedAndDone) {
   EXPECT_EQ(lines[8]["strategy"], "groping-search");
   EXPECT_EQ(lines[8]["attempt"], 3);
   EXPECT_EQ(lines[8]["offset"], Json::parse("[0.003, 0.0, 0.0]"));
+}
+
+TEST(TraceTest, SaysHowMotionsEnded) {
+  const Json line = Lines(OneOfEach())[10];
+  EXPECT_EQ(line["kind"], "motion");
+  EXPECT_EQ(line["step"], 1);
+  EXPECT_EQ(line["motion"], 4) << "numbered from 1";
+  EXPECT_EQ(line["attempt"], 2);
+  EXPECT_EQ(line["outcome"], "wrong-contact");
+  EXPECT_EQ(line["recognized"]["contact"], "vertex 8 on face 6");
+  EXPECT_EQ(line["recognized"]["loss"], false);
 }
 
 // Of the two quaternions of a rotation the one with w >= 0: 3.5 rad about x is -2.78 rad.

@@ -18,6 +18,7 @@ CellRecord Cell(int number, const std::string& noise, int trials) {
       .clearance = 0.0005,
       .error_scale = 1,
       .propagation = "sound",
+      .resolvers = "sensing,squeezing",
       .noise = noise,
       .sensing = "drawn",
       .seed = 1,

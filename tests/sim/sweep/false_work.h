@@ -18,6 +18,7 @@ inline CellRecord FalseCell(const Cell& cell) {
           .clearance = cell.clearance.value_or(0.0005),
           .error_scale = cell.error_scale,
           .propagation = std::string(Name(cell.propagation)),
+          .resolvers = cell.resolvers ? Name(*cell.resolvers) : "sensing",
           .noise = std::string(Name(cell.noise)),
           .sensing = std::string(Name(cell.sensing)),
           .seed = static_cast<std::int64_t>(cell.seed),

@@ -107,6 +107,17 @@ TEST_F(Grid, NoiseDoesNotChangeThePlan) {
   EXPECT_NE(cells[6].propagation, cells[0].propagation);
 }
 
+TEST_F(Grid, ResolversChangeThePlan) {
+  const std::vector<Cell> cells = Cells(
+      Read("scenarios: [a.yaml]\nresolvers: [[sensing], [fine-motion]]\ngrasp: [weld, friction]\n"
+           "trials: 2\n"));
+  ASSERT_EQ(cells.size(), 4u);
+  EXPECT_EQ(cells[0].resolvers, cells[1].resolvers);
+  EXPECT_NE(cells[0].resolvers, cells[2].resolvers);
+  EXPECT_EQ(cells[0].grasp, cells[2].grasp);
+  EXPECT_FALSE(SharePlan(cells[0], cells[2]));
+}
+
 TEST_F(Grid, EveryTrialIsInOneShardAndEveryCellIsCutAlike) {
   const std::vector<Cell> cells = Cells(Full());
   for (const int count : {1, 2, 3, 7}) {

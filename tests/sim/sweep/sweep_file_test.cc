@@ -9,6 +9,7 @@
 namespace assay::sweep {
 namespace {
 
+using domain::ResolverKind;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -35,6 +36,7 @@ TEST_F(SweepFile, SaysAllAxes) {
       "clearances: [0.5, 1]\n"
       "error_scales: [1, 0.1]\n"
       "propagation: [sound, paper]\n"
+      "resolvers: [[sensing], [fine-motion, sensing]]\n"
       "grasp: [weld, friction]\n"
       "sensing: [camera, drawn]\n"
       "noise: [none, uniform, vertices, low-discrepancy]\n"
@@ -48,6 +50,10 @@ TEST_F(SweepFile, SaysAllAxes) {
   EXPECT_THAT(sweep.clearances[0], Optional(::testing::DoubleEq(0.0005)));
   EXPECT_THAT(sweep.error_scales, ElementsAre(1, 0.1));
   EXPECT_THAT(sweep.propagations, ElementsAre(Propagation::kSound, Propagation::kPaper));
+  EXPECT_THAT(
+      sweep.resolvers,
+      ElementsAre(Optional(ElementsAre(ResolverKind::kSensing)),
+                  Optional(ElementsAre(ResolverKind::kSensing, ResolverKind::kFineMotion))));
   EXPECT_THAT(sweep.grasps, ElementsAre(scene::GraspMode::kWeld, scene::GraspMode::kFriction));
   EXPECT_THAT(sweep.sensings, ElementsAre(Sensing::kCamera, Sensing::kDrawn));
   EXPECT_THAT(sweep.noises, ElementsAre(NoiseKind::kNone, NoiseKind::kUniform, NoiseKind::kVertices,
@@ -64,11 +70,26 @@ TEST_F(SweepFile, NeedsScenariosAndTrialsOnly) {
   EXPECT_THAT(sweep.clearances, ElementsAre(std::nullopt));
   EXPECT_THAT(sweep.error_scales, ElementsAre(1));
   EXPECT_THAT(sweep.propagations, ElementsAre(Propagation::kSound));
+  EXPECT_THAT(sweep.resolvers, ElementsAre(std::nullopt));
   EXPECT_THAT(sweep.grasps, ElementsAre(scene::GraspMode::kFriction));
   EXPECT_THAT(sweep.sensings, ElementsAre(Sensing::kDrawn));
   EXPECT_THAT(sweep.noises, ElementsAre(NoiseKind::kUniform));
   EXPECT_THAT(sweep.seeds, ElementsAre(0));
   EXPECT_EQ(sweep.control_trials, 1);
+}
+
+// A set of resolvers is the same in any order.
+TEST_F(SweepFile, ResolversAreSets) {
+  const std::string good = "scenarios: [a.yaml]\ntrials: 5\n";
+  const auto both = Read(good + "resolvers: [[squeezing, sensing]]\n").resolvers.front();
+  ASSERT_TRUE(both);
+  EXPECT_EQ(Name(*both), "sensing,squeezing");
+  EXPECT_THAT(ErrorOf(good + "resolvers: [[squeezing, sensing], [sensing, squeezing]]\n"),
+              AllOf(HasSubstr("sweep.yaml:4:35"), HasSubstr("given twice")));
+  EXPECT_THAT(ErrorOf(good + "resolvers: [[sensing, sensing]]\n"), HasSubstr("given twice"));
+  EXPECT_THAT(ErrorOf(good + "resolvers: [[]]\n"), HasSubstr("empty"));
+  EXPECT_THAT(ErrorOf(good + "resolvers: [sensing]\n"), HasSubstr("list"));
+  EXPECT_THAT(ErrorOf(good + "resolvers: [[fine_motion]]\n"), HasSubstr("'fine-motion'"));
 }
 
 TEST_F(SweepFile, SaysHowToAttack) {

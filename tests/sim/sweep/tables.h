@@ -16,8 +16,9 @@ inline std::map<std::string, std::vector<std::string>> Tables(const std::filesys
   const std::map<std::string, std::string> queries = {
       {"sweep", "SELECT quote(key) || quote(value) FROM sweep"},
       {"cell",
-       "SELECT cell||'|'||scenario||'|'||quote(clearance)||quote(error_scale)||propagation||noise||"
-       "sensing||'|'||seed||'|'||trials||grasp||outcome||actions||'|'||errors||'|'||proved||"
+       "SELECT "
+       "cell||'|'||scenario||'|'||quote(clearance)||quote(error_scale)||propagation||resolvers||"
+       "noise||sensing||'|'||seed||'|'||trials||grasp||outcome||actions||'|'||errors||'|'||proved||"
        "quote(conflict)||quote(plan) FROM cell"},
       {"gate",
        "SELECT cell||'|'||id||quote(arm)||quote(creep)||quote(penetration)||quote(force_ripple) "

@@ -1,22 +1,33 @@
-#pragma once
+#include "bench/workloads/pegs.h"
 
 #include <Eigen/Dense>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
-#include <vector>
 
-#include "planner/finemotion/polyhedron.h"
+namespace assay::workloads {
 
-namespace assay::finemotion {
+namespace {
 
-// A convex polyhedron from its corners and its faces' outlines (indices of corners,
-// counter-clockwise seen from outside).
-inline Polyhedron FromOutlines(const std::vector<Vector3>& corners,
-                               const std::vector<std::vector<int>>& outlines) {
+constexpr double kBlock = 2.5;  // half width of the block around a hole, in those of the peg
+
+// Where sides number k - 1 and k of a prism meet.
+Vector3 Corner(const PrismModel& model, int k, double z) {
+  const double half_turn = std::numbers::pi / model.sides;
+  const double angle = (2 * k - 1) * half_turn;
+  const double radius = model.half / std::cos(half_turn);
+  return {radius * std::cos(angle), radius * std::sin(angle), z};
+}
+
+}  // namespace
+
+Polyhedron FromOutlines(const std::vector<Vector3>& corners,
+                        const std::vector<std::vector<int>>& outlines) {
   Polyhedron shape;
   std::map<std::pair<int, int>, int> face_left_of;
   for (const std::vector<int>& outline : outlines) {
-    OuterFace face;
+    finemotion::OuterFace face;
     for (std::size_t i = 0; i < outline.size(); ++i) {
       face.region.resize(1);
       face.region[0].push_back(corners[static_cast<std::size_t>(outline[i])]);
@@ -42,28 +53,19 @@ inline Polyhedron FromOutlines(const std::vector<Vector3>& corners,
   return shape;
 }
 
-// Faces in the order -x, +x, -y, +y, -z, +z; corner i has high x, y, z where its bits 1, 2, 4 are.
-inline Polyhedron BoxShape(const Vector3& low, const Vector3& high) {
-  std::vector<Vector3> corners;
-  for (int i = 0; i < 8; ++i) {
-    corners.emplace_back((i & 1) != 0 ? high.x() : low.x(), (i & 2) != 0 ? high.y() : low.y(),
-                         (i & 4) != 0 ? high.z() : low.z());
-  }
+Polyhedron BoxShape(const Vector3& low, const Vector3& high) {
   return FromOutlines(
-      corners,
+      BoxPiece(low, high).corners,
       {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}});
 }
 
-inline Polyhedron CubeShape(double half) {
+Polyhedron CubeShape(double half) {
   return BoxShape(Vector3::Constant(-half), Vector3::Constant(half));
 }
 
-// The part of a block near a square hole through it, |x| and |y| < half, -depth < z < 0: its top
-// (face 0, out to |x| and |y| = outer), the walls (1 to 4) and the rim's edges (0 to 3) at +x, +y,
-// -x, -y. The hole has no convex corner.
-inline Polyhedron SquareHoleShape(double half, double outer, double depth) {
+Polyhedron SquareHoleShape(double half, double outer, double depth) {
   Polyhedron shape;
-  OuterFace top{Vector3::UnitZ(), 0, {}};
+  finemotion::OuterFace top{Vector3::UnitZ(), 0, {}};
   for (const double side : {1.0, -1.0}) {
     const double in = side * half;
     const double out = side * outer;
@@ -92,4 +94,45 @@ inline Polyhedron SquareHoleShape(double half, double outer, double depth) {
   return shape;
 }
 
-}  // namespace assay::finemotion
+ConvexPiece BoxPiece(const Vector3& low, const Vector3& high) {
+  ConvexPiece box;
+  for (int i = 0; i < 8; ++i) {
+    box.corners.emplace_back((i & 1) != 0 ? high.x() : low.x(), (i & 2) != 0 ? high.y() : low.y(),
+                             (i & 4) != 0 ? high.z() : low.z());
+  }
+  return box;
+}
+
+ConvexPiece PrismPiece(const PrismModel& model) {
+  ConvexPiece prism;
+  for (int k = 0; k < model.sides; ++k) {
+    for (const double z : {0.0, model.length}) prism.corners.push_back(Corner(model, k, z));
+  }
+  return prism;
+}
+
+std::vector<ConvexPiece> AroundHole(const PrismModel& model, double outer) {
+  const PrismModel outside = {.sides = model.sides, .half = outer, .length = model.length};
+  std::vector<ConvexPiece> pieces;
+  for (int side = 0; side < model.sides; ++side) {
+    ConvexPiece& piece = pieces.emplace_back();
+    for (const int k : {side, side + 1}) {
+      for (const double z : {0.0, -model.length}) {
+        piece.corners.push_back(Corner(model, k, z));
+        piece.corners.push_back(Corner(outside, k, z));
+      }
+    }
+  }
+  return pieces;
+}
+
+finemotion::Passage PegInHole(const PrismModel& peg, double play) {
+  PrismModel hole = peg;
+  hole.half += play;
+  finemotion::Passage passage;
+  passage.moving = finemotion::OutsideOf({PrismPiece(peg)});
+  passage.stationary = finemotion::OutsideOf(AroundHole(hole, kBlock * peg.half));
+  return passage;
+}
+
+}  // namespace assay::workloads

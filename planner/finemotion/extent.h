@@ -1,0 +1,31 @@
+#pragma once
+
+#include <limits>
+
+#include "planner/geometry/pose.h"
+
+namespace assay::finemotion {
+
+// An axis-aligned box around features: what rules out quickly that they are near to each other.
+struct Extent {
+  using Vector3 = geometry::Vector3;
+
+  Vector3 low = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 high = Vector3::Constant(-std::numeric_limits<double>::infinity());
+
+  static Extent Of(const Vector3& a, const Vector3& b) { return {a.cwiseMin(b), a.cwiseMax(b)}; }
+
+  void Add(const Vector3& p) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  // So far along no axis that they are surely farther apart than `reach` (metres).
+  bool IsNear(const Extent& other, double reach) const {
+    return low.x() - other.high.x() <= reach && other.low.x() - high.x() <= reach &&
+           low.y() - other.high.y() <= reach && other.low.y() - high.y() <= reach &&
+           low.z() - other.high.z() <= reach && other.low.z() - high.z() <= reach;
+  }
+  bool IsNear(const Vector3& p, double reach) const { return IsNear(Of(p, p), reach); }
+};
+
+}  // namespace assay::finemotion

@@ -1,0 +1,177 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <vector>
+
+namespace assay::finemotion {
+
+// The distance of a convex set from 0, where its coordinates from the kEqual-th on may also be
+// negative: the least norm in the set + { 0 } x { not negative } x ... . Found by the algorithm of
+// Wolfe (1976), with rays (the axes) beside points. It keeps few of them, the corral, of whose hull
+// it knows the point nearest to 0. The lowest point of the set in that direction either certifies
+// the distance or comes in. Of the set: Begin() is a point of it, Lowest(a) one where a . y is
+// least.
+template <int K, int kEqual, class Set>
+class NearestPoint {
+ public:
+  using Point = Eigen::Matrix<double, K, 1>;
+
+  NearestPoint(const Set& set, double tolerance) : NearestPoint(set, tolerance, set.Begin()) {}
+
+  // Its margin, greater than the tolerance; 0: they meet, unless a direction shows that they do
+  // not.
+  double Distance() { return Search(false); }
+  // The verdict alone is had earlier.
+  bool IsApart() { return Search(true) > 0; }
+
+ private:
+  NearestPoint(const Set& set, double tolerance, const Point& begin)
+      : set_(set),
+        tolerance_(tolerance),
+        directions_(begin.size(), begin.size()),
+        triangle_(begin.size(), begin.size()),
+        projections_(begin.size()) {
+    nearest_ = Outward(begin);
+    corral_.reserve(begin.size() + 2);
+    corral_.push_back({begin, 1, Element::kPoint});
+    for (int j = kEqual; j < begin.size(); ++j) {
+      if (begin[j] < 0) corral_.push_back({Axis(j), -begin[j], j});
+    }
+  }
+
+  // What counts of a point.
+  static Point Outward(const Point& at) {
+    Point outward = at.cwiseMax(0);
+    outward.template head<kEqual>() = at.template head<kEqual>();
+    return outward;
+  }
+
+  struct Element {
+    static constexpr int kPoint = 0;
+    Point at;
+    double weight = 0;  // not negative; those of points sum to 1
+    int axis = kPoint;  // of a ray: its axis
+    double wanted = 0;  // weight
+
+    bool is_point() const { return axis == kPoint; }
+  };
+
+  static constexpr int kMostRounds = 1000;
+  static constexpr double kExactness = 0.1;    // of the tolerance
+  static constexpr double kDependent = 1e-14;  // sine of an angle
+
+  double Search(bool verdict_only) {
+    double lower = 0;  // bound of the distance
+    for (int round = 0; round < kMostRounds; ++round) {
+      const Point outward = Outward(nearest_);
+      const double upper = outward.norm();
+      if (upper <= tolerance_) return 0;
+      const Point lowest = set_.Lowest(outward);
+      lower = std::max(lower, outward.dot(lowest) / upper);
+      if (upper - lower <= kExactness * tolerance_) break;
+      if (verdict_only && lower > tolerance_) break;
+      if (!Improve(lowest)) break;
+    }
+    return lower <= tolerance_ ? 0 : lower;
+  }
+
+  Point Origin() const { return Point::Zero(nearest_.size()); }
+  Point Axis(int j) const { return Point::Unit(nearest_.size(), j); }
+
+  // Takes in a point that lies nearer to 0 than the corral, and the rays that then lead nearer
+  // still. Tells whether it came nearer, which rounding can prevent.
+  bool Improve(const Point& entering) {
+    const double before = nearest_.squaredNorm();
+    if (!Enter({entering, 0, Element::kPoint})) return false;
+    for (int rays = kEqual; rays < nearest_.size(); ++rays) {
+      int axis = kEqual;
+      for (int j = kEqual + 1; j < nearest_.size(); ++j)
+        axis = nearest_[j] < nearest_[axis] ? j : axis;
+      if (nearest_[axis] >= -kExactness * tolerance_ || !Enter({Axis(axis), 0, axis})) break;
+    }
+    return nearest_.squaredNorm() < before;
+  }
+
+  // Wolfe's minor cycle: towards the nearest point of the corral's affine hull; if a weight falls
+  // to 0 on the way, its element leaves, and on without it.
+  bool Enter(const Element& entering) {
+    if (std::ssize(corral_) > nearest_.size()) return false;
+    corral_.push_back(entering);
+    bool solved = FindWanted();
+    while (solved && !StepToWanted()) solved = FindWanted();
+    nearest_.setZero();
+    for (const Element& element : corral_) nearest_ += element.weight * element.at;
+    return solved;
+  }
+
+  // Tells whether the wanted weights are reached.
+  bool StepToWanted() {
+    double step = 1;
+    auto leaving = corral_.end();
+    for (auto element = corral_.begin(); element != corral_.end(); ++element) {
+      if (element->wanted > 0) continue;
+      const double reach = element->weight / (element->weight - element->wanted);
+      if (leaving != corral_.end() && reach >= step) continue;
+      step = reach;
+      leaving = element;
+    }
+    for (Element& element : corral_) element.weight += step * (element.wanted - element.weight);
+    if (leaving == corral_.end()) return true;
+    corral_.erase(leaving);
+    return false;
+  }
+
+  // The weights of the point nearest to 0 of the affine hull: least squares in the differences
+  // from one of the points, by Gram and Schmidt's method. False if these are dependent.
+  bool FindWanted() {
+    const auto base = std::ranges::find(corral_, Element::kPoint, &Element::axis);
+    Point rest = -base->at;
+    int count = 0;
+    for (auto element = corral_.begin(); element != corral_.end(); ++element) {
+      if (element == base) continue;
+      const Point origin = element->is_point() ? base->at : Origin();
+      if (!Orthogonalize(element->at - origin, count)) return false;
+      projections_[count] = directions_.col(count).dot(rest);
+      rest -= projections_[count] * directions_.col(count);
+      ++count;
+    }
+    base->wanted = 1;
+    for (auto element = corral_.rbegin(); element != corral_.rend(); ++element) {
+      if (&*element == &*base) continue;
+      --count;
+      element->wanted = projections_[count] / triangle_(count, count);
+      projections_.head(count) -= element->wanted * triangle_.col(count).head(count);
+      if (element->is_point()) base->wanted -= element->wanted;
+    }
+    return true;
+  }
+
+  // difference = directions . triangle.col(count), where the last direction is new. Twice, so that
+  // it is orthogonal to the others to rounding.
+  bool Orthogonalize(Point difference, int count) {
+    const double length = difference.norm();
+    triangle_.col(count).setZero();
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int i = 0; i < count; ++i) {
+        const double along = directions_.col(i).dot(difference);
+        triangle_(i, count) += along;
+        difference -= along * directions_.col(i);
+      }
+    }
+    triangle_(count, count) = difference.norm();
+    directions_.col(count) = difference / triangle_(count, count);
+    return triangle_(count, count) > kDependent * length;
+  }
+
+  const Set& set_;
+  double tolerance_;
+  Point nearest_;
+  std::vector<Element> corral_;
+  // Of FindWanted.
+  Eigen::Matrix<double, K, K> directions_;
+  Eigen::Matrix<double, K, K> triangle_;
+  Point projections_;
+};
+
+}  // namespace assay::finemotion

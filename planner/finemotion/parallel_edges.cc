@@ -1,0 +1,167 @@
+#include "planner/finemotion/parallel_edges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "planner/finemotion/nearest_point.h"
+
+namespace assay::finemotion {
+
+namespace {
+
+constexpr double kExactness = 1e-9;   // metres
+constexpr double kLongest = 32;       // displacements; more than a motion takes
+constexpr double kShortest = 0.0625;  // of the stretches that are looked at
+constexpr double kNoLength = 1e-12;   // metres
+constexpr int kAlong = 2;             // the coordinate along the other edge
+
+// A part of the motion, in displacements.
+struct Stretch {
+  double begin = 0;
+  double end = 0;
+};
+
+// The part of an edge that may lie over the other one, as fractions of its length.
+struct Part {
+  double begin = 0;
+  double end = 1;
+};
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+};
+
+Range RangeAlong(const SweptValues<3>& point, double scale, const Stretch& stretch) {
+  const double start_errors = point.start_errors.row(kAlong).lpNorm<1>();
+  const double motion_errors = point.motion_errors.row(kAlong).lpNorm<1>();
+  Range range;
+  for (const double s : {stretch.begin, stretch.end}) {
+    const double mean = point.start[kAlong] + s * point.motion[kAlong];
+    const double errors = scale * (start_errors + s * motion_errors);
+    range.low = std::min(range.low, mean - errors);
+    range.high = std::max(range.high, mean + errors);
+  }
+  return range;
+}
+
+// Keeps of the part where value + slope * fraction >= 0. False: nothing.
+bool KeepNotNegative(double value, double slope, Part& part) {
+  if (slope > kNoLength) part.begin = std::max(part.begin, -value / slope);
+  if (slope < -kNoLength) part.end = std::min(part.end, -value / slope);
+  return (std::abs(slope) > kNoLength || value >= -kNoLength) && part.begin <= part.end;
+}
+
+std::optional<Part> PartOver(const SweptEdge& edge, double scale, const Stretch& stretch) {
+  const Range start = RangeAlong(edge.ends[0], scale, stretch);
+  const Range end = RangeAlong(edge.ends[1], scale, stretch);
+  const double longer = scale * edge.elongation;
+  Part part;
+  if (!KeepNotNegative(start.high + longer, end.high - start.high, part)) return std::nullopt;
+  if (!KeepNotNegative(edge.length + longer - start.low, start.low - end.low, part)) {
+    return std::nullopt;
+  }
+  return part;
+}
+
+// The hull of where the two ends of an edge's part may be in a stretch of the motion, across the
+// other edge (2 coordinates); with a third, how far past `until` (not positive: not yet made).
+template <int K>
+class Hull {
+ public:
+  using Point = Eigen::Matrix<double, K, 1>;
+
+  Hull(const SweptEdge& edge, const Part& part, const SweptValues<1>* until, double scale,
+       const Stretch& stretch)
+      : ends_{EndOf(edge, part.begin, until, scale), EndOf(edge, part.end, until, scale)},
+        stretch_(stretch) {}
+
+  Point Begin() const { return ends_[0].start + stretch_.begin * ends_[0].motion; }
+
+  Point Lowest(const Point& a) const {
+    double least = std::numeric_limits<double>::infinity();
+    Point lowest;
+    for (const SweptValues<K>& end : ends_) {
+      Point start = end.start;
+      AddLowest(a, end.start_errors, start);
+      Point motion = end.motion;
+      AddLowest(a, end.motion_errors, motion);
+      const double s = a.dot(motion) < 0 ? stretch_.end : stretch_.begin;
+      const Point point = start + s * motion;
+      if (a.dot(point) >= least) continue;
+      least = a.dot(point);
+      lowest = point;
+    }
+    return lowest;
+  }
+
+ private:
+  static SweptValues<K> EndOf(const SweptEdge& edge, double fraction, const SweptValues<1>* until,
+                              double scale) {
+    SweptValues<K> end;
+    const auto fill = [&](auto SweptValues<3>::*of, auto SweptValues<1>::*of_until, double factor,
+                          auto& filled) {
+      const auto& first = edge.ends[0].*of;
+      const auto& last = edge.ends[1].*of;
+      filled.resize(K, first.cols());
+      filled.template topRows<2>() = factor * ((1 - fraction) * first.template topRows<2>() +
+                                               fraction * last.template topRows<2>());
+      if constexpr (K == 3) filled.row(2) = -factor * (until->*of_until);
+    };
+    fill(&SweptValues<3>::start, &SweptValues<1>::start, 1, end.start);
+    fill(&SweptValues<3>::motion, &SweptValues<1>::motion, 1, end.motion);
+    fill(&SweptValues<3>::start_errors, &SweptValues<1>::start_errors, scale, end.start_errors);
+    fill(&SweptValues<3>::motion_errors, &SweptValues<1>::motion_errors, scale, end.motion_errors);
+    return end;
+  }
+
+  static void AddLowest(const Point& a, const Eigen::Matrix<double, K, Eigen::Dynamic>& errors,
+                        Point& sum) {
+    for (Eigen::Index i = 0; i < errors.cols(); ++i) {
+      sum -= std::copysign(1.0, a.dot(errors.col(i))) * errors.col(i);
+    }
+  }
+
+  std::array<SweptValues<K>, 2> ends_;
+  Stretch stretch_;
+};
+
+template <int K>
+bool IsApart(const SweptEdge& edge, const Part& part, const SweptValues<1>* until, double scale,
+             const Stretch& stretch) {
+  const Hull<K> hull(edge, part, until, scale, stretch);
+  return NearestPoint<K, 2, Hull<K>>(hull, kExactness).IsApart();
+}
+
+// In all of the stretch, or in each half of it. Halves are those of one fixed division, so that in
+// a longer motion there are only more of them.
+bool MayTouchIn(const SweptEdge& edge, const SweptValues<1>* until, double scale,
+                const Stretch& stretch, double time) {
+  const double middle = (stretch.begin + stretch.end) / 2;
+  const bool is_short = stretch.end - stretch.begin <= kShortest;
+  if (middle >= time && !is_short) {
+    return MayTouchIn(edge, until, scale, {stretch.begin, middle}, time);
+  }
+  const Stretch now{stretch.begin, std::min(stretch.end, time)};
+  const std::optional<Part> part = PartOver(edge, scale, now);
+  if (!part) return false;
+  const bool apart = until != nullptr ? IsApart<3>(edge, *part, until, scale, now)
+                                      : IsApart<2>(edge, *part, until, scale, now);
+  if (apart) return false;
+  return is_short || MayTouchIn(edge, until, scale, {stretch.begin, middle}, time) ||
+         MayTouchIn(edge, until, scale, {middle, stretch.end}, time);
+}
+
+}  // namespace
+
+ContactKey KeyOf(const ParallelEdges& edges) {
+  return {ContactKind::kEdgeEdge, edges.moving, edges.stationary};
+}
+
+bool MayTouch(const SweptEdge& edge, const SweptValues<1>* until, double scale, double time) {
+  return MayTouchIn(edge, until, scale, {0, kLongest}, time);
+}
+
+}  // namespace assay::finemotion

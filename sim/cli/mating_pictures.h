@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "planner/finemotion/mating.h"
+#include "sim/cli/planned_problem.h"
+
+namespace assay::cli {
+
+// What the pictures are of.
+struct PicturedMating {
+  const PlannedProblem& planned;
+  const domain::Mating& mating;
+  const finemotion::MatingGeometry& geometry;
+  const finemotion::LocalTopology& topology;
+  const finemotion::FineMotionPlan& plan;  // has motions
+  const plan::Strategy& strategy;          // of the plan
+};
+
+// Writes the contact pictures (see contact_pictures.h), the contact graph as graph.svg, and
+// index.html, one page with all of it. Returns the files' names.
+std::vector<std::string> WriteMatingPictures(const std::filesystem::path& folder,
+                                             const PicturedMating& mating);
+
+}  // namespace assay::cli

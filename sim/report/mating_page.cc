@@ -1,0 +1,83 @@
+#include "sim/report/mating_page.h"
+
+#include <fmt/format.h>
+
+#include "sim/report/data_uri.h"
+#include "sim/report/head.h"
+
+namespace assay::report {
+namespace {
+
+// A table that is narrow enough stands beside the graph, pictures side by side.
+constexpr const char* kRules = R"css(
+.beside { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
+.beside figure { flex: 1 1 34rem; min-width: 0; margin: .6rem 0; }
+.beside .scroll { flex: 1 1 26rem; }
+.contacts { max-width: 100%; height: auto; }
+.states { display: grid; grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); gap: 1rem; }
+.states figure { margin: 0; }
+)css";
+
+Element Graph(Element picture) {
+  Element figure("figure");
+  figure.Add("div").Set("class", "scroll").Add(std::move(picture));
+  figure.Add("figcaption",
+             "Contact states at the first critical point, a row for each dimension; lines where "
+             "one contact is made or broken. Rings: states of the plan, joined in its order and "
+             "numbered by the motions that end in them; those beside the graph exist where the "
+             "part is tilted. Point at a state to read its contacts.");
+  return figure;
+}
+
+Element Motions(const std::vector<MatingSubject::Motion>& motions) {
+  Element frame("div");
+  frame.Set("class", "scroll");
+  Element& table = frame.Add("table");
+  table.Add("caption").Add("span", "Motions of the strategy");
+  Element& names = table.Add("thead").Add("tr");
+  for (const char* name : {"", "ends with", "in contact after it", "first unwanted"})
+    names.Add("th", name).Set("scope", "col");
+  Element& body = table.Add("tbody");
+  int number = 0;
+  for (const MatingSubject::Motion& motion : motions) {
+    Element& row = body.Add("tr");
+    row.Add("th", fmt::format("{}", ++number)).Set("scope", "row");
+    for (const std::string& text : {motion.ends_with, motion.contacts, motion.unwanted})
+      row.Add("td", text);
+  }
+  return frame;
+}
+
+Element States(const std::vector<MatingSubject::Picture>& pictures) {
+  Element states("div");
+  states.Set("class", "states");
+  for (const MatingSubject::Picture& picture : pictures) {
+    Element& figure = states.Add("figure");
+    figure.Add("img").Set("src", DataUri("image/png", picture.png)).Set("alt", picture.caption);
+    figure.Add("figcaption", picture.caption);
+  }
+  return states;
+}
+
+}  // namespace
+
+std::string MatingPage(MatingSubject subject) {
+  Element page("html");
+  Element& head = page.Set("lang", "en").Add(Head(subject.title));
+  head.Add("style", kRules);
+  Element& body = page.Add("body");
+  Element& header = body.Add("header");
+  header.Add("h1", subject.title);
+  header.Add("p", subject.summary).Set("class", "about");
+  Element& main = body.Add("main");
+  Element& beside = main.Add("div").Set("class", "beside");
+  beside.Add(Graph(std::move(subject.graph)));
+  beside.Add(Motions(subject.motions));
+  main.Add("h2", "Where the motions end");
+  main.Add("p", "If there are no errors: the held part as lines, crosses where the parts touch.")
+      .Set("class", "note");
+  main.Add(States(subject.pictures));
+  return "<!DOCTYPE html>\n" + page.Markup() + "\n";
+}
+
+}  // namespace assay::report
