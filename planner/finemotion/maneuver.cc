@@ -18,7 +18,7 @@ constexpr double kLeast = 1e-6;        // metres and radians that are worth a mo
 constexpr double kBlocked = 0.2;       // what contacts must leave of a direction
 constexpr double kGrazing = 0.3;       // sine of an angle that is too small to feel a contact
 constexpr double kCorrection = 2e-3;   // metres; more is no correction
-constexpr double kLongest = 0.015;     // metres that contacts are looked for at the end of only
+constexpr double kLongest = 0.015;     // metres of a way that is checked as one motion
 constexpr double kShortOfNext = 5e-4;  // metres from the next critical point, to be free there
 
 bool IsOneOf(const std::vector<ContactKey>& keys, const PrimitiveContact& contact) {

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kDraws = 1000;
 constexpr double kTail = 0.025;
-constexpr double kTurn = 0.02;  // radians, finemotion::Maneuvering::Options::turn_error
+constexpr double kTurn = 0.02;  // radians that the part may be turned by in contacts that count
 
 using Margins = std::map<ContactEvent, double>;
 
