@@ -154,19 +154,18 @@ void Contacts(benchmark::State& state) {
   state.counters["contacts"] = static_cast<double>(count);
 }
 
-void CheckDown(benchmark::State& state, bool whole) {
+void CheckDown(benchmark::State& state, Margins margins) {
   const Passage passage = SquarePegInHole();
-  const auto contacts =
-      PrimitiveContacts(passage.moving, passage.stationary, OnTheFace(), kReach, {}, kTurn);
-  GeneralizedPoint down = GeneralizedPoint::Zero(kPoseDimensions);
+  const MotionChecker checker(passage.moving, ContactFinder(passage.moving, passage.stationary),
+                              {});
+  PoseChange down = PoseChange::Zero();
   down.z() = -0.01;
   const Command command = {down, {}, ContactKey{ContactKind::kVertexFace, 0, 0}};
   const Belief belief = {Displaced(OnTheFace(), -down), ErrorsOf(1).pose.asDiagonal()};
-  SegmentCheck check;
-  for (auto _ : state) check = Check({contacts, 0.002, 0.02}, belief, command, whole);
-  state.counters["contacts"] = static_cast<double>(contacts.size());
-  state.counters["certain"] = check.certain ? 1 : 0;
-  state.counters["unwanted"] = static_cast<double>(check.unwanted.size());
+  CertainMotion motion;
+  for (auto _ : state) motion = checker.Check(belief, command, margins);
+  state.counters["certain"] = motion.check.certain ? 1 : 0;
+  state.counters["unwanted"] = static_cast<double>(motion.check.unwanted.size());
 }
 
 BENCHMARK_CAPTURE(Search, half_errors, 0.5)
@@ -214,8 +213,8 @@ BENCHMARK(Tolerances)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(Compared)->Iterations(1)->Unit(benchmark::kMillisecond);
 BENCHMARK(Contacts)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(CheckDown, verdict, false)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(CheckDown, all_scales, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(CheckDown, verdict, Margins::kNone)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(CheckDown, all_scales, Margins::kAll)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace assay::finemotion

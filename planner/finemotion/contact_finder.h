@@ -4,16 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "planner/finemotion/contact_range.h"
 #include "planner/finemotion/parallel_edges.h"
 #include "planner/finemotion/primitive_contact.h"
 
 namespace assay::finemotion {
-
-// How far from a pose contacts are looked for.
-struct ContactRange {
-  double reach = 0;  // metres between features
-  double turn = 0;   // radians that the part may be turned by
-};
 
 // Finds the primitive contacts of two parts at one pose after another (PrimitiveContacts tells
 // which these are): what depends on the parts alone is worked out once.

@@ -96,20 +96,6 @@ std::optional<PoseChange> Complied(const std::vector<const PrimitiveContact*>& k
   return z;
 }
 
-// All that its strategy tells of: kept, waited for, and unwanted.
-std::vector<PrimitiveContact> ContactsOf(const Command& command, const SegmentCheck& check,
-                                         const std::vector<PrimitiveContact>& contacts) {
-  std::vector<ContactKey> keys = command.kept;
-  if (command.until) keys.push_back(*command.until);
-  for (const Unwanted& unwanted : check.unwanted) keys.push_back(unwanted.contact);
-  std::ranges::sort(keys);
-  const auto rest = std::ranges::unique(keys);
-  keys.erase(rest.begin(), rest.end());
-  std::vector<PrimitiveContact> those;
-  for (const PrimitiveContact* contact : Those(contacts, keys)) those.push_back(*contact);
-  return those;
-}
-
 }  // namespace
 
 // Per metre or radian of the amount.
@@ -125,15 +111,15 @@ Pose Passage::X_StationaryEntryAt(int i) const {
          X_StationaryEntry;
 }
 
-Maneuvering::Maneuvering(const Passage& passage, int critical_point, const ContactFinder& finder,
-                         const Options& options)
+Maneuvering::Maneuvering(const Passage& passage, int critical_point, const MotionChecker& checker,
+                         double reach)
     : passage_(passage),
       critical_point_(critical_point),
       X_StationaryEntry_(passage.X_StationaryEntryAt(critical_point)),
-      options_(options),
-      finder_(finder) {
+      checker_(checker),
+      reach_(reach) {
   for (const PrimitiveContact& contact :
-       finder_.Near(X_StationaryEntry_, {.reach = passage.depth, .turn = 0})) {
+       checker_.ContactsWithin(passage.depth, X_StationaryEntry_)) {
     if (contact.kind == ContactKind::kEdgeEdge) continue;
     if (std::abs(contact.normal.dot(passage.mating)) > kAcross) continue;
     walls_.push_back(contact);
@@ -143,24 +129,8 @@ Maneuvering::Maneuvering(const Passage& passage, int critical_point, const Conta
   }
 }
 
-std::vector<PrimitiveContact> Maneuvering::ContactsAt(const Pose& X) const {
-  return finder_.Near(X, {.reach = options_.reach, .turn = options_.turn_error});
-}
-
 Situation Maneuvering::At(const Belief& belief) const {
-  return {belief, ContactsAt(belief.X_StationaryMoving)};
-}
-
-Maneuvering::Nearby Maneuvering::OnTheWayTo(const Pose& end, double way) const {
-  const ContactRange range = {.reach = options_.reach + way, .turn = options_.turn_error};
-  return {finder_.Near(end, range), finder_.NearlyParallel(end, range)};
-}
-
-SegmentCheck Maneuvering::Checked(const Nearby& nearby, const Belief& belief,
-                                  const Command& command, Margins margins) const {
-  const SegmentModel model{nearby.contacts, options_.velocity_error, options_.radius, options_.test,
-                           nearby.parallel};
-  return Check(model, belief, command, margins == Margins::kAll);
+  return {belief, checker_.ContactsWithin(reach_, belief.X_StationaryMoving)};
 }
 
 Vector3 Maneuvering::ToUpright(const Pose& X_StationaryMoving) const {
@@ -174,7 +144,7 @@ double Maneuvering::WayToNext(const Belief& belief) const {
   down.head<3>() = passage_.mating;
   const double shift = (belief.errors.transpose() * down).lpNorm<1>();
   const double turn = belief.errors.bottomRows<3>().rowwise().lpNorm<1>().maxCoeff();
-  const double deepest = shift + 2 * options_.radius * turn;
+  const double deepest = shift + 2 * checker_.options().radius * turn;
   return way.dot(passage_.mating) - deepest - kShortOfNext;
 }
 
@@ -239,10 +209,10 @@ PoseChange Maneuvering::Refined(const Pose& X, const Command& command) const {
   if (touching.empty() || z.tail<3>().isZero(1e-9)) return z;
   Pose end = Displaced(X, z);
   for (int round = 0; round < 2; ++round) {
-    const std::vector<PrimitiveContact> contacts = finder_.Of(touching, end, options_.turn_error);
+    const std::vector<PrimitiveContact> contacts = checker_.Of(touching, end);
     const auto those = Those(contacts, touching);
     if (those.size() != touching.size()) return z;
-    const PoseChange closing = Closing(those, PoseChange::Zero(), options_.radius);
+    const PoseChange closing = Closing(those, PoseChange::Zero(), checker_.options().radius);
     if (closing.head<3>().norm() > kCorrection) return z;
     end = Displaced(end, closing);
   }
@@ -267,24 +237,16 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     const Hit hit = FirstHit(now->contacts, now->belief.kept, direction->along);
     const bool touches = hit.contact != nullptr && hit.distance <= most;
     if (touches && !maneuver.to_contact) return result;
-    if (touches && IsGrazing(*hit.contact, direction->along, options_.radius)) return result;
+    if (touches && IsGrazing(*hit.contact, direction->along, checker_.options().radius))
+      return result;
     const double length = touches ? hit.distance : most;
     if (length < kLeast) return result;
     Command command{length * direction->along, direction->kept, {}};
     if (touches) command.until = KeyOf(*hit.contact);
     command.displacement = Refined(X, command);
-    const Pose end = Displaced(X, command.displacement);
-    Nearby nearby = OnTheWayTo(end, command.displacement.head<3>().norm());
-    SegmentCheck check = Checked(nearby, now->belief, command, margins);
-    const bool certain = check.certain;
-    if (certain) result.after = check.after;
-    std::vector<PrimitiveContact> its_contacts;
-    if (margins == Margins::kAll) {
-      for (const ParallelEdges& edges : nearby.parallel) nearby.contacts.push_back(edges.contact);
-      its_contacts = ContactsOf(command, check, nearby.contacts);
-    }
-    result.motions.push_back({std::move(command), result.after.X_StationaryMoving, std::move(check),
-                              std::move(its_contacts)});
+    result.motions.push_back(checker_.Check(now->belief, command, margins));
+    const bool certain = result.motions.back().check.certain;
+    if (certain) result.after = result.motions.back().check.after;
     done += length;
     if (!certain) return result;
     if (touches || left - length < kLeast) {
@@ -319,7 +281,7 @@ bool Maneuvering::IsReached(const Belief& belief) const {
   down.head<3>() = way * in;
   Belief outside = belief;
   outside.X_StationaryMoving = Displaced(X, -down);
-  return Checked(OnTheWayTo(X, way), outside, {down, {}, {}}, Margins::kNone).certain;
+  return checker_.Check(outside, {down, {}, {}}, Margins::kNone).check.certain;
 }
 
 bool Maneuvering::ComesThrough(const Belief& belief) const {
@@ -329,12 +291,13 @@ bool Maneuvering::ComesThrough(const Belief& belief) const {
   if (way <= 0) return true;
   PoseChange in = PoseChange::Zero();
   in.head<3>() = way * passage_.mating;
-  Nearby nearby = OnTheWayTo(Displaced(X, in), way);
+  const Belief free{X, belief.errors, {}, belief.tolerances};
+  const Command command{in, {}, {}};
+  MotionChecker::Nearby nearby = checker_.NearTheWay(free, command);
   std::erase_if(nearby.contacts, [&](const PrimitiveContact& contact) {
     return contact.row.head<3>().dot(in.head<3>()) > -kAgainst * way;
   });
-  const Belief free{X, belief.errors, {}, belief.tolerances};
-  return Checked(nearby, free, {in, {}, {}}, Margins::kNone).certain;
+  return checker_.Check(nearby, free, command).certain;
 }
 
 int Maneuvering::WideDirections(const Belief& belief) const {
@@ -343,7 +306,7 @@ int Maneuvering::WideDirections(const Belief& belief) const {
   for (const PrimitiveContact& wall : walls_) {
     if (ErrorOf(wall.row, belief) <= kRoom * wall.offset) continue;
     Eigen::VectorXd row = wall.row.head<kPoseDimensions>();
-    row.tail<3>() /= options_.radius;
+    row.tail<3>() /= checker_.options().radius;
     for (int pass = 0; pass < 2; ++pass) {
       row -= basis.leftCols(count) * (basis.leftCols(count).transpose() * row);
     }

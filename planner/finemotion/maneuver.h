@@ -3,8 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "planner/finemotion/contact_finder.h"
-#include "planner/finemotion/segment.h"
+#include "planner/finemotion/motion_checker.h"
 
 namespace assay::finemotion {
 
@@ -40,15 +39,6 @@ struct Maneuver {
   ContactKey contact = {};              // of kLetGo
 };
 
-// A motion of a strategy and what is certain of it.
-struct CertainMotion {
-  Command command;
-  Pose X_StationaryAfter = Pose::Identity();  // of the tip, if there are no errors
-  SegmentCheck check;
-  std::vector<PrimitiveContact> contacts;  // kept, made and unwanted, as they are then; told with
-                                           // the margins
-};
-
 // Where maneuvers start, and what can be touched there.
 struct Situation {
   Belief belief;
@@ -70,27 +60,15 @@ struct Maneuvered {
 // them, and a turn about the tip is made one about the contacts by moving as well.
 class Maneuvering {
  public:
-  struct Options {
-    double velocity_error = 0.002;
-    double turn_error = 0.02;  // radians: about how far the part may be turned against its belief
-    double reach = 0.012;      // metres within which contacts are looked for
-    double radius = 0.02;
-    MeetingTest test = MeetingTest::kExact;
-  };
-  enum class Margins {
-    kNone,  // only whether motions are certain
-    kAll,   // all that is unwanted is told, with its scale, and contacts
-  };
-
-  Maneuvering(const Passage& passage, int critical_point, const ContactFinder& finder,
-              const Options& options);
+  // `reach`: metres that are looked ahead for what a maneuver may come to.
+  Maneuvering(const Passage& passage, int critical_point, const MotionChecker& checker,
+              double reach);
 
   // Normals of what the tip can touch across the way in, outward from the walls.
   const std::vector<Vector3>& laterals() const { return laterals_; }
 
   Situation At(const Belief& belief) const;
   Maneuvered Apply(const Situation& situation, const Maneuver& maneuver, Margins margins) const;
-  std::vector<PrimitiveContact> ContactsAt(const Pose& X_StationaryMoving) const;
   // Straight along the way in, from outside, the part comes there without touching anything.
   bool IsReached(const Belief& belief) const;
   // Straight on along the way in, the tip comes as deep as it should, and nothing stands against
@@ -104,16 +82,7 @@ class Maneuvering {
 
  private:
   struct Direction;
-  struct Nearby {
-    std::vector<PrimitiveContact> contacts;
-    std::vector<ParallelEdges> parallel;
-  };
-
   std::optional<Direction> DirectionOf(const Situation& situation, const Maneuver& maneuver) const;
-  // What can be touched on a way of so many metres that ends there.
-  Nearby OnTheWayTo(const Pose& end, double way) const;
-  SegmentCheck Checked(const Nearby& nearby, const Belief& belief, const Command& command,
-                       Margins margins) const;
   PoseChange Refined(const Pose& X, const Command& command) const;
   // Along the way in to the next critical point, short of it by what errors may put the part
   // beyond where it is believed to be.
@@ -122,8 +91,8 @@ class Maneuvering {
   const Passage& passage_;
   int critical_point_;
   Pose X_StationaryEntry_;
-  Options options_;
-  ContactFinder finder_;
+  MotionChecker checker_;
+  double reach_;
   std::vector<Vector3> laterals_;
   std::vector<PrimitiveContact> walls_;
 };

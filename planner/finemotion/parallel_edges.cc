@@ -34,13 +34,13 @@ struct Range {
   double high = -std::numeric_limits<double>::infinity();
 };
 
-Range RangeAlong(const SweptValues<3>& point, double scale, const Stretch& stretch) {
+Range RangeAlong(const SweptValues<3>& point, const Stretch& stretch) {
   const double start_errors = point.start_errors.row(kAlong).lpNorm<1>();
   const double motion_errors = point.motion_errors.row(kAlong).lpNorm<1>();
   Range range;
   for (const double s : {stretch.begin, stretch.end}) {
     const double mean = point.start[kAlong] + s * point.motion[kAlong];
-    const double errors = scale * (start_errors + s * motion_errors);
+    const double errors = start_errors + s * motion_errors;
     range.low = std::min(range.low, mean - errors);
     range.high = std::max(range.high, mean + errors);
   }
@@ -54,13 +54,13 @@ bool KeepNotNegative(double value, double slope, Part& part) {
   return (std::abs(slope) > kNoLength || value >= -kNoLength) && part.begin <= part.end;
 }
 
-std::optional<Part> PartOver(const SweptEdge& edge, double scale, const Stretch& stretch) {
-  const Range start = RangeAlong(edge.ends[0], scale, stretch);
-  const Range end = RangeAlong(edge.ends[1], scale, stretch);
-  const double longer = scale * edge.elongation;
+std::optional<Part> PartOver(const SweptEdge& edge, const Stretch& stretch) {
+  const Range start = RangeAlong(edge.ends[0], stretch);
+  const Range end = RangeAlong(edge.ends[1], stretch);
   Part part;
-  if (!KeepNotNegative(start.high + longer, end.high - start.high, part)) return std::nullopt;
-  if (!KeepNotNegative(edge.length + longer - start.low, start.low - end.low, part)) {
+  if (!KeepNotNegative(start.high + edge.elongation, end.high - start.high, part))
+    return std::nullopt;
+  if (!KeepNotNegative(edge.length + edge.elongation - start.low, start.low - end.low, part)) {
     return std::nullopt;
   }
   return part;
@@ -73,10 +73,8 @@ class Hull {
  public:
   using Point = Eigen::Matrix<double, K, 1>;
 
-  Hull(const SweptEdge& edge, const Part& part, const SweptValues<1>* until, double scale,
-       const Stretch& stretch)
-      : ends_{EndOf(edge, part.begin, until, scale), EndOf(edge, part.end, until, scale)},
-        stretch_(stretch) {}
+  Hull(const SweptEdge& edge, const Part& part, const SweptValues<1>* until, const Stretch& stretch)
+      : ends_{EndOf(edge, part.begin, until), EndOf(edge, part.end, until)}, stretch_(stretch) {}
 
   Point Begin() const { return ends_[0].start + stretch_.begin * ends_[0].motion; }
 
@@ -98,22 +96,20 @@ class Hull {
   }
 
  private:
-  static SweptValues<K> EndOf(const SweptEdge& edge, double fraction, const SweptValues<1>* until,
-                              double scale) {
+  static SweptValues<K> EndOf(const SweptEdge& edge, double fraction, const SweptValues<1>* until) {
     SweptValues<K> end;
-    const auto fill = [&](auto SweptValues<3>::*of, auto SweptValues<1>::*of_until, double factor,
-                          auto& filled) {
+    const auto fill = [&](auto SweptValues<3>::*of, auto SweptValues<1>::*of_until, auto& filled) {
       const auto& first = edge.ends[0].*of;
       const auto& last = edge.ends[1].*of;
       filled.resize(K, first.cols());
-      filled.template topRows<2>() = factor * ((1 - fraction) * first.template topRows<2>() +
-                                               fraction * last.template topRows<2>());
-      if constexpr (K == 3) filled.row(2) = -factor * (until->*of_until);
+      filled.template topRows<2>() =
+          (1 - fraction) * first.template topRows<2>() + fraction * last.template topRows<2>();
+      if constexpr (K == 3) filled.row(2) = -(until->*of_until);
     };
-    fill(&SweptValues<3>::start, &SweptValues<1>::start, 1, end.start);
-    fill(&SweptValues<3>::motion, &SweptValues<1>::motion, 1, end.motion);
-    fill(&SweptValues<3>::start_errors, &SweptValues<1>::start_errors, scale, end.start_errors);
-    fill(&SweptValues<3>::motion_errors, &SweptValues<1>::motion_errors, scale, end.motion_errors);
+    fill(&SweptValues<3>::start, &SweptValues<1>::start, end.start);
+    fill(&SweptValues<3>::motion, &SweptValues<1>::motion, end.motion);
+    fill(&SweptValues<3>::start_errors, &SweptValues<1>::start_errors, end.start_errors);
+    fill(&SweptValues<3>::motion_errors, &SweptValues<1>::motion_errors, end.motion_errors);
     return end;
   }
 
@@ -129,29 +125,29 @@ class Hull {
 };
 
 template <int K>
-bool IsApart(const SweptEdge& edge, const Part& part, const SweptValues<1>* until, double scale,
+bool IsApart(const SweptEdge& edge, const Part& part, const SweptValues<1>* until,
              const Stretch& stretch) {
-  const Hull<K> hull(edge, part, until, scale, stretch);
+  const Hull<K> hull(edge, part, until, stretch);
   return NearestPoint<K, 2, Hull<K>>(hull, kExactness).IsApart();
 }
 
 // In all of the stretch, or in each half of it. Halves are those of one fixed division, so that in
 // a longer motion there are only more of them.
-bool MayTouchIn(const SweptEdge& edge, const SweptValues<1>* until, double scale,
-                const Stretch& stretch, double time) {
+bool MayTouchIn(const SweptEdge& edge, const SweptValues<1>* until, const Stretch& stretch,
+                double time) {
   const double middle = (stretch.begin + stretch.end) / 2;
   const bool is_short = stretch.end - stretch.begin <= kShortest;
   if (middle >= time && !is_short) {
-    return MayTouchIn(edge, until, scale, {stretch.begin, middle}, time);
+    return MayTouchIn(edge, until, {stretch.begin, middle}, time);
   }
   const Stretch now{stretch.begin, std::min(stretch.end, time)};
-  const std::optional<Part> part = PartOver(edge, scale, now);
+  const std::optional<Part> part = PartOver(edge, now);
   if (!part) return false;
-  const bool apart = until != nullptr ? IsApart<3>(edge, *part, until, scale, now)
-                                      : IsApart<2>(edge, *part, until, scale, now);
+  const bool apart =
+      until != nullptr ? IsApart<3>(edge, *part, until, now) : IsApart<2>(edge, *part, until, now);
   if (apart) return false;
-  return is_short || MayTouchIn(edge, until, scale, {stretch.begin, middle}, time) ||
-         MayTouchIn(edge, until, scale, {middle, stretch.end}, time);
+  return is_short || MayTouchIn(edge, until, {stretch.begin, middle}, time) ||
+         MayTouchIn(edge, until, {middle, stretch.end}, time);
 }
 
 }  // namespace
@@ -160,8 +156,8 @@ ContactKey KeyOf(const ParallelEdges& edges) {
   return {ContactKind::kEdgeEdge, edges.moving, edges.stationary};
 }
 
-bool MayTouch(const SweptEdge& edge, const SweptValues<1>* until, double scale, double time) {
-  return MayTouchIn(edge, until, scale, {0, kLongest}, time);
+bool MayTouch(const SweptEdge& edge, const SweptValues<1>* until, double time) {
+  return MayTouchIn(edge, until, {0, kLongest}, time);
 }
 
 }  // namespace assay::finemotion

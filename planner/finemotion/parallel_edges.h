@@ -54,9 +54,9 @@ struct SweptEdge {
   double elongation = 0;  // at either end, at most
 };
 
-// Whether edges can touch within `time` displacements, all errors multiplied by `scale`; before
-// `until` falls below 0, if there is one (else null). Conservative: a line through the one edge, on
-// whose one side the other stays, must be found for each of a few stretches of the motion.
-bool MayTouch(const SweptEdge& edge, const SweptValues<1>* until, double scale, double time);
+// Whether edges can touch within `time` displacements; before `until` falls below 0, if there is
+// one (else null). Conservative: a line through the one edge, on whose one side the other stays,
+// must be found for each of a few stretches of the motion.
+bool MayTouch(const SweptEdge& edge, const SweptValues<1>* until, double time);
 
 }  // namespace assay::finemotion

@@ -47,22 +47,22 @@ double SumOfParts(const SmallVector& row, const PoseChanges& errors,
 }
 
 // The range of a linear function over a forward projection: over the start, displaced by all of its
-// errors, and the velocity with all of its. Errors may be enlarged.
+// errors, and the velocity with all of its.
 struct RowRange {
   double start = 0;
   double motion = 0;  // in a displacement
   ErrorParts start_errors;
   PoseChange motion_errors;
 
-  double Lowest(double scale, double time) const { return Extreme(-1, scale, time); }
-  double Highest(double scale, double time) const { return Extreme(1, scale, time); }
+  double Lowest(double time) const { return Extreme(-1, time); }
+  double Highest(double time) const { return Extreme(1, time); }
   // Of velocities.
-  double Fastest(double scale) const { return motion + scale * motion_errors.lpNorm<1>(); }
+  double Fastest() const { return motion + motion_errors.lpNorm<1>(); }
 
  private:
-  double Extreme(double sign, double scale, double time) const {
-    const double moved = sign * motion + scale * motion_errors.lpNorm<1>();
-    return sign * (sign * start + scale * start_errors.lpNorm<1>() + time * std::max(0.0, moved));
+  double Extreme(double sign, double time) const {
+    const double moved = sign * motion + motion_errors.lpNorm<1>();
+    return sign * (sign * start + start_errors.lpNorm<1>() + time * std::max(0.0, moved));
   }
 };
 
@@ -70,13 +70,12 @@ struct RowRange {
 // highest value of `row` there is at most its highest with a multiple of the contact's gap added,
 // which is convex in the multiplier (Lagrange). Tells whether one of these bounds is below `most`.
 bool StaysBelow(const RowRange& row, const RowRange& gap, double gap_offset, double most,
-                double scale, double time) {
+                double time) {
   const auto bound = [&](double multiplier) {
     const double errors = (row.start_errors + multiplier * gap.start_errors).lpNorm<1>();
     const double moved = row.motion + multiplier * gap.motion +
-                         scale * (row.motion_errors + multiplier * gap.motion_errors).lpNorm<1>();
-    return row.start + multiplier * (gap.start + gap_offset) + scale * errors +
-           time * std::max(0.0, moved);
+                         (row.motion_errors + multiplier * gap.motion_errors).lpNorm<1>();
+    return row.start + multiplier * (gap.start + gap_offset) + errors + time * std::max(0.0, moved);
   };
   double high = 1;
   while (high < kGreatestMultiplier && bound(2 * high) < bound(high)) high *= 2;
@@ -201,18 +200,26 @@ class Checker {
     }
   }
 
-  SegmentCheck Run(bool whole) {
+  SegmentCheck Run(Telling telling) {
+    telling_ = telling;
     if (!KeptStay() || (command_.until && until_ == nullptr)) return check_;
-    const std::optional<double> time = Time(1);
+    const std::optional<double> time = Time();
     if (!time) return check_;
-    check_.longest = *time;
-    const bool goes_on =
-        AddContacts(whole) && AddParallelEdges(whole) && AddLosses(whole) && AddMissing(whole);
-    if (!goes_on) return check_;
-    std::ranges::stable_sort(check_.unwanted, {}, &Unwanted::scale);
-    check_.certain = check_.unwanted.empty() || check_.unwanted.front().scale > 1;
+    time_ = *time;
+    check_.longest = time_;
+    if (!AddContacts() || !AddParallelEdges() || !AddLosses() || !AddMissing()) return check_;
+    check_.certain = check_.unwanted.empty();
     if (check_.certain) check_.after = After();
     return check_;
+  }
+
+  ContactRange Range(double size) const {
+    const double time = Time().value_or(kLongest);
+    const double turn = MostOf<3>(swept_.bottomRows<3>(), time * drifts_.bottomRows<3>());
+    const double shift = MostOf<3>(swept_.topRows<3>(), time * drifts_.topRows<3>());
+    const PoseChange& way = command_.displacement;
+    const double length = way.head<3>().norm() + size * way.tail<3>().norm();
+    return {.reach = std::max(1.0, time - 1) * length + shift + size * turn, .turn = turn};
   }
 
  private:
@@ -255,28 +262,33 @@ class Checker {
   }
 
   // Displacements until it is surely over; none: it may never be.
-  std::optional<double> Time(double scale) const {
+  std::optional<double> Time() const {
     if (until_ == nullptr) return 1;
-    const double slowest = -until_at_start_.Fastest(scale);
-    const double farthest = until_->offset + until_at_start_.Highest(scale, 0);
+    const double slowest = -until_at_start_.Fastest();
+    const double farthest = until_->offset + until_at_start_.Highest(0);
     if (slowest <= 0 || farthest > kLongest * slowest) return std::nullopt;
     return std::max(0.0, farthest / slowest);
   }
 
+  // The greatest length of a sum of these, each times a factor in -1 .. 1.
+  template <int Rows>
+  static double MostOf(const Eigen::Matrix<double, Rows, Eigen::Dynamic>& a,
+                       const Eigen::Matrix<double, Rows, Eigen::Dynamic>& b) {
+    return (a.cwiseAbs().rowwise().sum() + b.cwiseAbs().rowwise().sum()).norm();
+  }
+
   // --- Contacts that must not be made.
 
-  bool AddContacts(bool whole) {
-    for (const PrimitiveContact& contact : model_.contacts) {
-      if (IsWanted(contact)) continue;
-      if (!Add({KeyOf(contact), false, ScaleOfMeeting(contact, whole)}, whole)) return false;
-    }
-    return true;
+  bool AddContacts() {
+    return std::ranges::all_of(model_.contacts, [&](const PrimitiveContact& contact) {
+      return IsWanted(contact) || !CanMake(contact) || Add({KeyOf(contact), false});
+    });
   }
 
   // Tells whether to go on.
-  bool Add(Unwanted unwanted, bool whole) {
-    if (unwanted.scale < kBeyondLadder) check_.unwanted.push_back(unwanted);
-    return whole || unwanted.scale > 1;
+  bool Add(const Unwanted& unwanted) {
+    check_.unwanted.push_back(unwanted);
+    return telling_ == Telling::kAll;
   }
 
   // Also what is let go, if it is surely left.
@@ -289,53 +301,43 @@ class Checker {
     return row.dot(command_.displacement) > (drifts_.transpose() * row).lpNorm<1>();
   }
 
-  double ScaleOfMeeting(const PrimitiveContact& contact, bool whole) {
-    const double most = whole ? std::ranges::max(kLadder) : 1;
-    if (!MayClose(contact, most)) return kBeyondLadder;
+  bool CanMake(const PrimitiveContact& contact) {
+    if (!MayClose(contact)) return false;
     const RowRange gap = RangeOf(contact.row, swept_);
-    const auto is_apart = [&](const RowRange& range, double offset, double scale) {
-      const std::optional<double> time = Time(scale);
-      return time && offset + range.Lowest(scale, *time) > 0;
+    const auto is_apart = [&](const RowRange& range, double offset) {
+      return offset + range.Lowest(time_) > 0;
     };
+    if (is_apart(gap, contact.offset)) return false;
     std::vector<RowRange> limits;
     limits.reserve(contact.limits.size());
     for (const HalfSpace& limit : contact.limits) {
       limits.push_back(RangeOf(limit.a, swept_));
-      if (is_apart(limits.back(), -limit.b, most)) return kBeyondLadder;
+      if (is_apart(limits.back(), -limit.b)) return false;
     }
-    return ScaleOf(
-        [&](double scale) {
-          const std::optional<double> time = Time(scale);
-          if (!time) return true;
-          if (contact.offset + gap.Lowest(scale, *time) > 0) return false;
-          return Meets(contact, gap, limits, scale, *time);
-        },
-        whole);
+    return Meets(contact, gap, limits);
   }
 
   // What rules most contacts out.
-  bool MayClose(const PrimitiveContact& contact, double scale) const {
-    const std::optional<double> time = Time(scale);
-    if (!time) return true;
+  bool MayClose(const PrimitiveContact& contact) const {
     const PoseChange row = contact.row.head<kPoseDimensions>();
     const double motion = row.dot(command_.displacement);
-    const double drift = scale * (drifts_.transpose() * row).lpNorm<1>();
-    const double error = scale * SumOfParts(contact.row, swept_, belief_.tolerances);
-    return contact.offset - motion - error + *time * std::min(0.0, motion - drift) <= 0;
+    const double drift = (drifts_.transpose() * row).lpNorm<1>();
+    const double error = SumOfParts(contact.row, swept_, belief_.tolerances);
+    return contact.offset - motion - error + time_ * std::min(0.0, motion - drift) <= 0;
   }
 
   // Before the contact that ends the motion is made.
   bool Meets(const PrimitiveContact& contact, const RowRange& gap,
-             const std::vector<RowRange>& limits, double scale, double time) {
+             const std::vector<RowRange>& limits) {
     const Eigen::Index rows = std::ssize(limits) + (until_ != nullptr ? 2 : 1);
     return WithRows(rows, [&]<int K>() {
       ProjectionImage<K> image(rows, swept_.cols(), drifts_.cols());
       Eigen::Index row = 0;
       const auto add = [&](const RowRange& range, double offset, double sign) {
         image.start[row] = sign * (range.start + offset);
-        image.motion[row] = sign * time * range.motion;
-        image.start_generators.row(row) = sign * scale * range.start_errors.transpose();
-        image.motion_generators.row(row) = sign * time * scale * range.motion_errors.transpose();
+        image.motion[row] = sign * time_ * range.motion;
+        image.start_generators.row(row) = sign * range.start_errors.transpose();
+        image.motion_generators.row(row) = sign * time_ * range.motion_errors.transpose();
         ++row;
       };
       add(gap, contact.offset, 1);
@@ -359,24 +361,17 @@ class Checker {
     return meets;
   }
 
-  bool AddParallelEdges(bool whole) {
+  bool AddParallelEdges() {
     if (model_.parallel_edges.empty()) return true;
     std::optional<SweptValues<1>> until;
     if (until_ != nullptr) until = UntilOnTheWay();
-    for (const ParallelEdges& edges : model_.parallel_edges) {
-      const SweptEdge along_stationary = SweptAlong(edges.along_stationary);
-      const SweptEdge along_moving = SweptAlong(edges.along_moving);
-      const auto may_touch = [&](double scale) {
-        const std::optional<double> time = Time(scale);
-        if (!time) return true;
-        return std::ranges::all_of(
-            std::array{&along_stationary, &along_moving}, [&](const SweptEdge* edge) {
-              return MayTouch(*edge, until ? &*until : nullptr, scale, *time);
-            });
-      };
-      if (!Add({KeyOf(edges), false, ScaleOf(may_touch, whole)}, whole)) return false;
-    }
-    return true;
+    const auto may_touch = [&](const EdgeAlongEdge& along) {
+      return MayTouch(SweptAlong(along), until ? &*until : nullptr, time_);
+    };
+    return std::ranges::all_of(model_.parallel_edges, [&](const ParallelEdges& edges) {
+      return !may_touch(edges.along_stationary) || !may_touch(edges.along_moving) ||
+             Add({KeyOf(edges), false});
+    });
   }
 
   SweptEdge SweptAlong(const EdgeAlongEdge& edge) const {
@@ -411,44 +406,36 @@ class Checker {
 
   // --- Contacts that must not be lost.
 
-  bool AddLosses(bool whole) {
-    for (const PrimitiveContact* kept : kept_) {
-      const double scale = ScaleOf([&](double s) { return CanLose(*kept, s); }, whole);
-      if (!Add({KeyOf(*kept), true, scale}, whole)) return false;
-    }
-    return true;
-  }
-
-  // A limit is exceeded where nothing stops the part.
-  bool CanLose(const PrimitiveContact& contact, double scale) const {
-    const std::optional<double> time = Time(scale);
-    if (!time) return true;
-    return std::ranges::any_of(contact.limits, [&](const HalfSpace& limit) {
-      const double most = limit.b + Slack(limit);
-      const RowRange range = RangeOf(limit.a, swept_);
-      if (range.Highest(scale, *time) <= most || Stops(limit)) return false;
-      return until_ == nullptr ||
-             !StaysBelow(range, until_on_the_way_, until_->offset, most, scale, *time);
+  bool AddLosses() {
+    return std::ranges::all_of(kept_, [&](const PrimitiveContact* kept) {
+      return !CanLose(*kept) || Add({KeyOf(*kept), true});
     });
   }
 
-  bool AddMissing(bool whole) {
+  // A limit is exceeded where nothing stops the part.
+  bool CanLose(const PrimitiveContact& contact) const {
+    return std::ranges::any_of(contact.limits, [&](const HalfSpace& limit) {
+      const double most = limit.b + Slack(limit);
+      const RowRange range = RangeOf(limit.a, swept_);
+      if (range.Highest(time_) <= most || Stops(limit)) return false;
+      return until_ == nullptr ||
+             !StaysBelow(range, until_on_the_way_, until_->offset, most, time_);
+    });
+  }
+
+  bool AddMissing() {
     if (until_ == nullptr) return true;
     arrival_ = ArrivalAt(*until_);
-    const double scale = ScaleOf([&](double s) { return CanPass(s); }, whole);
-    Add({KeyOf(*until_), true, scale}, true);
-    return true;
+    return !CanPass() || Add({KeyOf(*until_), true});
   }
 
   // The contact that is waited for is not where the part comes to its surface.
-  bool CanPass(double scale) const {
-    const std::optional<double> time = Time(scale);
-    if (!time) return true;
+  bool CanPass() const {
     return std::ranges::any_of(until_->limits, [&](const HalfSpace& limit) {
       const auto pose = limit.a.head<kPoseDimensions>();
       const double highest = pose.dot(arrival_.center) +
-                             scale * PartsOf(limit.a, arrival_.errors).lpNorm<1>() +
-                             scale * *time * (arrival_.drifts.transpose() * pose).lpNorm<1>();
+                             PartsOf(limit.a, arrival_.errors).lpNorm<1>() +
+                             time_ * (arrival_.drifts.transpose() * pose).lpNorm<1>();
       return highest > limit.b + Slack(limit) && !Stops(limit);
     });
   }
@@ -462,13 +449,6 @@ class Checker {
       return std::abs(contact.offset - limit.b) < kParallel &&
              (contact.row + limit.a).cwiseAbs().maxCoeff() < kParallel;
     });
-  }
-
-  template <class Happens>
-  static double ScaleOf(const Happens& happens, bool whole) {
-    if (!whole) return happens(1) ? 1 : kBeyondLadder;
-    if (!happens(std::ranges::max(kLadder))) return kBeyondLadder;
-    return *std::ranges::find_if(kLadder, happens);
   }
 
   // --- What is known afterwards.
@@ -493,7 +473,7 @@ class Checker {
     Belief after{.X_StationaryMoving =
                      Displaced(Displaced(belief_.X_StationaryMoving, command_.displacement),
                                center + Closing(touching, center, model_.radius)),
-                 .errors = until_ != nullptr ? Joined(arrival_.errors, *Time(1) * arrival_.drifts)
+                 .errors = until_ != nullptr ? Joined(arrival_.errors, time_ * arrival_.drifts)
                                              : Joined(errors_, drifts_),
                  .kept = command_.kept,
                  .tolerances = belief_.tolerances};
@@ -536,6 +516,8 @@ class Checker {
   RowRange until_at_start_;
   RowRange until_on_the_way_;
   Arrival arrival_;
+  Telling telling_ = Telling::kFirst;
+  double time_ = 1;  // displacements until it is surely over
   SegmentCheck check_;
 };
 
@@ -580,8 +562,13 @@ Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z) {
 }
 
 SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,
-                   bool whole) {
-  return Checker(model, belief, command).Run(whole);
+                   Telling telling) {
+  return Checker(model, belief, command).Run(telling);
+}
+
+ContactRange RangeOf(const SegmentModel& touching, const Belief& belief, const Command& command,
+                     double size) {
+  return Checker(touching, belief, command).Range(size);
 }
 
 }  // namespace assay::finemotion

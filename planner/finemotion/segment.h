@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "planner/finemotion/contact_range.h"
 #include "planner/finemotion/parallel_edges.h"
 #include "planner/finemotion/primitive_contact.h"
 
@@ -46,12 +47,9 @@ struct Command {
 struct Unwanted {
   ContactKey contact;
   bool is_loss = false;
-  double scale = 0;  // the least enlargement of all errors of the ladder at which it happens
+  // The least enlargement of all errors, of the ladder, at which it happens (margins.h).
+  double scale = 1;
 };
-
-// Enlargements of errors (Dakin and Popplestone, section 4; the steps are ours).
-inline constexpr double kLadder[] = {1, 1.25, 1.5, 2, 3, 4};
-inline constexpr double kBeyondLadder = 8;  // where none of them does it
 
 // How many exact tests whether a contact can be made there were, and of those in which the paper's
 // edge test (meeting.h) is applicable how many it answers otherwise.
@@ -67,7 +65,7 @@ struct TestComparison {
 struct SegmentCheck {
   // The sequence of contact states is certain: nothing unwanted happens with errors as they are.
   bool certain = false;
-  std::vector<Unwanted> unwanted;  // by rising scale; of those that can happen on the ladder
+  std::vector<Unwanted> unwanted;
   Belief after;
   double longest = 1;  // how many displacements it may take at most
   TestComparison comparison = {};
@@ -92,13 +90,23 @@ struct SegmentModel {
   std::span<const ParallelEdges> parallel_edges = {};
 };
 
+enum class Telling {
+  kFirst,  // of what is unwanted only the first that is found
+  kAll,
+};
+
 // A loop over all contacts with the exact test (meeting.h). The hand turns the part about where it
 // believes the tip to be, so that errors turn with it. Kept contacts may run off their ends by 20
 // micrometres and 2 milliradians, which is what linear rows leave out. Not certain, with nothing
 // unwanted: a contact of the command is not there, tolerances part kept contacts, or its end never
-// surely comes. `whole`: all unwanted contacts and their scales are told; else it ends at the first
-// that can happen with errors as they are.
+// surely comes.
 SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,
-                   bool whole);
+                   Telling telling = Telling::kFirst);
+
+// From where the command leads without errors, how far away the part can touch something in the
+// motion, and how far it can be turned against its belief. `touching`: the command's contacts, or
+// more. `size`: how far from its origin the part has features, metres.
+ContactRange RangeOf(const SegmentModel& touching, const Belief& belief, const Command& command,
+                     double size);
 
 }  // namespace assay::finemotion

@@ -19,10 +19,9 @@ constexpr double kAbove = 0.002;         // metres, of starts over all that erro
 constexpr double kFarthest = 0.015;      // metres that a move may take to a contact
 constexpr double kWidestTurn = 0.15;     // radians that a turn may take to one
 constexpr double kUprightEnough = 0.02;  // radians
-constexpr double kLeastTurn = 0.03;    // radians: edges that are nearer to parallel make no contact
-constexpr double kLeastTilt = 0.035;   // radians, of starts: their edges are not parallel
-constexpr double kLeastInside = 1e-3;  // metres, that their lowest corner is inside the entry
-constexpr double kThin = 1.5e-4;       // metres: errors that are less are none
+constexpr double kLeastTilt = 0.035;     // radians, of starts: their edges are not parallel
+constexpr double kLeastInside = 1e-3;    // metres, that their lowest corner is inside the entry
+constexpr double kThin = 1.5e-4;         // metres: errors that are less are none
 constexpr std::size_t kMostMotions = 24;
 // The guidance is not a lower bound of the cost, so that sequences need not be the cheapest: what
 // counts is that they absorb errors, which the cost of small ones only hints at.
@@ -83,16 +82,11 @@ class Search {
         options_(options),
         multiple_(multiple),
         random_(options.seed, fmt::format("starts of strategies {}", round)) {
-    const ContactFinder finder(passage.moving, passage.stationary, passage.tolerances);
-    for (int point = 0; point < passage.critical_points(); ++point) {
-      maneuvering_.push_back(
-          Maneuvering(passage, point, finder,
-                      {.velocity_error = errors.velocity,
-                       .turn_error = std::max(kLeastTurn, 1.5 * errors.pose.tail<3>().maxCoeff()),
-                       .reach = options.reach,
-                       .radius = options.radius,
-                       .test = options.test}));
-    }
+    const MotionChecker checker(
+        passage.moving, ContactFinder(passage.moving, passage.stationary, passage.tolerances),
+        {.velocity_error = errors.velocity, .radius = options.radius, .test = options.test});
+    for (int point = 0; point < passage.critical_points(); ++point)
+      maneuvering_.push_back(Maneuvering(passage, point, checker, options.reach));
   }
 
   FineMotionPlan Run() {
@@ -219,7 +213,7 @@ class Search {
   void Expand(const NodePointer& node, Queue& open) {
     const Situation situation = ManeuveringAt(node->point).At(node->belief);
     for (const Maneuver& maneuver : ManeuversFrom(*node)) {
-      const Maneuvered done = Apply(node->point, situation, maneuver, Maneuvering::Margins::kNone);
+      const Maneuvered done = Apply(node->point, situation, maneuver, Margins::kNone);
       if (!done.certain) {
         Refuse(*node, done);
         continue;
@@ -250,15 +244,14 @@ class Search {
   NodePointer WithExactCost(Node node) {
     const int point = node.parent->point;
     const Situation before = ManeuveringAt(point).At(node.parent->belief);
-    const Maneuvered done = Apply(point, before, node.maneuver, Maneuvering::Margins::kAll);
-    node.cost +=
-        options_.deviation / done.LeastScale() + options_.confusion * ConfusionOf(point, done);
+    const Maneuvered done = Apply(point, before, node.maneuver, Margins::kLeast);
+    node.cost += options_.deviation / done.LeastScale() + options_.confusion * ConfusionOf(done);
     node.exact = true;
     return std::make_shared<const Node>(std::move(node));
   }
 
   Maneuvered Apply(int point, const Situation& situation, const Maneuver& maneuver,
-                   Maneuvering::Margins margins) {
+                   Margins margins) {
     Maneuvered done = ManeuveringAt(point).Apply(situation, maneuver, margins);
     for (const CertainMotion& motion : done.motions) plan_.comparison += motion.check.comparison;
     return done;
@@ -305,17 +298,17 @@ class Search {
   }
 
   // How alike the forces of the last planned contact and of what is likeliest instead are.
-  double ConfusionOf(int point, const Maneuvered& done) const {
+  double ConfusionOf(const Maneuvered& done) const {
     const CertainMotion& last = done.motions.back();
     if (last.check.unwanted.empty() || !last.command.until) return 0;
-    const auto contacts = ManeuveringAt(point).ContactsAt(last.X_StationaryAfter);
     const auto signature = [&](const ContactKey& key) {
       std::vector<PrimitiveContact> touching;
       for (const ContactKey& kept : last.command.kept) {
-        if (const auto* contact = finemotion::Find(contacts, kept)) touching.push_back(*contact);
+        if (const auto* contact = finemotion::Find(last.contacts, kept))
+          touching.push_back(*contact);
       }
-      if (const auto* contact = finemotion::Find(contacts, key)) touching.push_back(*contact);
-      return SignatureOf(touching, 0);
+      if (const auto* contact = finemotion::Find(last.contacts, key)) touching.push_back(*contact);
+      return SignatureOf(touching, options_.friction);
     };
     const double separation =
         Separation(signature(*last.command.until), signature(last.check.unwanted.front().contact),
@@ -347,7 +340,7 @@ class Search {
 
   // --- The sequence from other starts, with larger errors.
 
-  Replay From(const Start& start, double multiple, Maneuvering::Margins margins) {
+  Replay From(const Start& start, double multiple, Margins margins) {
     ++plan_.replayed;
     Replay replay;
     Belief belief = BeliefAt(start, multiple);
@@ -371,7 +364,7 @@ class Search {
     double size = 0.3;
     for (int i = 0; i < options_.tries && plan_.absorbed < options_.greatest; ++i) {
       const Start moved = i == 0 ? start : Near(start, size);
-      if (From(moved, kGrowth * plan_.absorbed, Maneuvering::Margins::kNone).certain) {
+      if (From(moved, kGrowth * plan_.absorbed, Margins::kNone).certain) {
         start = moved;
         plan_.absorbed *= kGrowth;
         size = std::min(0.3, 1.5 * size);
@@ -386,13 +379,13 @@ class Search {
     plan_.found = plan_.absorbed >= 1;
     plan_.X_StationaryStart = BeliefAt(start, 1).X_StationaryMoving;
     if (!plan_.found) {
-      const Replay replay = From(start, 1, Maneuvering::Margins::kAll);
+      const Replay replay = From(start, 1, Margins::kAll);
       if (!replay.certain && !replay.motions.empty()) {
         const std::vector<Unwanted>& unwanted = replay.motions.back().check.unwanted;
         if (!unwanted.empty()) plan_.obstacle = unwanted.front();
       }
     }
-    plan_.motions = From(start, std::min(1.0, plan_.absorbed), Maneuvering::Margins::kAll).motions;
+    plan_.motions = From(start, std::min(1.0, plan_.absorbed), Margins::kAll).motions;
   }
 
   const Passage& passage_;

@@ -22,7 +22,7 @@ struct StrategyOptions {
   double deviation = 1;
   double confusion = 0.5;
   double friction = 0.2;  // of the parts
-  double reach = 0.012;   // metres within which contacts are looked for
+  double reach = 0.012;   // metres that are looked ahead for contacts to come to
   double radius = 0.02;   // metres; what a radian comes to
   double tilt = 0.2;      // radians, that starts may be tilted by
   double twist = 0.08;    // radians, about the way in

@@ -13,7 +13,8 @@ namespace {
 
 constexpr int kDraws = 1000;
 constexpr double kTail = 0.025;
-constexpr double kTurn = 0.02;  // radians that the part may be turned by in contacts that count
+// Radians that the part may be turned by in contacts that count: as in the search.
+constexpr double kTurn = finemotion::MotionChecker::Options{}.turn;
 
 using Margins = std::map<ContactEvent, double>;
 

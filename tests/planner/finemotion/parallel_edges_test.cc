@@ -48,20 +48,21 @@ struct Case {
   }
 
   // Of these edges only.
-  SegmentCheck Checked() const {
+  SegmentCheck Checked(double scale = 1) const {
     const std::vector<PrimitiveContact> none;
     const std::vector<ParallelEdges> edges = Edges();
-    SegmentModel model{none, kVelocityError, kRadius};
+    SegmentModel model{none, scale * kVelocityError, kRadius};
     model.parallel_edges = edges;
-    return Check(model, belief, command, true);
+    Belief enlarged = belief;
+    enlarged.errors *= scale;
+    enlarged.tolerances *= scale;
+    return Check(model, enlarged, command, Telling::kAll);
   }
 };
 
-std::set<ContactKey> UnwantedUpTo(const SegmentCheck& check, double scale) {
+std::set<ContactKey> UnwantedIn(const SegmentCheck& check) {
   std::set<ContactKey> keys;
-  for (const Unwanted& unwanted : check.unwanted) {
-    if (unwanted.scale <= scale) keys.insert(unwanted.contact);
-  }
+  for (const Unwanted& unwanted : check.unwanted) keys.insert(unwanted.contact);
   return keys;
 }
 
@@ -270,9 +271,8 @@ Counted CompareWithSamples(Motion kind, bool with_tolerances, int cases) {
       errors.rightCols(3).setZero();
       errors.topRightCorner(3, 3).diagonal().setConstant(6e-5);
     }
-    const SegmentCheck check = checked.Checked();
     for (const double scale : {1.0, 2.0}) {
-      const std::set<ContactKey> told = UnwantedUpTo(check, scale);
+      const std::set<ContactKey> told = UnwantedIn(checked.Checked(scale));
       for (const ParallelEdges& edges : pairs) {
         Meeting most = Meeting::kNone;
         for (int k = 0; k < kSamples && most != Meeting::kTouching; ++k) {
@@ -312,10 +312,10 @@ TEST(ParallelEdges, WithFewerErrorsThereIsNoMoreToTell) {
   RandomStream random(kSeed, "less");
   for (int i = 0; i < 100; ++i) {
     const Case given = RandomCase(random);
-    const std::set<ContactKey> told = UnwantedUpTo(given.Checked(), 1);
+    const std::set<ContactKey> told = UnwantedIn(given.Checked());
     Case less = given;
     less.belief.errors *= random.Uniform();
-    for (const ContactKey& key : UnwantedUpTo(less.Checked(), 1)) EXPECT_TRUE(told.contains(key));
+    for (const ContactKey& key : UnwantedIn(less.Checked())) EXPECT_TRUE(told.contains(key));
   }
 }
 
@@ -345,7 +345,7 @@ SegmentCheck WithContacts(const Case& given, const std::vector<ParallelEdges>& e
       PrimitiveContacts(given.moving, given.stationary, given.X_end, kReach, {}, kTurn);
   SegmentModel model{contacts, kVelocityError, kRadius};
   model.parallel_edges = edges;
-  return Check(model, given.belief, given.command, true);
+  return Check(model, given.belief, given.command, Telling::kAll);
 }
 
 TEST(ParallelEdges, ThoseOfAPegInTheMiddleOfItsHoleDoNotTouch) {
@@ -353,7 +353,7 @@ TEST(ParallelEdges, ThoseOfAPegInTheMiddleOfItsHoleDoNotTouch) {
   for (const double depth : {-0.001, 0.0, 0.003}) {
     Case given = PegIn(At({0, 0, -depth}, Vector3::Zero()), {0, 0, -0.004});
     given.belief.errors.diagonal() << room / 2, room / 2, 2e-3, 1e-4, 1e-4, 0.4 * room / kHalf;
-    EXPECT_TRUE(given.Checked().unwanted.empty() || given.Checked().unwanted.front().scale > 1);
+    EXPECT_TRUE(given.Checked().unwanted.empty());
     EXPECT_GE(given.Edges().size(), 4U);
     given.belief.errors.diagonal() << 1.1 * kPlay, 0, 2e-3, 0, 0, 0;
     EXPECT_FALSE(given.Checked().certain);
@@ -372,7 +372,7 @@ TEST(ParallelEdges, ACrossingThatTouchesBeforeAnyCornerIsToldOf) {
   X.pretranslate(Vector3(0, 0, 0.05e-3 - over_top.z()));
   const Case given = PegIn(X, {0, 0, -0.003});
   EXPECT_TRUE(WithContacts(given, {}).certain);
-  const auto told = UnwantedUpTo(WithContacts(given, given.Edges()), 1);
+  const auto told = UnwantedIn(WithContacts(given, given.Edges()));
   EXPECT_TRUE(std::ranges::any_of(told, [](const ContactKey& key) {
     return key.kind == ContactKind::kEdgeEdge && key.stationary == 0;
   }));
@@ -406,7 +406,7 @@ TEST(ParallelEdges, AWantedCornerIsNoTouchOfItsEdges) {
     sliding.belief.errors.diagonal() << 1e-3, 1e-3, 0, 1e-3, 1e-3, 1e-3;
     for (const Case* given : {&coming, &sliding}) {
       EXPECT_FALSE(given->Edges().empty());
-      const auto told = UnwantedUpTo(WithContacts(*given, given->Edges()), 1);
+      const auto told = UnwantedIn(WithContacts(*given, given->Edges()));
       const bool touches = std::ranges::any_of(told, [](const ContactKey& k) {
         return k.kind == ContactKind::kEdgeEdge && (k.stationary == 0 || k.stationary == 2);
       });

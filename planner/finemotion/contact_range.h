@@ -1,0 +1,11 @@
+#pragma once
+
+namespace assay::finemotion {
+
+// How far from a pose contacts are looked for.
+struct ContactRange {
+  double reach = 0;  // metres between features
+  double turn = 0;   // radians that the part may be turned by
+};
+
+}  // namespace assay::finemotion
