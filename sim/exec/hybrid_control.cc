@@ -208,7 +208,8 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
   PressedContacts kept = Pressed(motion.kept);
   const double dt = arm_.timestep();
   const double latest = 1 + attempt_ * motion.beyond + Slack(*motion.until, way);
-  const double touching = kept.empty() ? law_.first_touching_force : law_.touching_force;
+  const double touching = (kept.empty() ? law_.first_touching_force : law_.touching_force) +
+                          SeemingForce(motion, kept, way);
   double felt = 0;  // newtons
   double gone = 0;
   double rate = 0;
@@ -229,6 +230,23 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
   }
   const auto& awaited = strategy_.contacts[static_cast<std::size_t>(*motion.until)];
   return Error(MatingOutcome::kTimeout, fmt::format("no contact of {}", awaited.name));
+}
+
+// Where what is kept slides toward what is waited for, its friction is a force that the latter
+// could bear.
+double HybridControl::SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
+                                   const Way& way) const {
+  constexpr double kRipple = 1.5;  // of pressing forces
+  const Vector6 sliding = Hybrid(kept, way.twist).planned;
+  Vector6 wrench = Vector6::Zero();
+  for (const plan::StrategyContact& contact : kept.contacts()) {
+    const Vector3 along = sliding.head<3>() + sliding.tail<3>().cross(contact.at);
+    const Vector3 force =
+        law_.pressing_force * (contact.normal - strategy_.friction * along.normalized());
+    wrench += Joined(force, contact.at.cross(force));
+  }
+  const double seeming = Pressed(plan::ContactsAfter(motion)).Forces(wrench).tail<1>()[0];
+  return kRipple * std::max(0.0, seeming);
 }
 
 HybridControl::Ended HybridControl::Make(const plan::StrategyMotion& motion, const Way& way,

@@ -93,6 +93,9 @@ class HybridControl {
   Ended RunMotion(std::size_t index);
   Ended MoveAlong(const Way& way, const PressedContacts& kept);
   Ended MoveUntil(const plan::StrategyMotion& motion, const Way& way);
+  // Newtons on what the motion waits for that friction on what it keeps may seem to be.
+  double SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
+                      const Way& way) const;
   Ended Slide(const Way& way);
   Ended Stuck(const Vector6& direction, double left);
   double Slack(int contact, const Way& way) const;
