@@ -69,6 +69,7 @@ plan::Strategy StrategyFrom(const MatingGeometry& geometry, const FineMotionPlan
                           .d = box.d,
                           .w = box.w,
                           .velocity = errors.velocity,
+                          .friction = plan.friction_limit,
                           .absorbed = plan.absorbed};
   return strategy;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planner/finemotion/friction_limit.h"
+
 namespace assay::finemotion {
 
 namespace {
@@ -10,6 +12,15 @@ std::vector<ContactKey> TouchedIn(const Command& command) {
   std::vector<ContactKey> touched = command.kept;
   if (command.until) touched.push_back(*command.until);
   return touched;
+}
+
+std::vector<PrimitiveContact> Those(const std::vector<PrimitiveContact>& contacts,
+                                    const std::vector<ContactKey>& keys) {
+  std::vector<PrimitiveContact> those;
+  for (const ContactKey& key : keys) {
+    if (const PrimitiveContact* contact = Find(contacts, key)) those.push_back(*contact);
+  }
+  return those;
 }
 
 Pose EndOf(const Belief& belief, const Command& command) {
@@ -130,11 +141,16 @@ CertainMotion MotionChecker::Check(const Belief& belief, const Command& command,
   const Nearby nearby = NearTheWay(belief, command);
   const Telling telling = margins == Margins::kNone ? Telling::kFirst : Telling::kAll;
   motion.check = Check(nearby, belief, command, telling);
-  if (motion.check.certain) motion.X_StationaryAfter = motion.check.after.X_StationaryMoving;
+  if (motion.check.certain) {
+    motion.X_StationaryAfter = motion.check.after.X_StationaryMoving;
+    motion.can_be_held =
+        CanHold(Those(nearby.contacts, command.kept), command.displacement, options_.friction);
+    motion.check.certain = !motion.can_be_held;
+  }
   if (margins == Margins::kNone) return motion;
   Ladder ladder(command, nearby);
   ladder.Add(1, motion.check.unwanted, nearby);
-  const bool ends = motion.check.certain || !motion.check.unwanted.empty();
+  const bool ends = motion.check.certain || motion.can_be_held || !motion.check.unwanted.empty();
   for (const double scale : kLadder) {
     if (scale == 1 || !ends) continue;
     if (margins == Margins::kLeast && !ladder.unwanted().empty()) break;

@@ -25,6 +25,7 @@ struct CertainMotion {
   Pose X_StationaryAfter = Pose::Identity();  // of the tip, if there are no errors
   SegmentCheck check;
   std::vector<PrimitiveContact> contacts = {};  // kept, made and unwanted, as they are then
+  bool can_be_held = false;                     // by friction, in what it keeps: it is not certain
 };
 
 // Checks motions of one part among the features of another: wherever errors can take the part, and
@@ -36,6 +37,7 @@ class MotionChecker {
     double turn = 0.03;             // radians, at least, that edges are from parallel in a contact
     double radius = 0.02;
     MeetingTest test = MeetingTest::kExact;
+    double friction = 0;  // of the parts, at most
   };
   // What may be touched in a motion.
   struct Nearby {

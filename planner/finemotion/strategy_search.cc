@@ -10,6 +10,7 @@
 
 #include "planner/base/random.h"
 #include "planner/finemotion/force_signature.h"
+#include "planner/finemotion/friction_limit.h"
 
 namespace assay::finemotion {
 
@@ -84,7 +85,10 @@ class Search {
         random_(options.seed, fmt::format("starts of strategies {}", round)) {
     const MotionChecker checker(
         passage.moving, ContactFinder(passage.moving, passage.stationary, passage.tolerances),
-        {.velocity_error = errors.velocity, .radius = options.radius, .test = options.test});
+        {.velocity_error = errors.velocity,
+         .radius = options.radius,
+         .test = options.test,
+         .friction = options.friction});
     for (int point = 0; point < passage.critical_points(); ++point)
       maneuvering_.push_back(Maneuvering(passage, point, checker, options.reach));
   }
@@ -386,6 +390,16 @@ class Search {
       }
     }
     plan_.motions = From(start, std::min(1.0, plan_.absorbed), Margins::kAll).motions;
+    for (const CertainMotion& motion : plan_.motions)
+      plan_.friction_limit = std::min(plan_.friction_limit, FrictionLimitOf(motion));
+  }
+
+  static double FrictionLimitOf(const CertainMotion& motion) {
+    std::vector<PrimitiveContact> kept;
+    for (const ContactKey& key : motion.command.kept) {
+      if (const auto* contact = finemotion::Find(motion.contacts, key)) kept.push_back(*contact);
+    }
+    return FrictionLimit(kept, motion.command.displacement);
   }
 
   const Passage& passage_;

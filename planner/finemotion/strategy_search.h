@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "planner/finemotion/friction_limit.h"
 #include "planner/finemotion/maneuver.h"
 
 namespace assay::finemotion {
@@ -21,7 +22,7 @@ struct StrategyOptions {
   double transitions = 1;
   double deviation = 1;
   double confusion = 0.5;
-  double friction = 0.2;  // of the parts
+  double friction = 0.2;  // of the parts, at most
   double reach = 0.012;   // metres that are looked ahead for contacts to come to
   double radius = 0.02;   // metres; what a radian comes to
   double tilt = 0.2;      // radians, that starts may be tilted by
@@ -43,6 +44,8 @@ struct FineMotionPlan {
   std::vector<CertainMotion> motions = {};
   // The greatest multiple of the errors for which all motions are certain, as far as was looked.
   double absorbed = 0;
+  // No motion can be held by less friction in what it keeps.
+  double friction_limit = kGreatestFriction;
   // If all the errors are too much: what then happens first.
   std::optional<Unwanted> obstacle = {};
   int expanded = 0;                // nodes

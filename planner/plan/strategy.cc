@@ -75,6 +75,9 @@ class FormCheck {
             "a half width of its errors is below 0");
     Require(certificate.w.norm() < M_PI / 2, "it is to absorb turns of more than a right angle");
     Require(IsAtLeast(0, certificate.velocity), "the error of its velocity is below 0");
+    Require(IsAtLeast(strategy_.friction, certificate.friction),
+            fmt::format("friction of {:.4g} could hold the part, and there may be {:.4g}",
+                        certificate.friction, strategy_.friction));
     Require(
         IsAtLeast(1, certificate.absorbed),
         fmt::format("it absorbs {:.4g} times the errors, and 1 is needed", certificate.absorbed));

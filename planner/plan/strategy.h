@@ -12,6 +12,10 @@ namespace assay::plan {
 using geometry::Pose;
 using geometry::Vector3;
 
+// Metres: as hybrid control tells contacts apart by a wrench, a turn of a radian is as easy as such
+// a shift.
+inline constexpr double kTurnLever = 0.2;
+
 // One way in which the parts of a mating touch: a row of generalized contact space (Dakin and
 // Popplestone, section 3). All in the fixed part's axes.
 struct StrategyContact {
@@ -54,6 +58,9 @@ struct StrategyCertificate {
   Vector3 d = Vector3::Zero();            // half widths: metres the tip may be displaced,
   Vector3 w = Vector3::Zero();            // and components of the rotation vector, radians
   double velocity = 0;                    // what directions of motion err by, a share
+  // The least friction of the parts that could hold one in a motion before the last, however hard
+  // it is pushed.
+  double friction = 0;
   double absorbed = 0;  // the greatest multiple of d and w for which all is certain; >= 1
 };
 

@@ -43,11 +43,9 @@ Json MotionToJson(const StrategyMotion& motion) {
 }
 
 Json CertificateToJson(const StrategyCertificate& certificate) {
-  return {{"absorbs", certificate.absorbs},
-          {"d", VectorToJson(certificate.d)},
-          {"w", VectorToJson(certificate.w)},
-          {"velocity", certificate.velocity},
-          {"absorbed", certificate.absorbed}};
+  return {{"absorbs", certificate.absorbs},   {"d", VectorToJson(certificate.d)},
+          {"w", VectorToJson(certificate.w)}, {"velocity", certificate.velocity},
+          {"friction", certificate.friction}, {"absorbed", certificate.absorbed}};
 }
 
 double ReadAtLeastZero(const Value& value) {
@@ -106,7 +104,7 @@ StrategyMotion ReadMotion(const Value& value, std::size_t contacts) {
 }
 
 StrategyCertificate ReadCertificate(const Value& value) {
-  value.AllowOnly({"absorbs", "d", "w", "velocity", "absorbed"});
+  value.AllowOnly({"absorbs", "d", "w", "velocity", "friction", "absorbed"});
   StrategyCertificate certificate;
   for (const Value& condition : value.At("absorbs").Items()) {
     certificate.absorbs.push_back(condition.Text());
@@ -114,6 +112,7 @@ StrategyCertificate ReadCertificate(const Value& value) {
   certificate.d = ReadHalfWidths(value.At("d"));
   certificate.w = ReadHalfWidths(value.At("w"));
   certificate.velocity = ReadAtLeastZero(value.At("velocity"));
+  certificate.friction = ReadAtLeastZero(value.At("friction"));
   certificate.absorbed = ReadAtLeastZero(value.At("absorbed"));
   return certificate;
 }

@@ -61,9 +61,9 @@ std::string StrategyText(const plan::Strategy& strategy) {
   };
   std::string text = fmt::format(
       "    {} by contacts, in spite of errors of the tip of {} and {}\n"
-      "    certain for {:.2f} times these errors",
+      "    certain for {:.2f} times these errors and friction up to {:.2f}",
       Counted(strategy.motions.size(), "motion", "motions"), numbers(certificate.d, kMillimetre),
-      numbers(certificate.w, UnitOf("theta_")), certificate.absorbed);
+      numbers(certificate.w, UnitOf("theta_")), certificate.absorbed, certificate.friction);
   const plan::UnwantedContact* first = nullptr;
   for (const plan::StrategyMotion& motion : strategy.motions) {
     for (const plan::UnwantedContact& unwanted : motion.unwanted) {

@@ -75,10 +75,9 @@ finemotion::FineMotionErrors ErrorsOf(const Options& options) {
   return errors;
 }
 
-finemotion::StrategyOptions SearchOptions(const Options& options) {
-  finemotion::StrategyOptions search{.seed = options.search_seed};
-  search.friction = options.friction.value_or(search.friction);
-  return search;
+finemotion::StrategyOptions SearchOptions(const Options& options, const domain::Problem& problem) {
+  const double usual = problem.workcell->rules().friction + problem.tolerances.friction;
+  return {.friction = options.friction.value_or(usual), .seed = options.search_seed};
 }
 
 // What makes the trials again, up to the number of one.
@@ -117,7 +116,7 @@ MatingStudy Tried(const PlannedProblem& planned, const MatingGeometry& geometry,
   settings.scene.grasp = options.grasp;
   if (options.friction) settings.scene.part_friction = *options.friction;
   const MatingTrials trials(planned, AssembleOf(planned), geometry, settings);
-  const plan::Strategy strategy = finemotion::StrategyOf(geometry, plan, SearchOptions(options));
+  const plan::Strategy strategy = finemotion::StrategyOf(geometry, plan, SearchOptions(options, planned.problem));
   const check::PlannedContacts contacts = check::PlannedContactsOf(plan);
   const std::vector<int> numbers = NumbersOf(options);
   MatingStudy study{.strategy = std::vector<MatedTrial>(numbers.size()),
@@ -133,7 +132,7 @@ MatingStudy Tried(const PlannedProblem& planned, const MatingGeometry& geometry,
   std::vector<check::SequenceComparison> comparisons;
   for (const MatedTrial& trial : study.strategy) comparisons.push_back(trial.sequence->comparison);
   study.ranking =
-      check::RankMargins(geometry.passage, plan, SearchOptions(options).reach, comparisons);
+      check::RankMargins(geometry.passage, plan, SearchOptions(options, planned.problem).reach, comparisons);
   return study;
 }
 
@@ -148,7 +147,7 @@ ExitCode Execute(const Options& options) {
   seconds["graph"] = graphing.Seconds();
   const Stopwatch searching;
   const FineMotionPlan plan =
-      finemotion::SearchStrategy(geometry.passage, ErrorsOf(options), SearchOptions(options));
+      finemotion::SearchStrategy(geometry.passage, ErrorsOf(options), SearchOptions(options, planned.problem));
   seconds["search"] = searching.Seconds();
   Json json = ToJson(geometry, plan, topology.graph);
   std::string text = TextOf(geometry, plan);
@@ -164,7 +163,7 @@ ExitCode Execute(const Options& options) {
   if (!options.pictures.empty() && !plan.motions.empty()) {
     const std::vector<std::string> files = WriteMatingPictures(
         options.pictures, {planned, planned.problem.mating(AssembleOf(planned).mating), geometry,
-                           topology, plan, StrategyOf(geometry, plan, SearchOptions(options))});
+                           topology, plan, StrategyOf(geometry, plan, SearchOptions(options, planned.problem))});
     json["pictures"] = files;
     text += fmt::format("{}\n", fmt::join(files, "\n"));
   }

@@ -282,8 +282,10 @@ Json ToJson(const check::MarginRanking& ranking) {
 }  // namespace
 
 std::string SummaryOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
-  return fmt::format("{} critical points; {} motions, certain for {:.2f} times the errors",
-                     geometry.critical_points.size(), plan.motions.size(), plan.absorbed);
+  return fmt::format(
+      "{} critical points; {} motions, certain for {:.2f} times the errors and friction up "
+      "to {:.2f}",
+      geometry.critical_points.size(), plan.motions.size(), plan.absorbed, plan.friction_limit);
 }
 
 std::vector<report::MatingSubject::Motion> MotionsOf(const FineMotionPlan& plan) {
@@ -319,6 +321,7 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
   Json json = {{"outcome", plan.found ? "plan" : "none"},
                {"critical_points", critical_points},
                {"absorbed", plan.absorbed},
+               {"friction", plan.friction_limit},
                {"strategy", StrategyJson(plan)},
                {"margins", MarginsJson(plan)},
                {"graph", ToJson(graph)}};

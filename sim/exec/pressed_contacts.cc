@@ -5,7 +5,6 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kLever = 0.2;     // metres, of a turn that is as easy as a shift
 constexpr double kLeastForce = 1;  // newtons that tell where they act
 
 }  // namespace
@@ -22,7 +21,7 @@ void PressedContacts::SetRows() {
     rows_.row(i) = Joined(contact.normal, contact.at.cross(contact.normal)).transpose();
   }
   give_ = rows_.transpose();
-  give_.bottomRows<3>() /= kLever * kLever;
+  give_.bottomRows<3>() /= plan::kTurnLever * plan::kTurnLever;
   if (!empty()) opening_.compute(rows_ * give_);
 }
 

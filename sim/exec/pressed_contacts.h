@@ -21,7 +21,7 @@ class PressedContacts {
   const Rows& rows() const { return rows_; }
 
   // The twist of this change of gaps that is the least, a turn of a radian being as easy as a shift
-  // of 0.2 m.
+  // of plan::kTurnLever.
   Vector6 Opening(const Eigen::VectorXd& gaps) const;
   // What each contact bears, newtons, as far as a wrench can tell them apart.
   Eigen::VectorXd Forces(const Vector6& wrench) const;

@@ -58,6 +58,7 @@ Strategy SomeStrategy(RandomStream& random, double size) {
                           .d = vector(),
                           .w = 0.1 / size * vector(),
                           .velocity = 0.002,
+                          .friction = 0.9,
                           .absorbed = random.Uniform(1, 2)};
   return strategy;
 }
