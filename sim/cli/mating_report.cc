@@ -79,6 +79,7 @@ struct Tally {
   int seated = 0;
   int recovered = 0;  // at the second attempt
   std::map<std::string, int> ends;
+  std::map<std::string, int> holdings;  // of those that got stuck
   double greatest_force = 0;
 };
 
@@ -88,6 +89,8 @@ Tally TallyOf(const std::vector<MatedTrial>& trials) {
     if (trial.seated) ++tally.seated;
     if (trial.seated && !trial.result.end.recovered.empty()) ++tally.recovered;
     ++tally.ends[std::string(exec::Name(trial.result.end.outcome))];
+    if (const auto& holding = trial.result.end.holding)
+      ++tally.holdings[std::string(exec::Name(*holding))];
     tally.greatest_force = std::max(tally.greatest_force, trial.result.greatest_force);
   }
   return tally;
@@ -97,6 +100,8 @@ std::string TextOf(const char* name, const std::vector<MatedTrial>& trials) {
   const Tally tally = TallyOf(trials);
   std::string ends;
   for (const auto& [end, count] : tally.ends) ends += fmt::format(", {} {}", end, count);
+  for (const auto& [holding, count] : tally.holdings)
+    ends += fmt::format(", stuck by {} {}", holding, count);
   if (tally.recovered > 0) ends += fmt::format(", {} at the second attempt", tally.recovered);
   return fmt::format("{}: {} of {} seated{}; at most {:.0f} N\n", name, tally.seated, trials.size(),
                      ends, tally.greatest_force);
@@ -107,6 +112,7 @@ Json ToJson(const std::vector<MatedTrial>& trials) {
   return {{"seated", tally.seated},
           {"recovered", tally.recovered},
           {"ends", tally.ends},
+          {"stuck_by", tally.holdings},
           {"force", tally.greatest_force}};
 }
 
@@ -150,13 +156,17 @@ std::string TextOf(const std::optional<exec::RecognizedContact>& recognized) {
                      recognized->name);
 }
 
+std::string TextOf(const std::optional<exec::Holding>& holding) {
+  return holding ? fmt::format("; what can hold it: {}", exec::Name(*holding)) : "";
+}
+
 // What went wrong, a line each; none if nothing did.
 std::string TextOf(const MatingStudy& study, const MatedTrial& trial) {
   std::string text;
   if (!trial.seated) {
     const exec::StrategyEnd& end = trial.result.end;
-    text += fmt::format("  trial {}: {}: {}{}\n", trial.number, exec::Name(end.outcome), end.reason,
-                        TextOf(end.recognized));
+    text += fmt::format("  trial {}: {}: {}{}{}\n", trial.number, exec::Name(end.outcome),
+                        end.reason, TextOf(end.holding), TextOf(end.recognized));
   }
   if (!Matches(trial)) {
     text += fmt::format("  trial {}: {}\n", trial.number,
@@ -236,12 +246,17 @@ Json RecognizedJson(const std::optional<exec::RecognizedContact>& recognized, do
           {"right", check::IsRight(*recognized, time, bridged)}};
 }
 
+Json ToJson(const std::optional<exec::Holding>& holding) {
+  return holding ? Json(exec::Name(*holding)) : Json();
+}
+
 Json ToJson(const std::vector<exec::ErrorState>& states, const SequenceRecord& sequence) {
   Json json = Json::array();
   for (const exec::ErrorState& state : states) {
     json.push_back({{"motion", state.motion + 1},
                     {"end", exec::Name(state.outcome)},
                     {"reason", state.reason},
+                    {"holding", ToJson(state.holding)},
                     {"recognized", RecognizedJson(state.recognized, state.time, sequence)}});
   }
   return json;
@@ -254,6 +269,7 @@ Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
           {"seated", trial.seated},
           {"end", exec::Name(trial.result.end.outcome)},
           {"reason", trial.result.end.reason},
+          {"holding", ToJson(trial.result.end.holding)},
           {"recognized",
            RecognizedJson(trial.result.end.recognized, trial.result.end.time, *trial.sequence)},
           {"recovered", ToJson(trial.result.end.recovered, *trial.sequence)},

@@ -40,6 +40,7 @@ HybridControl::HybridControl(const plan::Strategy& strategy, PartId fixed, const
     : strategy_(strategy),
       law_(law),
       execution_(execution),
+      fixed_(fixed),
       arm_(execution, fixed, strategy.X_HeldTip, law) {}
 
 StrategyEnd HybridControl::Run(const MotionObserver& observer) {
@@ -58,6 +59,7 @@ StrategyEnd HybridControl::Run(const MotionObserver& observer) {
     end.motion = error->motion;
     end.recognized = std::move(error->recognized);
     end.time = error->time;
+    end.holding = error->holding;
     return end;
   }
 }
@@ -292,15 +294,19 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
 // does.
 HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left) {
   constexpr double kBack = 0.002;  // metres
+  ErrorState stuck =
+      Error(MatingOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
+  stuck.holding = TrueHolding(execution_, fixed_, strategy_.X_HeldTip,
+                              direction.head<3>().normalized(), strategy_.length);
   const double dt = arm_.timestep();
   for (double gone = 0; gone < kBack; gone += dt * law_.contact_speed) {
     if (Ended error = Step({.yielding = -law_.contact_speed * direction})) return error;
     if (direction.dot(arm_.wrench()) > law_.obstructing_force) {
-      return Error(MatingOutcome::kWedged,
-                   fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
+      stuck.outcome = MatingOutcome::kWedged;
+      break;
     }
   }
-  return Error(MatingOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
+  return stuck;
 }
 
 // In ways: until the contact is pressed on, although the parts may be a little farther apart than

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planner/plan/strategy.h"
+#include "sim/exec/holding.h"
 #include "sim/exec/mating_outcome.h"
 #include "sim/exec/pressed_contacts.h"
 #include "sim/exec/recognition.h"
@@ -24,6 +25,9 @@ struct ErrorState {
   int motion = 0;                                    // that it came in
   std::optional<RecognizedContact> recognized = {};  // none: of the known ones none
   double time = 0;                                   // simulated seconds
+  // Of a part that got stuck: by the contacts that the engine had then, which control knows nothing
+  // of.
+  std::optional<Holding> holding = {};
 };
 
 struct StrategyEnd {
@@ -33,6 +37,7 @@ struct StrategyEnd {
   std::vector<ErrorState> recovered = {};  // that it had come into before, and out of again
   std::optional<RecognizedContact> recognized = {};
   double time = 0;  // simulated seconds
+  std::optional<Holding> holding = {};
 };
 
 // Told of each timestep: the simulation after it, and the motion's index.
@@ -123,6 +128,7 @@ class HybridControl {
   const plan::Strategy& strategy_;
   const ControlLaw& law_;
   Execution& execution_;
+  PartId fixed_;
   SoftArm arm_;
   MotionObserver observer_;
   std::map<std::string, Vector3> beside_;  // where contacts are planned, that they are found

@@ -126,7 +126,10 @@ MatingResult RunStraightMating(const domain::Problem& problem, const scene::Scen
   const domain::Mating& mating = problem.mating(setting.mating);
   const Vector3 short_by = mating.X_FixedHeld.translation() - result.X_FixedHeld.translation();
   if (std::abs(short_by.dot(mating.mating_vector.normalized())) > kSeated) {
-    result.end = {MatingOutcome::kWrongContact, "resistance before the seat", 0};
+    const plan::Strategy usual;
+    result.end = {.outcome = MatingOutcome::kWrongContact, .reason = "resistance before the seat"};
+    result.end.holding = TrueHolding(execution, mating.fixed, setting.X_HeldTip,
+                                     mating.mating_vector.normalized(), usual.length);
   }
   return result;
 }

@@ -26,6 +26,7 @@ Contact ContactAt(const Data& data, int index) {
           .position = Eigen::Map<const Vector3>(engine.pos),
           .normal = R_ContactWorld.row(0),
           .distance = engine.dist,
+          .friction = engine.friction[0],
           .force_on_b = R_ContactWorld.transpose() * Eigen::Map<const Vector3>(force)};
 }
 

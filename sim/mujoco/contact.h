@@ -16,6 +16,7 @@ struct Contact {
   geometry::Vector3 position = geometry::Vector3::Zero();
   geometry::Vector3 normal = geometry::Vector3::Zero();  // unit, from a to b
   double distance = 0;                                   // negative: penetration
+  double friction = 0;                                   // coefficient, of sliding
   // Right only after Data::Forward; a gets the opposite.
   geometry::Vector3 force_on_b = geometry::Vector3::Zero();
 };

@@ -313,6 +313,7 @@ TEST_F(MatingTrial, BesideTheHoleItJams) {
   const MatingResult result =
       RunMatingTrial(problem(), scene(), setting, SlideOnly(setting.X_HeldTip, {0, 0, 0.005}));
   EXPECT_EQ(result.end.outcome, MatingOutcome::kJammed) << result.end.reason;
+  EXPECT_EQ(result.end.holding, Holding::kObstacle) << "it stands on the face";
   EXPECT_EQ(result.end.recovered.size(), 1U) << "it was drawn back, and tried again";
   EXPECT_GT(Depth(result), 0.06);
   EXPECT_LT(result.greatest_force, kImpact);
@@ -333,6 +334,9 @@ TEST_F(MatingTrial, WedgesOnlyWithFriction) {
     const MatingResult result =
         RunMatingTrial(problem(), rough, setting, SlideOnly(setting.X_HeldTip, kNone), once);
     EXPECT_LT(result.greatest_force, kImpact);
+    if (result.end.outcome == MatingOutcome::kWedged) {
+      EXPECT_EQ(result.end.holding, Holding::kWedge);
+    }
     return result.end.outcome;
   };
   ASSERT_GT(1.5, 2 * ratio);
