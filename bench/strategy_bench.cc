@@ -18,6 +18,7 @@ Passage SquarePegInHole() {
   Passage passage;
   passage.moving = workloads::BoxShape({-kHalf, -kHalf, 0}, {kHalf, kHalf, 0.07});
   passage.stationary = workloads::SquareHoleShape(kHalf + kClearance, 0.038, 0.07);
+  passage.seat = 0.06;
   return passage;
 }
 

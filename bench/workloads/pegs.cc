@@ -132,6 +132,7 @@ finemotion::Passage PegInHole(const PrismModel& peg, double play) {
   finemotion::Passage passage;
   passage.moving = finemotion::OutsideOf({PrismPiece(peg)});
   passage.stationary = finemotion::OutsideOf(AroundHole(hole, kBlock * peg.half));
+  passage.seat = 0.8 * peg.length;
   return passage;
 }
 

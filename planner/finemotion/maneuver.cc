@@ -138,14 +138,25 @@ Vector3 Maneuvering::ToUpright(const Pose& X_StationaryMoving) const {
 }
 
 double Maneuvering::WayToNext(const Belief& belief) const {
-  const Pose X_StationaryNext = passage_.X_StationaryEntryAt(critical_point_ + 1);
-  const Vector3 way = X_StationaryNext.translation() - belief.X_StationaryMoving.translation();
+  const bool is_last = critical_point_ + 1 == passage_.critical_points();
+  const Vector3 next =
+      is_last ? Vector3(X_StationaryEntry_.translation() + passage_.seat * passage_.mating)
+              : Vector3(passage_.X_StationaryEntryAt(critical_point_ + 1).translation());
+  const Vector3 way = next - belief.X_StationaryMoving.translation();
   PoseChange down = PoseChange::Zero();
   down.head<3>() = passage_.mating;
   const double shift = (belief.errors.transpose() * down).lpNorm<1>();
   const double turn = belief.errors.bottomRows<3>().rowwise().lpNorm<1>().maxCoeff();
-  const double deepest = shift + 2 * checker_.options().radius * turn;
+  const double lever = is_last ? Breadth() : 2 * checker_.options().radius;
+  const double deepest = shift + lever * turn;
   return way.dot(passage_.mating) - deepest - kShortOfNext;
+}
+
+double Maneuvering::Breadth() const {
+  double breadth = 0;
+  for (const OuterVertex& vertex : passage_.moving.vertices)
+    breadth = std::max(breadth, vertex.p.cross(passage_.mating).norm());
+  return breadth;
 }
 
 std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& situation,
@@ -286,18 +297,18 @@ bool Maneuvering::IsReached(const Belief& belief) const {
 
 bool Maneuvering::ComesThrough(const Belief& belief) const {
   const Pose& X = belief.X_StationaryMoving;
-  const Vector3 above = X_StationaryEntry_.translation() - X.translation();
-  const double way = passage_.depth + above.dot(passage_.mating);
+  const double way = WayToNext(belief);
   if (way <= 0) return true;
   PoseChange in = PoseChange::Zero();
   in.head<3>() = way * passage_.mating;
   const Belief free{X, belief.errors, {}, belief.tolerances};
   const Command command{in, {}, {}};
-  MotionChecker::Nearby nearby = checker_.NearTheWay(free, command);
+  const MotionChecker guided = checker_.WithoutVelocityErrors();
+  MotionChecker::Nearby nearby = guided.NearTheWay(free, command);
   std::erase_if(nearby.contacts, [&](const PrimitiveContact& contact) {
     return contact.row.head<3>().dot(in.head<3>()) > -kAgainst * way;
   });
-  return checker_.Check(nearby, free, command).certain;
+  return guided.Check(nearby, free, command).certain;
 }
 
 int Maneuvering::WideDirections(const Belief& belief) const {

@@ -14,7 +14,8 @@ struct Passage {
   Pose X_StationaryEntry = Pose::Identity();  // of the tip at the first critical point, no errors
   Vector3 mating = -Vector3::UnitZ();         // unit, the way in
   std::vector<double> further = {};  // metres from there to the next critical points, ascending
-  double depth = 0.003;              // metres from a critical point that count as in
+  double depth = 0.003;              // metres from a critical point that are looked at for walls
+  double seat = 0.003;               // metres from the last critical point to the end of the way in
   std::vector<ModelTolerance> tolerances = {};
 
   int critical_points() const { return 1 + static_cast<int>(further.size()); }
@@ -71,8 +72,8 @@ class Maneuvering {
   Maneuvered Apply(const Situation& situation, const Maneuver& maneuver, Margins margins) const;
   // Straight along the way in, from outside, the part comes there without touching anything.
   bool IsReached(const Belief& belief) const;
-  // Straight on along the way in, the tip comes as deep as it should, and nothing stands against
-  // it. Walls may be touched: they lead.
+  // Straight on along the way in, to shortly before the next critical point or the seat, nothing
+  // stands against the part. Walls may be touched: they lead.
   bool ComesThrough(const Belief& belief) const;
   // The rotation that is left to the entry's orientation, as a vector.
   Vector3 ToUpright(const Pose& X_StationaryMoving) const;
@@ -84,9 +85,12 @@ class Maneuvering {
   struct Direction;
   std::optional<Direction> DirectionOf(const Situation& situation, const Maneuver& maneuver) const;
   PoseChange Refined(const Pose& X, const Command& command) const;
-  // Along the way in to the next critical point, short of it by what errors may put the part
-  // beyond where it is believed to be.
+  // Along the way in to the next critical point, or the seat, short of it by what errors may put
+  // the part beyond where it is believed to be.
   double WayToNext(const Belief& belief) const;
+
+  // Metres across the way in, from the tip to the part's farthest corner.
+  double Breadth() const;
 
   const Passage& passage_;
   int critical_point_;

@@ -131,6 +131,11 @@ MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& 
     const double further = point.travel - geometry.critical_points.front().travel;
     if (further > 0 && point.travel < seat - kLevel) geometry.passage.further.push_back(further);
   }
+  if (!geometry.critical_points.empty()) {
+    const auto& further = geometry.passage.further;
+    geometry.passage.seat =
+        seat - geometry.critical_points.front().travel - (further.empty() ? 0 : further.back());
+  }
   return geometry;
 }
 

@@ -99,6 +99,12 @@ MotionChecker::MotionChecker(const Polyhedron& moving, const ContactFinder& find
   for (const OuterVertex& vertex : moving.vertices) size_ = std::max(size_, vertex.p.norm());
 }
 
+MotionChecker MotionChecker::WithoutVelocityErrors() const {
+  MotionChecker checker = *this;
+  checker.options_.velocity_error = 0;
+  return checker;
+}
+
 std::vector<PrimitiveContact> MotionChecker::ContactsWithin(double reach,
                                                             const Pose& X_StationaryMoving) const {
   return finder_.Near(X_StationaryMoving, {.reach = reach, .turn = options_.turn});

@@ -48,6 +48,8 @@ class MotionChecker {
   MotionChecker(const Polyhedron& moving, const ContactFinder& finder, const Options& options);
 
   const Options& options() const { return options_; }
+  // The same, where walls lead the part: motions go exactly as they should.
+  MotionChecker WithoutVelocityErrors() const;
   // Within so many metres, if the part is turned by no more than edges must be from parallel.
   std::vector<PrimitiveContact> ContactsWithin(double reach, const Pose& X_StationaryMoving) const;
   std::vector<PrimitiveContact> Of(std::span<const ContactKey> keys,

@@ -46,10 +46,19 @@ struct Options {
   int jobs = 1;
   std::uint64_t seed = 1;
   std::uint64_t search_seed = 1;
+  finemotion::MeetingTest intersection = finemotion::MeetingTest::kExact;
   scene::GraspMode grasp = scene::GraspMode::kWeld;
   std::filesystem::path pictures;  // folder
   bool json = false;
 };
+
+const std::map<std::string, finemotion::MeetingTest>& Intersections() {
+  using finemotion::MeetingTest;
+  static const std::map<std::string, MeetingTest> names = {{"exact", MeetingTest::kExact},
+                                                           {"edges", MeetingTest::kEdges},
+                                                           {"compare", MeetingTest::kCompare}};
+  return names;
+}
 
 PlannedProblem Planned(const Options& options) {
   scenario::Overrides overrides;
@@ -77,7 +86,9 @@ finemotion::FineMotionErrors ErrorsOf(const Options& options) {
 
 finemotion::StrategyOptions SearchOptions(const Options& options, const domain::Problem& problem) {
   const double usual = problem.workcell->rules().friction + problem.tolerances.friction;
-  return {.friction = options.friction.value_or(usual), .seed = options.search_seed};
+  return {.friction = options.friction.value_or(usual),
+          .test = options.intersection,
+          .seed = options.search_seed};
 }
 
 // What makes the trials again, up to the number of one.
@@ -92,6 +103,9 @@ std::string ReplayCommand(const Options& options) {
   if (options.clearance_mm) command += fmt::format(" --clearance {}", *options.clearance_mm);
   if (options.friction) command += fmt::format(" --friction {}", *options.friction);
   add("beyond", options.beyond, usual.beyond);
+  for (const auto& [name, test] : Intersections()) {
+    if (test == options.intersection) add("intersection", name, "exact");
+  }
   add("seed", options.seed, usual.seed);
   add("search-seed", options.search_seed, usual.search_seed);
   add("grasp", scene::Name(options.grasp), scene::Name(usual.grasp));
@@ -116,7 +130,8 @@ MatingStudy Tried(const PlannedProblem& planned, const MatingGeometry& geometry,
   settings.scene.grasp = options.grasp;
   if (options.friction) settings.scene.part_friction = *options.friction;
   const MatingTrials trials(planned, AssembleOf(planned), geometry, settings);
-  const plan::Strategy strategy = finemotion::StrategyOf(geometry, plan, SearchOptions(options, planned.problem));
+  const plan::Strategy strategy =
+      finemotion::StrategyOf(geometry, plan, SearchOptions(options, planned.problem));
   const check::PlannedContacts contacts = check::PlannedContactsOf(plan);
   const std::vector<int> numbers = NumbersOf(options);
   MatingStudy study{.strategy = std::vector<MatedTrial>(numbers.size()),
@@ -131,8 +146,8 @@ MatingStudy Tried(const PlannedProblem& planned, const MatingGeometry& geometry,
   });
   std::vector<check::SequenceComparison> comparisons;
   for (const MatedTrial& trial : study.strategy) comparisons.push_back(trial.sequence->comparison);
-  study.ranking =
-      check::RankMargins(geometry.passage, plan, SearchOptions(options, planned.problem).reach, comparisons);
+  study.ranking = check::RankMargins(geometry.passage, plan,
+                                     SearchOptions(options, planned.problem).reach, comparisons);
   return study;
 }
 
@@ -146,8 +161,8 @@ ExitCode Execute(const Options& options) {
   const finemotion::LocalTopology topology = TopologyOf(geometry.passage);
   seconds["graph"] = graphing.Seconds();
   const Stopwatch searching;
-  const FineMotionPlan plan =
-      finemotion::SearchStrategy(geometry.passage, ErrorsOf(options), SearchOptions(options, planned.problem));
+  const FineMotionPlan plan = finemotion::SearchStrategy(geometry.passage, ErrorsOf(options),
+                                                         SearchOptions(options, planned.problem));
   seconds["search"] = searching.Seconds();
   Json json = ToJson(geometry, plan, topology.graph);
   std::string text = TextOf(geometry, plan);
@@ -162,8 +177,9 @@ ExitCode Execute(const Options& options) {
   }
   if (!options.pictures.empty() && !plan.motions.empty()) {
     const std::vector<std::string> files = WriteMatingPictures(
-        options.pictures, {planned, planned.problem.mating(AssembleOf(planned).mating), geometry,
-                           topology, plan, StrategyOf(geometry, plan, SearchOptions(options, planned.problem))});
+        options.pictures,
+        {planned, planned.problem.mating(AssembleOf(planned).mating), geometry, topology, plan,
+         StrategyOf(geometry, plan, SearchOptions(options, planned.problem))});
     json["pictures"] = files;
     text += fmt::format("{}\n", fmt::join(files, "\n"));
   }
@@ -187,6 +203,13 @@ void AddUncertainty(CLI::App& command, Options& options) {
       ->check(CLI::Range(0.0, 100.0));
   command.add_option("--friction", options.friction, "of the parts, instead of the part files'")
       ->check(CLI::Range(0.0, 10.0));
+  command
+      .add_option(
+          "--intersection", options.intersection,
+          "how it is decided whether errors can make a contact: exact (the default), edges "
+          "(as Dakin and Popplestone have it, which misses some), or compare (exact, and how "
+          "often edges differs)")
+      ->transform(CLI::CheckedTransformer(Intersections()));
   command.add_option("--search-seed", options.search_seed, "of all that is random in planning")
       ->capture_default_str();
 }

@@ -323,6 +323,11 @@ std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionP
     table.Add({fmt::format("{}", ++number), motion.ends_with, motion.contacts, motion.unwanted});
   }
   std::string text = fmt::format("{}\n{}", SummaryOf(geometry, plan), table.Text());
+  const finemotion::TestComparison& comparison = plan.comparison;
+  if (comparison.compared > 0) {
+    text += fmt::format("of {} intersections, the edge test was compared in {} and misses {}\n",
+                        comparison.tests, comparison.compared, comparison.missed);
+  }
   if (!plan.found) {
     text += fmt::format("no strategy absorbs the errors{}\n",
                         plan.obstacle ? "; in the way: " + TextOf(*plan.obstacle) : "");
@@ -338,6 +343,10 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
                {"critical_points", critical_points},
                {"absorbed", plan.absorbed},
                {"friction", plan.friction_limit},
+               {"intersections",
+                {{"tests", plan.comparison.tests},
+                 {"compared", plan.comparison.compared},
+                 {"missed", plan.comparison.missed}}},
                {"strategy", StrategyJson(plan)},
                {"margins", MarginsJson(plan)},
                {"graph", ToJson(graph)}};

@@ -30,6 +30,7 @@ Passage SquarePegInHole() {
   Passage passage;
   passage.moving = BoxShape({-kHalf, -kHalf, 0}, {kHalf, kHalf, 0.07});
   passage.stationary = SquareHoleShape(kHalf + kPlay, 0.038, 0.07);
+  passage.seat = 0.06;
   return passage;
 }
 
