@@ -19,6 +19,7 @@ constexpr int kThirds = 30;              // that remain of an interval's two, on
 constexpr double kParallel = 1e-9;       // coefficients of rows
 constexpr double kParted = 1e-9;         // metres
 constexpr double kVanished = 1e-12;      // of a generator: what rounding leaves
+constexpr double kGrazed = 1e-12;        // metres: what slides along as it touches may close by
 constexpr double kExactness = 1e-9;      // metres, of meetings
 constexpr Eigen::Index kFewErrors = 12;  // that the edge test takes a millisecond for
 
@@ -307,7 +308,7 @@ class Checker {
         [&](double scale) {
           const std::optional<double> time = Time(scale);
           if (!time) return true;
-          if (contact.offset + gap.Lowest(scale, *time) > 0) return false;
+          if (contact.offset + gap.Lowest(scale, *time) > -kGrazed) return false;
           return Meets(contact, gap, limits, scale, *time);
         },
         whole);
@@ -321,7 +322,7 @@ class Checker {
     const double motion = row.dot(command_.displacement);
     const double drift = scale * (drifts_.transpose() * row).lpNorm<1>();
     const double error = scale * SumOfParts(contact.row, swept_, belief_.tolerances);
-    return contact.offset - motion - error + *time * std::min(0.0, motion - drift) <= 0;
+    return contact.offset - motion - error + *time * std::min(0.0, motion - drift) <= -kGrazed;
   }
 
   // Before the contact that ends the motion is made.
@@ -577,6 +578,13 @@ Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z) {
   if (angle > 0) X.linear() = Eigen::AngleAxisd(angle, w / angle) * X.linear();
   X.translation() += z.head<3>();
   return X;
+}
+
+PoseChange Between(const Pose& from, const Pose& to) {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(to.linear() * from.linear().transpose()));
+  PoseChange z;
+  z << to.translation() - from.translation(), turn.angle() * turn.axis();
+  return z;
 }
 
 SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,
