@@ -10,16 +10,16 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kAcross = 0.1;        // cosine, between a wall's normal and the way in
-constexpr double kAgainst = 0.3;       // of the way in, that a contact must take back to oppose it
-constexpr double kStep = 0.045;        // radians that one linearization is good for
-constexpr double kRoom = 0.6;          // of the play, that errors across it may take
-constexpr double kLeast = 1e-6;        // metres and radians that are worth a motion
-constexpr double kBlocked = 0.2;       // what contacts must leave of a direction
-constexpr double kGrazing = 0.3;       // sine of an angle that is too small to feel a contact
-constexpr double kCorrection = 2e-3;   // metres; more is no correction
-constexpr double kLongest = 0.015;     // metres of a way that is checked as one motion
-constexpr double kShortOfNext = 5e-4;  // metres from the next critical point, to be free there
+constexpr double kAcross = 0.1;   // cosine, between a wall's normal and the way in
+constexpr double kAgainst = 0.3;  // of the way in, that a contact must take back to oppose it
+constexpr double kUprightEnough = 0.02;  // radians
+constexpr double kRoom = 0.6;            // of the play, that errors across it may take
+constexpr double kLeast = 1e-6;          // metres and radians that are worth a motion
+constexpr double kBlocked = 0.2;         // what contacts must leave of a direction
+constexpr double kGrazing = 0.3;         // sine of an angle that is too small to feel a contact
+constexpr double kCorrection = 2e-3;     // metres; more is no correction
+constexpr double kLongest = 0.015;       // metres of a way that is checked as one motion
+constexpr double kShortOfNext = 5e-4;    // metres from the next critical point, to be free there
 
 bool IsOneOf(const std::vector<ContactKey>& keys, const PrimitiveContact& contact) {
   return std::ranges::find(keys, KeyOf(contact)) != keys.end();
@@ -32,18 +32,6 @@ std::vector<const PrimitiveContact*> Those(const std::vector<PrimitiveContact>& 
     if (const PrimitiveContact* contact = Find(contacts, key)) those.push_back(contact);
   }
   return those;
-}
-
-Vector3 RotationBetween(const Pose& from, const Pose& to) {
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(to.linear() * from.linear().transpose()));
-  return turn.angle() * turn.axis();
-}
-
-PoseChange Between(const Pose& from, const Pose& to) {
-  PoseChange z;
-  z.head<3>() = to.translation() - from.translation();
-  z.tail<3>() = RotationBetween(from, to);
-  return z;
 }
 
 // What is touched first along a direction, and how far away.
@@ -164,7 +152,7 @@ SegmentCheck Maneuvering::Checked(const Nearby& nearby, const Belief& belief,
 }
 
 Vector3 Maneuvering::ToUpright(const Pose& X_StationaryMoving) const {
-  return RotationBetween(X_StationaryMoving, X_StationaryEntry_);
+  return Between(X_StationaryMoving, X_StationaryEntry_).tail<3>();
 }
 
 double Maneuvering::WayToNext(const Belief& belief) const {
@@ -263,7 +251,7 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
                       maneuver.kind == Maneuver::Kind::kAdvance;  // what is left, each time
     const double left = direction->amount - (anew ? 0 : done);
     const double turn = direction->along.tail<3>().norm();
-    const double most = std::min(left, turn > 0 ? kStep / turn : kLongest);
+    const double most = std::min(left, turn > 0 ? kLinearTurn / turn : kLongest);
     const Hit hit = FirstHit(now->contacts, now->belief.kept, direction->along);
     const bool touches = hit.contact != nullptr && hit.distance <= most;
     if (touches && !maneuver.to_contact) return result;
@@ -273,20 +261,11 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     Command command{length * direction->along, direction->kept, {}};
     if (touches) command.until = KeyOf(*hit.contact);
     command.displacement = Refined(X, command);
-    const Pose end = Displaced(X, command.displacement);
-    Nearby nearby = OnTheWayTo(end, command.displacement.head<3>().norm());
-    SegmentCheck check = Checked(nearby, now->belief, command, margins);
-    const bool certain = check.certain;
-    if (certain) result.after = check.after;
-    std::vector<PrimitiveContact> its_contacts;
-    if (margins == Margins::kAll) {
-      for (const ParallelEdges& edges : nearby.parallel) nearby.contacts.push_back(edges.contact);
-      its_contacts = ContactsOf(command, check, nearby.contacts);
-    }
-    result.motions.push_back({std::move(command), result.after.X_StationaryMoving, std::move(check),
-                              std::move(its_contacts)});
+    result.motions.push_back(Follow(now->belief, std::move(command), margins));
+    const SegmentCheck& check = result.motions.back().check;
     done += length;
-    if (!certain) return result;
+    if (!check.certain) return result;
+    result.after = check.after;
     if (touches || left - length < kLeast) {
       result.certain = touches == maneuver.to_contact;
       return result;
@@ -294,6 +273,19 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     later = At(result.after);
     now = &later;
   }
+}
+
+CertainMotion Maneuvering::Follow(const Belief& belief, Command command, Margins margins) const {
+  const Pose end = Displaced(belief.X_StationaryMoving, command.displacement);
+  Nearby nearby = OnTheWayTo(end, command.displacement.head<3>().norm());
+  CertainMotion motion{std::move(command), belief.X_StationaryMoving, {}, {}};
+  motion.check = Checked(nearby, belief, motion.command, margins);
+  if (motion.check.certain) motion.X_StationaryAfter = motion.check.after.X_StationaryMoving;
+  if (margins == Margins::kAll) {
+    for (const ParallelEdges& edges : nearby.parallel) nearby.contacts.push_back(edges.contact);
+    motion.contacts = ContactsOf(motion.command, motion.check, nearby.contacts);
+  }
+  return motion;
 }
 
 double Maneuvered::LeastScale() const {
@@ -320,6 +312,11 @@ bool Maneuvering::IsReached(const Belief& belief) const {
   Belief outside = belief;
   outside.X_StationaryMoving = Displaced(X, -down);
   return Checked(OnTheWayTo(X, way), outside, {down, {}, {}}, Margins::kNone).certain;
+}
+
+bool Maneuvering::IsThrough(const Belief& belief) const {
+  return ToUpright(belief.X_StationaryMoving).norm() < kUprightEnough &&
+         WideDirections(belief) == 0 && ComesThrough(belief);
 }
 
 bool Maneuvering::ComesThrough(const Belief& belief) const {

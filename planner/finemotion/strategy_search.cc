@@ -15,10 +15,9 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kAbove = 0.002;         // metres, of starts over all that errors can bring near
-constexpr double kFarthest = 0.015;      // metres that a move may take to a contact
-constexpr double kWidestTurn = 0.15;     // radians that a turn may take to one
-constexpr double kUprightEnough = 0.02;  // radians
+constexpr double kAbove = 0.002;       // metres, of starts over all that errors can bring near
+constexpr double kFarthest = 0.015;    // metres that a move may take to a contact
+constexpr double kWidestTurn = 0.15;   // radians that a turn may take to one
 constexpr double kLeastTurn = 0.03;    // radians: edges that are nearer to parallel make no contact
 constexpr double kLeastTilt = 0.035;   // radians, of starts: their edges are not parallel
 constexpr double kLeastInside = 1e-3;  // metres, that their lowest corner is inside the entry
@@ -75,23 +74,19 @@ struct Replay {
 
 class Search {
  public:
-  // `multiple`: of the errors, that the sequence is searched for.
+  // `multiple`: of the errors, that the sequence is searched for. `asked`: of them, for which its
+  // margins are told.
   Search(const Passage& passage, const FineMotionErrors& errors, const StrategyOptions& options,
-         int round, double multiple)
+         int round, double multiple, double asked)
       : passage_(passage),
         errors_(errors),
         options_(options),
         multiple_(multiple),
+        asked_(asked),
         random_(options.seed, fmt::format("starts of strategies {}", round)) {
     const ContactFinder finder(passage.moving, passage.stationary, passage.tolerances);
     for (int point = 0; point < passage.critical_points(); ++point) {
-      maneuvering_.push_back(
-          Maneuvering(passage, point, finder,
-                      {.velocity_error = errors.velocity,
-                       .turn_error = std::max(kLeastTurn, 1.5 * errors.pose.tail<3>().maxCoeff()),
-                       .reach = options.reach,
-                       .radius = options.radius,
-                       .test = options.test}));
+      maneuvering_.push_back(Maneuvering(passage, point, finder, ManeuveringFor(errors, options)));
     }
   }
 
@@ -169,14 +164,9 @@ class Search {
 
   // So far up that the part is free, whatever the errors.
   Belief BeliefAt(const Start& start, double multiple) const {
-    Belief belief;
-    belief.tolerances = multiple * errors_.tolerances;
-    belief.errors.setZero(Eigen::NoChange, belief.tolerances.size() + kPoseDimensions);
-    belief.errors.rightCols<kPoseDimensions>() =
-        multiple * errors_.pose.asDiagonal().toDenseMatrix();
     PoseChange z;
     z << start.beside, start.turn;
-    belief.X_StationaryMoving = Displaced(passage_.X_StationaryEntry, z);
+    Belief belief = BeliefIn(Displaced(passage_.X_StationaryEntry, z), errors_, multiple);
     double deepest = 0;
     const double wrong = errors_.tolerances.sum();  // of the parts, at most
     for (const OuterVertex& vertex : passage_.moving.vertices) {
@@ -208,7 +198,7 @@ class Search {
         open.push(WithExactCost(*node));
         continue;
       }
-      if (IsLast(node->point) && IsThrough(node->point, node->belief)) return node;
+      if (IsLast(node->point) && ManeuveringAt(node->point).IsThrough(node->belief)) return node;
       ++plan_.expanded;
       if (node->motions < kMostMotions) Expand(node, open);
     }
@@ -271,12 +261,6 @@ class Search {
     open.push(std::make_shared<const Node>(std::move(node)));
   }
 
-  bool IsThrough(int point, const Belief& belief) const {
-    const Maneuvering& here = ManeuveringAt(point);
-    return here.ToUpright(belief.X_StationaryMoving).norm() < kUprightEnough &&
-           here.WideDirections(belief) == 0 && here.ComesThrough(belief);
-  }
-
   static int PointAfter(const Maneuver& maneuver, int point) {
     return maneuver.kind == Maneuver::Kind::kAdvance ? point + 1 : point;
   }
@@ -285,7 +269,7 @@ class Search {
     using Kind = Maneuver::Kind;
     const Vector3& in = passage_.mating;
     std::vector<Maneuver> maneuvers;
-    if (!IsLast(node.point) && IsThrough(node.point, node.belief))
+    if (!IsLast(node.point) && ManeuveringAt(node.point).IsThrough(node.belief))
       maneuvers.push_back({Kind::kAdvance});
     for (const double length : {1e-3, 3e-3}) maneuvers.push_back({Kind::kMove, -in, length});
     maneuvers.push_back({Kind::kMove, in, kFarthest, true});
@@ -355,14 +339,14 @@ class Search {
     int point = 0;
     for (const Maneuver& maneuver : plan_.maneuvers) {
       const int after = PointAfter(maneuver, point);
-      if (after != point && !IsThrough(point, belief)) return replay;
+      if (after != point && !ManeuveringAt(point).IsThrough(belief)) return replay;
       Maneuvered done = Apply(point, ManeuveringAt(point).At(belief), maneuver, margins);
       std::ranges::move(done.motions, std::back_inserter(replay.motions));
       if (!done.certain) return replay;
       belief = std::move(done.after);
       point = after;
     }
-    replay.certain = IsThrough(point, belief);
+    replay.certain = ManeuveringAt(point).IsThrough(belief);
     return replay;
   }
 
@@ -392,13 +376,15 @@ class Search {
         if (!unwanted.empty()) plan_.obstacle = unwanted.front();
       }
     }
-    plan_.motions = From(start, std::min(1.0, plan_.absorbed), Maneuvering::Margins::kAll).motions;
+    plan_.motions =
+        From(start, std::min(asked_, plan_.absorbed), Maneuvering::Margins::kAll).motions;
   }
 
   const Passage& passage_;
   const FineMotionErrors& errors_;
   const StrategyOptions& options_;
   double multiple_;
+  double asked_;
   std::vector<Maneuvering> maneuvering_;  // at each critical point
   RandomStream random_;
   FineMotionPlan plan_;
@@ -407,15 +393,35 @@ class Search {
 };
 
 // What it tells in multiples of larger errors, in multiples of the errors.
-void Enlarge(FineMotionPlan& plan, double enlarged) {
+void TellInSmaller(FineMotionPlan& plan, double enlarged) {
   plan.absorbed *= enlarged;
   if (plan.obstacle) plan.obstacle->scale *= enlarged;
-  for (CertainMotion& motion : plan.motions) {
-    for (Unwanted& unwanted : motion.check.unwanted) unwanted.scale *= enlarged;
-  }
 }
 
 }  // namespace
+
+FineMotionErrors Enlarged(const FineMotionErrors& errors, double multiple) {
+  return {multiple * errors.pose, errors.velocity, multiple * errors.tolerances};
+}
+
+Maneuvering::Options ManeuveringFor(const FineMotionErrors& errors,
+                                    const StrategyOptions& options) {
+  return {.velocity_error = errors.velocity,
+          .turn_error = std::max(kLeastTurn, 1.5 * errors.pose.tail<3>().maxCoeff()),
+          .reach = options.reach,
+          .radius = options.radius,
+          .test = options.test};
+}
+
+Belief BeliefIn(const Pose& X_StationaryMoving, const FineMotionErrors& errors, double multiple) {
+  Belief belief{.X_StationaryMoving = X_StationaryMoving,
+                .errors = {},
+                .kept = {},
+                .tolerances = multiple * errors.tolerances};
+  belief.errors.setZero(Eigen::NoChange, belief.tolerances.size() + kPoseDimensions);
+  belief.errors.rightCols<kPoseDimensions>() = multiple * errors.pose.asDiagonal().toDenseMatrix();
+  return belief;
+}
 
 FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& errors,
                               const StrategyOptions& options) {
@@ -424,12 +430,11 @@ FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& er
   int replayed = 0;
   TestComparison comparison;
   for (const double enlarged : kEnlarged) {
-    const FineMotionErrors larger{enlarged * errors.pose, errors.velocity,
-                                  enlarged * errors.tolerances};
+    const FineMotionErrors larger = Enlarged(errors, enlarged);
     for (int round = 0; round < options.rounds && !best.found; ++round) {
       const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
-      FineMotionPlan plan = Search(passage, larger, options, round, multiple).Run();
-      Enlarge(plan, enlarged);
+      FineMotionPlan plan = Search(passage, larger, options, round, multiple, 1 / enlarged).Run();
+      TellInSmaller(plan, enlarged);
       if (plan.absorbed >= 1) {  // of the errors that were asked for
         plan.found = true;
         plan.obstacle.reset();
