@@ -10,16 +10,17 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kAcross = 0.1;   // cosine, between a wall's normal and the way in
-constexpr double kAgainst = 0.3;  // of the way in, that a contact must take back to oppose it
+constexpr double kAcross = 0.1;        // cosine, between a wall's normal and the way in
+constexpr double kAgainst = 0.3;       // of the way in, that a contact must take back to oppose it
+constexpr double kRoom = 0.6;          // of the play, that errors across it may take
+constexpr double kLeast = 1e-6;        // metres and radians that are worth a motion
+constexpr double kBlocked = 0.2;       // what contacts must leave of a direction
+constexpr double kGrazing = 0.3;       // sine of an angle that is too small to feel a contact
+constexpr double kCorrection = 2e-3;   // metres; more is no correction
+constexpr double kLongest = 0.015;     // metres of a way that is checked as one motion
+constexpr double kShortOfNext = 5e-4;  // metres from the next critical point, to be free there
+
 constexpr double kUprightEnough = 0.02;  // radians
-constexpr double kRoom = 0.6;            // of the play, that errors across it may take
-constexpr double kLeast = 1e-6;          // metres and radians that are worth a motion
-constexpr double kBlocked = 0.2;         // what contacts must leave of a direction
-constexpr double kGrazing = 0.3;         // sine of an angle that is too small to feel a contact
-constexpr double kCorrection = 2e-3;     // metres; more is no correction
-constexpr double kLongest = 0.015;       // metres of a way that is checked as one motion
-constexpr double kShortOfNext = 5e-4;    // metres from the next critical point, to be free there
 
 bool IsOneOf(const std::vector<ContactKey>& keys, const PrimitiveContact& contact) {
   return std::ranges::find(keys, KeyOf(contact)) != keys.end();
