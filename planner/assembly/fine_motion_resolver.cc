@@ -35,25 +35,10 @@ constexpr double kUsualTurn = 0.0175;
 constexpr double kGreatestShift = 0.006;  // metres: half of where contacts are looked for
 constexpr double kGreatestTurn = 0.2;     // radians: contacts are linear in no more
 
-// Conditions of assemble that a strategy absorbs, and those that take their place.
-const std::vector<std::string>& AbsorbedConditions() {
-  static const std::vector<std::string> conditions = {"entry", "slide-in", "tilt", "seat"};
-  return conditions;
-}
+// And those that take the place of what is absorbed.
 bool IsAnswered(const std::string& condition) {
   return std::ranges::count(AbsorbedConditions(), condition) > 0 || condition == "tip shift" ||
          condition == "tip turn";
-}
-
-// The parts with holes as narrow as they may be.
-domain::Problem Narrowed(domain::Problem problem, const domain::Mating& mating) {
-  const double tolerance = problem.tolerances.clearance;
-  if (tolerance == 0) return problem;
-  for (const domain::PartId id : {mating.held, mating.fixed}) {
-    auto& model = problem.parts[id.index()].model;
-    model = model->WithClearance(model->clearance() - tolerance);
-  }
-  return problem;
 }
 
 bool IsWithin(const TipBox& box, const TipBox& limits) {
@@ -63,14 +48,11 @@ bool IsWithin(const TipBox& box, const TipBox& limits) {
 TipBox WithSpare(const TipBox& box) { return {kSpare * box.d, kSpare * box.w}; }
 
 plan::Strategy StrategyFrom(const MatingGeometry& geometry, const FineMotionPlan& plan,
-                            const TipBox& box, const FineMotionErrors& errors, double friction) {
+                            const plan::StrategyCertificate& certificate, double friction) {
   plan::Strategy strategy = finemotion::StrategyOf(geometry, plan, {.friction = friction});
-  strategy.certificate = {.absorbs = AbsorbedConditions(),
-                          .d = box.d,
-                          .w = box.w,
-                          .velocity = errors.velocity,
-                          .friction = plan.friction_limit,
-                          .absorbed = plan.absorbed};
+  strategy.certificate = certificate;
+  strategy.certificate.friction = plan.friction_limit;
+  strategy.certificate.absorbed = plan.absorbed;
   return strategy;
 }
 
@@ -147,6 +129,11 @@ std::vector<std::vector<Insertion>> LooksAt(const UnmetGoals& unmet, const domai
 
 }  // namespace
 
+const std::vector<std::string>& AbsorbedConditions() {
+  static const std::vector<std::string> conditions = {"entry", "slide-in", "tilt", "seat"};
+  return conditions;
+}
+
 TipBox TipBoxAt(const UnmetGoals& unmet, uncertainty::Propagation propagation, const TipWay& way) {
   UncertainWorld world(unmet.problem, propagation);
   for (int i = 0; i < unmet.step; ++i) {
@@ -197,8 +184,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
   const auto& assemble =
       std::get<plan::Assemble>(unmet.actions[static_cast<std::size_t>(unmet.step)]);
   const domain::Mating& mating = unmet.problem.mating(assemble.mating);
-  const domain::Problem narrowed = Narrowed(unmet.problem, mating);
-  const MatingGeometry geometry = finemotion::GeometryOf(narrowed, mating);
+  const MatingGeometry geometry = finemotion::NarrowestGeometryOf(unmet.problem, mating);
   const double tolerance = unmet.problem.tolerances.clearance;
   const double friction =
       unmet.problem.workcell->rules().friction + unmet.problem.tolerances.friction;
@@ -208,11 +194,14 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
   for (int round = 0; round < kRounds; ++round) {
     if (box.d.norm() >= kGreatestShift || box.w.norm() >= kGreatestTurn) return std::nullopt;
     box = {box.d.cwiseMax(least.shift), box.w.cwiseMax(least.turn)};
-    FineMotionErrors errors;
-    errors.pose << box.d.array() + tolerance, box.w;
+    const plan::StrategyCertificate certificate = {.absorbs = AbsorbedConditions(),
+                                                   .d = box.d,
+                                                   .w = box.w,
+                                                   .velocity = FineMotionErrors().velocity};
+    const FineMotionErrors errors = finemotion::ErrorsOf(certificate, tolerance);
     const FineMotionPlan& plan = PlanFor(assemble.mating, geometry, errors, friction);
     if (!plan.found) return std::nullopt;
-    plan::Strategy strategy = StrategyFrom(geometry, plan, box, errors, friction);
+    plan::Strategy strategy = StrategyFrom(geometry, plan, certificate, friction);
     const TipBox there = TipBoxAt(unmet, propagation_, uncertainty::WayOf(strategy));
     if (IsWithin(there, box)) {
       return IsFree(unmet, assemble, strategy) ? std::optional(std::move(strategy)) : std::nullopt;

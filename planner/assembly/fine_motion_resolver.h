@@ -46,6 +46,9 @@ class FineMotionResolver : public posting::Resolver {
   std::map<std::string, finemotion::FineMotionPlan> plans_;
 };
 
+// Conditions of assemble that strategies absorb.
+const std::vector<std::string>& AbsorbedConditions();
+
 // The box of errors of the tip in the step, which the strategy or a way to be had one for takes.
 uncertainty::TipBox TipBoxAt(const posting::UnmetGoals& unmet, uncertainty::Propagation propagation,
                              const uncertainty::TipWay& way);

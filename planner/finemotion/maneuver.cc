@@ -12,7 +12,6 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kAcross = 0.1;        // cosine, between a wall's normal and the way in
 constexpr double kAgainst = 0.3;       // of the way in, that a contact must take back to oppose it
-constexpr double kStep = 0.045;        // radians that one linearization is good for
 constexpr double kRoom = 0.6;          // of the play, that errors across it may take
 constexpr double kLeast = 1e-6;        // metres and radians that are worth a motion
 constexpr double kBlocked = 0.2;       // what contacts must leave of a direction
@@ -20,6 +19,7 @@ constexpr double kGrazing = 0.3;       // sine of an angle that is too small to 
 constexpr double kCorrection = 2e-3;   // metres; more is no correction
 constexpr double kLongest = 0.015;     // metres of a way that is checked as one motion
 constexpr double kShortOfNext = 5e-4;  // metres from the next critical point, to be free there
+constexpr double kUprightEnough = 0.02;  // radians
 
 bool IsOneOf(const std::vector<ContactKey>& keys, const PrimitiveContact& contact) {
   return std::ranges::find(keys, KeyOf(contact)) != keys.end();
@@ -32,18 +32,6 @@ std::vector<const PrimitiveContact*> Those(const std::vector<PrimitiveContact>& 
     if (const PrimitiveContact* contact = Find(contacts, key)) those.push_back(contact);
   }
   return those;
-}
-
-Vector3 RotationBetween(const Pose& from, const Pose& to) {
-  const Eigen::AngleAxisd turn(Eigen::Matrix3d(to.linear() * from.linear().transpose()));
-  return turn.angle() * turn.axis();
-}
-
-PoseChange Between(const Pose& from, const Pose& to) {
-  PoseChange z;
-  z.head<3>() = to.translation() - from.translation();
-  z.tail<3>() = RotationBetween(from, to);
-  return z;
 }
 
 // What is touched first along a direction, and how far away.
@@ -134,7 +122,7 @@ Situation Maneuvering::At(const Belief& belief) const {
 }
 
 Vector3 Maneuvering::ToUpright(const Pose& X_StationaryMoving) const {
-  return RotationBetween(X_StationaryMoving, X_StationaryEntry_);
+  return Between(X_StationaryMoving, X_StationaryEntry_).tail<3>();
 }
 
 double Maneuvering::WayToNext(const Belief& belief) const {
@@ -244,7 +232,7 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
                       maneuver.kind == Maneuver::Kind::kAdvance;  // what is left, each time
     const double left = direction->amount - (anew ? 0 : done);
     const double turn = direction->along.tail<3>().norm();
-    const double most = std::min(left, turn > 0 ? kStep / turn : kLongest);
+    const double most = std::min(left, turn > 0 ? kLinearTurn / turn : kLongest);
     const Hit hit = FirstHit(now->contacts, now->belief.kept, direction->along);
     const bool touches = hit.contact != nullptr && hit.distance <= most;
     if (touches && !maneuver.to_contact) return result;
@@ -256,10 +244,10 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     if (touches) command.until = KeyOf(*hit.contact);
     command.displacement = Refined(X, command);
     result.motions.push_back(checker_.Check(now->belief, command, margins));
-    const bool certain = result.motions.back().check.certain;
-    if (certain) result.after = result.motions.back().check.after;
+    const SegmentCheck& check = result.motions.back().check;
     done += length;
-    if (!certain) return result;
+    if (!check.certain) return result;
+    result.after = check.after;
     if (touches || left - length < kLeast) {
       result.certain = touches == maneuver.to_contact;
       return result;
@@ -293,6 +281,11 @@ bool Maneuvering::IsReached(const Belief& belief) const {
   Belief outside = belief;
   outside.X_StationaryMoving = Displaced(X, -down);
   return checker_.Check(outside, {down, {}, {}}, Margins::kNone).check.certain;
+}
+
+bool Maneuvering::IsThrough(const Belief& belief) const {
+  return ToUpright(belief.X_StationaryMoving).norm() < kUprightEnough &&
+         WideDirections(belief) == 0 && ComesThrough(belief);
 }
 
 bool Maneuvering::ComesThrough(const Belief& belief) const {

@@ -23,6 +23,8 @@ struct Passage {
   Pose X_StationaryEntryAt(int i) const;
 };
 
+inline constexpr double kLinearTurn = 0.045;  // radians that one linearization is good for
+
 // A way to move that means something wherever the part is: what strategies are made of.
 struct Maneuver {
   enum class Kind {
@@ -72,9 +74,8 @@ class Maneuvering {
   Maneuvered Apply(const Situation& situation, const Maneuver& maneuver, Margins margins) const;
   // Straight along the way in, from outside, the part comes there without touching anything.
   bool IsReached(const Belief& belief) const;
-  // Straight on along the way in, to shortly before the next critical point or the seat, nothing
-  // stands against the part. Walls may be touched: they lead.
-  bool ComesThrough(const Belief& belief) const;
+  // What strategies end in: upright, within the play, and the way in is free.
+  bool IsThrough(const Belief& belief) const;
   // The rotation that is left to the entry's orientation, as a vector.
   Vector3 ToUpright(const Pose& X_StationaryMoving) const;
   // How many independent directions there are in which the errors are greater than the play
@@ -85,6 +86,9 @@ class Maneuvering {
   struct Direction;
   std::optional<Direction> DirectionOf(const Situation& situation, const Maneuver& maneuver) const;
   PoseChange Refined(const Pose& X, const Command& command) const;
+  // Straight on along the way in, to shortly before the next critical point or the seat, nothing
+  // stands against the part. Walls may be touched: they lead.
+  bool ComesThrough(const Belief& belief) const;
   // Along the way in to the next critical point, or the seat, short of it by what errors may put
   // the part beyond where it is believed to be.
   double WayToNext(const Belief& belief) const;

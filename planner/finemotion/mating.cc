@@ -139,6 +139,24 @@ MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& 
   return geometry;
 }
 
+MatingGeometry NarrowestGeometryOf(const domain::Problem& problem, const domain::Mating& mating) {
+  const double tolerance = problem.tolerances.clearance;
+  if (tolerance == 0) return GeometryOf(problem, mating);
+  domain::Problem narrowed = problem;
+  for (const domain::PartId id : {mating.held, mating.fixed}) {
+    auto& model = narrowed.parts[id.index()].model;
+    model = model->WithClearance(model->clearance() - tolerance);
+  }
+  return GeometryOf(narrowed, mating);
+}
+
+FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate, double tolerance) {
+  FineMotionErrors errors;
+  errors.pose << certificate.d.array() + tolerance, certificate.w;
+  errors.velocity = certificate.velocity;
+  return errors;
+}
+
 LocalTopology TopologyOf(const Passage& passage) {
   constexpr double kReach = 0.003;  // metres
   LocalTopology topology{

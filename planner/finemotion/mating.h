@@ -20,6 +20,12 @@ struct MatingGeometry {
   std::vector<CriticalPoint> critical_points;  // of the parts without clearance
 };
 MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& mating);
+// With holes as narrow as the clearance's tolerance lets them be.
+MatingGeometry NarrowestGeometryOf(const domain::Problem& problem, const domain::Mating& mating);
+
+// What a strategy with this certificate is to be certain for; walls may also be displaced by the
+// clearance's tolerance, metres.
+FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate, double tolerance);
 
 // Contact space about the first critical point, and how its contact states hang together.
 struct LocalTopology {

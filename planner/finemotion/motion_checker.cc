@@ -93,6 +93,10 @@ class Ladder {
 
 }  // namespace
 
+double FrictionLimitOf(const CertainMotion& motion) {
+  return FrictionLimit(Those(motion.contacts, motion.command.kept), motion.command.displacement);
+}
+
 MotionChecker::MotionChecker(const Polyhedron& moving, const ContactFinder& finder,
                              const Options& options)
     : finder_(finder), options_(options) {

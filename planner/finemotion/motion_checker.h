@@ -28,6 +28,9 @@ struct CertainMotion {
   bool can_be_held = false;                     // by friction, in what it keeps: it is not certain
 };
 
+// As finemotion::FrictionLimit.
+double FrictionLimitOf(const CertainMotion& motion);
+
 // Checks motions of one part among the features of another: wherever errors can take the part, and
 // with contacts as they are linearized where the motion leads.
 class MotionChecker {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 
 #include "planner/base/check.h"
 #include "planner/finemotion/contact_finder.h"
@@ -53,5 +54,18 @@ std::string Name(const ContactKey& key) {
 }
 
 std::string Name(const PrimitiveContact& contact) { return Name(KeyOf(contact)); }
+
+std::optional<ContactKey> ContactNamed(const std::string& name) {
+  std::istringstream words(name);
+  std::string word;
+  ContactKey key;
+  words >> word >> key.moving >> word >> word >> key.stationary;
+  for (const auto kind :
+       {ContactKind::kVertexFace, ContactKind::kFaceVertex, ContactKind::kEdgeEdge}) {
+    key.kind = kind;
+    if (Name(key) == name) return key;
+  }
+  return std::nullopt;
+}
 
 }  // namespace assay::finemotion

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <compare>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -80,5 +81,7 @@ const PrimitiveContact* Find(const std::vector<PrimitiveContact>& contacts, cons
 // "vertex 3 on face 1".
 std::string Name(const ContactKey& key);
 std::string Name(const PrimitiveContact& contact);
+// The one with this name; none: it is nobody's name.
+std::optional<ContactKey> ContactNamed(const std::string& name);
 
 }  // namespace assay::finemotion

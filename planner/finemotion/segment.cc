@@ -19,6 +19,7 @@ constexpr int kThirds = 30;              // that remain of an interval's two, on
 constexpr double kParallel = 1e-9;       // coefficients of rows
 constexpr double kParted = 1e-9;         // metres
 constexpr double kVanished = 1e-12;      // of a generator: what rounding leaves
+constexpr double kGrazed = 1e-12;        // metres: what slides along as it touches may close by
 constexpr double kExactness = 1e-9;      // metres, of meetings
 constexpr Eigen::Index kFewErrors = 12;  // that the edge test takes a millisecond for
 
@@ -304,15 +305,12 @@ class Checker {
   bool CanMake(const PrimitiveContact& contact) {
     if (!MayClose(contact)) return false;
     const RowRange gap = RangeOf(contact.row, swept_);
-    const auto is_apart = [&](const RowRange& range, double offset) {
-      return offset + range.Lowest(time_) > 0;
-    };
-    if (is_apart(gap, contact.offset)) return false;
+    if (contact.offset + gap.Lowest(time_) > -kGrazed) return false;
     std::vector<RowRange> limits;
     limits.reserve(contact.limits.size());
     for (const HalfSpace& limit : contact.limits) {
       limits.push_back(RangeOf(limit.a, swept_));
-      if (is_apart(limits.back(), -limit.b)) return false;
+      if (limits.back().Lowest(time_) > limit.b) return false;
     }
     return Meets(contact, gap, limits);
   }
@@ -323,7 +321,7 @@ class Checker {
     const double motion = row.dot(command_.displacement);
     const double drift = (drifts_.transpose() * row).lpNorm<1>();
     const double error = SumOfParts(contact.row, swept_, belief_.tolerances);
-    return contact.offset - motion - error + time_ * std::min(0.0, motion - drift) <= 0;
+    return contact.offset - motion - error + time_ * std::min(0.0, motion - drift) <= -kGrazed;
   }
 
   // Before the contact that ends the motion is made.
@@ -559,6 +557,13 @@ Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z) {
   if (angle > 0) X.linear() = Eigen::AngleAxisd(angle, w / angle) * X.linear();
   X.translation() += z.head<3>();
   return X;
+}
+
+PoseChange Between(const Pose& from, const Pose& to) {
+  const Eigen::AngleAxisd turn(Eigen::Matrix3d(to.linear() * from.linear().transpose()));
+  PoseChange z;
+  z << to.translation() - from.translation(), turn.angle() * turn.axis();
+  return z;
 }
 
 SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,

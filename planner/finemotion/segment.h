@@ -30,6 +30,8 @@ struct Belief {
 double ErrorOf(const SmallVector& row, const Belief& belief);
 
 Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z);
+// The change by which `from` is displaced to `to`.
+PoseChange Between(const Pose& from, const Pose& to);
 
 // The least change of a pose, from z, that closes the contacts' gaps to first order; rotations
 // count as lengths at `radius`.

@@ -16,13 +16,12 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kAbove = 0.002;         // metres, of starts over all that errors can bring near
-constexpr double kFarthest = 0.015;      // metres that a move may take to a contact
-constexpr double kWidestTurn = 0.15;     // radians that a turn may take to one
-constexpr double kUprightEnough = 0.02;  // radians
-constexpr double kLeastTilt = 0.035;     // radians, of starts: their edges are not parallel
-constexpr double kLeastInside = 1e-3;    // metres, that their lowest corner is inside the entry
-constexpr double kThin = 1.5e-4;         // metres: errors that are less are none
+constexpr double kAbove = 0.002;       // metres, of starts over all that errors can bring near
+constexpr double kFarthest = 0.015;    // metres that a move may take to a contact
+constexpr double kWidestTurn = 0.15;   // radians that a turn may take to one
+constexpr double kLeastTilt = 0.035;   // radians, of starts: their edges are not parallel
+constexpr double kLeastInside = 1e-3;  // metres, that their lowest corner is inside the entry
+constexpr double kThin = 1.5e-4;       // metres: errors that are less are none
 constexpr std::size_t kMostMotions = 24;
 // The guidance is not a lower bound of the cost, so that sequences need not be the cheapest: what
 // counts is that they absorb errors, which the cost of small ones only hints at.
@@ -75,20 +74,17 @@ struct Replay {
 
 class Search {
  public:
-  // `multiple`: of the errors, that the sequence is searched for.
+  // `multiple`: of the errors, that the sequence is searched for. `asked`: of them, for which its
+  // margins are told.
   Search(const Passage& passage, const FineMotionErrors& errors, const StrategyOptions& options,
-         int round, double multiple)
+         int round, double multiple, double asked)
       : passage_(passage),
         errors_(errors),
         options_(options),
         multiple_(multiple),
+        asked_(asked),
         random_(options.seed, fmt::format("starts of strategies {}", round)) {
-    const MotionChecker checker(
-        passage.moving, ContactFinder(passage.moving, passage.stationary, passage.tolerances),
-        {.velocity_error = errors.velocity,
-         .radius = options.radius,
-         .test = options.test,
-         .friction = options.friction});
+    const MotionChecker checker = CheckerFor(passage, errors, options);
     for (int point = 0; point < passage.critical_points(); ++point)
       maneuvering_.push_back(Maneuvering(passage, point, checker, options.reach));
   }
@@ -167,14 +163,9 @@ class Search {
 
   // So far up that the part is free, whatever the errors.
   Belief BeliefAt(const Start& start, double multiple) const {
-    Belief belief;
-    belief.tolerances = multiple * errors_.tolerances;
-    belief.errors.setZero(Eigen::NoChange, belief.tolerances.size() + kPoseDimensions);
-    belief.errors.rightCols<kPoseDimensions>() =
-        multiple * errors_.pose.asDiagonal().toDenseMatrix();
     PoseChange z;
     z << start.beside, start.turn;
-    belief.X_StationaryMoving = Displaced(passage_.X_StationaryEntry, z);
+    Belief belief = BeliefIn(Displaced(passage_.X_StationaryEntry, z), errors_, multiple);
     double deepest = 0;
     const double wrong = errors_.tolerances.sum();  // of the parts, at most
     for (const OuterVertex& vertex : passage_.moving.vertices) {
@@ -206,7 +197,7 @@ class Search {
         open.push(WithExactCost(*node));
         continue;
       }
-      if (IsLast(node->point) && IsThrough(node->point, node->belief)) return node;
+      if (IsLast(node->point) && ManeuveringAt(node->point).IsThrough(node->belief)) return node;
       ++plan_.expanded;
       if (node->motions < kMostMotions) Expand(node, open);
     }
@@ -268,12 +259,6 @@ class Search {
     open.push(std::make_shared<const Node>(std::move(node)));
   }
 
-  bool IsThrough(int point, const Belief& belief) const {
-    const Maneuvering& here = ManeuveringAt(point);
-    return here.ToUpright(belief.X_StationaryMoving).norm() < kUprightEnough &&
-           here.WideDirections(belief) == 0 && here.ComesThrough(belief);
-  }
-
   static int PointAfter(const Maneuver& maneuver, int point) {
     return maneuver.kind == Maneuver::Kind::kAdvance ? point + 1 : point;
   }
@@ -282,7 +267,7 @@ class Search {
     using Kind = Maneuver::Kind;
     const Vector3& in = passage_.mating;
     std::vector<Maneuver> maneuvers;
-    if (!IsLast(node.point) && IsThrough(node.point, node.belief))
+    if (!IsLast(node.point) && ManeuveringAt(node.point).IsThrough(node.belief))
       maneuvers.push_back({Kind::kAdvance});
     for (const double length : {1e-3, 3e-3}) maneuvers.push_back({Kind::kMove, -in, length});
     maneuvers.push_back({Kind::kMove, in, kFarthest, true});
@@ -352,14 +337,14 @@ class Search {
     int point = 0;
     for (const Maneuver& maneuver : plan_.maneuvers) {
       const int after = PointAfter(maneuver, point);
-      if (after != point && !IsThrough(point, belief)) return replay;
+      if (after != point && !ManeuveringAt(point).IsThrough(belief)) return replay;
       Maneuvered done = Apply(point, ManeuveringAt(point).At(belief), maneuver, margins);
       std::ranges::move(done.motions, std::back_inserter(replay.motions));
       if (!done.certain) return replay;
       belief = std::move(done.after);
       point = after;
     }
-    replay.certain = IsThrough(point, belief);
+    replay.certain = ManeuveringAt(point).IsThrough(belief);
     return replay;
   }
 
@@ -389,23 +374,16 @@ class Search {
         if (!unwanted.empty()) plan_.obstacle = unwanted.front();
       }
     }
-    plan_.motions = From(start, std::min(1.0, plan_.absorbed), Margins::kAll).motions;
+    plan_.motions = From(start, std::min(asked_, plan_.absorbed), Margins::kAll).motions;
     for (const CertainMotion& motion : plan_.motions)
       plan_.friction_limit = std::min(plan_.friction_limit, FrictionLimitOf(motion));
-  }
-
-  static double FrictionLimitOf(const CertainMotion& motion) {
-    std::vector<PrimitiveContact> kept;
-    for (const ContactKey& key : motion.command.kept) {
-      if (const auto* contact = finemotion::Find(motion.contacts, key)) kept.push_back(*contact);
-    }
-    return FrictionLimit(kept, motion.command.displacement);
   }
 
   const Passage& passage_;
   const FineMotionErrors& errors_;
   const StrategyOptions& options_;
   double multiple_;
+  double asked_;
   std::vector<Maneuvering> maneuvering_;  // at each critical point
   RandomStream random_;
   FineMotionPlan plan_;
@@ -414,15 +392,36 @@ class Search {
 };
 
 // What it tells in multiples of larger errors, in multiples of the errors.
-void Enlarge(FineMotionPlan& plan, double enlarged) {
+void TellInSmaller(FineMotionPlan& plan, double enlarged) {
   plan.absorbed *= enlarged;
   if (plan.obstacle) plan.obstacle->scale *= enlarged;
-  for (CertainMotion& motion : plan.motions) {
-    for (Unwanted& unwanted : motion.check.unwanted) unwanted.scale *= enlarged;
-  }
 }
 
 }  // namespace
+
+FineMotionErrors Enlarged(const FineMotionErrors& errors, double multiple) {
+  return {multiple * errors.pose, errors.velocity, multiple * errors.tolerances};
+}
+
+MotionChecker CheckerFor(const Passage& passage, const FineMotionErrors& errors,
+                         const StrategyOptions& options) {
+  return {passage.moving,
+          ContactFinder(passage.moving, passage.stationary, passage.tolerances),
+          {.velocity_error = errors.velocity,
+           .radius = options.radius,
+           .test = options.test,
+           .friction = options.friction}};
+}
+
+Belief BeliefIn(const Pose& X_StationaryMoving, const FineMotionErrors& errors, double multiple) {
+  Belief belief{.X_StationaryMoving = X_StationaryMoving,
+                .errors = {},
+                .kept = {},
+                .tolerances = multiple * errors.tolerances};
+  belief.errors.setZero(Eigen::NoChange, belief.tolerances.size() + kPoseDimensions);
+  belief.errors.rightCols<kPoseDimensions>() = multiple * errors.pose.asDiagonal().toDenseMatrix();
+  return belief;
+}
 
 FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& errors,
                               const StrategyOptions& options) {
@@ -431,12 +430,11 @@ FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& er
   int replayed = 0;
   TestComparison comparison;
   for (const double enlarged : kEnlarged) {
-    const FineMotionErrors larger{enlarged * errors.pose, errors.velocity,
-                                  enlarged * errors.tolerances};
+    const FineMotionErrors larger = Enlarged(errors, enlarged);
     for (int round = 0; round < options.rounds && !best.found; ++round) {
       const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
-      FineMotionPlan plan = Search(passage, larger, options, round, multiple).Run();
-      Enlarge(plan, enlarged);
+      FineMotionPlan plan = Search(passage, larger, options, round, multiple, 1 / enlarged).Run();
+      TellInSmaller(plan, enlarged);
       if (plan.absorbed >= 1) {  // of the errors that were asked for
         plan.found = true;
         plan.obstacle.reset();

@@ -16,6 +16,9 @@ struct FineMotionErrors {
   Eigen::VectorXd tolerances = {};                 // of the passage's, metres
 };
 
+// Of poses and tolerances; velocities stay.
+FineMotionErrors Enlarged(const FineMotionErrors& errors, double multiple);
+
 struct StrategyOptions {
   // Weights of the three costs (Dakin and Popplestone, sections 2 and 4): of a motion, of how
   // likely another contact is, and of how alike its forces are.
@@ -52,6 +55,12 @@ struct FineMotionPlan {
   int replayed = 0;                // sequences, from other starts
   TestComparison comparison = {};  // with the paper's edge test, if that was asked for
 };
+
+MotionChecker CheckerFor(const Passage& passage, const FineMotionErrors& errors,
+                         const StrategyOptions& options);
+
+// What is believed where errors are so many times as great.
+Belief BeliefIn(const Pose& X_StationaryMoving, const FineMotionErrors& errors, double multiple);
 
 // A perturbed approach and a sequence of contact states by which the tip surely comes in, in spite
 // of the errors (Dakin and Popplestone, section 4). An A* search finds the sequence for smaller

@@ -85,7 +85,7 @@ std::vector<int> ContactsInError(const StrategyMotion& motion, const UnwantedCon
 bool Absorbs(const std::optional<Strategy>& strategy, std::string_view condition);
 
 // What makes it no strategy, in words; empty: nothing. That its numbers mean something is not that
-// it works.
+// it works (planner/finemotion/strategy_check.h).
 std::vector<std::string> FlawsOfForm(const Strategy& strategy);
 
 }  // namespace assay::plan

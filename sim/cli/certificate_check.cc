@@ -10,6 +10,7 @@
 
 #include "planner/algebra/bounds.h"
 #include "planner/algebra/glance.h"
+#include "planner/uncertainty/tip_error.h"
 #include "sim/cli/certificate_algebra.h"
 
 namespace assay::cli {
@@ -171,6 +172,25 @@ bool LacksTipErrors(const plan::PlannedStep& step) {
   return !is_claimed("tip shift") || !is_claimed("tip turn");
 }
 
+// Each axis in turn has two claims, of either sign.
+bool IsProvedWithin(const plan::PlannedStep& step, const char* condition,
+                    const geometry::Vector3& most) {
+  int claims = 0;
+  return std::ranges::all_of(step.certificate.preconditions, [&](const auto& claim) {
+    if (claim.condition != condition) return true;
+    const int axis = claims++ / 2 % 3;
+    return std::abs(claim.limit) <= most[axis] + kDifference;
+  });
+}
+
+// What is proved of the tip must be what the strategy is certain for.
+bool ExceedsTipErrors(const plan::PlannedStep& step) {
+  if (!step.strategy) return false;
+  const plan::StrategyCertificate& certificate = step.strategy->certificate;
+  return !IsProvedWithin(step, "tip shift", certificate.d) ||
+         !IsProvedWithin(step, "tip turn", uncertainty::SinesWithin(certificate.w));
+}
+
 bool LacksVerification(const domain::Problem& problem, const plan::Plan& plan, plan::StepId id) {
   const auto action = std::visit(VerifiedActionOf(), plan.step(id).action);
   const auto& templates = problem.workcell->uncertainty_operations().verifications;
@@ -212,6 +232,10 @@ std::vector<plan::Flaw> CertificateFlaws(const domain::Problem& problem, const p
     CheckClaims(id, plan.step(id), file, flaws);
     if (LacksTipErrors(plan.step(id))) {
       flaws.push_back({id, "nothing is said of the errors that its strategy takes for granted"});
+    }
+    if (ExceedsTipErrors(plan.step(id))) {
+      flaws.push_back(
+          {id, "limits of the tip's errors are wider than what its strategy is certain for"});
     }
     if (LacksVerification(problem, plan, id)) {
       flaws.push_back({id, "preconditions of it are not proved, and no verification follows it"});

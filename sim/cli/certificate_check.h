@@ -15,7 +15,8 @@ namespace assay::cli {
 // crosses, or is further from at the worst corner than the gap says; corners outside of the ranges;
 // an error count that is not the number of steps with unproved preconditions; such steps without a
 // verification, if the workcell has one for their action; and strategies of whose errors nothing is
-// claimed. What a strategy absorbs need not be proved. None for a plan without certificates.
+// claimed, or with wider limits than they are certain for. What a strategy absorbs need not be
+// proved. None for a plan without certificates.
 //
 // That an expression is the one which the step needs cannot be seen here.
 //

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "planner/assembly/plan_check.h"
 #include "planner/assembly/resolvers.h"
 #include "planner/plan/plan_file.h"
 #include "sim/cli/certificate_check.h"
@@ -18,6 +19,11 @@ fs::path FindScenario(const fs::path& named, const fs::path& plan_file) {
   std::error_code ignored;
   const fs::path beside = plan_file.parent_path() / named;
   return !fs::exists(named, ignored) && fs::exists(beside, ignored) ? beside : named;
+}
+
+std::vector<plan::Flaw> ClaimFlaws(const PlannedProblem& planned) {
+  const Progress progress("checking the certificates for " + planned.problem.name);
+  return CertificateFlaws(planned.problem, planned.result.plan, planned.file());
 }
 
 }  // namespace
@@ -65,18 +71,19 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
 
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan) {
   const Progress progress("checking the plan for " + problem.name);
-  return plan::Check(problem, plan, kMostLinearizations);
+  return assembly::Check(problem, plan, kMostLinearizations);
 }
 
 plan::CheckReport CheckPlan(const PlannedProblem& planned) {
   plan::CheckReport report = CheckPlan(planned.problem, planned.result.plan);
-  std::ranges::move(CertificateFlaws(planned), std::back_inserter(report.flaws));
+  std::ranges::move(ClaimFlaws(planned), std::back_inserter(report.flaws));
   return report;
 }
 
 std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned) {
-  const Progress progress("checking the certificates for " + planned.problem.name);
-  return CertificateFlaws(planned.problem, planned.result.plan, planned.file());
+  std::vector<plan::Flaw> flaws = assembly::FlawsOfStrategies(planned.problem, planned.result.plan);
+  std::ranges::move(ClaimFlaws(planned), std::back_inserter(flaws));
+  return flaws;
 }
 
 }  // namespace assay::cli

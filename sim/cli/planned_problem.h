@@ -52,11 +52,13 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
                                   const posting::PlannerOptions& planner,
                                   const posting::UncertaintyOptions& uncertainty);
 
-// The independent checker, over at most this many orders of the steps.
+// The independent checker, over at most this many orders of the steps, and whether strategies of
+// fine motion hold up (planner/assembly/plan_check.h).
 inline constexpr int kMostLinearizations = 1000;
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan);
-// The same, and whether the certificates hold up (certificate_check.h).
+// The same, and whether the certificates' claims hold up (certificate_check.h).
 plan::CheckReport CheckPlan(const PlannedProblem& planned);
+// Of claims and strategies: what a plan says of itself.
 std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned);
 
 }  // namespace assay::cli

@@ -607,5 +607,18 @@ TEST(PrimitiveContactTest, SwappedPartsAreLimitedAlike) {
   }
 }
 
+TEST(ContactNamed, ReadsWhatNameWrites) {
+  for (const auto kind :
+       {ContactKind::kVertexFace, ContactKind::kFaceVertex, ContactKind::kEdgeEdge}) {
+    const ContactKey key{kind, 3, 12};
+    EXPECT_EQ(ContactNamed(Name(key)), key) << Name(key);
+  }
+  for (const char* name :
+       {"", "vertex", "vertex 3 on face", "vertex 3 on vertex 1", "vertex 3 on face 1 ",
+        "edge 1.5 on edge 2", "edge 99999999999 on edge 2"}) {
+    EXPECT_EQ(ContactNamed(name), std::nullopt) << name;
+  }
+}
+
 }  // namespace
 }  // namespace assay::finemotion

@@ -672,5 +672,14 @@ TEST(PrimitiveContactsOfTurned, AreAmongThoseWithThatTurn) {
   EXPECT_GT(only_turned, 3);
 }
 
+TEST(Between, IsWhatDisplaces) {
+  RandomStream random(kSeed, "between");
+  for (int i = 0; i < 100; ++i) {
+    const Pose from = oracle::RandomPose(random, 1);
+    const Pose to = oracle::RandomPose(random, 1);
+    EXPECT_TRUE(Displaced(from, Between(from, to)).isApprox(to, kRounding));
+  }
+}
+
 }  // namespace
 }  // namespace assay::finemotion

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 
@@ -206,6 +208,24 @@ TEST_F(CertificateCheck, PlanWarns) {
   const Ended checked = Assay({"plan", file, "--check"});
   EXPECT_EQ(checked.code, 12);
   EXPECT_THAT(checked.out, AllOf(HasSubstr("flaws: 1\n"), Not(HasSubstr("warning"))));
+}
+
+TEST_F(CertificateCheck, StrategiesAreReplayed) {
+  Json plan = PlanOf(kFelt);
+  EXPECT_THAT(FlawsOf(plan), IsEmpty());
+  const auto felt = std::ranges::find_if(
+      plan["actions"], [](const Json& action) { return action.contains("strategy"); });
+  ASSERT_NE(felt, plan["actions"].end());
+  Json narrower = plan;
+  narrower["actions"][felt - plan["actions"].begin()]["strategy"]["certificate"]["d"][1] = 0.001;
+  EXPECT_THAT(FlawsOf(narrower), Contains(HasSubstr("limits of the tip's errors are wider")));
+  (*felt)["strategy"]["motions"][1]["X_FixedTip"][3][2] = 0.5;
+  EXPECT_THAT(FlawsOf(plan), Contains(StartsWith("the strategy: motion 2: ")));
+  const std::string file = Write(plan);
+  EXPECT_THAT(Assay({"plan", file}).out, AllOf(StartsWith("warning: "), HasSubstr("motion 2: ")));
+  const Ended ended = Assay({"run", file, "-o", folder_ / "out"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/trace.jsonl"));
 }
 
 TEST_F(CertificateCheck, IsAskedBeforeExecution) {

@@ -16,6 +16,8 @@ inline const std::string kTwoLooks = kTree / "scenarios/uncertain-sensing.yaml";
 inline const std::string kTwoSqueezes = kTree / "scenarios/uncertain-squeezing.yaml";
 // Pickup and assemble, neither of which can be proved.
 inline const std::string kUnproved = kTree / "scenarios/uncertain-failing.yaml";
+// A look, a pickup, and assemble by fine motion.
+inline const std::string kFelt = kTree / "scenarios/uncertain-fine-motion.yaml";
 inline const std::string kImpossible = kTree / "scenarios/impossible.yaml";
 
 // What the program left behind.

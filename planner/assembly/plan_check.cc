@@ -1,0 +1,53 @@
+#include "planner/assembly/plan_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "planner/assembly/fine_motion_resolver.h"
+#include "planner/finemotion/strategy_check.h"
+
+namespace assay::assembly {
+namespace {
+
+std::vector<std::string> FlawsOf(const domain::Problem& problem, const domain::Mating& mating,
+                                 const plan::Strategy& strategy) {
+  std::vector<std::string> flaws = finemotion::FlawsOfStrategy(
+      finemotion::NarrowestGeometryOf(problem, mating), problem.tolerances.clearance, strategy);
+  for (const std::string& condition : strategy.certificate.absorbs) {
+    if (std::ranges::count(AbsorbedConditions(), condition) > 0) continue;
+    flaws.push_back(fmt::format("no strategy absorbs '{}'", condition));
+  }
+  return flaws;
+}
+
+}  // namespace
+
+plan::CheckReport Check(const domain::Problem& problem, const plan::Plan& plan,
+                        int most_linearizations) {
+  plan::CheckReport report = plan::Check(problem, plan, most_linearizations);
+  std::ranges::move(FlawsOfStrategies(problem, plan), std::back_inserter(report.flaws));
+  return report;
+}
+
+std::vector<plan::Flaw> FlawsOfStrategies(const domain::Problem& problem, const plan::Plan& plan) {
+  std::vector<plan::Flaw> flaws;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const plan::PlannedStep& step = plan.steps[i];
+    const auto* assemble = std::get_if<plan::Assemble>(&step.action);
+    if (!step.strategy || assemble == nullptr || !plan::FlawsOfForm(*step.strategy).empty())
+      continue;
+    const int mating = assemble->mating.index();
+    if (mating < 0 || mating >= std::ssize(problem.matings)) continue;
+    for (std::string& what : FlawsOf(problem, problem.mating(assemble->mating), *step.strategy)) {
+      flaws.push_back({plan::StepId(i), "the strategy: " + std::move(what)});
+    }
+  }
+  return flaws;
+}
+
+}  // namespace assay::assembly

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/domain/problem.h"
+#include "planner/plan/checker.h"
+#include "planner/plan/plan.h"
+
+namespace assay::assembly {
+
+// plan::Check, and whether the strategies hold up.
+plan::CheckReport Check(const domain::Problem& problem, const plan::Plan& plan,
+                        int most_linearizations);
+
+// What in the strategies of assembles does not hold up (finemotion::FlawsOfStrategy), and what they
+// say to absorb and no strategy does. Nothing is told of strategies that have no form
+// (plan::FlawsOfForm): plan::Check refuses them.
+std::vector<plan::Flaw> FlawsOfStrategies(const domain::Problem& problem, const plan::Plan& plan);
+
+}  // namespace assay::assembly
