@@ -184,8 +184,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
   const auto& assemble =
       std::get<plan::Assemble>(unmet.actions[static_cast<std::size_t>(unmet.step)]);
   const domain::Mating& mating = unmet.problem.mating(assemble.mating);
-  const MatingGeometry geometry = finemotion::NarrowestGeometryOf(unmet.problem, mating);
-  const double tolerance = unmet.problem.tolerances.clearance;
+  const MatingGeometry geometry = finemotion::GeometryOf(unmet.problem, mating);
   const double friction =
       unmet.problem.workcell->rules().friction + unmet.problem.tolerances.friction;
   TipBox box = WithSpare(TipBoxAt(
@@ -198,7 +197,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
                                                    .d = box.d,
                                                    .w = box.w,
                                                    .velocity = FineMotionErrors().velocity};
-    const FineMotionErrors errors = finemotion::ErrorsOf(certificate, tolerance);
+    const FineMotionErrors errors = finemotion::ErrorsOf(certificate, geometry);
     const FineMotionPlan& plan = PlanFor(assemble.mating, geometry, errors, friction);
     if (!plan.found) return std::nullopt;
     plan::Strategy strategy = StrategyFrom(geometry, plan, certificate, friction);

@@ -16,8 +16,8 @@ namespace {
 
 std::vector<std::string> FlawsOf(const domain::Problem& problem, const domain::Mating& mating,
                                  const plan::Strategy& strategy) {
-  std::vector<std::string> flaws = finemotion::FlawsOfStrategy(
-      finemotion::NarrowestGeometryOf(problem, mating), problem.tolerances.clearance, strategy);
+  std::vector<std::string> flaws =
+      finemotion::FlawsOfStrategy(finemotion::GeometryOf(problem, mating), strategy);
   for (const std::string& condition : strategy.certificate.absorbs) {
     if (std::ranges::count(AbsorbedConditions(), condition) > 0) continue;
     flaws.push_back(fmt::format("no strategy absorbs '{}'", condition));

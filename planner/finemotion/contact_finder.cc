@@ -300,6 +300,9 @@ class Linearizer {
   void Add(const ContactKey& key) {
     const auto moving = static_cast<Index>(key.moving);
     const auto stationary = static_cast<Index>(key.stationary);
+    if (moving >= CountOf(moving_.part, key.kind == ContactKind::kVertexFace, key.kind) ||
+        stationary >= CountOf(stationary_.part, key.kind == ContactKind::kFaceVertex, key.kind))
+      return;
     switch (key.kind) {
       case ContactKind::kVertexFace:
         return AddVertexOnFace(moving_, moving, stationary_, stationary);
@@ -335,6 +338,12 @@ class Linearizer {
   }
 
  private:
+  // Of the features that a contact of this kind can be of.
+  static Index CountOf(const Part& part, bool is_vertex, ContactKind kind) {
+    if (kind == ContactKind::kEdgeEdge) return part.edges.size();
+    return is_vertex ? part.vertices.size() : part.faces.size();
+  }
+
   // Where a contact ends: by how much it is inside of that, and which of its ends it is.
   struct End {
     double left = 0;

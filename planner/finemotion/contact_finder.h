@@ -22,7 +22,7 @@ class ContactFinder {
   // Edges that may be parallel there, and are no contacts for that.
   std::vector<ParallelEdges> NearlyParallel(const Pose& X_StationaryMoving,
                                             const ContactRange& range) const;
-  // Only those of these features, however far apart.
+  // Only those of these features, however far apart; what the parts have not, is none.
   std::vector<PrimitiveContact> Of(std::span<const ContactKey> keys, const Pose& X_StationaryMoving,
                                    double turn) const;
 

@@ -99,21 +99,29 @@ Pose Passage::X_StationaryEntryAt(int i) const {
          X_StationaryEntry;
 }
 
+std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point,
+                                      const ContactFinder& finder) {
+  std::vector<PrimitiveContact> walls =
+      finder.Near(passage.X_StationaryEntryAt(critical_point), {.reach = passage.depth, .turn = 0});
+  std::erase_if(walls, [&](const PrimitiveContact& contact) {
+    return contact.kind == ContactKind::kEdgeEdge ||
+           std::abs(contact.normal.dot(passage.mating)) > kAcross;
+  });
+  return walls;
+}
+
 Maneuvering::Maneuvering(const Passage& passage, int critical_point, const MotionChecker& checker,
                          double reach)
     : passage_(passage),
       critical_point_(critical_point),
       X_StationaryEntry_(passage.X_StationaryEntryAt(critical_point)),
       checker_(checker),
-      reach_(reach) {
-  for (const PrimitiveContact& contact :
-       checker_.ContactsWithin(passage.depth, X_StationaryEntry_)) {
-    if (contact.kind == ContactKind::kEdgeEdge) continue;
-    if (std::abs(contact.normal.dot(passage.mating)) > kAcross) continue;
-    walls_.push_back(contact);
+      reach_(reach),
+      walls_(WallsAt(passage, critical_point, checker.finder())) {
+  for (const PrimitiveContact& wall : walls_) {
     const bool known = std::ranges::any_of(
-        laterals_, [&](const Vector3& n) { return n.dot(contact.normal) > 1 - kAcross; });
-    if (!known) laterals_.push_back(contact.normal);
+        laterals_, [&](const Vector3& n) { return n.dot(wall.normal) > 1 - kAcross; });
+    if (!known) laterals_.push_back(wall.normal);
   }
 }
 

@@ -25,6 +25,10 @@ struct Passage {
 
 inline constexpr double kLinearTurn = 0.045;  // radians that one linearization is good for
 
+// What the tip can touch across the way in at a critical point: corners and faces.
+std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point,
+                                      const ContactFinder& finder);
+
 // A way to move that means something wherever the part is: what strategies are made of.
 struct Maneuver {
   enum class Kind {
@@ -101,8 +105,8 @@ class Maneuvering {
   Pose X_StationaryEntry_;
   MotionChecker checker_;
   double reach_;
-  std::vector<Vector3> laterals_;
   std::vector<PrimitiveContact> walls_;
+  std::vector<Vector3> laterals_;
 };
 
 }  // namespace assay::finemotion

@@ -1,8 +1,11 @@
 #include "planner/finemotion/mating.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "planner/base/check.h"
 #include "planner/finemotion/force_signature.h"
@@ -97,6 +100,29 @@ const domain::Feature* FirstIn(const domain::PartModel& held, const domain::Mati
   return first;
 }
 
+// One for each wall that the tip comes between.
+std::vector<ModelTolerance> TolerancesOfWalls(const Passage& passage) {
+  const ContactFinder finder(passage.moving, passage.stationary);
+  std::set<std::pair<ModelTolerance::Of, int>> walls;
+  for (int point = 0; point < passage.critical_points(); ++point) {
+    for (const PrimitiveContact& wall : WallsAt(passage, point, finder)) {
+      if (wall.kind == ContactKind::kVertexFace)
+        walls.insert({ModelTolerance::Of::kStationaryFaces, wall.stationary});
+      else
+        walls.insert({ModelTolerance::Of::kMovingFaces, wall.moving});
+    }
+  }
+  std::vector<ModelTolerance> tolerances;
+  for (const auto& [of, face] : walls) {
+    const bool is_moving = of == ModelTolerance::Of::kMovingFaces;
+    tolerances.push_back(
+        {fmt::format("wall {} of the {} part", face, is_moving ? "moving" : "stationary"),
+         of,
+         {face}});
+  }
+  return tolerances;
+}
+
 }  // namespace
 
 Polyhedron OutsideOf(const domain::PartModel& model) {
@@ -136,24 +162,20 @@ MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& 
     geometry.passage.seat =
         seat - geometry.critical_points.front().travel - (further.empty() ? 0 : further.back());
   }
+  if (problem.tolerances.clearance > 0) {
+    geometry.passage.tolerances = TolerancesOfWalls(geometry.passage);
+    geometry.tolerances.setConstant(std::ssize(geometry.passage.tolerances),
+                                    problem.tolerances.clearance);
+  }
   return geometry;
 }
 
-MatingGeometry NarrowestGeometryOf(const domain::Problem& problem, const domain::Mating& mating) {
-  const double tolerance = problem.tolerances.clearance;
-  if (tolerance == 0) return GeometryOf(problem, mating);
-  domain::Problem narrowed = problem;
-  for (const domain::PartId id : {mating.held, mating.fixed}) {
-    auto& model = narrowed.parts[id.index()].model;
-    model = model->WithClearance(model->clearance() - tolerance);
-  }
-  return GeometryOf(narrowed, mating);
-}
-
-FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate, double tolerance) {
+FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate,
+                          const MatingGeometry& geometry) {
   FineMotionErrors errors;
-  errors.pose << certificate.d.array() + tolerance, certificate.w;
+  errors.pose << certificate.d, certificate.w;
   errors.velocity = certificate.velocity;
+  errors.tolerances = geometry.tolerances;
   return errors;
 }
 

@@ -15,17 +15,18 @@ Polyhedron OutsideOf(const domain::PartModel& model);
 // in first (Mating::features), with the fixed part's axes when it is mated.
 struct MatingGeometry {
   Pose X_HeldTip = Pose::Identity();
-  Passage passage;  // the moving part about its tip, with clearance; not where it only lands
+  // The moving part about its tip, with clearance; not where it only lands. If the problem
+  // tolerates errors of the clearance, each wall may be displaced by so much.
+  Passage passage;
+  Eigen::VectorXd tolerances;                  // half widths of the passage's, metres
   Pose X_FixedSeat = Pose::Identity();         // of the tip, at the end
   std::vector<CriticalPoint> critical_points;  // of the parts without clearance
 };
 MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& mating);
-// With holes as narrow as the clearance's tolerance lets them be.
-MatingGeometry NarrowestGeometryOf(const domain::Problem& problem, const domain::Mating& mating);
 
-// What a strategy with this certificate is to be certain for; walls may also be displaced by the
-// clearance's tolerance, metres.
-FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate, double tolerance);
+// What a strategy with this certificate is to be certain for.
+FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate,
+                          const MatingGeometry& geometry);
 
 // Contact space about the first critical point, and how its contact states hang together.
 struct LocalTopology {

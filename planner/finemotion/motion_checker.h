@@ -51,6 +51,7 @@ class MotionChecker {
   MotionChecker(const Polyhedron& moving, const ContactFinder& finder, const Options& options);
 
   const Options& options() const { return options_; }
+  const ContactFinder& finder() const { return finder_; }
   // The same, where walls lead the part: motions go exactly as they should.
   MotionChecker WithoutVelocityErrors() const;
   // Within so many metres, if the part is turned by no more than edges must be from parallel.

@@ -223,16 +223,16 @@ class StrategyReplay {
   const plan::Strategy& strategy_;
   const MotionChecker checker_;
   const Maneuvering maneuvering_;  // where it ends: at the last critical point
-  std::vector<ContactKey> keys_;  // of the strategy's contacts
+  std::vector<ContactKey> keys_;   // of the strategy's contacts
   double multiple_ = 1;
   std::vector<std::string> flaws_;
 };
 
 }  // namespace
 
-std::vector<std::string> FlawsOfStrategy(const MatingGeometry& geometry, double tolerance,
+std::vector<std::string> FlawsOfStrategy(const MatingGeometry& geometry,
                                          const plan::Strategy& strategy) {
-  return StrategyReplay(geometry, ErrorsOf(strategy.certificate, tolerance), strategy).Run();
+  return StrategyReplay(geometry, ErrorsOf(strategy.certificate, geometry), strategy).Run();
 }
 
 }  // namespace assay::finemotion

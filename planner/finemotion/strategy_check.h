@@ -7,8 +7,8 @@
 
 namespace assay::finemotion {
 
-// What in a strategy does not hold up, found out by doing it anew: from the parts, the clearance's
-// tolerance (metres), and the strategy with its certificate alone. The flaws name motion and
+// What in a strategy does not hold up, found out by doing it anew: from the parts and the strategy
+// with its certificate alone. The flaws name motion and
 // contact. Found are
 //
 // - a tip, or a seat, that is not the mating's, and contacts that the parts have not;
@@ -21,7 +21,7 @@ namespace assay::finemotion {
 // Where a motion is not certain, nothing is told of those after it. Errors are taken a thousandth
 // smaller than they are, so that rounded numbers make no flaw. Requires a strategy of which
 // plan::FlawsOfForm finds nothing.
-std::vector<std::string> FlawsOfStrategy(const MatingGeometry& geometry, double tolerance,
+std::vector<std::string> FlawsOfStrategy(const MatingGeometry& geometry,
                                          const plan::Strategy& strategy);
 
 }  // namespace assay::finemotion

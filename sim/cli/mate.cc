@@ -77,8 +77,9 @@ const plan::Assemble& AssembleOf(const PlannedProblem& planned) {
   throw UsageError(fmt::format("mate: {}: no plan with an assemble action", planned.scenario));
 }
 
-finemotion::FineMotionErrors ErrorsOf(const Options& options) {
+finemotion::FineMotionErrors ErrorsOf(const Options& options, const MatingGeometry& geometry) {
   finemotion::FineMotionErrors errors;
+  errors.tolerances = geometry.tolerances;
   errors.pose.head<3>().setConstant(options.displacement_mm * kMillimetre);
   errors.pose.tail<3>().setConstant(options.rotation_deg * kDegree);
   return errors;
@@ -123,7 +124,7 @@ std::vector<int> NumbersOf(const Options& options) {
 MatingStudy Tried(const PlannedProblem& planned, const MatingGeometry& geometry,
                   const FineMotionPlan& plan, const Options& options) {
   Progress progress("mating in physics");
-  MatingTrialSettings settings{.errors = ErrorsOf(options),
+  MatingTrialSettings settings{.errors = ErrorsOf(options, geometry),
                                .beyond = options.beyond,
                                .scene = planned.simulation.scene,
                                .seed = options.seed};
@@ -161,8 +162,8 @@ ExitCode Execute(const Options& options) {
   const finemotion::LocalTopology topology = TopologyOf(geometry.passage);
   seconds["graph"] = graphing.Seconds();
   const Stopwatch searching;
-  const FineMotionPlan plan = finemotion::SearchStrategy(geometry.passage, ErrorsOf(options),
-                                                         SearchOptions(options, planned.problem));
+  const FineMotionPlan plan = finemotion::SearchStrategy(
+      geometry.passage, ErrorsOf(options, geometry), SearchOptions(options, planned.problem));
   seconds["search"] = searching.Seconds();
   Json json = ToJson(geometry, plan, topology.graph);
   std::string text = TextOf(geometry, plan);

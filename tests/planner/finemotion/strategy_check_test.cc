@@ -48,11 +48,12 @@ std::optional<Strategy> StrategyFor(const MatingGeometry& geometry, const Asked&
                                                  .w = Vector3::Constant(asked.angle),
                                                  .velocity = FineMotionErrors().velocity};
   const FineMotionPlan plan =
-      SearchStrategy(geometry.passage, ErrorsOf(certificate, 0), {.seed = asked.seed});
+      SearchStrategy(geometry.passage, ErrorsOf(certificate, geometry), {.seed = asked.seed});
   if (!plan.found) return std::nullopt;
   Strategy strategy = StrategyOf(geometry, plan);
   strategy.certificate = certificate;
   strategy.certificate.absorbed = plan.absorbed;
+  strategy.certificate.friction = plan.friction_limit;
   return strategy;
 }
 
@@ -64,7 +65,7 @@ TEST(FlawsOfStrategy, WhatWasFoundHasNone) {
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       const auto strategy = StrategyFor(geometry, {length, length / 2e-3 * kDegree, seed});
       if (!strategy) continue;
-      EXPECT_THAT(FlawsOfStrategy(geometry, 0, *strategy), IsEmpty()) << length << ' ' << seed;
+      EXPECT_THAT(FlawsOfStrategy(geometry, *strategy), IsEmpty()) << length << ' ' << seed;
       ++found;
     }
     EXPECT_GE(found, seeds - 2) << length;
@@ -80,7 +81,7 @@ TEST(FlawsOfStrategy, WhatWasFoundForModelsHasNone) {
     const MatingGeometry geometry = GeometryOf(problem, problem.matings.front());
     const auto strategy = StrategyFor(geometry, {0.3e-3, 0.15 * kDegree, 1});
     ASSERT_TRUE(strategy) << scenario;
-    EXPECT_THAT(FlawsOfStrategy(geometry, 0, *strategy), IsEmpty()) << scenario;
+    EXPECT_THAT(FlawsOfStrategy(geometry, *strategy), IsEmpty()) << scenario;
   }
 }
 
@@ -92,7 +93,7 @@ class Tampered : public testing::Test {
     Strategy strategy = strategy_;
     change(strategy);
     EXPECT_THAT(plan::FlawsOfForm(strategy), IsEmpty());
-    return FlawsOfStrategy(geometry_, 0, strategy);
+    return FlawsOfStrategy(geometry_, strategy);
   }
   // Of a motion, in words.
   std::vector<std::string> AfterMotion(std::size_t index,
@@ -124,6 +125,8 @@ TEST_F(Tampered, ErrorsAreTooGreat) {
   }
   EXPECT_THAT(After([](Strategy& s) { s.certificate.velocity = 0.2; }),
               Contains(HasSubstr("motion ")));
+  EXPECT_THAT(After([](Strategy& s) { s.certificate.friction = 5; }),
+              Contains(HasSubstr("and it is said to take 5")));
   EXPECT_THAT(After([](Strategy& s) { s.certificate.absorbed = 2; }),
               Contains(testing::AllOf(HasSubstr("motion "), HasSubstr("with 2 times the errors"))));
 }

@@ -58,7 +58,7 @@ Strategy SomeStrategy(RandomStream& random, double size) {
                           .d = vector(),
                           .w = 0.1 / size * vector(),
                           .velocity = 0.002,
-                          .friction = 0.9,
+                          .friction = 1,
                           .absorbed = random.Uniform(1, 2)};
   return strategy;
 }
@@ -213,6 +213,7 @@ TEST(Strategy, FlawsOfFormAreTold) {
   expect([](Strategy& s) { s.length = 0; }, "length is not above 0");
   expect([](Strategy& s) { s.X_FixedStart.linear() *= 1.1; }, "X_FixedStart is no frame");
   expect([](Strategy& s) { s.certificate.absorbed = 0.9; }, "absorbs 0.9 times");
+  expect([](Strategy& s) { s.friction = 1.5; }, "friction of 1 could hold");
   expect([](Strategy& s) { s.certificate.w = Vector3(0, 2, 0); }, "more than a right angle");
   expect([](Strategy& s) { s.certificate.d.x() = std::numeric_limits<double>::quiet_NaN(); },
          "half width");
