@@ -9,8 +9,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/finemotion/extent.h"
-#include "planner/finemotion/face_regions.h"
+#include "planner/finemotion/tolerated_part.h"
 
 namespace assay::finemotion {
 
@@ -25,182 +24,13 @@ constexpr double kTurnOnTheWay = 0.05;  // radians, more than parts are turned i
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 using Index = std::size_t;
-// How a feature moves for one metre of each tolerance, a column for each; or how far along a
-// direction.
-using Shift = Eigen::Matrix3Xd;
-using ShiftAlong = Eigen::VectorXd;
-
-// The direction in face edge.faces[which], perpendicular to the edge, that leads into the face. A
-// convex edge's faces fall away behind each other's plane.
-Vector3 IntoFace(const Polyhedron& shape, const OuterEdge& edge, Index which) {
-  const Vector3& own = shape.faces[static_cast<Index>(edge.faces[which])].normal;
-  const Vector3& other = shape.faces[static_cast<Index>(edge.faces[1 - which])].normal;
-  return (other.dot(own) * own - other).normalized();
-}
-
-// An edge and what the tolerances do to it.
-struct Edge {
-  Vector3 start = Vector3::Zero();
-  Vector3 direction = Vector3::Zero();
-  double length = 0;
-  std::array<Vector3, 2> into{};
-  std::array<Vector3, 2> normals{};      // of the faces
-  Shift shift;                           // of the line, across its direction
-  std::array<ShiftAlong, 2> end_shifts;  // of start and end, along it
-
-  Vector3 Bisector() const { return (normals[0] + normals[1]).normalized(); }
-  Shift EndShift(Index which) const { return shift + direction * end_shifts[which].transpose(); }
-};
-
-struct Vertex {
-  Vector3 p = Vector3::Zero();
-  std::vector<Vector3> leaving;  // directions of its edges
-  Shift shift;
-};
-
-struct Region {
-  FaceRegion sides;
-  std::vector<ShiftAlong> shifts;  // of each, outward
-};
-
-struct Face {
-  Vector3 normal = Vector3::Zero();
-  double height = 0;
-  ShiftAlong shift;  // outward
-  std::vector<Region> regions;
-  Extent extent;
-};
-
-// A part in its own axes.
-struct Part {
-  double sign = 1;  // of (d, w) in the motion relative to the other part: 1 moving, -1 stationary
-  std::vector<Face> faces;
-  std::vector<Edge> edges;
-  std::vector<Vertex> vertices;
-  Extent extent;
-};
-
-// How the tolerances displace a part's features.
-class Shifts {
- public:
-  Shifts(const Polyhedron& shape, ModelTolerance::Of of,
-         const std::vector<ModelTolerance>& tolerances)
-      : shape_(shape), tolerances_(tolerances), of_(of) {
-    for (const OuterFace& face : shape.faces) {
-      regions_.push_back(tolerances.empty() ? std::vector<FaceRegion>() : ConvexRegions(face));
-    }
-    for (const ModelTolerance& tolerance : tolerances) {
-      if (tolerance.of != of) continue;
-      for (const int face : tolerance.faces) {
-        ASSAY_CHECK(face >= 0 && static_cast<Index>(face) < shape.faces.size(), "{}: no face {}",
-                    tolerance.name, face);
-      }
-    }
-  }
-
-  // Of a corner, or of a point of an edge or face.
-  Shift At(const Vector3& p) const {
-    return Of(tolerances_.empty() ? std::vector<int>() : FacesThrough(p));
-  }
-
-  // Of the point (line, plane) where these faces' planes meet: the least motion that keeps it in
-  // all of them. Where more than three planes meet and do not any longer, the nearest to all.
-  Shift Of(const std::vector<int>& faces) const {
-    Shift shift = Shift::Zero(3, std::ssize(tolerances_));
-    if (tolerances_.empty()) return shift;
-    Eigen::MatrixX3d normals(faces.size(), 3);
-    Eigen::MatrixXd outward = Eigen::MatrixXd::Zero(normals.rows(), shift.cols());
-    for (Eigen::Index row = 0; row < normals.rows(); ++row) {
-      const int face = faces[static_cast<Index>(row)];
-      normals.row(row) = shape_.faces[static_cast<Index>(face)].normal;
-      for (Eigen::Index column = 0; column < shift.cols(); ++column) {
-        const ModelTolerance& tolerance = tolerances_[static_cast<Index>(column)];
-        if (tolerance.of != of_) continue;
-        outward(row, column) = std::ranges::count(tolerance.faces, face) > 0 ? 1 : 0;
-      }
-    }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(kSameDirection);
-    decomposition.compute(normals);
-    shift = decomposition.solve(outward);
-    return shift;
-  }
-
- private:
-  std::vector<int> FacesThrough(const Vector3& p) const {
-    std::vector<int> faces;
-    for (Index i = 0; i < shape_.faces.size(); ++i) {
-      const OuterFace& face = shape_.faces[i];
-      if (std::abs(face.normal.dot(p) - face.height) > kSamePoint) continue;
-      const auto touches = [&](const FaceRegion& region) {
-        return DistanceTo(region, p) < kSamePoint;
-      };
-      if (std::ranges::any_of(regions_[i], touches)) faces.push_back(static_cast<int>(i));
-    }
-    return faces;
-  }
-
-  const Polyhedron& shape_;
-  const std::vector<ModelTolerance>& tolerances_;
-  ModelTolerance::Of of_;
-  std::vector<std::vector<FaceRegion>> regions_;
-};
-
-Face MakeFace(const OuterFace& face, int index, const Shifts& shifts) {
-  Face made{.normal = face.normal, .height = face.height, .shift = {}, .regions = {}, .extent = {}};
-  made.shift = shifts.Of({index}).transpose() * face.normal;
-  for (FaceRegion& sides : ConvexRegions(face)) {
-    Region region{std::move(sides), {}};
-    for (const RegionSide& side : region.sides) {
-      region.shifts.emplace_back(shifts.At(side.middle()).transpose() * side.outward);
-      made.extent.Add(side.start);
-    }
-    made.regions.push_back(std::move(region));
-  }
-  return made;
-}
-
-Edge MakeEdge(const OuterEdge& edge, const Polyhedron& shape, const Shifts& shifts) {
-  Edge made{.start = edge.start,
-            .direction = edge.direction(),
-            .length = (edge.end - edge.start).norm(),
-            .shift = shifts.Of({edge.faces[0], edge.faces[1]}),
-            .end_shifts = {}};
-  for (const Index which : {0U, 1U}) {
-    made.into[which] = IntoFace(shape, edge, which);
-    made.normals[which] = shape.faces[static_cast<Index>(edge.faces[which])].normal;
-    const Vector3& end = which == 0 ? edge.start : edge.end;
-    made.end_shifts[which] = shifts.At(end).transpose() * made.direction;
-  }
-  return made;
-}
-
-Vertex MakeVertex(const OuterVertex& vertex, const Polyhedron& shape, const Shifts& shifts) {
-  Vertex made{.p = vertex.p, .leaving = {}, .shift = shifts.At(vertex.p)};
-  for (const int index : vertex.edges) {
-    const OuterEdge& edge = shape.edges[static_cast<Index>(index)];
-    const bool from_start =
-        (edge.start - vertex.p).squaredNorm() < (edge.end - vertex.p).squaredNorm();
-    made.leaving.push_back(from_start ? edge.direction() : Vector3(-edge.direction()));
-  }
-  return made;
-}
-
-Part MakePart(const Polyhedron& shape, double sign, ModelTolerance::Of of,
-              const std::vector<ModelTolerance>& tolerances) {
-  const Shifts shifts(shape, of, tolerances);
-  Part part{.sign = sign, .faces = {}, .edges = {}, .vertices = {}, .extent = {}};
-  for (Index i = 0; i < shape.faces.size(); ++i) {
-    part.faces.push_back(MakeFace(shape.faces[i], static_cast<int>(i), shifts));
-    part.extent.Add(part.faces.back().extent.low);
-    part.extent.Add(part.faces.back().extent.high);
-  }
-  for (const OuterEdge& edge : shape.edges) part.edges.push_back(MakeEdge(edge, shape, shifts));
-  for (const OuterVertex& vertex : shape.vertices) {
-    part.vertices.push_back(MakeVertex(vertex, shape, shifts));
-  }
-  return part;
-}
+using Part = ToleratedPart;
+using Edge = Part::Edge;
+using Face = Part::Face;
+using Region = Part::Region;
+using Shift = Part::Shift;
+using ShiftAlong = Part::ShiftAlong;
+using Vertex = Part::Vertex;
 
 // A part at a pose, in the stationary part's axes.
 struct PlacedEdge {
@@ -260,9 +90,8 @@ class ContactFinder::Parts {
  public:
   Parts(const Polyhedron& moving_shape, const Polyhedron& stationary_shape,
         const std::vector<ModelTolerance>& model_tolerances)
-      : moving(MakePart(moving_shape, 1, ModelTolerance::Of::kMovingFaces, model_tolerances)),
-        stationary(
-            MakePart(stationary_shape, -1, ModelTolerance::Of::kStationaryFaces, model_tolerances)),
+      : moving(moving_shape, ModelTolerance::Of::kMovingFaces, model_tolerances),
+        stationary(stationary_shape, ModelTolerance::Of::kStationaryFaces, model_tolerances),
         tolerances(std::ssize(model_tolerances)),
         placed_stationary(stationary, Pose::Identity()) {}
   Parts(const Parts&) = delete;

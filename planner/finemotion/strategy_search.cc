@@ -429,10 +429,11 @@ FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& er
   int expanded = 0;
   int replayed = 0;
   TestComparison comparison;
-  for (const double enlarged : kEnlarged) {
-    const FineMotionErrors larger = Enlarged(errors, enlarged);
-    for (int round = 0; round < options.rounds && !best.found; ++round) {
-      const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
+  for (int round = 0; round < options.rounds; ++round) {
+    const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
+    for (const double enlarged : kEnlarged) {
+      if (best.found) break;
+      const FineMotionErrors larger = Enlarged(errors, enlarged);
       FineMotionPlan plan = Search(passage, larger, options, round, multiple, 1 / enlarged).Run();
       TellInSmaller(plan, enlarged);
       if (plan.absorbed >= 1) {  // of the errors that were asked for
