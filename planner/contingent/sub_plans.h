@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "planner/contingent/requirement.h"
+
+namespace assay::contingent {
+
+// The sub-plans that a search has completed, each with what it requires, so that a state from which
+// one of them works needs no search of its own. Equal sub-plans are one node.
+class SubPlans {
+ public:
+  explicit SubPlans(KnowledgeSpace& space);
+
+  NodeId Goal() const { return NodeId(0); }
+
+  // A sub-plan that works from the state: the first one that was found.
+  std::optional<NodeId> Find(StateId state);
+
+  // The sub-plan that takes the step and goes on with the children, which work from the outcomes.
+  NodeId Add(StateId state, const Transition& transition, const std::vector<NodeId>& children);
+
+  bool IsEmpty() const { return entries_.empty(); }
+  const std::vector<PlanNode>& nodes() const { return nodes_; }
+
+ private:
+  struct Entry {
+    NodeId node;
+    StateId made_in;
+    Requirement requirement;
+  };
+
+  // What is known of an outcome from which the child works.
+  const Requirement& RequirementOf(NodeId child, StateId outcome);
+  NodeId Intern(PlanNode node);
+  void File(const Entry& entry, int index);
+
+  KnowledgeSpace& space_;
+  Regression regression_;
+  std::vector<PlanNode> nodes_;
+  algebra::InternTable node_ids_;
+  std::vector<Entry> entries_;
+  // Entries by an atom that they require to be known true (the one that the fewest others are filed
+  // under); those without such an atom.
+  std::vector<std::vector<int>> by_atom_;
+  std::vector<int> without_atom_;
+  // Which entry serves a state, where that has been found out.
+  std::unordered_map<StateId, int> entry_of_state_;
+  std::unordered_map<StateId, Requirement> goal_requirements_;
+};
+
+}  // namespace assay::contingent
