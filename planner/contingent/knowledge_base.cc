@@ -298,23 +298,24 @@ Range KnowledgeBase::SumOf(const GroundSum& sum, const KnowledgeState& state) co
 }
 
 // The image of the relations under "x becomes true where A, false where D": the new x, for the time
-// being a variable of its own, is A | (x & !D); then the old x is no matter any more.
+// being a variable of its own, is A | (x & !D); then the old x is no matter any more. The relations
+// come first: they keep the diagrams small.
 void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
                                   KnowledgeState& state) {
-  Diagram changes = kAllSets;
+  std::vector<int> variables;
+  std::vector<Diagram> changes;
   for (const auto& [atom, where] : possible) {
     const Diagram old = Restricted(WorldsWhere({atom, true}), state);
     const Diagram now = diagrams_.Or(where.becomes_true,
                                      diagrams_.And(old, diagrams_.Not(where.becomes_false)));
-    changes = diagrams_.And(
-        changes, diagrams_.Equal(diagrams_.Literal({Variable(atom) + 1, true}), now));
-  }
-  std::vector<int> variables = diagrams_.Support(changes);
-  for (const auto& [atom, where] : possible) {
-    UnsenseWith(state, atom);
+    changes.push_back(diagrams_.Equal(diagrams_.Literal({Variable(atom) + 1, true}), now));
+    const std::vector<int>& of_change = diagrams_.Support(changes.back());
+    variables.insert(variables.end(), of_change.begin(), of_change.end());
     variables.push_back(Variable(atom));
+    UnsenseWith(state, atom);
   }
-  Diagram image = diagrams_.And(changes, TakeRelations(state, variables));
+  Diagram image = TakeRelations(state, variables);
+  for (const Diagram change : changes) image = diagrams_.And(image, change);
   std::unordered_map<int, Diagram> renamed;
   for (const auto& [atom, where] : possible) {
     image = diagrams_.Exists(image, Variable(atom));

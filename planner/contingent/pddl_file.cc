@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -22,7 +23,15 @@ class Reader {
     domain.name = TitleOf(whole, "domain");
     domain.types.push_back({.name = kRootType});
     for (const SExpression& section : Rest(whole, 2)) ReadDomainSection(section, domain);
+    // Some published domains have constants of types that they do not declare.
+    for (const TypedName& constant : domain.constants) DeclareType(constant.type, domain);
     return domain;
+  }
+
+  static void DeclareType(const std::string& name, Domain& domain) {
+    const bool is_declared = std::any_of(domain.types.begin(), domain.types.end(),
+                                         [&](const TypedName& t) { return t.name == name; });
+    if (!is_declared) domain.types.push_back({.name = name, .type = kRootType});
   }
 
   Problem ReadProblem(const SExpression& whole, const Domain& domain) {
