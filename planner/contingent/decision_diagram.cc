@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 namespace assay::contingent {
 namespace {
 
-constexpr std::size_t kComputedPlaces = 1U << 16U;
+constexpr std::size_t kComputedPlaces = 1U << 17U;
 
 std::uint64_t Hash(std::uint64_t a, std::uint64_t b, std::uint64_t c) {
   return algebra::MixedHash(algebra::MixedHash(algebra::MixedHash(1, a), b), c);
@@ -68,6 +69,26 @@ Diagram DecisionDiagrams::IfThenElse(Diagram f, Diagram g, Diagram h) {
   return result;
 }
 
+bool DecisionDiagrams::Implies(Diagram f, Diagram g) const {
+  std::unordered_set<std::uint64_t> implied;
+  return ImpliesBesides(f, g, implied);
+}
+
+// `implied` holds the pairs that are settled; the first counterexample ends it all.
+bool DecisionDiagrams::ImpliesBesides(Diagram f, Diagram g,
+                                      std::unordered_set<std::uint64_t>& implied) const {
+  if (f == kEmptySet || g == kAllSets || f == g) return true;
+  if (g == kEmptySet || f == kAllSets) return false;
+  const std::uint64_t pair = static_cast<std::uint64_t>(f) << 32U | static_cast<std::uint32_t>(g);
+  if (implied.contains(pair)) return true;
+  const int top = std::min(variable(f), variable(g));
+  for (const bool value : {false, true}) {
+    if (!ImpliesBesides(Branch(f, top, value), Branch(g, top, value), implied)) return false;
+  }
+  implied.insert(pair);
+  return true;
+}
+
 Diagram DecisionDiagrams::ExactlyOne(std::span<const Assignment> literals) {
   Diagram none = kAllSets;
   Diagram one = kEmptySet;
@@ -85,8 +106,23 @@ Diagram DecisionDiagrams::AtLeastOne(std::span<const Assignment> literals) {
   return some;
 }
 
-Diagram DecisionDiagrams::Cofactor(Diagram f, Assignment literal) {
-  return Compose(f, {{literal.variable, literal.value ? kAllSets : kEmptySet}});
+Diagram DecisionDiagrams::Restrict(Diagram f, const std::vector<Assignment>& literals) {
+  std::unordered_map<Diagram, Diagram> done;
+  return RestrictFrom(f, literals, done);
+}
+
+Diagram DecisionDiagrams::RestrictFrom(Diagram f, std::span<const Assignment> literals,
+                                       std::unordered_map<Diagram, Diagram>& done) {
+  const int top = variable(f);
+  while (!literals.empty() && literals.front().variable < top) literals = literals.subspan(1);
+  if (IsConstant(f) || literals.empty()) return f;
+  if (literals.front().variable == top) {
+    return RestrictFrom(literals.front().value ? high(f) : low(f), literals.subspan(1), done);
+  }
+  if (const auto found = done.find(f); found != done.end()) return found->second;
+  const Diagram if_false = RestrictFrom(low(f), literals, done);
+  const Diagram if_true = RestrictFrom(high(f), literals, done);
+  return done[f] = Make(top, if_false, if_true);
 }
 
 Diagram DecisionDiagrams::Compose(Diagram f, const std::unordered_map<int, Diagram>& of) {
@@ -135,17 +171,23 @@ const std::vector<Assignment>& DecisionDiagrams::Essential(Diagram f) {
 }
 
 const std::vector<int>& DecisionDiagrams::Support(Diagram f) {
-  if (const auto found = support_.find(f); found != support_.end()) return found->second;
-  std::vector<int> variables;
-  if (!IsConstant(f)) {
-    const Node node = nodes_[f];
-    const std::vector<int>& low = Support(node.low);
-    const std::vector<int>& high = Support(node.high);
-    variables.push_back(node.variable);
-    std::set_union(low.begin(), low.end(), high.begin(), high.end(),
-                   std::back_inserter(variables));
+  const auto [entry, is_new] = support_.try_emplace(f);
+  if (!is_new) return entry->second;
+  std::vector<int>& variables = entry->second;
+  marks_.resize(nodes_.size(), 0);
+  ++mark_;
+  std::vector<Diagram> open = {f};
+  while (!open.empty()) {
+    const Diagram next = open.back();
+    open.pop_back();
+    if (IsConstant(next) || std::exchange(marks_[next], mark_) == mark_) continue;
+    variables.push_back(variable(next));
+    open.push_back(low(next));
+    open.push_back(high(next));
   }
-  return support_[f] = std::move(variables);
+  std::sort(variables.begin(), variables.end());
+  variables.erase(std::unique(variables.begin(), variables.end()), variables.end());
+  return variables;
 }
 
 }  // namespace assay::contingent

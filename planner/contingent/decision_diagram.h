@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "planner/algebra/intern_table.h"
@@ -35,14 +36,17 @@ class DecisionDiagrams {
   Diagram Or(Diagram f, Diagram g) { return IfThenElse(f, kAllSets, g); }
   Diagram Equal(Diagram f, Diagram g) { return IfThenElse(f, g, Not(g)); }
   Diagram IfThenElse(Diagram f, Diagram g, Diagram h);
-  bool Implies(Diagram f, Diagram g) { return And(f, Not(g)) == kEmptySet; }
+  // Whether f is a subset of g; makes no nodes.
+  bool Implies(Diagram f, Diagram g) const;
 
   // Exactly one, at least one of the literals.
   Diagram ExactlyOne(std::span<const Assignment> literals);
   Diagram AtLeastOne(std::span<const Assignment> literals);
 
   // f where the literal holds; the result does not depend on its variable.
-  Diagram Cofactor(Diagram f, Assignment literal);
+  Diagram Cofactor(Diagram f, Assignment literal) { return Restrict(f, {literal}); }
+  // The same of several literals, sorted by variable.
+  Diagram Restrict(Diagram f, const std::vector<Assignment>& literals);
   // f with each variable x in `of` replaced by the diagram at its place, all at once.
   Diagram Compose(Diagram f, const std::unordered_map<int, Diagram>& of);
   Diagram Exists(Diagram f, int variable);
@@ -68,8 +72,11 @@ class DecisionDiagrams {
     Diagram f = -1, g = -1, h = -1, result = -1;
   };
 
+  bool ImpliesBesides(Diagram f, Diagram g, std::unordered_set<std::uint64_t>& implied) const;
   Diagram Make(int variable, Diagram low, Diagram high);
   Diagram Branch(Diagram f, int variable, bool value) const;
+  Diagram RestrictFrom(Diagram f, std::span<const Assignment> literals,
+                       std::unordered_map<Diagram, Diagram>& done);
   Diagram ComposeWith(Diagram f, const std::unordered_map<int, Diagram>& of,
                       std::unordered_map<Diagram, Diagram>& done);
 
@@ -78,6 +85,8 @@ class DecisionDiagrams {
   std::vector<Computed> computed_;  // results of IfThenElse, the last one in each place
   std::unordered_map<Diagram, std::vector<Assignment>> essential_;
   std::unordered_map<Diagram, std::vector<int>> support_;
+  std::vector<int> marks_;  // by node: the last traversal that came there
+  int mark_ = 0;
 };
 
 }  // namespace assay::contingent

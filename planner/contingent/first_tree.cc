@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <queue>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 
 #include "planner/contingent/relaxed_knowledge_graph.h"
 #include "planner/contingent/sub_plans.h"
@@ -132,42 +134,44 @@ class Search {
     return std::nullopt;
   }
 
-  // Greedily by the relaxed plan's length; of equals the steps first that begin it, then those met
-  // first.
+  // Greedily by the relaxed plan's length: from the nearest state first the steps that begin its
+  // relaxed plan; its other steps after all states that are as near. Of equals those met first.
   struct Candidate {
     int distance;
-    bool is_helpful;
+    bool is_helpful_taken;
     std::int64_t order;
     StateId state;
 
     bool operator<(const Candidate& other) const {  // worse than
-      if (distance != other.distance) return distance > other.distance;
-      if (is_helpful != other.is_helpful) return other.is_helpful;
-      return order > other.order;
+      return std::tie(distance, is_helpful_taken, order) >
+             std::tie(other.distance, other.is_helpful_taken, other.order);
     }
   };
 
   std::optional<Way> FindWayByHeuristic(StateId from) {
     Arrivals arrivals = {{from, {}}};
     std::priority_queue<Candidate> open;
-    open.push({0, false, 0, from});
+    open.push({PlanFrom(from).actions, false, 0, from});
     std::int64_t order = 0;
     while (!open.empty() && !space_.budget().Exhausted()) {
-      const StateId state = open.top().state;
+      Candidate here = open.top();
       open.pop();
-      for (const Step& step : space_.StepsFrom(state)) {
-        if (IsBanned(state, step)) continue;
-        const auto transition = space_.Take(state, step);
+      for (const Step& step : space_.StepsFrom(here.state)) {
+        if (IsBanned(here.state, step) ||
+            IsHelpful(step, PlanFrom(here.state)) == here.is_helpful_taken) {
+          continue;
+        }
+        const auto transition = space_.Take(here.state, step);
         if (!transition) continue;
-        const bool is_helpful = IsHelpful(step, PlanFrom(state));
         for (std::size_t i = 0; i < transition->outcomes.size(); ++i) {
           const StateId outcome = transition->outcomes[i];
           if (failed_.contains(outcome) || in_progress_.contains(outcome)) continue;
-          if (!arrivals.try_emplace(outcome, Arrival{state, *transition, i}).second) continue;
+          if (!arrivals.try_emplace(outcome, Arrival{here.state, *transition, i}).second) continue;
           if (Solved(outcome)) return WayTo(outcome, from, arrivals);
-          open.push({PlanFrom(outcome).actions, is_helpful, ++order, outcome});
+          open.push({PlanFrom(outcome).actions, false, ++order, outcome});
         }
       }
+      if (!std::exchange(here.is_helpful_taken, true)) open.push(here);
     }
     return std::nullopt;
   }

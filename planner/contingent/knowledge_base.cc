@@ -137,14 +137,13 @@ Diagram KnowledgeBase::WorldsWhere(const GroundQuery& condition) {
 }
 
 Diagram KnowledgeBase::Restricted(Diagram worlds, const KnowledgeState& state) {
-  if (diagrams_.IsConstant(worlds)) return worlds;
-  std::unordered_map<int, Diagram> known;
+  std::vector<Assignment> known;
   for (const int variable : diagrams_.Support(worlds)) {
-    const AtomId atom = AtomOf(variable);
-    if (layout_.IsKnown(state, {atom, true})) known[variable] = kAllSets;
-    if (layout_.IsKnown(state, {atom, false})) known[variable] = kEmptySet;
+    for (const bool value : {true, false}) {
+      if (layout_.IsKnown(state, {AtomOf(variable), value})) known.push_back({variable, value});
+    }
   }
-  return known.empty() ? worlds : diagrams_.Compose(worlds, known);
+  return diagrams_.Restrict(worlds, known);
 }
 
 Diagram KnowledgeBase::RelationsWith(const KnowledgeState& state, Diagram of) {
@@ -431,9 +430,7 @@ Diagram KnowledgeBase::TakeRelations(KnowledgeState& state, const std::vector<in
 bool KnowledgeBase::PutRelation(KnowledgeState& state, Diagram relation) {
   if (relation == kEmptySet) return false;
   const std::vector<Assignment> known = diagrams_.Essential(relation);
-  std::unordered_map<int, Diagram> values;
-  for (const Assignment& a : known) values[a.variable] = a.value ? kAllSets : kEmptySet;
-  if (!known.empty()) relation = diagrams_.Compose(relation, values);
+  relation = diagrams_.Restrict(relation, known);
   if (relation != kAllSets) {
     state.relations.insert(
         std::lower_bound(state.relations.begin(), state.relations.end(), relation), relation);

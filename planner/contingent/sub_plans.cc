@@ -1,5 +1,7 @@
 #include "planner/contingent/sub_plans.h"
 
+#include <algorithm>
+
 #include "planner/base/check.h"
 
 namespace assay::contingent {
@@ -39,8 +41,7 @@ std::optional<NodeId> SubPlans::Find(StateId state) {
   }
   const auto found_in = [&](const std::vector<int>& candidates) {
     for (const int index : candidates) {
-      const Entry& entry = entries_[index];
-      if (!regression_.Suits(entry.requirement, entry.made_in, state)) continue;
+      if (!Suits(entries_[index], state)) continue;
       entry_of_state_[state] = index;
       return true;
     }
@@ -89,14 +90,24 @@ NodeId SubPlans::Add(StateId state, const Transition& transition,
   return entries_.back().node;
 }
 
-void SubPlans::File(const Entry& entry, int index) {
+bool SubPlans::Suits(const Entry& entry, StateId state) {
+  const KnowledgeState& here = space_.state(state);
+  return std::all_of(entry.literals.begin(), entry.literals.end(),
+                     [&](const GroundLiteral& l) {
+                       return space_.knowledge().layout().IsKnown(here, l);
+                     }) &&
+         regression_.Suits(entry.requirement, entry.made_in, state);
+}
+
+void SubPlans::File(Entry& entry, int index) {
   if (entry.requirement.worlds == kEmptySet) return;
   std::vector<int>* fewest = nullptr;
   KnowledgeBase& knowledge = space_.knowledge();
   for (const Assignment& a : knowledge.diagrams().Essential(entry.requirement.worlds)) {
-    if (!a.value) continue;
-    std::vector<int>& filed = by_atom_[knowledge.AtomOf(a.variable).index()];
-    if (fewest == nullptr || filed.size() < fewest->size()) fewest = &filed;
+    const AtomId atom = knowledge.AtomOf(a.variable);
+    entry.literals.push_back({atom, a.value});
+    std::vector<int>& filed = by_atom_[atom.index()];
+    if (a.value && (fewest == nullptr || filed.size() < fewest->size())) fewest = &filed;
   }
   (fewest != nullptr ? *fewest : without_atom_).push_back(index);
 }

@@ -30,12 +30,14 @@ class SubPlans {
     NodeId node;
     StateId made_in;
     Requirement requirement;
+    std::vector<GroundLiteral> literals = {};  // that all required worlds have, to reject quickly
   };
 
   // What is known of an outcome from which the child works.
   const Requirement& RequirementOf(NodeId child, StateId outcome);
   NodeId Intern(PlanNode node);
-  void File(const Entry& entry, int index);
+  void File(Entry& entry, int index);
+  bool Suits(const Entry& entry, StateId state);
 
   KnowledgeSpace& space_;
   Regression regression_;
