@@ -121,6 +121,7 @@ struct GroundEffect {
 struct GroundAction {
   std::string name;
   std::vector<std::string> arguments;  // constants, or function terms: run-time variables
+  std::vector<FunctionId> run_time_values = {};  // by argument; none for constants
   GroundQuery precondition;
   std::vector<GroundEffect> effects;
 };

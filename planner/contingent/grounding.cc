@@ -378,7 +378,10 @@ class Grounder {
   void AddInstance(const Action& action, const Bindings& bindings) {
     GroundAction instance;
     instance.name = action.name;
-    for (const Binding& binding : bindings) instance.arguments.push_back(binding.value.text);
+    for (const Binding& binding : bindings) {
+      instance.arguments.push_back(binding.value.text);
+      instance.run_time_values.push_back(binding.value.function);
+    }
     instance.precondition = QueryOf(action.precondition, bindings);
     if (!instance.precondition.IsFalse()) {
       for (const Effect& effect : action.effects) AddEffects(effect, bindings, instance.effects);

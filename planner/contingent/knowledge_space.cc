@@ -4,6 +4,17 @@
 
 namespace assay::contingent {
 
+PlanNode NodeOf(const Transition& transition, const std::vector<NodeId>& children) {
+  PlanNode node;
+  node.kind = transition.step.kind;
+  node.action = transition.step.action;
+  node.formula = transition.step.formula;
+  node.function = transition.step.function;
+  node.values = transition.values;
+  node.children = children;
+  return node;
+}
+
 KnowledgeSpace::KnowledgeSpace(const GroundTask& task, Budget& budget)
     : knowledge_(task), budget_(budget) {}
 

@@ -30,6 +30,8 @@ struct Transition {
   std::vector<StateId> outcomes = {};
 };
 
+PlanNode NodeOf(const Transition& transition, const std::vector<NodeId>& children);
+
 // The knowledge states that are met, each once, and the steps between them.
 class KnowledgeSpace {
  public:

@@ -43,7 +43,7 @@ TreeSize SizeOf(const PlanTree& tree) {
     if (node.kind == PlanNode::Kind::kGoal) here.leaves = 1;
     if (node.children.size() > 1) here.branch_points = 1;
     for (std::size_t i = 0; i < node.children.size(); ++i) {
-      if (static_cast<int>(i) == node.repeats) continue;
+      if (node.Repeats(i)) continue;
       const Below& child = below[node.children[i].index()];
       here.depth = std::max(here.depth, child.depth + (acts ? 1 : 0));
       here.leaves += child.leaves;
@@ -51,7 +51,7 @@ TreeSize SizeOf(const PlanTree& tree) {
     }
     ++size.nodes;
     size.actions += acts ? 1 : 0;
-    size.repeats += node.repeats >= 0 ? 1 : 0;
+    size.repeats += static_cast<int>(std::count(node.repeats.begin(), node.repeats.end(), true));
   }
   const Below& root = below[tree.root.index()];
   size.depth = root.depth;

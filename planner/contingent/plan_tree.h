@@ -25,9 +25,11 @@ struct PlanNode {
   FunctionId function;
   std::vector<AtomId> values = {};  // of kValue, as many as children
   std::vector<NodeId> children = {};
-  // The child that leads back to a node above: what lies between is repeated until another outcome
-  // is sensed. -1: none does.
-  int repeats = -1;
+  // By child: whether it is a node above, so that what lies between is repeated until another outcome
+  // is sensed. Empty: none is.
+  std::vector<bool> repeats = {};
+
+  bool Repeats(std::size_t child) const { return !repeats.empty() && repeats[child]; }
 
   bool operator==(const PlanNode&) const = default;
 };

@@ -5,34 +5,10 @@
 #include "planner/base/check.h"
 
 namespace assay::contingent {
-namespace {
-
-std::uint64_t HashOf(const PlanNode& node) {
-  std::uint64_t hash = static_cast<std::uint64_t>(node.kind);
-  for (const int index : {node.action.index(), node.formula.index(), node.function.index()}) {
-    hash = algebra::MixedHash(hash, static_cast<std::uint64_t>(index));
-  }
-  for (const NodeId child : node.children) {
-    hash = algebra::MixedHash(hash, static_cast<std::uint64_t>(child.index()));
-  }
-  return hash;
-}
-
-}  // namespace
 
 SubPlans::SubPlans(KnowledgeSpace& space)
     : space_(space), regression_(space), by_atom_(space.task().atoms.size()) {
-  Intern({});
-}
-
-NodeId SubPlans::Intern(PlanNode node) {
-  const std::uint64_t hash = HashOf(node);
-  const int found = node_ids_.Find(hash, [&](int index) { return nodes_[index] == node; });
-  if (found >= 0) return NodeId(found);
-  const NodeId id(nodes_.size());
-  nodes_.push_back(std::move(node));
-  node_ids_.Insert(hash, id.index());
-  return id;
+  nodes_.Intern({});
 }
 
 std::optional<NodeId> SubPlans::Find(StateId state) {
@@ -75,14 +51,8 @@ NodeId SubPlans::Add(StateId state, const Transition& transition,
   for (std::size_t i = 0; i < children.size(); ++i) {
     after.push_back(&RequirementOf(children[i], transition.outcomes[i]));
   }
-  PlanNode node;
-  node.kind = transition.step.kind;
-  node.action = transition.step.action;
-  node.formula = transition.step.formula;
-  node.function = transition.step.function;
-  node.values = transition.values;
-  node.children = children;
-  Entry entry{Intern(std::move(node)), state, regression_.OfStep(state, transition, after)};
+  const NodeId node = nodes_.Intern(NodeOf(transition, children));
+  Entry entry{node, state, regression_.OfStep(state, transition, after)};
   const int index = static_cast<int>(entries_.size());
   File(entry, index);
   entries_.push_back(std::move(entry));

@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "planner/contingent/node_table.h"
 #include "planner/contingent/requirement.h"
 
 namespace assay::contingent {
@@ -23,7 +24,7 @@ class SubPlans {
   NodeId Add(StateId state, const Transition& transition, const std::vector<NodeId>& children);
 
   bool IsEmpty() const { return entries_.empty(); }
-  const std::vector<PlanNode>& nodes() const { return nodes_; }
+  const std::vector<PlanNode>& nodes() const { return nodes_.nodes(); }
 
  private:
   struct Entry {
@@ -35,14 +36,12 @@ class SubPlans {
 
   // What is known of an outcome from which the child works.
   const Requirement& RequirementOf(NodeId child, StateId outcome);
-  NodeId Intern(PlanNode node);
   void File(Entry& entry, int index);
   bool Suits(const Entry& entry, StateId state);
 
   KnowledgeSpace& space_;
   Regression regression_;
-  std::vector<PlanNode> nodes_;
-  algebra::InternTable node_ids_;
+  NodeTable nodes_;
   std::vector<Entry> entries_;
   // Entries by an atom that they require to be known true (the one that the fewest others are filed
   // under); those without such an atom.

@@ -54,6 +54,11 @@ class Runner {
     history.values_sensed.insert(task_.initial.values_sensed.begin(),
                                  task_.initial.values_sensed.end());
     is_reached_.assign(tree_.nodes.size(), false);
+    for (const PlanNode& node : tree_.nodes) {
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        if (node.Repeats(i)) repeated_.insert(node.children[i]);
+      }
+    }
     Update(history);
     RunFrom(tree_.root, std::move(history));
     check.holds = failure_.empty();
@@ -103,6 +108,7 @@ class Runner {
           return;
         case PlanNode::Kind::kAct:
           Execute(task_.actions[node.action.index()], history);
+          if (node.Repeats(0)) return Return(node.children.front(), history);
           id = node.children.front();
           break;
         case PlanNode::Kind::kWhether:
@@ -114,9 +120,7 @@ class Runner {
   }
 
   bool IsRepeated(NodeId id) const {
-    return std::any_of(tree_.nodes.begin(), tree_.nodes.end(), [&](const PlanNode& node) {
-      return node.repeats >= 0 && node.children[node.repeats] == id;
-    });
+    return repeated_.contains(id);
   }
 
   void Branch(const PlanNode& node, History history) {
@@ -131,13 +135,17 @@ class Runner {
       parts[part].push_back(std::move(world));
     }
     if (!IsAsked(node, history, parts)) return;
+    const auto ends = [&](std::size_t i) { return !node.Repeats(i) && !parts[i].empty(); };
+    bool can_end = node.repeats.empty();
+    for (std::size_t i = 0; i < parts.size(); ++i) can_end |= ends(i);
+    if (!can_end) return Fail("a repeat without end", history);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].empty() || !failure_.empty()) continue;
       History next = history;
       next.worlds = std::move(parts[i]);
       next.steps.push_back(fmt::format("outcome {} of {}", i + 1, QuestionOf(node)));
       Update(next);
-      if (static_cast<int>(i) == node.repeats) {
+      if (node.Repeats(i)) {
         Return(node.children[i], next);
       } else {
         RunFrom(node.children[i], std::move(next));
@@ -438,6 +446,7 @@ class Runner {
   const GroundTask& task_;
   const PlanTree& tree_;
   std::vector<bool> is_reached_;
+  std::set<NodeId> repeated_;
   std::vector<std::pair<NodeId, Worlds>> heads_;  // of repeats, on the way to here
   std::int64_t worlds_ = 0;
   std::string failure_;
