@@ -14,7 +14,8 @@ using ::testing::StartsWith;
 
 const std::vector<std::string> kVerbs = {"check", "sweep",     "replay", "plan",
                                          "run",   "render",    "export", "label",
-                                         "bound", "calibrate", "doctor", "list"};
+                                         "bound", "calibrate", "doctor", "list",
+                                         "know"};
 
 TEST(Help, ListsVerbsAndExitCodes) {
   const Ended ended = Assay({"--help"});
