@@ -203,6 +203,15 @@ KnowledgeBase::Changes KnowledgeBase::ChangesOf(const std::vector<GroundEffect>&
     if (!is_certain) continue;
     for (const GroundChange& change : effect.changes) changes.certain.push_back(&change);
   }
+  // What surely becomes false stays so only where nothing makes it true.
+  std::erase_if(changes.certain, [&](const GroundChange* change) {
+    const bool becomes_false =
+        change->kind == GroundChange::Kind::kSet && !change->literal.is_positive;
+    const auto possible = changes.possible.find(change->literal.atom);
+    if (!becomes_false || possible == changes.possible.end()) return false;
+    possible->second.becomes_false = kAllSets;
+    return true;
+  });
   return changes;
 }
 

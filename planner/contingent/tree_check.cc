@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <optional>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -61,6 +61,7 @@ class Runner {
     }
     Update(history);
     RunFrom(tree_.root, std::move(history));
+    CheckThatRepeatsEnd();
     check.holds = failure_.empty();
     check.failure = failure_;
     check.worlds = worlds_;
@@ -108,6 +109,7 @@ class Runner {
           return;
         case PlanNode::Kind::kAct:
           Execute(task_.actions[node.action.index()], history);
+          ways_back_[node.children.front()].insert(id);
           if (node.Repeats(0)) return Return(node.children.front(), history);
           id = node.children.front();
           break;
@@ -116,6 +118,26 @@ class Runner {
           Branch(node, std::move(history));
           return;
       }
+    }
+  }
+
+  NodeId IdOf(const PlanNode& node) const { return NodeId(static_cast<int>(&node - tree_.nodes.data())); }
+
+  // From every node that worlds came to, some outcomes that they had lead to the goal.
+  void CheckThatRepeatsEnd() {
+    std::vector<NodeId> open;
+    std::set<NodeId> ends;
+    for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
+      if (tree_.nodes[n].kind == PlanNode::Kind::kGoal) open.push_back(NodeId(n));
+    }
+    while (!open.empty()) {
+      const NodeId id = open.back();
+      open.pop_back();
+      if (!ends.insert(id).second) continue;
+      open.insert(open.end(), ways_back_[id].begin(), ways_back_[id].end());
+    }
+    for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
+      if (is_reached_[n] && !ends.contains(NodeId(n))) Fail("a repeat without end", {});
     }
   }
 
@@ -129,20 +151,17 @@ class Runner {
       for (const GroundLiteral& literal : cases[i]) SplitBy(literal.atom, history.worlds);
     }
     std::vector<Worlds> parts(node.children.size());
-    for (World& world : history.worlds) {
+    for (const World& world : history.worlds) {
       const int part = PartOf(node, cases, world);
       if (part < 0) return Fail("no branch is for this value", history, &world);
-      parts[part].push_back(std::move(world));
+      parts[part].push_back(world);
     }
     if (!IsAsked(node, history, parts)) return;
-    const auto ends = [&](std::size_t i) { return !node.Repeats(i) && !parts[i].empty(); };
-    bool can_end = node.repeats.empty();
-    for (std::size_t i = 0; i < parts.size(); ++i) can_end |= ends(i);
-    if (!can_end) return Fail("a repeat without end", history);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       if (parts[i].empty() || !failure_.empty()) continue;
       History next = history;
       next.worlds = std::move(parts[i]);
+      ways_back_[node.children[i]].insert(IdOf(node));
       next.steps.push_back(fmt::format("outcome {} of {}", i + 1, QuestionOf(node)));
       Update(next);
       if (node.Repeats(i)) {
@@ -198,9 +217,9 @@ class Runner {
     for (auto entry = heads_.rbegin(); entry != heads_.rend(); ++entry) {
       if (entry->first != head) continue;
       for (const World& world : history.worlds) {
-        const bool was_there = std::any_of(entry->second.begin(), entry->second.end(),
-                                           [&](const World& w) { return IsCaseOf(world, w); });
-        if (!was_there) return Fail("a repeat begins in another world", history, &world);
+        if (!IsCovered(world, entry->second)) {
+          return Fail("a repeat begins in another world", history, &world);
+        }
       }
       return;
     }
@@ -212,6 +231,25 @@ class Runner {
       if (of.atoms[a] != Truth::kEither && of.atoms[a] != world.atoms[a]) return false;
     }
     return world.numbers == of.numbers;
+  }
+
+  // Whether the world, or both of its cases by some atom, and so on, are cases of the worlds.
+  bool IsCovered(const World& world, const Worlds& by) const {
+    if (std::any_of(by.begin(), by.end(), [&](const World& w) { return IsCaseOf(world, w); })) {
+      return true;
+    }
+    for (std::size_t a = 0; a < world.atoms.size(); ++a) {
+      const bool tells_apart =
+          world.atoms[a] == Truth::kEither &&
+          std::any_of(by.begin(), by.end(),
+                      [&](const World& w) { return w.atoms[a] != Truth::kEither; });
+      if (!tells_apart) continue;
+      Worlds cases = {world};
+      SplitBy(AtomId(a), cases);
+      return std::all_of(cases.begin(), cases.end(),
+                         [&](const World& w) { return IsCovered(w, by); });
+    }
+    return false;
   }
 
   // ---- What is true, and what is known
@@ -447,6 +485,7 @@ class Runner {
   const PlanTree& tree_;
   std::vector<bool> is_reached_;
   std::set<NodeId> repeated_;
+  std::map<NodeId, std::set<NodeId>> ways_back_;  // by node, the nodes that worlds came from
   std::vector<std::pair<NodeId, Worlds>> heads_;  // of repeats, on the way to here
   std::int64_t worlds_ = 0;
   std::string failure_;
