@@ -131,9 +131,11 @@ class Search {
     return PlanTree{nodes_.nodes(), root.node};
   }
 
-  // Breadth first from the goals, by transitions all of whose outcomes may stay.
+  // Breadth first from the goals, by transitions all of whose outcomes may stay: a fair one brings
+  // nearer if one of its outcomes is nearer, another one if all are.
   void ChooseByDistance(bool may_all_stay) {
     std::unordered_map<StateId, std::vector<std::pair<StateId, int>>> leading_to;
+    std::unordered_map<StateId, std::vector<std::size_t>> missing;
     for (std::size_t s = 0; s < space_.size(); ++s) {
       const StateId state(s);
       if (!may_all_stay && !choice_.contains(state)) continue;
@@ -143,6 +145,7 @@ class Search {
         const bool stays = may_all_stay ||
                            std::all_of(outcomes.begin(), outcomes.end(),
                                        [&](StateId o) { return choice_.contains(o); });
+        missing[state].push_back(IsFair(state, transitions[t]) ? 1 : outcomes.size());
         if (!stays) continue;
         for (const StateId o : outcomes) leading_to[o].emplace_back(state, static_cast<int>(t));
       }
@@ -152,10 +155,25 @@ class Search {
     for (const StateId goal : goals_) chosen[goal] = -1;
     for (std::size_t next = 0; next < reached.size(); ++next) {
       for (const auto& [before, t] : leading_to[reached[next]]) {
+        std::size_t& left = missing[before][t];
+        if (left == 0 || --left > 0) continue;
         if (chosen.try_emplace(before, t).second) reached.push_back(before);
       }
     }
     choice_ = std::move(chosen);
+  }
+
+  // Whether each outcome comes in every world some time, if the branch is come to again and again:
+  // the atom that it asks of has no relation to any other, and is forgotten before it can be asked of
+  // again.
+  bool IsFair(StateId state, const Transition& transition) {
+    if (transition.step.kind != PlanNode::Kind::kWhether) return false;
+    KnowledgeBase& knowledge = space_.knowledge();
+    const KnowledgeState& here = space_.state(state);
+    const GroundLiteral literal = knowledge.UndeterminedLiteral(transition.step.formula, here);
+    if (literal.atom.IsNone()) return false;  // a bound
+    return space_.task().function_of_atom[literal.atom.index()].IsNone() &&
+           knowledge.RelationOf(here, literal.atom) == kAllSets;
   }
 
   struct Made {

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -61,7 +60,6 @@ class Runner {
     }
     Update(history);
     RunFrom(tree_.root, std::move(history));
-    CheckThatRepeatsEnd();
     check.holds = failure_.empty();
     check.failure = failure_;
     check.worlds = worlds_;
@@ -101,15 +99,18 @@ class Runner {
     while (failure_.empty() && !history.worlds.empty()) {
       const PlanNode& node = tree_.node(id);
       is_reached_[id.index()] = true;
-      if (IsRepeated(id)) heads_.emplace_back(id, history.worlds);
+      if (attempt_ == nullptr && IsRepeated(id)) heads_.emplace_back(id, history.worlds);
       switch (node.kind) {
         case PlanNode::Kind::kGoal:
           if (!IsKnown(task_.goal, history)) Fail("the goal is not known", history);
-          worlds_ += static_cast<std::int64_t>(history.worlds.size());
+          if (attempt_ != nullptr) {
+            attempt_->has_ended = true;
+          } else {
+            worlds_ += static_cast<std::int64_t>(history.worlds.size());
+          }
           return;
         case PlanNode::Kind::kAct:
           Execute(task_.actions[node.action.index()], history);
-          ways_back_[node.children.front()].insert(id);
           if (node.Repeats(0)) return Return(node.children.front(), history);
           id = node.children.front();
           break;
@@ -118,26 +119,6 @@ class Runner {
           Branch(node, std::move(history));
           return;
       }
-    }
-  }
-
-  NodeId IdOf(const PlanNode& node) const { return NodeId(static_cast<int>(&node - tree_.nodes.data())); }
-
-  // From every node that worlds came to, some outcomes that they had lead to the goal.
-  void CheckThatRepeatsEnd() {
-    std::vector<NodeId> open;
-    std::set<NodeId> ends;
-    for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
-      if (tree_.nodes[n].kind == PlanNode::Kind::kGoal) open.push_back(NodeId(n));
-    }
-    while (!open.empty()) {
-      const NodeId id = open.back();
-      open.pop_back();
-      if (!ends.insert(id).second) continue;
-      open.insert(open.end(), ways_back_[id].begin(), ways_back_[id].end());
-    }
-    for (std::size_t n = 0; n < tree_.nodes.size(); ++n) {
-      if (is_reached_[n] && !ends.contains(NodeId(n))) Fail("a repeat without end", {});
     }
   }
 
@@ -161,7 +142,6 @@ class Runner {
       if (parts[i].empty() || !failure_.empty()) continue;
       History next = history;
       next.worlds = std::move(parts[i]);
-      ways_back_[node.children[i]].insert(IdOf(node));
       next.steps.push_back(fmt::format("outcome {} of {}", i + 1, QuestionOf(node)));
       Update(next);
       if (node.Repeats(i)) {
@@ -212,18 +192,40 @@ class Runner {
     return failure_.empty();
   }
 
-  // The worlds come back to where they, or worlds that they are cases of, began.
+  // The worlds come back to where they, or worlds that they are cases of, began; and each of them can
+  // go on to the goal.
   void Return(NodeId head, const History& history) {
-    for (auto entry = heads_.rbegin(); entry != heads_.rend(); ++entry) {
-      if (entry->first != head) continue;
-      for (const World& world : history.worlds) {
-        if (!IsCovered(world, entry->second)) {
-          return Fail("a repeat begins in another world", history, &world);
-        }
-      }
+    if (attempt_ != nullptr) {
+      for (const World& world : history.worlds) attempt_->returned.emplace_back(head, world);
       return;
     }
-    Fail("a repeat that never began", history);
+    const auto entry = std::find_if(heads_.rbegin(), heads_.rend(),
+                                    [&](const auto& begun) { return begun.first == head; });
+    if (entry == heads_.rend()) return Fail("a repeat that never began", history);
+    const Worlds begun = entry->second;
+    for (const World& world : history.worlds) {
+      if (!IsCovered(world, begun)) return Fail("a repeat begins in another world", history, &world);
+      if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
+    }
+  }
+
+  // Whether a world that is back at the head of a repeat comes to the goal some time, for some
+  // outcomes of what is open: by going round, in this world alone, until it has been everywhere.
+  bool CanEnd(NodeId head, const World& world, const History& history) {
+    Attempt attempt;
+    attempt.returned = {{head, world}};
+    attempt_ = &attempt;
+    for (std::size_t next = 0; next < attempt.returned.size() && failure_.empty(); ++next) {
+      const auto [at, begun] = attempt.returned[next];
+      const auto first = attempt.returned.begin();
+      const auto here = first + static_cast<std::ptrdiff_t>(next);
+      if (attempt.has_ended || std::find(first, here, *here) != here) continue;
+      History alone = history;
+      alone.worlds = {begun};
+      RunFrom(at, std::move(alone));
+    }
+    attempt_ = nullptr;
+    return attempt.has_ended;
   }
 
   static bool IsCaseOf(const World& world, const World& of) {
@@ -481,11 +483,17 @@ class Runner {
     }
   }
 
+  // Going round a repeat in one world.
+  struct Attempt {
+    std::vector<std::pair<NodeId, World>> returned;  // to the heads of repeats
+    bool has_ended = false;                          // at the goal
+  };
+
   const GroundTask& task_;
   const PlanTree& tree_;
+  Attempt* attempt_ = nullptr;
   std::vector<bool> is_reached_;
   std::set<NodeId> repeated_;
-  std::map<NodeId, std::set<NodeId>> ways_back_;  // by node, the nodes that worlds came from
   std::vector<std::pair<NodeId, Worlds>> heads_;  // of repeats, on the way to here
   std::int64_t worlds_ = 0;
   std::string failure_;
