@@ -15,8 +15,8 @@ namespace assay::contingent {
 // Whether something is known.
 enum class Knowledge { kTrue, kFalse, kUnknown };
 
-// The ground atoms, functions and formulas of a task, each once, and what the problem's init says of
-// them.
+// The ground atoms, functions and formulas of a task, each once, and what the problem's init says
+// of them.
 class AtomTable {
  public:
   AtomTable(const Domain& domain, const Problem& problem, const SymbolTable& symbols,
@@ -36,7 +36,9 @@ class AtomTable {
 
   // The text of every fact that the init tells, true or false, and what is told not to be known.
   void Tell(const std::string& atom, Knowledge knowledge) { told_[atom] = knowledge; }
-  void Close(const Change& change) { closed_[change.literals.front().predicate].push_back(&change); }
+  void Close(const Change& change) {
+    closed_[change.literals.front().predicate].push_back(&change);
+  }
 
   // What is known at first of the atoms so far.
   std::vector<GroundLiteral> KnownAtFirst() const;

@@ -29,10 +29,10 @@ inline constexpr const char* kNumberType = "number";  // of functions whose valu
 struct Term {
   enum class Kind {
     kConstant,
-    kVariable,    // ?x
-    kFunction,    // f(x, y): of objects, or of numbers
-    kNumber,      // an interval, [2, 2] for the number 2
-    kSum,         // of two numeric terms
+    kVariable,  // ?x
+    kFunction,  // f(x, y): of objects, or of numbers
+    kNumber,    // an interval, [2, 2] for the number 2
+    kSum,       // of two numeric terms
     kDifference,
   };
   Kind kind = Kind::kConstant;

@@ -142,9 +142,9 @@ class Search {
       const std::vector<Transition>& transitions = transitions_[state];
       for (std::size_t t = 0; t < transitions.size(); ++t) {
         const std::vector<StateId>& outcomes = transitions[t].outcomes;
-        const bool stays = may_all_stay ||
-                           std::all_of(outcomes.begin(), outcomes.end(),
-                                       [&](StateId o) { return choice_.contains(o); });
+        const bool stays =
+            may_all_stay || std::all_of(outcomes.begin(), outcomes.end(),
+                                        [&](StateId o) { return choice_.contains(o); });
         missing[state].push_back(IsFair(state, transitions[t]) ? 1 : outcomes.size());
         if (!stays) continue;
         for (const StateId o : outcomes) leading_to[o].emplace_back(state, static_cast<int>(t));
@@ -164,8 +164,8 @@ class Search {
   }
 
   // Whether each outcome comes in every world some time, if the branch is come to again and again:
-  // the atom that it asks of has no relation to any other, and is forgotten before it can be asked of
-  // again.
+  // the atom that it asks of has no relation to any other, and is forgotten before it can be asked
+  // of again.
   bool IsFair(StateId state, const Transition& transition) {
     if (transition.step.kind != PlanNode::Kind::kWhether) return false;
     KnowledgeBase& knowledge = space_.knowledge();
@@ -181,8 +181,8 @@ class Search {
     int highest = kFar;  // the place on the path of the uppermost node that it leads back to
   };
 
-  // The tree from a state at this depth of the path. What leads back to nodes above is made anew for
-  // each way that comes there, so that every repeat has begun on its own way.
+  // The tree from a state at this depth of the path. What leads back to nodes above is made anew
+  // for each way that comes there, so that every repeat has begun on its own way.
   Made MakeRepeating(StateId state, int depth) {
     if (const auto found = closed_.find(state); found != closed_.end()) return {found->second};
     if (depth > kDeepestRepeat) return {};

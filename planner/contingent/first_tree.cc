@@ -26,8 +26,7 @@ using Way = std::vector<Leg>;
 
 class Search {
  public:
-  explicit Search(KnowledgeSpace& space)
-      : space_(space), graph_(space.task()), sub_plans_(space) {}
+  explicit Search(KnowledgeSpace& space) : space_(space), graph_(space.task()), sub_plans_(space) {}
 
   FirstTree Run() {
     FirstTree result;

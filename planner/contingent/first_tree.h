@@ -14,12 +14,12 @@ struct FirstTree {
   bool is_proof_of_none = false;
 };
 
-// A plan tree, found fast: neither the least deep nor the smallest. From a state the search looks for
-// one way to the goal or to a state that a completed sub-plan serves, first without sensing, then by
-// the relaxed knowledge graph, hoping for the best of every sensing action; then for ways from the
-// other outcomes, the last ones first, so that what has been completed serves again. A step whose
-// other outcome leads nowhere is banned and another way looked for. Ends early when the space's budget
-// is spent.
+// A plan tree, found fast: neither the least deep nor the smallest. From a state the search looks
+// for one way to the goal or to a state that a completed sub-plan serves, first without sensing,
+// then by the relaxed knowledge graph, hoping for the best of every sensing action; then for ways
+// from the other outcomes, the last ones first, so that what has been completed serves again. A
+// step whose other outcome leads nowhere is banned and another way looked for. Ends early when the
+// space's budget is spent.
 FirstTree FindFirstTree(KnowledgeSpace& space);
 
 }  // namespace assay::contingent

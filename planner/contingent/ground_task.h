@@ -61,8 +61,8 @@ struct GroundFunction {
 
 struct GroundQuery {
   enum class Kind {
-    kAnd,          // of none: true
-    kOr,           // of none: false
+    kAnd,  // of none: true
+    kOr,   // of none: false
     kNot,
     kKnown,        // the literal is known
     kBoundKnown,   // the bound surely holds
@@ -89,16 +89,16 @@ struct GroundSum {
 
 struct GroundChange {
   enum class Kind {
-    kSet,          // the literal is made true: add(Kf, l)
-    kForget,       // the atom may be anything now: del(Kf, l)
-    kSense,        // add(Kw, formula)
-    kUnsense,      // del(Kw, formula)
-    kSenseValue,   // add(Kv, f)
-    kUnsenseValue, // del(Kv, f)
-    kRelate,       // add(Kx, ...): exactly one, or at least one, of the literals holds
-    kAssign,       // add(Kf, f = sum)
-    kNarrow,       // add(Kf, f < number)
-    kForgetNumber, // del(Kf, f = ...)
+    kSet,           // the literal is made true: add(Kf, l)
+    kForget,        // the atom may be anything now: del(Kf, l)
+    kSense,         // add(Kw, formula)
+    kUnsense,       // del(Kw, formula)
+    kSenseValue,    // add(Kv, f)
+    kUnsenseValue,  // del(Kv, f)
+    kRelate,        // add(Kx, ...): exactly one, or at least one, of the literals holds
+    kAssign,        // add(Kf, f = sum)
+    kNarrow,        // add(Kf, f < number)
+    kForgetNumber,  // del(Kf, f = ...)
   };
   Kind kind = Kind::kSet;
   GroundLiteral literal = {};
@@ -112,15 +112,15 @@ struct GroundChange {
 
 struct GroundEffect {
   GroundQuery condition;
-  // The condition asks K of literals alone: then the effect is one of the world, "where the condition
-  // is true, the changes happen", whether that is known or not.
+  // The condition asks K of literals alone: then the effect is one of the world, "where the
+  // condition is true, the changes happen", whether that is known or not.
   bool is_of_worlds = false;
   std::vector<GroundChange> changes;
 };
 
 struct GroundAction {
   std::string name;
-  std::vector<std::string> arguments;  // constants, or function terms: run-time variables
+  std::vector<std::string> arguments;            // constants, or function terms: run-time variables
   std::vector<FunctionId> run_time_values = {};  // by argument; none for constants
   GroundQuery precondition;
   std::vector<GroundEffect> effects;

@@ -217,11 +217,10 @@ class Grounder {
         {change.literals, change.is_inclusive, {*file_, place.line, place.column}});
     const FunctionId function = task_.function_of_atom[change.literals.front().atom.index()];
     const bool is_range =
-        !function.IsNone() && std::all_of(change.literals.begin(), change.literals.end(),
-                                          [&](const GroundLiteral& l) {
-                                            return l.is_positive &&
-                                                   task_.function_of_atom[l.atom.index()] == function;
-                                          });
+        !function.IsNone() &&
+        std::all_of(change.literals.begin(), change.literals.end(), [&](const GroundLiteral& l) {
+          return l.is_positive && task_.function_of_atom[l.atom.index()] == function;
+        });
     if (!is_range) return;
     for (const AtomId value : task_.functions[function.index()].values) {
       const bool is_alternative =
@@ -274,7 +273,8 @@ class Grounder {
     std::vector<EarlyTest> tests;
     CollectEarlyTests(action, action.precondition, tests);
     std::stable_sort(tests.begin(), tests.end(), [](const EarlyTest& a, const EarlyTest& b) {
-      return (a.literal->relation == Relation::kExtern) < (b.literal->relation == Relation::kExtern);
+      return (a.literal->relation == Relation::kExtern) <
+             (b.literal->relation == Relation::kExtern);
     });
     Bindings bindings;
     BindFrom(action, tests, bindings);
@@ -286,10 +286,10 @@ class Grounder {
     }
     if (query.kind != Query::Kind::kKnown) return;
     for (const Literal& literal : query.literals) {
-      const bool is_early = literal.relation == Relation::kExtern ||
-                            (literal.relation == Relation::kPredicate &&
-                             !table_.IsChanged(literal.predicate)) ||
-                            (literal.relation == Relation::kEqual && !HasFunction(literal));
+      const bool is_early =
+          literal.relation == Relation::kExtern ||
+          (literal.relation == Relation::kPredicate && !table_.IsChanged(literal.predicate)) ||
+          (literal.relation == Relation::kEqual && !HasFunction(literal));
       if (is_early) tests.push_back({&literal, LastBound(action, literal)});
     }
   }
@@ -303,8 +303,8 @@ class Grounder {
     std::size_t last = 0;
     for (const Term& term : literal.arguments) {
       for (std::size_t i = 0; i < action.parameters.size(); ++i) {
-        const bool is_it = term.kind == Term::Kind::kVariable &&
-                           term.name == action.parameters[i].name;
+        const bool is_it =
+            term.kind == Term::Kind::kVariable && term.name == action.parameters[i].name;
         if (is_it) last = std::max(last, i + 1);
       }
     }
@@ -675,8 +675,8 @@ class Grounder {
       return FunctionsEqual(left.function, right.function, literal.is_positive);
     }
     const bool is_left = !left.function.IsNone();
-    const AtomId atom = table_.Value(is_left ? left.function : right.function,
-                                     is_left ? right.text : left.text);
+    const AtomId atom =
+        table_.Value(is_left ? left.function : right.function, is_left ? right.text : left.text);
     return atom.IsNone() ? Constant(!literal.is_positive) : Known({atom, literal.is_positive});
   }
 
@@ -688,8 +688,8 @@ class Grounder {
       if (of_g.IsNone()) continue;
       const AtomId of_f = table_.Value(f, constant);
       // Different: of some constant one is known to be it, and the other not to be it.
-      ways.push_back(Join(GroundQuery::Kind::kAnd,
-                          {Known({of_f, true}), Known({of_g, is_positive})}));
+      ways.push_back(
+          Join(GroundQuery::Kind::kAnd, {Known({of_f, true}), Known({of_g, is_positive})}));
       if (!is_positive) {
         ways.push_back(Join(GroundQuery::Kind::kAnd, {Known({of_f, false}), Known({of_g, true})}));
       }

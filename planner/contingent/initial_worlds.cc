@@ -140,8 +140,8 @@ class Enumerator {
       if (std::isfinite(end)) marks.insert(end);
     }
     for (const Formula& formula : task_.formulas) {
-      if (formula.bound && task_.functions[formula.bound->function.index()].slot ==
-                               static_cast<int>(slot)) {
+      if (formula.bound &&
+          task_.functions[formula.bound->function.index()].slot == static_cast<int>(slot)) {
         marks.insert(formula.bound->value);
       }
     }

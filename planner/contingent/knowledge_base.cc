@@ -314,8 +314,8 @@ void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
   std::vector<Diagram> changes;
   for (const auto& [atom, where] : possible) {
     const Diagram old = Restricted(WorldsWhere({atom, true}), state);
-    const Diagram now = diagrams_.Or(where.becomes_true,
-                                     diagrams_.And(old, diagrams_.Not(where.becomes_false)));
+    const Diagram now =
+        diagrams_.Or(where.becomes_true, diagrams_.And(old, diagrams_.Not(where.becomes_false)));
     changes.push_back(diagrams_.Equal(diagrams_.Literal({Variable(atom) + 1, true}), now));
     const std::vector<int>& of_change = diagrams_.Support(changes.back());
     variables.insert(variables.end(), of_change.begin(), of_change.end());
@@ -335,8 +335,8 @@ void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
 }
 
 bool KnowledgeBase::ApplyUpdates(KnowledgeState& state) {
-  // Each round makes a change of Kf that no round before has made, or is the last; a rule that undoes
-  // another's change would go on for ever, which the limit ends.
+  // Each round makes a change of Kf that no round before has made, or is the last; a rule that
+  // undoes another's change would go on for ever, which the limit ends.
   const std::size_t rounds = task_.updates.empty() ? 0 : task_.atoms.size() + 1;
   for (std::size_t round = 0; round < rounds; ++round) {
     const KnowledgeState before = state;
@@ -488,10 +488,9 @@ FormulaId KnowledgeBase::FormulaToBranch(const KnowledgeState& state) const {
     const FormulaId formula(f);
     if (!layout_.IsSensed(state, formula)) continue;
     const std::vector<GroundLiteral>& literals = task_.formulas[f].literals;
-    const auto undetermined =
-        std::count_if(literals.begin(), literals.end(), [&](const GroundLiteral& literal) {
-          return layout_.IsUndetermined(state, literal.atom);
-        });
+    const auto undetermined = std::count_if(
+        literals.begin(), literals.end(),
+        [&](const GroundLiteral& literal) { return layout_.IsUndetermined(state, literal.atom); });
     if (undetermined == 1 || task_.formulas[f].bound) return formula;
   }
   return FormulaId::None();

@@ -10,8 +10,8 @@
 
 namespace assay::contingent {
 
-// How knowledge is asked and how it changes: queries, actions, sensing, update rules. Sound and, for
-// what Kf and Kx can say, complete: a literal that follows from a state's Kx is in its Kf.
+// How knowledge is asked and how it changes: queries, actions, sensing, update rules. Sound and,
+// for what Kf and Kx can say, complete: a literal that follows from a state's Kx is in its Kf.
 class KnowledgeBase {
  public:
   // Keeps a reference to the task.
@@ -21,7 +21,8 @@ class KnowledgeBase {
   const StateLayout& layout() const { return layout_; }
   DecisionDiagrams& diagrams() { return diagrams_; }
 
-  // Throws InputError, with the place of an alternative that cannot hold, if init contradicts itself.
+  // Throws InputError, with the place of an alternative that cannot hold, if init contradicts
+  // itself.
   KnowledgeState Initial();
 
   bool Holds(const GroundQuery& query, const KnowledgeState& state) const;
@@ -31,7 +32,8 @@ class KnowledgeBase {
   std::optional<KnowledgeState> After(const GroundAction& action, const KnowledgeState& state);
 
   // A formula of Kw that branches now: it has one undetermined literal, all others are known to be
-  // true (a conjunction's negation could else not be told), or it is a bound. None if there is none.
+  // true (a conjunction's negation could else not be told), or it is a bound. None if there is
+  // none.
   FormulaId FormulaToBranch(const KnowledgeState& state) const;
   // The functions of Kv whose possible values Kx tells.
   std::vector<FunctionId> FunctionsToBranch(const KnowledgeState& state);

@@ -15,9 +15,9 @@ namespace assay::contingent {
 //   Kw   formulas whose truth will be known at run time and is not yet at plan time
 //   Kv   functions whose value will be known at run time and is not yet at plan time
 //   Kx   what relates the unknown atoms. In PKS exclusive alternatives; here any relation, as
-//        diagrams over disjoint sets of unknown atoms. It also holds what is known of the past: after
-//        "where C, l" with C unknown, l and C are related, and learning the one settles the other
-//        (postdiction, Petrick and Bacchus 2004).
+//        diagrams over disjoint sets of unknown atoms. It also holds what is known of the past:
+//        after "where C, l" with C unknown, l and C are related, and learning the one settles the
+//        other (postdiction, Petrick and Bacchus 2004).
 //   LCW  closes the initial state, and tells what an action that senses all instances senses
 //        (grounding.h); nothing of it is left to be kept here.
 struct KnowledgeState {

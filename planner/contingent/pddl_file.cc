@@ -69,8 +69,7 @@ class Reader {
   }
 
   std::string TitleOf(const SExpression& whole, const std::string& kind) const {
-    if (!whole.BeginsWith("define") || whole.items.size() < 2 ||
-        !whole.items[1].BeginsWith(kind)) {
+    if (!whole.BeginsWith("define") || whole.items.size() < 2 || !whole.items[1].BeginsWith(kind)) {
       Fail(whole, "unknown form", fmt::format("(define ({} NAME) ...)", kind));
     }
     return Word(Only(whole.items[1]), "a name");

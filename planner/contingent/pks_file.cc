@@ -21,7 +21,8 @@ constexpr int kDeepestNesting = 100;
 // By recursive descent, one member function for each rule of the grammar.
 class Parser {
  public:
-  Parser(const std::string& text, const std::string& file) : file_(file), tokens_(Tokens(text, file)) {}
+  Parser(const std::string& text, const std::string& file)
+      : file_(file), tokens_(Tokens(text, file)) {}
 
   Domain ReadDomain() {
     Domain domain;

@@ -64,13 +64,15 @@ class Lexer {
     for (const std::string_view sign : kSigns) {
       if (text_.substr(at_, sign.size()) == sign) return Take(Token::Kind::kSign, sign.size());
     }
-    throw InputError({file_, here_.line, here_.column}, fmt::format("unknown character {}", Shown()),
+    throw InputError({file_, here_.line, here_.column},
+                     fmt::format("unknown character {}", Shown()),
                      "names, ?variables, numbers, and ( ) [ ] , : ; & | ! - + = != < <= > >= =>");
   }
 
   std::string Shown() const {
     const auto byte = static_cast<unsigned char>(Peek());
-    return byte < 0x20 || byte >= 0x7F ? fmt::format("0x{:02x}", byte) : fmt::format("'{}'", Peek());
+    return byte < 0x20 || byte >= 0x7F ? fmt::format("0x{:02x}", byte)
+                                       : fmt::format("'{}'", Peek());
   }
 
   std::size_t WordLength(std::size_t from) const {

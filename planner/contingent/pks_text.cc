@@ -68,8 +68,8 @@ std::string LiteralText(const Literal& literal) {
     case Relation::kGreaterOrEqual:
       break;
   }
-  return fmt::format("{}({} {} {})", sign, TermText(literal.arguments[0]),
-                     TextOf(literal.relation), TermText(literal.arguments[1]));
+  return fmt::format("{}({} {} {})", sign, TermText(literal.arguments[0]), TextOf(literal.relation),
+                     TermText(literal.arguments[1]));
 }
 
 std::string QueryText(const Query& query) {
@@ -107,8 +107,9 @@ std::string ChangeText(const Change& change) {
       return fmt::format("{}(Kv, {})", verb, TermText(change.terms.front()));
     case Store::kExclusive: {
       const std::string alternatives = Joined(change.literals, " | ", LiteralText);
-      return fmt::format("{}(Kx, {})", verb,
-                         change.is_inclusive ? fmt::format("some({})", alternatives) : alternatives);
+      return fmt::format(
+          "{}(Kx, {})", verb,
+          change.is_inclusive ? fmt::format("some({})", alternatives) : alternatives);
     }
     case Store::kClosed:
       return fmt::format("{}(LCW, {})", verb, LiteralText(change.literals.front()));
@@ -140,8 +141,8 @@ std::string ActionText(const Action& action) {
 std::string SymbolText(const Symbol& symbol) {
   std::string text = symbol.name;
   if (!symbol.parameters.empty()) {
-    text += fmt::format(
-        "({})", Joined(symbol.parameters, ", ", [](const TypedName& p) { return p.type; }));
+    text += fmt::format("({})",
+                        Joined(symbol.parameters, ", ", [](const TypedName& p) { return p.type; }));
   }
   return text + (symbol.range.empty() ? "" : ": " + symbol.range);
 }

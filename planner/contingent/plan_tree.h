@@ -16,7 +16,8 @@ struct PlanNode {
   enum class Kind {
     kGoal,     // the goal is known to hold: nothing more is done
     kAct,      // execute the action, go on with the only child
-    kWhether,  // the formula is known by now: the first child if it is true, the second if it is not
+    kWhether,  // the formula is known by now: the first child if it is true, the second if it is
+               // not
     kValue,    // the function's value is known by now: the child of that value
   };
   Kind kind = Kind::kGoal;
@@ -25,8 +26,8 @@ struct PlanNode {
   FunctionId function;
   std::vector<AtomId> values = {};  // of kValue, as many as children
   std::vector<NodeId> children = {};
-  // By child: whether it is a node above, so that what lies between is repeated until another outcome
-  // is sensed. Empty: none is.
+  // By child: whether it is a node above, so that what lies between is repeated until another
+  // outcome is sensed. Empty: none is.
   std::vector<bool> repeats = {};
 
   bool Repeats(std::size_t child) const { return !repeats.empty() && repeats[child]; }
@@ -45,10 +46,10 @@ struct PlanTree {
 
 // Of the tree as it unfolds, each repeat once.
 struct TreeSize {
-  int depth = 0;            // actions on the longest way to a leaf
+  int depth = 0;  // actions on the longest way to a leaf
   double leaves = 0;
   double branch_points = 0;
-  int actions = 0;          // nodes that act, shared ones once
+  int actions = 0;  // nodes that act, shared ones once
   int nodes = 0;
   int repeats = 0;
 };

@@ -38,8 +38,7 @@ RelaxedKnowledgeGraph::RelaxedKnowledgeGraph(const GroundTask& task)
 void RelaxedKnowledgeGraph::AddOperator(std::vector<Proposition> preconditions,
                                         std::vector<Proposition> additions, ActionId action) {
   std::sort(preconditions.begin(), preconditions.end());
-  preconditions.erase(std::unique(preconditions.begin(), preconditions.end()),
-                      preconditions.end());
+  preconditions.erase(std::unique(preconditions.begin(), preconditions.end()), preconditions.end());
   operators_.push_back({std::move(preconditions), std::move(additions), action});
 }
 

@@ -16,9 +16,9 @@ struct RelaxedPlan {
 
 // Planning where knowledge is never lost: from what is known, actions make literals known, sensing
 // makes known whichever of a literal and its negation is wanted, and relations of the initial state
-// settle their last member. A relaxed plan is found as in FF (Hoffmann and Nebel 2001), by costs that
-// are summed over preconditions. Neither a lower nor an upper bound. That something is not known
-// counts as always true.
+// settle their last member. A relaxed plan is found as in FF (Hoffmann and Nebel 2001), by costs
+// that are summed over preconditions. Neither a lower nor an upper bound. That something is not
+// known counts as always true.
 class RelaxedKnowledgeGraph {
  public:
   explicit RelaxedKnowledgeGraph(const GroundTask& task);
@@ -63,10 +63,10 @@ class RelaxedKnowledgeGraph {
   std::vector<int> always_;                  // operators without preconditions
 
   // Of one computation.
-  std::vector<int> cost_;       // of propositions
-  std::vector<int> best_;       // the operator that adds it at this cost, -1: it is there
-  std::vector<int> missing_;    // preconditions of operators
-  std::vector<int> sum_;        // their cost
+  std::vector<int> cost_;     // of propositions
+  std::vector<int> best_;     // the operator that adds it at this cost, -1: it is there
+  std::vector<int> missing_;  // preconditions of operators
+  std::vector<int> sum_;      // their cost
   std::vector<std::vector<Proposition>> queue_;  // by cost
 };
 

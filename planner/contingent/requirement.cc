@@ -128,8 +128,8 @@ Requirement Regression::OfAction(StateId state, const GroundAction& action,
   return before;
 }
 
-// After the action, an atom is true where an effect has made it so, or where it was and none has made
-// it false.
+// After the action, an atom is true where an effect has made it so, or where it was and none has
+// made it false.
 void Regression::RegressWorlds(const GroundAction& action, StateId state, const Requirement& after,
                                Requirement& before) {
   DecisionDiagrams& diagrams = knowledge_.diagrams();
@@ -139,7 +139,9 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
   for (const GroundEffect& effect : action.effects) {
     for (const GroundChange& change : effect.changes) {
       if (change.kind != GroundChange::Kind::kRelate) continue;
-      before.worlds = diagrams.Or(before.worlds, diagrams.Not(knowledge_.WorldsWhere(change.literals, change.is_inclusive)));
+      before.worlds =
+          diagrams.Or(before.worlds,
+                      diagrams.Not(knowledge_.WorldsWhere(change.literals, change.is_inclusive)));
     }
   }
   for (const GroundEffect& effect : action.effects) {
@@ -162,15 +164,15 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
   for (const auto& [variable, where] : becomes_false) now.try_emplace(variable, kEmptySet);
   for (auto& [variable, value] : now) {
     const auto falsified = becomes_false.find(variable);
-    const Diagram stays = falsified != becomes_false.end() ? diagrams.Not(falsified->second)
-                                                           : kAllSets;
+    const Diagram stays =
+        falsified != becomes_false.end() ? diagrams.Not(falsified->second) : kAllSets;
     value = diagrams.Or(value, diagrams.And(diagrams.Literal({variable, true}), stays));
   }
   before.worlds = diagrams.Compose(before.worlds, now);
 }
 
-// What was kept after the action and what it sets is settled by the action; what it may set depends on
-// the effect's condition as well.
+// What was kept after the action and what it sets is settled by the action; what it may set depends
+// on the effect's condition as well.
 void Regression::RegressAspects(const GroundAction& action, StateId state, const Requirement& after,
                                 Requirement& before) {
   if (after.same.empty()) return;

@@ -9,16 +9,16 @@ namespace assay::contingent {
 
 // What a knowledge state must be like for a sub-plan to work from it. A sub-plan works from a state
 // if it does from every world that the state allows; so what it requires is a set of worlds, its
-// weakest precondition, and the sub-plan of one state serves every state within that set. What a plan
-// asks that is not about worlds (that something is not known, what is in Kw and Kv, intervals) is
-// required to be as it was.
+// weakest precondition, and the sub-plan of one state serves every state within that set. What a
+// plan asks that is not about worlds (that something is not known, what is in Kw and Kv, intervals)
+// is required to be as it was.
 struct Requirement {
   Diagram worlds = kAllSets;
   std::vector<bool> same;  // aspects of the state, by AspectOf...; empty: none
 };
 
-// Requirements of sub-plans from those of their parts: what must hold before a step, so that what is
-// required after it holds then (regression).
+// Requirements of sub-plans from those of their parts: what must hold before a step, so that what
+// is required after it holds then (regression).
 class Regression {
  public:
   explicit Regression(KnowledgeSpace& space);

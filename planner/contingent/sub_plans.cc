@@ -27,8 +27,8 @@ std::optional<NodeId> SubPlans::Find(StateId state) {
   bool is_found = found_in(without_atom_);
   for (std::size_t a = 0; a < by_atom_.size() && !is_found; ++a) {
     if (by_atom_[a].empty()) continue;
-    is_found = space_.knowledge().layout().IsKnown(here, {AtomId(a), true}) &&
-               found_in(by_atom_[a]);
+    is_found =
+        space_.knowledge().layout().IsKnown(here, {AtomId(a), true}) && found_in(by_atom_[a]);
   }
   if (!is_found) return std::nullopt;
   return entries_[entry_of_state_[state]].node;

@@ -44,7 +44,8 @@ void SymbolTable::DeclareTypes(const Domain& domain) {
     for (std::size_t steps = 0; !above.empty(); above = parents_.at(above)) {
       if (++steps > parents_.size()) {
         throw InputError({domain.file, type.place.line, type.place.column},
-                         fmt::format("type '{}' is its own ancestor", type.name), "a tree of types");
+                         fmt::format("type '{}' is its own ancestor", type.name),
+                         "a tree of types");
       }
       RequireType(domain.file, above, type.place);
     }
@@ -80,8 +81,9 @@ void SymbolTable::RequireType(const std::string& file, const std::string& type, 
   if (type.empty() || HasType(type)) return;
   const std::string nearest = NearestName(type, TypeNames());
   throw InputError({file, place.line, place.column},
-                   nearest.empty() ? fmt::format("unknown type '{}'", type)
-                                   : fmt::format("unknown type '{}', did you mean '{}'?", type, nearest),
+                   nearest.empty()
+                       ? fmt::format("unknown type '{}'", type)
+                       : fmt::format("unknown type '{}', did you mean '{}'?", type, nearest),
                    fmt::format("{}", fmt::join(TypeNames(), ", ")));
 }
 

@@ -72,10 +72,9 @@ class Runner {
  private:
   void Fail(const std::string& what, const History& history, const World* world = nullptr) {
     if (!failure_.empty()) return;
-    failure_ = fmt::format("{} after {}", what,
-                           history.steps.empty()
-                               ? "no step"
-                               : fmt::format("{}", fmt::join(history.steps, "; ")));
+    failure_ = fmt::format(
+        "{} after {}", what,
+        history.steps.empty() ? "no step" : fmt::format("{}", fmt::join(history.steps, "; ")));
     if (world == nullptr && !history.worlds.empty()) world = &history.worlds.front();
     if (world != nullptr) failure_ += fmt::format(", in the world with {}", TextOf(*world));
   }
@@ -122,9 +121,7 @@ class Runner {
     }
   }
 
-  bool IsRepeated(NodeId id) const {
-    return repeated_.contains(id);
-  }
+  bool IsRepeated(NodeId id) const { return repeated_.contains(id); }
 
   void Branch(const PlanNode& node, History history) {
     const auto cases = CasesOf(node, history);
@@ -192,8 +189,8 @@ class Runner {
     return failure_.empty();
   }
 
-  // The worlds come back to where they, or worlds that they are cases of, began; and each of them can
-  // go on to the goal.
+  // The worlds come back to where they, or worlds that they are cases of, began; and each of them
+  // can go on to the goal.
   void Return(NodeId head, const History& history) {
     if (attempt_ != nullptr) {
       for (const World& world : history.worlds) attempt_->returned.emplace_back(head, world);
@@ -204,7 +201,8 @@ class Runner {
     if (entry == heads_.rend()) return Fail("a repeat that never began", history);
     const Worlds begun = entry->second;
     for (const World& world : history.worlds) {
-      if (!IsCovered(world, begun)) return Fail("a repeat begins in another world", history, &world);
+      if (!IsCovered(world, begun))
+        return Fail("a repeat begins in another world", history, &world);
       if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
     }
   }
@@ -241,10 +239,10 @@ class Runner {
       return true;
     }
     for (std::size_t a = 0; a < world.atoms.size(); ++a) {
-      const bool tells_apart =
-          world.atoms[a] == Truth::kEither &&
-          std::any_of(by.begin(), by.end(),
-                      [&](const World& w) { return w.atoms[a] != Truth::kEither; });
+      const bool tells_apart = world.atoms[a] == Truth::kEither &&
+                               std::any_of(by.begin(), by.end(), [&](const World& w) {
+                                 return w.atoms[a] != Truth::kEither;
+                               });
       if (!tells_apart) continue;
       Worlds cases = {world};
       SplitBy(AtomId(a), cases);
@@ -332,9 +330,9 @@ class Runner {
 
   void Execute(const GroundAction& action, History& history) {
     if (!IsKnown(action.precondition, history)) {
-      return Fail(fmt::format("the precondition of {} is not known",
-                              assay::contingent::TextOf(action)),
-                  history);
+      return Fail(
+          fmt::format("the precondition of {} is not known", assay::contingent::TextOf(action)),
+          history);
     }
     history.steps.push_back(assay::contingent::TextOf(action));
     Apply(action.effects, history);
@@ -383,9 +381,8 @@ class Runner {
         std::erase_if(history.sensed, [&](FormulaId formula) {
           const Formula& f = task_.formulas[formula.index()];
           return (f.bound && f.bound->function == function) ||
-                 std::any_of(f.literals.begin(), f.literals.end(), [&](const GroundLiteral& l) {
-                   return l.atom == change.literal.atom;
-                 });
+                 std::any_of(f.literals.begin(), f.literals.end(),
+                             [&](const GroundLiteral& l) { return l.atom == change.literal.atom; });
         });
       }
     }
@@ -459,8 +456,8 @@ class Runner {
     }
     const Interval& constant = change.sum.constant;
     Worlds all;
-    for (const double added : std::set<double>{constant.low, constant.low / 2 + constant.high / 2,
-                                               constant.high}) {
+    for (const double added :
+         std::set<double>{constant.low, constant.low / 2 + constant.high / 2, constant.high}) {
       for (const World& world : now) {
         all.push_back(world);
         all.back().numbers[slot] = value + added;

@@ -6,8 +6,8 @@
 
 namespace assay::contingent {
 
-// A plan tree, "assay-tree/1" (its schema: tree.schema.json): its nodes by number, children by their
-// numbers, so that equal sub-plans stand there once:
+// A plan tree, "assay-tree/1" (its schema: tree.schema.json): its nodes by number, children by
+// their numbers, so that equal sub-plans stand there once:
 //   {"act": {"name": "grasp", "arguments": ["can1"]}, "then": 7}
 //   {"branch": "isSpillable(can1)", "true": 5, "false": 6}
 //   {"branch": "getObjectLocation(cup)", "values": {"table": 3, "shelf": 4}}

@@ -9,8 +9,7 @@ namespace {
 
 class Writer {
  public:
-  Writer(const GroundTask& task, const PlanTree& tree, Sharing sharing)
-      : task_(task), tree_(tree) {
+  Writer(const GroundTask& task, const PlanTree& tree, Sharing sharing) : task_(task), tree_(tree) {
     CountParents(sharing);
   }
 

@@ -65,7 +65,8 @@ class Checker {
         return;
       case Relation::kExtern: {
         const Symbol* const symbol = symbols_.FindExtern(literal.predicate);
-        if (!symbol) FailUnknown(literal.place, "extern", literal.predicate, symbols_.ExternNames());
+        if (!symbol)
+          FailUnknown(literal.place, "extern", literal.predicate, symbols_.ExternNames());
         CheckArguments(*symbol, literal.arguments, literal.place, scope);
         return;
       }

@@ -123,8 +123,8 @@ std::string PlanTreeToDot(const contingent::GroundTask& task, const contingent::
   std::string text = "digraph plan {\n";
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     const contingent::PlanNode& node = tree.nodes[n];
-    text += fmt::format("  n{} [shape={}, label={}];\n", n, ShapeOf(node),
-                        Quoted(LabelOf(task, node)));
+    text +=
+        fmt::format("  n{} [shape={}, label={}];\n", n, ShapeOf(node), Quoted(LabelOf(task, node)));
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       const bool branches = node.kind != contingent::PlanNode::Kind::kAct;
       text += fmt::format("  n{} -> n{} [label={}{}];\n", n, node.children[i].index(),

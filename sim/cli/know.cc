@@ -87,12 +87,11 @@ Answer MakeAnswer(const Options& options) {
   answer.task = contingent::Ground(task.domain, task.problem, externs);
   Budget budget(options.budget);
   answer.plan = contingent::MakePlan(
-      answer.task,
-      options.shortest ? contingent::Wanted::kLeastDepth : contingent::Wanted::kFirst, budget);
+      answer.task, options.shortest ? contingent::Wanted::kLeastDepth : contingent::Wanted::kFirst,
+      budget);
   answer.seconds = stopwatch.Seconds();
   if (options.check && answer.plan.outcome == Outcome::kFound) {
-    answer.check =
-        contingent::CheckTree(answer.task, answer.plan.tree, {.worlds = options.worlds});
+    answer.check = contingent::CheckTree(answer.task, answer.plan.tree, {.worlds = options.worlds});
   }
   return answer;
 }
@@ -127,11 +126,10 @@ std::string JsonText(const Answer& answer) {
 
 std::string CheckText(const TreeCheck& check) {
   if (!check.holds) return fmt::format("check: FAILS: {}\n", check.failure);
-  return fmt::format("check: holds in {} of the worlds that the initial knowledge allows ({}){}\n",
-                     check.are_all_worlds ? "all" : "a sample", check.worlds,
-                     check.unreached.empty()
-                         ? ""
-                         : fmt::format(", {} nodes unreached", check.unreached.size()));
+  return fmt::format(
+      "check: holds in {} of the worlds that the initial knowledge allows ({}){}\n",
+      check.are_all_worlds ? "all" : "a sample", check.worlds,
+      check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
 }
 
 std::string PlanText(const Answer& answer, const Options& options) {
@@ -145,9 +143,9 @@ std::string PlanText(const Answer& answer, const Options& options) {
     throw UsageError(fmt::format("know: --unfold: the tree has {} leaves; at most {} are told",
                                  size.leaves, kMostUnfolded));
   }
-  std::string text = TextOf(answer.task, plan.tree,
-                            options.unfold ? contingent::Sharing::kUnfolded
-                                           : contingent::Sharing::kOnce);
+  std::string text =
+      TextOf(answer.task, plan.tree,
+             options.unfold ? contingent::Sharing::kUnfolded : contingent::Sharing::kOnce);
   text += fmt::format(
       "depth {}, {} leaves, {} branch points, {} actions in {} nodes; {}; {} knowledge states\n",
       size.depth, size.leaves, size.branch_points, size.actions, size.nodes, Word(plan.guarantee),

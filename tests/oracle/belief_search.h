@@ -11,9 +11,10 @@
 
 namespace assay::oracle {
 
-// Contingent planning the long way: beliefs are sets of worlds, one by one, and trees are looked for
-// with one action more each time. To be trusted for a few atoms without functions, effects whose
-// conditions are K of literals, sensing of single atoms, and deletions that are unconditional.
+// Contingent planning the long way: beliefs are sets of worlds, one by one, and trees are looked
+// for with one action more each time. To be trusted for a few atoms without functions, effects
+// whose conditions are K of literals, sensing of single atoms, and deletions that are
+// unconditional.
 class BeliefSearch {
  public:
   explicit BeliefSearch(const contingent::GroundTask& task) : task_(task) {}
@@ -42,8 +43,7 @@ class BeliefSearch {
       const auto& known = task_.initial.known;
       bool is_possible = std::all_of(known.begin(), known.end(), holds);
       for (const contingent::InitialRelation& relation : task_.initial.relations) {
-        const auto count =
-            std::count_if(relation.literals.begin(), relation.literals.end(), holds);
+        const auto count = std::count_if(relation.literals.begin(), relation.literals.end(), holds);
         is_possible &= count == 1 || (count > 1 && relation.is_inclusive);
       }
       if (is_possible) belief.insert(world);

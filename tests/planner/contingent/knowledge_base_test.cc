@@ -34,8 +34,9 @@ class Mind {
       all += fmt::format("\naction ask{} preconds: {} effects: add(Kf, r)", i, questions[i]);
     }
     // So that nothing is settled when the problem is grounded.
-    all += "\naction touch(?x: thing, ?y: thing) effects: add(Kf, p(?x)), add(Kf, q(?x)), "
-           "add(Kf, at(?x) = ?y), add(Kf, !r)";
+    all +=
+        "\naction touch(?x: thing, ?y: thing) effects: add(Kf, p(?x)), add(Kf, q(?x)), "
+        "add(Kf, at(?x) = ?y), add(Kf, !r)";
     const std::string problem =
         "problem test domain test objects: a, b, c: thing init: " + init + " goal: K(r)";
     task_ = std::make_unique<GroundTask>(GroundText(all, problem));
@@ -98,8 +99,8 @@ class Mind {
   KnowledgeState state_;
 };
 
-const std::vector<std::string> kAboutA = {"K(p(a))",   "K(!p(a))",   "Kw(p(a))",
-                                          "!K(p(a))",  "!K(!p(a))",  "!Kw(p(a))"};
+const std::vector<std::string> kAboutA = {"K(p(a))",  "K(!p(a))",  "Kw(p(a))",
+                                          "!K(p(a))", "!K(!p(a))", "!Kw(p(a))"};
 
 TEST(Queries, NothingIsKnownOfWhatIsNotSaid) {
   const Mind mind("add(Kf, p(b))", "", kAboutA);
@@ -156,7 +157,7 @@ TEST(Queries, QuantifiersRangeOverConstants) {
 
 TEST(Functions, HaveOneValueUnderUniqueNames) {
   const std::vector<std::string> questions = {"K(at(a) = b)", "K(at(a) = c)", "K(at(a) != c)",
-                                              "Kv(at(a))", "Kv(at(b))", "K(at(a) = at(b))"};
+                                              "Kv(at(a))",    "Kv(at(b))",    "K(at(a) = at(b))"};
   const Mind mind("add(Kf, at(a) = b)", "", questions);
   EXPECT_TRUE(mind.Holds("K(at(a) = b)"));
   EXPECT_FALSE(mind.Holds("K(at(a) = c)"));
@@ -326,10 +327,9 @@ TEST(Postdiction, ThePastPersistsUntilItIsChanged) {
 }
 
 TEST(Intervals, KnownByTheirEnds) {
-  const std::vector<std::string> questions = {"K(weight(a) > 2)",  "K(weight(a) >= 2)",
-                                              "K(weight(a) <= 4)", "K(weight(a) < 4)",
-                                              "K(weight(a) > 3)",  "Kw(weight(a) > 3)",
-                                              "Kw(weight(a) > 5)"};
+  const std::vector<std::string> questions = {
+      "K(weight(a) > 2)", "K(weight(a) >= 2)", "K(weight(a) <= 4)", "K(weight(a) < 4)",
+      "K(weight(a) > 3)", "Kw(weight(a) > 3)", "Kw(weight(a) > 5)"};
   const Mind mind("add(Kf, weight(a) = [2, 4])", "", questions);
   EXPECT_FALSE(mind.Holds("K(weight(a) > 2)"));
   EXPECT_TRUE(mind.Holds("K(weight(a) >= 2)"));

@@ -89,7 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"add(Kf, clean(?t))", "add(Kf, claen(?t))",
              "domain.pks:9:20: unknown predicate 'claen', did you mean 'clean'?; allowed: clean, "
              "idle"},
-        Slip{"clean(?t)", "clean(?x)", "domain.pks:9:26: unknown variable '?x', did you mean '?t'?; allowed: ?t"},
+        Slip{"clean(?t)", "clean(?x)",
+             "domain.pks:9:26: unknown variable '?x', did you mean '?t'?; allowed: ?t"},
         Slip{"clean(?t)", "clean(sink)",
              "domain.pks:9:26: this is of type 'place'; allowed: 'thing', as 'clean' is declared"},
         Slip{"clean(?t)", "clean(?t, ?t)",
@@ -98,8 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
              "domain.pks:9:16: unknown store 'Kq'; allowed: Kf, Kw, Kv, Kx or LCW"},
         Slip{"?t: thing", "?t: thnig", "domain.pks:7:13: unknown type 'thnig', did you mean "},
         Slip{"at(?t) = sink", "at(?t) > sink", "domain.pks:8:15: objects have no order"},
-        Slip{"at(?t) = sink", "at(?t) = 3",
-             "domain.pks:8:15: a number is compared with an object"},
+        Slip{"at(?t) = sink", "at(?t) = 3", "domain.pks:8:15: a number is compared with an object"},
         Slip{"at(?t) = sink", "weight(?t) > weight(?t)", "domain.pks:8:28: not a bound"},
         Slip{"at(?t) = sink", "clean(at(?t))", "domain.pks:8:21: a nested term"},
         Slip{"K(at(?t) = sink)", "extern(near(sink, sink))",
@@ -109,8 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"K(at(?t) = sink)", "Kv(clean)", "domain.pks:8:16: unknown constant 'clean'"},
         Slip{"K(at(?t) = sink)", "K(at(?t) = sink) &",
              "domain.pks:9:3: unexpected 'effects'; allowed: K(...), Kw(...)"},
-        Slip{"types: thing;", "types: thing; thing;",
-             "domain.pks:2:15: 'thing' is declared twice"},
+        Slip{"types: thing;", "types: thing; thing;", "domain.pks:2:15: 'thing' is declared twice"},
         Slip{"types: thing;", "types: thing: cup;", "domain.pks:2:8: type 'thing' is its own"},
         Slip{"idle", "idle, at(thing)", "domain.pks:4:12: 'at' is declared twice"},
         Slip{"domain test", "domian test", "domain.pks:1:1: unexpected 'domian'; allowed: 'domain"},
@@ -157,8 +156,7 @@ TEST(PksFile, DeepNestingIsRefused) {
 }
 
 TEST(PksFile, AnExternThatThrowsIsTheCallsError) {
-  const std::string domain =
-      Replaced(kDomain, "K(at(?t) = sink)", "K(extern(near(sink, sink)))");
+  const std::string domain = Replaced(kDomain, "K(at(?t) = sink)", "K(extern(near(sink, sink)))");
   Externs externs;
   externs.Add("near", [](std::span<const std::string>) -> bool {
     throw std::runtime_error("the arm is not there");
@@ -201,8 +199,9 @@ TEST(PksText, ReadsBack) {
 // ---- Mutations
 
 constexpr std::array<const char*, 24> kPieces = {
-    "(", ")", ",", ":", ";",  "&",     "|",     "!",     "=>",     "?o",      "?x: object", "K(",
-    "#", "[", "=", ">", "42", "add(Kf, ", "Kv(", "forallK(", "object", "number", "-",          "\n"};
+    "(",  ")",        ",",          ":",        ";",      "&",      "|", "!",
+    "=>", "?o",       "?x: object", "K(",       "#",      "[",      "=", ">",
+    "42", "add(Kf, ", "Kv(",        "forallK(", "object", "number", "-", "\n"};
 
 std::string Mutated(const std::string& text, RandomStream& random) {
   std::string mutated = text;

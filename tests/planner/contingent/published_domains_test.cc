@@ -40,7 +40,8 @@ INSTANTIATE_TEST_SUITE_P(
         // 10 steps through the tree of directories, 3 of its 4 leaves listed, mv.
         Known{"unix", "find-a-file", 14, 4},
         Known{"slippery-grasp", "hold-the-cup", 1, 1, Guarantee::kIfFair},
-        // At least 2 is in the jug, and a pour adds at least 1: two pours are enough without a look.
+        // At least 2 is in the jug, and a pour adds at least 1: two pours are enough without a
+        // look.
         Known{"pouring", "half-full-jug", 3, 1}),
     [](const testing::TestParamInfo<Known>& known) {
       std::string name = known.param.problem;
@@ -99,9 +100,8 @@ TEST(ForceSensing, ThePapersTree) {
 // What is known of a can that has been moved away matters no more: the tree of 2^n leaves has 5 n
 // actions and 6 n + 1 nodes.
 TEST(ForceSensing, SharedSubPlansGrowLinearly) {
-  for (const auto& [problem, cans] :
-       {std::pair("two-cans", 2), std::pair("three-cans", 3), std::pair("five-cans", 5),
-        std::pair("ten-cans", 10)}) {
+  for (const auto& [problem, cans] : {std::pair("two-cans", 2), std::pair("three-cans", 3),
+                                      std::pair("five-cans", 5), std::pair("ten-cans", 10)}) {
     const GroundTask task = GroundScenario("force-sensing", problem);
     const ContingentPlan plan = PlanFor(task, Wanted::kFirst);
     ASSERT_EQ(plan.outcome, Outcome::kFound);

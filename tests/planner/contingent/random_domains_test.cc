@@ -89,8 +89,8 @@ std::string RandomProblem(RandomStream& random) {
 
 class RandomDomains : public testing::TestWithParam<int> {
  protected:
-  // Calls `test` with tasks of this quarter until it has returned true so often; init that contradicts
-  // itself is redrawn.
+  // Calls `test` with tasks of this quarter until it has returned true so often; init that
+  // contradicts itself is redrawn.
   template <class Test>
   void ForTasks(int count, const Test& test) {
     int counted = 0;

@@ -49,7 +49,8 @@ class Lamp : public testing::Test {
   const GroundTask task_ = GroundText(
       "domain lamp predicates: lit, broken\n"
       "action look effects: add(Kw, lit)\n"
-      "action press preconds: K(!broken) effects: K(lit) => add(Kf, !lit); K(!lit) => add(Kf, lit)\n"
+      "action press preconds: K(!broken) effects: K(lit) => add(Kf, !lit); K(!lit) => add(Kf, "
+      "lit)\n"
       "action smash effects: add(Kf, !lit), add(Kf, broken)\n"
       "action shake effects: del(Kf, lit)\n"
       "action kick effects: del(Kf, lit), add(Kw, lit)\n",
