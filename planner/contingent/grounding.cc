@@ -16,6 +16,9 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
+// Ways to bind variables that are looked at, so that no file keeps the program busy for hours.
+constexpr std::int64_t kMostBindings = 20'000'000;
+
 // What a variable stands for: a constant, or the value of a function at run time.
 struct Value {
   std::string text;
@@ -311,7 +314,14 @@ class Grounder {
     return last;
   }
 
+  void CountBinding(Place place) {
+    if (++bindings_ > kMostBindings) {
+      Fail(place, "too many ways to bind variables", fmt::format("{}", kMostBindings));
+    }
+  }
+
   void BindFrom(const Action& action, const std::vector<EarlyTest>& tests, Bindings& bindings) {
+    CountBinding(action.place);
     const bool passes = std::all_of(tests.begin(), tests.end(), [&](const EarlyTest& test) {
       return test.after != bindings.size() || !KnownLiteral(*test.literal, bindings).IsFalse();
     });
@@ -399,6 +409,7 @@ class Grounder {
       return;
     }
     for (const std::string& constant : symbols_.ConstantsOf(variables[from].type)) {
+      CountBinding(variables[from].place);
       bindings.push_back({variables[from].name, {constant, FunctionId::None()}});
       ForEachBinding(variables, bindings, from + 1, use);
       bindings.pop_back();
@@ -741,6 +752,7 @@ class Grounder {
   GroundTask task_;
   AtomTable table_;
   const std::string* file_ = nullptr;  // of what is being grounded
+  std::int64_t bindings_ = 0;          // that have been looked at
   bool is_unsupported_ = false;        // a run-time variable stands where none may
 };
 
