@@ -27,7 +27,8 @@ enum class Wanted {
   kLeastDepth,  // looks at all states that are near enough: for small problems
 };
 
-// Plans at the knowledge level (Petrick and Bacchus 2002). The budget is in knowledge states. kNone
+// Plans at the knowledge level (Petrick and Bacchus 2002). The budget is in looks at a
+// knowledge state. kNone
 // is a proof: of all states that can be reached none leads surely to the goal, not even by repeats.
 ContingentPlan MakePlan(const GroundTask& task, Wanted wanted, Budget& budget);
 

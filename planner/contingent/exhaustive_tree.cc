@@ -12,6 +12,7 @@ namespace assay::contingent {
 namespace {
 
 constexpr int kFar = std::numeric_limits<int>::max();
+constexpr double kGrowth = 1.2;       // of the states, after which depths are computed again
 constexpr int kDeepestRepeat = 2000;  // nodes above each other, in a tree with repeats
 
 class Search {
@@ -20,9 +21,17 @@ class Search {
 
   ExhaustiveTree Run() {
     std::vector<StateId> layer = {initial_};
+    std::size_t goals = 0;
+    double states = 0;
     for (int depth = 0; !layer.empty(); ++depth) {
       layer = Expand(layer);
       if (space_.budget().Exhausted()) return {};
+      // Depths change with new goals, and seldom without: so they are not computed for every layer.
+      const auto states_now = static_cast<double>(transitions_.size());
+      const bool is_due = goals_.size() > goals || states_now > kGrowth * states;
+      if (!is_due && !layer.empty()) continue;
+      goals = goals_.size();
+      states = states_now;
       ComputeDepths();
       // Whatever tree is not deeper than this is made of states that have been looked at.
       if (DepthOf(initial_) <= depth) return {.tree = LeastDeepTree()};
@@ -45,12 +54,13 @@ class Search {
         goals_.push_back(state);
         continue;
       }
-      for (const Step& step : space_.StepsFrom(state)) {
-        auto transition = space_.Take(state, step);
-        if (!transition) continue;
-        std::vector<StateId>& to = step.kind == PlanNode::Kind::kAct ? next : states;
+      const std::size_t steps = space_.StepsFrom(state).size();
+      for (std::size_t step = 0; step < steps; ++step) {
+        const Transition* const transition = space_.Take(state, step);
+        if (transition == nullptr) continue;
+        std::vector<StateId>& to = CostOf(*transition) > 0 ? next : states;
         to.insert(to.end(), transition->outcomes.begin(), transition->outcomes.end());
-        transitions_[state].push_back(std::move(*transition));
+        transitions_[state].push_back(*transition);
       }
     }
     std::sort(next.begin(), next.end());

@@ -50,7 +50,7 @@ class Search {
     if (const auto solved = Solved(state)) return solved;
     if (failed_.contains(state) || !in_progress_.insert(state).second) return std::nullopt;
     std::optional<NodeId> plan;
-    while (!plan) {
+    while (!plan && !space_.budget().Exhausted()) {
       const auto way = FindWay(state);
       if (!way) break;
       plan = Complete(*way);
@@ -119,10 +119,11 @@ class Search {
     std::vector<StateId> reached = {from};
     for (std::size_t next = 0; next < reached.size() && next < kStatesWithoutSensing; ++next) {
       const StateId state = reached[next];
-      for (const Step& step : space_.StepsFrom(state)) {
-        if (step.kind != PlanNode::Kind::kAct || IsBanned(state, step)) continue;
-        const auto transition = space_.Take(state, step);
-        if (!transition) continue;
+      const std::vector<Step>& steps = space_.StepsFrom(state);
+      for (std::size_t s = 0; s < steps.size(); ++s) {
+        if (steps[s].kind != PlanNode::Kind::kAct || IsBanned(state, steps[s])) continue;
+        const Transition* const transition = space_.Take(state, s);
+        if (transition == nullptr) continue;
         const StateId outcome = transition->outcomes.front();
         if (failed_.contains(outcome) || in_progress_.contains(outcome)) continue;
         if (!arrivals.try_emplace(outcome, Arrival{state, *transition, 0}).second) continue;
@@ -155,13 +156,14 @@ class Search {
     while (!open.empty() && !space_.budget().Exhausted()) {
       Candidate here = open.top();
       open.pop();
-      for (const Step& step : space_.StepsFrom(here.state)) {
-        if (IsBanned(here.state, step) ||
-            IsHelpful(step, PlanFrom(here.state)) == here.is_helpful_taken) {
+      const std::vector<Step>& steps = space_.StepsFrom(here.state);
+      for (std::size_t s = 0; s < steps.size(); ++s) {
+        if (IsBanned(here.state, steps[s]) ||
+            IsHelpful(steps[s], PlanFrom(here.state)) == here.is_helpful_taken) {
           continue;
         }
-        const auto transition = space_.Take(here.state, step);
-        if (!transition) continue;
+        const Transition* const transition = space_.Take(here.state, s);
+        if (transition == nullptr) continue;
         for (std::size_t i = 0; i < transition->outcomes.size(); ++i) {
           const StateId outcome = transition->outcomes[i];
           if (failed_.contains(outcome) || in_progress_.contains(outcome)) continue;

@@ -48,7 +48,7 @@ class Enumerator {
       }
       result.worlds.push_back(std::move(world));
     }
-    AddNumbers(result);
+    AddNumbers(result, random);
     return result;
   }
 
@@ -159,10 +159,17 @@ class Enumerator {
     return {values.begin(), values.end()};
   }
 
-  void AddNumbers(InitialWorlds& result) const {
+  void AddNumbers(InitialWorlds& result, RandomStream& random) const {
     for (std::size_t slot = 0; slot < task_.initial.ranges.size(); ++slot) {
+      const std::vector<double> values = ValuesOf(slot);
+      const auto count = static_cast<int>(values.size());
+      if (static_cast<std::int64_t>(result.worlds.size()) * count > limit_) {
+        result.are_all = false;
+        for (World& world : result.worlds) world.numbers.push_back(values[random.Index(count)]);
+        continue;
+      }
       std::vector<World> more;
-      for (const double value : ValuesOf(slot)) {
+      for (const double value : values) {
         for (const World& world : result.worlds) {
           more.push_back(world);
           more.back().numbers.push_back(value);

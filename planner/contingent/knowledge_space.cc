@@ -27,11 +27,35 @@ StateId KnowledgeSpace::Intern(KnowledgeState state) {
   const StateId id(states_.size());
   states_.push_back(std::move(state));
   ids_.Insert(hash, id.index());
-  budget_.Spend();
   return id;
 }
 
-std::vector<Step> KnowledgeSpace::StepsFrom(StateId id) {
+KnowledgeSpace::Expansion& KnowledgeSpace::ExpansionOf(StateId id) {
+  const auto [entry, is_new] = expansions_.try_emplace(id);
+  Expansion& expansion = entry->second;
+  if (is_new) {
+    expansion.steps = FindSteps(id);
+    expansion.transitions.resize(expansion.steps.size());
+    expansion.is_tried.resize(expansion.steps.size(), false);
+  }
+  return expansion;
+}
+
+const std::vector<Step>& KnowledgeSpace::StepsFrom(StateId id) {
+  budget_.Spend();
+  return ExpansionOf(id).steps;
+}
+
+const Transition* KnowledgeSpace::Take(StateId id, std::size_t step) {
+  Expansion& expansion = ExpansionOf(id);
+  if (!expansion.is_tried[step]) {
+    expansion.is_tried[step] = true;
+    expansion.transitions[step] = Try(id, expansion.steps[step]);
+  }
+  return expansion.transitions[step] ? &*expansion.transitions[step] : nullptr;
+}
+
+std::vector<Step> KnowledgeSpace::FindSteps(StateId id) {
   const KnowledgeState& from = state(id);
   const FormulaId formula = knowledge_.FormulaToBranch(from);
   if (!formula.IsNone()) return {{.kind = PlanNode::Kind::kWhether, .formula = formula}};
@@ -47,7 +71,7 @@ std::vector<Step> KnowledgeSpace::StepsFrom(StateId id) {
   return steps;
 }
 
-std::optional<Transition> KnowledgeSpace::Take(StateId id, const Step& step) {
+std::optional<Transition> KnowledgeSpace::Try(StateId id, const Step& step) {
   Transition transition{.step = step};
   switch (step.kind) {
     case PlanNode::Kind::kGoal:

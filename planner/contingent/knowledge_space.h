@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "planner/base/budget.h"
@@ -35,7 +36,7 @@ PlanNode NodeOf(const Transition& transition, const std::vector<NodeId>& childre
 // The knowledge states that are met, each once, and the steps between them.
 class KnowledgeSpace {
  public:
-  // Each state that is met takes one unit of the budget.
+  // Each time that the steps from a state are asked for takes one unit of the budget.
   KnowledgeSpace(const GroundTask& task, Budget& budget);
 
   KnowledgeBase& knowledge() { return knowledge_; }
@@ -51,17 +52,29 @@ class KnowledgeSpace {
   // only step: at run time its truth is known from then on, so that nothing is lost by telling its
   // cases apart at once. A branch on a function's value is a choice: the value may as well be used
   // without being known (a run-time variable).
-  std::vector<Step> StepsFrom(StateId id);
-  // None if the step cannot be taken or changes nothing.
-  std::optional<Transition> Take(StateId id, const Step& step);
+  const std::vector<Step>& StepsFrom(StateId id);
+  // The step of this place in StepsFrom, which has been asked for. Null if it cannot be taken or
+  // changes nothing.
+  const Transition* Take(StateId id, std::size_t step);
 
  private:
+  // What is known of the steps from a state: all is found out once, and only if it is asked for.
+  struct Expansion {
+    std::vector<Step> steps;
+    std::vector<std::optional<Transition>> transitions;
+    std::vector<bool> is_tried;
+  };
+
   StateId Intern(KnowledgeState state);
+  Expansion& ExpansionOf(StateId id);
+  std::vector<Step> FindSteps(StateId id);
+  std::optional<Transition> Try(StateId id, const Step& step);
 
   KnowledgeBase knowledge_;
   Budget& budget_;
   std::deque<KnowledgeState> states_;
   algebra::InternTable ids_;
+  std::unordered_map<StateId, Expansion> expansions_;
 };
 
 }  // namespace assay::contingent

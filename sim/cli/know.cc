@@ -43,7 +43,7 @@ struct Options {
   bool unfold = false;
   bool check = false;
   std::int64_t worlds = contingent::TreeCheckOptions{}.worlds;
-  std::int64_t budget = 1'000'000;
+  std::int64_t budget = 10'000'000;
 };
 
 // What was found, and how.
@@ -191,7 +191,7 @@ Execution Declare(CLI::App& command) {
   CLI::Option* const json = command.add_flag("--json", options->json, "print the result as JSON");
   command.add_flag("--dot", options->dot, "print the tree for Graphviz")->excludes(json);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
-  command.add_option("--budget", options->budget, "how many knowledge states to look at")
+  command.add_option("--budget", options->budget, "how often to look at a knowledge state")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();
   return [options] { return Execute(*options); };

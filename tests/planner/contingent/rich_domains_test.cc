@@ -103,7 +103,7 @@ TEST_P(RichDomains, TreesHoldInEveryWorld) {
     const std::string message = MessageOf([&] {
       const GroundTask task = GroundText(domain, problem);
       for (const Wanted wanted : {Wanted::kFirst, Wanted::kLeastDepth}) {
-        const ContingentPlan plan = PlanFor(task, wanted, 2000);
+        const ContingentPlan plan = PlanFor(task, wanted, 500);
         if (plan.outcome != Outcome::kFound || SizeOf(plan.tree).nodes == 1) continue;
         ++planned;
         const TreeCheck check = CheckTree(task, plan.tree);
