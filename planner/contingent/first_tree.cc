@@ -16,11 +16,10 @@ namespace {
 // How many states to look at for a way without sensing to what has been completed.
 constexpr int kStatesWithoutSensing = 400;
 
-// A state on a way, the step from there, and which of its outcomes the way goes on with.
+// A state on a way, and the step from there, one of whose outcomes the way goes on with.
 struct Leg {
   StateId from;
   Transition transition;
-  std::size_t outcome = 0;
 };
 using Way = std::vector<Leg>;
 
@@ -82,12 +81,7 @@ class Search {
 
   // ---- One way, hoping for the best
 
-  struct Arrival {
-    StateId from;
-    Transition transition;
-    std::size_t outcome = 0;
-  };
-  using Arrivals = std::unordered_map<StateId, Arrival>;
+  using Arrivals = std::unordered_map<StateId, Leg>;  // by the state that the leg leads to
 
   std::optional<Way> FindWay(StateId from) {
     if (!sub_plans_.IsEmpty()) {
@@ -99,9 +93,8 @@ class Search {
   static Way WayTo(StateId to, StateId from, const Arrivals& arrivals) {
     Way way;
     while (to != from) {
-      const Arrival& arrival = arrivals.at(to);
-      way.push_back({arrival.from, arrival.transition, arrival.outcome});
-      to = arrival.from;
+      way.push_back(arrivals.at(to));
+      to = way.back().from;
     }
     std::reverse(way.begin(), way.end());
     return way;
@@ -126,7 +119,7 @@ class Search {
         if (transition == nullptr) continue;
         const StateId outcome = transition->outcomes.front();
         if (failed_.contains(outcome) || in_progress_.contains(outcome)) continue;
-        if (!arrivals.try_emplace(outcome, Arrival{state, *transition, 0}).second) continue;
+        if (!arrivals.try_emplace(outcome, Leg{state, *transition}).second) continue;
         if (Solved(outcome)) return WayTo(outcome, from, arrivals);
         reached.push_back(outcome);
       }
@@ -164,10 +157,9 @@ class Search {
         }
         const Transition* const transition = space_.Take(here.state, s);
         if (transition == nullptr) continue;
-        for (std::size_t i = 0; i < transition->outcomes.size(); ++i) {
-          const StateId outcome = transition->outcomes[i];
+        for (const StateId outcome : transition->outcomes) {
           if (failed_.contains(outcome) || in_progress_.contains(outcome)) continue;
-          if (!arrivals.try_emplace(outcome, Arrival{here.state, *transition, i}).second) continue;
+          if (!arrivals.try_emplace(outcome, Leg{here.state, *transition}).second) continue;
           if (Solved(outcome)) return WayTo(outcome, from, arrivals);
           open.push({PlanFrom(outcome).actions, false, ++order, outcome});
         }

@@ -75,7 +75,6 @@ struct GroundQuery {
   FormulaId formula;
   FunctionId function;
   std::vector<GroundQuery> operands;
-  Place place;
 
   bool IsTrue() const { return kind == Kind::kAnd && operands.empty(); }
   bool IsFalse() const { return kind == Kind::kOr && operands.empty(); }

@@ -39,7 +39,6 @@ class StateLayout {
         function_words_(Words(task.functions.size())) {}
 
   std::size_t size() const { return 2 * atom_words_ + formula_words_ + function_words_; }
-  std::size_t atom_words() const { return atom_words_; }
 
   bool IsKnown(const KnowledgeState& state, GroundLiteral literal) const {
     return Bit(state, At(literal), literal.atom.index());

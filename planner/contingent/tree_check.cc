@@ -124,7 +124,7 @@ class Runner {
   bool IsRepeated(NodeId id) const { return repeated_.contains(id); }
 
   void Branch(const PlanNode& node, History history) {
-    const auto cases = CasesOf(node, history);
+    const auto cases = CasesOf(node);
     for (std::size_t i = 0; i < cases.size(); ++i) {
       for (const GroundLiteral& literal : cases[i]) SplitBy(literal.atom, history.worlds);
     }
@@ -156,7 +156,7 @@ class Runner {
   }
 
   // By child what holds there, of a function; of a formula its literals alone.
-  std::vector<std::vector<GroundLiteral>> CasesOf(const PlanNode& node, const History&) const {
+  std::vector<std::vector<GroundLiteral>> CasesOf(const PlanNode& node) const {
     if (node.kind == PlanNode::Kind::kWhether) {
       return {task_.formulas[node.formula.index()].literals};
     }
