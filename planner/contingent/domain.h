@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,8 @@ struct Query {
   Kind kind = Kind::kAnd;
   std::vector<Literal> literals;
   std::vector<Term> terms;  // of kValueKnown: one
+  std::optional<double>
+      within;  // of kValueKnown: half the width of the interval it is known to be in
   std::vector<TypedName> variables;
   std::vector<Query> operands;
   Place place;
@@ -82,6 +85,7 @@ struct Change {
   // Kf: one. Kw: the conjunction. Kx: the alternatives. LCW: one, with free variables.
   std::vector<Literal> literals;
   std::vector<Term> terms;           // Kv: one
+  std::optional<double> within;      // Kv: the sensor errs by so much at most; not at all if none
   std::vector<TypedName> variables;  // LCW: free in the literal
   // Of Kx: one or more of the alternatives hold, written some(...), instead of exactly one.
   bool is_inclusive = false;

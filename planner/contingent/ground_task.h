@@ -29,6 +29,7 @@ struct Range {
   double high = 0;
   bool excludes_low = false;
   bool excludes_high = false;
+  double error = 0;  // of what is sensed of it, where it is in Kv
 
   bool operator==(const Range&) const = default;
 };
@@ -67,13 +68,14 @@ struct GroundQuery {
     kKnown,        // the literal is known
     kBoundKnown,   // the bound surely holds
     kSensed,       // the formula is in Kw
-    kValueSensed,  // the function is in Kv
+    kValueSensed,  // the function is in Kv, or a number; with an error of `within` at most
   };
   Kind kind = Kind::kAnd;
   GroundLiteral literal;
   Bound bound;
   FormulaId formula;
   FunctionId function;
+  std::optional<double> within;
   std::vector<GroundQuery> operands;
 
   bool IsTrue() const { return kind == Kind::kAnd && operands.empty(); }
@@ -107,6 +109,7 @@ struct GroundChange {
   bool is_inclusive = false;
   GroundSum sum = {};
   Bound bound = {};
+  double error = 0;  // of kSenseValue
 };
 
 struct GroundEffect {

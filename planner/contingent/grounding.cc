@@ -441,7 +441,8 @@ class Grounder {
       case Store::kValues:
         return {{.kind = change.is_addition ? GroundChange::Kind::kSenseValue
                                             : GroundChange::Kind::kUnsenseValue,
-                 .function = FunctionOf(change.terms.front(), bindings)}};
+                 .function = FunctionOf(change.terms.front(), bindings),
+                 .error = change.within.value_or(0)}};
       case Store::kExclusive:
         return RelationChanges(change, bindings);
       case Store::kClosed:
@@ -597,7 +598,7 @@ class Grounder {
       case Query::Kind::kKnownWhether:
         return KnownWhether(query, bindings);
       case Query::Kind::kValueKnown:
-        return ValueKnown(FunctionOf(query.terms.front(), bindings));
+        return ValueKnown(FunctionOf(query.terms.front(), bindings), query.within);
       case Query::Kind::kNot:
         return Not(QueryOf(query.operands.front(), bindings));
       case Query::Kind::kAnd:
@@ -635,10 +636,11 @@ class Grounder {
     return Join(GroundQuery::Kind::kOr, std::move(ways));
   }
 
-  GroundQuery ValueKnown(FunctionId function) {
+  GroundQuery ValueKnown(FunctionId function, std::optional<double> within = std::nullopt) {
     std::vector<GroundQuery> ways(1);
     ways.front().kind = GroundQuery::Kind::kValueSensed;
     ways.front().function = function;
+    ways.front().within = within;
     for (const AtomId value : task_.functions[function.index()].values) {
       ways.push_back(Known({value, true}));
     }

@@ -102,8 +102,11 @@ bool KnowledgeBase::Holds(const GroundQuery& query, const KnowledgeState& state)
       return layout_.IsSensed(state, query.formula);
     case GroundQuery::Kind::kValueSensed: {
       const int slot = task_.functions[query.function.index()].slot;
-      return layout_.IsSensed(state, query.function) ||
-             (slot >= 0 && state.ranges[slot].low == state.ranges[slot].high);
+      const bool is_sensed = layout_.IsSensed(state, query.function);
+      if (slot < 0) return is_sensed;
+      const Range& range = state.ranges[slot];
+      return range.high - range.low <= 2 * query.within.value_or(0) ||
+             (is_sensed && (!query.within || range.error <= *query.within));
     }
   }
   return false;
@@ -274,7 +277,7 @@ void KnowledgeBase::Apply(const GroundChange& change, const KnowledgeState& befo
     case GroundChange::Kind::kUnsense:
       return layout_.SetSensed(state, change.formula, false);
     case GroundChange::Kind::kSenseValue:
-      return layout_.SetSensed(state, change.function, true);
+      return SenseValue(state, change);
     case GroundChange::Kind::kUnsenseValue:
       return layout_.SetSensed(state, change.function, false);
     case GroundChange::Kind::kRelate:
@@ -288,6 +291,16 @@ void KnowledgeBase::Apply(const GroundChange& change, const KnowledgeState& befo
     case GroundChange::Kind::kForgetNumber:
       return ForgetNumber(state, change.function);
   }
+}
+
+void KnowledgeBase::SenseValue(KnowledgeState& state, const GroundChange& change) const {
+  const int slot = task_.functions[change.function.index()].slot;
+  if (slot >= 0) {
+    double& error = state.ranges[slot].error;
+    const bool is_sensed = layout_.IsSensed(state, change.function);
+    error = is_sensed ? std::min(error, change.error) : change.error;
+  }
+  layout_.SetSensed(state, change.function, true);
 }
 
 Range KnowledgeBase::SumOf(const GroundSum& sum, const KnowledgeState& state) const {

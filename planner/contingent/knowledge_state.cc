@@ -12,6 +12,7 @@ std::uint64_t HashOf(const KnowledgeState& state) {
     // Adding 0 makes one zero of the two.
     hash = algebra::MixedHash(hash, std::bit_cast<std::uint64_t>(range.low + 0.0));
     hash = algebra::MixedHash(hash, std::bit_cast<std::uint64_t>(range.high + 0.0));
+    hash = algebra::MixedHash(hash, std::bit_cast<std::uint64_t>(range.error + 0.0));
   }
   return hash;
 }

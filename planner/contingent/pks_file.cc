@@ -325,6 +325,7 @@ class Parser {
     } else if (store.text == "Kv") {
       change.store = Store::kValues;
       change.terms.push_back(ReadTerm());
+      change.within = ReadWithin();
     } else if (store.text == "Kx") {
       change.store = Store::kExclusive;
       ReadAlternatives(change);
@@ -410,6 +411,7 @@ class Parser {
     if (word == "Kv") {
       query.kind = Query::Kind::kValueKnown;
       query.terms.push_back(ReadTerm());
+      query.within = ReadWithin();
     } else {
       query.kind = word == "K" ? Query::Kind::kKnown : Query::Kind::kKnownWhether;
       query.literals = Conjunction();
@@ -511,6 +513,14 @@ class Parser {
       Expect(")");
     }
     return term;
+  }
+
+  std::optional<double> ReadWithin() {
+    if (!TakeWordIf("within")) return std::nullopt;
+    const Place place = Peek().place;
+    const double within = ReadNumber();
+    if (within < 0) Fail(place, fmt::format("an error of {}", within), "0 or more");
+    return within;
   }
 
   Interval ReadInterval() {

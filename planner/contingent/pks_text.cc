@@ -51,6 +51,10 @@ std::string TermText(const Term& term) {
   return "";
 }
 
+std::string ValueText(const Term& term, const std::optional<double>& within) {
+  return within ? fmt::format("{} within {}", TermText(term), *within) : TermText(term);
+}
+
 std::string LiteralText(const Literal& literal) {
   const std::string arguments = Joined(literal.arguments, ", ", TermText);
   const char* const sign = literal.is_positive ? "" : "!";
@@ -87,7 +91,7 @@ std::string QueryText(const Query& query) {
     case Query::Kind::kKnownWhether:
       return fmt::format("Kw({})", Joined(query.literals, " & ", LiteralText));
     case Query::Kind::kValueKnown:
-      return fmt::format("Kv({})", TermText(query.terms.front()));
+      return fmt::format("Kv({})", ValueText(query.terms.front(), query.within));
     case Query::Kind::kForAll:
     case Query::Kind::kExists:
       return fmt::format("{} ({}) {}", query.kind == Query::Kind::kForAll ? "forallK" : "existsK",
@@ -104,7 +108,7 @@ std::string ChangeText(const Change& change) {
     case Store::kWhether:
       return fmt::format("{}(Kw, {})", verb, Joined(change.literals, " & ", LiteralText));
     case Store::kValues:
-      return fmt::format("{}(Kv, {})", verb, TermText(change.terms.front()));
+      return fmt::format("{}(Kv, {})", verb, ValueText(change.terms.front(), change.within));
     case Store::kExclusive: {
       const std::string alternatives = Joined(change.literals, " | ", LiteralText);
       return fmt::format(

@@ -10,7 +10,8 @@ Regression::Regression(KnowledgeSpace& space)
       knowledge_(space.knowledge()),
       first_formula_(task().atoms.size()),
       first_function_(first_formula_ + task().formulas.size()),
-      aspects_(first_function_ + task().functions.size()) {}
+      first_range_(first_function_ + task().functions.size()),
+      aspects_(first_range_ + task().function_of_slot.size()) {}
 
 void Regression::Keep(Requirement& requirement, std::size_t aspect) const {
   if (requirement.same.empty()) requirement.same.resize(aspects_, false);
@@ -57,6 +58,13 @@ Requirement Regression::BeforeUpdates(const Requirement& after, StateId outcome)
     for (const GroundChange& change : update.changes) {
       if (!change.formula.IsNone()) Keep(before, AspectOf(change.formula));
       if (!change.function.IsNone()) Keep(before, AspectOf(change.function));
+      const bool is_number = change.kind == GroundChange::Kind::kAssign ||
+                             change.kind == GroundChange::Kind::kForgetNumber;
+      if (is_number) Keep(before, AspectOfRange(change.function));
+      if (!change.bound.function.IsNone()) Keep(before, AspectOfRange(change.bound.function));
+      for (const auto& [function, sign] : change.sum.functions) {
+        Keep(before, AspectOfRange(function));
+      }
       if (change.literal.atom.IsNone()) continue;
       const AtomId atom = change.literal.atom;
       Keep(before, AspectOf(atom));
@@ -106,9 +114,12 @@ void Regression::KeepAsked(const GroundQuery& query, Requirement& requirement) c
     case GroundQuery::Kind::kSensed:
       return Keep(requirement, AspectOf(query.formula));
     case GroundQuery::Kind::kValueSensed:
+      if (task().functions[query.function.index()].slot >= 0) {
+        Keep(requirement, AspectOfRange(query.function));
+      }
       return Keep(requirement, AspectOf(query.function));
     case GroundQuery::Kind::kBoundKnown:
-      return Keep(requirement, AspectOf(query.bound.function));
+      return Keep(requirement, AspectOfRange(query.bound.function));
     case GroundQuery::Kind::kAnd:
     case GroundQuery::Kind::kOr:
     case GroundQuery::Kind::kNot:
@@ -123,7 +134,7 @@ Requirement Regression::OfAction(StateId state, const GroundAction& action,
                                  const Requirement& after) {
   Requirement before;
   RegressWorlds(action, state, after, before);
-  RegressAspects(action, state, after, before);
+  RegressAspects(action, after, before);
   Require(action.precondition, state, before);
   return before;
 }
@@ -171,41 +182,51 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
   before.worlds = diagrams.Compose(before.worlds, now);
 }
 
+// What of a state the change settles, whatever it was before. A sensor's error is the least one so
+// far, and narrowing keeps what was known: they settle nothing.
+std::vector<std::size_t> Regression::AspectsOf(const GroundChange& change) const {
+  switch (change.kind) {
+    case GroundChange::Kind::kSet:
+    case GroundChange::Kind::kForget:
+      return {AspectOf(change.literal.atom)};
+    case GroundChange::Kind::kSense:
+    case GroundChange::Kind::kUnsense:
+      return {AspectOf(change.formula)};
+    case GroundChange::Kind::kSenseValue:
+      if (task().functions[change.function.index()].slot >= 0) return {};
+      return {AspectOf(change.function)};
+    case GroundChange::Kind::kUnsenseValue:
+      return {AspectOf(change.function)};
+    case GroundChange::Kind::kAssign:
+    case GroundChange::Kind::kForgetNumber:
+      return {AspectOf(change.function), AspectOfRange(change.function)};
+    case GroundChange::Kind::kRelate:
+    case GroundChange::Kind::kNarrow:
+      return {};
+  }
+  return {};
+}
+
 // What was kept after the action and what it sets is settled by the action; what it may set depends
 // on the effect's condition as well.
-void Regression::RegressAspects(const GroundAction& action, StateId state, const Requirement& after,
+void Regression::RegressAspects(const GroundAction& action, const Requirement& after,
                                 Requirement& before) {
   if (after.same.empty()) return;
   std::vector<bool> same = after.same;
   for (const GroundEffect& effect : action.effects) {
-    const bool happens = knowledge_.Holds(effect.condition, space_.state(state));
     for (const GroundChange& change : effect.changes) {
-      std::size_t aspect = aspects_;
-      switch (change.kind) {
-        case GroundChange::Kind::kSet:
-        case GroundChange::Kind::kForget:
-          aspect = AspectOf(change.literal.atom);
-          break;
-        case GroundChange::Kind::kSense:
-        case GroundChange::Kind::kUnsense:
-          aspect = AspectOf(change.formula);
-          break;
-        case GroundChange::Kind::kSenseValue:
-        case GroundChange::Kind::kUnsenseValue:
-        case GroundChange::Kind::kForgetNumber:
-          aspect = AspectOf(change.function);
-          break;
-        case GroundChange::Kind::kAssign:
-          for (const auto& [function, sign] : change.sum.functions) same[AspectOf(function)] = true;
-          continue;
-        case GroundChange::Kind::kRelate:
-          for (const GroundLiteral& l : change.literals) same[AspectOf(l.atom)] = true;
-          continue;
-        case GroundChange::Kind::kNarrow:
-          continue;
+      // A relation may say something of anything that is kept.
+      if (change.kind == GroundChange::Kind::kRelate) {
+        for (const GroundLiteral& l : change.literals) Keep(before, AspectOf(l.atom));
       }
-      if (same[aspect] && !effect.condition.IsTrue()) KeepAsked(effect.condition, before);
-      if (effect.condition.IsTrue() && happens) same[aspect] = false;
+      for (const std::size_t aspect : AspectsOf(change)) {
+        if (!after.same[aspect]) continue;
+        if (!effect.condition.IsTrue()) KeepAsked(effect.condition, before);
+        if (effect.condition.IsTrue()) same[aspect] = false;
+        for (const auto& [function, sign] : change.sum.functions) {
+          Keep(before, AspectOfRange(function));
+        }
+      }
     }
   }
   KeepAll(before, same);
@@ -233,7 +254,7 @@ Requirement Regression::OfFormula(StateId state, FormulaId formula, const Requir
   DecisionDiagrams& diagrams = knowledge_.diagrams();
   if (asked.bound) {
     before.worlds = diagrams.And(if_true.worlds, if_false.worlds);
-    Keep(before, AspectOf(asked.bound->function));
+    Keep(before, AspectOfRange(asked.bound->function));
   } else {
     Diagram where = kAllSets;
     for (const GroundLiteral& literal : asked.literals) {
@@ -285,11 +306,13 @@ bool Regression::Suits(const Requirement& requirement, StateId made_in, StateId 
     } else if (i < first_function_) {
       const FormulaId formula(i - first_formula_);
       if (layout.IsSensed(there, formula) != layout.IsSensed(here, formula)) return false;
-    } else {
+    } else if (i < first_range_) {
       const FunctionId function(i - first_function_);
       const int slot = task().functions[function.index()].slot;
       if (layout.IsSensed(there, function) != layout.IsSensed(here, function)) return false;
-      if (slot >= 0 && there.ranges[slot] != here.ranges[slot]) return false;
+      if (slot >= 0 && there.ranges[slot].error != here.ranges[slot].error) return false;
+    } else if (there.ranges[i - first_range_] != here.ranges[i - first_range_]) {
+      return false;
     }
   }
   return knowledge_.IsWithin(here, requirement.worlds);

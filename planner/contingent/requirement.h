@@ -36,6 +36,10 @@ class Regression {
   std::size_t AspectOf(AtomId atom) const { return atom.index(); }
   std::size_t AspectOf(FormulaId formula) const { return first_formula_ + formula.index(); }
   std::size_t AspectOf(FunctionId function) const { return first_function_ + function.index(); }
+  // The interval of a numeric function; AspectOf is what has been sensed of it.
+  std::size_t AspectOfRange(FunctionId function) const {
+    return first_range_ + task().functions[function.index()].slot;
+  }
   void Keep(Requirement& requirement, std::size_t aspect) const;
   bool Keeps(const Requirement& requirement, std::size_t aspect) const {
     return !requirement.same.empty() && requirement.same[aspect];
@@ -54,8 +58,8 @@ class Regression {
   void KeepAsked(const GroundQuery& query, Requirement& requirement) const;
   void RegressWorlds(const GroundAction& action, StateId state, const Requirement& after,
                      Requirement& before);
-  void RegressAspects(const GroundAction& action, StateId state, const Requirement& after,
-                      Requirement& before);
+  void RegressAspects(const GroundAction& action, const Requirement& after, Requirement& before);
+  std::vector<std::size_t> AspectsOf(const GroundChange& change) const;
   // If something of the atom's relation is kept, then all that branching on the atom depends on.
   void KeepRelation(AtomId atom, StateId state, Requirement& requirement);
 
@@ -63,6 +67,7 @@ class Regression {
   KnowledgeBase& knowledge_;
   std::size_t first_formula_;
   std::size_t first_function_;
+  std::size_t first_range_;
   std::size_t aspects_;
 };
 

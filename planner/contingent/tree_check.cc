@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -18,7 +19,7 @@ using Worlds = std::vector<World>;
 struct History {
   Worlds worlds;
   std::set<FormulaId> sensed;
-  std::set<FunctionId> values_sensed;
+  std::map<FunctionId, double> values_sensed;  // with their errors
   std::vector<std::string> steps;
 };
 
@@ -50,8 +51,9 @@ class Runner {
     History history;
     history.worlds = std::move(initial.worlds);
     history.sensed.insert(task_.initial.sensed.begin(), task_.initial.sensed.end());
-    history.values_sensed.insert(task_.initial.values_sensed.begin(),
-                                 task_.initial.values_sensed.end());
+    for (const FunctionId function : task_.initial.values_sensed) {
+      history.values_sensed[function] = 0;
+    }
     is_reached_.assign(tree_.nodes.size(), false);
     for (const PlanNode& node : tree_.nodes) {
       for (std::size_t i = 0; i < node.children.size(); ++i) {
@@ -301,9 +303,21 @@ class Runner {
       case GroundQuery::Kind::kSensed:
         return history.sensed.contains(query.formula);
       case GroundQuery::Kind::kValueSensed:
-        return history.values_sensed.contains(query.function);
+        return IsValueKnown(query, history);
     }
     return false;
+  }
+
+  bool IsValueKnown(const GroundQuery& query, const History& history) const {
+    const auto sensed = history.values_sensed.find(query.function);
+    const bool is_sensed = sensed != history.values_sensed.end();
+    if (is_sensed && (!query.within || sensed->second <= *query.within)) return true;
+    const int slot = task_.functions[query.function.index()].slot;
+    if (slot < 0) return false;
+    const auto [least, most] = std::minmax_element(
+        history.worlds.begin(), history.worlds.end(),
+        [&](const World& a, const World& b) { return a.numbers[slot] < b.numbers[slot]; });
+    return most->numbers[slot] - least->numbers[slot] <= 2 * query.within.value_or(0);
   }
 
   // Two worlds for each that leaves the atom open.
@@ -347,13 +361,15 @@ class Runner {
     for (const GroundEffect& effect : effects) {
       happens_in_all.push_back(IsKnown(effect.condition, history));
     }
-    std::set<FunctionId> sensed_values;
+    std::map<FunctionId, double> sensed_values;
     std::set<FormulaId> sensed;
     for (std::size_t e = 0; e < effects.size(); ++e) {
       if (!happens_in_all[e]) continue;
       for (const GroundChange& change : effects[e].changes) {
         if (change.kind == GroundChange::Kind::kSense) sensed.insert(change.formula);
-        if (change.kind == GroundChange::Kind::kSenseValue) sensed_values.insert(change.function);
+        if (change.kind == GroundChange::Kind::kSenseValue) {
+          sensed_values[change.function] = change.error;
+        }
       }
     }
     ForgetSensed(effects, happens_in_all, history);

@@ -37,7 +37,7 @@ class Checker {
         CheckConjunction(change.literals, scope);
         return;
       case Store::kValues:
-        for (Term& term : change.terms) CheckFunction(term, scope);
+        for (Term& term : change.terms) CheckValue(term, change.within.has_value(), scope);
         return;
       case Store::kExclusive:
         for (Literal& literal : change.literals) CheckObjectLiteral(literal, scope);
@@ -54,7 +54,7 @@ class Checker {
       for (Literal& literal : query.literals) CheckAsked(literal, scope);
     }
     if (query.kind == Query::Kind::kKnownWhether) CheckConjunction(query.literals, scope);
-    for (Term& term : query.terms) CheckFunction(term, scope);
+    for (Term& term : query.terms) CheckValue(term, query.within.has_value(), scope);
     for (Query& operand : query.operands) CheckQuery(operand, scope);
   }
 
@@ -214,11 +214,15 @@ class Checker {
     }
   }
 
-  void CheckFunction(Term& term, const Scope& scope) {
-    TypeOf(term, scope);
+  void CheckValue(Term& term, bool has_error, const Scope& scope) {
+    const std::string type = TypeOf(term, scope);
     if (term.kind != Term::Kind::kFunction) {
       Fail(term.place, "not a function",
            fmt::format("a term of {}", fmt::join(symbols_.FunctionNames(), ", ")));
+    }
+    if (has_error && type != kNumberType) {
+      Fail(term.place, "no number that could be known within an error",
+           "a function of type number");
     }
   }
 

@@ -365,6 +365,31 @@ TEST(Intervals, SensingSplitsAndActionsShift) {
   EXPECT_TRUE(light.Holds("K(weight(a) <= 3)"));
 }
 
+// A sensor that errs by e at most gives an interval of width 2 e at run time.
+TEST(Intervals, SensorsErr) {
+  const std::vector<std::string> questions = {"Kv(weight(a))", "Kv(weight(a) within 0.1)",
+                                              "Kv(weight(a) within 0.5)", "Kv(weight(a) within 1)"};
+  Mind mind("add(Kf, weight(a) = [2, 4])",
+            "action guess effects: add(Kv, weight(a) within 0.5)\n"
+            "action weigh effects: add(Kv, weight(a) within 0.1)\n"
+            "action fill effects: add(Kf, weight(a) = weight(a) + 1)\n",
+            questions);
+  const auto holds = [&] {
+    std::string text;
+    for (const std::string& question : questions) text += mind.Holds(question) ? '1' : '0';
+    return text;
+  };
+  EXPECT_EQ(holds(), "0001");  // 2 wide: within 1 already
+  mind.Do("guess");
+  EXPECT_EQ(holds(), "1011");
+  mind.Do("weigh");
+  EXPECT_EQ(holds(), "1111");
+  mind.Do("guess");  // takes nothing away
+  EXPECT_EQ(holds(), "1111");
+  mind.Do("fill");  // what was sensed is out of date
+  EXPECT_EQ(holds(), "0001");
+}
+
 // Equal knowledge is equal data, whatever way led to it.
 TEST(States, AreCanonical) {
   const std::string actions =

@@ -116,6 +116,10 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"externs:", "exterms:", "domain.pks:5:1: unknown section 'exterms'; allowed: types:"},
         Slip{"sink)", "sink) %", "domain.pks:8:30: unknown character '%'"},
         Slip{"at(?t) = sink", "weight(?t) > 1e999", "domain.pks:8:28: '1e999' is no number"},
+        Slip{"K(at(?t) = sink)", "Kv(at(?t) within 1)",
+             "domain.pks:8:16: no number that could be known within an error"},
+        Slip{"K(at(?t) = sink)", "Kv(weight(?t) within -1)",
+             "domain.pks:8:34: an error of -1; allowed: 0 or more"},
         Slip{"add(Kf, clean(?t))", "add(Kf, weight(?t) = [3, 2])",
              "domain.pks:9:34: the interval [3, 2] is empty"}));
 

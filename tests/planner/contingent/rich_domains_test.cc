@@ -51,7 +51,7 @@ std::string RandomEffect(RandomStream& random) {
     case 2:
       return Pick(random, {"add(Kw, p)", "add(Kw, q)", "add(Kw, q & r)", "add(Kw, n > 2)"});
     case 3:
-      return "add(Kv, f)";
+      return Pick(random, {"add(Kv, f)", "add(Kv, n within 0.2)", "add(Kv, n)"});
     case 4:
       return Pick(random, {"add(Kf, f = a)", "add(Kf, f = b)", "del(Kf, f = b)"});
     case 5:
@@ -86,8 +86,9 @@ std::string RandomProblem(RandomStream& random) {
         "add(Kx, some(q | !r))", "add(Kw, r)", "add(LCW, s)"}) {
     if (random.Index(3) == 0) init += std::string(", ") + fact;
   }
-  return fmt::format("problem rich domain rich init: {} goal: {} & {}", init, RandomQuery(random),
-                     Pick(random, {"K(s)", "K(t)", "Kw(q)", "Kv(f)", "K(n >= 3)"}));
+  return fmt::format(
+      "problem rich domain rich init: {} goal: {} & {}", init, RandomQuery(random),
+      Pick(random, {"K(s)", "K(t)", "Kw(q)", "Kv(f)", "K(n >= 3)", "Kv(n within 0.1)", "Kv(n)"}));
 }
 
 class RichDomains : public testing::TestWithParam<int> {};
