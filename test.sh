@@ -16,7 +16,7 @@ test_planner_only() {
 # The readers of files, under the address and undefined-behaviour sanitizers. By hand, for all tests:
 # cmake --preset asan-ubsan && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
 test_with_sanitizers() {
-  local libraries=(base algebra network domain plan)
+  local libraries=(base algebra network domain plan contingent)
   build asan-ubsan "${libraries[@]/%/_test}"
   ASSAY_MUTATIONS=10000 quietly ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${libraries[*]}"))\."
 }

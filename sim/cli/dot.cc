@@ -5,6 +5,7 @@
 #include <map>
 #include <tuple>
 
+#include "planner/contingent/tree_text.h"
 #include "sim/cli/plan_text.h"
 
 namespace assay::cli {
@@ -91,6 +92,45 @@ std::string ContactGraphToDot(const std::string& name, const finemotion::LocalTo
   }
   for (const auto& [dimension, states] : rows) {
     text += fmt::format("  {{ rank=same;{} }}  // {} dimensions\n", states, dimension);
+  }
+  return text + "}\n";
+}
+
+namespace {
+
+std::string LabelOf(const contingent::GroundTask& task, const contingent::PlanNode& node) {
+  switch (node.kind) {
+    case contingent::PlanNode::Kind::kGoal:
+      return "goal";
+    case contingent::PlanNode::Kind::kAct:
+      return TextOf(task.actions[node.action.index()]);
+    case contingent::PlanNode::Kind::kWhether:
+      return TextOf(task, task.formulas[node.formula.index()]) + "?";
+    case contingent::PlanNode::Kind::kValue:
+      return task.functions[node.function.index()].text + "?";
+  }
+  return "";
+}
+
+const char* ShapeOf(const contingent::PlanNode& node) {
+  if (node.kind == contingent::PlanNode::Kind::kGoal) return "ellipse";
+  return node.kind == contingent::PlanNode::Kind::kAct ? "box" : "diamond";
+}
+
+}  // namespace
+
+std::string PlanTreeToDot(const contingent::GroundTask& task, const contingent::PlanTree& tree) {
+  std::string text = "digraph plan {\n";
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    const contingent::PlanNode& node = tree.nodes[n];
+    text +=
+        fmt::format("  n{} [shape={}, label={}];\n", n, ShapeOf(node), Quoted(LabelOf(task, node)));
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      const bool branches = node.kind != contingent::PlanNode::Kind::kAct;
+      text += fmt::format("  n{} -> n{} [label={}{}];\n", n, node.children[i].index(),
+                          Quoted(branches ? OutcomeText(task, node, i) : ""),
+                          node.Repeats(i) ? ", style=dashed" : "");
+    }
   }
   return text + "}\n";
 }

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "planner/contingent/plan_tree.h"
 #include "planner/domain/problem.h"
 #include "planner/finemotion/mating.h"
 #include "planner/plan/plan.h"
@@ -20,5 +21,9 @@ std::string ConstraintNetworkToDot(const posting::PartialPlan& plan);
 // The contact states at a critical point, a row for each dimension, and an edge where one contact
 // is made or broken (Dakin and Popplestone, figure 4).
 std::string ContactGraphToDot(const std::string& name, const finemotion::LocalTopology& topology);
+
+// A contingent plan: a box for each action, a diamond for each branch, dashed where it goes back to
+// repeat what lies between.
+std::string PlanTreeToDot(const contingent::GroundTask& task, const contingent::PlanTree& tree);
 
 }  // namespace assay::cli

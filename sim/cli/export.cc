@@ -4,6 +4,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "planner/contingent/grounding.h"
+#include "planner/contingent/pddl_text.h"
+#include "planner/contingent/task_file.h"
 #include "sim/cli/console.h"
 #include "sim/cli/dot.h"
 #include "sim/cli/output_file.h"
@@ -26,6 +29,7 @@ struct Options {
   bool network = false;
   bool contacts = false;
   bool commands = false;
+  std::filesystem::path pddl;  // the problem of the domain `input`
 };
 
 void Deliver(const std::string& text, const Options& options) {
@@ -83,11 +87,27 @@ ExitCode ExportContacts(const Options& options) {
   return ExitCode::kDone;
 }
 
+// Two files beside each other, NAME-domain.pddl and NAME-problem.pddl, or both printed.
+ExitCode ExportPddl(const Options& options) {
+  const contingent::Task task = contingent::LoadTask(options.input, options.pddl);
+  contingent::Externs externs;
+  const contingent::PddlFiles files =
+      contingent::ToPddl(contingent::Ground(task.domain, task.problem, externs), task.problem.name,
+                         {options.input.string()});
+  if (options.output.empty()) {
+    Print(files.domain + files.problem);
+  } else {
+    WriteFile(options.output.string() + "-domain.pddl", files.domain);
+    WriteFile(options.output.string() + "-problem.pddl", files.problem);
+  }
+  return ExitCode::kDone;
+}
+
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command
       .add_option("scenario", options->input,
-                  "scenario file; for --dot and --commands also a plan file")
+                  "scenario file; for --dot and --commands also a plan file; for --pddl a domain")
       ->required();
   CLI::Option_group* const what = command.add_option_group("what");
   what->add_flag("--mjcf", options->mjcf, "the scene as a model for MuJoCo");
@@ -96,11 +116,14 @@ Execution Declare(CLI::App& command) {
   what->add_flag("--contacts", options->contacts,
                  "the contact states of the last mating at its first critical point, for Graphviz");
   what->add_flag("--commands", options->commands, "what the robot is told, command by command");
+  what->add_option("--pddl", options->pddl,
+                   "this contingent problem of a domain, and the domain, as contingent PDDL");
   what->require_option(1);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);
   return [options] {
+    if (!options->pddl.empty()) return ExportPddl(*options);
     RequireWritable(options->output);
     if (options->mjcf) return ExportMjcf(*options);
     if (options->contacts) return ExportContacts(*options);
@@ -113,8 +136,11 @@ Execution Declare(CLI::App& command) {
 
 const Verb kExport = {
     .name = "export",
-    .summary = "writes a scenario's scene, or graphs and commands of its plan",
-    .example = "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml",
+    .summary = "writes a scenario's scene, graphs and commands of its plan, or a domain as PDDL",
+    .example =
+        "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml\n"
+        "assay export scenarios/know/force-sensing.pks --pddl scenarios/know/two-cans.pks -o cans\n"
+        "  writes cans-domain.pddl and cans-problem.pddl",
     .declare = Declare,
 };
 

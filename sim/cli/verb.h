@@ -28,6 +28,7 @@ extern const Verb kCalibrate;
 extern const Verb kCheck;
 extern const Verb kDoctor;
 extern const Verb kExport;
+extern const Verb kKnow;
 extern const Verb kLabel;
 extern const Verb kList;
 extern const Verb kMate;

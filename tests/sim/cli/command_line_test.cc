@@ -12,9 +12,9 @@ using ::testing::HasSubstr;
 using ::testing::MatchesRegex;
 using ::testing::StartsWith;
 
-const std::vector<std::string> kVerbs = {"check", "sweep",     "replay", "plan",
-                                         "run",   "render",    "export", "label",
-                                         "bound", "calibrate", "doctor", "list"};
+const std::vector<std::string> kVerbs = {"check",  "sweep",  "replay", "plan",  "run",
+                                         "render", "export", "label",  "bound", "calibrate",
+                                         "doctor", "list",   "know"};
 
 TEST(Help, ListsVerbsAndExitCodes) {
   const Ended ended = Assay({"--help"});

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/base/budget.h"
+#include "planner/base/outcome.h"
+#include "planner/contingent/ground_task.h"
+#include "planner/contingent/plan_tree.h"
+
+namespace assay::contingent {
+
+enum class Guarantee {
+  kReachesGoal,  // in every world that the initial knowledge allows; nothing is said of its size
+  kLeastDepth,   // and no tree has fewer actions on its longest way
+  kIfFair,       // if no outcome of sensing is put off for ever; without repeats there is no plan
+};
+
+struct ContingentPlan {
+  Outcome outcome = Outcome::kNone;
+  PlanTree tree;  // at kFound
+  Guarantee guarantee = Guarantee::kReachesGoal;
+  std::int64_t states = 0;  // knowledge states that were met
+};
+
+enum class Wanted {
+  kFirst,       // found fast
+  kLeastDepth,  // looks at all states that are near enough: for small problems
+};
+
+// Plans at the knowledge level (Petrick and Bacchus 2002). The budget is in looks at a
+// knowledge state. kNone
+// is a proof: of all states that can be reached none leads surely to the goal, not even by repeats.
+ContingentPlan MakePlan(const GroundTask& task, Wanted wanted, Budget& budget);
+
+}  // namespace assay::contingent

@@ -1,0 +1,165 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/base/id.h"
+#include "planner/base/interval.h"
+#include "planner/contingent/domain.h"
+
+// A contingent planning problem without variables.
+namespace assay::contingent {
+
+using AtomId = Id<struct AtomTag>;          // p(a, b), or f(a) = b
+using FunctionId = Id<struct FunctionTag>;  // f(a)
+using FormulaId = Id<struct FormulaTag>;    // what Kw can hold
+using ActionId = Id<struct ActionTag>;
+
+struct GroundLiteral {
+  AtomId atom;
+  bool is_positive = true;
+
+  bool operator==(const GroundLiteral&) const = default;
+};
+
+// An interval whose ends may be excluded. Ends may be infinite.
+struct Range {
+  double low = 0;
+  double high = 0;
+  bool excludes_low = false;
+  bool excludes_high = false;
+  double error = 0;  // of what is sensed of it, where it is in Kv
+
+  bool operator==(const Range&) const = default;
+};
+
+// A numeric function compared with a number by <, <=, > or >=.
+struct Bound {
+  FunctionId function;
+  Relation relation = Relation::kLess;
+  double value = 0;
+
+  bool operator==(const Bound&) const = default;
+};
+
+// A conjunction of literals, or one bound.
+struct Formula {
+  std::vector<GroundLiteral> literals;
+  std::optional<Bound> bound;
+
+  bool operator==(const Formula&) const = default;
+};
+
+// f(a). Of objects: one atom for each constant of its range. Numeric: where knowledge states keep
+// its interval.
+struct GroundFunction {
+  std::string text;
+  std::vector<AtomId> values;
+  std::vector<std::string> constants;  // of the values
+  int slot = -1;                       // of the interval; -1 unless numeric
+};
+
+struct GroundQuery {
+  enum class Kind {
+    kAnd,  // of none: true
+    kOr,   // of none: false
+    kNot,
+    kKnown,        // the literal is known
+    kBoundKnown,   // the bound surely holds
+    kSensed,       // the formula is in Kw
+    kValueSensed,  // the function is in Kv, or a number; with an error of `within` at most
+  };
+  Kind kind = Kind::kAnd;
+  GroundLiteral literal;
+  Bound bound;
+  FormulaId formula;
+  FunctionId function;
+  std::optional<double> within;
+  std::vector<GroundQuery> operands;
+
+  bool IsTrue() const { return kind == Kind::kAnd && operands.empty(); }
+  bool IsFalse() const { return kind == Kind::kOr && operands.empty(); }
+};
+
+// constant + the sum of the functions, each with its sign.
+struct GroundSum {
+  Interval constant;
+  std::vector<std::pair<FunctionId, int>> functions;
+};
+
+struct GroundChange {
+  enum class Kind {
+    kSet,           // the literal is made true: add(Kf, l)
+    kForget,        // the atom may be anything now: del(Kf, l)
+    kSense,         // add(Kw, formula)
+    kUnsense,       // del(Kw, formula)
+    kSenseValue,    // add(Kv, f)
+    kUnsenseValue,  // del(Kv, f)
+    kRelate,        // add(Kx, ...): exactly one, or at least one, of the literals holds
+    kAssign,        // add(Kf, f = sum)
+    kNarrow,        // add(Kf, f < number)
+    kForgetNumber,  // del(Kf, f = ...)
+  };
+  Kind kind = Kind::kSet;
+  GroundLiteral literal = {};
+  FormulaId formula = {};
+  FunctionId function = {};
+  std::vector<GroundLiteral> literals = {};
+  bool is_inclusive = false;
+  GroundSum sum = {};
+  Bound bound = {};
+  double error = 0;  // of kSenseValue
+};
+
+struct GroundEffect {
+  GroundQuery condition;
+  // The condition asks K of literals alone: then the effect is one of the world, "where the
+  // condition is true, the changes happen", whether that is known or not.
+  bool is_of_worlds = false;
+  std::vector<GroundChange> changes;
+};
+
+struct GroundAction {
+  std::string name;
+  std::vector<std::string> arguments;            // constants, or function terms: run-time variables
+  std::vector<FunctionId> run_time_values = {};  // by argument; none for constants
+  GroundQuery precondition;
+  std::vector<GroundEffect> effects;
+};
+
+// Exactly one, or at least one, of the literals holds.
+struct InitialRelation {
+  std::vector<GroundLiteral> literals;
+  bool is_inclusive = false;
+  FilePlace place;
+};
+
+// What is known at first. Atoms that are in neither list are unknown.
+struct InitialKnowledge {
+  std::vector<GroundLiteral> known;
+  std::vector<InitialRelation> relations;
+  std::vector<FormulaId> sensed;
+  std::vector<FunctionId> values_sensed;
+  std::vector<Range> ranges;  // by slot
+};
+
+struct GroundTask {
+  std::vector<std::string> atoms;            // their texts
+  std::vector<FunctionId> function_of_atom;  // f of f(a) = b; none for predicates
+  std::vector<GroundFunction> functions;
+  std::vector<FunctionId> function_of_slot;
+  std::vector<Formula> formulas;
+  std::vector<GroundAction> actions;
+  std::vector<GroundEffect> updates;
+  InitialKnowledge initial;
+  GroundQuery goal;
+};
+
+// "isSpillable(can1)", "!p & q", "weight(can1) > 2".
+std::string TextOf(const GroundTask& task, const GroundLiteral& literal);
+std::string TextOf(const GroundTask& task, const Formula& formula);
+std::string TextOf(const GroundAction& action);
+std::string_view TextOf(Relation relation);
+
+}  // namespace assay::contingent

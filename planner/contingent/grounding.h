@@ -1,0 +1,20 @@
+#pragma once
+
+#include "planner/contingent/domain.h"
+#include "planner/contingent/externs.h"
+#include "planner/contingent/ground_task.h"
+
+namespace assay::contingent {
+
+// The task without variables. Queries of what is known from the first and never changes are
+// answered, externs are asked, and actions whose precondition cannot hold are left out.
+//
+// A parameter ?x with a precondition K(?x = f(a)) stands for each constant, and, if some action
+// comes to know f(a), for the value that f(a) has at run time (a run-time variable): then its
+// argument is the text of f(a), the precondition asks Kv(f(a)), and ?x may stand in equalities
+// alone.
+//
+// Checks types first (type_check.h). Throws InputError where domain or problem are wrong.
+GroundTask Ground(Domain domain, Problem problem, Externs& externs);
+
+}  // namespace assay::contingent

@@ -1,0 +1,196 @@
+#include "planner/contingent/initial_worlds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "planner/base/random.h"
+
+namespace assay::contingent {
+namespace {
+
+using Choice = std::vector<Truth>;  // of the atoms of a group
+
+// Atoms that relations name together, directly or by others, with all ways to choose them.
+struct Group {
+  std::vector<int> atoms;
+  std::vector<Choice> choices;
+};
+
+class Enumerator {
+ public:
+  Enumerator(const GroundTask& task, std::int64_t limit) : task_(task), limit_(limit) {
+    relations_of_.resize(task.atoms.size());
+    known_.assign(task.atoms.size(), Truth::kEither);
+    for (const GroundLiteral& l : task.initial.known) {
+      known_[l.atom.index()] = l.is_positive ? Truth::kTrue : Truth::kFalse;
+    }
+    MakeGroups();
+    for (Group& group : groups_) Choose(group);
+  }
+
+  InitialWorlds Run(std::uint64_t seed) {
+    InitialWorlds result;
+    double count = 1;
+    for (const Group& group : groups_) count *= static_cast<double>(group.choices.size());
+    result.are_all = is_complete_ && count <= static_cast<double>(limit_);
+    RandomStream random(seed, "worlds");
+    const auto worlds = static_cast<std::int64_t>(std::min(count, static_cast<double>(limit_)));
+    for (std::int64_t w = 0; w < worlds; ++w) {
+      World world{known_, {}};
+      std::int64_t rest = w;
+      for (const Group& group : groups_) {
+        const auto size = static_cast<std::int64_t>(group.choices.size());
+        Put(group, result.are_all ? rest % size : random.Index(static_cast<int>(size)), world);
+        rest /= size;
+      }
+      result.worlds.push_back(std::move(world));
+    }
+    AddNumbers(result, random);
+    return result;
+  }
+
+ private:
+  void MakeGroups() {
+    std::vector<int> group_of(task_.atoms.size());
+    std::iota(group_of.begin(), group_of.end(), 0);
+    const auto find = [&](int atom) {
+      while (group_of[atom] != atom) atom = group_of[atom] = group_of[group_of[atom]];
+      return atom;
+    };
+    for (const InitialRelation& relation : task_.initial.relations) {
+      for (const GroundLiteral& l : relation.literals) {
+        group_of[find(l.atom.index())] = find(relation.literals.front().atom.index());
+      }
+    }
+    std::map<int, Group> by_root;
+    std::set<int> named;
+    for (const InitialRelation& relation : task_.initial.relations) {
+      Group& group = by_root[find(relation.literals.front().atom.index())];
+      for (const GroundLiteral& l : relation.literals) {
+        relations_of_[l.atom.index()].push_back(&relation);
+        if (named.insert(l.atom.index()).second) group.atoms.push_back(l.atom.index());
+      }
+    }
+    for (auto& [root, group] : by_root) groups_.push_back(std::move(group));
+  }
+
+  void Choose(Group& group) {
+    std::vector<Truth> world = known_;
+    ChooseFrom(group, 0, world);
+  }
+
+  void ChooseFrom(Group& group, std::size_t next, std::vector<Truth>& world) {
+    if (static_cast<std::int64_t>(group.choices.size()) > 4 * limit_) {
+      is_complete_ = false;
+      return;
+    }
+    if (next == group.atoms.size()) {
+      Choice choice;
+      for (const int atom : group.atoms) choice.push_back(world[atom]);
+      group.choices.push_back(std::move(choice));
+      return;
+    }
+    const int atom = group.atoms[next];
+    for (const Truth truth : {Truth::kTrue, Truth::kFalse}) {
+      if (known_[atom] != Truth::kEither && known_[atom] != truth) continue;
+      world[atom] = truth;
+      if (CanHold(atom, world)) ChooseFrom(group, next + 1, world);
+    }
+    world[atom] = known_[atom];
+  }
+
+  // No relation of the atom, and no function's single value, is broken already.
+  bool CanHold(int atom, const std::vector<Truth>& world) const {
+    const FunctionId function = task_.function_of_atom[atom];
+    if (!function.IsNone() && world[atom] == Truth::kTrue) {
+      for (const AtomId value : task_.functions[function.index()].values) {
+        if (value.index() != atom && world[value.index()] == Truth::kTrue) return false;
+      }
+    }
+    const std::vector<const InitialRelation*>& relations = relations_of_[atom];
+    return std::all_of(relations.begin(), relations.end(),
+                       [&](const InitialRelation* r) { return CanHold(*r, world); });
+  }
+
+  static bool CanHold(const InitialRelation& relation, const std::vector<Truth>& world) {
+    int holding = 0;
+    int open = 0;
+    for (const GroundLiteral& l : relation.literals) {
+      const Truth truth = world[l.atom.index()];
+      if (truth == Truth::kEither) ++open;
+      if (truth == (l.is_positive ? Truth::kTrue : Truth::kFalse)) ++holding;
+    }
+    return holding + open >= 1 && (relation.is_inclusive || holding <= 1);
+  }
+
+  static void Put(const Group& group, std::int64_t choice, World& world) {
+    for (std::size_t i = 0; i < group.atoms.size(); ++i) {
+      world.atoms[group.atoms[i]] = group.choices[choice][i];
+    }
+  }
+
+  // Values at which comparisons can differ.
+  std::vector<double> ValuesOf(std::size_t slot) const {
+    const Range& range = task_.initial.ranges[slot];
+    std::set<double> marks;
+    for (const double end : {range.low, range.high}) {
+      if (std::isfinite(end)) marks.insert(end);
+    }
+    for (const Formula& formula : task_.formulas) {
+      if (formula.bound &&
+          task_.functions[formula.bound->function.index()].slot == static_cast<int>(slot)) {
+        marks.insert(formula.bound->value);
+      }
+    }
+    if (marks.empty()) marks.insert(0);
+    std::set<double> values = marks;
+    for (auto mark = marks.begin(); std::next(mark) != marks.end(); ++mark) {
+      values.insert((*mark + *std::next(mark)) / 2);
+    }
+    values.insert(*marks.begin() - 1);
+    values.insert(*marks.rbegin() + 1);
+    std::erase_if(values, [&](double v) {
+      return v < range.low || v > range.high || (v == range.low && range.excludes_low) ||
+             (v == range.high && range.excludes_high);
+    });
+    return {values.begin(), values.end()};
+  }
+
+  void AddNumbers(InitialWorlds& result, RandomStream& random) const {
+    for (std::size_t slot = 0; slot < task_.initial.ranges.size(); ++slot) {
+      const std::vector<double> values = ValuesOf(slot);
+      const auto count = static_cast<int>(values.size());
+      if (static_cast<std::int64_t>(result.worlds.size()) * count > limit_) {
+        result.are_all = false;
+        for (World& world : result.worlds) world.numbers.push_back(values[random.Index(count)]);
+        continue;
+      }
+      std::vector<World> more;
+      for (const double value : values) {
+        for (const World& world : result.worlds) {
+          more.push_back(world);
+          more.back().numbers.push_back(value);
+        }
+      }
+      result.worlds = std::move(more);
+    }
+  }
+
+  const GroundTask& task_;
+  std::int64_t limit_;
+  std::vector<Truth> known_;
+  std::vector<std::vector<const InitialRelation*>> relations_of_;  // by atom
+  std::vector<Group> groups_;
+  bool is_complete_ = true;
+};
+
+}  // namespace
+
+InitialWorlds EnumerateWorlds(const GroundTask& task, std::int64_t limit, std::uint64_t seed) {
+  return Enumerator(task, limit).Run(seed);
+}
+
+}  // namespace assay::contingent

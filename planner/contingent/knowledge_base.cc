@@ -1,0 +1,555 @@
+#include "planner/contingent/knowledge_base.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <utility>
+
+#include "planner/algebra/interval_arithmetic.h"
+#include "planner/base/check.h"
+#include "planner/contingent/variable_order.h"
+
+namespace assay::contingent {
+namespace {
+
+bool IsUpper(Relation relation) {
+  return relation == Relation::kLess || relation == Relation::kLessOrEqual;
+}
+
+bool IsStrict(Relation relation) {
+  return relation == Relation::kLess || relation == Relation::kGreater;
+}
+
+bool SurelyHolds(const Bound& bound, const Range& range) {
+  const double end = IsUpper(bound.relation) ? range.high : range.low;
+  const bool excludes = IsUpper(bound.relation) ? range.excludes_high : range.excludes_low;
+  if (end == bound.value) return excludes || !IsStrict(bound.relation);
+  return IsUpper(bound.relation) ? end < bound.value : end > bound.value;
+}
+
+Bound Negation(Bound bound) {
+  switch (bound.relation) {
+    case Relation::kLess:
+      bound.relation = Relation::kGreaterOrEqual;
+      break;
+    case Relation::kLessOrEqual:
+      bound.relation = Relation::kGreater;
+      break;
+    case Relation::kGreater:
+      bound.relation = Relation::kLessOrEqual;
+      break;
+    case Relation::kGreaterOrEqual:
+      bound.relation = Relation::kLess;
+      break;
+    case Relation::kPredicate:
+    case Relation::kExtern:
+    case Relation::kEqual:
+      break;
+  }
+  return bound;
+}
+
+}  // namespace
+
+KnowledgeBase::KnowledgeBase(const GroundTask& task)
+    : task_(task),
+      layout_(task),
+      places_(PlacesOfAtoms(task)),
+      atom_at_(task.atoms.size()),
+      formulas_of_atom_(task.atoms.size()) {
+  for (std::size_t i = 0; i < places_.size(); ++i) atom_at_[places_[i]] = AtomId(i);
+  for (std::size_t f = 0; f < task.formulas.size(); ++f) {
+    for (const GroundLiteral& literal : task.formulas[f].literals) {
+      formulas_of_atom_[literal.atom.index()].push_back(FormulaId(f));
+    }
+  }
+}
+
+KnowledgeState KnowledgeBase::Initial() {
+  KnowledgeState state;
+  state.bits.assign(layout_.size(), 0);
+  state.ranges = task_.initial.ranges;
+  for (const GroundLiteral& literal : task_.initial.known) layout_.SetKnown(state, literal);
+  for (const InitialRelation& relation : task_.initial.relations) {
+    if (!Relate(state, relation.literals, relation.is_inclusive)) {
+      throw InputError(relation.place, "this contradicts what is known",
+                       "alternatives that can hold together with the rest of init");
+    }
+  }
+  for (const FormulaId formula : task_.initial.sensed) layout_.SetSensed(state, formula, true);
+  for (const FunctionId f : task_.initial.values_sensed) layout_.SetSensed(state, f, true);
+  ApplyUpdates(state);
+  Canonicalize(state);
+  return state;
+}
+
+// ---- Queries
+
+bool KnowledgeBase::Holds(const GroundQuery& query, const KnowledgeState& state) const {
+  const auto holds = [&](const GroundQuery& operand) { return Holds(operand, state); };
+  switch (query.kind) {
+    case GroundQuery::Kind::kAnd:
+      return std::all_of(query.operands.begin(), query.operands.end(), holds);
+    case GroundQuery::Kind::kOr:
+      return std::any_of(query.operands.begin(), query.operands.end(), holds);
+    case GroundQuery::Kind::kNot:
+      return !holds(query.operands.front());
+    case GroundQuery::Kind::kKnown:
+      return layout_.IsKnown(state, query.literal);
+    case GroundQuery::Kind::kBoundKnown:
+      return BoundHolds(query.bound, state);
+    case GroundQuery::Kind::kSensed:
+      return layout_.IsSensed(state, query.formula);
+    case GroundQuery::Kind::kValueSensed: {
+      const int slot = task_.functions[query.function.index()].slot;
+      const bool is_sensed = layout_.IsSensed(state, query.function);
+      if (slot < 0) return is_sensed;
+      const Range& range = state.ranges[slot];
+      return range.high - range.low <= 2 * query.within.value_or(0) ||
+             (is_sensed && (!query.within || range.error <= *query.within));
+    }
+  }
+  return false;
+}
+
+bool KnowledgeBase::BoundHolds(const Bound& bound, const KnowledgeState& state) const {
+  return SurelyHolds(bound, state.ranges[task_.functions[bound.function.index()].slot]);
+}
+
+bool KnowledgeBase::IsDetermined(const Formula& formula, const KnowledgeState& state) const {
+  if (formula.bound) {
+    return BoundHolds(*formula.bound, state) || BoundHolds(Negation(*formula.bound), state);
+  }
+  bool are_all_true = true;
+  for (const GroundLiteral& literal : formula.literals) {
+    if (layout_.IsKnown(state, {literal.atom, !literal.is_positive})) return true;
+    are_all_true &= layout_.IsKnown(state, literal);
+  }
+  return are_all_true;
+}
+
+Diagram KnowledgeBase::WorldsWhere(const GroundQuery& condition) {
+  if (condition.kind == GroundQuery::Kind::kKnown) return WorldsWhere(condition.literal);
+  const bool is_and = condition.kind == GroundQuery::Kind::kAnd;
+  Diagram worlds = is_and ? kAllSets : kEmptySet;
+  for (const GroundQuery& operand : condition.operands) {
+    const Diagram of_operand = WorldsWhere(operand);
+    worlds = is_and ? diagrams_.And(worlds, of_operand) : diagrams_.Or(worlds, of_operand);
+  }
+  return worlds;
+}
+
+Diagram KnowledgeBase::Restricted(Diagram worlds, const KnowledgeState& state) {
+  std::vector<Assignment> known;
+  for (const int variable : diagrams_.Support(worlds)) {
+    for (const bool value : {true, false}) {
+      if (layout_.IsKnown(state, {AtomOf(variable), value})) known.push_back({variable, value});
+    }
+  }
+  return diagrams_.Restrict(worlds, known);
+}
+
+Diagram KnowledgeBase::RelationsWith(const KnowledgeState& state, Diagram of) {
+  KnowledgeState rest = state;
+  return TakeRelations(rest, diagrams_.Support(of));
+}
+
+bool KnowledgeBase::IsWithin(const KnowledgeState& state, Diagram worlds) {
+  // Most sets are decided by what is known, without looking at more of them.
+  while (!diagrams_.IsConstant(worlds)) {
+    const AtomId atom = AtomOf(diagrams_.variable(worlds));
+    if (layout_.IsKnown(state, {atom, true})) {
+      worlds = diagrams_.high(worlds);
+    } else if (layout_.IsKnown(state, {atom, false})) {
+      worlds = diagrams_.low(worlds);
+    } else {
+      break;
+    }
+  }
+  const Diagram restricted = Restricted(worlds, state);
+  if (diagrams_.IsConstant(restricted)) return restricted == kAllSets;
+  return diagrams_.Implies(RelationsWith(state, restricted), restricted);
+}
+
+Diagram KnowledgeBase::RelationOf(const KnowledgeState& state, AtomId atom) {
+  for (const Diagram relation : state.relations) {
+    const std::vector<int>& support = diagrams_.Support(relation);
+    if (std::binary_search(support.begin(), support.end(), Variable(atom))) return relation;
+  }
+  return kAllSets;
+}
+
+// ---- Actions
+
+std::optional<KnowledgeState> KnowledgeBase::After(const GroundAction& action,
+                                                   const KnowledgeState& state) {
+  KnowledgeState next = state;
+  if (!Apply(ChangesOf(action.effects, state), state, next)) return std::nullopt;
+  if (!ApplyUpdates(next)) return std::nullopt;
+  Canonicalize(next);
+  return next;
+}
+
+KnowledgeBase::Changes KnowledgeBase::ChangesOf(const std::vector<GroundEffect>& effects,
+                                                const KnowledgeState& state) {
+  Changes changes;
+  for (const GroundEffect& effect : effects) {
+    bool is_certain = Holds(effect.condition, state);
+    if (!is_certain && effect.is_of_worlds) {
+      const Diagram where = Restricted(WorldsWhere(effect.condition), state);
+      const Diagram relations = RelationsWith(state, where);
+      is_certain = diagrams_.Implies(relations, where);
+      if (!is_certain && diagrams_.And(relations, where) != kEmptySet) {
+        for (const GroundChange& change : effect.changes) AddPossible(change, where, changes);
+      }
+    }
+    if (!is_certain) continue;
+    for (const GroundChange& change : effect.changes) changes.certain.push_back(&change);
+  }
+  // What surely becomes false stays so only where nothing makes it true.
+  std::erase_if(changes.certain, [&](const GroundChange* change) {
+    const bool becomes_false =
+        change->kind == GroundChange::Kind::kSet && !change->literal.is_positive;
+    const auto possible = changes.possible.find(change->literal.atom);
+    if (!becomes_false || possible == changes.possible.end()) return false;
+    possible->second.becomes_false = kAllSets;
+    return true;
+  });
+  return changes;
+}
+
+void KnowledgeBase::AddPossible(const GroundChange& change, Diagram where, Changes& changes) {
+  switch (change.kind) {
+    case GroundChange::Kind::kSet: {
+      Possible& possible = changes.possible[change.literal.atom];
+      Diagram& becomes =
+          change.literal.is_positive ? possible.becomes_true : possible.becomes_false;
+      becomes = diagrams_.Or(becomes, where);
+      return;
+    }
+    case GroundChange::Kind::kForget:
+    case GroundChange::Kind::kForgetNumber:
+    case GroundChange::Kind::kUnsense:
+    case GroundChange::Kind::kUnsenseValue:
+      changes.certain.push_back(&change);
+      return;
+    case GroundChange::Kind::kAssign:
+      changes.unsettled.push_back(change.function);
+      return;
+    case GroundChange::Kind::kSense:
+    case GroundChange::Kind::kSenseValue:
+    case GroundChange::Kind::kRelate:
+    case GroundChange::Kind::kNarrow:
+      return;  // nothing may have been learned
+  }
+}
+
+bool KnowledgeBase::Apply(const Changes& changes, const KnowledgeState& before,
+                          KnowledgeState& state) {
+  if (!changes.possible.empty()) ApplyPossible(changes.possible, state);
+  for (const FunctionId function : changes.unsettled) ForgetNumber(state, function);
+  // What becomes true wins over what becomes false, as in PDDL; what is sensed is sensed after all
+  // that.
+  const auto rank = [](const GroundChange& change) {
+    if (change.kind == GroundChange::Kind::kForget) return 0;
+    if (change.kind == GroundChange::Kind::kSet) return change.literal.is_positive ? 2 : 1;
+    return change.kind == GroundChange::Kind::kRelate ? 4 : 3;
+  };
+  for (int now = 0; now < 4; ++now) {
+    for (const GroundChange* change : changes.certain) {
+      if (rank(*change) == now) Apply(*change, before, state);
+    }
+  }
+  return std::all_of(changes.certain.begin(), changes.certain.end(), [&](const GroundChange* c) {
+    return rank(*c) != 4 || Relate(state, c->literals, c->is_inclusive);
+  });
+}
+
+void KnowledgeBase::Apply(const GroundChange& change, const KnowledgeState& before,
+                          KnowledgeState& state) {
+  switch (change.kind) {
+    case GroundChange::Kind::kSet:
+      return Set(state, change.literal);
+    case GroundChange::Kind::kForget:
+      return Forget(state, change.literal.atom);
+    case GroundChange::Kind::kSense:
+      return layout_.SetSensed(state, change.formula, true);
+    case GroundChange::Kind::kUnsense:
+      return layout_.SetSensed(state, change.formula, false);
+    case GroundChange::Kind::kSenseValue:
+      return SenseValue(state, change);
+    case GroundChange::Kind::kUnsenseValue:
+      return layout_.SetSensed(state, change.function, false);
+    case GroundChange::Kind::kRelate:
+      return;
+    case GroundChange::Kind::kAssign:
+      layout_.SetSensed(state, change.function, false);
+      state.ranges[task_.functions[change.function.index()].slot] = SumOf(change.sum, before);
+      return;
+    case GroundChange::Kind::kNarrow:
+      return Learn(state, change.bound);
+    case GroundChange::Kind::kForgetNumber:
+      return ForgetNumber(state, change.function);
+  }
+}
+
+void KnowledgeBase::SenseValue(KnowledgeState& state, const GroundChange& change) const {
+  const int slot = task_.functions[change.function.index()].slot;
+  if (slot >= 0) {
+    double& error = state.ranges[slot].error;
+    const bool is_sensed = layout_.IsSensed(state, change.function);
+    error = is_sensed ? std::min(error, change.error) : change.error;
+  }
+  layout_.SetSensed(state, change.function, true);
+}
+
+Range KnowledgeBase::SumOf(const GroundSum& sum, const KnowledgeState& state) const {
+  Interval total = sum.constant;
+  Range result;
+  for (const auto& [function, sign] : sum.functions) {
+    const Range& range = state.ranges[task_.functions[function.index()].slot];
+    const Interval interval{range.low, range.high};
+    total = algebra::operator+(total, sign > 0 ? interval : algebra::operator-(interval));
+    result.excludes_low |= sign > 0 ? range.excludes_low : range.excludes_high;
+    result.excludes_high |= sign > 0 ? range.excludes_high : range.excludes_low;
+  }
+  result.low = total.low;
+  result.high = total.high;
+  return result;
+}
+
+// The image of the relations under "x becomes true where A, false where D": the new x, for the time
+// being a variable of its own, is A | (x & !D); then the old x is no matter any more. The relations
+// come first: they keep the diagrams small.
+void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
+                                  KnowledgeState& state) {
+  std::vector<int> variables;
+  std::vector<Diagram> changes;
+  for (const auto& [atom, where] : possible) {
+    const Diagram old = Restricted(WorldsWhere({atom, true}), state);
+    const Diagram now =
+        diagrams_.Or(where.becomes_true, diagrams_.And(old, diagrams_.Not(where.becomes_false)));
+    changes.push_back(diagrams_.Equal(diagrams_.Literal({Variable(atom) + 1, true}), now));
+    const std::vector<int>& of_change = diagrams_.Support(changes.back());
+    variables.insert(variables.end(), of_change.begin(), of_change.end());
+    variables.push_back(Variable(atom));
+    UnsenseWith(state, atom);
+  }
+  Diagram image = TakeRelations(state, variables);
+  for (const Diagram change : changes) image = diagrams_.And(image, change);
+  std::unordered_map<int, Diagram> renamed;
+  for (const auto& [atom, where] : possible) {
+    image = diagrams_.Exists(image, Variable(atom));
+    renamed[Variable(atom) + 1] = WorldsWhere({atom, true});
+    layout_.SetUnknown(state, atom);
+  }
+  const bool can_hold = PutRelation(state, diagrams_.Compose(image, renamed));
+  ASSAY_CHECK(can_hold, "an effect left no world");
+}
+
+bool KnowledgeBase::ApplyUpdates(KnowledgeState& state) {
+  // Each round makes a change of Kf that no round before has made, or is the last; a rule that
+  // undoes another's change would go on for ever, which the limit ends.
+  const std::size_t rounds = task_.updates.empty() ? 0 : task_.atoms.size() + 1;
+  for (std::size_t round = 0; round < rounds; ++round) {
+    const KnowledgeState before = state;
+    for (const GroundEffect& update : task_.updates) {
+      if (!Holds(update.condition, state)) continue;
+      Changes changes;
+      for (const GroundChange& change : update.changes) changes.certain.push_back(&change);
+      const KnowledgeState now = state;
+      if (!Apply(changes, now, state)) return false;
+    }
+    Canonicalize(state);
+    if (state == before) break;
+  }
+  return true;
+}
+
+void KnowledgeBase::Canonicalize(KnowledgeState& state) const {
+  std::sort(state.relations.begin(), state.relations.end());
+  for (std::size_t f = 0; f < task_.formulas.size(); ++f) {
+    const FormulaId formula(f);
+    if (layout_.IsSensed(state, formula) && IsDetermined(task_.formulas[f], state)) {
+      layout_.SetSensed(state, formula, false);
+    }
+  }
+  for (std::size_t f = 0; f < task_.functions.size(); ++f) {
+    const FunctionId function(f);
+    if (!layout_.IsSensed(state, function)) continue;
+    const std::vector<AtomId>& values = task_.functions[f].values;
+    const bool is_known = std::any_of(values.begin(), values.end(), [&](AtomId value) {
+      return layout_.IsKnown(state, {value, true});
+    });
+    if (is_known) layout_.SetSensed(state, function, false);
+  }
+}
+
+// ---- Changes of Kf and Kx
+
+void KnowledgeBase::UnsenseWith(KnowledgeState& state, AtomId atom) {
+  for (const FormulaId formula : formulas_of_atom_[atom.index()]) {
+    layout_.SetSensed(state, formula, false);
+  }
+  const FunctionId function = task_.function_of_atom[atom.index()];
+  if (!function.IsNone()) layout_.SetSensed(state, function, false);
+}
+
+void KnowledgeBase::Unrelate(KnowledgeState& state, AtomId atom) {
+  const Diagram relation = RelationOf(state, atom);
+  if (relation == kAllSets) return;
+  std::erase(state.relations, relation);
+  PutRelation(state, diagrams_.Exists(relation, Variable(atom)));
+}
+
+void KnowledgeBase::Set(KnowledgeState& state, GroundLiteral literal) {
+  UnsenseWith(state, literal.atom);
+  if (layout_.IsUndetermined(state, literal.atom)) Unrelate(state, literal.atom);
+  layout_.SetKnown(state, literal);
+}
+
+void KnowledgeBase::Forget(KnowledgeState& state, AtomId atom) {
+  UnsenseWith(state, atom);
+  if (layout_.IsUndetermined(state, atom)) Unrelate(state, atom);
+  layout_.SetUnknown(state, atom);
+}
+
+void KnowledgeBase::ForgetNumber(KnowledgeState& state, FunctionId function) const {
+  layout_.SetSensed(state, function, false);
+  state.ranges[task_.functions[function.index()].slot] = {-algebra::kInfinity, algebra::kInfinity,
+                                                          false, false};
+}
+
+bool KnowledgeBase::Relate(KnowledgeState& state, const std::vector<GroundLiteral>& literals,
+                           bool is_inclusive) {
+  const Diagram relation = Restricted(WorldsWhere(literals, is_inclusive), state);
+  const std::vector<int>& variables = diagrams_.Support(relation);
+  return PutRelation(state, diagrams_.And(relation, TakeRelations(state, variables)));
+}
+
+Diagram KnowledgeBase::WorldsWhere(const std::vector<GroundLiteral>& literals, bool is_inclusive) {
+  std::vector<Assignment> assignments;
+  assignments.reserve(literals.size());
+  for (const GroundLiteral& l : literals) {
+    assignments.push_back({Variable(l.atom), l.is_positive});
+  }
+  return is_inclusive ? diagrams_.AtLeastOne(assignments) : diagrams_.ExactlyOne(assignments);
+}
+
+Diagram KnowledgeBase::TakeRelations(KnowledgeState& state, const std::vector<int>& wanted) {
+  Diagram all = kAllSets;
+  std::erase_if(state.relations, [&](Diagram relation) {
+    const std::vector<int>& support = diagrams_.Support(relation);
+    const bool shares = std::any_of(wanted.begin(), wanted.end(), [&](int variable) {
+      return std::binary_search(support.begin(), support.end(), variable);
+    });
+    if (shares) all = diagrams_.And(all, relation);
+    return shares;
+  });
+  return all;
+}
+
+bool KnowledgeBase::PutRelation(KnowledgeState& state, Diagram relation) {
+  if (relation == kEmptySet) return false;
+  const std::vector<Assignment> known = diagrams_.Essential(relation);
+  relation = diagrams_.Restrict(relation, known);
+  if (relation != kAllSets) {
+    state.relations.insert(
+        std::lower_bound(state.relations.begin(), state.relations.end(), relation), relation);
+  }
+  for (const Assignment& a : known) Learn(state, {AtomOf(a.variable), a.value});
+  return true;
+}
+
+void KnowledgeBase::Learn(KnowledgeState& state, GroundLiteral literal) {
+  if (!layout_.IsUndetermined(state, literal.atom)) return;
+  const Diagram relation = RelationOf(state, literal.atom);
+  layout_.SetKnown(state, literal);
+  if (relation != kAllSets) {
+    std::erase(state.relations, relation);
+    const bool can_hold = PutRelation(
+        state, diagrams_.Cofactor(relation, {Variable(literal.atom), literal.is_positive}));
+    ASSAY_CHECK(can_hold, "learned what cannot be: {}", TextOf(task_, literal));
+  }
+  // A function has one value (unique names).
+  const FunctionId function = task_.function_of_atom[literal.atom.index()];
+  if (!literal.is_positive || function.IsNone()) return;
+  for (const AtomId value : task_.functions[function.index()].values) {
+    if (value != literal.atom) Learn(state, {value, false});
+  }
+}
+
+void KnowledgeBase::Learn(KnowledgeState& state, const Bound& bound) const {
+  if (BoundHolds(bound, state)) return;
+  Range& range = state.ranges[task_.functions[bound.function.index()].slot];
+  (IsUpper(bound.relation) ? range.high : range.low) = bound.value;
+  (IsUpper(bound.relation) ? range.excludes_high : range.excludes_low) = IsStrict(bound.relation);
+}
+
+// ---- Branches
+
+GroundLiteral KnowledgeBase::UndeterminedLiteral(FormulaId formula,
+                                                 const KnowledgeState& state) const {
+  for (const GroundLiteral& literal : task_.formulas[formula.index()].literals) {
+    if (layout_.IsUndetermined(state, literal.atom)) return literal;
+  }
+  return {};
+}
+
+FormulaId KnowledgeBase::FormulaToBranch(const KnowledgeState& state) const {
+  for (std::size_t f = 0; f < task_.formulas.size(); ++f) {
+    const FormulaId formula(f);
+    if (!layout_.IsSensed(state, formula)) continue;
+    const std::vector<GroundLiteral>& literals = task_.formulas[f].literals;
+    const auto undetermined = std::count_if(
+        literals.begin(), literals.end(),
+        [&](const GroundLiteral& literal) { return layout_.IsUndetermined(state, literal.atom); });
+    if (undetermined == 1 || task_.formulas[f].bound) return formula;
+  }
+  return FormulaId::None();
+}
+
+std::vector<AtomId> KnowledgeBase::PossibleValues(FunctionId function,
+                                                  const KnowledgeState& state) const {
+  std::vector<AtomId> possible;
+  for (const AtomId value : task_.functions[function.index()].values) {
+    if (!layout_.IsKnown(state, {value, false})) possible.push_back(value);
+  }
+  return possible;
+}
+
+std::vector<FunctionId> KnowledgeBase::FunctionsToBranch(const KnowledgeState& state) {
+  std::vector<FunctionId> functions;
+  for (std::size_t f = 0; f < task_.functions.size(); ++f) {
+    const FunctionId function(f);
+    if (!layout_.IsSensed(state, function) || task_.functions[f].slot >= 0) continue;
+    std::vector<Assignment> values;
+    for (const AtomId value : PossibleValues(function, state)) {
+      values.push_back({Variable(value), true});
+    }
+    if (IsWithin(state, diagrams_.AtLeastOne(values))) functions.push_back(function);
+  }
+  return functions;
+}
+
+KnowledgeState KnowledgeBase::Learned(const KnowledgeState& state, FormulaId formula, bool value) {
+  if (const std::optional<Bound>& bound = task_.formulas[formula.index()].bound) {
+    KnowledgeState next = state;
+    Learn(next, value ? *bound : Negation(*bound));
+    ApplyUpdates(next);
+    Canonicalize(next);
+    return next;
+  }
+  const GroundLiteral literal = UndeterminedLiteral(formula, state);
+  return Learned(state, {literal.atom, literal.is_positive == value});
+}
+
+KnowledgeState KnowledgeBase::Learned(const KnowledgeState& state, GroundLiteral literal) {
+  KnowledgeState next = state;
+  Learn(next, literal);
+  ApplyUpdates(next);
+  Canonicalize(next);
+  return next;
+}
+
+}  // namespace assay::contingent

@@ -1,0 +1,76 @@
+#include "planner/contingent/plan_tree.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace assay::contingent {
+namespace {
+
+// The nodes below the root, children before parents but for repeats.
+std::vector<NodeId> PostOrder(const PlanTree& tree) {
+  std::vector<NodeId> order;
+  std::vector<char> is_seen(tree.nodes.size(), 0);
+  std::vector<std::pair<NodeId, std::size_t>> path = {{tree.root, 0}};
+  is_seen[tree.root.index()] = 1;
+  while (!path.empty()) {
+    auto& [id, next] = path.back();
+    const std::vector<NodeId>& children = tree.node(id).children;
+    if (next == children.size()) {
+      order.push_back(id);
+      path.pop_back();
+      continue;
+    }
+    const NodeId child = children[next++];
+    if (std::exchange(is_seen[child.index()], 1) == 0) path.emplace_back(child, 0);
+  }
+  return order;
+}
+
+}  // namespace
+
+TreeSize SizeOf(const PlanTree& tree) {
+  struct Below {
+    int depth = 0;
+    double leaves = 0;
+    double branch_points = 0;
+  };
+  std::vector<Below> below(tree.nodes.size());
+  TreeSize size;
+  for (const NodeId id : PostOrder(tree)) {
+    const PlanNode& node = tree.node(id);
+    Below& here = below[id.index()];
+    const bool acts = node.kind == PlanNode::Kind::kAct;
+    if (node.kind == PlanNode::Kind::kGoal) here.leaves = 1;
+    if (node.children.size() > 1) here.branch_points = 1;
+    for (std::size_t i = 0; i < node.children.size(); ++i) {
+      if (node.Repeats(i)) continue;
+      const Below& child = below[node.children[i].index()];
+      here.depth = std::max(here.depth, child.depth + (acts ? 1 : 0));
+      here.leaves += child.leaves;
+      here.branch_points += child.branch_points;
+    }
+    ++size.nodes;
+    size.actions += acts ? 1 : 0;
+    size.repeats += static_cast<int>(std::count(node.repeats.begin(), node.repeats.end(), true));
+  }
+  const Below& root = below[tree.root.index()];
+  size.depth = root.depth;
+  size.leaves = root.leaves;
+  size.branch_points = root.branch_points;
+  return size;
+}
+
+PlanTree Trimmed(const PlanTree& tree) {
+  PlanTree trimmed;
+  std::vector<NodeId> renumbered(tree.nodes.size());
+  const std::vector<NodeId> order = PostOrder(tree);
+  for (std::size_t i = 0; i < order.size(); ++i) renumbered[order[i].index()] = NodeId(i);
+  for (const NodeId id : order) {
+    trimmed.nodes.push_back(tree.node(id));
+    for (NodeId& child : trimmed.nodes.back().children) child = renumbered[child.index()];
+  }
+  trimmed.root = renumbered[tree.root.index()];
+  return trimmed;
+}
+
+}  // namespace assay::contingent

@@ -1,0 +1,6 @@
+problem five-cans
+domain force-sensing
+
+objects: can1, can2, can3, can4, can5: object
+init: add(Kf, handEmpty), add(LCW, isGrasped(?o)), add(LCW, isRemoved(?o))
+goal: forallK(?o: object) (K(isRemoved(?o)) & K(!isGrasped(?o)))

@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "planner/contingent/contingent_planner.h"
+#include "planner/contingent/grounding.h"
+#include "planner/contingent/task_file.h"
+#include "planner/contingent/tree_check.h"
+#include "planner/contingent/tree_file.h"
+#include "planner/contingent/tree_text.h"
+#include "sim/cli/console.h"
+#include "sim/cli/dot.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/stopwatch.h"
+#include "sim/cli/usage_error.h"
+#include "sim/cli/verb.h"
+
+namespace assay::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using contingent::ContingentPlan;
+using contingent::GroundTask;
+using contingent::Guarantee;
+using contingent::TreeCheck;
+using contingent::TreeSize;
+
+constexpr double kMostUnfolded = 10'000;  // leaves
+
+struct Options {
+  std::filesystem::path domain;
+  std::filesystem::path problem;
+  std::filesystem::path output;
+  bool shortest = false;
+  bool json = false;
+  bool dot = false;
+  bool unfold = false;
+  bool check = false;
+  std::int64_t worlds = contingent::TreeCheckOptions{}.worlds;
+  std::int64_t budget = 10'000'000;
+};
+
+// What was found, and how.
+struct Answer {
+  GroundTask task;
+  ContingentPlan plan;
+  std::optional<TreeCheck> check;
+  double seconds = 0;
+};
+
+std::string Word(Guarantee guarantee) {
+  switch (guarantee) {
+    case Guarantee::kReachesGoal:
+      return "reaches the goal";
+    case Guarantee::kLeastDepth:
+      return "least depth";
+    case Guarantee::kIfFair:
+      return "reaches the goal if repeats end";
+  }
+  return "";
+}
+
+std::string Word(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kFound:
+      return "planned";
+    case Outcome::kNone:
+      return "none";
+    case Outcome::kBudget:
+      return "budget";
+  }
+  return "";
+}
+
+Answer MakeAnswer(const Options& options) {
+  const contingent::Task task = contingent::LoadTask(options.domain, options.problem);
+  const Progress progress("planning " + options.problem.string());
+  const Stopwatch stopwatch;
+  contingent::Externs externs;
+  Answer answer;
+  answer.task = contingent::Ground(task.domain, task.problem, externs);
+  Budget budget(options.budget);
+  answer.plan = contingent::MakePlan(
+      answer.task, options.shortest ? contingent::Wanted::kLeastDepth : contingent::Wanted::kFirst,
+      budget);
+  answer.seconds = stopwatch.Seconds();
+  if (options.check && answer.plan.outcome == Outcome::kFound) {
+    answer.check = contingent::CheckTree(answer.task, answer.plan.tree, {.worlds = options.worlds});
+  }
+  return answer;
+}
+
+Json ToJson(const TreeCheck& check) {
+  Json json = {{"holds", check.holds},
+               {"worlds", check.worlds},
+               {"all", check.are_all_worlds},
+               {"unreached", check.unreached.size()}};
+  if (!check.holds) json["failure"] = check.failure;
+  return json;
+}
+
+std::string JsonText(const Answer& answer) {
+  Json json = {{"outcome", Word(answer.plan.outcome)}};
+  if (answer.plan.outcome == Outcome::kFound) {
+    const TreeSize size = contingent::SizeOf(answer.plan.tree);
+    json["guarantee"] = Word(answer.plan.guarantee);
+    json["tree"] = contingent::ToJson(answer.task, answer.plan.tree);
+    json["depth"] = size.depth;
+    json["leaves"] = size.leaves;
+    json["branch_points"] = size.branch_points;
+    json["actions"] = size.actions;
+    json["nodes"] = size.nodes;
+    json["repeats"] = size.repeats;
+  }
+  if (answer.check) json["check"] = ToJson(*answer.check);
+  json["expanded"] = answer.plan.states;
+  json["seconds"] = answer.seconds;
+  return json.dump(2) + "\n";
+}
+
+std::string CheckText(const TreeCheck& check) {
+  if (!check.holds) return fmt::format("check: FAILS: {}\n", check.failure);
+  return fmt::format(
+      "check: holds in {} of the worlds that the initial knowledge allows ({}){}\n",
+      check.are_all_worlds ? "all" : "a sample", check.worlds,
+      check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
+}
+
+std::string PlanText(const Answer& answer, const Options& options) {
+  const ContingentPlan& plan = answer.plan;
+  if (plan.outcome == Outcome::kNone) return "There is no plan.\n";
+  if (plan.outcome == Outcome::kBudget) {
+    return fmt::format("No plan within {} knowledge states.\n", options.budget);
+  }
+  const TreeSize size = contingent::SizeOf(plan.tree);
+  if (options.unfold && size.leaves > kMostUnfolded) {
+    throw UsageError(fmt::format("know: --unfold: the tree has {} leaves; at most {} are told",
+                                 size.leaves, kMostUnfolded));
+  }
+  std::string text =
+      TextOf(answer.task, plan.tree,
+             options.unfold ? contingent::Sharing::kUnfolded : contingent::Sharing::kOnce);
+  text += fmt::format(
+      "depth {}, {} leaves, {} branch points, {} actions in {} nodes; {}; {} knowledge states\n",
+      size.depth, size.leaves, size.branch_points, size.actions, size.nodes, Word(plan.guarantee),
+      plan.states);
+  if (answer.check) text += CheckText(*answer.check);
+  return text;
+}
+
+ExitCode Execute(const Options& options) {
+  RequireWritable(options.output);
+  const Answer answer = MakeAnswer(options);
+  const bool is_found = answer.plan.outcome == Outcome::kFound;
+  std::string text;
+  if (options.json) {
+    text = JsonText(answer);
+  } else if (options.dot && is_found) {
+    text = PlanTreeToDot(answer.task, answer.plan.tree);
+  } else {
+    text = PlanText(answer, options);
+  }
+  if (options.output.empty()) {
+    Print(text);
+  } else {
+    WriteFile(options.output, text);
+  }
+  if (answer.check && !answer.check->holds) return ExitCode::kFailed;
+  return ExitCodeOf(answer.plan.outcome);
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("domain", options->domain, "domain, .pks or .pddl")->required();
+  command.add_option("problem", options->problem, "problem in the same language")->required();
+  command.add_flag("--shortest", options->shortest,
+                   "the tree of least depth; looks at all states that are near enough");
+  command.add_flag("--check", options->check,
+                   "run the tree in every world that the initial knowledge allows");
+  command
+      .add_option("--worlds", options->worlds, "how many worlds to run; of more, as many are drawn")
+      ->check(CLI::Range(1, 100'000'000))
+      ->capture_default_str();
+  command.add_flag("--unfold", options->unfold, "tell shared sub-plans in each branch");
+  CLI::Option* const json = command.add_flag("--json", options->json, "print the result as JSON");
+  command.add_flag("--dot", options->dot, "print the tree for Graphviz")->excludes(json);
+  command.add_option("-o,--output", options->output, "write to this file instead of printing");
+  command.add_option("--budget", options->budget, "how often to look at a knowledge state")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+      ->capture_default_str();
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace
+
+const Verb kKnow = {
+    .name = "know",
+    .summary = "plans with what will be known only during execution (PKS, contingent PDDL)",
+    .example =
+        "assay know scenarios/know/force-sensing.pks scenarios/know/two-cans.pks --check\n"
+        "  The format is described in scenarios/know/README.md.",
+    .declare = Declare,
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "planner/contingent/ground_task.h"
+
+namespace assay::oracle {
+
+// Contingent planning the long way: beliefs are sets of worlds, one by one, and trees are looked
+// for with one action more each time. To be trusted for a few atoms without functions, effects
+// whose conditions are K of literals, sensing of single atoms, and deletions that are
+// unconditional.
+class BeliefSearch {
+ public:
+  explicit BeliefSearch(const contingent::GroundTask& task) : task_(task) {}
+
+  // The least depth of a plan tree, if one has at most `most` actions on each way.
+  std::optional<int> LeastDepth(int most) {
+    for (int depth = 0; depth <= most; ++depth) {
+      if (CanSolve(Initial(), depth)) return depth;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  using World = unsigned;  // a bit for each atom
+  using Belief = std::set<World>;
+  using Query = contingent::GroundQuery;
+
+  static bool Is(World world, contingent::GroundLiteral l) {
+    return ((world >> l.atom.index() & 1U) != 0) == l.is_positive;
+  }
+
+  Belief Initial() const {
+    Belief belief;
+    for (World world = 0; world < 1U << task_.atoms.size(); ++world) {
+      const auto holds = [&](const contingent::GroundLiteral& l) { return Is(world, l); };
+      const auto& known = task_.initial.known;
+      bool is_possible = std::all_of(known.begin(), known.end(), holds);
+      for (const contingent::InitialRelation& relation : task_.initial.relations) {
+        const auto count = std::count_if(relation.literals.begin(), relation.literals.end(), holds);
+        is_possible &= count == 1 || (count > 1 && relation.is_inclusive);
+      }
+      if (is_possible) belief.insert(world);
+    }
+    return belief;
+  }
+
+  static bool IsTrue(const Query& condition, World world) {
+    const auto is_true = [&](const Query& operand) { return IsTrue(operand, world); };
+    const auto& operands = condition.operands;
+    if (condition.kind == Query::Kind::kKnown) return Is(world, condition.literal);
+    return condition.kind == Query::Kind::kAnd
+               ? std::all_of(operands.begin(), operands.end(), is_true)
+               : std::any_of(operands.begin(), operands.end(), is_true);
+  }
+
+  static bool IsKnown(const Query& query, const Belief& belief) {
+    const auto is_known = [&](const Query& operand) { return IsKnown(operand, belief); };
+    const auto& operands = query.operands;
+    switch (query.kind) {
+      case Query::Kind::kKnown:
+        return std::all_of(belief.begin(), belief.end(),
+                           [&](World world) { return Is(world, query.literal); });
+      case Query::Kind::kNot:
+        return !is_known(operands.front());
+      case Query::Kind::kAnd:
+        return std::all_of(operands.begin(), operands.end(), is_known);
+      default:
+        return std::any_of(operands.begin(), operands.end(), is_known);
+    }
+  }
+
+  Belief After(const contingent::GroundAction& action, const Belief& belief) const {
+    Belief after;
+    for (const World world : belief) {
+      std::set<World> now = {world};
+      for (const bool value : {false, true}) {
+        for (const contingent::GroundEffect& effect : action.effects) {
+          if (!IsTrue(effect.condition, world)) continue;
+          for (const contingent::GroundChange& change : effect.changes) {
+            now = Changed(now, change, value);
+          }
+        }
+      }
+      after.insert(now.begin(), now.end());
+    }
+    return after;
+  }
+
+  // In the pass of false literals, or of true ones and what is forgotten.
+  static std::set<World> Changed(const std::set<World>& worlds,
+                                 const contingent::GroundChange& change, bool value) {
+    using Kind = contingent::GroundChange::Kind;
+    if (change.kind != Kind::kSet && change.kind != Kind::kForget) return worlds;
+    const World bit = 1U << change.literal.atom.index();
+    std::set<World> changed;
+    for (const World world : worlds) {
+      const bool sets = change.kind == Kind::kSet && change.literal.is_positive == value;
+      if (change.kind == Kind::kForget) {
+        changed.insert({world | bit, world & ~bit});
+      } else {
+        changed.insert(!sets ? world : value ? world | bit : world & ~bit);
+      }
+    }
+    return changed;
+  }
+
+  // The beliefs that sensing leads to.
+  std::vector<Belief> Outcomes(const contingent::GroundAction& action, const Belief& belief) const {
+    std::vector<Belief> outcomes = {After(action, belief)};
+    for (const contingent::GroundEffect& effect : action.effects) {
+      for (const contingent::GroundChange& change : effect.changes) {
+        if (change.kind != contingent::GroundChange::Kind::kSense) continue;
+        const auto& sensed = task_.formulas[change.formula.index()].literals.front();
+        std::vector<Belief> parts;
+        for (const Belief& outcome : outcomes) {
+          Belief part[2];
+          for (const World world : outcome) part[Is(world, sensed) ? 1 : 0].insert(world);
+          for (Belief& p : part) {
+            if (!p.empty()) parts.push_back(std::move(p));
+          }
+        }
+        outcomes = std::move(parts);
+      }
+    }
+    return outcomes;
+  }
+
+  bool CanSolve(const Belief& belief, int depth) {
+    if (IsKnown(task_.goal, belief)) return true;
+    if (depth == 0) return false;
+    const auto [entry, is_new] = solved_.try_emplace({belief, depth}, false);
+    if (!is_new) return entry->second;
+    for (const contingent::GroundAction& action : task_.actions) {
+      if (!IsKnown(action.precondition, belief)) continue;
+      const std::vector<Belief> outcomes = Outcomes(action, belief);
+      if (std::all_of(outcomes.begin(), outcomes.end(),
+                      [&](const Belief& o) { return CanSolve(o, depth - 1); })) {
+        return entry->second = true;
+      }
+    }
+    return false;
+  }
+
+  const contingent::GroundTask& task_;
+  std::map<std::pair<Belief, int>, bool> solved_;
+};
+
+}  // namespace assay::oracle

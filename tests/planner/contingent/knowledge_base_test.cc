@@ -1,0 +1,409 @@
+#include "planner/contingent/knowledge_base.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "tests/planner/contingent/tasks.h"
+
+// The semantics of PKS (Petrick and Bacchus 2002, 2004), statement by statement.
+namespace assay::contingent {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr const char* kDomain =
+    "domain test types: thing\n"
+    "predicates: p(thing), q(thing), r\n"
+    "functions: at(thing): thing, weight(thing): number\n";
+
+// A knowledge state that actions are taken in by their names, and questions asked of.
+class Mind {
+ public:
+  explicit Mind(const std::string& init, const std::string& actions = "",
+                const std::vector<std::string>& questions = {})
+      : questions_(questions) {
+    std::string all = kDomain + actions;
+    // Each question is the precondition of an action of its own.
+    for (std::size_t i = 0; i < questions.size(); ++i) {
+      all += fmt::format("\naction ask{} preconds: {} effects: add(Kf, r)", i, questions[i]);
+    }
+    // So that nothing is settled when the problem is grounded.
+    all +=
+        "\naction touch(?x: thing, ?y: thing) effects: add(Kf, p(?x)), add(Kf, q(?x)), "
+        "add(Kf, at(?x) = ?y), add(Kf, !r)";
+    const std::string problem =
+        "problem test domain test objects: a, b, c: thing init: " + init + " goal: K(r)";
+    task_ = std::make_unique<GroundTask>(GroundText(all, problem));
+    knowledge_ = std::make_unique<KnowledgeBase>(*task_);
+    state_ = knowledge_->Initial();
+  }
+
+  // Whether what was asked at this place holds.
+  bool Holds(const std::string& question) const {
+    const auto found = std::find(questions_.begin(), questions_.end(), question);
+    EXPECT_NE(found, questions_.end()) << question;
+    const std::string name = fmt::format("ask{}", found - questions_.begin());
+    for (const GroundAction& action : task_->actions) {
+      if (action.name == name) return knowledge_->Holds(action.precondition, state_);
+    }
+    return false;  // settled when the problem was grounded
+  }
+
+  void Do(const std::string& name) {
+    for (const GroundAction& action : task_->actions) {
+      if (action.name != name) continue;
+      ASSERT_TRUE(knowledge_->Holds(action.precondition, state_)) << name;
+      state_ = *knowledge_->After(action, state_);
+      return;
+    }
+    FAIL() << name;
+  }
+
+  void Learn(const std::string& atom, bool value) {
+    for (std::size_t a = 0; a < task_->atoms.size(); ++a) {
+      if (task_->atoms[a] == atom) state_ = knowledge_->Learned(state_, {AtomId(a), value});
+    }
+  }
+
+  // Takes a branch of the first formula that branches; its text.
+  std::string Branch(bool value) {
+    const FormulaId formula = knowledge_->FormulaToBranch(state_);
+    if (formula.IsNone()) return "";
+    state_ = knowledge_->Learned(state_, formula, value);
+    return TextOf(*task_, task_->formulas[formula.index()]);
+  }
+
+  // The values of the first function that branches.
+  std::vector<std::string> ValuesToBranch() {
+    std::vector<std::string> values;
+    const auto functions = knowledge_->FunctionsToBranch(state_);
+    if (functions.empty()) return values;
+    for (const AtomId value : knowledge_->PossibleValues(functions.front(), state_)) {
+      values.push_back(task_->atoms[value.index()]);
+    }
+    return values;
+  }
+
+  const KnowledgeState& state() const { return state_; }
+
+ private:
+  std::vector<std::string> questions_;
+  std::unique_ptr<GroundTask> task_;
+  std::unique_ptr<KnowledgeBase> knowledge_;
+  KnowledgeState state_;
+};
+
+const std::vector<std::string> kAboutA = {"K(p(a))",  "K(!p(a))",  "Kw(p(a))",
+                                          "!K(p(a))", "!K(!p(a))", "!Kw(p(a))"};
+
+TEST(Queries, NothingIsKnownOfWhatIsNotSaid) {
+  const Mind mind("add(Kf, p(b))", "", kAboutA);
+  EXPECT_FALSE(mind.Holds("K(p(a))"));
+  EXPECT_FALSE(mind.Holds("K(!p(a))"));
+  EXPECT_FALSE(mind.Holds("Kw(p(a))"));
+  EXPECT_TRUE(mind.Holds("!K(p(a))"));
+  EXPECT_TRUE(mind.Holds("!K(!p(a))"));
+  EXPECT_TRUE(mind.Holds("!Kw(p(a))"));
+}
+
+TEST(Queries, KnownTrueAndKnownFalseAreKnownWhether) {
+  for (const bool value : {true, false}) {
+    const Mind mind(value ? "add(Kf, p(a))" : "add(Kf, !p(a))", "", kAboutA);
+    EXPECT_EQ(mind.Holds("K(p(a))"), value);
+    EXPECT_EQ(mind.Holds("K(!p(a))"), !value);
+    EXPECT_TRUE(mind.Holds("Kw(p(a))"));
+    EXPECT_FALSE(mind.Holds("!Kw(p(a))"));
+  }
+}
+
+TEST(Queries, SensedIsKnownWhetherAndNeitherTrueNorFalse) {
+  const Mind mind("add(Kw, p(a))", "", kAboutA);
+  EXPECT_TRUE(mind.Holds("Kw(p(a))"));
+  EXPECT_FALSE(mind.Holds("K(p(a))"));
+  EXPECT_FALSE(mind.Holds("K(!p(a))"));
+}
+
+TEST(Queries, ClosedWorldMakesFalseWhatIsNotKnown) {
+  const std::vector<std::string> questions = {"K(!p(a))", "K(!p(b))", "K(p(b))", "Kw(q(a))"};
+  const Mind mind("add(LCW, p(?x)), add(Kf, p(b))", "", questions);
+  EXPECT_TRUE(mind.Holds("K(!p(a))"));
+  EXPECT_FALSE(mind.Holds("K(!p(b))"));
+  EXPECT_TRUE(mind.Holds("K(p(b))"));
+  EXPECT_FALSE(mind.Holds("Kw(q(a))"));
+}
+
+TEST(Queries, DisjunctionIsOutsideOfK) {
+  const std::string either = "K(p(a)) | K(p(b))";
+  EXPECT_FALSE(Mind("add(Kx, p(a) | p(b))", "", {either}).Holds(either));
+  EXPECT_TRUE(Mind("add(Kf, p(b))", "", {either}).Holds(either));
+}
+
+TEST(Queries, QuantifiersRangeOverConstants) {
+  const std::string all = "forallK(?x: thing) (K(p(?x)) | K(q(?x)))";
+  const std::string some = "existsK(?x: thing) (K(p(?x)) & K(q(?x)))";
+  const Mind each("add(Kf, p(a)), add(Kf, q(b)), add(Kf, p(c))", "", {all, some});
+  EXPECT_TRUE(each.Holds(all));
+  EXPECT_FALSE(each.Holds(some));
+  const Mind one("add(Kf, p(a)), add(Kf, q(a))", "", {all, some});
+  EXPECT_FALSE(one.Holds(all));
+  EXPECT_TRUE(one.Holds(some));
+}
+
+TEST(Functions, HaveOneValueUnderUniqueNames) {
+  const std::vector<std::string> questions = {"K(at(a) = b)", "K(at(a) = c)", "K(at(a) != c)",
+                                              "Kv(at(a))",    "Kv(at(b))",    "K(at(a) = at(b))"};
+  const Mind mind("add(Kf, at(a) = b)", "", questions);
+  EXPECT_TRUE(mind.Holds("K(at(a) = b)"));
+  EXPECT_FALSE(mind.Holds("K(at(a) = c)"));
+  EXPECT_TRUE(mind.Holds("K(at(a) != c)"));
+  EXPECT_TRUE(mind.Holds("Kv(at(a))"));
+  EXPECT_FALSE(mind.Holds("Kv(at(b))"));
+  EXPECT_FALSE(mind.Holds("K(at(a) = at(b))"));
+  EXPECT_TRUE(Mind("add(Kf, at(a) = b), add(Kf, at(b) = b)", "", {"K(at(a) = at(b))"})
+                  .Holds("K(at(a) = at(b))"));
+}
+
+TEST(Functions, AddingAValueRemovesTheOthersDeletingLeavesUnknown) {
+  const std::vector<std::string> questions = {"K(at(a) = b)", "K(at(a) = c)", "K(at(a) != b)",
+                                              "Kv(at(a))"};
+  const std::string actions =
+      "action move effects: add(Kf, at(a) = c)\n"
+      "action lose effects: del(Kf, at(a) = c)\n";
+  Mind mind("add(Kf, at(a) = b)", actions, questions);
+  mind.Do("move");
+  EXPECT_TRUE(mind.Holds("K(at(a) = c)"));
+  EXPECT_TRUE(mind.Holds("K(at(a) != b)"));
+  mind.Do("lose");
+  EXPECT_FALSE(mind.Holds("K(at(a) = c)"));
+  EXPECT_FALSE(mind.Holds("K(at(a) != b)"));
+  EXPECT_FALSE(mind.Holds("Kv(at(a))"));
+}
+
+TEST(Kf, AddingALiteralRemovesItsComplementAndKw) {
+  Mind mind("add(Kf, !p(a)), add(Kw, q(a))",
+            "action make effects: add(Kf, p(a)), add(Kf, q(a))\n"
+            "action spoil effects: del(Kf, q(a))\n",
+            {"K(p(a))", "K(!p(a))", "K(q(a))", "Kw(q(a))"});
+  mind.Do("make");
+  EXPECT_TRUE(mind.Holds("K(p(a))"));
+  EXPECT_FALSE(mind.Holds("K(!p(a))"));
+  EXPECT_TRUE(mind.Holds("K(q(a))"));
+  mind.Do("spoil");  // now what was sensed at first is out of date
+  EXPECT_FALSE(mind.Holds("Kw(q(a))"));
+}
+
+TEST(Kf, ConditionsAreThoseBeforeTheAction) {
+  Mind mind("add(Kf, p(a)), add(Kf, !q(a)), add(Kf, !r)",
+            "action both effects: K(p(a)) => add(Kf, q(a)); K(q(a)) => add(Kf, r);"
+            " add(Kf, !p(a))\n",
+            {"K(q(a))", "K(r)", "K(!p(a))"});
+  mind.Do("both");
+  EXPECT_TRUE(mind.Holds("K(q(a))"));
+  EXPECT_TRUE(mind.Holds("K(!p(a))"));
+  EXPECT_FALSE(mind.Holds("K(r)"));
+}
+
+TEST(Kw, BranchesWhereItIsUndetermined) {
+  Mind mind("add(Kf, q(a))", "action look effects: add(Kw, p(a)), add(Kw, q(a))\n", kAboutA);
+  mind.Do("look");
+  EXPECT_EQ(mind.Branch(false), "p(a)");
+  EXPECT_TRUE(mind.Holds("K(!p(a))"));
+  EXPECT_EQ(mind.Branch(true), "");
+}
+
+TEST(Kw, AConjunctionBranchesWhenOneAtomIsLeft) {
+  const std::vector<std::string> questions = {"Kw(p(a) & q(a))", "Kw(p(a))", "K(q(a))"};
+  const std::string look = "action look effects: add(Kw, p(a) & q(a))\n";
+  Mind mind("add(Kf, !r)", look, questions);
+  mind.Do("look");
+  EXPECT_TRUE(mind.Holds("Kw(p(a) & q(a))"));
+  EXPECT_FALSE(mind.Holds("Kw(p(a))"));
+  EXPECT_EQ(mind.Branch(true), "");
+  mind.Learn("p(a)", true);
+  EXPECT_EQ(mind.Branch(true), "p(a) & q(a)");
+  EXPECT_TRUE(mind.Holds("K(q(a))"));
+  // A false atom settles the conjunction.
+  Mind other("add(Kf, !r)", look, questions);
+  other.Do("look");
+  other.Learn("p(a)", false);
+  EXPECT_TRUE(other.Holds("Kw(p(a) & q(a))"));
+  EXPECT_EQ(other.Branch(true), "");
+}
+
+TEST(Kv, BranchesWhereTheRangeIsKnown) {
+  const std::string read = "action read effects: add(Kv, at(a))\n";
+  Mind known("add(Kx, at(a) = a | at(a) = c)", read, {"Kv(at(a))", "K(at(a) != b)"});
+  EXPECT_FALSE(known.Holds("Kv(at(a))"));
+  EXPECT_TRUE(known.Holds("K(at(a) != b)"));
+  known.Do("read");
+  EXPECT_TRUE(known.Holds("Kv(at(a))"));
+  EXPECT_THAT(known.ValuesToBranch(), testing::ElementsAre("at(a) = a", "at(a) = c"));
+  Mind unknown("add(Kf, !r)", read, {"Kv(at(a))"});
+  unknown.Do("read");
+  EXPECT_TRUE(unknown.Holds("Kv(at(a))"));
+  EXPECT_THAT(unknown.ValuesToBranch(), IsEmpty());
+}
+
+TEST(Kx, AMemberKnownFalseIsDroppedTheLastIsKnown) {
+  Mind mind("add(Kx, p(a) | p(b) | p(c))", "", {"K(p(c))", "Kw(p(c))"});
+  EXPECT_THAT(mind.state().relations, SizeIs(1));
+  mind.Learn("p(a)", false);
+  EXPECT_FALSE(mind.Holds("Kw(p(c))"));
+  mind.Learn("p(b)", false);
+  EXPECT_TRUE(mind.Holds("K(p(c))"));
+  EXPECT_THAT(mind.state().relations, IsEmpty());
+}
+
+TEST(Kx, AMemberKnownTrueMakesTheOthersFalse) {
+  Mind mind("add(Kx, p(a) | p(b) | p(c))", "", {"K(!p(a))", "K(!p(c))"});
+  mind.Learn("p(b)", true);
+  EXPECT_TRUE(mind.Holds("K(!p(a))"));
+  EXPECT_TRUE(mind.Holds("K(!p(c))"));
+  EXPECT_THAT(mind.state().relations, IsEmpty());
+}
+
+TEST(Kx, ChangingAMemberEndsTheAlternatives) {
+  Mind mind("add(Kx, p(a) | p(b))", "action make effects: add(Kf, p(a))\n",
+            {"K(p(a))", "Kw(p(b))"});
+  mind.Do("make");
+  EXPECT_TRUE(mind.Holds("K(p(a))"));
+  EXPECT_FALSE(mind.Holds("Kw(p(b))"));  // it may have been the one
+}
+
+TEST(Kx, ContradictionsAreNamed) {
+  EXPECT_THAT(MessageOf([] { Mind("add(Kf, !p(a)), add(Kf, !p(b)), add(Kx, p(a) | p(b))"); }),
+              HasSubstr("problem.pks:1:88: this contradicts what is known"));
+}
+
+TEST(Updates, ApplyUntilNothingChanges) {
+  const std::string rules =
+      "action make effects: add(Kf, p(a))\n"
+      "updates: K(q(a)) => add(Kf, q(b)); K(p(a)) => add(Kf, q(a)); K(q(b)) => add(Kf, q(c))\n";
+  Mind mind("add(Kf, !p(a))", rules, {"K(q(c))"});
+  EXPECT_FALSE(mind.Holds("K(q(c))"));
+  mind.Do("make");
+  EXPECT_TRUE(mind.Holds("K(q(c))"));
+}
+
+// After "where p(a), r": (a) r was false before and is true now, so p(a) held.
+TEST(Postdiction, AnEffectTellsItsCondition) {
+  const std::string press = "action press effects: K(p(a)) => add(Kf, r); add(Kw, r)\n";
+  Mind mind("add(Kf, !r)", press, kAboutA);
+  mind.Do("press");
+  EXPECT_EQ(mind.Branch(true), "r");
+  EXPECT_TRUE(mind.Holds("K(p(a))"));
+  // (b) r is false now, so p(a) did not hold.
+  Mind other("add(Kf, !r)", press, kAboutA);
+  other.Do("press");
+  other.Branch(false);
+  EXPECT_TRUE(other.Holds("K(!p(a))"));
+  // r was not known before: it tells nothing of p(a).
+  Mind third("add(Kf, q(a))", press, kAboutA);
+  third.Do("press");
+  third.Branch(true);
+  EXPECT_FALSE(third.Holds("Kw(p(a))"));
+}
+
+TEST(Postdiction, ThePastPersistsUntilItIsChanged) {
+  const std::string actions =
+      "action press effects: K(p(a)) => add(Kf, r)\n"
+      "action wait effects: add(Kf, q(a))\n"
+      "action spoil effects: del(Kf, p(a))\n"
+      "action look effects: add(Kw, r)\n";
+  Mind mind("add(Kf, !r), add(Kf, !q(a))", actions, kAboutA);
+  for (const char* action : {"press", "wait", "look"}) mind.Do(action);
+  mind.Branch(true);
+  EXPECT_TRUE(mind.Holds("K(p(a))"));
+  Mind spoiled("add(Kf, !r), add(Kf, !q(a))", actions, kAboutA);
+  for (const char* action : {"press", "spoil", "look"}) spoiled.Do(action);
+  spoiled.Branch(true);
+  EXPECT_FALSE(spoiled.Holds("Kw(p(a))"));
+}
+
+TEST(Intervals, KnownByTheirEnds) {
+  const std::vector<std::string> questions = {
+      "K(weight(a) > 2)", "K(weight(a) >= 2)", "K(weight(a) <= 4)", "K(weight(a) < 4)",
+      "K(weight(a) > 3)", "Kw(weight(a) > 3)", "Kw(weight(a) > 5)"};
+  const Mind mind("add(Kf, weight(a) = [2, 4])", "", questions);
+  EXPECT_FALSE(mind.Holds("K(weight(a) > 2)"));
+  EXPECT_TRUE(mind.Holds("K(weight(a) >= 2)"));
+  EXPECT_TRUE(mind.Holds("K(weight(a) <= 4)"));
+  EXPECT_FALSE(mind.Holds("K(weight(a) < 4)"));
+  EXPECT_FALSE(mind.Holds("K(weight(a) > 3)"));
+  EXPECT_FALSE(mind.Holds("Kw(weight(a) > 3)"));
+  EXPECT_TRUE(mind.Holds("Kw(weight(a) > 5)"));  // known to be false
+}
+
+TEST(Intervals, SensingSplitsAndActionsShift) {
+  const std::vector<std::string> questions = {"K(weight(a) > 3)", "K(weight(a) <= 3)",
+                                              "K(weight(a) > 4)", "K(weight(a) <= 6)"};
+  const std::string actions =
+      "action weigh effects: add(Kw, weight(a) > 3)\n"
+      "action fill effects: add(Kf, weight(a) = weight(a) + [1, 2])\n"
+      "action lookCloser effects: add(Kf, weight(a) <= 5.5)\n";
+  Mind heavy("add(Kf, weight(a) = [2, 4])", actions, questions);
+  heavy.Do("weigh");
+  EXPECT_EQ(heavy.Branch(true), "weight(a) > 3");
+  EXPECT_EQ(heavy.state().ranges.front(), (Range{3, 4, true, false}));
+  EXPECT_TRUE(heavy.Holds("K(weight(a) > 3)"));
+  heavy.Do("fill");
+  EXPECT_EQ(heavy.state().ranges.front(), (Range{4, 6, true, false}));
+  EXPECT_TRUE(heavy.Holds("K(weight(a) > 4)"));
+  EXPECT_TRUE(heavy.Holds("K(weight(a) <= 6)"));
+  heavy.Do("lookCloser");
+  EXPECT_EQ(heavy.state().ranges.front(), (Range{4, 5.5, true, false}));
+  Mind light("add(Kf, weight(a) = [2, 4])", actions, questions);
+  light.Do("weigh");
+  light.Branch(false);
+  EXPECT_EQ(light.state().ranges.front(), (Range{2, 3, false, false}));
+  EXPECT_TRUE(light.Holds("K(weight(a) <= 3)"));
+}
+
+// A sensor that errs by e at most gives an interval of width 2 e at run time.
+TEST(Intervals, SensorsErr) {
+  const std::vector<std::string> questions = {"Kv(weight(a))", "Kv(weight(a) within 0.1)",
+                                              "Kv(weight(a) within 0.5)", "Kv(weight(a) within 1)"};
+  Mind mind("add(Kf, weight(a) = [2, 4])",
+            "action guess effects: add(Kv, weight(a) within 0.5)\n"
+            "action weigh effects: add(Kv, weight(a) within 0.1)\n"
+            "action fill effects: add(Kf, weight(a) = weight(a) + 1)\n",
+            questions);
+  const auto holds = [&] {
+    std::string text;
+    for (const std::string& question : questions) text += mind.Holds(question) ? '1' : '0';
+    return text;
+  };
+  EXPECT_EQ(holds(), "0001");  // 2 wide: within 1 already
+  mind.Do("guess");
+  EXPECT_EQ(holds(), "1011");
+  mind.Do("weigh");
+  EXPECT_EQ(holds(), "1111");
+  mind.Do("guess");  // takes nothing away
+  EXPECT_EQ(holds(), "1111");
+  mind.Do("fill");  // what was sensed is out of date
+  EXPECT_EQ(holds(), "0001");
+}
+
+// Equal knowledge is equal data, whatever way led to it.
+TEST(States, AreCanonical) {
+  const std::string actions =
+      "action makeA effects: add(Kf, p(a))\n"
+      "action makeB effects: add(Kf, p(b))\n";
+  Mind one("add(Kx, q(a) | q(b) | q(c))", actions);
+  Mind other("add(Kx, q(a) | q(b) | q(c))", actions);
+  for (const char* action : {"makeA", "makeB"}) one.Do(action);
+  one.Learn("q(a)", false);
+  other.Learn("q(a)", false);
+  for (const char* action : {"makeB", "makeA"}) other.Do(action);
+  EXPECT_EQ(one.state(), other.state());
+  EXPECT_EQ(HashOf(one.state()), HashOf(other.state()));
+}
+
+}  // namespace
+}  // namespace assay::contingent

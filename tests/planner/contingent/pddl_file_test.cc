@@ -1,0 +1,140 @@
+#include "planner/contingent/pddl_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/contingent/pddl_text.h"
+#include "planner/contingent/pks_text.h"
+#include "planner/contingent/tree_check.h"
+#include "planner/contingent/tree_text.h"
+#include "tests/planner/contingent/tasks.h"
+
+namespace assay::contingent {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+GroundTask GroundPddl(const std::string& domain_text, const std::string& problem_text) {
+  const Domain domain = ReadPddlDomain(domain_text, "domain.pddl");
+  Externs externs;
+  return Ground(domain, ReadPddlProblem(problem_text, "problem.pddl", domain), externs);
+}
+
+// A coin under one of three cups; cups are lifted; a cup that is known to hide it is taken.
+constexpr const char* kCups = R"(
+(define (domain cups)  ; a comment
+  (:requirements :strips :typing)
+  (:types cup)
+  (:predicates (coin ?c - cup) (won) (lost))
+  (:action LIFT :parameters (?c - cup) :precondition (not (lost)) :observe (coin ?c))
+  (:action take
+    :parameters (?c - cup)
+    :precondition (and (not (won)) (not (lost)))
+    :effect (and (when (coin ?c) (won)) (when (not (coin ?c)) (lost)))))
+)";
+constexpr const char* kThreeCups = R"(
+(define (problem three) (:domain cups)
+  (:objects a b c - cup)
+  (:init (and (oneof (coin a) (coin b) (coin c))))
+  (:hidden (coin b))
+  (:goal (and (won) (not (lost)))))
+)";
+
+TEST(Pddl, ReadsAndPlans) {
+  const GroundTask task = GroundPddl(kCups, kThreeCups);
+  const ContingentPlan plan = PlanFor(task, Wanted::kLeastDepth);
+  EXPECT_EQ(TextOf(task, plan.tree, Sharing::kUnfolded),
+            "lift(a)\n"
+            "branch coin(a)\n"
+            "  take(a)\n"
+            "branch !coin(a)\n"
+            "  lift(b)\n"
+            "  branch coin(b)\n"
+            "    take(b)\n"
+            "  branch !coin(b)\n"
+            "    take(c)\n");
+  const TreeCheck check = CheckTree(task, plan.tree);
+  EXPECT_TRUE(check.holds) << check.failure;
+  EXPECT_EQ(check.worlds, 3);
+}
+
+// What the init does not name is false; what it calls unknown is not; clauses are kept.
+TEST(Pddl, ClosedWorld) {
+  const std::string problem = R"((define (problem p) (:domain cups) (:objects a b c - cup)
+    (:init (unknown (coin a)) (unknown (coin b)) (or (coin a) (not (coin b))))
+    (:goal (won))))";
+  const GroundTask task = GroundPddl(kCups, problem);
+  const ContingentPlan plan = PlanFor(task, Wanted::kFirst);
+  // The coin may be nowhere.
+  EXPECT_EQ(plan.outcome, Outcome::kNone);
+  ASSERT_EQ(task.initial.relations.size(), 1);
+  EXPECT_TRUE(task.initial.relations.front().is_inclusive);
+  EXPECT_THAT(task.atoms, testing::Not(testing::Contains("coin(c)")));  // always known
+}
+
+// Being at an unknown place of a corridor: move as far as it is long, and the place is known.
+TEST(Pddl, BeliefsAboutWhatChanges) {
+  const char* const domain = R"((define (domain corridor)
+    (:types place) (:predicates (at ?p - place))
+    (:constants p1 p2 p3 p4 - place)
+    (:action right :effect (and (when (at p1) (and (at p2) (not (at p1))))
+                                (when (at p2) (and (at p3) (not (at p2))))
+                                (when (at p3) (and (at p4) (not (at p3))))))))";
+  const char* const problem = R"((define (problem p) (:domain corridor)
+    (:init (oneof (at p1) (at p2) (at p3) (at p4))) (:goal (at p4))))";
+  const GroundTask task = GroundPddl(domain, problem);
+  const ContingentPlan plan = PlanFor(task, Wanted::kLeastDepth);
+  EXPECT_EQ(TextOf(task, plan.tree, Sharing::kOnce), "right()\nright()\nright()\n");
+  EXPECT_TRUE(CheckTree(task, plan.tree).holds);
+}
+
+TEST(Pddl, PrintsAsPks) {
+  const Domain domain = ReadPddlDomain(kCups, "domain.pddl");
+  const Problem problem = ReadPddlProblem(kThreeCups, "problem.pddl", domain);
+  const GroundTask task = GroundText(TextOf(domain), TextOf(problem));
+  EXPECT_EQ(SizeOf(PlanFor(task, Wanted::kLeastDepth).tree).depth, 3);
+}
+
+TEST(Pddl, ErrorsHaveTheirPlace) {
+  const auto message = [](const std::string& domain, const std::string& problem) {
+    return MessageOf([&] { GroundPddl(domain, problem); });
+  };
+  EXPECT_THAT(message("(define (domain d) (:predicates (p)) (:action a :effect (q)))",
+                      "(define (problem p) (:domain d) (:init) (:goal (p)))"),
+              StartsWith("domain.pddl:1:57: unknown predicate 'q'"));
+  EXPECT_THAT(message("(define (domain d)", ""), StartsWith("domain.pddl:1:19: the file ends"));
+  EXPECT_THAT(message("(define (domain d) (:axiom))", ""),
+              StartsWith("domain.pddl:1:20: unknown section; allowed: :requirements"));
+  EXPECT_THAT(message(kCups, "(define (problem p) (:domain cups) (:init (oneof)) (:goal (won)))"),
+              StartsWith("problem.pddl:1:43: no alternatives"));
+  EXPECT_THAT(message(std::string(100'000, '('), ""), HasSubstr("nested too deeply"));
+}
+
+// What is exported has plans of the same depth.
+TEST(PddlText, ExportedTasksArePlannedTheSame) {
+  for (const auto& [domain, problem] :
+       {std::pair("force-sensing", "two-cans"), std::pair("visual-sensing", "one-bottle"),
+        std::pair("bomb-in-the-toilet", "four-packages"), std::pair("medicate", "four-illnesses"),
+        std::pair("unix", "find-a-file")}) {
+    SCOPED_TRACE(problem);
+    const GroundTask task = GroundScenario(domain, problem);
+    const PddlFiles files = ToPddl(task, problem, {"x.pks"});
+    const GroundTask read = GroundPddl(files.domain, files.problem);
+    EXPECT_EQ(SizeOf(PlanFor(read, Wanted::kLeastDepth).tree).depth,
+              SizeOf(PlanFor(task, Wanted::kLeastDepth).tree).depth);
+  }
+}
+
+TEST(PddlText, WhatPddlDoesNotHaveIsNamed) {
+  EXPECT_EQ(
+      MessageOf([] { ToPddl(GroundScenario("pouring", "half-full-jug"), "p", {"x.pks"}); }),
+      "x.pks: PDDL has no intervals; allowed: facts, functions of objects, Kw of single atoms "
+      "and Kx");
+  EXPECT_THAT(
+      MessageOf([] { ToPddl(GroundScenario("opening-a-safe", "safe-with-note"), "p", {"x.pks"}); }),
+      HasSubstr("PDDL has no"));
+}
+
+}  // namespace
+}  // namespace assay::contingent

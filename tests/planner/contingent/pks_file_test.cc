@@ -1,0 +1,277 @@
+#include "planner/contingent/pks_file.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "planner/base/random.h"
+#include "planner/contingent/pks_text.h"
+#include "planner/contingent/tree_check.h"
+#include "planner/contingent/tree_text.h"
+#include "tests/planner/contingent/tasks.h"
+
+namespace assay::contingent {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+struct Files {
+  std::string domain;
+  std::string problem;
+};
+
+// All scenarios: a problem names its domain, whose file has that name.
+std::vector<Files> AllScenarios() {
+  std::vector<Files> all;
+  std::vector<std::filesystem::path> paths;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(ASSAY_SOURCE_DIR "/scenarios/know")) {
+    paths.push_back(entry.path());
+  }
+  std::sort(paths.begin(), paths.end());
+  for (const std::filesystem::path& path : paths) {
+    if (path.extension() != ".pks") continue;
+    const std::string text = TextOfFile(path);
+    if (text.find("\nproblem ") == std::string::npos && !text.starts_with("problem ")) continue;
+    const Problem problem = ReadPksProblem(text, path.string());
+    all.push_back({TextOfFile(path.parent_path() / (problem.domain + ".pks")), text});
+  }
+  return all;
+}
+
+constexpr const char* kDomain =
+    "domain test\n"
+    "types: thing; cup, plate: thing; place\n"
+    "predicates: clean(thing), idle\n"
+    "functions: at(thing): place, weight(thing): number\n"
+    "externs: near(place, place)\n"
+    "constants: sink: place\n"
+    "action wash(?t: thing)\n"
+    "  preconds: K(at(?t) = sink)\n"
+    "  effects: add(Kf, clean(?t))\n";
+constexpr const char* kProblem =
+    "problem test\n"
+    "domain test\n"
+    "objects: c: cup\n"
+    "init: add(Kf, at(c) = sink)\n"
+    "goal: K(clean(c))\n";
+
+std::string MessageOf(const std::string& domain, const std::string& problem) {
+  return contingent::MessageOf([&] { GroundText(domain, problem); });
+}
+
+std::string Replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(PksFile, TheExampleIsRight) { EXPECT_EQ(MessageOf(kDomain, kProblem), "no error"); }
+
+// An error in a domain: what is put for what, and what is told.
+struct Slip {
+  const char* from;
+  const char* to;
+  const char* message;
+};
+
+class Slips : public testing::TestWithParam<Slip> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    InDomain, Slips,
+    testing::Values(
+        Slip{"add(Kf, clean(?t))", "add(Kf, claen(?t))",
+             "domain.pks:9:20: unknown predicate 'claen', did you mean 'clean'?; allowed: clean, "
+             "idle"},
+        Slip{"clean(?t)", "clean(?x)",
+             "domain.pks:9:26: unknown variable '?x', did you mean '?t'?; allowed: ?t"},
+        Slip{"clean(?t)", "clean(sink)",
+             "domain.pks:9:26: this is of type 'place'; allowed: 'thing', as 'clean' is declared"},
+        Slip{"clean(?t)", "clean(?t, ?t)",
+             "domain.pks:9:20: 'clean' has 2 arguments here; allowed: 1, as declared"},
+        Slip{"add(Kf, ", "add(Kq, ",
+             "domain.pks:9:16: unknown store 'Kq'; allowed: Kf, Kw, Kv, Kx or LCW"},
+        Slip{"?t: thing", "?t: thnig", "domain.pks:7:13: unknown type 'thnig', did you mean "},
+        Slip{"at(?t) = sink", "at(?t) > sink", "domain.pks:8:15: objects have no order"},
+        Slip{"at(?t) = sink", "at(?t) = 3", "domain.pks:8:15: a number is compared with an object"},
+        Slip{"at(?t) = sink", "weight(?t) > weight(?t)", "domain.pks:8:28: not a bound"},
+        Slip{"at(?t) = sink", "clean(at(?t))", "domain.pks:8:21: a nested term"},
+        Slip{"K(at(?t) = sink)", "extern(near(sink, sink))",
+             "domain.pks:8:13: unexpected 'extern'; allowed: K(...), Kw(...)"},
+        Slip{"K(at(?t) = sink)", "K(extern(near(sink, sink)))",
+             "domain.pks:8:15: extern 'near' has no procedure"},
+        Slip{"K(at(?t) = sink)", "Kv(clean)", "domain.pks:8:16: unknown constant 'clean'"},
+        Slip{"K(at(?t) = sink)", "K(at(?t) = sink) &",
+             "domain.pks:9:3: unexpected 'effects'; allowed: K(...), Kw(...)"},
+        Slip{"types: thing;", "types: thing; thing;", "domain.pks:2:15: 'thing' is declared twice"},
+        Slip{"types: thing;", "types: thing: cup;", "domain.pks:2:8: type 'thing' is its own"},
+        Slip{"idle", "idle, at(thing)", "domain.pks:4:12: 'at' is declared twice"},
+        Slip{"domain test", "domian test", "domain.pks:1:1: unexpected 'domian'; allowed: 'domain"},
+        Slip{"externs:", "exterms:", "domain.pks:5:1: unknown section 'exterms'; allowed: types:"},
+        Slip{"sink)", "sink) %", "domain.pks:8:30: unknown character '%'"},
+        Slip{"at(?t) = sink", "weight(?t) > 1e999", "domain.pks:8:28: '1e999' is no number"},
+        Slip{"K(at(?t) = sink)", "Kv(at(?t) within 1)",
+             "domain.pks:8:16: no number that could be known within an error"},
+        Slip{"K(at(?t) = sink)", "Kv(weight(?t) within -1)",
+             "domain.pks:8:34: an error of -1; allowed: 0 or more"},
+        Slip{"add(Kf, clean(?t))", "add(Kf, weight(?t) = [3, 2])",
+             "domain.pks:9:34: the interval [3, 2] is empty"}));
+
+TEST_P(Slips, AreToldWithTheirPlace) {
+  EXPECT_THAT(MessageOf(Replaced(kDomain, GetParam().from, GetParam().to), kProblem),
+              StartsWith(GetParam().message));
+}
+
+TEST(PksFile, SlipsInProblems) {
+  EXPECT_THAT(MessageOf(kDomain, Replaced(kProblem, "c: cup", "c: cupp")),
+              StartsWith("problem.pks:3:10: unknown type 'cupp', did you mean 'cup'?"));
+  EXPECT_THAT(MessageOf(kDomain, Replaced(kProblem, "goal: K(clean(c))\n", "")),
+              StartsWith("problem.pks:5:1: the file ends here; allowed: a goal"));
+  EXPECT_THAT(MessageOf(kDomain, Replaced(kProblem, "clean(c)", "clean(d)")),
+              StartsWith("problem.pks:5:15: unknown constant 'd'"));
+}
+
+// Whereever a file is cut, the end of what is left is told.
+TEST(PksFile, CutInTheMiddle) {
+  const std::string domain = kDomain;
+  int errors = 0;
+  for (std::size_t length = 0; length < domain.size(); ++length) {
+    const std::string message = MessageOf(domain.substr(0, length), kProblem);
+    if (message == "no error") continue;
+    EXPECT_THAT(message, testing::AnyOf(StartsWith("domain.pks:"), StartsWith("problem.pks:")));
+    ++errors;
+  }
+  EXPECT_GT(errors, static_cast<int>(domain.size()) * 3 / 4);
+}
+
+TEST(PksFile, DeepNestingIsRefused) {
+  for (const char* piece : {"(", "!", "K(", "K(!"}) {
+    std::string deep = piece;
+    for (int i = 0; i < 100'000; ++i) deep += piece[std::string_view(piece).size() - 1];
+    EXPECT_THAT(MessageOf(Replaced(kDomain, "K(at(?t) = sink)", deep), kProblem),
+                HasSubstr("nested too deeply; allowed: 100 levels"));
+  }
+}
+
+TEST(PksFile, AnExternThatThrowsIsTheCallsError) {
+  const std::string domain = Replaced(kDomain, "K(at(?t) = sink)", "K(extern(near(sink, sink)))");
+  Externs externs;
+  externs.Add("near", [](std::span<const std::string>) -> bool {
+    throw std::runtime_error("the arm is not there");
+  });
+  EXPECT_EQ(contingent::MessageOf([&] { GroundText(domain, kProblem, externs); }),
+            "domain.pks:8:15: near(sink, sink) failed: the arm is not there");
+}
+
+TEST(PksFile, ExternsAreAskedOnce) {
+  const std::string domain =
+      Replaced(kDomain, "K(at(?t) = sink)", "K(extern(near(sink, sink))) & K(at(?t) = sink)");
+  int calls = 0;
+  Externs externs;
+  externs.Add("near", [&](std::span<const std::string> arguments) {
+    ++calls;
+    return arguments[0] == arguments[1];
+  });
+  const GroundTask task =
+      GroundText(domain, Replaced(kProblem, "c: cup", "c, d, e, f: cup"), externs);
+  EXPECT_EQ(calls, 1);
+  EXPECT_EQ(task.actions.size(), 4);
+}
+
+// What is printed reads as the same: it prints as the same, and has the same plan.
+TEST(PksText, ReadsBack) {
+  for (const Files& files : AllScenarios()) {
+    const Domain domain = ReadPksDomain(files.domain, "domain.pks");
+    const Problem problem = ReadPksProblem(files.problem, "problem.pks");
+    SCOPED_TRACE(problem.name);
+    const Files printed{TextOf(domain), TextOf(problem)};
+    EXPECT_EQ(TextOf(ReadPksDomain(printed.domain, "printed.pks")), printed.domain);
+    EXPECT_EQ(TextOf(ReadPksProblem(printed.problem, "printed.pks")), printed.problem);
+    const GroundTask task = GroundText(files.domain, files.problem);
+    const GroundTask again = GroundText(printed.domain, printed.problem);
+    EXPECT_EQ(TextOf(task, PlanFor(task, Wanted::kFirst).tree, Sharing::kOnce),
+              TextOf(again, PlanFor(again, Wanted::kFirst).tree, Sharing::kOnce));
+  }
+}
+
+// ---- Mutations
+
+constexpr std::array<const char*, 24> kPieces = {
+    "(",  ")",        ",",          ":",        ";",      "&",      "|", "!",
+    "=>", "?o",       "?x: object", "K(",       "#",      "[",      "=", ">",
+    "42", "add(Kf, ", "Kv(",        "forallK(", "object", "number", "-", "\n"};
+
+std::string Mutated(const std::string& text, RandomStream& random) {
+  std::string mutated = text;
+  const int size = static_cast<int>(text.size());
+  const int at = random.Index(size);
+  const int length = std::min(random.Index(12), size - at);
+  const std::string piece = kPieces[random.Index(static_cast<int>(kPieces.size()))];
+  switch (random.Index(5)) {
+    case 0:
+      return mutated.erase(at, length);
+    case 1:
+      return mutated.insert(at, piece);
+    case 2:
+      return mutated.insert(random.Index(size), text.substr(at, length));
+    case 3:
+      return mutated.substr(0, at);
+    default: {  // A word becomes another of the text.
+      constexpr const char* kLetters =
+          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
+      const std::size_t from = text.find_first_of(kLetters, at);
+      const std::size_t to = text.find_first_of(kLetters, random.Index(size));
+      if (from == std::string::npos || to == std::string::npos) return mutated;
+      const std::size_t from_end = std::min(text.find_first_not_of(kLetters, from), text.size());
+      const std::size_t to_end = std::min(text.find_first_not_of(kLetters, to), text.size());
+      return mutated.replace(from, from_end - from, text.substr(to, to_end - to));
+    }
+  }
+}
+
+int MutationCount() {
+  const char* count = std::getenv("ASSAY_MUTATIONS");
+  return count == nullptr ? 1000 : std::atoi(count);
+}
+
+constexpr int kQuarters = 4;  // of the mutations, to run side by side
+
+class Mutations : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Quarters, Mutations, testing::Range(0, kQuarters));
+
+// A slip gives a task that can be planned for, or an InputError, nothing else. More of them with
+// ASSAY_MUTATIONS=10000.
+TEST_P(Mutations, AreSurvived) {
+  const std::vector<Files> scenarios = AllScenarios();
+  RandomStream random(20240601, fmt::format("pks mutations/{}", GetParam()));
+  int loaded = 0;
+  const int count = MutationCount() / kQuarters;
+  for (int trial = 0; trial < count; ++trial) {
+    Files files = scenarios[trial % scenarios.size()];
+    std::string& text = random.Index(2) == 0 ? files.domain : files.problem;
+    for (int slips = 1 + random.Index(3); slips > 0 && !text.empty(); --slips) {
+      text = Mutated(text, random);
+    }
+    const std::string message = contingent::MessageOf([&] {
+      const GroundTask task = GroundText(files.domain, files.problem);
+      const ContingentPlan plan = PlanFor(task, Wanted::kFirst, 300);
+      if (plan.outcome == Outcome::kFound) CheckTree(task, plan.tree, {.worlds = 100});
+    });
+    loaded += message == "no error" ? 1 : 0;
+    const bool tells = message == "no error" || message.starts_with("domain.pks:") ||
+                       message.starts_with("problem.pks:");
+    ASSERT_TRUE(tells) << "trial " << trial << ": " << message << "\n"
+                       << files.domain << files.problem;
+  }
+  EXPECT_GT(loaded, count / 50) << "mutations so coarse that they test the lexer alone";
+  EXPECT_LT(loaded, count * 9 / 10);
+}
+
+}  // namespace
+}  // namespace assay::contingent

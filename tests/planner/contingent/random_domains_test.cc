@@ -1,0 +1,152 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/base/random.h"
+#include "planner/contingent/tree_check.h"
+#include "planner/contingent/tree_text.h"
+#include "tests/oracle/belief_search.h"
+#include "tests/planner/contingent/tasks.h"
+
+namespace assay::contingent {
+namespace {
+
+constexpr int kAtoms = 4;
+constexpr int kTrees = 1000;
+constexpr int kDomains = 1000;
+constexpr int kQuarters = 4;  // to run side by side
+constexpr int kOraclesDepth = 5;
+
+std::string Atom(RandomStream& random) { return fmt::format("p{}", random.Index(kAtoms)); }
+
+std::string RandomLiteral(RandomStream& random) {
+  return (random.Index(2) == 0 ? "" : "!") + Atom(random);
+}
+
+std::string RandomKnown(RandomStream& random) {
+  return fmt::format("K({})", RandomLiteral(random));
+}
+
+// Each action writes to one half of the atoms and forgets of the other, so that what it does is the
+// same in whatever order its effects are read.
+std::string RandomEffects(RandomStream& random) {
+  std::string effects;
+  const int groups = 1 + random.Index(3);
+  for (int group = 0; group < groups; ++group) {
+    const std::string sign = random.Index(2) == 0 ? "" : "!";
+    const std::string set = fmt::format("add(Kf, {}p{})", sign, random.Index(kAtoms / 2));
+    if (group > 0) effects += "; ";
+    switch (random.Index(5)) {
+      case 0:
+        effects += set;
+        break;
+      case 1:
+        effects += fmt::format("{} => {}", RandomKnown(random), set);
+        break;
+      case 2:
+        effects += fmt::format("{} & {} => {}", RandomKnown(random), RandomKnown(random), set);
+        break;
+      case 3:
+        effects += fmt::format("add(Kw, {})", Atom(random));
+        break;
+      case 4:
+        effects += fmt::format("del(Kf, p{})", kAtoms / 2 + random.Index(kAtoms / 2));
+        break;
+    }
+  }
+  return effects;
+}
+
+std::string RandomDomain(RandomStream& random) {
+  std::string text = "domain random predicates: p0, p1, p2, p3\n";
+  const int actions = 2 + random.Index(4);
+  for (int a = 0; a < actions; ++a) {
+    std::string precondition = random.Index(3) == 0 ? RandomKnown(random) : "true";
+    if (random.Index(3) == 0) precondition += " & " + RandomKnown(random);
+    if (random.Index(4) == 0) precondition += fmt::format(" & !Kw({})", Atom(random));
+    text += fmt::format("action a{} preconds: {} effects: {}\n", a, precondition,
+                        RandomEffects(random));
+  }
+  return text;
+}
+
+std::string RandomProblem(RandomStream& random) {
+  std::string init;
+  for (int atom = 0; atom < kAtoms; ++atom) {
+    if (random.Index(3) == 0) {
+      init += fmt::format("add(Kf, {}p{}), ", random.Index(2) == 0 ? "" : "!", atom);
+    }
+  }
+  const int first = random.Index(kAtoms);
+  const std::string alternatives =
+      fmt::format("p{} | !p{} | p{}", first, (first + 1) % kAtoms, (first + 2) % kAtoms);
+  init += random.Index(2) == 0 ? fmt::format("add(Kx, {})", alternatives)
+                               : fmt::format("add(Kx, some({}))", alternatives);
+  const char* const join = random.Index(4) == 0 ? "|" : "&";
+  return fmt::format("problem random domain random init: {} goal: {} {} {}", init,
+                     RandomKnown(random), join, RandomKnown(random));
+}
+
+class RandomDomains : public testing::TestWithParam<int> {
+ protected:
+  // Calls `test` with tasks of this quarter until it has returned true so often; init that
+  // contradicts itself is redrawn.
+  template <class Test>
+  void ForTasks(int count, const Test& test) {
+    int counted = 0;
+    for (int seed = GetParam(); counted < count / kQuarters; seed += kQuarters) {
+      RandomStream random(seed, "domains");
+      const std::string domain = RandomDomain(random);
+      const std::string problem = RandomProblem(random);
+      SCOPED_TRACE(domain + problem);
+      const GroundTask task = GroundText(domain, problem);
+      const std::string message = MessageOf([&] { PlanFor(task, Wanted::kFirst); });
+      if (message.find("contradicts") != std::string::npos) continue;
+      counted += test(task) ? 1 : 0;
+      if (HasFailure()) return;
+    }
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(Quarters, RandomDomains, testing::Range(0, kQuarters));
+
+void ExpectHolds(const GroundTask& task, const ContingentPlan& plan) {
+  const TreeCheck check = CheckTree(task, plan.tree);
+  EXPECT_TRUE(check.holds) << check.failure << "\n" << TextOf(task, plan.tree, Sharing::kOnce);
+  EXPECT_TRUE(check.are_all_worlds);
+}
+
+TEST_P(RandomDomains, TreesHoldInEveryWorld) {
+  ForTasks(kTrees, [&](const GroundTask& task) {
+    const ContingentPlan first = PlanFor(task, Wanted::kFirst);
+    const ContingentPlan least = PlanFor(task, Wanted::kLeastDepth);
+    EXPECT_NE(first.outcome, Outcome::kBudget);
+    EXPECT_EQ(first.outcome, least.outcome);
+    if (first.outcome != Outcome::kFound) return false;
+    ExpectHolds(task, first);
+    ExpectHolds(task, least);
+    return SizeOf(first.tree).nodes > 1;
+  });
+}
+
+TEST_P(RandomDomains, LeastDepthIsTheOracles) {
+  ForTasks(kDomains, [&](const GroundTask& task) {
+    const ContingentPlan first = PlanFor(task, Wanted::kFirst);
+    const ContingentPlan least = PlanFor(task, Wanted::kLeastDepth);
+    const bool has_tree =
+        least.outcome == Outcome::kFound && least.guarantee == Guarantee::kLeastDepth;
+    const auto expected = oracle::BeliefSearch(task).LeastDepth(kOraclesDepth);
+    EXPECT_TRUE(has_tree || !expected) << "the oracle finds one of depth " << *expected;
+    if (has_tree) {
+      const int depth = SizeOf(least.tree).depth;
+      EXPECT_TRUE(expected ? depth == *expected : depth > kOraclesDepth) << depth;
+    }
+    if (has_tree) {
+      EXPECT_GE(SizeOf(first.tree).depth, SizeOf(least.tree).depth);
+    }
+    return true;
+  });
+}
+
+}  // namespace
+}  // namespace assay::contingent

@@ -1,0 +1,120 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/base/random.h"
+#include "planner/contingent/tree_check.h"
+#include "planner/contingent/tree_text.h"
+#include "tests/planner/contingent/tasks.h"
+
+// Random domains with all that the language has: functions of objects and numbers, run-time
+// variables, conjunctions in Kw, update rules. There is no oracle for their depth, but each tree
+// must hold.
+namespace assay::contingent {
+namespace {
+
+constexpr int kTrees = 600;
+constexpr int kQuarters = 4;  // to run side by side
+
+std::string Pick(RandomStream& random, const std::vector<const char*>& choices) {
+  return choices[random.Index(static_cast<int>(choices.size()))];
+}
+
+std::string RandomKnown(RandomStream& random) {
+  return Pick(random, {"K(p)", "K(!p)", "K(q)", "K(!q)", "K(r)", "K(!s)", "K(f = a)", "K(f != b)",
+                       "K(n > 2)", "K(n <= 3)"});
+}
+
+std::string RandomQuery(RandomStream& random) {
+  const std::string first = RandomKnown(random);
+  switch (random.Index(4)) {
+    case 0:
+      return first + " & " + RandomKnown(random);
+    case 1:
+      return first + " | " + RandomKnown(random);
+    default:
+      return first;
+  }
+}
+
+std::string RandomFact(RandomStream& random) {
+  return Pick(random, {"add(Kf, p)", "add(Kf, !p)", "add(Kf, q)", "add(Kf, !q)", "add(Kf, r)"});
+}
+
+std::string RandomEffect(RandomStream& random) {
+  switch (random.Index(8)) {
+    case 0:
+      return RandomFact(random);
+    case 1:
+      return Pick(random, {"K(q) => ", "K(!r) => ", "K(f = a) => ", "K(s) => "}) +
+             RandomFact(random);
+    case 2:
+      return Pick(random, {"add(Kw, p)", "add(Kw, q)", "add(Kw, q & r)", "add(Kw, n > 2)"});
+    case 3:
+      return Pick(random, {"add(Kv, f)", "add(Kv, n within 0.2)", "add(Kv, n)"});
+    case 4:
+      return Pick(random, {"add(Kf, f = a)", "add(Kf, f = b)", "del(Kf, f = b)"});
+    case 5:
+      return Pick(random, {"add(Kf, n = n + 1)", "add(Kf, n = n + [0, 1])", "add(Kf, n = 2)"});
+    case 6:
+      return "del(Kf, s)";
+    default:
+      return "add(Kw, s)";
+  }
+}
+
+std::string RandomDomain(RandomStream& random) {
+  std::string text =
+      "domain rich types: thing constants: a, b, c: thing\n"
+      "predicates: p, q, r, s, t functions: f: thing, n: number\n"
+      "action use(?x: thing) preconds: K(?x = f) effects: add(Kf, s)\n";
+  const int actions = 3 + random.Index(4);
+  for (int i = 0; i < actions; ++i) {
+    text += fmt::format("action act{} preconds: {} effects: {}", i,
+                        random.Index(3) == 0 ? RandomQuery(random) : "true", RandomEffect(random));
+    if (random.Index(2) == 0) text += "; " + RandomEffect(random);
+    text += "\n";
+  }
+  if (random.Index(3) == 0) text += "updates: K(p) & K(s) => add(Kf, t); K(!p) => add(Kf, !t)\n";
+  return text;
+}
+
+std::string RandomProblem(RandomStream& random) {
+  std::string init = Pick(random, {"add(Kf, n = [0, 3])", "add(Kf, n = 1)", "add(Kf, !s)"});
+  for (const char* fact :
+       {"add(Kf, p)", "add(Kf, !q)", "add(Kf, f = c)", "add(Kf, !t)", "add(Kx, f = a | f = b)",
+        "add(Kx, some(q | !r))", "add(Kw, r)", "add(LCW, s)"}) {
+    if (random.Index(3) == 0) init += std::string(", ") + fact;
+  }
+  return fmt::format(
+      "problem rich domain rich init: {} goal: {} & {}", init, RandomQuery(random),
+      Pick(random, {"K(s)", "K(t)", "Kw(q)", "Kv(f)", "K(n >= 3)", "Kv(n within 0.1)", "Kv(n)"}));
+}
+
+class RichDomains : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Quarters, RichDomains, testing::Range(0, kQuarters));
+
+TEST_P(RichDomains, TreesHoldInEveryWorld) {
+  int planned = 0;
+  for (int seed = GetParam(); planned < kTrees / kQuarters && !HasFailure(); seed += kQuarters) {
+    RandomStream random(seed, "rich domains");
+    const std::string domain = RandomDomain(random);
+    const std::string problem = RandomProblem(random);
+    SCOPED_TRACE(domain + problem);
+    const std::string message = MessageOf([&] {
+      const GroundTask task = GroundText(domain, problem);
+      for (const Wanted wanted : {Wanted::kFirst, Wanted::kLeastDepth}) {
+        const ContingentPlan plan = PlanFor(task, wanted, 500);
+        if (plan.outcome != Outcome::kFound || SizeOf(plan.tree).nodes == 1) continue;
+        ++planned;
+        const TreeCheck check = CheckTree(task, plan.tree);
+        EXPECT_TRUE(check.holds) << check.failure << "\n"
+                                 << TextOf(task, plan.tree, Sharing::kOnce);
+      }
+    });
+    EXPECT_THAT(message, testing::AnyOf("no error", testing::HasSubstr("contradicts")));
+  }
+}
+
+}  // namespace
+}  // namespace assay::contingent

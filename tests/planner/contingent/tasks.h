@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+
+#include "planner/contingent/contingent_planner.h"
+#include "planner/contingent/grounding.h"
+#include "planner/contingent/pks_file.h"
+#include "planner/contingent/task_file.h"
+
+// Tasks for tests: from text, and from the scenarios.
+namespace assay::contingent {
+
+inline GroundTask GroundText(const std::string& domain, const std::string& problem,
+                             Externs externs = {}) {
+  return Ground(ReadPksDomain(domain, "domain.pks"), ReadPksProblem(problem, "problem.pks"),
+                externs);
+}
+
+inline GroundTask GroundScenario(const std::string& domain, const std::string& problem) {
+  const std::string folder = ASSAY_SOURCE_DIR "/scenarios/know/";
+  const Task task = LoadTask(folder + domain + ".pks", folder + problem + ".pks");
+  Externs externs;
+  return Ground(task.domain, task.problem, externs);
+}
+
+inline ContingentPlan PlanFor(const GroundTask& task, Wanted wanted,
+                              std::int64_t states = 1'000'000) {
+  Budget budget(states);
+  return MakePlan(task, wanted, budget);
+}
+
+// What InputError says, or "no error".
+template <class Function>
+std::string MessageOf(const Function& function) {
+  try {
+    function();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+}  // namespace assay::contingent
