@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "planner/domain/reachability.h"
+#include "planner/assembly/strategy_reach.h"
 #include "planner/posting/moment.h"
 #include "planner/posting/sensing_resolver.h"
 
@@ -28,10 +28,6 @@ constexpr int kRounds = 4;            // of computing errors at starts that are 
 constexpr double kSpare = 1.05;       // of errors: they are a little different at every start
 constexpr double kLeastShift = 5e-5;  // metres: errors that are less make a search no easier
 constexpr double kLeastTurn = 5e-4;   // radians
-// What strategies are first asked to absorb, though less would do: those that do without most of it
-// rely on contacts that hardly move the part, which soft servos feel late or not at all.
-constexpr double kUsualShift = 0.002;
-constexpr double kUsualTurn = 0.0175;
 constexpr double kGreatestShift = 0.006;  // metres: half of where contacts are looked for
 constexpr double kGreatestTurn = 0.2;     // radians: contacts are linear in no more
 
@@ -56,30 +52,11 @@ plan::Strategy StrategyFrom(const MatingGeometry& geometry, const FineMotionPlan
   return strategy;
 }
 
-// Whether the arm gets to where the motions begin and end, if there are no errors, and the hand is
-// then free of the other parts.
-bool IsFree(const UnmetGoals& unmet, const plan::Assemble& assemble,
-            const plan::Strategy& strategy) {
-  const domain::Problem& problem = unmet.problem;
-  const domain::Workcell& workcell = *problem.workcell;
-  const plan::WorldState state =
-      posting::StatesOf(problem, unmet.actions)[static_cast<std::size_t>(unmet.step)];
-  std::vector<domain::PlacedPart> others;
-  for (std::size_t p = 0; p < state.parts.size(); ++p) {
-    if (domain::PartId(p) == problem.mating(assemble.mating).held) continue;
-    others.push_back({domain::PartId(p), state.parts[p].X_WorldPart});
-  }
-  const auto is_free = [&](const Pose& X_FixedTip) {
-    const Pose X_WorldTool = assemble.fixed.X_WorldPart * X_FixedTip *
-                             strategy.X_HeldTip.inverse() * assemble.hold.X_PartTool;
-    const auto solutions = workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), workcell.home());
-    const bool reached = std::ranges::any_of(solutions, [&](const auto& solution) {
-      return workcell.arm().NearestInRange(solution.q, workcell.home()).has_value();
-    });
-    return reached && Obstacle(problem, X_WorldTool, assemble.hold.width, others).IsNone();
-  };
-  return is_free(strategy.X_FixedStart) &&
-         std::ranges::all_of(strategy.motions, is_free, &plan::StrategyMotion::X_FixedTip);
+bool CanBeReached(const UnmetGoals& unmet, const plan::Assemble& assemble,
+                  const plan::Strategy& strategy) {
+  const auto states = posting::StatesOf(unmet.problem, unmet.actions);
+  const plan::WorldState& before = states[static_cast<std::size_t>(unmet.step)];
+  return !std::holds_alternative<Unreached>(ReachOf(unmet.problem, assemble, strategy, before));
 }
 
 // The plan with the insertions of remedies, and where the step is then.
@@ -172,15 +149,9 @@ std::vector<Remedy> FineMotionResolver::Propose(const UnmetGoals& unmet) {
   return {};
 }
 
-std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& unmet) {
-  auto strategy = StrategyFor(unmet, {kUsualShift, kUsualTurn});
-  return strategy ? strategy : StrategyFor(unmet, {kLeastShift, kLeastTurn});
-}
-
 // Where the start is decides on the errors there, and these on the start: the two are looked for in
 // turn.
-std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& unmet,
-                                                              const LeastErrors& least) {
+std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& unmet) {
   const auto& assemble =
       std::get<plan::Assemble>(unmet.actions[static_cast<std::size_t>(unmet.step)]);
   const domain::Mating& mating = unmet.problem.mating(assemble.mating);
@@ -192,7 +163,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
       {geometry.X_HeldTip, geometry.passage.X_StationaryEntry, geometry.X_FixedSeat.linear()}));
   for (int round = 0; round < kRounds; ++round) {
     if (box.d.norm() >= kGreatestShift || box.w.norm() >= kGreatestTurn) return std::nullopt;
-    box = {box.d.cwiseMax(least.shift), box.w.cwiseMax(least.turn)};
+    box = {box.d.cwiseMax(kLeastShift), box.w.cwiseMax(kLeastTurn)};
     const plan::StrategyCertificate certificate = {.absorbs = AbsorbedConditions(),
                                                    .d = box.d,
                                                    .w = box.w,
@@ -203,7 +174,8 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
     plan::Strategy strategy = StrategyFrom(geometry, plan, certificate, friction);
     const TipBox there = TipBoxAt(unmet, propagation_, uncertainty::WayOf(strategy));
     if (IsWithin(there, box)) {
-      return IsFree(unmet, assemble, strategy) ? std::optional(std::move(strategy)) : std::nullopt;
+      if (!CanBeReached(unmet, assemble, strategy)) return std::nullopt;
+      return strategy;
     }
     box = WithSpare({box.d.cwiseMax(there.d), box.w.cwiseMax(there.w)});
   }

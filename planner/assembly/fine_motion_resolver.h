@@ -27,15 +27,7 @@ class FineMotionResolver : public posting::Resolver {
   int searches() const { return static_cast<int>(plans_.size()); }  // so far
 
  private:
-  // Half widths that are assumed of every error of the tip, whatever it is.
-  struct LeastErrors {
-    double shift = 0;  // metres
-    double turn = 0;   // radians
-  };
-
   std::optional<plan::Strategy> StrategyFor(const posting::UnmetGoals& unmet);
-  std::optional<plan::Strategy> StrategyFor(const posting::UnmetGoals& unmet,
-                                            const LeastErrors& least);
   // The same errors ask for the same plan.
   const finemotion::FineMotionPlan& PlanFor(domain::MatingId mating,
                                             const finemotion::MatingGeometry& geometry,

@@ -78,4 +78,17 @@ StablePoseId PoseThatHides(const PartModel& model, const std::vector<FeatureNumb
   return StablePoseId(static_cast<std::size_t>(found - model.stable_poses().begin()));
 }
 
+void NoteOcclusions(Problem& problem) {
+  std::vector<PlacedPart> placed;
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    placed.push_back({.part = PartId(p), .X_WorldPart = problem.parts[p].X_WorldPart});
+  }
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    Part& part = problem.parts[p];
+    part.hidden = OccludedFeatures(problem, PartId(p), part.X_WorldPart, placed);
+    part.position_class =
+        part.resting.IsNone() ? PoseThatHides(*part.model, part.hidden) : part.resting;
+  }
+}
+
 }  // namespace assay::domain

@@ -17,4 +17,8 @@ std::vector<FeatureNumber> OccludedFeatures(const Problem& problem, PartId part,
 // features (Spar, "Stable Poses and Position Classes"), the first of several; None if none does.
 StablePoseId PoseThatHides(const PartModel& model, const std::vector<FeatureNumber>& features);
 
+// Sets what each part of the problem hides where it is at the start (Part::hidden), and the
+// position class that it is then in.
+void NoteOcclusions(Problem& problem);
+
 }  // namespace assay::domain

@@ -8,6 +8,7 @@
 
 #include "planner/domain/grasp.h"
 #include "planner/domain/mating.h"
+#include "planner/domain/mating_errors.h"
 #include "planner/domain/part_model.h"
 #include "planner/domain/pose_error.h"
 #include "planner/domain/tolerances.h"
@@ -58,6 +59,7 @@ struct Problem {
   std::vector<ResolverKind> resolvers = {ResolverKind::kSensing, ResolverKind::kSqueezing};
   double clearance = 0;        // metres on each side of a mated shaft
   Tolerances tolerances = {};  // of the clearance, and of the workcell's frictions
+  MatingErrors mating_errors = {};
 
   const Part& part(PartId id) const { return parts[id.index()]; }
   const Mating& mating(MatingId id) const { return matings[id.index()]; }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/domain/mating_errors_file.h"
 #include "planner/domain/mating_file.h"
 #include "planner/domain/occlusion.h"
 #include "planner/domain/pose_error_file.h"
@@ -126,7 +127,6 @@ class ProblemFile {
   void CheckOnTable(const Value& pose, PartId id) const;
   void CheckAboveTable(const Value& place, const Part& part) const;
   void CheckApart() const;
-  void FindOcclusions();
   MatingId AddMating(const Value& value);
   void ReadGoals(const Value& goals);
   void ReadGoal(const Value& goal);
@@ -152,8 +152,8 @@ ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& 
   scenario.RequireFormat("assay-scenario/1");
   const Value& root = scenario.root();
   root.AllowOnly({"format", "title", "description", "units", "workcell", "rules", "clearance",
-                  "tolerances", "parts", "gripper", "sensing", "resolvers", "initially", "goal",
-                  "simulation"});
+                  "tolerances", "parts", "gripper", "sensing", "resolvers", "mating_errors",
+                  "initially", "goal", "simulation"});
   problem_.name = std::filesystem::path(root.Place().file).stem().string();
   problem_.title = ReadOptionalText(root, "title");
   problem_.description = ReadOptionalText(root, "description");
@@ -171,9 +171,12 @@ ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& 
   if (const auto tolerances = root.Find("tolerances")) {
     problem_.tolerances = ReadTolerances(*tolerances, units_, problem_);
   }
+  if (const auto errors = root.Find("mating_errors")) {
+    problem_.mating_errors = ReadMatingErrors(*errors, units_);
+  }
   ReadInitially(root);
   PlaceParts();
-  FindOcclusions();
+  NoteOcclusions(problem_);
   ReadGoals(goals);
 }
 
@@ -197,19 +200,6 @@ PoseError ProblemFile::ReadError(const Value& owner) const {
   if (!given) return {};
   const PoseError error = ReadPoseError(*given, units_, {});
   return overrides_.error_scale == 1 ? error : Scaled(error, overrides_.error_scale);
-}
-
-void ProblemFile::FindOcclusions() {
-  std::vector<PlacedPart> placed;
-  for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
-    placed.push_back({.part = PartId(p), .X_WorldPart = problem_.parts[p].X_WorldPart});
-  }
-  for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
-    Part& part = problem_.parts[p];
-    part.hidden = OccludedFeatures(problem_, PartId(p), part.X_WorldPart, placed);
-    part.position_class =
-        part.resting.IsNone() ? PoseThatHides(*part.model, part.hidden) : part.resting;
-  }
 }
 
 void ProblemFile::ReadWorkcell(const Value& root) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "planner/domain/workcell.h"
@@ -12,5 +13,16 @@ namespace assay::domain {
 // centimetres.
 bool CanFollow(const Workcell& workcell, const geometry::Matrix3& R_WorldTool,
                std::span<const geometry::Vector3> corners);
+
+// How far the arm gets along a path of the tool from pose to pose, its origin on straight lines and
+// turning about one axis between two poses.
+struct PathReach {
+  // So many poses from the first on are reached, as far as any one configuration gets.
+  std::size_t reached = 0;
+  // At the first pose, of the configurations that come to the last one that which is the nearest to
+  // the workcell's home; none if none does.
+  std::optional<kinematics::JointVector> start = {};
+};
+PathReach ReachAlong(const Workcell& workcell, std::span<const geometry::Pose> X_WorldTools);
 
 }  // namespace assay::domain

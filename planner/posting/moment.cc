@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "planner/domain/occlusion.h"
+#include "planner/domain/resting.h"
+
 namespace assay::posting {
 
 using domain::PartId;
@@ -46,6 +49,18 @@ std::optional<int> LatestGraspable(const domain::Problem& problem,
   return Latest(step, [&](int moment) {
     return states[moment].in_hand.IsNone() && !IsMated(problem, states[moment], part);
   });
+}
+
+domain::Problem ProblemFrom(domain::Problem problem, const WorldState& state) {
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    domain::Part& part = problem.parts[p];
+    part.X_WorldPart = state.parts[p].X_WorldPart;
+    const bool is_mated = state.parts[p].status == PartStatus::kMated;
+    part.resting = is_mated ? domain::StablePoseId::None() : StablePoseAt(part, part.X_WorldPart);
+  }
+  problem.assembled = state.assembled;
+  NoteOcclusions(problem);
+  return problem;
 }
 
 plan::Place PlaceBefore(const UnmetGoals& unmet, const std::vector<WorldState>& states, int moment,

@@ -21,6 +21,10 @@ std::optional<int> LatestGraspable(const domain::Problem& problem,
                                    const std::vector<plan::WorldState>& states, int step,
                                    domain::PartId part);
 
+// What is left to do in a state with an empty hand, as a problem: parts are and matings hold at the
+// start as they do there. Errors are left as they are.
+domain::Problem ProblemFrom(domain::Problem problem, const plan::WorldState& state);
+
 // Where the part is before actions[moment], labelled as the action that brought it there does.
 plan::Place PlaceBefore(const UnmetGoals& unmet, const std::vector<plan::WorldState>& states,
                         int moment, domain::PartId part);

@@ -10,13 +10,15 @@
 #include <numeric>
 #include <optional>
 
+#include "planner/assembly/strategy_reach.h"
+#include "planner/domain/mating_errors_file.h"
 #include "sim/check/margin_ranking.h"
 #include "sim/cli/console.h"
 #include "sim/cli/mating_pictures.h"
 #include "sim/cli/mating_report.h"
+#include "sim/cli/mating_task.h"
 #include "sim/cli/mating_trials.h"
 #include "sim/cli/output_file.h"
-#include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/trial.h"
@@ -36,8 +38,8 @@ constexpr double kMillimetre = 1e-3;
 struct Options {
   std::filesystem::path scenario;
   std::filesystem::path models;
-  double displacement_mm = 2;
-  double rotation_deg = 1;
+  std::optional<double> displacement_mm;
+  std::optional<double> rotation_deg;
   std::optional<double> clearance_mm;
   std::optional<double> friction;
   double beyond = 1;
@@ -66,22 +68,19 @@ PlannedProblem Planned(const Options& options) {
   return MakePlan(options.scenario, options.models, {}, {}, overrides);
 }
 
-// The last assemble action of a plan: what fine motion is for.
-const plan::Assemble& AssembleOf(const PlannedProblem& planned) {
-  const plan::Assemble* found = nullptr;
-  for (const plan::StepId id : planned.result.plan.ExecutionOrder()) {
-    const auto* assemble = std::get_if<plan::Assemble>(&planned.result.plan.step(id).action);
-    if (assemble != nullptr) found = assemble;
-  }
-  if (found != nullptr) return *found;
-  throw UsageError(fmt::format("mate: {}: no plan with an assemble action", planned.scenario));
+domain::MatingErrors HalfWidths(const Options& options, const domain::Problem& problem) {
+  domain::MatingErrors errors = problem.mating_errors;
+  if (options.displacement_mm) errors.displacement = *options.displacement_mm * kMillimetre;
+  if (options.rotation_deg) errors.rotation = *options.rotation_deg * kDegree;
+  return errors;
 }
 
-finemotion::FineMotionErrors ErrorsOf(const Options& options, const MatingGeometry& geometry) {
+finemotion::FineMotionErrors ErrorsOf(const domain::MatingErrors& half_widths,
+                                      const MatingGeometry& geometry) {
   finemotion::FineMotionErrors errors;
   errors.tolerances = geometry.tolerances;
-  errors.pose.head<3>().setConstant(options.displacement_mm * kMillimetre);
-  errors.pose.tail<3>().setConstant(options.rotation_deg * kDegree);
+  errors.pose.head<3>().setConstant(half_widths.displacement);
+  errors.pose.tail<3>().setConstant(half_widths.rotation);
   return errors;
 }
 
@@ -99,10 +98,13 @@ std::string ReplayCommand(const Options& options) {
   const auto add = [&](const char* name, const auto& value, const auto& default_value) {
     if (value != default_value) command += fmt::format(" --{} {}", name, value);
   };
-  add("displacement", options.displacement_mm, usual.displacement_mm);
-  add("rotation", options.rotation_deg, usual.rotation_deg);
-  if (options.clearance_mm) command += fmt::format(" --clearance {}", *options.clearance_mm);
-  if (options.friction) command += fmt::format(" --friction {}", *options.friction);
+  const auto add_given = [&](const char* name, const std::optional<double>& value) {
+    if (value) command += fmt::format(" --{} {}", name, *value);
+  };
+  add_given("displacement", options.displacement_mm);
+  add_given("rotation", options.rotation_deg);
+  add_given("clearance", options.clearance_mm);
+  add_given("friction", options.friction);
   add("beyond", options.beyond, usual.beyond);
   for (const auto& [name, test] : Intersections()) {
     if (test == options.intersection) add("intersection", name, "exact");
@@ -121,84 +123,133 @@ std::vector<int> NumbersOf(const Options& options) {
   return numbers;
 }
 
-MatingStudy Tried(const PlannedProblem& planned, const MatingGeometry& geometry,
-                  const FineMotionPlan& plan, const Options& options) {
+// A mating with its plan, and what is told of it.
+struct Planning {
+  MatingTask task;
+  MatingGeometry geometry;
+  finemotion::FineMotionErrors errors;
+  finemotion::StrategyOptions search;
+  finemotion::LocalTopology topology = {};
+  FineMotionPlan plan = {};
+  plan::Strategy strategy = {};  // of the plan
+
+  Json json = {};
+  std::string text = {};
+  ExitCode code = ExitCode::kNoPlan;
+};
+
+Planning Prepared(const Options& options) {
+  MatingTask task = LastMatingOf(Planned(options));
+  const domain::Problem& problem = task.planned.problem;
+  MatingGeometry geometry = finemotion::GeometryOf(problem, problem.mating(task.assemble.mating));
+  const finemotion::FineMotionErrors errors = ErrorsOf(HalfWidths(options, problem), geometry);
+  const finemotion::StrategyOptions search = SearchOptions(options, problem);
+  return {std::move(task), std::move(geometry), errors, search};
+}
+
+void Search(Planning& of) {
+  Json seconds;
+  const Stopwatch graphing;
+  of.topology = TopologyOf(of.geometry.passage);
+  seconds["graph"] = graphing.Seconds();
+  const Stopwatch searching;
+  of.plan = SearchStrategy(of.geometry.passage, of.errors, of.search);
+  seconds["search"] = searching.Seconds();
+  of.strategy = StrategyOf(of.geometry, of.plan, of.search);
+  of.json = ToJson(of.geometry, of.plan, of.topology.graph);
+  of.json["seconds"] = seconds;
+  of.text = TextOf(of.geometry, of.plan);
+  if (of.plan.found) of.code = ExitCode::kDone;
+}
+
+MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const Options& options) {
   Progress progress("mating in physics");
-  MatingTrialSettings settings{.errors = ErrorsOf(options, geometry),
+  MatingTrialSettings settings{.errors = of.errors,
                                .beyond = options.beyond,
-                               .scene = planned.simulation.scene,
-                               .seed = options.seed};
+                               .scene = of.task.planned.simulation.scene,
+                               .seed = options.seed,
+                               .near = near};
   settings.scene.grasp = options.grasp;
   if (options.friction) settings.scene.part_friction = *options.friction;
-  const MatingTrials trials(planned, AssembleOf(planned), geometry, settings);
-  const plan::Strategy strategy =
-      finemotion::StrategyOf(geometry, plan, SearchOptions(options, planned.problem));
-  const check::PlannedContacts contacts = check::PlannedContactsOf(plan);
+  const MatingTrials trials(of.task, of.geometry, of.strategy, settings);
+  const check::PlannedContacts contacts = check::PlannedContactsOf(of.plan);
   const std::vector<int> numbers = NumbersOf(options);
   MatingStudy study{.strategy = std::vector<MatedTrial>(numbers.size()),
                     .straight = std::vector<MatedTrial>(numbers.size()),
-                    .covered = plan.absorbed,
+                    .covered = of.plan.absorbed,
                     .replay = ReplayCommand(options)};
   ForEachTrial(static_cast<int>(numbers.size()), options.jobs, [&](int nth) {
     const auto i = static_cast<std::size_t>(nth - 1);
-    study.strategy[i] = trials.RunStrategy(numbers[i], strategy, contacts);
+    study.strategy[i] = trials.RunStrategy(numbers[i], contacts);
     study.straight[i] = trials.RunStraight(numbers[i]);
     progress.Tell(fmt::format("mating in physics, trial {} of {}", nth, numbers.size()));
   });
   std::vector<check::SequenceComparison> comparisons;
   for (const MatedTrial& trial : study.strategy) comparisons.push_back(trial.sequence->comparison);
-  study.ranking = check::RankMargins(geometry.passage, plan,
-                                     SearchOptions(options, planned.problem).reach, comparisons);
+  study.ranking = check::RankMargins(of.geometry.passage, of.plan, of.search.reach, comparisons);
   return study;
+}
+
+void Try(const kinematics::JointVector& near, const Options& options, Planning& of) {
+  if (options.trials == 0 && !options.trial) return;
+  const Stopwatch trying;
+  const MatingStudy study = Tried(of, near, options);
+  of.json["seconds"]["trials"] = trying.Seconds();
+  of.text += TextOf(study);
+  of.json["trials"] = ToJson(study);
+  if (of.plan.found && study.CoveredFailures() > 0) of.code = ExitCode::kFailed;
+}
+
+void Refuse(const assembly::Unreached& unreached, Planning& of) {
+  of.code = ExitCode::kNoPlan;
+  of.json["outcome"] = "none";
+  of.json["unreached"] = ToJson(of.task, unreached);
+  of.text += TextOf(of.task, unreached);
+}
+
+void Execute(const Options& options, Planning& of) {
+  plan::Hold& hold = of.task.assemble.hold;
+  const auto chosen = assembly::ChooseHold(of.task.planned.problem, of.task.assemble, of.strategy);
+  if (const auto* unreached = std::get_if<assembly::Unreached>(&chosen))
+    return Refuse(*unreached, of);
+  const auto& [reaching, start] = std::get<assembly::ReachingHold>(chosen);
+  if (reaching.grasp != hold.grasp)
+    of.text += fmt::format("held by {}: {} does not reach\n", reaching.grasp, hold.grasp);
+  hold = reaching;
+  of.json["grasp"] = hold.grasp;
+  Try(start, options, of);
+}
+
+void Picture(const std::filesystem::path& folder, Planning& of) {
+  const PlannedProblem& planned = of.task.planned;
+  const std::vector<std::string> files =
+      WriteMatingPictures(folder, {planned, planned.problem.mating(of.task.assemble.mating),
+                                   of.geometry, of.topology, of.plan, of.strategy});
+  of.json["pictures"] = files;
+  of.text += fmt::format("{}\n", fmt::join(files, "\n"));
 }
 
 ExitCode Execute(const Options& options) {
   if (!options.pictures.empty()) MakeFolder(options.pictures);
-  const PlannedProblem planned = Planned(options);
-  const MatingGeometry geometry =
-      finemotion::GeometryOf(planned.problem, planned.problem.mating(AssembleOf(planned).mating));
-  Json seconds;
-  const Stopwatch graphing;
-  const finemotion::LocalTopology topology = TopologyOf(geometry.passage);
-  seconds["graph"] = graphing.Seconds();
-  const Stopwatch searching;
-  const FineMotionPlan plan = finemotion::SearchStrategy(
-      geometry.passage, ErrorsOf(options, geometry), SearchOptions(options, planned.problem));
-  seconds["search"] = searching.Seconds();
-  Json json = ToJson(geometry, plan, topology.graph);
-  std::string text = TextOf(geometry, plan);
-  ExitCode code = plan.found ? ExitCode::kDone : ExitCode::kNoPlan;
-  if ((options.trials > 0 || options.trial) && !plan.motions.empty()) {
-    const Stopwatch trying;
-    const MatingStudy study = Tried(planned, geometry, plan, options);
-    seconds["trials"] = trying.Seconds();
-    text += TextOf(study);
-    json["trials"] = ToJson(study);
-    if (plan.found && study.CoveredFailures() > 0) code = ExitCode::kFailed;
+  Planning planning = Prepared(options);
+  Search(planning);
+  if (!planning.plan.motions.empty()) {
+    Execute(options, planning);
+    if (!options.pictures.empty()) Picture(options.pictures, planning);
   }
-  if (!options.pictures.empty() && !plan.motions.empty()) {
-    const std::vector<std::string> files = WriteMatingPictures(
-        options.pictures,
-        {planned, planned.problem.mating(AssembleOf(planned).mating), geometry, topology, plan,
-         StrategyOf(geometry, plan, SearchOptions(options, planned.problem))});
-    json["pictures"] = files;
-    text += fmt::format("{}\n", fmt::join(files, "\n"));
-  }
-  json["seconds"] = seconds;
-  Print(options.json ? json.dump(2) + "\n" : text);
-  return code;
+  Print(options.json ? planning.json.dump(2) + "\n" : planning.text);
+  return planning.code;
 }
 
 void AddUncertainty(CLI::App& command, Options& options) {
   command
       .add_option("--displacement", options.displacement_mm,
-                  "of the part in the hand at first: so many mm at most, in x, y and z")
-      ->check(CLI::Range(0.0, 20.0))
-      ->capture_default_str();
+                  "of the part in the hand at first: so many mm at most, in x, y and z, instead "
+                  "of the scenario's mating_errors")
+      ->check(CLI::Range(0.0, domain::kMatingDisplacements.high / kMillimetre));
   command
       .add_option("--rotation", options.rotation_deg, "so many degrees at most, about x, y and z")
-      ->check(CLI::Range(0.0, 10.0))
-      ->capture_default_str();
+      ->check(CLI::Range(0.0, domain::kMatingRotations.high / kDegree));
   command
       .add_option("--clearance", options.clearance_mm, "mm on each side, instead of the scenario's")
       ->check(CLI::Range(0.0, 100.0));

@@ -78,6 +78,7 @@ Json ToJson(const finemotion::ContactGraph& graph) {
 struct Tally {
   int seated = 0;
   int recovered = 0;  // at the second attempt
+  int redrawn = 0;
   std::map<std::string, int> ends;
   std::map<std::string, int> holdings;  // of those that got stuck
   double greatest_force = 0;
@@ -87,6 +88,7 @@ Tally TallyOf(const std::vector<MatedTrial>& trials) {
   Tally tally;
   for (const MatedTrial& trial : trials) {
     if (trial.seated) ++tally.seated;
+    tally.redrawn += trial.redrawn;
     if (trial.seated && !trial.result.end.recovered.empty()) ++tally.recovered;
     ++tally.ends[std::string(exec::Name(trial.result.end.outcome))];
     if (const auto& holding = trial.result.end.holding)
@@ -265,6 +267,7 @@ Json ToJson(const std::vector<exec::ErrorState>& states, const SequenceRecord& s
 Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
   return {{"trial", trial.number},
           {"scale", trial.scale},
+          {"redrawn", trial.redrawn},
           {"covered", study.Covers(trial)},
           {"seated", trial.seated},
           {"end", exec::Name(trial.result.end.outcome)},
@@ -354,6 +357,28 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
   return json;
 }
 
+std::string TextOf(const MatingTask& task, const assembly::Unreached& unreached) {
+  const std::string where = unreached.motion == 0
+                                ? "where it starts"
+                                : fmt::format("where motion {} ends", unreached.motion);
+  const std::string why = unreached.obstacle.IsNone()
+                              ? "the arm does not get there"
+                              : fmt::format("the hand would go through '{}'",
+                                            task.planned.problem.part(unreached.obstacle).name);
+  return fmt::format("the arm cannot execute it with any grasp; with {}, {}, the tool at {}: {}\n",
+                     task.assemble.hold.grasp, where,
+                     plan::InMillimetres(unreached.X_WorldTool.translation()), why);
+}
+
+Json ToJson(const MatingTask& task, const assembly::Unreached& unreached) {
+  const geometry::Vector3 at = unreached.X_WorldTool.translation();
+  const auto& problem = task.planned.problem;
+  return {{"motion", unreached.motion},
+          {"tool", {at.x(), at.y(), at.z()}},
+          {"obstacle",
+           unreached.obstacle.IsNone() ? Json() : Json(problem.part(unreached.obstacle).name)}};
+}
+
 int MatingStudy::CoveredFailures() const {
   return static_cast<int>(std::ranges::count_if(
       strategy, [&](const MatedTrial& trial) { return Covers(trial) && !trial.seated; }));
@@ -365,6 +390,8 @@ std::string TextOf(const MatingStudy& study) {
   text += fmt::format("contact sequences: {} of {} as planned; {} of {} that are certain\n",
                       tally.matching, study.strategy.size(), tally.covered_matching, tally.covered);
   for (const MatedTrial& trial : study.strategy) text += TextOf(study, trial);
+  if (const int redrawn = TallyOf(study.strategy).redrawn; redrawn > 0)
+    text += fmt::format("errors with which no trial can begin: {}, drawn anew\n", redrawn);
   if (tally.unmapped > 0) {
     text += fmt::format("of no contact of the model: {} of {} points; first {}\n", tally.unmapped,
                         tally.points, tally.first_unmapped);

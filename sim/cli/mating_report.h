@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "planner/assembly/strategy_reach.h"
 #include "planner/finemotion/contact_graph.h"
 #include "planner/finemotion/mating.h"
 #include "sim/check/margin_ranking.h"
+#include "sim/cli/mating_task.h"
 #include "sim/cli/mating_trials.h"
 #include "sim/report/mating_page.h"
 
@@ -23,6 +25,10 @@ std::vector<report::MatingSubject::Motion> MotionsOf(const finemotion::FineMotio
 nlohmann::ordered_json ToJson(const finemotion::MatingGeometry& geometry,
                               const finemotion::FineMotionPlan& plan,
                               const finemotion::ContactGraph& graph);
+
+// Why the arm cannot execute the strategy, a line.
+std::string TextOf(const MatingTask& task, const assembly::Unreached& unreached);
+nlohmann::ordered_json ToJson(const MatingTask& task, const assembly::Unreached& unreached);
 
 // Trials with a strategy and straight in, and what they say of the plan.
 struct MatingStudy {

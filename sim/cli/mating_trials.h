@@ -7,7 +7,7 @@
 #include "planner/finemotion/mating.h"
 #include "sim/check/contact_observer.h"
 #include "sim/check/sequence_comparison.h"
-#include "sim/cli/planned_problem.h"
+#include "sim/cli/mating_task.h"
 #include "sim/exec/mating_trial.h"
 
 namespace assay::cli {
@@ -23,6 +23,7 @@ struct SequenceRecord {
 struct MatedTrial {
   int number = 0;    // from 1
   double scale = 0;  // of the greatest of its errors, in half widths of those planned for
+  int redrawn = 0;   // how often errors were drawn before with which no trial can begin
   exec::MatingResult result;
   bool seated = false;
   std::optional<SequenceRecord> sequence = {};  // of a strategy
@@ -33,26 +34,32 @@ struct MatingTrialSettings {
   double beyond = 1;                    // trials draw theirs from so many times as wide a box
   scene::SceneOptions scene = {};
   std::uint64_t seed = 1;
+  kinematics::JointVector near;  // exec::MatingSetting::near
 };
 
 // Executes one mating again and again in one scene, with errors drawn from the seed and the
-// trial's number alone. All that it is given must outlive it.
+// trial's number alone. Errors with which the strategy cannot start (exec::CanStart) are drawn
+// anew. All that it is given must outlive it.
 class MatingTrials {
  public:
-  MatingTrials(const PlannedProblem& planned, const plan::Assemble& assemble,
-               const finemotion::MatingGeometry& geometry, const MatingTrialSettings& settings);
+  MatingTrials(const MatingTask& task, const finemotion::MatingGeometry& geometry,
+               const plan::Strategy& strategy, const MatingTrialSettings& settings);
 
-  MatedTrial RunStrategy(int number, const plan::Strategy& strategy,
-                         const check::PlannedContacts& contacts) const;
+  MatedTrial RunStrategy(int number, const check::PlannedContacts& contacts) const;
   MatedTrial RunStraight(int number) const;
 
  private:
-  exec::MatingSetting SettingOf(int number) const;
-  MatedTrial Told(int number, const exec::MatingSetting& setting, exec::MatingResult result) const;
+  struct Drawn {
+    exec::MatingSetting setting;
+    int redrawn = 0;
+  };
+  Drawn DrawnFor(int number) const;
+  MatedTrial Told(int number, const Drawn& drawn, exec::MatingResult result) const;
 
   const domain::Problem& problem_;
   const plan::Assemble& assemble_;
   const finemotion::MatingGeometry& geometry_;
+  const plan::Strategy& strategy_;
   const MatingTrialSettings& settings_;
   scene::Scene scene_;
 };

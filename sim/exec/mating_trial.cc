@@ -3,16 +3,38 @@
 #include <limits>
 
 #include "planner/base/check.h"
+#include "planner/domain/reachability.h"
 #include "sim/exec/action_commands.h"
-#include "sim/exec/straight_line.h"
-#include "sim/mujoco/contact.h"
 
 namespace assay::exec {
 namespace {
 
 constexpr double kClosing = 0.2;   // seconds for the grip to build up
 constexpr double kSeated = 0.001;  // metres
-constexpr double kApart = 1e-4;    // metres that parts may overlap where they are put
+
+// Of the tool, for the tip to be there as it is believed to be in the hand.
+Pose X_TipToolOf(const MatingSetting& setting) {
+  return setting.X_HeldTip.inverse() * setting.hold.X_PartTool;
+}
+
+Pose HandError(const MatingSetting& setting) {
+  Pose displaced = geometry::Translation(setting.d);
+  const double angle = setting.w.norm();
+  if (angle > 0) displaced.rotate(Eigen::AngleAxisd(angle, setting.w / angle));
+  return X_TipToolOf(setting).inverse() * displaced * X_TipToolOf(setting);
+}
+
+// Of the arm's configurations that which is nearest to where it is to start.
+std::optional<JointVector> JointsFor(const domain::Workcell& workcell, const Pose& X_WorldTool,
+                                     const MatingSetting& setting) {
+  const JointVector& near = setting.near ? *setting.near : workcell.home();
+  std::optional<JointVector> nearest;
+  for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), near)) {
+    const auto q = workcell.arm().NearestInRange(s.q, near);
+    if (q && (!nearest || (*q - near).norm() < (*nearest - near).norm())) nearest = *q;
+  }
+  return nearest;
+}
 
 // Everything that a trial needs, with the part in the hand.
 class Trial {
@@ -32,17 +54,14 @@ class Trial {
 
   // The hand, closed on the part, where it believes itself to be at X_WorldTool.
   Progress Poise(const Pose& X_WorldTool) {
-    execution_.SetHandError(HandError());
+    execution_.SetHandError(HandError(setting_));
     const Pose truly = execution_.Erring(X_WorldTool);
-    if (!PlaceArm(truly)) return Failure{ExecutionOutcome::kUnreachable, "the arm cannot start"};
+    const auto q = JointsFor(*execution_.problem().workcell, truly, setting_);
+    if (!q) return Failure{ExecutionOutcome::kUnreachable, "the arm cannot start"};
+    execution_.Place(*q);
     scene_.SetGripper(data_, setting_.hold.width);
     scene_.SetPart(data_, mating_.held, truly * setting_.hold.X_PartTool.inverse());
     data_.Forward();
-    for (const auto& contact :
-         mujoco::ContactsBetween(data_, scene_.Body(mating_.fixed), scene_.Body(mating_.held))) {
-      if (contact.distance < -kApart)
-        return Failure{ExecutionOutcome::kOverload, "the parts overlap where it is to start"};
-    }
     scene_.CommandGripper(data_, 0);
     scene_.AttachPart(data_, mating_.held);
     execution_.world().Take(mating_.held, setting_.hold);
@@ -64,28 +83,6 @@ class Trial {
   }
 
  private:
-  Pose HandError() const {
-    Pose displaced = geometry::Translation(setting_.d);
-    const double angle = setting_.w.norm();
-    if (angle > 0) displaced.rotate(Eigen::AngleAxisd(angle, setting_.w / angle));
-    const Pose X_TipTool = setting_.X_HeldTip.inverse() * setting_.hold.X_PartTool;
-    return X_TipTool.inverse() * displaced * X_TipTool;
-  }
-
-  // Of the arm's configurations that which is nearest to the workcell's home.
-  bool PlaceArm(const Pose& X_WorldTool) {
-    const domain::Workcell& workcell = *execution_.problem().workcell;
-    std::optional<JointVector> nearest;
-    for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), workcell.home())) {
-      const auto q = workcell.arm().NearestInRange(s.q, workcell.home());
-      if (!q) continue;
-      const auto turn = [&](const JointVector& to) { return (to - workcell.home()).norm(); };
-      if (!nearest || turn(*q) < turn(*nearest)) nearest = *q;
-    }
-    if (nearest) execution_.Place(*nearest);
-    return nearest.has_value();
-  }
-
   const domain::Mating& mating_;
   const scene::Scene& scene_;
   const MatingSetting& setting_;
@@ -96,13 +93,25 @@ class Trial {
 
 }  // namespace
 
+bool CanStart(const domain::Problem& problem, const MatingSetting& setting,
+              const plan::Strategy& strategy) {
+  const domain::Mating& mating = problem.mating(setting.mating);
+  const Pose& X_WorldFixed = problem.part(mating.fixed).X_WorldPart;
+  const Pose truly =
+      X_WorldFixed * strategy.X_FixedStart * X_TipToolOf(setting) * HandError(setting);
+  const domain::PlacedPart held = {mating.held, truly * setting.hold.X_PartTool.inverse()};
+  const domain::PlacedPart fixed = {mating.fixed, X_WorldFixed};
+  return JointsFor(*problem.workcell, truly, setting) &&
+         Obstacle(problem, held, {&fixed, 1}).IsNone();
+}
+
 MatingResult RunMatingTrial(const domain::Problem& problem, const scene::Scene& scene,
                             const MatingSetting& setting, const plan::Strategy& strategy,
                             const MatingTrialOptions& options) {
+  ASSAY_CHECK(CanStart(problem, setting, strategy), "errors with which no trial can begin");
   Trial trial(problem, scene, setting, options);
-  const Pose X_TipTool = strategy.X_HeldTip.inverse() * setting.hold.X_PartTool;
   if (const Progress failure =
-          trial.Poise(trial.X_WorldFixed() * strategy.X_FixedStart * X_TipTool)) {
+          trial.Poise(trial.X_WorldFixed() * strategy.X_FixedStart * X_TipToolOf(setting))) {
     return trial.Result({OutcomeOf(failure->outcome), failure->reason});
   }
   HybridControl control(strategy, problem.mating(setting.mating).fixed, options.law,

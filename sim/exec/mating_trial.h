@@ -11,6 +11,8 @@ struct MatingSetting {
   Pose X_HeldTip;               // plan::Strategy::X_HeldTip
   Vector3 d = Vector3::Zero();  // how the held part is displaced in the hand, seen by the mated
   Vector3 w = Vector3::Zero();  // tip: metres, and radians about its origin, fixed part's axes
+  // The arm starts in the configuration that is nearest to these joint values; none: to its home.
+  std::optional<JointVector> near = {};
 };
 
 struct MatingTrialOptions {
@@ -25,10 +27,15 @@ struct MatingResult {
   Pose X_FixedHeld;           // truly, at the end
 };
 
+// Whether a trial of the strategy can begin: the arm gets to where it then truly starts, and the
+// held part is clear of the fixed one there. Else the errors are of no possible trial.
+bool CanStart(const domain::Problem& problem, const MatingSetting& setting,
+              const plan::Strategy& strategy);
+
 // The fixed part lies clamped where it is believed to be, the hand holds the other one, and the arm
 // is where it believes the strategy to start. That the part is displaced in the hand is told as an
 // error of the hand (Execution::SetHandError): pads that a part does not lie flat on would put it
-// right, and to the arm it is all the same.
+// right, and to the arm it is all the same. Only for what CanStart.
 MatingResult RunMatingTrial(const domain::Problem& problem, const scene::Scene& scene,
                             const MatingSetting& setting, const plan::Strategy& strategy,
                             const MatingTrialOptions& options = {});

@@ -225,6 +225,17 @@ TEST(ProblemFile, ReadsTolerancesInTheFilesUnits) {
   EXPECT_NEAR(problem.clearance, 0.02 * kInch, kTolerance) << "the middle stays";
 }
 
+TEST(ProblemFile, ReadsMatingErrorsInTheFilesUnits) {
+  const MatingErrors usual = {.displacement = 0.002, .rotation = kDegree};
+  EXPECT_EQ(ParseScenario(kBrick).mating_errors, usual);
+  const Problem problem =
+      ParseScenario(kBrick + "mating_errors: {displacement: 0.02, rotation: 0.5}\n");
+  EXPECT_NEAR(problem.mating_errors.displacement, 0.02 * kInch, kTolerance);
+  EXPECT_NEAR(problem.mating_errors.rotation, 0.5 * kDegree, kTolerance);
+  EXPECT_EQ(ParseScenario(kBrick + "mating_errors: {rotation: 0}\n").mating_errors,
+            (MatingErrors{.displacement = usual.displacement, .rotation = 0}));
+}
+
 // ---- Overrides ----
 
 Problem ParseWith(const std::string& text, const Overrides& overrides) {

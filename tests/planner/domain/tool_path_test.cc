@@ -105,6 +105,58 @@ TEST(ToolPath, EveryCornerMustBeInReach) {
   EXPECT_FALSE(CanFollow(*workcell, kDown, std::array{near, far, near}));
 }
 
+Pose PoseOf(const Matrix3& R_WorldTool, const Vector3& p) {
+  Pose X_WorldTool = geometry::Translation(p);
+  X_WorldTool.linear() = R_WorldTool;
+  return X_WorldTool;
+}
+
+TEST(ToolPath, WithoutTurnsReachIsTheSame) {
+  const auto workcell = PumaTable();
+  RandomStream random(13, "reach");
+  int followed = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    const Matrix3 R = RandomLeaningTool(random);
+    const std::array<Vector3, 3> path = {RandomPoint(random), RandomPoint(random),
+                                         RandomPoint(random)};
+    const std::array<Pose, 3> poses = {PoseOf(R, path[0]), PoseOf(R, path[1]), PoseOf(R, path[2])};
+    const PathReach reach = ReachAlong(*workcell, poses);
+    EXPECT_EQ(reach.start.has_value(), reach.reached == path.size());
+    for (std::size_t length = 1; length <= path.size(); ++length) {
+      EXPECT_EQ(CanFollow(*workcell, R, std::span(path).first(length)), length <= reach.reached)
+          << "trial " << trial;
+    }
+    followed += reach.start ? 1 : 0;
+  }
+  EXPECT_GT(followed, 10);
+}
+
+// From the start that is told, the joints go the way in small steps.
+TEST(ToolPath, TheStartIsOfAConfigurationThatComesToTheEnd) {
+  const auto workcell = PumaTable();
+  RandomStream random(14, "turns");
+  int followed = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    const Pose from = PoseOf(RandomLeaningTool(random), RandomPoint(random));
+    const Eigen::AngleAxisd turn(0.5, RandomPoint(random).normalized());
+    const Vector3 line = 0.05 * RandomPoint(random);
+    const Pose to = PoseOf(from.linear() * turn, from.translation() + line);
+    const PathReach reach = ReachAlong(*workcell, std::array{from, to});
+    if (!reach.start) continue;
+    ++followed;
+    const Pose start = workcell->arm().Forward(*reach.start);
+    EXPECT_TRUE(start.isApprox(workcell->FlangeFor(from), 1e-6)) << "trial " << trial;
+    const kinematics::Indicators indicators = workcell->arm().IndicatorsOf(*reach.start);
+    std::optional<JointVector> q = reach.start;
+    for (int i = 1; q && i <= 100; ++i) {
+      const Matrix3 R = from.linear() * Eigen::AngleAxisd(i * 0.005, turn.axis());
+      q = SolutionLike(*workcell, R, from.translation() + i * 0.01 * line, indicators, *q);
+    }
+    EXPECT_TRUE(q.has_value()) << "trial " << trial;
+  }
+  EXPECT_GT(followed, 10);
+}
+
 // A path that can be followed has parts that can: fewer corners never hurt.
 TEST(ToolPath, PrefixesOfAPathCanBeFollowed) {
   const auto workcell = PumaTable();

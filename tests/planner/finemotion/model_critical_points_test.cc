@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         Expected{"spar-fig15", {2.75, 0}, {4, 5}},
         // Shaft and key enter together: three sides of each, and of the shaft's fourth side what is
         // to the left and to the right of the key.
-        Expected{"keyed", {2.75, 0}, {8, 9}},
+        Expected{"keyed", {2.75, 0}, {8, 9}}, Expected{"mate-keyed", {2.75, 0}, {8, 9}},
         // The narrow shaft, 1.65 of it, enters its hole in the step; then the wide one; the plate.
         Expected{"mate-stepped", {1.65, 1.05, 0}, {4, 8, 9}},
         Expected{"mate-octagonal", {2.75, 0}, {8, 9}},

@@ -5,6 +5,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -352,36 +353,48 @@ TEST(SearchStrategy, ContactsComeInThePlannedOrderInExactGeometry) {
   }
 }
 
-// --- Matings with several critical points.
+// --- Matings of scenarios, with the errors that they are for.
 
-struct SeveralPoints {
+struct ScenarioMating {
   const char* scenario;
-  double length;  // errors: metres, radians
-  double angle;
+  int critical_points;  // where something enters: the plate that lands is not counted
 };
 
-class CriticalPointsInTurn : public testing::TestWithParam<SeveralPoints> {
+class ScenarioMatings : public testing::TestWithParam<ScenarioMating> {
  protected:
-  // With a play of 0.5 mm on each side.
-  static MatingGeometry Geometry() {
+  struct Planned {
+    MatingGeometry geometry;
+    FineMotionErrors errors;
+    FineMotionPlan plan = {};
+  };
+  // Searched for once.
+  static const Planned& Mating() {
+    static std::map<std::string, Planned> known;
+    const auto [found, is_new] = known.try_emplace(GetParam().scenario);
+    if (is_new) found->second = PlannedFor(GetParam().scenario);
+    return found->second;
+  }
+  static Planned PlannedFor(const std::string& scenario) {
     const domain::Problem problem =
-        domain::ReadProblem(Document::Load(domain::ScenarioPath(GetParam().scenario)),
-                            domain::ModelsFolder(), {.clearance = 0.5e-3});
-    return GeometryOf(problem, problem.matings.front());
+        domain::ReadProblem(Document::Load(domain::ScenarioPath(scenario)), domain::ModelsFolder());
+    Planned planned{
+        .geometry = GeometryOf(problem, problem.matings.front()),
+        .errors = ErrorsOf(problem.mating_errors.displacement, problem.mating_errors.rotation)};
+    planned.plan = SearchStrategy(planned.geometry.passage, planned.errors, OptionsOf(1));
+    return planned;
   }
 };
 
-TEST_P(CriticalPointsInTurn, ArePassedByOneStrategyInExactGeometry) {
-  const MatingGeometry geometry = Geometry();
+TEST_P(ScenarioMatings, AreOneStrategyThroughAllCriticalPointsInExactGeometry) {
+  const auto& [geometry, errors, plan] = Mating();
   const Passage& passage = geometry.passage;
-  ASSERT_EQ(passage.critical_points(), 2);
-  const FineMotionErrors errors = ErrorsOf(GetParam().length, GetParam().angle);
-  const FineMotionPlan plan = SearchStrategy(passage, errors, OptionsOf(1));
+  ASSERT_EQ(passage.critical_points(), GetParam().critical_points);
   ASSERT_TRUE(plan.found);
-  EXPECT_EQ(std::ranges::count(plan.maneuvers, Maneuver::Kind::kAdvance, &Maneuver::kind), 1);
+  EXPECT_EQ(std::ranges::count(plan.maneuvers, Maneuver::Kind::kAdvance, &Maneuver::kind),
+            GetParam().critical_points - 1);
   const Vector3 end = plan.motions.back().X_StationaryAfter.translation();
   const double deep = (end - passage.X_StationaryEntry.translation()).dot(passage.mating);
-  EXPECT_GT(deep, passage.further.back() - 0.01);
+  EXPECT_GT(deep, (passage.further.empty() ? 0 : passage.further.back()) - 0.01);
   RandomStream random(kSeed, "replay");
   for (int sample = 0; sample < 10; ++sample) {
     const ReplayOutcome outcome = ReplayFrom(passage, plan, RandomError(errors, random));
@@ -390,24 +403,24 @@ TEST_P(CriticalPointsInTurn, ArePassedByOneStrategyInExactGeometry) {
 }
 
 // The narrow shaft enters in the bottom of the wide hole.
-TEST_P(CriticalPointsInTurn, TheStartIsReachedStraightFromOutside) {
-  const Passage passage = Geometry().passage;
-  const FineMotionErrors errors = ErrorsOf(GetParam().length, GetParam().angle);
-  const FineMotionPlan plan = SearchStrategy(passage, errors, OptionsOf(1));
+TEST_P(ScenarioMatings, TheStartIsReachedStraightFromOutside) {
+  const auto& [geometry, errors, plan] = Mating();
   constexpr double kOutside = 0.06;  // metres
   PoseChange in = PoseChange::Zero();
-  in.head<3>() = kOutside * passage.mating;
+  in.head<3>() = kOutside * geometry.passage.mating;
   RandomStream random(kSeed, "approach");
   for (int sample = 0; sample < 10; ++sample) {
     const Pose start = Displaced(plan.X_StationaryStart, RandomError(errors, random));
-    ExactReplay replay(passage, Displaced(start, -in));
+    ExactReplay replay(geometry.passage, Displaced(start, -in));
     EXPECT_EQ(replay.Move({in, {}, {}}, 1, start.translation()), std::nullopt);
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Matings, CriticalPointsInTurn,
-                         testing::Values(SeveralPoints{"mate-stepped", 0.5e-3, 0.25 * kDegree},
-                                         SeveralPoints{"mate-t-slot", 0.3e-3, 0.15 * kDegree}),
+INSTANTIATE_TEST_SUITE_P(Matings, ScenarioMatings,
+                         testing::Values(ScenarioMating{"mate-stepped", 2},
+                                         ScenarioMating{"mate-t-slot", 2},
+                                         ScenarioMating{"mate-keyed", 1},
+                                         ScenarioMating{"mate-octagonal", 1}),
                          [](const auto& test) {
                            std::string name = test.param.scenario;
                            std::ranges::replace(name, '-', '_');

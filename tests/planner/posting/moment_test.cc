@@ -124,6 +124,25 @@ TEST_P(Moments, PlacesAreLabelledAsThePlanLabelsThem) {
   });
 }
 
+TEST_P(Moments, WhatIsLeftToDoStartsInThatState) {
+  for (int step = 0; step <= std::ssize(actions_); ++step) {
+    if (!states_[step].in_hand.IsNone()) continue;
+    SCOPED_TRACE(::testing::Message() << "step " << step);
+    const domain::Problem left = ProblemFrom(problem_, states_[step]);
+    const plan::WorldState start = plan::InitialState(left);
+    EXPECT_EQ(start.assembled, states_[step].assembled);
+    for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+      EXPECT_EQ(start.parts[p].status, states_[step].parts[p].status);
+      EXPECT_TRUE(plan::PosesAgree(start.parts[p].X_WorldPart, states_[step].parts[p].X_WorldPart));
+      const domain::Part& before = problem_.parts[p];
+      if (step > 0) continue;
+      EXPECT_EQ(left.parts[p].resting, before.resting);
+      EXPECT_EQ(left.parts[p].hidden, before.hidden);
+      EXPECT_EQ(left.parts[p].position_class, before.position_class);
+    }
+  }
+}
+
 TEST(Moment, OfPartsThatAreMatedFromTheStartOnlyTheFixedOneIsFree) {
   domain::Problem problem = LoadScenario("uncertain-known");
   problem.assembled.emplace_back(0);

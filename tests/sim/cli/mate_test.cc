@@ -37,16 +37,81 @@ TEST(Mate, WithoutAStrategyThereIsNoPlan) {
   EXPECT_THAT(ended.out, HasSubstr("no strategy absorbs the errors; in the way: "));
 }
 
+// Each has the errors that it is for.
+TEST(Mate, EveryMatingScenarioHasAStrategy) {
+  for (const std::string name : {"keyed", "octagonal", "square", "stepped", "t-slot"}) {
+    const Ended ended = Assay({"mate", kTree / ("scenarios/mate-" + name + ".yaml")});
+    EXPECT_EQ(ended.code, 0) << name << ": " << ended.out;
+  }
+}
+
+TEST(Mate, ErrorsOnTheCommandLineReplaceTheScenarios) {
+  const Folder folder;
+  const std::string errors = "mating_errors: {displacement: 2, rotation: 1}";
+  std::string text = TextOf(kSquare);
+  text.replace(text.find(errors), errors.size(), "mating_errors: {displacement: 20, rotation: 10}");
+  const std::string file = folder.Write("much.yaml", text);
+  const std::string models = kTree / "models";
+  EXPECT_EQ(Assay({"mate", file, "--models", models}).code, 10);
+  const Ended ended =
+      Assay({"mate", file, "--models", models, "--displacement", "2", "--rotation", "1"});
+  EXPECT_EQ(ended.out, Assay({"mate", kSquare}).out);
+}
+
 // The mouth, the lips, and the plate's landing.
 TEST(Mate, AStrategyLeadsThroughAllCriticalPoints) {
   const Ended ended =
-      Assay({"mate", kTree / "scenarios/mate-t-slot.yaml", "--clearance", "0.5", "--displacement",
-             "0.3", "--rotation", "0.15", "--trials", "1", "--json"});
+      Assay({"mate", kTree / "scenarios/mate-t-slot.yaml", "--trials", "1", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   const nlohmann::json result = ended.Json();
   EXPECT_EQ(result["critical_points"].size(), 3u);
   EXPECT_GE(result["absorbed"], 1);
   EXPECT_EQ(result["trials"]["strategy"]["seated"], 1);
+}
+
+// The block stands on an end, and is laid down before.
+TEST(Mate, TheFixedPartLiesWhereThePlanHasPutIt) {
+  const Ended ended = Assay({"mate", kTree / "scenarios/keyed.yaml", "--trials", "1", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.Json()["trials"]["strategy"]["seated"], 1);
+}
+
+// At the edge of its reach the arm comes straight to the hole, but not with every tilt.
+TEST(Mate, WhereTheArmDoesNotReachThereIsNoPlan) {
+  const Folder folder;
+  std::string text = TextOf(kSquare);
+  const std::string at = "at: [600, 50]";
+  text.replace(text.find(at), at.size(), "at: [870, 310]");
+  const std::string file = folder.Write("far.yaml", text);
+  int unreached = 0;
+  for (const char* seed : {"1", "2", "3", "4", "5", "6"}) {
+    const std::vector<std::string> command = {
+        "mate", file, "--models", kTree / "models", "--clearance", "0.5", "--search-seed", seed};
+    const Ended told = Assay(command);
+    if (told.code == 0) continue;
+    ++unreached;
+    EXPECT_EQ(told.code, 10) << told.out;
+    EXPECT_THAT(told.out, HasSubstr("the arm cannot execute it with any grasp"));
+    EXPECT_THAT(told.out, HasSubstr("where "));
+    std::vector<std::string> with_trials = command;
+    with_trials.insert(with_trials.end(), {"--trials", "1", "--json"});
+    const nlohmann::json result = Assay(with_trials).Json();
+    EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
+    EXPECT_EQ(result["outcome"], "none");
+    EXPECT_TRUE(result["unreached"]["obstacle"].is_null());
+    EXPECT_FALSE(result.contains("trials"));
+  }
+  EXPECT_GT(unreached, 0);
+}
+
+// Far beyond what the plan is for, the first errors that are drawn may put the part into the block.
+TEST(Mate, ErrorsWithWhichNoTrialCanBeginAreDrawnAnew) {
+  const Ended ended = Assay({"mate", kSquare, "--beyond", "12", "--trial", "9", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json row = ended.Json()["trials"]["rows"][0];
+  EXPECT_THAT(SchemaErrors(kSchema, ended.Json()), IsEmpty());
+  EXPECT_GT(row["redrawn"], 0);
+  EXPECT_GT(row["simulated"], 1) << "it began";
 }
 
 // The one that is run alone is the same as among others.

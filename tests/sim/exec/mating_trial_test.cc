@@ -345,6 +345,19 @@ TEST_F(MatingTrial, WedgesOnlyWithFriction) {
   EXPECT_EQ(mate(0.02), MatingOutcome::kDone);
 }
 
+// Two millimetres over the block's front with the tip's whole end: no turns, so that depth decides.
+TEST_F(MatingTrial, WithPartsThatOverlapItCannotStart) {
+  const Pose X_HeldTip = Setting(kNone, kNone).X_HeldTip;
+  SquareStrategy plan(X_HeldTip);
+  plan.Start(SquareStrategy::VertexAt(kNone, 1, 1, {kMouth + 0.002, kHalfWidth, kAxis - 0.03}));
+  for (const double down : {-0.01, 0.0, 0.0019, 0.0023, 0.01, 0.03}) {
+    EXPECT_EQ(CanStart(problem(), Setting({-down, 0, 0}, kNone), plan.strategy()), down < 0.002)
+        << down;
+  }
+  EXPECT_FALSE(CanStart(problem(), Setting({2, 0, 0}, kNone), plan.strategy()))
+      << "the arm is not as long as that";
+}
+
 // Four times the errors that it is for: whatever becomes of it, it is told, and nothing breaks.
 TEST_F(MatingTrial, BeyondItsRangeItEndsInAnErrorState) {
   RandomStream random(5, "beyond the range");
