@@ -1,0 +1,92 @@
+#include "planner/geometry/rounded_hull.h"
+
+#include <fcl/geometry/shape/convex.h>
+#include <fcl/narrowphase/distance.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "planner/base/check.h"
+
+namespace assay::geometry {
+
+struct RoundedHull::Prepared {
+  fcl::Convexd convex;
+};
+
+namespace {
+
+// FCL's list of faces: each its number of corners, then their indices.
+fcl::Convexd ConvexOf(const ConvexHull& hull) {
+  auto faces = std::make_shared<std::vector<int>>();
+  for (const Facet& facet : hull.facets) {
+    faces->push_back(static_cast<int>(facet.loop.size()));
+    faces->insert(faces->end(), facet.loop.begin(), facet.loop.end());
+  }
+  return fcl::Convexd(std::make_shared<const std::vector<Vector3>>(hull.vertices),
+                      static_cast<int>(hull.facets.size()), faces);
+}
+
+double GreatestAlong(const Vector3& direction, const std::vector<Vector3>& points) {
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (const Vector3& p : points) greatest = std::max(greatest, direction.dot(p));
+  return greatest;
+}
+
+// The width of the empty slab normal to `direction` (unit, in A's frame, from A to B); negative if
+// the cores overlap along it.
+double SlabWidth(const Vector3& direction, const RoundedHull& a, const RoundedHull& b,
+                 const Pose& X_AB) {
+  const Vector3 direction_B = X_AB.linear().transpose() * direction;
+  return direction.dot(X_AB.translation()) - GreatestAlong(-direction_B, b.vertices()) -
+         GreatestAlong(direction, a.vertices());
+}
+
+// From A's nearest point to B's, in A's frame; zero if the cores overlap. As for boxes
+// (collision.cc), libccd's solver with a fine tolerance is the one that can be relied on.
+Vector3 NearestDifference(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB) {
+  fcl::DistanceRequestd request(/*enable_nearest_points_=*/true);
+  request.gjk_solver_type = fcl::GST_LIBCCD;
+  request.distance_tolerance = 1e-14;
+  fcl::DistanceResultd result;
+  const double distance = fcl::distance(&a.prepared().convex, Pose::Identity(),
+                                        &b.prepared().convex, X_AB, request, result);
+  if (distance <= 0) return Vector3::Zero();
+  return result.nearest_points[1] - result.nearest_points[0];
+}
+
+}  // namespace
+
+RoundedHull::RoundedHull(std::span<const Vector3> points, double radius)
+    : core_(HullOf(points)), radius_(radius) {
+  ASSAY_CHECK(radius >= 0);
+  Eigen::AlignedBox3d bounds;
+  for (const Vector3& vertex : core_.vertices) bounds.extend(vertex);
+  center_ = bounds.center();
+  for (const Vector3& vertex : core_.vertices) {
+    ball_radius_ = std::max(ball_radius_, (vertex - center_).norm() + radius);
+  }
+  prepared_ = std::make_shared<const Prepared>(Prepared{ConvexOf(core_)});
+}
+
+double Volume(const ConvexHull& hull) {
+  double six_times = 0;
+  for (const Facet& facet : hull.facets) {
+    const Vector3& first = hull.vertices[facet.loop.front()];
+    for (std::size_t i = 1; i + 1 < facet.loop.size(); ++i) {
+      const Vector3& second = hull.vertices[facet.loop[i]];
+      six_times += first.dot(second.cross(hull.vertices[facet.loop[i + 1]]));
+    }
+  }
+  return six_times / 6;
+}
+
+double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
+                  const Pose& X_WorldB) {
+  const Pose X_AB = X_WorldA.inverse() * X_WorldB;
+  const Vector3 difference = NearestDifference(a, b, X_AB);
+  if (difference.isZero(0)) return 0;
+  return std::max(0.0, SlabWidth(difference.normalized(), a, b, X_AB) - a.radius() - b.radius());
+}
+
+}  // namespace assay::geometry
