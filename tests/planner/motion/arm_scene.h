@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "planner/base/random.h"
@@ -38,6 +40,28 @@ inline JointVector RandomPosture(const kinematics::Arm& arm, RandomStream& rando
   JointVector q;
   for (int j = 0; j < 6; ++j) q[j] = random.Uniform(arm.limits()[j].lower, arm.limits()[j].upper);
   return q;
+}
+
+// Every pair of bodies, at one posture.
+inline bool IsClear(const CollisionScene& scene, const JointVector& q, double clearance) {
+  const LinkPoses X_BaseLink = scene.arm().LinkPoses(q);
+  return std::ranges::all_of(scene.pairs(), [&](const BodyPair& pair) {
+    return scene.Separation(pair, X_BaseLink, clearance) >= clearance;
+  });
+}
+
+// A posture at rest whose tool is within the space above the table, low enough that parts matter.
+inline JointVector RandomPostureAtTheTable(const CollisionScene& scene, double clearance,
+                                           RandomStream& random) {
+  const domain::Workcell& workcell = scene.workcell();
+  while (true) {
+    const JointVector q = RandomPosture(scene.arm(), random);
+    const Vector3 tool = workcell.X_WorldBase() * scene.arm().Forward(q) *
+                         workcell.gripper().X_FlangeTool().translation();
+    const bool near = tool.x() > 0.3 && tool.x() < 1.05 && std::abs(tool.y()) < 0.6 &&
+                      tool.z() > 0 && tool.z() < 0.35;
+    if (near && IsClear(scene, q, clearance)) return q;
+  }
 }
 
 }  // namespace assay::motion

@@ -29,7 +29,7 @@ TEST(MotionCheck, WhatIsFreeIsFreeAtEveryStep) {
     const int steps = static_cast<int>((to - from).cwiseAbs().sum() / 0.01);
     for (int k = 0; k <= steps; ++k) {
       const JointVector q = from + static_cast<double>(k) / steps * (to - from);
-      ASSERT_GE(scene.Nearest(q).distance, 0.01) << i;
+      ASSERT_TRUE(IsClear(scene, q, 0.01)) << i;
     }
   }
   EXPECT_GT(free, 5);

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/kinematics/arm.h"
+
+namespace assay::motion {
+
+// The arm goes straight in joint space from each to the next.
+using JointPath = std::vector<kinematics::JointVector>;
+
+}  // namespace assay::motion
