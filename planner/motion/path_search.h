@@ -34,9 +34,9 @@ using PathResult = std::variant<JointPath, PathFailure>;
 
 // A path that keeps to the rules all along (MotionCheck): the straight one if it is free, else
 // RRT-Connect's (Kuffner and LaValle 2000; OMPL), shortened. What is to be kept upright is sampled
-// exactly upright: such postures of one configuration of the arm form planes in joint space, since
-// q4 is 0 or half a turn and q2 + q3 +- q5 is constant, so that motions between them stay upright.
-// The same request gives the same path.
+// exactly upright. Where the tool's axis is what points up, such postures of one configuration of
+// the arm form planes in joint space (q4 is 0 or half a turn, and q2 + q3 +- q5 is constant), so
+// that motions between them stay upright. The same request gives the same path.
 PathResult FindPath(const CollisionScene& scene, const PathRequest& request);
 
 }  // namespace assay::motion

@@ -1,0 +1,126 @@
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "planner/base/random.h"
+#include "planner/domain/problem_file.h"
+#include "planner/motion/joint_trajectory.h"
+#include "planner/motion/path_search.h"
+#include "planner/motion/swept_volume.h"
+
+namespace assay::motion {
+namespace {
+
+constexpr double kRoom = 0.012;  // of the ends, metres: more than the clearance asked for
+constexpr int kQueries = 1000;
+
+const domain::Problem& Clutter() {
+  static const domain::Problem problem = domain::ReadProblem(
+      Document::Load(ASSAY_SOURCE_DIR "/scenarios/clutter.yaml"), ASSAY_SOURCE_DIR "/models");
+  return problem;
+}
+
+enum class Hand { kEmpty, kHoldingThePeg };
+
+CollisionScene Scene(Hand hand) {
+  const PartId peg(1);
+  Surroundings surroundings{.opening = 0.05};
+  for (int i = 0; i < static_cast<int>(Clutter().parts.size()); ++i) {
+    if (hand == Hand::kHoldingThePeg && PartId(i) == peg) continue;
+    surroundings.parts.push_back({PartId(i), Clutter().part(PartId(i)).X_WorldPart});
+  }
+  if (hand == Hand::kHoldingThePeg) {
+    const domain::Grasp& grasp = Clutter().part(peg).grasps->front();
+    surroundings.held = HeldPart{peg, grasp.X_PartTool};
+    surroundings.opening = grasp.width;
+  }
+  return CollisionScene(Clutter(), surroundings);
+}
+
+// Free postures whose tool is low over the table.
+class Postures {
+ public:
+  explicit Postures(const CollisionScene& scene) : scene_(scene), check_(scene, {kRoom}) {}
+
+  JointVector Draw() {
+    while (true) {
+      JointVector q;
+      for (int j = 0; j < 6; ++j) {
+        const kinematics::JointLimits& limits = scene_.arm().limits()[static_cast<std::size_t>(j)];
+        q[j] = random_.Uniform(limits.lower, limits.upper);
+      }
+      if (IsLow(q) && !check_.FindObstruction(q, q)) return q;
+    }
+  }
+
+ private:
+  bool IsLow(const JointVector& q) const {
+    const domain::Workcell& workcell = scene_.workcell();
+    const Vector3 tool = workcell.X_WorldBase() * scene_.arm().Forward(q) *
+                         workcell.gripper().X_FlangeTool().translation();
+    return tool.x() > 0.3 && tool.x() < 1.05 && std::abs(tool.y()) < 0.6 && tool.z() > 0 &&
+           tool.z() < 0.35;
+  }
+
+  const CollisionScene& scene_;
+  MotionCheck check_;
+  RandomStream random_{1, "motion benchmark"};
+};
+
+std::vector<PathRequest> Queries(const CollisionScene& scene) {
+  Postures postures(scene);
+  std::vector<PathRequest> queries;
+  for (int i = 0; i < kQueries; ++i) {
+    const JointVector from = postures.Draw();
+    queries.push_back({.from = from, .to = postures.Draw()});
+  }
+  return queries;
+}
+
+double Share(std::vector<double>& sorted, double share) {
+  std::ranges::sort(sorted);
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+// One iteration is one query, from a free posture low over the table to another.
+void PathBetweenRandomPostures(benchmark::State& state, Hand hand) {
+  const CollisionScene scene = Scene(hand);
+  const std::vector<PathRequest> queries = Queries(scene);
+  const JointRates rates = RatesOf(scene.workcell());
+  std::vector<double> milliseconds;
+  std::vector<double> durations;
+  std::size_t next = 0;
+  for (auto _ : state) {
+    const auto start = std::chrono::steady_clock::now();
+    const PathResult result = FindPath(scene, queries[next++ % queries.size()]);
+    const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
+    milliseconds.push_back(took.count());
+    if (const auto* path = std::get_if<JointPath>(&result)) {
+      durations.push_back(JointTrajectory(*path, rates).duration());
+    }
+  }
+  state.counters["solved"] =
+      static_cast<double>(durations.size()) / static_cast<double>(milliseconds.size());
+  state.counters["median_ms"] = Share(milliseconds, 0.5);
+  state.counters["p99_ms"] = Share(milliseconds, 0.99);
+  state.counters["median_motion_s"] = Share(durations, 0.5);
+}
+BENCHMARK_CAPTURE(PathBetweenRandomPostures, EmptyHand, Hand::kEmpty)->Iterations(kQueries);
+BENCHMARK_CAPTURE(PathBetweenRandomPostures, HoldingThePeg, Hand::kHoldingThePeg)
+    ->Iterations(kQueries);
+
+void SweptVolumeOfAPath(benchmark::State& state) {
+  const CollisionScene scene = Scene(Hand::kHoldingThePeg);
+  Postures postures(scene);
+  const JointPath path = {postures.Draw(), postures.Draw()};
+  std::size_t pieces = 0;
+  for (auto _ : state) pieces = SweptVolume(scene, path, {}).size();
+  state.counters["pieces"] = static_cast<double>(pieces);
+}
+BENCHMARK(SweptVolumeOfAPath)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace assay::motion
