@@ -54,7 +54,7 @@ class RandomQueries : public ::testing::TestWithParam<bool> {};  // whether the 
 TEST_P(RandomQueries, ArePathsThatAreFree) {
   const CollisionScene scene(Clutter(), GetParam() ? PegInTheHand() : PartsAtTheStart());
   RandomStream random(101, "queries");
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 2; ++i) {
     const JointVector from = RandomPostureAtTheTable(scene, kRoom, random);
     const JointVector to = RandomPostureAtTheTable(scene, kRoom, random);
     const PathResult result =
