@@ -45,6 +45,23 @@ class Postures {
  public:
   explicit Postures(const CollisionScene& scene) : scene_(scene), check_(scene, {kRoom}) {}
 
+  // With the tool straight down, in the configuration of the arm's home: between some others no way
+  // is upright.
+  JointVector DrawUpright() {
+    while (true) {
+      const double height = random_.Uniform(0.02, 0.35);
+      const Pose X_WorldTool =
+          geometry::Translation(random_.Uniform(0.3, 1.05), random_.Uniform(-0.6, 0.6), height) *
+          geometry::RotationZ(random_.Uniform(-M_PI, M_PI)) * geometry::RotationX(M_PI);
+      const kinematics::Arm& arm = scene_.arm();
+      for (const auto& solution : arm.Inverse(scene_.workcell().FlangeFor(X_WorldTool))) {
+        const JointVector& q = solution.q;
+        if (solution.indicators != arm.IndicatorsOf(scene_.workcell().home())) continue;
+        if (arm.InRange(q) && !check_.FindObstruction(q, q)) return q;
+      }
+    }
+  }
+
   JointVector Draw() {
     while (true) {
       JointVector q;
@@ -70,12 +87,17 @@ class Postures {
   RandomStream random_{1, "motion benchmark"};
 };
 
-std::vector<PathRequest> Queries(const CollisionScene& scene) {
+enum class Tool { kAnyhow, kUpright };
+
+std::vector<PathRequest> Queries(const CollisionScene& scene, Tool tool) {
   Postures postures(scene);
   std::vector<PathRequest> queries;
   for (int i = 0; i < kQueries; ++i) {
-    const JointVector from = postures.Draw();
-    queries.push_back({.from = from, .to = postures.Draw()});
+    const bool upright = tool == Tool::kUpright;
+    const JointVector from = upright ? postures.DrawUpright() : postures.Draw();
+    const JointVector to = upright ? postures.DrawUpright() : postures.Draw();
+    queries.push_back({.from = from, .to = to});
+    if (upright) queries.back().rules.upright = Upright{.tilt = 10 * M_PI / 180};
   }
   return queries;
 }
@@ -86,9 +108,9 @@ double Share(std::vector<double>& sorted, double share) {
 }
 
 // One iteration is one query, from a free posture low over the table to another.
-void PathBetweenRandomPostures(benchmark::State& state, Hand hand) {
+void PathBetweenRandomPostures(benchmark::State& state, Hand hand, Tool tool) {
   const CollisionScene scene = Scene(hand);
-  const std::vector<PathRequest> queries = Queries(scene);
+  const std::vector<PathRequest> queries = Queries(scene, tool);
   const JointRates rates = RatesOf(scene.workcell());
   std::vector<double> milliseconds;
   std::vector<double> durations;
@@ -108,9 +130,13 @@ void PathBetweenRandomPostures(benchmark::State& state, Hand hand) {
   state.counters["p99_ms"] = Share(milliseconds, 0.99);
   state.counters["median_motion_s"] = Share(durations, 0.5);
 }
-BENCHMARK_CAPTURE(PathBetweenRandomPostures, EmptyHand, Hand::kEmpty)->Iterations(kQueries);
-BENCHMARK_CAPTURE(PathBetweenRandomPostures, HoldingThePeg, Hand::kHoldingThePeg)
+BENCHMARK_CAPTURE(PathBetweenRandomPostures, EmptyHand, Hand::kEmpty, Tool::kAnyhow)
     ->Iterations(kQueries);
+BENCHMARK_CAPTURE(PathBetweenRandomPostures, HoldingThePeg, Hand::kHoldingThePeg, Tool::kAnyhow)
+    ->Iterations(kQueries);
+
+BENCHMARK_CAPTURE(PathBetweenRandomPostures, KeptUpright, Hand::kEmpty, Tool::kUpright)
+    ->Iterations(200);
 
 void SweptVolumeOfAPath(benchmark::State& state) {
   const CollisionScene scene = Scene(Hand::kHoldingThePeg);
