@@ -4,6 +4,7 @@
 #include <limits>
 #include <queue>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "planner/contingent/node_table.h"
@@ -17,7 +18,10 @@ constexpr int kDeepestRepeat = 2000;  // nodes above each other, in a tree with 
 
 class Search {
  public:
-  explicit Search(KnowledgeSpace& space) : space_(space), initial_(space.initial()) {}
+  explicit Search(KnowledgeSpace& space)
+      : space_(space),
+        initial_(space.initial()),
+        conditionally_changed_(ConditionallyChanged(space.task())) {}
 
   ExhaustiveTree Run() {
     std::vector<StateId> layer = {initial_};
@@ -174,16 +178,36 @@ class Search {
   }
 
   // Whether each outcome comes in every world some time, if the branch is come to again and again:
-  // the atom that it asks of has no relation to any other, and is forgotten before it can be asked
-  // of again.
+  // the atom that it asks of has no relation to any other, and once it is known, only forgetting it
+  // makes it unknown again.
   bool IsFair(StateId state, const Transition& transition) {
     if (transition.step.kind != PlanNode::Kind::kWhether) return false;
     KnowledgeBase& knowledge = space_.knowledge();
     const KnowledgeState& here = space_.state(state);
     const GroundLiteral literal = knowledge.UndeterminedLiteral(transition.step.formula, here);
     if (literal.atom.IsNone()) return false;  // a bound
-    return space_.task().function_of_atom[literal.atom.index()].IsNone() &&
-           knowledge.RelationOf(here, literal.atom) == kAllSets;
+    return knowledge.RelationOf(here, literal.atom) == kAllSets &&
+           !conditionally_changed_.contains(literal.atom);
+  }
+
+  // Atoms that an effect changes in some worlds alone, so that they may become unknown without
+  // being anything else than they were. So do a function's values, which depend on each other.
+  static std::unordered_set<AtomId> ConditionallyChanged(const GroundTask& task) {
+    std::unordered_set<AtomId> atoms;
+    const auto add = [&](const std::vector<GroundEffect>& effects, bool are_all) {
+      for (const GroundEffect& effect : effects) {
+        for (const GroundChange& change : effect.changes) {
+          if (are_all || !effect.condition.IsTrue()) atoms.insert(change.literal.atom);
+          for (const GroundLiteral& l : change.literals) atoms.insert(l.atom);
+        }
+      }
+    };
+    for (const GroundAction& action : task.actions) add(action.effects, false);
+    add(task.updates, true);
+    for (const GroundFunction& function : task.functions) {
+      atoms.insert(function.values.begin(), function.values.end());
+    }
+    return atoms;
   }
 
   struct Made {
@@ -232,6 +256,7 @@ class Search {
 
   KnowledgeSpace& space_;
   StateId initial_;
+  std::unordered_set<AtomId> conditionally_changed_;
   std::unordered_map<StateId, std::vector<Transition>> transitions_;  // of states looked at
   std::vector<StateId> goals_;
   std::unordered_map<StateId, Least> depths_;

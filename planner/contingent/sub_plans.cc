@@ -15,13 +15,14 @@ std::optional<NodeId> SubPlans::Find(StateId state) {
   if (const auto known = entry_of_state_.find(state); known != entry_of_state_.end()) {
     return entries_[known->second].node;
   }
+  // Those that did not serve the state before do not now.
+  int& looked_at = looked_at_[state];
   const auto found_in = [&](const std::vector<int>& candidates) {
-    for (const int index : candidates) {
-      if (!Suits(entries_[index], state)) continue;
-      entry_of_state_[state] = index;
-      return true;
-    }
-    return false;
+    const auto first = std::lower_bound(candidates.begin(), candidates.end(), looked_at);
+    const auto found = std::find_if(first, candidates.end(),
+                                    [&](int index) { return Suits(entries_[index], state); });
+    if (found != candidates.end()) entry_of_state_[state] = *found;
+    return found != candidates.end();
   };
   const KnowledgeState& here = space_.state(state);
   bool is_found = found_in(without_atom_);
@@ -30,6 +31,7 @@ std::optional<NodeId> SubPlans::Find(StateId state) {
     is_found =
         space_.knowledge().layout().IsKnown(here, {AtomId(a), true}) && found_in(by_atom_[a]);
   }
+  looked_at = static_cast<int>(entries_.size());
   if (!is_found) return std::nullopt;
   return entries_[entry_of_state_[state]].node;
 }

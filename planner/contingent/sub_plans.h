@@ -49,6 +49,7 @@ class SubPlans {
   std::vector<int> without_atom_;
   // Which entry serves a state, where that has been found out.
   std::unordered_map<StateId, int> entry_of_state_;
+  std::unordered_map<StateId, int> looked_at_;  // so many entries, by state
   std::unordered_map<StateId, Requirement> goal_requirements_;
 };
 

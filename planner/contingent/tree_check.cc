@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -195,7 +196,7 @@ class Runner {
   // can go on to the goal.
   void Return(NodeId head, const History& history) {
     if (attempt_ != nullptr) {
-      for (const World& world : history.worlds) attempt_->returned.emplace_back(head, world);
+      for (const World& world : history.worlds) attempt_->Return(head, world, history);
       return;
     }
     const auto entry = std::find_if(heads_.rbegin(), heads_.rend(),
@@ -213,26 +214,28 @@ class Runner {
   // outcomes of what is open: by going round, in this world alone, until it has been everywhere.
   bool CanEnd(NodeId head, const World& world, const History& history) {
     Attempt attempt;
-    attempt.returned = {{head, world}};
+    attempt.Return(head, world, history);
     attempt_ = &attempt;
-    for (std::size_t next = 0; next < attempt.returned.size() && failure_.empty(); ++next) {
-      const auto [at, begun] = attempt.returned[next];
-      const auto first = attempt.returned.begin();
-      const auto here = first + static_cast<std::ptrdiff_t>(next);
-      if (attempt.has_ended || std::find(first, here, *here) != here) continue;
-      History alone = history;
-      alone.worlds = {begun};
-      RunFrom(at, std::move(alone));
+    for (std::size_t next = 0; next < attempt.returned.size(); ++next) {
+      if (attempt.has_ended || !failure_.empty()) break;
+      const auto [at, alone] = attempt.returned[next];
+      RunFrom(at, alone);
     }
     attempt_ = nullptr;
     return attempt.has_ended;
   }
 
-  static bool IsCaseOf(const World& world, const World& of) {
+  // Numbers of which nothing is known at first are not compared: any other is as good.
+  bool IsCaseOf(const World& world, const World& of) const {
     for (std::size_t a = 0; a < world.atoms.size(); ++a) {
       if (of.atoms[a] != Truth::kEither && of.atoms[a] != world.atoms[a]) return false;
     }
-    return world.numbers == of.numbers;
+    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
+      const Range& range = task_.initial.ranges[slot];
+      const bool is_open = std::isinf(range.low) && std::isinf(range.high);
+      if (!is_open && world.numbers[slot] != of.numbers[slot]) return false;
+    }
+    return true;
   }
 
   // Whether the world, or both of its cases by some atom, and so on, are cases of the worlds.
@@ -368,14 +371,19 @@ class Runner {
       for (const GroundChange& change : effects[e].changes) {
         if (change.kind == GroundChange::Kind::kSense) sensed.insert(change.formula);
         if (change.kind == GroundChange::Kind::kSenseValue) {
-          sensed_values[change.function] = change.error;
+          const auto [sensed_value, is_new] =
+              sensed_values.try_emplace(change.function, change.error);
+          sensed_value->second = std::min(sensed_value->second, change.error);
         }
       }
     }
     ForgetSensed(effects, happens_in_all, history);
     ChangeWorlds(effects, happens_in_all, history.worlds);
     history.sensed.merge(sensed);
-    history.values_sensed.merge(sensed_values);
+    for (const auto& [function, error] : sensed_values) {
+      const auto [known, is_new] = history.values_sensed.try_emplace(function, error);
+      known->second = std::min(known->second, error);
+    }
   }
 
   void SplitByAll(const GroundQuery& condition, Worlds& worlds) const {
@@ -388,20 +396,28 @@ class Runner {
                     History& history) const {
     for (std::size_t e = 0; e < effects.size(); ++e) {
       if (!happens[e] && !effects[e].is_of_worlds) continue;
-      for (const GroundChange& change : effects[e].changes) {
-        if (change.kind == GroundChange::Kind::kUnsense) history.sensed.erase(change.formula);
-        const FunctionId function = change.literal.atom.IsNone()
-                                        ? change.function
-                                        : task_.function_of_atom[change.literal.atom.index()];
-        history.values_sensed.erase(function);
-        std::erase_if(history.sensed, [&](FormulaId formula) {
-          const Formula& f = task_.formulas[formula.index()];
-          return (f.bound && f.bound->function == function) ||
-                 std::any_of(f.literals.begin(), f.literals.end(),
-                             [&](const GroundLiteral& l) { return l.atom == change.literal.atom; });
-        });
-      }
+      for (const GroundChange& change : effects[e].changes) ForgetSensed(change, history);
     }
+  }
+
+  void ForgetSensed(const GroundChange& change, History& history) const {
+    if (change.kind == GroundChange::Kind::kUnsense) history.sensed.erase(change.formula);
+    if (change.kind == GroundChange::Kind::kUnsenseValue) {
+      history.values_sensed.erase(change.function);
+    }
+    const bool is_of_number = change.kind == GroundChange::Kind::kAssign ||
+                              change.kind == GroundChange::Kind::kForgetNumber;
+    const AtomId atom = change.literal.atom;
+    if (atom.IsNone() && !is_of_number) return;
+    const FunctionId function =
+        is_of_number ? change.function : task_.function_of_atom[atom.index()];
+    history.values_sensed.erase(function);
+    std::erase_if(history.sensed, [&](FormulaId formula) {
+      const Formula& f = task_.formulas[formula.index()];
+      return (f.bound && f.bound->function == function) ||
+             std::any_of(f.literals.begin(), f.literals.end(),
+                         [&](const GroundLiteral& l) { return l.atom == atom; });
+    });
   }
 
   void ChangeWorlds(const std::vector<GroundEffect>& effects, const std::vector<bool>& happens,
@@ -498,8 +514,17 @@ class Runner {
 
   // Going round a repeat in one world.
   struct Attempt {
-    std::vector<std::pair<NodeId, World>> returned;  // to the heads of repeats
-    bool has_ended = false;                          // at the goal
+    std::vector<std::pair<NodeId, History>> returned;  // to the heads of repeats, in one world each
+    bool has_ended = false;                            // at the goal
+
+    void Return(NodeId head, const World& world, const History& history) {
+      const bool was_there = std::any_of(returned.begin(), returned.end(), [&](const auto& before) {
+        return before.first == head && before.second.worlds.front() == world;
+      });
+      if (was_there) return;
+      returned.emplace_back(head, history);
+      returned.back().second.worlds = {world};
+    }
   };
 
   const GroundTask& task_;

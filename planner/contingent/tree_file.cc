@@ -1,6 +1,11 @@
 #include "planner/contingent/tree_file.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 namespace assay::contingent {
 namespace {
@@ -48,6 +53,120 @@ Json ToJson(const GroundTask& task, const PlanNode& node) {
   return {};
 }
 
+class Reader {
+ public:
+  explicit Reader(const GroundTask& task) : task_(task) {}
+
+  PlanTree Read(const Value& json) {
+    json.AllowOnly({"format", "root", "nodes"});
+    const std::vector<Value> nodes = json.At("nodes").Items();
+    count_ = static_cast<int>(nodes.size());
+    PlanTree tree;
+    tree.root = Number(json.At("root"));
+    for (const Value& node : nodes) tree.nodes.push_back(ReadNode(node));
+    RequireEnd(tree, nodes);
+    return tree;
+  }
+
+ private:
+  NodeId Number(const Value& value) const { return NodeId(value.Integer(0, count_ - 1)); }
+
+  PlanNode ReadNode(const Value& json) const {
+    json.AllowOnly({"act", "then", "branch", "true", "false", "values", "goal", "repeats"});
+    PlanNode node;
+    if (json.Find("act")) {
+      node.kind = PlanNode::Kind::kAct;
+      node.action = ActionOf(json.At("act"));
+      node.children = {Number(json.At("then"))};
+    } else if (json.Find("values")) {
+      ReadValues(json, node);
+    } else if (json.Find("branch")) {
+      node.kind = PlanNode::Kind::kWhether;
+      node.formula = FormulaOf(json.At("branch"));
+      node.children = {Number(json.At("true")), Number(json.At("false"))};
+    } else if (!json.Find("goal")) {
+      json.Fail("a node without act, branch or goal", "one of them");
+    }
+    ReadRepeats(json, node);
+    return node;
+  }
+
+  ActionId ActionOf(const Value& json) const {
+    json.AllowOnly({"name", "arguments"});
+    GroundAction wanted;
+    wanted.name = json.At("name").Text();
+    for (const Value& argument : json.At("arguments").Items()) {
+      wanted.arguments.push_back(argument.IsMap() ? argument.At("value_of").Text()
+                                                  : argument.Text());
+    }
+    for (std::size_t a = 0; a < task_.actions.size(); ++a) {
+      const GroundAction& action = task_.actions[a];
+      if (action.name == wanted.name && action.arguments == wanted.arguments) return ActionId(a);
+    }
+    json.Fail(fmt::format("no action {}", TextOf(wanted)), "those of the domain");
+  }
+
+  FormulaId FormulaOf(const Value& json) const {
+    for (std::size_t f = 0; f < task_.formulas.size(); ++f) {
+      if (TextOf(task_, task_.formulas[f]) == json.Text()) return FormulaId(f);
+    }
+    json.Fail(fmt::format("nothing senses '{}'", json.Text()), "what actions add to Kw");
+  }
+
+  void ReadValues(const Value& json, PlanNode& node) const {
+    node.kind = PlanNode::Kind::kValue;
+    const std::string text = json.At("branch").Text();
+    const auto found = std::find_if(task_.functions.begin(), task_.functions.end(),
+                                    [&](const GroundFunction& f) { return f.text == text; });
+    if (found == task_.functions.end()) {
+      json.At("branch").Fail(fmt::format("no function '{}'", text), "those of the domain");
+    }
+    node.function = FunctionId(static_cast<int>(found - task_.functions.begin()));
+    for (const auto& [constant, child] : json.At("values").Entries()) {
+      node.values.push_back(found->values[constant.OneOf(found->constants)]);
+      node.children.push_back(Number(child));
+    }
+  }
+
+  void ReadRepeats(const Value& json, PlanNode& node) const {
+    const auto repeats = json.Find("repeats");
+    if (!repeats) return;
+    node.repeats.resize(node.children.size(), false);
+    for (const Value& number : repeats->Items()) {
+      const auto child = std::find(node.children.begin(), node.children.end(), Number(number));
+      if (child == node.children.end()) number.Fail("not a child of this node", "its children");
+      node.repeats[child - node.children.begin()] = true;
+    }
+  }
+
+  // Every way ends, or comes to a repeat: nodes are taken off from the ends.
+  static void RequireEnd(const PlanTree& tree, const std::vector<Value>& places) {
+    std::vector<std::vector<std::size_t>> parents(tree.nodes.size());
+    std::vector<int> open(tree.nodes.size(), 0);
+    std::vector<std::size_t> ended;
+    for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+      for (std::size_t i = 0; i < tree.nodes[n].children.size(); ++i) {
+        if (tree.nodes[n].Repeats(i)) continue;
+        parents[tree.nodes[n].children[i].index()].push_back(n);
+        ++open[n];
+      }
+      if (open[n] == 0) ended.push_back(n);
+    }
+    for (std::size_t next = 0; next < ended.size(); ++next) {
+      for (const std::size_t parent : parents[ended[next]]) {
+        if (--open[parent] == 0) ended.push_back(parent);
+      }
+    }
+    const auto endless = std::find_if(open.begin(), open.end(), [](int left) { return left > 0; });
+    if (endless != open.end()) {
+      places[endless - open.begin()].Fail("this leads back to itself", "repeats that are named");
+    }
+  }
+
+  const GroundTask& task_;
+  int count_ = 0;
+};
+
 }  // namespace
 
 Json ToJson(const GroundTask& task, const PlanTree& tree) {
@@ -61,5 +180,7 @@ Json ToJson(const GroundTask& task, const PlanTree& tree) {
   }
   return {{"format", "assay-tree/1"}, {"root", tree.root.index()}, {"nodes", std::move(nodes)}};
 }
+
+PlanTree ReadTree(const Value& tree, const GroundTask& task) { return Reader(task).Read(tree); }
 
 }  // namespace assay::contingent

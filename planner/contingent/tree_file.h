@@ -2,6 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "planner/base/document.h"
 #include "planner/contingent/plan_tree.h"
 
 namespace assay::contingent {
@@ -15,5 +16,10 @@ namespace assay::contingent {
 // and "repeats": [7] where going on with these numbers goes back. A run-time variable's argument is
 // {"value_of": "rightCombination"}.
 nlohmann::ordered_json ToJson(const GroundTask& task, const PlanTree& tree);
+
+// Reads a tree back. Throws InputError with the place of what does not fit the format or the task:
+// unknown actions, formulas and functions, and nodes that lead back to themselves without
+// "repeats".
+PlanTree ReadTree(const Value& tree, const GroundTask& task);
 
 }  // namespace assay::contingent

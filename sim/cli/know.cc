@@ -37,6 +37,7 @@ struct Options {
   std::filesystem::path domain;
   std::filesystem::path problem;
   std::filesystem::path output;
+  std::filesystem::path tree;  // instead of planning
   bool shortest = false;
   bool json = false;
   bool dot = false;
@@ -50,6 +51,7 @@ struct Options {
 struct Answer {
   GroundTask task;
   ContingentPlan plan;
+  bool is_from_file = false;
   std::optional<TreeCheck> check;
   double seconds = 0;
 };
@@ -78,6 +80,24 @@ std::string Word(Outcome outcome) {
   return "";
 }
 
+// The tree of a file, of its own or as --json has written it.
+ContingentPlan LoadTree(const std::filesystem::path& file, const GroundTask& task) {
+  const Document document = Document::Load(file);
+  const std::optional<Value> inner = document.root().Find("tree");
+  ContingentPlan plan;
+  plan.tree = contingent::ReadTree(inner ? *inner : document.root(), task);
+  plan.outcome = Outcome::kFound;
+  return plan;
+}
+
+ContingentPlan PlanOrLoad(const GroundTask& task, const Options& options) {
+  if (!options.tree.empty()) return LoadTree(options.tree, task);
+  Budget budget(options.budget);
+  return contingent::MakePlan(
+      task, options.shortest ? contingent::Wanted::kLeastDepth : contingent::Wanted::kFirst,
+      budget);
+}
+
 Answer MakeAnswer(const Options& options) {
   const contingent::Task task = contingent::LoadTask(options.domain, options.problem);
   const Progress progress("planning " + options.problem.string());
@@ -85,12 +105,10 @@ Answer MakeAnswer(const Options& options) {
   contingent::Externs externs;
   Answer answer;
   answer.task = contingent::Ground(task.domain, task.problem, externs);
-  Budget budget(options.budget);
-  answer.plan = contingent::MakePlan(
-      answer.task, options.shortest ? contingent::Wanted::kLeastDepth : contingent::Wanted::kFirst,
-      budget);
+  answer.plan = PlanOrLoad(answer.task, options);
+  answer.is_from_file = !options.tree.empty();
   answer.seconds = stopwatch.Seconds();
-  if (options.check && answer.plan.outcome == Outcome::kFound) {
+  if ((options.check || answer.is_from_file) && answer.plan.outcome == Outcome::kFound) {
     answer.check = contingent::CheckTree(answer.task, answer.plan.tree, {.worlds = options.worlds});
   }
   return answer;
@@ -109,7 +127,7 @@ std::string JsonText(const Answer& answer) {
   Json json = {{"outcome", Word(answer.plan.outcome)}};
   if (answer.plan.outcome == Outcome::kFound) {
     const TreeSize size = contingent::SizeOf(answer.plan.tree);
-    json["guarantee"] = Word(answer.plan.guarantee);
+    if (!answer.is_from_file) json["guarantee"] = Word(answer.plan.guarantee);
     json["tree"] = contingent::ToJson(answer.task, answer.plan.tree);
     json["depth"] = size.depth;
     json["leaves"] = size.leaves;
@@ -148,8 +166,8 @@ std::string PlanText(const Answer& answer, const Options& options) {
              options.unfold ? contingent::Sharing::kUnfolded : contingent::Sharing::kOnce);
   text += fmt::format(
       "depth {}, {} leaves, {} branch points, {} actions in {} nodes; {}; {} knowledge states\n",
-      size.depth, size.leaves, size.branch_points, size.actions, size.nodes, Word(plan.guarantee),
-      plan.states);
+      size.depth, size.leaves, size.branch_points, size.actions, size.nodes,
+      answer.is_from_file ? "from a file" : Word(plan.guarantee), plan.states);
   if (answer.check) text += CheckText(*answer.check);
   return text;
 }
@@ -187,6 +205,7 @@ Execution Declare(CLI::App& command) {
       .add_option("--worlds", options->worlds, "how many worlds to run; of more, as many are drawn")
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
+  command.add_option("--tree", options->tree, "check this tree, of --json, instead of planning");
   command.add_flag("--unfold", options->unfold, "tell shared sub-plans in each branch");
   CLI::Option* const json = command.add_flag("--json", options->json, "print the result as JSON");
   command.add_flag("--dot", options->dot, "print the tree for Graphviz")->excludes(json);

@@ -151,5 +151,16 @@ TEST(Plans, BudgetAndProofOfNone) {
   EXPECT_EQ(PlanFor(tiger, Wanted::kLeastDepth).outcome, Outcome::kNone);
 }
 
+// A switch that may not be connected: trying again tells the same again.
+TEST(Plans, RepeatNothingThatStaysAsItIs) {
+  const GroundTask task = GroundText(
+      "domain lamp predicates: connected, lit\n"
+      "action press effects: K(connected) => add(Kf, lit); add(Kw, lit)\n"
+      "action release effects: add(Kf, !lit)\n",
+      "problem lamp domain lamp init: add(Kf, !lit) goal: K(lit)");
+  EXPECT_EQ(PlanFor(task, Wanted::kFirst).outcome, Outcome::kNone);
+  EXPECT_EQ(PlanFor(task, Wanted::kLeastDepth).outcome, Outcome::kNone);
+}
+
 }  // namespace
 }  // namespace assay::contingent

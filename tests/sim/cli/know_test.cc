@@ -55,6 +55,38 @@ TEST(Know, Dot) {
   EXPECT_THAT(ended.out, HasSubstr("style=dashed"));
 }
 
+// A tree is data: it can be written by one program and checked by another.
+TEST(Know, TreesAreReadBack) {
+  const Folder folder;
+  for (const auto& [domain, problem] :
+       {std::pair("force-sensing", "three-cans"), std::pair("opening-a-safe", "safe-with-note"),
+        std::pair("slippery-grasp", "hold-the-cup")}) {
+    const std::string file = folder / "tree.json";
+    EXPECT_EQ(Know(domain, problem, {"--json", "-o", file}).code, 0);
+    const Ended read = Know(domain, problem, {"--tree", file, "--json"});
+    EXPECT_EQ(read.code, 0) << read.err;
+    EXPECT_EQ(read.Json()["tree"], JsonOf(file)["tree"]);
+    EXPECT_EQ(read.Json()["check"]["holds"], true);
+  }
+}
+
+TEST(Know, AWrongTreeIsRefused) {
+  const Folder folder;
+  const std::string early =
+      folder.Write("early.json",
+                   R"({"format": "assay-tree/1", "root": 1, "nodes": [{"goal": true},
+          {"act": {"name": "grasp", "arguments": ["can1"]}, "then": 0}]})");
+  const Ended fails = Know("force-sensing", "two-cans", {"--tree", early});
+  EXPECT_EQ(fails.code, 12);
+  EXPECT_THAT(fails.out, HasSubstr("check: FAILS: the goal is not known after grasp(can1)"));
+  const std::string endless =
+      folder.Write("endless.json", R"({"format": "assay-tree/1", "root": 0, "nodes": [
+          {"act": {"name": "grasp", "arguments": ["can1"]}, "then": 0}]})");
+  EXPECT_EQ(Know("force-sensing", "two-cans", {"--tree", endless}).code, 3);
+  EXPECT_THAT(Know("force-sensing", "two-cans", {"--tree", endless}).err,
+              HasSubstr(endless + ":2:11: this leads back to itself"));
+}
+
 TEST(Know, OutcomesHaveTheirCodes) {
   const Ended spent = Know("force-sensing", "ten-cans", {"--budget", "5", "--json"});
   EXPECT_EQ(spent.code, 11);
