@@ -91,6 +91,7 @@ class StrategyReplay {
       if (!command) return;
       const CertainMotion replayed = checker_.Check(belief, *command, margins);
       if (!replayed.check.certain) return Refuse(i, replayed);
+      CompareLength(i, replayed);
       if (margins == Margins::kAll) CompareClaims(i, replayed);
       belief = replayed.check.after;
       belief.X_StationaryMoving = strategy_.motions[i].X_FixedTip;
@@ -144,6 +145,14 @@ class StrategyReplay {
 
   // --- What the file says of a motion that is certain.
 
+  void CompareLength(std::size_t index, const CertainMotion& replayed) {
+    const plan::StrategyMotion& motion = strategy_.motions[index];
+    if (!motion.until || motion.beyond >= replayed.check.longest - 1 - kFarther) return;
+    Add("{}: it goes on for {:.4g} of its length at most, and {} may come after {:.4g}{}",
+        Motion(index), motion.beyond, Name(KeyAt(*motion.until)), replayed.check.longest - 1,
+        Errors());
+  }
+
   void CompareClaims(std::size_t index, const CertainMotion& replayed) {
     const plan::StrategyMotion& motion = strategy_.motions[index];
     for (const int contact : plan::ContactsAfter(motion)) {
@@ -152,9 +161,6 @@ class StrategyReplay {
       if (found != nullptr && std::abs(found->offset) > kPlace)
         Add("{}: it leads {:.4g} mm beside {}", Motion(index), 1e3 * found->offset, Name(*found));
     }
-    if (motion.until && motion.beyond < replayed.check.longest - 1 - kFarther)
-      Add("{}: it goes on for {:.4g} of its length at most, and {} may come after {:.4g}",
-          Motion(index), motion.beyond, Name(KeyAt(*motion.until)), replayed.check.longest - 1);
     const double friction = FrictionLimitOf(replayed);
     if (strategy_.certificate.friction > friction / kRounding)
       Add("{}: friction of {:.4g} can hold it, and it is said to take {:.4g}", Motion(index),

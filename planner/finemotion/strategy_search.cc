@@ -375,8 +375,22 @@ class Search {
       }
     }
     plan_.motions = From(start, std::min(asked_, plan_.absorbed), Margins::kAll).motions;
-    for (const CertainMotion& motion : plan_.motions)
-      plan_.friction_limit = std::min(plan_.friction_limit, FrictionLimitOf(motion));
+    LengthenForAllThatIsAbsorbed(start);
+    // Above the greatest that is looked for, what was asked for is what is known.
+    plan_.friction_limit = std::max(kGreatestFriction, options_.friction);
+    for (const CertainMotion& motion : plan_.motions) {
+      const double limit = FrictionLimitOf(motion);
+      if (limit < kGreatestFriction) plan_.friction_limit = std::min(plan_.friction_limit, limit);
+    }
+  }
+
+  // Contacts come the later, the greater the errors are.
+  void LengthenForAllThatIsAbsorbed(const Start& start) {
+    const Replay most = From(start, plan_.absorbed, Margins::kNone);
+    for (std::size_t i = 0; i < std::min(most.motions.size(), plan_.motions.size()); ++i) {
+      double& longest = plan_.motions[i].check.longest;
+      longest = std::max(longest, most.motions[i].check.longest);
+    }
   }
 
   const Passage& passage_;

@@ -71,7 +71,7 @@ std::string StrategyText(const plan::Strategy& strategy) {
     }
   }
   if (first == nullptr) return text + "\n";
-  return text + fmt::format("; then {} of {} comes first, at {:g} times\n",
+  return text + fmt::format("; first of what is unwanted: {} of {}, at {:g} times\n",
                             first->is_loss ? "the loss" : "the contact",
                             strategy.contacts[static_cast<std::size_t>(first->contact)].name,
                             first->scale);

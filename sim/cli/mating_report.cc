@@ -320,6 +320,11 @@ std::vector<report::MatingSubject::Motion> MotionsOf(const FineMotionPlan& plan)
 }
 
 std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
+  const std::string in_the_way = plan.obstacle ? "; in the way: " + TextOf(*plan.obstacle) : "";
+  if (plan.motions.empty()) {
+    return fmt::format("{} critical points; no sequence of contacts was found{}\n",
+                       geometry.critical_points.size(), in_the_way);
+  }
   Table table({{""}, {"ends with"}, {"in contact after it"}, {"first unwanted"}});
   int number = 0;
   for (const auto& motion : MotionsOf(plan)) {
@@ -332,8 +337,7 @@ std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionP
                         comparison.tests, comparison.compared, comparison.missed);
   }
   if (!plan.found) {
-    text += fmt::format("no strategy absorbs the errors{}\n",
-                        plan.obstacle ? "; in the way: " + TextOf(*plan.obstacle) : "");
+    text += fmt::format("no strategy was found that absorbs the errors{}\n", in_the_way);
   }
   return text;
 }
