@@ -210,8 +210,9 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
   PressedContacts kept = Pressed(motion.kept);
   const double dt = arm_.timestep();
   const double latest = 1 + attempt_ * motion.beyond + Slack(*motion.until, way);
-  const double touching = (kept.empty() ? law_.first_touching_force : law_.touching_force) +
-                          SeemingForce(motion, kept, way);
+  const double usual = kept.empty() ? law_.first_touching_force : law_.touching_force;
+  const double touching =
+      std::max(usual, law_.first_touching_force + SeemingForce(motion, kept, way));
   double felt = 0;  // newtons
   double gone = 0;
   double rate = 0;
