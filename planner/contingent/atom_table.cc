@@ -44,13 +44,15 @@ Knowledge AtomTable::AlwaysKnown(const std::string& predicate,
 }
 
 AtomId AtomTable::Atom(const std::string& predicate, const std::vector<std::string>& arguments) {
-  return Intern(AtomText(predicate, arguments), {predicate, arguments}, FunctionId::None());
+  return Intern(AtomText(predicate, arguments), {predicate, arguments}, {predicate, arguments},
+                FunctionId::None());
 }
 
-AtomId AtomTable::Intern(const std::string& text, Key key, FunctionId function) {
+AtomId AtomTable::Intern(const std::string& text, Key key, GroundAtom atom, FunctionId function) {
   const auto [entry, is_new] = atoms_.try_emplace(text, AtomId(task_.atoms.size()));
   if (is_new) {
     task_.atoms.push_back(text);
+    task_.ground_atoms.push_back(std::move(atom));
     task_.function_of_atom.push_back(function);
     keys_.push_back(std::move(key));
   }
@@ -71,7 +73,10 @@ FunctionId AtomTable::Function(const std::string& name, const std::vector<std::s
   } else {
     function.constants = symbols_.ConstantsOf(range);
     for (const std::string& constant : function.constants) {
-      function.values.push_back(Intern(text + " = " + constant, {text, {constant}}, id));
+      std::vector<std::string> symbols = arguments;
+      symbols.push_back(constant);
+      function.values.push_back(
+          Intern(text + " = " + constant, {text, {constant}}, {name, symbols}, id));
     }
   }
   task_.functions.push_back(std::move(function));

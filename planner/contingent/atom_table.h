@@ -53,7 +53,7 @@ class AtomTable {
   Knowledge AtFirst(const std::string& text, const Key& key) const;
   bool IsClosed(const Key& key) const;
   bool Matches(const Change& closed, const Key& key) const;
-  AtomId Intern(const std::string& text, Key key, FunctionId function);
+  AtomId Intern(const std::string& text, Key key, GroundAtom atom, FunctionId function);
 
   const SymbolTable& symbols_;
   GroundTask& task_;

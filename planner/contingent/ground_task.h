@@ -135,6 +135,12 @@ struct InitialRelation {
   FilePlace place;
 };
 
+// p(a, b); f(a) = c as the symbol f with the arguments a, c.
+struct GroundAtom {
+  std::string symbol;
+  std::vector<std::string> arguments;
+};
+
 // What is known at first. Atoms that are in neither list are unknown.
 struct InitialKnowledge {
   std::vector<GroundLiteral> known;
@@ -146,6 +152,7 @@ struct InitialKnowledge {
 
 struct GroundTask {
   std::vector<std::string> atoms;            // their texts
+  std::vector<GroundAtom> ground_atoms;      // the same, in pieces
   std::vector<FunctionId> function_of_atom;  // f of f(a) = b; none for predicates
   std::vector<GroundFunction> functions;
   std::vector<FunctionId> function_of_slot;

@@ -62,7 +62,9 @@ std::vector<FeatureNumber> OccludedFeatures(const Problem& problem, PartId part,
                                             const Pose& X_WorldPart,
                                             std::span<const PlacedPart> others) {
   Occlusion occlusion(*problem.part(part).model, X_WorldPart);
-  occlusion.Cover(Pose::Identity(), {problem.workcell->table().top});
+  for (const Table& table : problem.workcell->tables()) {
+    occlusion.Cover(Pose::Identity(), {table.top});
+  }
   for (const PlacedPart& other : others) {
     if (other.part == part) continue;
     for (const Face& face : problem.part(other.part).model->faces()) {

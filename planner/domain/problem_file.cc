@@ -153,7 +153,7 @@ ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& 
   const Value& root = scenario.root();
   root.AllowOnly({"format", "title", "description", "units", "workcell", "rules", "clearance",
                   "tolerances", "parts", "gripper", "sensing", "resolvers", "mating_errors",
-                  "initially", "goal", "simulation"});
+                  "initially", "goal", "simulation", "knowledge"});
   problem_.name = std::filesystem::path(root.Place().file).stem().string();
   problem_.title = ReadOptionalText(root, "title");
   problem_.description = ReadOptionalText(root, "description");
@@ -166,7 +166,9 @@ ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& 
   }
   ReadSensing(root);
   ReadResolvers(root);
-  const Value goals = root.At("goal");
+  // What is to be known at the end may be goal enough (sim/enact).
+  const std::optional<Value> goals =
+      root.Find("knowledge") ? root.Find("goal") : std::optional(root.At("goal"));
   ReadParts(root.At("parts"));
   if (const auto tolerances = root.Find("tolerances")) {
     problem_.tolerances = ReadTolerances(*tolerances, units_, problem_);
@@ -177,7 +179,7 @@ ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& 
   ReadInitially(root);
   PlaceParts();
   NoteOcclusions(problem_);
-  ReadGoals(goals);
+  if (goals) ReadGoals(*goals);
 }
 
 void ProblemFile::ReadClearance(const Value& root) {
@@ -381,9 +383,12 @@ void ProblemFile::CheckOnTable(const Value& pose, PartId id) const {
                        InFileUnits(box.max().x()), InFileUnits(box.min().y()),
                        InFileUnits(box.max().y()));
   };
-  pose.Fail(fmt::format("part '{}' covers {}, which is not all on the table", part.name,
-                        extent(Footprint(part, part.X_WorldPart))),
-            extent(problem_.workcell->table().top));
+  std::vector<std::string> tables;
+  for (const Table& table : problem_.workcell->tables()) tables.push_back(extent(table.top));
+  pose.Fail(fmt::format("part '{}' covers {}, which is not all on {}", part.name,
+                        extent(Footprint(part, part.X_WorldPart)),
+                        tables.size() == 1 ? "the table" : "one table"),
+            fmt::format("{}", fmt::join(tables, "; or ")));
 }
 
 void ProblemFile::CheckAboveTable(const Value& place, const Part& part) const {

@@ -31,11 +31,21 @@ Polygon Footprint(const Part& part, const Pose& X_WorldPart) {
   return geometry::Hull2(shadow);
 }
 
-bool OnTable(const Problem& problem, PartId part, const Pose& X_WorldPart) {
-  const Polygon& top = problem.workcell->table().top;
-  return std::ranges::all_of(problem.part(part).model->hull().vertices, [&](const Vector3& vertex) {
-    return geometry::Depth(top, (X_WorldPart * vertex).head<2>()) >= -kRounding;
+bool IsOver(const Table& table, const Part& part, const Pose& X_WorldPart) {
+  return std::ranges::all_of(part.model->hull().vertices, [&](const Vector3& vertex) {
+    return geometry::Depth(table.top, (X_WorldPart * vertex).head<2>()) >= -kRounding;
   });
+}
+
+const Table& TableUnder(const Workcell& workcell, const Part& part, const Pose& X_WorldPart) {
+  const auto found = std::ranges::find_if(
+      workcell.tables(), [&](const Table& table) { return IsOver(table, part, X_WorldPart); });
+  return found != workcell.tables().end() ? *found : workcell.table();
+}
+
+bool OnTable(const Problem& problem, PartId id, const Pose& X_WorldPart) {
+  const Part& part = problem.part(id);
+  return IsOver(TableUnder(*problem.workcell, part, X_WorldPart), part, X_WorldPart);
 }
 
 PartId Crowding(const Problem& problem, PartId part, const Pose& X_WorldPart,

@@ -9,7 +9,11 @@ namespace assay::domain {
 // The shadow of a part on the table: the hull of its vertices in world x and y.
 geometry::Polygon Footprint(const Part& part, const Pose& X_WorldPart);
 
-// Whether a part at X_WorldPart has its whole footprint on the table.
+// Whether a part at X_WorldPart has its whole footprint over the table.
+bool IsOver(const Table& table, const Part& part, const Pose& X_WorldPart);
+// The table that a part is over; the first if it is over none.
+const Table& TableUnder(const Workcell& workcell, const Part& part, const Pose& X_WorldPart);
+// Whether its whole footprint is on one of the workcell's tables.
 bool OnTable(const Problem& problem, PartId part, const Pose& X_WorldPart);
 
 // The first of `others` whose footprint is nearer than the workcell's part gap; None if all are

@@ -14,8 +14,9 @@
 
 namespace assay::domain {
 
-// Where parts may rest. The table's top is the plane z = 0 of the world.
+// Where parts may rest. The tops of all tables are in the plane z = 0 of the world.
 struct Table {
+  std::string name;
   geometry::Polygon top;  // convex, world x and y, metres
   double thickness = 0;
 };
@@ -56,7 +57,9 @@ class Workcell {
   const kinematics::Arm& arm() const { return *arm_; }
   const kinematics::Gripper& gripper() const { return *gripper_; }
   const geometry::Pose& X_WorldBase() const { return X_WorldBase_; }
-  const Table& table() const { return table_; }
+  // The first of the tables, which sensors and cameras look at.
+  const Table& table() const { return tables_.front(); }
+  const std::vector<Table>& tables() const { return tables_; }  // at least one
   const WorkcellRules& rules() const { return rules_; }
   const std::filesystem::path& robot_file() const { return robot_file_; }
   const std::filesystem::path& gripper_file() const { return gripper_file_; }
@@ -83,7 +86,7 @@ class Workcell {
   std::shared_ptr<const kinematics::Arm> arm_;
   std::shared_ptr<const kinematics::Gripper> gripper_;
   geometry::Pose X_WorldBase_ = geometry::Pose::Identity();
-  Table table_;
+  std::vector<Table> tables_;
   WorkcellRules rules_;
   std::filesystem::path robot_file_;
   std::filesystem::path gripper_file_;

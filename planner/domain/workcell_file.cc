@@ -123,14 +123,14 @@ WorkcellFile::WorkcellFile(const std::filesystem::path& file)
   const Document document = Document::Load(file);
   document.RequireFormat("assay-workcell/1");
   const Value& root = document.root();
-  root.AllowOnly({"format", "description", "units", "robot", "gripper", "table", "rules",
+  root.AllowOnly({"format", "description", "units", "robot", "gripper", "table", "tables", "rules",
                   "placements", "sensors", "verifications", "recoveries"});
   if (const auto description = root.Find("description")) description->Text();
   units_ = ReadUnits(root);
   workcell_->name_ = folder_.filename().string();
   ReadRobot(root.At("robot"));
   ReadGripper(root.At("gripper"));
-  ReadTable(root.At("table"));
+  ReadTables(root);
   ReadAllRules(root.At("rules"));
   ReadPlacements(root.At("placements"));
   workcell_->uncertainty_operations_ = ReadUncertaintyOperations(root, units_);
@@ -163,13 +163,31 @@ void WorkcellFile::ReadGripper(const Value& gripper) {
       kinematics::Gripper::FromUrdf(workcell_->gripper_file_));
 }
 
-void WorkcellFile::ReadTable(const Value& table) {
+void WorkcellFile::ReadTables(const Value& root) {
+  const std::optional<Value> tables = root.Find("tables");
+  if (!tables) return ReadTable("table", root.At("table"));
+  if (const auto table = root.Find("table")) {
+    table->Fail("both table and tables", "one of the two");
+  }
+  if (tables->Entries().empty()) tables->Fail("there are no tables", "at least one");
+  for (const auto& [name, table] : tables->Entries()) {
+    const auto is_same = [&](const Table& other) { return other.name == name.Text(); };
+    if (std::ranges::any_of(workcell_->tables_, is_same)) {
+      name.Fail(fmt::format("'{}' is given twice", name.Text()), "each table once");
+    }
+    ReadTable(name.Text(), table);
+  }
+}
+
+void WorkcellFile::ReadTable(const std::string& name, const Value& table) {
   table.AllowOnly({"x", "y", "thickness"});
   const Range x = ReadRange(table.At("x"), units_);
   const Range y = ReadRange(table.At("y"), units_);
   if (x.low == x.high || y.low == y.high) table.Fail("the table has no area");
-  workcell_->table_.top = {{x.low, y.low}, {x.high, y.low}, {x.high, y.high}, {x.low, y.high}};
-  workcell_->table_.thickness = ReadWithin(table.At("thickness"), units_.length, {0.001, 1});
+  workcell_->tables_.push_back(
+      {.name = name,
+       .top = {{x.low, y.low}, {x.high, y.low}, {x.high, y.high}, {x.low, y.high}},
+       .thickness = ReadWithin(table.At("thickness"), units_.length, {0.001, 1})});
 }
 
 void WorkcellFile::ReadAllRules(const Value& rules) {

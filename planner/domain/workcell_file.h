@@ -23,7 +23,8 @@ class WorkcellFile {
 
   void ReadRobot(const Value& robot);
   void ReadGripper(const Value& gripper);
-  void ReadTable(const Value& table);
+  void ReadTables(const Value& root);
+  void ReadTable(const std::string& name, const Value& table);
   void ReadAllRules(const Value& rules);
   void ReadPlacements(const Value& placements);
   std::filesystem::path Beside(const Value& path) const;

@@ -129,7 +129,9 @@ void CollisionScene::AddGripper(double opening) {
 }
 
 void CollisionScene::AddStage() {
-  Add("table", 0, {TableHull(workcell_->table(), workcell_->X_WorldBase().inverse())});
+  for (const domain::Table& table : workcell_->tables()) {
+    Add(table.name, 0, {TableHull(table, workcell_->X_WorldBase().inverse())});
+  }
   const Body& base = bodies_.front();
   if (base.link != 0) return;
   const double height = LowestPoint(base.hulls);

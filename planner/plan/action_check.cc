@@ -233,8 +233,12 @@ class ActionChecker::Examination {
           "touch the table",
           part().name, InMillimetres(center), touching.size());
     }
-    if (const Vector3* outside = FirstOutside(corners, cell_.table().top)) {
-      Report("{} reaches beyond the table at {}", part().name, InMillimetres(*outside));
+    const auto is_on = [&](const domain::Table& table) {
+      return FirstOutside(corners, table.top) == nullptr;
+    };
+    if (std::ranges::none_of(cell_.tables(), is_on)) {
+      Report("{} reaches beyond the table at {}", part().name,
+             InMillimetres(*FirstOutside(corners, cell_.table().top)));
     }
   }
 

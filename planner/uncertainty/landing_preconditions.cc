@@ -94,7 +94,9 @@ class LandingConditions {
   }
 
   void RequireOnTable() {
-    const Polygon& top = world_.problem().workcell->table().top;
+    const Polygon& top =
+        domain::TableUnder(*world_.problem().workcell, world_.problem().part(part_), X_WorldPart_)
+            .top;
     for (std::size_t i = 0; i < top.size(); ++i) {
       const Vector2 edge = top[(i + 1) % top.size()] - top[i];
       const Vector2 outward = Vector2(edge.y(), -edge.x()).normalized();

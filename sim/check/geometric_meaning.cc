@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/domain/resting.h"
 #include "sim/check/fit.h"
 
 namespace assay::check {
@@ -102,10 +103,11 @@ class Meaning {
   }
 
   double Footprint(const exec::Moment& end) const {
-    const geometry::Polygon& top = problem_.workcell->table().top;
+    const domain::Part& part = problem_.part(handling_.part);
     const Pose X_WorldPart = PartAt(end);
+    const geometry::Polygon& top = domain::TableUnder(*problem_.workcell, part, X_WorldPart).top;
     double worst = kInfinity;
-    for (const Vector3& vertex : problem_.part(handling_.part).model->hull().vertices) {
+    for (const Vector3& vertex : part.model->hull().vertices) {
       const Vector3 p = X_WorldPart * vertex;
       if (p.z() > end.table_heights[handling_.part.index()] + kStandsOn) continue;
       for (std::size_t i = 0; i < top.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <mujoco/mujoco.h>
 
 #include <CLI/CLI.hpp>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -101,6 +102,13 @@ void Film::TakeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
   if (!hides_ghosts_) ghosts = GhostsAfter(problem_, plan_.step(end.step), end.moment);
   has_ghosts_ = has_ghosts_ || !ghosts.empty();
   Take(end.name, fmt::format("{} {}", sheet_.size(), end.action), data, ghosts);
+}
+
+void Film::TakeStepEnd(const std::string& action, const mujoco::Data& data) {
+  std::string name;  // of a file
+  for (const char c : action)
+    name += c == '(' ? "-" : std::isalnum(static_cast<unsigned char>(c)) ? std::string(1, c) : "";
+  Take(name, fmt::format("{} {}", sheet_.size(), action), data, {});
 }
 
 void Film::Write(const std::filesystem::path& folder) const {

@@ -46,6 +46,8 @@ class Film {
 
   void TakeStart(const mujoco::Data& data);
   void TakeStepEnd(const exec::StepEnd& end, const mujoco::Data& data);
+  // The end of a step that no plan knows: "grasp(can1)".
+  void TakeStepEnd(const std::string& action, const mujoco::Data& data);
 
   // One file for each picture, "02-action_3.png" by the first camera, "02-action_3-close.png" by
   // the others, and contact-sheet.png with those of the first.

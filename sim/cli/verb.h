@@ -27,6 +27,7 @@ extern const Verb kBound;
 extern const Verb kCalibrate;
 extern const Verb kCheck;
 extern const Verb kDoctor;
+extern const Verb kEnact;
 extern const Verb kExport;
 extern const Verb kKnow;
 extern const Verb kLabel;

@@ -196,6 +196,7 @@ Progress Execution::Advance(const JointState& next) {
   data_.Step();
   commanded_ = next;
   ++steps_;
+  if (options_.on_timestep) options_.on_timestep(data_);
   SampleIfDue();
   return Watch();
 }

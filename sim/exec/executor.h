@@ -20,6 +20,8 @@ struct ExecutorOptions {
   plan::StepId last = plan::StepId::None();  // the execution ends with this step; None: the last
   // Looks at the parts; null: sensors err as the noise says.
   sense::PoseSensor* sensor = nullptr;
+  // Told of the simulation after each of its timesteps: to watch what no trace keeps.
+  std::function<void(const mujoco::Data&)> on_timestep = {};
   // Told of the end of each step as it comes, with the simulation: to take a picture of it.
   std::function<void(const StepEnd&, const mujoco::Data&)> on_step_end = {};
 };

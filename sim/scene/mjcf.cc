@@ -56,8 +56,9 @@ constexpr int kSupport = 8;
 // Of the tables of single parts: this one and the higher ones.
 constexpr int kFirstTable = 16;
 
-int TableBit(std::size_t part) {
-  return kFirstTable << static_cast<int>(std::min(part, kMostPartTables - 1));
+int TableBit(domain::PartId part) {
+  const auto index = static_cast<std::size_t>(part.index());
+  return kFirstTable << static_cast<int>(std::min(index, kMostPartTables - 1));
 }
 
 XmlElement& AddTouchingClass(const char* name, int is, int touches, XmlElement& defaults) {
@@ -108,7 +109,19 @@ void AddMass(const geometry::MassProperties& mass, XmlElement& body) {
       .Set("fullinertia", {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)});
 }
 
-void AddPart(const Part& part, int table, const SceneOptions& options, XmlElement& worldbody) {
+geometry::MassProperties TrueMass(const domain::PartModel& model, domain::PartId part,
+                                  const SceneOptions& options) {
+  geometry::MassProperties mass = model.mass();
+  const auto found = options.part_masses.find(part);
+  if (found == options.part_masses.end()) return mass;
+  mass.inertia *= found->second / mass.mass;
+  mass.mass = found->second;
+  return mass;
+}
+
+void AddPart(const Problem& problem, domain::PartId id, const SceneOptions& options,
+             XmlElement& worldbody) {
+  const Part& part = problem.part(id);
   const std::shared_ptr<const domain::PartModel> true_model = TrueModel(part, options);
   const domain::PartModel& model = *true_model;
   const double friction =
@@ -116,7 +129,7 @@ void AddPart(const Part& part, int table, const SceneOptions& options, XmlElemen
   XmlElement& body =
       worldbody.Add("body").Set("name", "part/" + part.name).SetPose(part.X_WorldPart);
   body.Add("freejoint").Set("name", "part/" + part.name);
-  AddMass(model.mass(), body);
+  AddMass(TrueMass(model, id, options), body);
   const auto add_box = [&](const char* geom_class, const geometry::Box& box) -> XmlElement& {
     return body.Add("geom")
         .Set("class", geom_class)
@@ -129,7 +142,7 @@ void AddPart(const Part& part, int table, const SceneOptions& options, XmlElemen
     add_box("part", model.boxes()[i]).Set("rgba", std::span(color.data(), 4));
   }
   for (const geometry::Box& box : SupportingBoxes(model)) {
-    add_box("support", box).Set("conaffinity", fmt::format("{}", kFloor | table));
+    add_box("support", box).Set("conaffinity", fmt::format("{}", kFloor | TableBit(id)));
   }
 }
 
@@ -155,6 +168,12 @@ std::string_view Name(GraspMode mode) {
   return {};
 }
 
+std::string TableGeom(const domain::Table& table) { return table.name; }
+
+std::string TableGeom(const domain::Table& table, const std::string& part) {
+  return table.name + "/" + part;
+}
+
 std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   XmlElement mujoco("mujoco");
   mujoco.Set("model", problem.name);
@@ -169,8 +188,9 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
            TrueFriction(problem.workcell->rules().pad_friction, options.pad_friction_error),
            worldbody);
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
-    AddPartTable(problem, {domain::PartId(i), TableBit(i)}, worldbody);
-    AddPart(problem.parts[i], TableBit(i), options, worldbody);
+    const domain::PartId part(i);
+    AddPartTables(problem, {part, TableBit(part)}, worldbody);
+    AddPart(problem, part, options, worldbody);
   }
   XmlElement& equality = mujoco.Add("equality");
   AddFingerCoupling(equality);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,9 @@ struct SceneOptions {
   double timestep = 0.0005;  // seconds
   GraspMode grasp = GraspMode::kFriction;
   std::optional<double> part_friction = std::nullopt;  // instead of the part files' values
+  // Kilograms, by part, instead of what the part files' densities give: what is hidden in a part.
+  // It is spread alike.
+  std::map<domain::PartId, double> part_masses = {};
   // Truth minus what the problem says. No true friction is below 0.
   double clearance_error = 0;     // metres on each side of a mated shaft
   double friction_error = 0;      // of parts: than the part files' values, or part_friction
@@ -29,7 +33,12 @@ struct SceneOptions {
 // The whole workcell as a model for the engine, in its XML: floor, pedestal, table, arm, gripper,
 // parts as free bodies at their initial poses, sensors, cameras. Names: part NAME is body
 // "part/NAME"; arm links and joints have their URDF names after "arm/", those of the gripper after
-// "gripper/"; the table is geom "table" of the world.
+// "gripper/"; the tables are geoms of the world (TableGeom).
 std::string ToMjcf(const domain::Problem& problem, const SceneOptions& options);
+
+// The name of a table as a geom, for the hand: the table's own. For a part: "table/NAME", what the
+// part rests on, not drawn, at a height of its own.
+std::string TableGeom(const domain::Table& table);
+std::string TableGeom(const domain::Table& table, const std::string& part);
 
 }  // namespace assay::scene

@@ -45,8 +45,6 @@ Scene::Scene(const domain::Problem& problem, const SceneOptions& options)
       model_(Model::FromMjcf(ToMjcf(problem, options))),
       arm_(FindArm(model_, problem.workcell->arm().model())),
       hand_(model_.Body("gripper/hand")),
-      table_(model_.Geom("table")),
-      table_middle_(-problem.workcell->table().thickness / 2),
       tool_(model_.Site("tool")),
       wrist_(model_.Site("wrist")),
       force_sensor_(model_.SensorAddress(model_.Sensor("wrist/force"))),
@@ -54,7 +52,13 @@ Scene::Scene(const domain::Problem& problem, const SceneOptions& options)
       max_opening_(problem.workcell->gripper().max_opening()),
       home_(problem.workcell->home()) {
   fingers_ = {FindFinger("gripper/finger_left"), FindFinger("gripper/finger_right")};
-  for (const domain::Part& part : problem.parts) parts_.push_back(FindPart(part.name));
+  for (const domain::Table& table : problem.workcell->tables()) {
+    tables_.push_back(model_.Geom(TableGeom(table)));
+    table_middles_.push_back(-table.thickness / 2);
+  }
+  for (const domain::Part& part : problem.parts) {
+    parts_.push_back(FindPart(part.name, *problem.workcell));
+  }
 }
 
 Scene::Finger Scene::FindFinger(const std::string& name) const {
@@ -65,14 +69,18 @@ Scene::Finger Scene::FindFinger(const std::string& name) const {
           .ctrl = model_.Actuator(name).index()};
 }
 
-Scene::FreeBody Scene::FindPart(const std::string& name) const {
+Scene::FreeBody Scene::FindPart(const std::string& name, const domain::Workcell& workcell) const {
   const mujoco::JointId joint = model_.Joint("part/" + name);
   const bool welds = options_.grasp == GraspMode::kWeld;
+  std::vector<mujoco::GeomId> tables;
+  for (const domain::Table& table : workcell.tables()) {
+    tables.push_back(model_.Geom(TableGeom(table, name)));
+  }
   return {.body = model_.Body("part/" + name),
           .qpos = model_.QposAddress(joint),
           .dof = model_.DofAddress(joint),
           .weld = welds ? model_.Equality("weld/" + name) : mujoco::EqualityId::None(),
-          .table = model_.Geom("table/" + name)};
+          .tables = std::move(tables)};
 }
 
 Data Scene::Start() const {
@@ -120,6 +128,8 @@ double Scene::OpeningSpeed(const Data& data) const {
 
 Pose Scene::TruePose(const Data& data, PartId part) const { return data.BodyPose(Body(part)); }
 
+double Scene::TrueMass(PartId part) const { return model_.get()->body_mass[Body(part).index()]; }
+
 Twist Scene::TrueTwist(const Data& data, PartId part) const {
   const int dof = parts_[part.index()].dof;
   const Vector3 angular_in_body = VectorAt(data.qvel(), dof + 3);
@@ -142,16 +152,23 @@ void Scene::Clamp(Data& data, PartId part, double force) const {
   data.get()->xfrc_applied[6 * Body(part).index() + 2] = -force;
 }
 
+void Scene::SetTableHeights(Data& data, const std::vector<mujoco::GeomId>& tables,
+                            double height) const {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    data.SetGeomHeight(tables[i], table_middles_[i] + height);
+  }
+}
+
 void Scene::SetTableHeight(Data& data, PartId part, double height) const {
-  data.SetGeomHeight(parts_[part.index()].table, table_middle_ + height);
+  SetTableHeights(data, parts_[part.index()].tables, height);
 }
 
 double Scene::TableHeight(const Data& data, PartId part) const {
-  return data.GeomHeight(parts_[part.index()].table) - table_middle_;
+  return data.GeomHeight(parts_[part.index()].tables.front()) - table_middles_.front();
 }
 
 void Scene::SetTableHeightUnderHand(Data& data, double height) const {
-  data.SetGeomHeight(table_, table_middle_ + height);
+  SetTableHeights(data, tables_, height);
 }
 
 void Scene::AttachPart(Data& data, PartId part) const {

@@ -69,6 +69,7 @@ class Scene {
   int part_count() const { return static_cast<int>(parts_.size()); }
   mujoco::BodyId Body(PartId part) const { return parts_[part.index()].body; }
   Pose TruePose(const mujoco::Data& data, PartId part) const;  // X_WorldPart
+  double TrueMass(PartId part) const;                          // kg
   Twist TrueTwist(const mujoco::Data& data, PartId part) const;
   // Puts a part somewhere, at rest: a jump, for the start of a trial.
   void SetPart(mujoco::Data& data, PartId part, const Pose& X_WorldPart) const;
@@ -77,7 +78,7 @@ class Scene {
   // table where it is.
   void Clamp(mujoco::Data& data, PartId part, double force) const;
 
-  // The table is this much higher, in metres, under one part; and where the hand works. Whatever
+  // The tables are this much higher, in metres, under one part; and where the hand works. Whatever
   // rests there must be raised with it.
   void SetTableHeight(mujoco::Data& data, PartId part, double height) const;
   double TableHeight(const mujoco::Data& data, PartId part) const;
@@ -111,7 +112,7 @@ class Scene {
     int qpos = 0;             // position, then quaternion w x y z
     int dof = 0;              // linear velocity in the world frame, then angular in the body's
     mujoco::EqualityId weld;  // None without welds
-    mujoco::GeomId table;
+    std::vector<mujoco::GeomId> tables;
   };
   struct Finger {
     mujoco::BodyId body;
@@ -122,7 +123,9 @@ class Scene {
 
   Vector3 WeldTorqueError(const mujoco::Data& data) const;
   Finger FindFinger(const std::string& name) const;
-  FreeBody FindPart(const std::string& name) const;
+  FreeBody FindPart(const std::string& name, const domain::Workcell& workcell) const;
+  void SetTableHeights(mujoco::Data& data, const std::vector<mujoco::GeomId>& tables,
+                       double height) const;
 
   SceneOptions options_;
   mujoco::Model model_;
@@ -130,8 +133,8 @@ class Scene {
   std::array<Finger, 2> fingers_;
   std::vector<FreeBody> parts_;
   mujoco::BodyId hand_;
-  mujoco::GeomId table_;
-  double table_middle_ = 0;  // the height of a table's origin where its top is at 0
+  std::vector<mujoco::GeomId> tables_;
+  std::vector<double> table_middles_;  // the height of a table's origin where its top is at 0
   mujoco::SiteId tool_;
   mujoco::SiteId wrist_;
   int force_sensor_ = 0;   // in sensordata

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "sim/scene/mjcf.h"
 
 namespace assay::scene {
 namespace {
@@ -56,10 +57,9 @@ XmlElement& AddTableTop(const domain::Table& table, const std::string& name,
       .Set("pos", {r.center().x(), r.center().y(), -table.thickness / 2});
 }
 
-void AddTable(const domain::Workcell& workcell, XmlElement& worldbody) {
-  const domain::Table& table = workcell.table();
+void AddTable(const domain::Workcell& workcell, const domain::Table& table, XmlElement& worldbody) {
   const Rectangle r = TableRectangle(table);
-  AddTableTop(table, "table", worldbody);
+  AddTableTop(table, TableGeom(table), worldbody);
   const double leg = (-table.thickness - FloorHeight(workcell)) / 2;
   if (leg <= 0) return;
   constexpr double kLegHalfWidth = 0.03;
@@ -207,17 +207,19 @@ void AddStage(const Problem& problem, XmlElement& worldbody) {
       .Set("name", "floor")
       .Set("class", "floor")
       .Set("pos", {0, 0, FloorHeight(workcell)});
-  AddTable(workcell, worldbody);
+  for (const domain::Table& table : workcell.tables()) AddTable(workcell, table, worldbody);
   AddLights(problem, worldbody);
   AddCameras(problem, worldbody);
   AddSensorEyes(problem, worldbody);
 }
 
-void AddPartTable(const Problem& problem, const PartTable& table, XmlElement& worldbody) {
-  AddTableTop(problem.workcell->table(), "table/" + problem.part(table.part).name, worldbody)
-      .Set("contype", fmt::format("{}", table.bit))
-      .Set("conaffinity", "0")
-      .Set("group", "3");
+void AddPartTables(const Problem& problem, const PartTable& own, XmlElement& worldbody) {
+  for (const domain::Table& table : problem.workcell->tables()) {
+    AddTableTop(table, TableGeom(table, problem.part(own.part).name), worldbody)
+        .Set("contype", fmt::format("{}", own.bit))
+        .Set("conaffinity", "0")
+        .Set("group", "3");
+  }
 }
 
 void AddVisualSettings(const Problem& problem, XmlElement& mujoco) {

@@ -10,7 +10,7 @@ namespace assay::scene {
 // Adds textures and materials of everything, under `asset`.
 void AddMaterials(XmlElement& asset);
 
-// Adds what does not move, under `worldbody`: floor, table, lights, and the cameras "overview"
+// Adds what does not move, under `worldbody`: floor, tables, lights, and the cameras "overview"
 // (the whole cell), "close" (the parts on the table), "side" and "top", and "overhead-eye-1" to
 // "overhead-eye-4" of the sensor "overhead-camera".
 void AddStage(const domain::Problem& problem, XmlElement& worldbody);
@@ -23,8 +23,8 @@ struct PartTable {
 // The engine has 31 bits: parts from the 27th on share a table.
 inline constexpr std::size_t kMostPartTables = 27;
 
-// Adds it as "table/NAME" of the part.
-void AddPartTable(const domain::Problem& problem, const PartTable& table, XmlElement& worldbody);
+// Adds it, once for each table of the workcell.
+void AddPartTables(const domain::Problem& problem, const PartTable& table, XmlElement& worldbody);
 
 // Adds the pictures' settings, under `mujoco`.
 void AddVisualSettings(const domain::Problem& problem, XmlElement& mujoco);

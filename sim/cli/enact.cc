@@ -1,0 +1,214 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "planner/contingent/contingent_planner.h"
+#include "planner/contingent/tree_text.h"
+#include "sim/cli/console.h"
+#include "sim/cli/enactment_report.h"
+#include "sim/cli/film.h"
+#include "sim/cli/models_folder.h"
+#include "sim/cli/output_file.h"
+#include "sim/cli/progress.h"
+#include "sim/cli/stopwatch.h"
+#include "sim/cli/trial.h"
+#include "sim/cli/usage_error.h"
+#include "sim/cli/verb.h"
+
+namespace assay::cli {
+namespace {
+
+using enact::EnactedTrial;
+using enact::KnowledgeScenario;
+using Json = nlohmann::ordered_json;
+
+constexpr std::int64_t kBudget = 10'000'000;  // looks at knowledge states
+
+struct Options {
+  std::filesystem::path scenario;
+  std::filesystem::path models;
+  std::optional<int> trials;
+  std::optional<int> trial;  // the only one
+  int jobs = 1;
+  std::optional<std::uint64_t> seed;
+  std::string worlds = "drawn";
+  double sensing_errors = 0;
+  std::filesystem::path pictures;
+  PictureOptions picture;
+  bool json = false;
+};
+
+// A scenario's tree, and the trials that are made of it.
+class Enacting {
+ public:
+  Enacting(const Options& options, const KnowledgeScenario& scenario,
+           const contingent::PlanTree& tree)
+      : options_(options),
+        scenario_(scenario),
+        tree_(tree),
+        seed_(options.seed.value_or(scenario.scenario.simulation.seed)),
+        study_{.scenario = options.scenario.string(),
+               .seed = seed_,
+               .sensing_errors = options.sensing_errors,
+               .is_every_leaf = options.worlds == "all",
+               .leaves = enact::LeavesOf(scenario.interpretation.task, tree, kMostLeaves)} {
+    if (study_.leaves.size() == kMostLeaves) {
+      throw UsageError(fmt::format("enact: the tree has {} leaves or more", kMostLeaves));
+    }
+    FindWorlds();
+  }
+
+  ExitCode Execute() {
+    const std::vector<int> numbers = Numbers();
+    study_.trials.resize(numbers.size());
+    ForEachTrial(static_cast<int>(numbers.size()), options_.jobs, [&](int nth) {
+      const int number = numbers[static_cast<std::size_t>(nth - 1)];
+      const bool is_pictured = nth == 1 && !options_.pictures.empty();
+      study_.trials[static_cast<std::size_t>(nth - 1)] = Run(number, is_pictured);
+      const std::lock_guard lock(mutex_);
+      progress_->Tell(fmt::format("enacting, {} of {} trials", ++done_, numbers.size()));
+    });
+    progress_.reset();
+    study_.seconds = stopwatch_.Seconds();
+    Print(options_.json ? ToJson(study_).dump(2) + "\n" : TextOf(study_));
+    return study_.Failed() == 0 ? ExitCode::kDone : ExitCode::kFailed;
+  }
+
+ private:
+  static constexpr std::size_t kMostLeaves = 10'000;
+
+  // With --worlds all: of each leaf that a hidden world leads to, the number among all leaves.
+  void FindWorlds() {
+    if (!study_.is_every_leaf) return;
+    for (std::size_t i = 0; i < study_.leaves.size(); ++i) {
+      RandomStream random(seed_, "reachable");
+      if (WorldFor(i, random)) reachable_.push_back(i);
+    }
+    if (reachable_.empty()) throw UsageError("enact: no hidden world leads to a leaf of the tree");
+  }
+
+  std::optional<enact::HiddenWorld> WorldFor(std::size_t leaf, RandomStream& random) const {
+    return enact::WorldFor(study_.leaves[leaf], scenario_.interpretation,
+                           scenario_.scenario.problem, random);
+  }
+
+  std::vector<int> Numbers() const {
+    if (options_.trial) return {*options_.trial};
+    const int usual = reachable_.empty() ? 1 : static_cast<int>(reachable_.size());
+    std::vector<int> numbers(static_cast<std::size_t>(options_.trials.value_or(usual)));
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<int>(i) + 1;
+    return numbers;
+  }
+
+  // With --worlds all the trials go through the leaves in turn.
+  enact::HiddenWorld WorldOf(int number) const {
+    RandomStream random(seed_, fmt::format("hidden world {}", number));
+    if (reachable_.empty()) return enact::DrawnWorld(scenario_.interpretation.hidden, random);
+    const std::size_t leaf = reachable_[static_cast<std::size_t>(number - 1) % reachable_.size()];
+    return *WorldFor(leaf, random);
+  }
+
+  EnactedTrial Run(int number, bool is_pictured) const {
+    enact::TrialSettings settings{.seed = seed_, .sensing_errors = options_.sensing_errors};
+    std::optional<Film> film;
+    if (is_pictured) {
+      settings.on_step_end = [&](const enact::StepPicture& step) {
+        if (!film) {
+          film.emplace(FilmSubject{scenario_.scenario.problem, kNoPlan, step.scene},
+                       scenario_.scenario.simulation.cameras, options_.picture);
+          film->TakeStart(step.data);
+        } else {
+          film->TakeStepEnd(step.action, step.data);
+        }
+      };
+    }
+    EnactedTrial trial = enact::RunTrial(scenario_, tree_, {number, WorldOf(number)}, settings);
+    if (film) film->Write(options_.pictures);
+    return trial;
+  }
+
+  static const plan::Plan kNoPlan;
+
+  const Options& options_;
+  const KnowledgeScenario& scenario_;
+  const contingent::PlanTree& tree_;
+  const std::uint64_t seed_;
+  EnactmentStudy study_;
+  std::vector<std::size_t> reachable_;
+  const Stopwatch stopwatch_;
+  std::mutex mutex_;
+  int done_ = 0;
+  std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("enacting");
+};
+
+const plan::Plan Enacting::kNoPlan = {};
+
+ExitCode Refuse(Outcome outcome, const Options& options) {
+  const std::string why = outcome == Outcome::kNone
+                              ? "There is no plan."
+                              : fmt::format("No plan within {} knowledge states.", kBudget);
+  const Json json = {{"outcome", outcome == Outcome::kNone ? "none" : "budget"}};
+  Print(options.json ? json.dump(2) + "\n" : why + "\n");
+  return ExitCodeOf(outcome);
+}
+
+ExitCode Execute(const Options& options) {
+  if (!options.pictures.empty()) MakeFolder(options.pictures);
+  const KnowledgeScenario scenario =
+      enact::Load(options.scenario, FindModels(options.models, options.scenario));
+  Budget budget(kBudget);
+  const contingent::ContingentPlan plan =
+      MakePlan(scenario.interpretation.task, contingent::Wanted::kFirst, budget);
+  if (plan.outcome != Outcome::kFound) return Refuse(plan.outcome, options);
+  return Enacting(options, scenario, plan.tree).Execute();
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("scenario", options->scenario, "scenario file with the key `knowledge`")
+      ->required();
+  command
+      .add_option("--trials", options->trials,
+                  "so many; 1 if left out, with --worlds all one for each leaf of the tree")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  command.add_option("--trial", options->trial, "run only this one of the trials")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
+  command.add_option("--seed", options->seed, "of all that is random; the scenario's if left out");
+  command
+      .add_option("--worlds", options->worlds,
+                  "drawn: what is hidden is drawn; all: for each leaf of the tree in turn, from "
+                  "what leads there")
+      ->check(CLI::IsMember({"drawn", "all"}))
+      ->capture_default_str();
+  command
+      .add_option("--sensing-errors", options->sensing_errors,
+                  "with this probability what is sensed at a branch is made wrong")
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--pictures", options->pictures,
+                     "folder for pictures of the first trial: its start and the end of each step");
+  AddPictureOptions(command, options->picture);
+  command.add_flag("--json", options->json, "print the result as JSON");
+  command.add_option("--models", options->models, "folder with parts/ and workcells/")
+      ->check(CLI::ExistingDirectory);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace
+
+const Verb kEnact = {
+    .name = "enact",
+    .summary = "plans with what will be known, walks the tree in physics and audits what is known",
+    .example = "assay enact scenarios/two-cans.yaml --worlds all",
+    .declare = Declare,
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,203 @@
+#include "sim/cli/enactment_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "sim/cli/table.h"
+#include "sim/sweep/wilson.h"
+
+namespace assay::cli {
+namespace {
+
+using enact::EnactedTrial;
+using enact::EnactmentOutcome;
+using enact::Leaf;
+using Json = nlohmann::ordered_json;
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+bool IsFailed(const EnactedTrial& trial) { return trial.outcome != EnactmentOutcome::kReached; }
+
+bool IsFlipped(const EnactedTrial& trial) {
+  return std::ranges::any_of(trial.walk.branches, &enact::TakenBranch::is_flipped);
+}
+
+// Of trials.
+struct Tally {
+  int trials = 0;
+  int reached = 0;
+  double greatest_tilt = 0;  // radians
+
+  void Add(const EnactedTrial& trial) {
+    ++trials;
+    if (!IsFailed(trial)) ++reached;
+    greatest_tilt = std::max(greatest_tilt, trial.greatest_tilt);
+  }
+};
+
+Tally TallyOf(const Leaf& leaf, const EnactmentStudy& study) {
+  Tally tally;
+  for (const EnactedTrial& trial : study.trials) {
+    if (leaf.IsEndOf(trial.walk)) tally.Add(trial);
+  }
+  return tally;
+}
+
+Tally TallyOf(const EnactmentStudy& study) {
+  Tally tally;
+  for (const EnactedTrial& trial : study.trials) tally.Add(trial);
+  return tally;
+}
+
+std::map<std::string, int> Failures(const EnactmentStudy& study) {
+  std::map<std::string, int> failures;
+  for (const EnactedTrial& trial : study.trials) {
+    if (IsFailed(trial)) ++failures[std::string(Name(trial.outcome))];
+  }
+  return failures;
+}
+
+std::string ReplayCommand(const EnactmentStudy& study, int number) {
+  std::string command = fmt::format("assay enact {} --seed {}", study.scenario, study.seed);
+  if (study.is_every_leaf) command += " --worlds all";
+  if (study.sensing_errors > 0)
+    command += fmt::format(" --sensing-errors {}", study.sensing_errors);
+  return command + fmt::format(" --trial {}", number);
+}
+
+int CountFlipped(const EnactmentStudy& study, bool is_audited) {
+  return static_cast<int>(std::ranges::count_if(study.trials, [&](const EnactedTrial& trial) {
+    return IsFlipped(trial) && (!is_audited || !trial.walk.false_claims.empty());
+  }));
+}
+
+std::string LeafTable(const EnactmentStudy& study) {
+  Table table({{"leaf"},
+               {"trials", Align::kRight},
+               {"reached", Align::kRight},
+               {"greatest tilt", Align::kRight}});
+  for (const Leaf& leaf : study.leaves) {
+    const Tally tally = TallyOf(leaf, study);
+    table.Add({leaf.Text(), fmt::format("{}", tally.trials), fmt::format("{}", tally.reached),
+               tally.trials > 0 ? fmt::format("{:.2f} deg", tally.greatest_tilt / kDegree) : ""});
+  }
+  return table.Text();
+}
+
+std::string StepTable(const EnactedTrial& trial) {
+  Table table({{"step", Align::kRight}, {"action"}, {"seconds", Align::kRight}});
+  for (std::size_t i = 0; i < trial.walk.steps.size(); ++i) {
+    const auto& [action, end] = trial.walk.steps[i];
+    table.Add({fmt::format("{}", i + 1), action, fmt::format("{:.1f}", end)});
+  }
+  return table.Text();
+}
+
+Json ToJson(const EnactedTrial& trial) {
+  Json json = {{"trial", trial.number},
+               {"outcome", Name(trial.outcome)},
+               {"reason", trial.reason},
+               {"goal", trial.is_goal_true},
+               {"greatest_tilt", trial.greatest_tilt / kDegree},
+               {"spilled", trial.spilled},
+               {"fallen", trial.fallen},
+               {"simulated", trial.duration}};
+  json["steps"] = Json::array();
+  for (const auto& [action, end] : trial.walk.steps) {
+    json["steps"].push_back({{"action", action}, {"end", end}});
+  }
+  json["branches"] = Json::array();
+  for (const enact::TakenBranch& branch : trial.walk.branches) {
+    json["branches"].push_back({{"outcome", branch.text}, {"flipped", branch.is_flipped}});
+  }
+  json["false_claims"] = Json::array();
+  for (const enact::FalseClaim& claim : trial.walk.false_claims) {
+    json["false_claims"].push_back({{"after_step", claim.step},
+                                    {"atom", claim.atom},
+                                    {"claimed", claim.claimed},
+                                    {"true", claim.is_true}});
+  }
+  return json;
+}
+
+std::string FailuresText(const EnactmentStudy& study) {
+  constexpr int kMostTold = 3;
+  std::string text;
+  int told = 0;
+  for (const EnactedTrial& trial : study.trials) {
+    if (!IsFailed(trial) || ++told > kMostTold) continue;
+    text += fmt::format("trial {}: {}: {}{}\nagain: {}\n", trial.number, Name(trial.outcome),
+                        trial.reason, trial.is_goal_true ? "; the goal is true" : "",
+                        ReplayCommand(study, trial.number));
+  }
+  if (told > kMostTold) text += fmt::format("and {} more\n", told - kMostTold);
+  for (const auto& [name, count] : Failures(study)) text += fmt::format("{}: {}\n", name, count);
+  return text;
+}
+
+}  // namespace
+
+int EnactmentStudy::Failed() const {
+  return static_cast<int>(std::ranges::count_if(trials, IsFailed));
+}
+
+std::string TextOf(const EnactmentStudy& study) {
+  std::string text = study.trials.size() == 1 ? StepTable(study.trials.front()) + "\n" : "";
+  text += LeafTable(study) + "\n" + FailuresText(study);
+  const Tally all = TallyOf(study);
+  const Interval rate = sweep::WilsonInterval(all.reached, all.trials);
+  text += fmt::format(
+      "{} of {} trials reached the goal with nothing spilled and nothing claimed falsely (95 % "
+      "interval of the rate: {:.1f} to {:.1f} %)\n",
+      all.reached, all.trials, 100 * rate.low, 100 * rate.high);
+  const auto unreached = std::ranges::count_if(
+      study.leaves, [&](const Leaf& leaf) { return TallyOf(leaf, study).trials == 0; });
+  text += fmt::format(
+      "{} of {} leaves were come to; the greatest tilt of what can spill was {:.2f} "
+      "degrees\n",
+      study.leaves.size() - static_cast<std::size_t>(unreached), study.leaves.size(),
+      all.greatest_tilt / kDegree);
+  if (study.sensing_errors > 0) {
+    text += fmt::format("what was sensed was made wrong in {} trials, and the audit told in {}\n",
+                        CountFlipped(study, false), CountFlipped(study, true));
+  }
+  return text;
+}
+
+nlohmann::ordered_json ToJson(const EnactmentStudy& study) {
+  const Tally all = TallyOf(study);
+  Json json = {{"outcome", study.Failed() == 0 ? "reached" : "failed"},
+               {"scenario", study.scenario},
+               {"seed", study.seed},
+               {"sensing_errors", study.sensing_errors},
+               {"trials", all.trials},
+               {"reached", all.reached},
+               {"failed", Json(Failures(study))},
+               {"greatest_tilt", all.greatest_tilt / kDegree},
+               {"flipped", CountFlipped(study, false)},
+               {"flipped_and_told", CountFlipped(study, true)}};
+  if (json["failed"].is_null()) json["failed"] = Json::object();
+  json["leaves"] = Json::array();
+  for (const Leaf& leaf : study.leaves) {
+    const Tally tally = TallyOf(leaf, study);
+    json["leaves"].push_back({{"outcomes", leaf.Text()},
+                              {"trials", tally.trials},
+                              {"reached", tally.reached},
+                              {"greatest_tilt", tally.greatest_tilt / kDegree}});
+  }
+  json["replay"] = Json::array();
+  json["rows"] = Json::array();
+  for (const EnactedTrial& trial : study.trials) {
+    if (IsFailed(trial)) json["replay"].push_back(ReplayCommand(study, trial.number));
+    json["rows"].push_back(ToJson(trial));
+  }
+  json["seconds"] = study.seconds;
+  return json;
+}
+
+}  // namespace assay::cli

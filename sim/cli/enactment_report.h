@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "sim/enact/enactment.h"
+
+namespace assay::cli {
+
+// Trials of one plan tree.
+struct EnactmentStudy {
+  std::string scenario;  // path, as the user gave it
+  std::uint64_t seed = 0;
+  double sensing_errors = 0;
+  bool is_every_leaf = false;  // the trials go through the leaves in turn
+  std::vector<enact::Leaf> leaves;
+  std::vector<enact::EnactedTrial> trials = {};
+  double seconds = 0;
+
+  int Failed() const;
+};
+
+// A row for each leaf of the tree, then the trials that failed, then totals.
+std::string TextOf(const EnactmentStudy& study);
+nlohmann::ordered_json ToJson(const EnactmentStudy& study);  // enact.schema.json
+
+}  // namespace assay::cli

@@ -1,0 +1,166 @@
+#include "sim/enact/enactment.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <numbers>
+
+#include "planner/domain/resting.h"
+#include "sim/enact/tilt_watch.h"
+#include "sim/exec/action_commands.h"
+#include "sim/exec/executor.h"
+#include "sim/noise/sampling.h"
+
+namespace assay::enact {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kRest = 0.5;  // seconds, at the end
+
+// One trial: the simulation, the walk in it, and what is measured of both.
+class Trial {
+ public:
+  Trial(const KnowledgeScenario& scenario, const TrialWorld& trial, const TrialSettings& settings)
+      : problem_(scenario.scenario.problem),
+        interpretation_(scenario.interpretation),
+        settings_(settings),
+        random_(settings.seed, fmt::format("enactment {}", trial.number)),
+        noise_(noise::Sample(noise::ErrorBox(problem_, {}), noise::Mode::kUniform, settings.seed,
+                             trial.number)),
+        scene_(problem_, TrueScene(scenario.scenario.simulation.scene, trial.world)),
+        data_(exec::StartOf(problem_, scene_, noise_)),
+        tilts_(scene_, data_),
+        result_{.number = trial.number, .world = trial.world} {
+    options_.sample_rate = 0;
+    options_.noise = noise_;
+    options_.on_timestep = [this](const mujoco::Data& data) { tilts_.Look(data); };
+  }
+
+  EnactedTrial Run(const contingent::PlanTree& tree) {
+    if (settings_.on_step_end) settings_.on_step_end({"", scene_, data_});
+    exec::Execution execution(problem_, scene_, data_, options_);
+    Readings readings;
+    Situation situation{execution, readings, random_};
+    WalkOptions walk{.sensing_errors = settings_.sensing_errors, .random = &random_};
+    if (settings_.on_step_end) {
+      walk.on_step_end = [this](const WalkedStep& step) {
+        settings_.on_step_end({step.action, scene_, data_});
+      };
+    }
+    result_.walk = TreeWalk(interpretation_, tree, situation, walk).Go();
+    if (result_.walk.end != WalkEnd::kStopped) ComeToRest(execution);
+    result_.duration = data_.time();
+    Measure();
+    Judge();
+    return std::move(result_);
+  }
+
+ private:
+  scene::SceneOptions TrueScene(scene::SceneOptions options, const HiddenWorld& world) const {
+    options.part_masses = world.masses;
+    return exec::TrueScene(std::move(options), noise_);
+  }
+
+  // A hand that holds something stays where it is.
+  void ComeToRest(exec::Execution& execution) {
+    exec::Progress failure;
+    if (execution.world().held().IsNone()) {
+      failure = RunAll({exec::MoveAtSafeHeight{exec::HomeTool(*problem_.workcell)}}, execution);
+    }
+    if (!failure) failure = execution.Stay(kRest, exec::Stepping::kContact);
+    if (!failure) return;
+    result_.walk.end = WalkEnd::kStopped;
+    result_.walk.reason = "at the end: " + failure->reason;
+  }
+
+  void Measure() {
+    const Truth truth{problem_, scene_, data_};
+    result_.is_goal_true = Audit(interpretation_, problem_).IsGoalTrue(truth);
+    for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+      const PartId part(i);
+      MeasureTilt(truth, part);
+      const bool is_held = scene_.Touching(data_, part, scene_.left_finger());
+      const exec::Pose X_WorldPart = scene_.TruePose(data_, part);
+      if (!is_held && StablePoseAt(problem_.part(part), X_WorldPart) != problem_.part(part).resting)
+        result_.fallen.push_back(problem_.part(part).name);
+    }
+  }
+
+  void MeasureTilt(const Truth& truth, PartId part) {
+    if (!interpretation_.CanSpill(truth, part)) return;
+    const double tilt = tilts_.greatest(part);
+    result_.greatest_tilt = std::max(result_.greatest_tilt, tilt);
+    if (tilt > interpretation_.spill->beyond) result_.spilled.push_back(problem_.part(part).name);
+  }
+
+  void Judge() {
+    const auto end = [&](EnactmentOutcome outcome, std::string reason) {
+      result_.outcome = outcome;
+      result_.reason = std::move(reason);
+    };
+    const Walk& walk = result_.walk;
+    if (!walk.false_claims.empty()) {
+      return end(EnactmentOutcome::kFalseClaim, ReasonOf(walk.false_claims.front()));
+    }
+    if (walk.end == WalkEnd::kStopped) return end(EnactmentOutcome::kStopped, walk.reason);
+    if (walk.end == WalkEnd::kUncertain) return end(EnactmentOutcome::kUncertain, walk.reason);
+    if (walk.end == WalkEnd::kEndless) return end(EnactmentOutcome::kEndless, walk.reason);
+    if (!result_.spilled.empty()) {
+      return end(EnactmentOutcome::kSpilled,
+                 fmt::format("{} spilled: the greatest tilt was {:.2f} degrees",
+                             fmt::join(result_.spilled, ", "), result_.greatest_tilt / kDegree));
+    }
+    if (!result_.fallen.empty()) {
+      return end(EnactmentOutcome::kFallen,
+                 fmt::format("{} fell", fmt::join(result_.fallen, ", ")));
+    }
+    if (!result_.is_goal_true) return end(EnactmentOutcome::kMissed, "the goal is not true");
+  }
+
+  static std::string ReasonOf(const FalseClaim& claim) {
+    return fmt::format("after step {} {} is claimed to be {} and is {}", claim.step, claim.atom,
+                       claim.claimed, claim.is_true);
+  }
+
+  const domain::Problem& problem_;
+  const Interpretation& interpretation_;
+  const TrialSettings& settings_;
+  RandomStream random_;
+  noise::Noise noise_;
+  scene::Scene scene_;
+  mujoco::Data data_;
+  TiltWatch tilts_;
+  exec::ExecutorOptions options_;
+  EnactedTrial result_;
+};
+
+}  // namespace
+
+std::string_view Name(EnactmentOutcome outcome) {
+  switch (outcome) {
+    case EnactmentOutcome::kReached:
+      return "reached";
+    case EnactmentOutcome::kStopped:
+      return "stopped";
+    case EnactmentOutcome::kUncertain:
+      return "uncertain";
+    case EnactmentOutcome::kEndless:
+      return "endless";
+    case EnactmentOutcome::kFalseClaim:
+      return "false-claim";
+    case EnactmentOutcome::kSpilled:
+      return "spilled";
+    case EnactmentOutcome::kFallen:
+      return "fallen";
+    case EnactmentOutcome::kMissed:
+      return "missed";
+  }
+  return {};
+}
+
+EnactedTrial RunTrial(const KnowledgeScenario& scenario, const contingent::PlanTree& tree,
+                      const TrialWorld& trial, const TrialSettings& settings) {
+  return Trial(scenario, trial, settings).Run(tree);
+}
+
+}  // namespace assay::enact

@@ -1,0 +1,45 @@
+#include <cmath>
+
+#include "planner/domain/units.h"
+#include "sim/enact/meaning.h"
+
+namespace assay::enact {
+namespace {
+
+class Heavier : public Meaning {
+ public:
+  explicit Heavier(double mass) : mass_(mass) {}
+
+  std::string Lacks(const Roles& roles) const override { return roles.part.IsNone() ? "part" : ""; }
+  bool IsTrue(const Truth& truth, const Roles& roles) const override {
+    return truth.scene.TrueMass(roles.part) > mass_;
+  }
+  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+    const auto found = readings.masses.find(roles.part);
+    if (found == readings.masses.end()) return std::nullopt;
+    const auto& [value, error] = found->second;
+    if (std::abs(value - mass_) <= error) return std::nullopt;
+    return value > mass_;
+  }
+  std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
+    const auto found = world.masses.find(roles.part);
+    if (found == world.masses.end()) return std::nullopt;
+    return found->second > mass_;
+  }
+
+ private:
+  double mass_;  // kg
+};
+
+}  // namespace
+
+const MeaningWord kHeavier = {
+    .name = "heavier",
+    .summary = "the part's mass is more than `than`, kg; told by weighing",
+    .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
+      map.AllowOnly({"is", "than"});
+      return std::make_unique<Heavier>(domain::ReadWithin(map.At("than"), 1, {0.001, 10}));
+    },
+};
+
+}  // namespace assay::enact

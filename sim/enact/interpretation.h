@@ -1,0 +1,52 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "planner/contingent/ground_task.h"
+#include "sim/enact/hidden_world.h"
+#include "sim/enact/meaning.h"
+#include "sim/enact/skill.h"
+#include "sim/scenario/scenario.h"
+
+namespace assay::enact {
+
+// What spills: a part of which a predicate is true, when it is tilted further than this from how
+// it stood.
+struct Spill {
+  std::string predicate;
+  double beyond = 0;  // radians
+};
+
+// A problem of contingent planning, and what its words are in a workcell: which skill each action
+// is, what each predicate means. Symbols are the names of parts and tables.
+struct Interpretation {
+  contingent::GroundTask task;
+  std::map<std::string, std::unique_ptr<const Skill>> skills;      // by action
+  std::map<std::string, std::unique_ptr<const Meaning>> meanings;  // by predicate or function;
+                                                                   // null: internal
+  HiddenMasses hidden;
+  std::optional<Spill> spill;
+
+  // Of an atom; null if it is internal.
+  const Meaning* MeaningOf(contingent::AtomId atom) const;
+  // A part of which the predicate `spill` is true, in the simulator.
+  bool CanSpill(const Truth& truth, PartId part) const;
+};
+
+// A scenario with its key `knowledge`.
+struct KnowledgeScenario {
+  scenario::Scenario scenario;
+  Interpretation interpretation;
+};
+
+// Reads a scenario file that has a key `knowledge` (scenarios/README.md), with the domain and the
+// problem that it names, paths from the file's folder. Throws InputError, also for an action of the
+// domain without a skill, a predicate without a meaning, and arguments that name no part where a
+// skill or a meaning needs one.
+KnowledgeScenario Load(const std::filesystem::path& file, const std::filesystem::path& models);
+
+}  // namespace assay::enact

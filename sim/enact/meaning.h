@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "planner/base/document.h"
+#include "planner/domain/problem.h"
+#include "sim/enact/hidden_world.h"
+#include "sim/enact/readings.h"
+#include "sim/enact/roles.h"
+#include "sim/mujoco/data.h"
+#include "sim/scene/scene.h"
+
+namespace assay::enact {
+
+// The simulator's present truth, which only audits and pictures may see.
+struct Truth {
+  const domain::Problem& problem;
+  const scene::Scene& scene;
+  const mujoco::Data& data;
+};
+
+// What a predicate of the domain means in the workcell.
+class Meaning {
+ public:
+  virtual ~Meaning() = default;
+
+  // What it lacks to mean something of these arguments; empty: nothing.
+  virtual std::string Lacks(const Roles&) const { return {}; }
+  virtual bool IsTrue(const Truth& truth, const Roles& roles) const = 0;
+  // By what sensors have told; none: that is too little, or the sensor's error leaves it open.
+  virtual std::optional<bool> Told(const Readings&, const Roles&) const { return std::nullopt; }
+  // Of a world before it is run; none: it depends on what is done.
+  virtual std::optional<bool> IsTrueIn(const HiddenWorld&, const Roles&) const {
+    return std::nullopt;
+  }
+};
+
+struct MeaningContext {
+  const domain::Problem& problem;
+};
+
+// One word of `predicates: {PREDICATE: {is: WORD, ...}}`, a file each.
+struct MeaningWord {
+  std::string_view name;
+  std::string_view summary;
+  std::unique_ptr<const Meaning> (*read)(const Value& map, const MeaningContext& context);
+};
+extern const MeaningWord kHeld;       // {is: held}
+extern const MeaningWord kHandEmpty;  // {is: hand-empty}
+extern const MeaningWord kOver;       // {is: over, place: TABLE}
+extern const MeaningWord kHeavier;    // {is: heavier, than: kg}
+
+// Null for {is: internal}: nothing in the workcell, so that no audit asks it. Throws InputError.
+std::unique_ptr<const Meaning> ReadMeaning(const Value& map, const MeaningContext& context);
+
+}  // namespace assay::enact

@@ -1,0 +1,27 @@
+#include "sim/enact/roles.h"
+
+#include <algorithm>
+
+namespace assay::enact {
+
+Roles RolesOf(const domain::Problem& problem, std::span<const std::string> arguments) {
+  Roles roles;
+  for (const std::string& argument : arguments) {
+    const auto part = std::ranges::find(problem.parts, argument, &domain::Part::name);
+    if (part != problem.parts.end() && roles.part.IsNone()) {
+      roles.part = PartId(static_cast<std::size_t>(part - problem.parts.begin()));
+    }
+    const std::vector<domain::Table>& tables = problem.workcell->tables();
+    const auto table = std::ranges::find(tables, argument, &domain::Table::name);
+    if (table != tables.end() && roles.table == nullptr) roles.table = &*table;
+  }
+  return roles;
+}
+
+const domain::Table& ReadTable(const Value& name, const domain::Problem& problem) {
+  std::vector<std::string> names;
+  for (const domain::Table& table : problem.workcell->tables()) names.push_back(table.name);
+  return problem.workcell->tables()[static_cast<std::size_t>(name.OneOf(names))];
+}
+
+}  // namespace assay::enact

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "planner/base/document.h"
+#include "planner/domain/problem.h"
+
+namespace assay::enact {
+
+using domain::PartId;
+
+// What the arguments of an action or an atom are in the workcell: a symbol that is the name of a
+// part or of a table stands for it. Other symbols stand for nothing.
+struct Roles {
+  PartId part = PartId::None();          // the first
+  const domain::Table* table = nullptr;  // the first
+};
+Roles RolesOf(const domain::Problem& problem, std::span<const std::string> arguments);
+
+// The table that a file names. Throws InputError.
+const domain::Table& ReadTable(const Value& name, const domain::Problem& problem);
+
+}  // namespace assay::enact

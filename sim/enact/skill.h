@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/base/document.h"
+#include "planner/base/random.h"
+#include "planner/domain/reachability.h"
+#include "planner/domain/units.h"
+#include "sim/enact/readings.h"
+#include "sim/enact/roles.h"
+#include "sim/exec/execution.h"
+
+namespace assay::enact {
+
+// What a skill works with: the execution, which believes what commands and sensors tell it, and
+// what sensors have told besides.
+struct Situation {
+  exec::Execution& execution;
+  Readings& readings;
+  RandomStream& sensor_noise;
+
+  const domain::Problem& problem() const { return execution.problem(); }
+  // Where the parts other than `but` are believed to be; none of them is in the hand.
+  std::vector<domain::PlacedPart> Standing(PartId but) const;
+};
+
+// What an action of the domain is in the workcell.
+class Skill {
+ public:
+  virtual ~Skill() = default;
+
+  // What it lacks to be done with these arguments; empty: nothing.
+  virtual std::string Lacks(const Roles& roles) const { return roles.part.IsNone() ? "part" : ""; }
+  // Does it, by what is believed and felt alone.
+  virtual exec::Progress Do(const Roles& roles, Situation& situation) const = 0;
+};
+
+struct SkillContext {
+  const domain::Problem& problem;
+  const domain::Units& units;  // of the scenario file
+};
+
+// One word of `actions: {ACTION: {skill: WORD, ...}}`, a file each.
+struct SkillWord {
+  std::string_view name;
+  std::string_view summary;
+  std::unique_ptr<const Skill> (*read)(const Value& map, const SkillContext& context);
+};
+extern const SkillWord kPickUp;   // {skill: pick-up}
+extern const SkillWord kWeigh;    // {skill: weigh, error: newtons}
+extern const SkillWord kCarry;    // {skill: carry, to: TABLE, upright: angle}
+extern const SkillWord kPutDown;  // {skill: put-down}
+
+// Throws InputError.
+std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& context);
+
+// Runs commands one after the other.
+exec::Progress RunAll(const std::vector<exec::Command>& commands, exec::Execution& execution);
+
+}  // namespace assay::enact

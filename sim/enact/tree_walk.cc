@@ -1,0 +1,164 @@
+#include "sim/enact/tree_walk.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+#include "planner/contingent/tree_text.h"
+
+namespace assay::enact {
+
+using contingent::AtomId;
+using contingent::GroundAction;
+using contingent::NodeId;
+using contingent::PlanNode;
+
+namespace {
+
+constexpr int kMostActions = 1000;
+constexpr int kMostSensings = 5;  // of one thing, one after the other
+
+exec::Pose HandError(const domain::PoseError& error, RandomStream& random) {
+  const auto draw = [&](const Interval& range) { return random.Uniform(range.low, range.high); };
+  const double x = draw(error.x);
+  const double y = draw(error.y);
+  const double z = draw(error.z);
+  return geometry::Translation(x, y, z) * geometry::RotationZ(draw(error.theta));
+}
+
+}  // namespace
+
+TreeWalk::TreeWalk(const Interpretation& interpretation, const contingent::PlanTree& tree,
+                   Situation& situation, const WalkOptions& options)
+    : interpretation_(interpretation),
+      tree_(tree),
+      situation_(situation),
+      options_(options),
+      audit_(interpretation, situation.problem()),
+      knowledge_(interpretation.task),
+      state_(knowledge_.Initial()) {}
+
+Walk TreeWalk::Go() {
+  AuditNow();
+  std::optional<NodeId> at = tree_.root;
+  while (at) {
+    const PlanNode& node = tree_.node(*at);
+    switch (node.kind) {
+      case PlanNode::Kind::kGoal:
+        return std::move(walk_);
+      case PlanNode::Kind::kAct:
+        at = Act(node);
+        break;
+      case PlanNode::Kind::kWhether:
+        at = Whether(*at);
+        break;
+      case PlanNode::Kind::kValue:
+        at = ByValue(*at);
+        break;
+    }
+  }
+  return std::move(walk_);
+}
+
+std::optional<NodeId> TreeWalk::Act(const PlanNode& node) {
+  const GroundAction& action = interpretation_.task.actions[node.action.index()];
+  if (walk_.steps.size() >= kMostActions) {
+    return End(WalkEnd::kEndless, fmt::format("more than {} actions", kMostActions));
+  }
+  if (const exec::Progress failure = Do(action)) return End(WalkEnd::kStopped, failure->reason);
+  last_ = node.action;
+  const auto after = knowledge_.After(action, state_);
+  ASSAY_CHECK(after, "the plan's {} contradicts what is known", TextOf(action));
+  state_ = *after;
+  AuditNow();
+  if (options_.on_step_end) options_.on_step_end(walk_.steps.back());
+  return node.children.front();
+}
+
+exec::Progress TreeWalk::Do(const GroundAction& action) {
+  exec::Execution& execution = situation_.execution;
+  execution.SetHandError(HandError(situation_.problem().gripper_error, *options_.random));
+  const Roles roles = RolesOf(situation_.problem(), action.arguments);
+  const std::string text = TextOf(action);
+  exec::Progress failure = interpretation_.skills.at(action.name)->Do(roles, situation_);
+  if (failure) failure->reason = text + ": " + failure->reason;
+  walk_.steps.push_back({text, execution.data().time()});
+  return failure;
+}
+
+std::optional<bool> TreeWalk::Told(AtomId atom) const {
+  const Meaning* const meaning = interpretation_.MeaningOf(atom);
+  if (meaning == nullptr) return std::nullopt;
+  const auto& arguments = interpretation_.task.ground_atoms[atom.index()].arguments;
+  return meaning->Told(situation_.readings, RolesOf(situation_.problem(), arguments));
+}
+
+std::optional<bool> TreeWalk::SensedWhether(AtomId atom) {
+  for (int times = 1;; ++times) {
+    const std::optional<bool> told = Told(atom);
+    if (told || times == kMostSensings || last_.IsNone()) return told;
+    if (Do(interpretation_.task.actions[last_.index()])) return std::nullopt;
+  }
+}
+
+bool TreeWalk::IsFlipped() { return options_.random->Uniform() < options_.sensing_errors; }
+
+std::optional<NodeId> TreeWalk::Whether(NodeId id) {
+  const PlanNode& node = tree_.node(id);
+  const auto literal = knowledge_.UndeterminedLiteral(node.formula, state_);
+  const auto told = literal.atom.IsNone() ? std::nullopt : SensedWhether(literal.atom);
+  if (!told) {
+    return End(WalkEnd::kUncertain,
+               fmt::format("the sensors do not tell whether {}",
+                           TextOf(interpretation_.task,
+                                  interpretation_.task.formulas[node.formula.index()])));
+  }
+  const bool is_flipped = IsFlipped();
+  const bool value = (*told == literal.is_positive) != is_flipped;
+  state_ = knowledge_.Learned(state_, node.formula, value);
+  return Take(id, value ? 0 : 1, is_flipped);
+}
+
+std::optional<NodeId> TreeWalk::ByValue(NodeId id) {
+  const PlanNode& node = tree_.node(id);
+  for (std::size_t child = 0; child < node.values.size(); ++child) {
+    if (Told(node.values[child]) != std::optional(true)) continue;
+    const bool is_flipped = node.values.size() > 1 && IsFlipped();
+    if (is_flipped) child = (child + 1) % node.values.size();
+    state_ = knowledge_.Learned(state_, {node.values[child], true});
+    return Take(id, child, is_flipped);
+  }
+  return End(WalkEnd::kUncertain,
+             fmt::format("the sensors do not tell {}",
+                         interpretation_.task.functions[node.function.index()].text));
+}
+
+std::optional<NodeId> TreeWalk::Take(NodeId id, std::size_t child, bool is_flipped) {
+  const PlanNode& node = tree_.node(id);
+  walk_.branches.push_back({id, child, OutcomeText(interpretation_.task, node, child), is_flipped});
+  AuditNow();
+  return node.children[child];
+}
+
+std::optional<NodeId> TreeWalk::End(WalkEnd end, const std::string& reason) {
+  walk_.end = end;
+  walk_.reason = reason;
+  return std::nullopt;
+}
+
+void TreeWalk::AuditNow() {
+  exec::Execution& execution = situation_.execution;
+  const Truth truth{situation_.problem(), execution.scene(), execution.data()};
+  const int step = static_cast<int>(walk_.steps.size());
+  for (FalseClaim& claim : audit_.FalseClaims(knowledge_, state_, truth, step)) {
+    const auto is_same = [&](const FalseClaim& other) {
+      return other.atom == claim.atom && other.claimed == claim.claimed;
+    };
+    if (std::ranges::none_of(walk_.false_claims, is_same)) {
+      walk_.false_claims.push_back(std::move(claim));
+    }
+  }
+}
+
+}  // namespace assay::enact
