@@ -81,12 +81,17 @@ std::string LeafTable(const EnactmentStudy& study) {
                {"trials", Align::kRight},
                {"reached", Align::kRight},
                {"greatest tilt", Align::kRight}});
+  constexpr std::size_t kMostMissed = 4;  // that are listed
+  std::size_t missed = 0;
   for (const Leaf& leaf : study.leaves) {
     const Tally tally = TallyOf(leaf, study);
+    if (tally.trials == 0 && ++missed > kMostMissed) continue;
     table.Add({leaf.Text(), fmt::format("{}", tally.trials), fmt::format("{}", tally.reached),
-               tally.trials > 0 ? fmt::format("{:.2f} deg", tally.greatest_tilt / kDegree) : ""});
+               tally.trials > 0 ? fmt::format("{:.3f} deg", tally.greatest_tilt / kDegree) : ""});
   }
-  return table.Text();
+  if (missed <= kMostMissed) return table.Text();
+  return table.Text() +
+         fmt::format("and {} leaves more that were not come to\n", missed - kMostMissed);
 }
 
 std::string StepTable(const EnactedTrial& trial) {
@@ -158,7 +163,7 @@ std::string TextOf(const EnactmentStudy& study) {
   const auto unreached = std::ranges::count_if(
       study.leaves, [&](const Leaf& leaf) { return TallyOf(leaf, study).trials == 0; });
   text += fmt::format(
-      "{} of {} leaves were come to; the greatest tilt of what can spill was {:.2f} "
+      "{} of {} leaves were come to; the greatest tilt of what can spill was {:.3f} "
       "degrees\n",
       study.leaves.size() - static_cast<std::size_t>(unreached), study.leaves.size(),
       all.greatest_tilt / kDegree);

@@ -53,6 +53,11 @@ PlannedProblem MakePlan(const fs::path& file, const fs::path& models,
                         const posting::UncertaintyOptions& uncertainty,
                         const scenario::Overrides& overrides) {
   scenario::Scenario scenario = LoadScenario(file, models, overrides);
+  if (scenario.problem.goals.empty()) {
+    throw InputError({.file = file.string()},
+                     "the goal is one of knowledge, which `assay enact` plans for",
+                     "a scenario with a key `goal`");
+  }
   plan::PlanResult result = PlanWithProgress(scenario.problem, planner, uncertainty);
   return {file.string(), std::move(scenario.problem), std::move(scenario.simulation),
           std::move(result)};

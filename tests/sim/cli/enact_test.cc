@@ -1,0 +1,63 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+const std::string kTwoCans = kTree / "scenarios/two-cans.yaml";
+
+// A trial depends on the seed and its number alone.
+TEST(Enact, TrialsAreTheSameAloneAndOnAnyNumberOfThreads) {
+  const Ended both = Assay({"enact", kTwoCans, "--trials", "2", "--jobs", "2", "--json"});
+  EXPECT_EQ(both.code, 0) << both.err << both.out;
+  EXPECT_THAT(SchemaErrors("sim/cli/enact.schema.json", both.Json()), IsEmpty());
+  EXPECT_EQ(both.Json()["reached"], 2);
+  EXPECT_EQ(both.Json()["leaves"].size(), 4);
+  const Ended alone = Assay({"enact", kTwoCans, "--trial", "2", "--json"});
+  EXPECT_EQ(alone.Json()["rows"][0], both.Json()["rows"][1]);
+}
+
+TEST(Enact, AFalseClaimFailsATrialWithTheGoalReached) {
+  const Ended ended = Assay({"enact", kTwoCans, "--sensing-errors", "1"});
+  EXPECT_EQ(ended.code, 12);
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("trial 1: false-claim: after step 2 isSpillable(can1) is claimed"),
+                    HasSubstr("; the goal is true"), HasSubstr("--sensing-errors 1 --trial 1"),
+                    HasSubstr("made wrong in 1 trials, and the audit told in 1")));
+}
+
+TEST(Enact, PicturesOfEachStep) {
+  if (Assay({"doctor", "--json"}).Json()["renderer"] == "") {
+    GTEST_SKIP() << "nothing renders on this machine";
+  }
+  const Folder folder;
+  const Ended ended = Assay({"enact", kTwoCans, "--pictures", folder / "out", "--camera", "top",
+                             "--size", "120x90", "--json"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const char* name :
+       {"00-start.png", "01-grasp-can1.png", "08-ungrasp-can2.png", "contact-sheet.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / (std::string("out/") + name))) << name;
+  }
+}
+
+TEST(Enact, WrongScenarios) {
+  const Ended none = Assay({"enact", kTree / "scenarios/spar-fig15.yaml"});
+  EXPECT_EQ(none.code, 3);
+  EXPECT_THAT(none.err, AllOf(HasSubstr("spar-fig15.yaml:"), HasSubstr("knowledge")));
+  const Folder folder;
+  const std::string text = TextOf(kTwoCans);
+  const std::string cut = folder.Write("cut.yaml", text.substr(0, text.find("    ungrasp: {")));
+  const Ended ended = Assay({"enact", cut, "--models", kTree / "models"});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, StartsWith("assay: " + cut + ":"));
+}
+
+}  // namespace
+}  // namespace assay::cli

@@ -1,0 +1,85 @@
+#include "sim/enact/audit.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/enact/tilt_watch.h"
+#include "tests/sim/enact/two_cans.h"
+
+namespace assay::enact {
+namespace {
+
+using geometry::Pose;
+using testing::ElementsAre;
+using testing::Field;
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+
+// What is known at first, in a simulation that a test changes by hand.
+class AuditOfTwoCans : public testing::Test {
+ protected:
+  std::vector<FalseClaim> FalseClaims() {
+    return audit_.FalseClaims(knowledge_, state_, truth_, 0);
+  }
+  void Move(PartId can, const Pose& X_WorldCan) { scene_.SetPart(data_, can, X_WorldCan); }
+  Pose Now(PartId can) const { return scene_.TruePose(data_, can); }
+
+  const KnowledgeScenario scenario_ = TwoCans();
+  const domain::Problem& problem_ = scenario_.scenario.problem;
+  const scene::Scene scene_{problem_, {}};
+  mujoco::Data data_ = scene_.Start();
+  const Truth truth_{problem_, scene_, data_};
+  const Audit audit_{scenario_.interpretation, problem_};
+  contingent::KnowledgeBase knowledge_{scenario_.interpretation.task};
+  contingent::KnowledgeState state_ = knowledge_.Initial();
+};
+
+// The init knows which cans are grasped and removed: none.
+TEST_F(AuditOfTwoCans, WhatIsKnownAtFirstIsTrue) {
+  EXPECT_THAT(FalseClaims(), IsEmpty());
+  EXPECT_FALSE(audit_.IsGoalTrue(truth_));
+}
+
+TEST_F(AuditOfTwoCans, WhatTheWorldDoesByItselfIsTold) {
+  Move(PartId(1), geometry::Translation(0, 0.8, 0) * Now(PartId(1)));
+  EXPECT_THAT(FalseClaims(), ElementsAre(Field(&FalseClaim::atom, "isRemoved(can2)")));
+  EXPECT_FALSE(audit_.IsGoalTrue(truth_));
+  Move(PartId(0), geometry::Translation(0, 0.8, 0) * Now(PartId(0)));
+  EXPECT_THAT(FalseClaims(), UnorderedElementsAre(Field(&FalseClaim::atom, "isRemoved(can1)"),
+                                                  Field(&FalseClaim::atom, "isRemoved(can2)")));
+  EXPECT_TRUE(audit_.IsGoalTrue(truth_));
+}
+
+// Whether a can is spillable is not known at first: nothing is claimed.
+TEST_F(AuditOfTwoCans, WhatIsNotKnownIsNotClaimed) {
+  for (const bool value : {false, true}) {
+    const contingent::KnowledgeState initial = state_;
+    const auto& actions = scenario_.interpretation.task.actions;
+    const auto sense = std::ranges::find_if(actions, [](const contingent::GroundAction& action) {
+      return TextOf(action) == "senseWeight(can1)";
+    });
+    ASSERT_NE(sense, actions.end());
+    state_ = *knowledge_.After(*sense, state_);
+    EXPECT_THAT(FalseClaims(), IsEmpty());
+    state_ = knowledge_.Learned(state_, knowledge_.FormulaToBranch(state_), value);
+    // By its model a can weighs 0.7 * 120 * 8 * tan(22.5 deg) * 30^2 mm^3 g = 0.25 kg and more.
+    const bool is_true = scene_.TrueMass(PartId(0)) > 0.25;
+    EXPECT_EQ(FalseClaims().size(), value == is_true ? 0u : 1u);
+    state_ = initial;
+  }
+}
+
+TEST_F(AuditOfTwoCans, TheGreatestTiltIsKept) {
+  TiltWatch watch(scene_, data_);
+  EXPECT_EQ(watch.greatest(PartId(0)), 0);
+  const Pose upright = Now(PartId(0));
+  for (const double tilt : {0.1, 0.3, 0.2}) {
+    Move(PartId(0), upright * geometry::RotationZ(0.7) * geometry::RotationX(tilt));
+    watch.Look(data_);
+  }
+  EXPECT_NEAR(watch.greatest(PartId(0)), 0.3, 1e-9);
+  EXPECT_NEAR(watch.greatest(PartId(1)), 0, 1e-9);
+}
+
+}  // namespace
+}  // namespace assay::enact

@@ -1,0 +1,90 @@
+#include "sim/enact/interpretation.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "planner/base/input_error.h"
+#include "tests/sim/enact/two_cans.h"
+
+namespace assay::enact {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+std::string ErrorOf(const Replacements& replacements) {
+  try {
+    TwoCans(replacements);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+// "two-cans.yaml:LINE:COLUMN: " of where a text stands in the changed file.
+std::string PlaceOf(const std::string& what, const Replacements& replacements) {
+  const std::string text = TwoCansText(replacements);
+  const std::size_t at = text.find(what);
+  const std::size_t line_start = text.rfind('\n', at) + 1;
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n');
+  return "two-cans.yaml:" + std::to_string(line) + ":" + std::to_string(at - line_start + 1) + ": ";
+}
+
+TEST(Interpretation, OfTwoCans) {
+  const KnowledgeScenario scenario = TwoCans();
+  EXPECT_EQ(scenario.interpretation.skills.size(), 5u);
+  EXPECT_EQ(scenario.interpretation.meanings.size(), 4u);
+  EXPECT_EQ(scenario.interpretation.hidden.size(), 2u);
+  EXPECT_TRUE(scenario.interpretation.spill);
+}
+
+struct Wrong {
+  std::string from;
+  std::string to;
+  std::string place;    // the text at which the message points
+  std::string message;  // a piece of it
+};
+
+TEST(Interpretation, WrongFilesAreRefusedWithPlaceAndRemedy) {
+  const std::vector<Wrong> wrongs = {
+      {"{skill: pick-up}", "{skill: pick-pu}", "pick-pu", "pick-up"},
+      {"{skill: pick-up}", "{skill: pick-up, to: table}", "to: table", "to"},
+      {"to: second-table}", "to: third-table}", "third-table", "second-table"},
+      {"carry, to: second-table}", "carry}", "{skill: carry}", "needs a table"},
+      {"upright: 5", "upright: -5", "-5", "0.1 to 90"},
+      {"error: 0.3", "error: -1", "-1}", "0 to 50"},
+      {"    ungrasp: {skill: put-down}\n", "", "grasp: {skill", "'ungrasp' has no skill"},
+      {"    ungrasp:", "    ungrip:", "ungrip", "ungrasp"},
+      {"{is: held}", "{is: hold}", "hold}", "held"},
+      {"than: 0.25", "than: light", "light", "number"},
+      {"    handEmpty: {is: hand-empty}\n", "", "isGrasped: {is", "'handEmpty' has no meaning"},
+      {"handEmpty: {", "handFull: {", "handFull", "handEmpty"},
+      {"handEmpty: {is: hand-empty}", "handEmpty: {is: held}", "{is: held}\n  hidden",
+       "'handEmpty' needs a part"},
+      {"can1: {mass", "can3: {mass", "can3: {mass", "can1"},
+      {"[0.06, 0.12]", "[0.12, 0.06]", "[0.12, 0.06]", "[low, high]"},
+      {"if: isSpillable", "if: isSpilled", "isSpilled", "isSpillable"},
+      {"beyond: 10", "beyond: 0", "0}\nsimulation", "0.01 to 180"},
+      {"  can2:\n", "  jar2:\n", "{skill: pick-up}", "named like the scenario's parts"},
+      {"hidden:", "hiden:", "hiden", "hidden"},
+  };
+  for (const auto& [from, to, place, message] : wrongs) {
+    const std::string error = ErrorOf({{from, to}});
+    EXPECT_THAT(error, AllOf(HasSubstr(PlaceOf(place, {{from, to}})), HasSubstr(message)))
+        << from << " -> " << to;
+  }
+}
+
+TEST(Interpretation, TheDomainMustBeThere) {
+  EXPECT_THAT(ErrorOf({{"force-sensing.pks", "force.pks"}}), HasSubstr("there is no file"));
+}
+
+TEST(Interpretation, InternalPredicatesMeanNothing) {
+  const KnowledgeScenario scenario = TwoCans({{"{is: hand-empty}", "{is: internal}"}});
+  EXPECT_EQ(scenario.interpretation.meanings.at("handEmpty"), nullptr);
+}
+
+}  // namespace
+}  // namespace assay::enact

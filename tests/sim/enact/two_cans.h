@@ -1,0 +1,48 @@
+#pragma once
+
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "planner/base/check.h"
+#include "planner/contingent/contingent_planner.h"
+#include "sim/enact/interpretation.h"
+#include "tests/scratch_file.h"
+
+namespace assay::enact {
+
+inline const std::filesystem::path kRoot = ASSAY_SOURCE_DIR;
+
+using Replacements = std::vector<std::pair<std::string, std::string>>;
+
+// The scenario's text, with longer timesteps and absolute paths, and some of it replaced.
+inline std::string TwoCansText(const Replacements& replacements = {}) {
+  std::ostringstream text;
+  text << std::ifstream(kRoot / "scenarios/two-cans.yaml").rdbuf();
+  std::string changed = text.str();
+  Replacements all = {{"know/force-sensing", kRoot / "scenarios/know/force-sensing"},
+                      {"know/two-cans", kRoot / "scenarios/know/two-cans"},
+                      {"simulation: {", "simulation: {timestep: 0.001, "}};
+  all.insert(all.end(), replacements.begin(), replacements.end());
+  for (const auto& [from, to] : all) {
+    const std::size_t at = changed.find(from);
+    ASSAY_CHECK(at != std::string::npos, "'{}' is not in the scenario", from);
+    changed.replace(at, from.size(), to);
+  }
+  return changed;
+}
+
+inline KnowledgeScenario TwoCans(const Replacements& replacements = {}) {
+  const std::filesystem::path file = ScratchFile("two-cans.yaml");
+  std::ofstream(file) << TwoCansText(replacements);
+  return Load(file, kRoot / "models");
+}
+
+inline contingent::PlanTree TreeOf(const KnowledgeScenario& scenario) {
+  Budget budget(100'000);
+  return MakePlan(scenario.interpretation.task, contingent::Wanted::kFirst, budget).tree;
+}
+
+}  // namespace assay::enact
