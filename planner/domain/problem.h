@@ -65,4 +65,11 @@ struct Problem {
   const Mating& mating(MatingId id) const { return matings[id.index()]; }
 };
 
+// Which grasps are looked for in a workcell, for the robot that acts.
+GraspSearch GraspsIn(const Workcell& workcell);
+
+// The same problem for another robot of its workcell: parts, matings and goals stay, grasps are by
+// that robot's gripper.
+Problem WorkedBy(const Problem& problem, RobotId robot);
+
 }  // namespace assay::domain

@@ -241,11 +241,9 @@ ProblemFile::Model ProblemFile::ReadModel(const Value& name) {
   if (is_new) {
     model->second.part =
         PartModel::Load(models_ / "parts" / name.Text() / "part.yaml", problem_.clearance);
-    const kinematics::Gripper& gripper = problem_.workcell->gripper();
+    const Workcell& workcell = *problem_.workcell;
     model->second.grasps = std::make_shared<const std::vector<Grasp>>(
-        ComputeGrasps(*model->second.part, gripper,
-                      {.approach_step = problem_.workcell->rules().approach_step,
-                       .widest = gripper.max_opening()}));
+        ComputeGrasps(*model->second.part, workcell.gripper(), GraspsIn(workcell)));
   }
   return model->second;
 }

@@ -1,5 +1,6 @@
 #include "planner/domain/workcell.h"
 
+#include "planner/base/check.h"
 #include "planner/domain/workcell_file.h"
 
 namespace assay::domain {
@@ -18,13 +19,20 @@ std::shared_ptr<const Workcell> Workcell::WithRules(const WorkcellRules& rules) 
   return copy;
 }
 
+std::shared_ptr<const Workcell> Workcell::WorkedBy(RobotId robot) const {
+  ASSAY_CHECK(robot.index() >= 0 && robot.index() < static_cast<int>(robots_.size()));
+  auto copy = std::make_shared<Workcell>(*this);
+  copy->acting_ = robot;
+  return copy;
+}
+
 geometry::Pose Workcell::FlangeFor(const geometry::Pose& X_WorldTool) const {
-  return X_WorldBase_.inverse() * X_WorldTool * gripper_->X_FlangeTool().inverse();
+  return X_WorldBase().inverse() * X_WorldTool * gripper().X_FlangeTool().inverse();
 }
 
 geometry::CollisionShape Workcell::HandShape(double opening) const {
-  std::vector<geometry::Box> boxes = gripper_->HandBoxes();
-  const std::vector<geometry::Box> fingers = gripper_->FingerBoxes(opening);
+  std::vector<geometry::Box> boxes = gripper().HandBoxes();
+  const std::vector<geometry::Box> fingers = gripper().FingerBoxes(opening);
   boxes.insert(boxes.end(), fingers.begin(), fingers.end());
   return geometry::CollisionShape(boxes);
 }

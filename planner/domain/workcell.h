@@ -5,12 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "planner/domain/robot.h"
 #include "planner/domain/uncertainty_operations.h"
 #include "planner/geometry/collision.h"
 #include "planner/geometry/polygon.h"
 #include "planner/geometry/pose.h"
-#include "planner/kinematics/arm.h"
-#include "planner/kinematics/gripper.h"
 
 namespace assay::domain {
 
@@ -48,23 +47,26 @@ struct WorkcellRules {
   double lateral_compliance = 0;  // how far the wrist yields sideways in a mating; 0: rigid; metres
 };
 
+// Table, rules, and one or more robots. A planner of grasps and motions works with one robot: arm,
+// gripper, base and home are those of the robot that acts, which is the file's first one.
 class Workcell {
  public:
   // Reads models/workcells/NAME/workcell.yaml ("assay-workcell/1") and the URDF files it names.
   static std::shared_ptr<const Workcell> Load(const std::filesystem::path& file);
 
   const std::string& name() const { return name_; }
-  const kinematics::Arm& arm() const { return *arm_; }
-  const kinematics::Gripper& gripper() const { return *gripper_; }
-  const geometry::Pose& X_WorldBase() const { return X_WorldBase_; }
+  const std::vector<Robot>& robots() const { return robots_; }
+  RobotId acting() const { return acting_; }
+  const Robot& robot() const { return robots_[acting_.index()]; }  // that acts
+  const kinematics::Arm& arm() const { return *robot().arm; }
+  const kinematics::Gripper& gripper() const { return *robot().gripper; }
+  const geometry::Pose& X_WorldBase() const { return robot().X_WorldBase; }
   // The first of the tables, which sensors and cameras look at.
   const Table& table() const { return tables_.front(); }
   const std::vector<Table>& tables() const { return tables_; }  // at least one
   const WorkcellRules& rules() const { return rules_; }
-  const std::filesystem::path& robot_file() const { return robot_file_; }
-  const std::filesystem::path& gripper_file() const { return gripper_file_; }
-  const kinematics::JointVector& home() const { return home_; }  // where the arm starts and ends
-  const kinematics::JointVector& joint_acceleration() const { return joint_acceleration_; }
+  const kinematics::JointVector& home() const { return robot().home; }
+  const kinematics::JointVector& joint_acceleration() const { return robot().joint_acceleration; }
   // Where parts may be put down, best first.
   const std::vector<Placement>& placements() const { return placements_; }
   const UncertaintyOperations& uncertainty_operations() const { return uncertainty_operations_; }
@@ -77,21 +79,18 @@ class Workcell {
 
   // The same workcell under other rules.
   std::shared_ptr<const Workcell> WithRules(const WorkcellRules& rules) const;
+  // The same workcell, in which this robot acts.
+  std::shared_ptr<const Workcell> WorkedBy(RobotId robot) const;
 
  private:
   Workcell() = default;
   friend class WorkcellFile;
 
   std::string name_;
-  std::shared_ptr<const kinematics::Arm> arm_;
-  std::shared_ptr<const kinematics::Gripper> gripper_;
-  geometry::Pose X_WorldBase_ = geometry::Pose::Identity();
+  std::vector<Robot> robots_;
+  RobotId acting_ = RobotId(0);
   std::vector<Table> tables_;
   WorkcellRules rules_;
-  std::filesystem::path robot_file_;
-  std::filesystem::path gripper_file_;
-  kinematics::JointVector home_ = kinematics::JointVector::Zero();
-  kinematics::JointVector joint_acceleration_ = kinematics::JointVector::Zero();
   std::vector<Placement> placements_;
   UncertaintyOperations uncertainty_operations_;
 };

@@ -9,13 +9,13 @@
 #include <string>
 #include <tuple>
 
+#include "planner/domain/robot_file.h"
 #include "planner/domain/uncertainty_operations_file.h"
 
 namespace assay::domain {
 namespace {
 
 using geometry::Vector2;
-using kinematics::JointVector;
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kMostPlacesAcross = 100;  // along x or y
@@ -77,11 +77,6 @@ Range ReadRange(const Value& value, const Units& units) {
   return {ends.x(), ends.y()};
 }
 
-JointVector ReadJoints(const Value& value, const Units& units) {
-  const std::vector<double> joints = value.Numbers(6);
-  return units.angle * Eigen::Map<const JointVector>(joints.data());
-}
-
 // low, low + step, ... up to high; a step that meets `high` but for rounding is counted.
 std::vector<double> Steps(const Value& place, const Range& range, double step) {
   const double count = std::floor((range.high - range.low) / step + 1e-9) + 1;
@@ -123,44 +118,16 @@ WorkcellFile::WorkcellFile(const std::filesystem::path& file)
   const Document document = Document::Load(file);
   document.RequireFormat("assay-workcell/1");
   const Value& root = document.root();
-  root.AllowOnly({"format", "description", "units", "robot", "gripper", "table", "tables", "rules",
-                  "placements", "sensors", "verifications", "recoveries"});
+  root.AllowOnly({"format", "description", "units", "robot", "robots", "gripper", "table", "tables",
+                  "rules", "placements", "sensors", "verifications", "recoveries"});
   if (const auto description = root.Find("description")) description->Text();
   units_ = ReadUnits(root);
   workcell_->name_ = folder_.filename().string();
-  ReadRobot(root.At("robot"));
-  ReadGripper(root.At("gripper"));
+  workcell_->robots_ = ReadRobots(root, units_, folder_);
   ReadTables(root);
   ReadAllRules(root.At("rules"));
   ReadPlacements(root.At("placements"));
   workcell_->uncertainty_operations_ = ReadUncertaintyOperations(root, units_);
-}
-
-void WorkcellFile::ReadRobot(const Value& robot) {
-  robot.AllowOnly({"urdf", "base", "home", "acceleration"});
-  workcell_->robot_file_ = Beside(robot.At("urdf"));
-  workcell_->arm_ =
-      std::make_shared<const kinematics::Arm>(kinematics::Arm::FromUrdf(workcell_->robot_file_));
-  const Value base = robot.At("base");
-  base.AllowOnly({"columns"});
-  workcell_->X_WorldBase_ = ReadColumns(base.At("columns"), units_);
-  const Value home = robot.At("home");
-  workcell_->home_ = ReadJoints(home, units_);
-  if (!workcell_->arm_->InRange(workcell_->home_)) {
-    home.Fail("the arm's home is outside the joint limits", "angles within the limits of the URDF");
-  }
-  const Value acceleration = robot.At("acceleration");
-  workcell_->joint_acceleration_ = ReadJoints(acceleration, units_);
-  if (workcell_->joint_acceleration_.minCoeff() <= 0) {
-    acceleration.Fail("a joint acceleration that is not positive", "six positive numbers");
-  }
-}
-
-void WorkcellFile::ReadGripper(const Value& gripper) {
-  gripper.AllowOnly({"urdf"});
-  workcell_->gripper_file_ = Beside(gripper.At("urdf"));
-  workcell_->gripper_ = std::make_shared<const kinematics::Gripper>(
-      kinematics::Gripper::FromUrdf(workcell_->gripper_file_));
 }
 
 void WorkcellFile::ReadTables(const Value& root) {
@@ -212,16 +179,6 @@ void WorkcellFile::ReadPlacements(const Value& placements) {
       workcell_->placements_.push_back({p.x(), p.y(), 2 * kPi * i / yaws});
     }
   }
-}
-
-std::filesystem::path WorkcellFile::Beside(const Value& path) const {
-  const std::filesystem::path file = (folder_ / path.Text()).lexically_normal();
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error)) {
-    path.Fail(fmt::format("there is no file '{}'", path.Text()),
-              "a path from the workcell's folder");
-  }
-  return file;
 }
 
 }  // namespace assay::domain

@@ -21,13 +21,10 @@ class WorkcellFile {
  private:
   explicit WorkcellFile(const std::filesystem::path& file);
 
-  void ReadRobot(const Value& robot);
-  void ReadGripper(const Value& gripper);
   void ReadTables(const Value& root);
   void ReadTable(const std::string& name, const Value& table);
   void ReadAllRules(const Value& rules);
   void ReadPlacements(const Value& placements);
-  std::filesystem::path Beside(const Value& path) const;
 
   std::filesystem::path folder_;
   Units units_;

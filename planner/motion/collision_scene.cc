@@ -17,14 +17,14 @@ constexpr int kFlange = 6;           // the last link
 constexpr double kFloorReach = 3;    // metres of floor around the base
 constexpr double kFloorDepth = 0.1;  // metres
 
-std::vector<RoundedHull> HullsOfLink(const kinematics::Link& link) {
+std::vector<RoundedHull> HullsOfLink(const kinematics::Link& link, const Pose& X_FrameLink) {
   std::vector<RoundedHull> hulls;
   for (const kinematics::Collision& collision : link.collisions) {
-    hulls.push_back(HullAround(collision.shape, collision.X_LinkShape));
+    hulls.push_back(HullAround(collision.shape, X_FrameLink * collision.X_LinkShape));
   }
   if (!hulls.empty()) return hulls;
   for (const kinematics::Visual& visual : link.visuals) {
-    hulls.push_back(HullAround(visual.shape, visual.X_LinkShape));
+    hulls.push_back(HullAround(visual.shape, X_FrameLink * visual.X_LinkShape));
   }
   return hulls;
 }
@@ -90,6 +90,9 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
     Add(part.name, kFlange, HullsOf(part.model->boxes(), X_FlangePart));
   }
   AddStage();
+  for (const domain::Robot& robot : workcell_->robots()) {
+    if (&robot != &workcell_->robot()) AddBystander(robot);
+  }
   const Pose X_BaseWorld = workcell_->X_WorldBase().inverse();
   for (const auto& [id, X_WorldPart] : surroundings.parts) {
     const domain::Part& part = problem.part(id);
@@ -114,7 +117,7 @@ void CollisionScene::Add(std::string name, int link, std::vector<RoundedHull> hu
 void CollisionScene::AddLinks() {
   const std::vector<kinematics::Link>& links = arm().model().links;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    if (std::vector<RoundedHull> hulls = HullsOfLink(links[i]); !hulls.empty()) {
+    if (std::vector<RoundedHull> hulls = HullsOfLink(links[i], Pose::Identity()); !hulls.empty()) {
       Add(links[i].name, static_cast<int>(i), std::move(hulls));
     }
   }
@@ -138,6 +141,22 @@ void CollisionScene::AddStage() {
   const Box floor = Box::FromCorners({-kFloorReach, -kFloorReach, height - kFloorDepth},
                                      {kFloorReach, kFloorReach, height});
   Add("floor", 0, HullsOf(std::span(&floor, 1), Pose::Identity()));
+}
+
+void CollisionScene::AddBystander(const domain::Robot& robot) {
+  const Pose X_BaseOther = workcell_->X_WorldBase().inverse() * robot.X_WorldBase;
+  const std::vector<kinematics::Link>& links = robot.arm->model().links;
+  const LinkPoses X_OtherLink = robot.arm->LinkPoses(robot.home);
+  const auto add = [&](const std::string& name, std::vector<RoundedHull> hulls) {
+    if (!hulls.empty()) Add(fmt::format("{} of {}", name, robot.name), 0, std::move(hulls));
+  };
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    add(links[i].name, HullsOfLink(links[i], X_BaseOther * X_OtherLink[i]));
+  }
+  const kinematics::Gripper& gripper = *robot.gripper;
+  const Pose X_BaseTool = X_BaseOther * X_OtherLink.back() * gripper.X_FlangeTool();
+  add("hand", HullsOf(gripper.HandBoxes(), X_BaseTool));
+  add("fingers", HullsOf(gripper.FingerBoxes(gripper.max_opening()), X_BaseTool));
 }
 
 bool CollisionScene::AreNeighbours(int link, int later_link) const {

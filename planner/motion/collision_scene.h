@@ -60,7 +60,8 @@ struct Surroundings {
 };
 
 // The workcell as bodies: the arm's links, hand, fingers, held part, table, floor (where the arm's
-// base stands) and parts. A link's shapes are its URDF's collisions, or its visuals if there are
+// base stands), parts, and the workcell's other robots, which stand at their homes with open
+// grippers. A link's shapes are its URDF's collisions, or its visuals if there are
 // none; round ones are replaced by polyhedra that hold them (cylinders by prisms of 16 sides).
 //
 // Not tested, since they touch or are kept apart by construction: what is fixed to the same link
@@ -95,6 +96,7 @@ class CollisionScene {
   void AddLinks();
   void AddGripper(double opening);
   void AddStage();
+  void AddBystander(const domain::Robot& robot);
   void ListPairs();
   bool AreNeighbours(int link, int later_link) const;
 

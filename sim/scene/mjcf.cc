@@ -119,6 +119,13 @@ geometry::MassProperties TrueMass(const domain::PartModel& model, domain::PartId
   return mass;
 }
 
+Eigen::Vector4d ColorOf(const Problem& problem, domain::PartId part, std::size_t box,
+                        const SceneOptions& options) {
+  const auto given = options.part_colors.find(part);
+  if (given != options.part_colors.end()) return given->second;
+  return problem.part(part).model->colors()[box].cast<double>();
+}
+
 void AddPart(const Problem& problem, domain::PartId id, const SceneOptions& options,
              XmlElement& worldbody) {
   const Part& part = problem.part(id);
@@ -138,7 +145,7 @@ void AddPart(const Problem& problem, domain::PartId id, const SceneOptions& opti
         .Set("friction", {friction, kTorsionFriction, kRollFriction});
   };
   for (std::size_t i = 0; i < model.boxes().size(); ++i) {
-    const Eigen::Vector4d color = model.colors()[i].cast<double>();
+    const Eigen::Vector4d color = ColorOf(problem, id, i, options);
     add_box("part", model.boxes()[i]).Set("rgba", std::span(color.data(), 4));
   }
   for (const geometry::Box& box : SupportingBoxes(model)) {
@@ -146,11 +153,11 @@ void AddPart(const Problem& problem, domain::PartId id, const SceneOptions& opti
   }
 }
 
-void AddWelds(const Problem& problem, XmlElement& equality) {
+void AddWelds(const Problem& problem, const domain::Robot& robot, XmlElement& equality) {
   for (const Part& part : problem.parts) {
     equality.Add("weld")
-        .Set("name", "weld/" + part.name)
-        .Set("body1", "gripper/hand")
+        .Set("name", robot.Prefix() + "weld/" + part.name)
+        .Set("body1", robot.Prefix() + "gripper/hand")
         .Set("body2", "part/" + part.name)
         .Set("active", "false");
   }
@@ -179,24 +186,31 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   mujoco.Set("model", problem.name);
   mujoco.Add("compiler").Set("angle", "radian").Set("inertiafromgeom", "false");
   AddOption(options, mujoco);
-  AddVisualSettings(problem, mujoco);
+  AddVisualSettings(problem, options.light, mujoco);
   AddDefaults(mujoco);
   AddMaterials(mujoco.Add("asset"));
   XmlElement& worldbody = mujoco.Add("worldbody");
-  AddStage(problem, worldbody);
-  AddRobot(*problem.workcell,
-           TrueFriction(problem.workcell->rules().pad_friction, options.pad_friction_error),
-           worldbody);
+  AddStage(problem, options.light, worldbody);
+  const domain::WorkcellRules& rules = problem.workcell->rules();
+  const GripperRules gripper = {
+      .grip_force = rules.grip_force,
+      .pad_friction = TrueFriction(rules.pad_friction, options.pad_friction_error)};
+  const std::vector<domain::Robot>& robots = problem.workcell->robots();
+  for (const domain::Robot& robot : robots) AddRobot(robot, gripper, worldbody);
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
     const domain::PartId part(i);
     AddPartTables(problem, {part, TableBit(part)}, worldbody);
     AddPart(problem, part, options, worldbody);
   }
   XmlElement& equality = mujoco.Add("equality");
-  AddFingerCoupling(equality);
-  if (options.grasp == GraspMode::kWeld) AddWelds(problem, equality);
-  AddServos(*problem.workcell, mujoco.Add("actuator"));
-  AddWristSensors(mujoco.Add("sensor"));
+  for (const domain::Robot& robot : robots) {
+    AddFingerCoupling(robot, equality);
+    if (options.grasp == GraspMode::kWeld) AddWelds(problem, robot, equality);
+  }
+  XmlElement& actuator = mujoco.Add("actuator");
+  for (const domain::Robot& robot : robots) AddServos(robot, gripper, actuator);
+  XmlElement& sensor = mujoco.Add("sensor");
+  for (const domain::Robot& robot : robots) AddWristSensors(robot, sensor);
   return mujoco.Text();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <map>
 #include <optional>
 #include <string>
@@ -24,6 +25,10 @@ struct SceneOptions {
   // Kilograms, by part, instead of what the part files' densities give: what is hidden in a part.
   // It is spread alike.
   std::map<domain::PartId, double> part_masses = {};
+  // Red, green, blue and alpha, by part, instead of what the part files say: what a part's looks
+  // tell of what is hidden in it.
+  std::map<domain::PartId, Eigen::Vector4d> part_colors = {};
+  double light = 1;  // of all lamps, as a factor
   // Truth minus what the problem says. No true friction is below 0.
   double clearance_error = 0;     // metres on each side of a mated shaft
   double friction_error = 0;      // of parts: than the part files' values, or part_friction
@@ -33,7 +38,8 @@ struct SceneOptions {
 // The whole workcell as a model for the engine, in its XML: floor, pedestal, table, arm, gripper,
 // parts as free bodies at their initial poses, sensors, cameras. Names: part NAME is body
 // "part/NAME"; arm links and joints have their URDF names after "arm/", those of the gripper after
-// "gripper/"; the tables are geoms of the world (TableGeom).
+// "gripper/"; the tables are geoms of the world (TableGeom). With several robots, those names and
+// the wrist's begin with the robot's own: "left/arm/".
 std::string ToMjcf(const domain::Problem& problem, const SceneOptions& options);
 
 // The name of a table as a geom, for the hand: the table's own. For a part: "table/NAME", what the

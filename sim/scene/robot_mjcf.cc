@@ -1,12 +1,14 @@
 #include "sim/scene/robot_mjcf.h"
 
+#include <array>
+
 #include "planner/base/check.h"
 #include "sim/scene/servo_gains.h"
 
 namespace assay::scene {
 namespace {
 
-using domain::Workcell;
+using domain::Robot;
 using kinematics::Joint;
 using kinematics::JointType;
 using kinematics::Link;
@@ -20,6 +22,8 @@ constexpr double kFingerStiffness = 4e4;       // N/m, until the grip force
 constexpr double kFingerArmature = 0.5;        // kg, of the drive
 constexpr double kFingerFriction = 0.2;        // of the fingers' steel and of the hand
 constexpr double kPadTorsionFriction = 0.005;  // m
+
+constexpr std::array kFingers = {"finger_left", "finger_right"};
 
 struct ShapeWriter {
   XmlElement& geom;
@@ -113,21 +117,23 @@ void AddCollisions(const Link& link, double pad_friction, XmlElement& body) {
   }
 }
 
-void AddGripper(const Workcell& workcell, double pad_friction, XmlElement& flange) {
-  const kinematics::Gripper& gripper = workcell.gripper();
-  const RobotModel& model = gripper.model();
-  const RobotWriter writer(model, "gripper/");
+void AddGripper(const Robot& robot, const GripperRules& rules, XmlElement& flange) {
+  const RobotModel& model = robot.gripper->model();
+  const RobotWriter writer(model, robot.Prefix() + "gripper/");
   XmlElement& hand = writer.AddRoot(geometry::Pose::Identity(), flange);
-  AddCollisions(model.links.front(), pad_friction, hand);
-  hand.Add("site").Set("name", "wrist").Set("class", "mark");
-  hand.Add("site").Set("name", "tool").Set("class", "mark").SetPose(gripper.X_FlangeTool());
-  for (const char* name : {"finger_left", "finger_right"}) {
+  AddCollisions(model.links.front(), rules.pad_friction, hand);
+  hand.Add("site").Set("name", robot.Prefix() + "wrist").Set("class", "mark");
+  hand.Add("site")
+      .Set("name", robot.Prefix() + "tool")
+      .Set("class", "mark")
+      .SetPose(robot.gripper->X_FlangeTool());
+  for (const char* name : kFingers) {
     const Joint& joint = writer.Find(name);
     XmlElement& finger = writer.AddMoved(joint, hand);
     writer.AddJoint(joint, finger)
         .Set("armature", kFingerArmature)
-        .Set("damping", workcell.rules().grip_force / kFingerSpeed);
-    AddCollisions(model.link(joint.child), pad_friction, finger);
+        .Set("damping", rules.grip_force / kFingerSpeed);
+    AddCollisions(model.link(joint.child), rules.pad_friction, finger);
   }
 }
 
@@ -141,44 +147,46 @@ void AddServo(const std::string& joint, double stiffness, XmlElement& general) {
 
 }  // namespace
 
-void AddRobot(const Workcell& workcell, double pad_friction, XmlElement& worldbody) {
-  const RobotModel& model = workcell.arm().model();
+void AddRobot(const Robot& robot, const GripperRules& rules, XmlElement& worldbody) {
+  const RobotModel& model = robot.arm->model();
   ASSAY_CHECK(model.joints.size() == kServoGains.size());
-  const RobotWriter writer(model, "arm/");
-  XmlElement* body = &writer.AddRoot(workcell.X_WorldBase(), worldbody);
+  const RobotWriter writer(model, robot.Prefix() + "arm/");
+  XmlElement* body = &writer.AddRoot(robot.X_WorldBase, worldbody);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     body = &writer.AddMoved(model.joints[i], *body);
     writer.AddJoint(model.joints[i], *body)
         .Set("armature", kServoGains[i].armature)
         .Set("damping", kServoGains[i].damping);
   }
-  AddGripper(workcell, pad_friction, *body);
+  AddGripper(robot, rules, *body);
 }
 
-void AddFingerCoupling(XmlElement& equality) {
+void AddFingerCoupling(const Robot& robot, XmlElement& equality) {
+  const std::string prefix = robot.Prefix() + "gripper/";
   equality.Add("joint")
-      .Set("name", "gripper/coupling")
-      .Set("joint1", "gripper/finger_left")
-      .Set("joint2", "gripper/finger_right")
+      .Set("name", prefix + "coupling")
+      .Set("joint1", prefix + kFingers[0])
+      .Set("joint2", prefix + kFingers[1])
       .Set("polycoef", {0, 1, 0, 0, 0});
 }
 
-void AddServos(const Workcell& workcell, XmlElement& actuator) {
-  const RobotModel& model = workcell.arm().model();
+void AddServos(const Robot& robot, const GripperRules& rules, XmlElement& actuator) {
+  const RobotModel& model = robot.arm->model();
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    AddServo("arm/" + model.joints[i].name, kServoGains[i].stiffness, actuator.Add("general"));
+    AddServo(robot.Prefix() + "arm/" + model.joints[i].name, kServoGains[i].stiffness,
+             actuator.Add("general"));
   }
-  const double force = workcell.rules().grip_force;
-  for (const char* name : {"gripper/finger_left", "gripper/finger_right"}) {
+  for (const char* name : kFingers) {
     XmlElement& general = actuator.Add("general");
-    AddServo(name, kFingerStiffness, general);
-    general.Set("forcelimited", "true").Set("forcerange", {-force, force});
+    AddServo(robot.Prefix() + "gripper/" + name, kFingerStiffness, general);
+    general.Set("forcelimited", "true").Set("forcerange", {-rules.grip_force, rules.grip_force});
   }
 }
 
-void AddWristSensors(XmlElement& sensor) {
-  sensor.Add("force").Set("name", "wrist/force").Set("site", "wrist");
-  sensor.Add("torque").Set("name", "wrist/torque").Set("site", "wrist");
+void AddWristSensors(const Robot& robot, XmlElement& sensor) {
+  const std::string wrist = robot.Prefix() + "wrist";
+  sensor.Add("force").Set("name", wrist + "/force").Set("site", wrist);
+  sensor.Add("torque").Set("name", wrist + "/torque").Set("site", wrist);
 }
 
 }  // namespace assay::scene

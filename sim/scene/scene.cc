@@ -12,10 +12,10 @@ namespace {
 using mujoco::Data;
 using mujoco::Model;
 
-ArmAddresses FindArm(const Model& model, const kinematics::RobotModel& robot) {
+ArmAddresses FindArm(const Model& model, const domain::Robot& robot) {
   ArmAddresses arm;
   for (std::size_t i = 0; i < arm.qpos.size(); ++i) {
-    const std::string name = "arm/" + robot.joints[i].name;
+    const std::string name = robot.Prefix() + "arm/" + robot.arm->model().joints[i].name;
     arm.qpos[i] = model.QposAddress(model.Joint(name));
     arm.dof[i] = model.DofAddress(model.Joint(name));
     arm.ctrl[i] = model.Actuator(name).index();
@@ -43,22 +43,39 @@ Vector3 VectorAt(std::span<const double> values, int address) {
 Scene::Scene(const domain::Problem& problem, const SceneOptions& options)
     : options_(options),
       model_(Model::FromMjcf(ToMjcf(problem, options))),
-      arm_(FindArm(model_, problem.workcell->arm().model())),
-      hand_(model_.Body("gripper/hand")),
-      tool_(model_.Site("tool")),
-      wrist_(model_.Site("wrist")),
-      force_sensor_(model_.SensorAddress(model_.Sensor("wrist/force"))),
-      torque_sensor_(model_.SensorAddress(model_.Sensor("wrist/torque"))),
-      max_opening_(problem.workcell->gripper().max_opening()),
-      home_(problem.workcell->home()) {
-  fingers_ = {FindFinger("gripper/finger_left"), FindFinger("gripper/finger_right")};
+      acting_(problem.workcell->acting()) {
   for (const domain::Table& table : problem.workcell->tables()) {
     tables_.push_back(model_.Geom(TableGeom(table)));
     table_middles_.push_back(-table.thickness / 2);
   }
+  for (const domain::Robot& robot : problem.workcell->robots()) {
+    robots_.push_back(FindRobot(robot));
+  }
   for (const domain::Part& part : problem.parts) {
     parts_.push_back(FindPart(part.name, *problem.workcell));
   }
+}
+
+Scene Scene::WorkedBy(domain::RobotId robot) const {
+  ASSAY_CHECK(robot.index() >= 0 && robot.index() < static_cast<int>(robots_.size()));
+  Scene other = *this;
+  other.acting_ = robot;
+  return other;
+}
+
+Scene::RobotAddresses Scene::FindRobot(const domain::Robot& robot) const {
+  const std::string prefix = robot.Prefix();
+  const std::string wrist = prefix + "wrist";
+  return {.arm = FindArm(model_, robot),
+          .fingers = {FindFinger(prefix + "gripper/finger_left"),
+                      FindFinger(prefix + "gripper/finger_right")},
+          .hand = model_.Body(prefix + "gripper/hand"),
+          .tool = model_.Site(prefix + "tool"),
+          .wrist = model_.Site(wrist),
+          .force_sensor = model_.SensorAddress(model_.Sensor(wrist + "/force")),
+          .torque_sensor = model_.SensorAddress(model_.Sensor(wrist + "/torque")),
+          .max_opening = robot.gripper->max_opening(),
+          .home = robot.home};
 }
 
 Scene::Finger Scene::FindFinger(const std::string& name) const {
@@ -71,47 +88,53 @@ Scene::Finger Scene::FindFinger(const std::string& name) const {
 
 Scene::FreeBody Scene::FindPart(const std::string& name, const domain::Workcell& workcell) const {
   const mujoco::JointId joint = model_.Joint("part/" + name);
-  const bool welds = options_.grasp == GraspMode::kWeld;
-  std::vector<mujoco::GeomId> tables;
+  FreeBody part{.body = model_.Body("part/" + name),
+                .qpos = model_.QposAddress(joint),
+                .dof = model_.DofAddress(joint),
+                .welds = {},
+                .tables = {}};
   for (const domain::Table& table : workcell.tables()) {
-    tables.push_back(model_.Geom(TableGeom(table, name)));
+    part.tables.push_back(model_.Geom(TableGeom(table, name)));
   }
-  return {.body = model_.Body("part/" + name),
-          .qpos = model_.QposAddress(joint),
-          .dof = model_.DofAddress(joint),
-          .weld = welds ? model_.Equality("weld/" + name) : mujoco::EqualityId::None(),
-          .tables = std::move(tables)};
+  if (options_.grasp != GraspMode::kWeld) return part;
+  for (const domain::Robot& robot : workcell.robots()) {
+    part.welds.push_back(model_.Equality(robot.Prefix() + "weld/" + name));
+  }
+  return part;
 }
 
 Data Scene::Start() const {
   Data data(model_);
-  SetArm(data, home_);
-  SetGripper(data, max_opening_);
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const Scene scene = WorkedBy(domain::RobotId(i));
+    scene.SetArm(data, robots_[i].home);
+    scene.SetGripper(data, robots_[i].max_opening);
+  }
   return data;
 }
 
 void Scene::SetArm(Data& data, const JointVector& q) const {
-  Scatter(q, arm_.qpos, data.qpos());
-  Scatter(JointVector::Zero(), arm_.dof, data.qvel());
-  Scatter(q, arm_.ctrl, data.ctrl());
+  Scatter(q, arm().qpos, data.qpos());
+  Scatter(JointVector::Zero(), arm().dof, data.qvel());
+  Scatter(q, arm().ctrl, data.ctrl());
   data.Forward();
-  Scatter(Gather(data.qfrc_bias(), arm_.dof), arm_.dof, data.qfrc_applied());
+  Scatter(Gather(data.qfrc_bias(), arm().dof), arm().dof, data.qfrc_applied());
 }
 
-JointVector Scene::ArmPosition(const Data& data) const { return Gather(data.qpos(), arm_.qpos); }
+JointVector Scene::ArmPosition(const Data& data) const { return Gather(data.qpos(), arm().qpos); }
 
-JointVector Scene::ArmVelocity(const Data& data) const { return Gather(data.qvel(), arm_.dof); }
+JointVector Scene::ArmVelocity(const Data& data) const { return Gather(data.qvel(), arm().dof); }
 
-Pose Scene::ToolPose(const Data& data) const { return data.SitePose(tool_); }
+Pose Scene::ToolPose(const Data& data) const { return data.SitePose(acting().tool); }
 
 void Scene::CommandGripper(Data& data, double opening) const {
-  const double half = std::clamp(opening, 0.0, max_opening_) / 2;
-  for (const Finger& finger : fingers_) data.ctrl()[finger.ctrl] = half;
+  const double half = std::clamp(opening, 0.0, max_opening()) / 2;
+  for (const Finger& finger : acting().fingers) data.ctrl()[finger.ctrl] = half;
 }
 
 void Scene::SetGripper(Data& data, double opening) const {
   CommandGripper(data, opening);
-  for (const Finger& finger : fingers_) {
+  for (const Finger& finger : acting().fingers) {
     data.qpos()[finger.qpos] = data.ctrl()[finger.ctrl];
     data.qvel()[finger.dof] = 0;
   }
@@ -119,11 +142,11 @@ void Scene::SetGripper(Data& data, double opening) const {
 }
 
 double Scene::Opening(const Data& data) const {
-  return data.qpos()[fingers_[0].qpos] + data.qpos()[fingers_[1].qpos];
+  return data.qpos()[acting().fingers[0].qpos] + data.qpos()[acting().fingers[1].qpos];
 }
 
 double Scene::OpeningSpeed(const Data& data) const {
-  return data.qvel()[fingers_[0].dof] + data.qvel()[fingers_[1].dof];
+  return data.qvel()[acting().fingers[0].dof] + data.qvel()[acting().fingers[1].dof];
 }
 
 Pose Scene::TruePose(const Data& data, PartId part) const { return data.BodyPose(Body(part)); }
@@ -171,27 +194,31 @@ void Scene::SetTableHeightUnderHand(Data& data, double height) const {
   SetTableHeights(data, tables_, height);
 }
 
+mujoco::EqualityId Scene::WeldOf(PartId part) const {
+  const std::vector<mujoco::EqualityId>& welds = parts_[part.index()].welds;
+  return welds.empty() ? mujoco::EqualityId::None() : welds[acting_.index()];
+}
+
 void Scene::AttachPart(Data& data, PartId part) const {
-  const mujoco::EqualityId weld = parts_[part.index()].weld;
-  if (!weld.IsNone()) data.ActivateWeldHere(weld);
+  if (!WeldOf(part).IsNone()) data.ActivateWeldHere(WeldOf(part));
 }
 
 void Scene::DetachPart(Data& data, PartId part) const {
-  const mujoco::EqualityId weld = parts_[part.index()].weld;
-  if (!weld.IsNone()) data.Deactivate(weld);
+  if (!WeldOf(part).IsNone()) data.Deactivate(WeldOf(part));
 }
 
 // The sensors give what the arm exerts on the hand, in the site's frame. At rest that and gravity
 // and the contacts' wrench add up to nothing: contacts = -(sensor) - m g.
 Wrench Scene::WristWrench(const Data& data) const {
-  const Pose X_WorldWrist = data.SitePose(wrist_);
+  const Pose X_WorldWrist = data.SitePose(acting().wrist);
   const mjModel& m = *data.own_model();
   const Vector3 weight =
-      m.body_subtreemass[hand_.index()] * Eigen::Map<const Vector3>(m.opt.gravity);
-  const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand_.index());
+      m.body_subtreemass[hand().index()] * Eigen::Map<const Vector3>(m.opt.gravity);
+  const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand().index());
   const Vector3 arm = center - X_WorldWrist.translation();
-  const Vector3 force = X_WorldWrist.linear() * VectorAt(data.sensordata(), force_sensor_);
-  const Vector3 torque = X_WorldWrist.linear() * VectorAt(data.sensordata(), torque_sensor_);
+  const Vector3 force = X_WorldWrist.linear() * VectorAt(data.sensordata(), acting().force_sensor);
+  const Vector3 torque =
+      X_WorldWrist.linear() * VectorAt(data.sensordata(), acting().torque_sensor);
   return {.force = -force - weight, .torque = -torque - arm.cross(weight) + WeldTorqueError(data)};
 }
 
@@ -204,7 +231,7 @@ Vector3 Scene::WeldTorqueError(const Data& data) const {
   Vector3 error = Vector3::Zero();
   for (int row = 0; row < d.ne; ++row) {
     const auto part = std::ranges::find_if(parts_, [&](const FreeBody& body) {
-      return !body.weld.IsNone() && body.weld.index() == d.efc_id[row];
+      return !body.welds.empty() && body.welds[acting_.index()].index() == d.efc_id[row];
     });
     if (part == parts_.end()) continue;
     std::vector<double> turning(d.nefc);
@@ -219,10 +246,10 @@ Vector3 Scene::WeldTorqueError(const Data& data) const {
 }
 
 Wrench Scene::WristWrenchInMotion(const Data& data) const {
-  const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand_.index());
-  const Vector3 arm = center - data.SitePose(wrist_).translation();
+  const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand().index());
+  const Vector3 arm = center - data.SitePose(acting().wrist).translation();
   const Vector3 inertial =
-      data.own_model()->body_subtreemass[hand_.index()] * HandAcceleration(data);
+      data.own_model()->body_subtreemass[hand().index()] * HandAcceleration(data);
   const Wrench wrist = WristWrench(data);
   return {.force = wrist.force + inertial, .torque = wrist.torque + arm.cross(inertial)};
 }
@@ -231,11 +258,11 @@ Wrench Scene::WristWrenchInMotion(const Data& data) const {
 Vector3 Scene::HandAcceleration(const Data& data) const {
   const mjModel& m = *data.own_model();
   mjtNum felt[6];  // angular, linear, of the body's own centre of mass
-  mj_objectAcceleration(&m, data.get(), mjOBJ_BODY, hand_.index(), felt, 0);
+  mj_objectAcceleration(&m, data.get(), mjOBJ_BODY, hand().index(), felt, 0);
   const Eigen::Map<const Vector3> angular(felt);
   const Eigen::Map<const Vector3> linear(felt + 3);
-  const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand_.index());
-  const Eigen::Map<const Vector3> own(data.get()->xipos + 3 * hand_.index());
+  const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand().index());
+  const Eigen::Map<const Vector3> own(data.get()->xipos + 3 * hand().index());
   return linear + angular.cross(center - own) + Eigen::Map<const Vector3>(m.opt.gravity);
 }
 

@@ -38,17 +38,20 @@ struct ArmAddresses {
   std::array<int, 6> ctrl{};  // position of the joint's servo
 };
 
-// The workcell of a problem in the engine. Immutable: threads may share it, each with its own Data.
+// The workcell of a problem in the engine, as the robot that acts has it: arm, gripper, hand, tool
+// and wrist are that robot's. Immutable: threads may share it, each with its own Data.
 class Scene {
  public:
   Scene(const domain::Problem& problem, const SceneOptions& options);
+  // The same scene, in which this robot acts: of the same model, so that both work on one Data.
+  Scene WorkedBy(domain::RobotId robot) const;
 
   const mujoco::Model& model() const { return model_; }
   const SceneOptions& options() const { return options_; }
-  const ArmAddresses& arm() const { return arm_; }
+  const ArmAddresses& arm() const { return acting().arm; }
 
-  // A simulation at the problem's start: arm at the workcell's home, servos holding it there,
-  // gripper open, parts at their initial poses.
+  // A simulation at the problem's start: all arms at their homes, servos holding them there,
+  // grippers open, parts at their initial poses.
   mujoco::Data Start() const;
 
   // The arm, at rest with its servos on these joint values: a jump, for the start of a trial.
@@ -64,7 +67,7 @@ class Scene {
   void SetGripper(mujoco::Data& data, double opening) const;
   double Opening(const mujoco::Data& data) const;       // metres between the pads
   double OpeningSpeed(const mujoco::Data& data) const;  // m/s, positive when opening
-  double max_opening() const { return max_opening_; }
+  double max_opening() const { return acting().max_opening; }
 
   int part_count() const { return static_cast<int>(parts_.size()); }
   mujoco::BodyId Body(PartId part) const { return parts_[part.index()].body; }
@@ -101,17 +104,17 @@ class Scene {
   // Bodies that contacts are asked about (mujoco::ContactsBetween). Table and floor belong to the
   // world.
   mujoco::BodyId world() const { return mujoco::BodyId(0); }
-  mujoco::BodyId hand() const { return hand_; }
-  mujoco::BodyId left_finger() const { return fingers_[0].body; }
-  mujoco::BodyId right_finger() const { return fingers_[1].body; }
+  mujoco::BodyId hand() const { return acting().hand; }
+  mujoco::BodyId left_finger() const { return acting().fingers[0].body; }
+  mujoco::BodyId right_finger() const { return acting().fingers[1].body; }
   bool Touching(const mujoco::Data& data, PartId part, mujoco::BodyId body) const;
 
  private:
   struct FreeBody {
     mujoco::BodyId body;
-    int qpos = 0;             // position, then quaternion w x y z
-    int dof = 0;              // linear velocity in the world frame, then angular in the body's
-    mujoco::EqualityId weld;  // None without welds
+    int qpos = 0;  // position, then quaternion w x y z
+    int dof = 0;   // linear velocity in the world frame, then angular in the body's
+    std::vector<mujoco::EqualityId> welds;  // to each robot's hand, or none
     std::vector<mujoco::GeomId> tables;
   };
   struct Finger {
@@ -120,8 +123,22 @@ class Scene {
     int dof = 0;
     int ctrl = 0;
   };
+  struct RobotAddresses {
+    ArmAddresses arm;
+    std::array<Finger, 2> fingers;
+    mujoco::BodyId hand;
+    mujoco::SiteId tool;
+    mujoco::SiteId wrist;
+    int force_sensor = 0;   // in sensordata
+    int torque_sensor = 0;  // in sensordata
+    double max_opening = 0;
+    JointVector home = JointVector::Zero();
+  };
 
+  const RobotAddresses& acting() const { return robots_[acting_.index()]; }
   Vector3 WeldTorqueError(const mujoco::Data& data) const;
+  mujoco::EqualityId WeldOf(PartId part) const;  // to the hand; None without welds
+  RobotAddresses FindRobot(const domain::Robot& robot) const;
   Finger FindFinger(const std::string& name) const;
   FreeBody FindPart(const std::string& name, const domain::Workcell& workcell) const;
   void SetTableHeights(mujoco::Data& data, const std::vector<mujoco::GeomId>& tables,
@@ -129,18 +146,11 @@ class Scene {
 
   SceneOptions options_;
   mujoco::Model model_;
-  ArmAddresses arm_;
-  std::array<Finger, 2> fingers_;
+  std::vector<RobotAddresses> robots_;
+  domain::RobotId acting_;
   std::vector<FreeBody> parts_;
-  mujoco::BodyId hand_;
   std::vector<mujoco::GeomId> tables_;
   std::vector<double> table_middles_;  // the height of a table's origin where its top is at 0
-  mujoco::SiteId tool_;
-  mujoco::SiteId wrist_;
-  int force_sensor_ = 0;   // in sensordata
-  int torque_sensor_ = 0;  // in sensordata
-  double max_opening_ = 0;
-  JointVector home_ = JointVector::Zero();
 };
 
 }  // namespace assay::scene

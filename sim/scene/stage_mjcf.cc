@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "planner/base/check.h"
 #include "sim/scene/mjcf.h"
@@ -33,17 +34,21 @@ Rectangle TableRectangle(const domain::Table& table) {
   return r;
 }
 
-// The height of the floor: where the lowest shape of the robot's root stands.
+// The height of the floor: where the lowest shape of the robots' roots stands.
 double FloorHeight(const domain::Workcell& workcell) {
-  double lowest = 0;
-  for (const kinematics::Visual& visual : workcell.arm().model().links.front().visuals) {
-    double half_height = 0;
-    if (const auto* box = std::get_if<kinematics::BoxShape>(&visual.shape)) {
-      half_height = box->size.z() / 2;
+  double floor = std::numeric_limits<double>::infinity();
+  for (const domain::Robot& robot : workcell.robots()) {
+    double lowest = 0;
+    for (const kinematics::Visual& visual : robot.arm->model().links.front().visuals) {
+      double half_height = 0;
+      if (const auto* box = std::get_if<kinematics::BoxShape>(&visual.shape)) {
+        half_height = box->size.z() / 2;
+      }
+      lowest = std::min(lowest, visual.X_LinkShape.translation().z() - half_height);
     }
-    lowest = std::min(lowest, visual.X_LinkShape.translation().z() - half_height);
+    floor = std::min(floor, robot.X_WorldBase.translation().z() + lowest);
   }
-  return workcell.X_WorldBase().translation().z() + lowest;
+  return floor;
 }
 
 XmlElement& AddTableTop(const domain::Table& table, const std::string& name,
@@ -135,35 +140,38 @@ void AddCameras(const Problem& problem, XmlElement& worldbody) {
   AddCamera({"top", Vector3(table.x() - 0.05, 0, 2.6), {table.x() - 0.05, 0, 0}, 36}, worldbody);
 }
 
-// The eyes of the sensor "overhead-camera", above the table's corners: where the arm, at home, is
-// not between most of them and the table. Here they look at its middle; the sensor turns them.
+// The eyes of the sensor "overhead-camera", above the table's corners: where the arms, at home, are
+// not between most of them and the table. One robot stands at the table's low x, two stand at both
+// ends of it. Here they look at its middle; the sensor turns them.
 void AddSensorEyes(const Problem& problem, XmlElement& worldbody) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();
   const Vector3 middle(table.x(), table.y(), 0);
   const auto add_eye = [&](const char* name, const Vector3& from_middle) {
     AddCamera({name, middle + from_middle, middle, 40}, worldbody);
   };
-  add_eye("overhead-eye-1", {0.80, -0.80, 1.6});
-  add_eye("overhead-eye-2", {0.80, 0.80, 1.6});
+  const bool is_alone = problem.workcell->robots().size() == 1;
+  const Vector3 far = is_alone ? Vector3(0.80, 0.80, 1.6) : Vector3(0.35, 1.10, 1.6);
+  add_eye("overhead-eye-1", {far.x(), -far.y(), far.z()});
+  add_eye("overhead-eye-2", far);
   add_eye("overhead-eye-3", {-0.35, -1.10, 1.6});
   add_eye("overhead-eye-4", {-0.35, 1.10, 1.6});
 }
 
-void AddLights(const Problem& problem, XmlElement& worldbody) {
+void AddLights(const Problem& problem, double light, XmlElement& worldbody) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();
   worldbody.Add("light")
       .Set("directional", "true")
       .Set("castshadow", "true")
       .Set("pos", {table.x() + 1.0, -1.6, 2.6})
       .Set("dir", {-0.35, 0.55, -1})
-      .Set("diffuse", {0.60, 0.58, 0.54})
+      .Set("diffuse", Vector3(light * Vector3(0.60, 0.58, 0.54)))
       .Set("specular", {0.25, 0.25, 0.25});
   worldbody.Add("light")
       .Set("directional", "true")
       .Set("castshadow", "false")
       .Set("pos", {table.x() + 1.5, 1.5, 2})
       .Set("dir", {-1, -0.6, -0.7})
-      .Set("diffuse", {0.16, 0.18, 0.22})
+      .Set("diffuse", Vector3(light * Vector3(0.16, 0.18, 0.22)))
       .Set("specular", {0.05, 0.05, 0.05});
 }
 
@@ -201,14 +209,14 @@ void AddMaterials(XmlElement& asset) {
   asset.Add("material").Set("name", "part").Set("specular", 0.15).Set("shininess", 0.3);
 }
 
-void AddStage(const Problem& problem, XmlElement& worldbody) {
+void AddStage(const Problem& problem, double light, XmlElement& worldbody) {
   const domain::Workcell& workcell = *problem.workcell;
   worldbody.Add("geom")
       .Set("name", "floor")
       .Set("class", "floor")
       .Set("pos", {0, 0, FloorHeight(workcell)});
   for (const domain::Table& table : workcell.tables()) AddTable(workcell, table, worldbody);
-  AddLights(problem, worldbody);
+  AddLights(problem, light, worldbody);
   AddCameras(problem, worldbody);
   AddSensorEyes(problem, worldbody);
 }
@@ -222,14 +230,14 @@ void AddPartTables(const Problem& problem, const PartTable& own, XmlElement& wor
   }
 }
 
-void AddVisualSettings(const Problem& problem, XmlElement& mujoco) {
+void AddVisualSettings(const Problem& problem, double light, XmlElement& mujoco) {
   const Vector2 table = TableRectangle(problem.workcell->table()).center();
   // The shadow map of a directional light covers this extent around this centre.
   mujoco.Add("statistic").Set("center", {table.x() * 0.5, 0, 0.3}).Set("extent", 1.6);
   XmlElement& visual = mujoco.Add("visual");
   visual.Add("headlight")
-      .Set("ambient", {0.30, 0.30, 0.31})
-      .Set("diffuse", {0.14, 0.14, 0.14})
+      .Set("ambient", Vector3(light * Vector3(0.30, 0.30, 0.31)))
+      .Set("diffuse", Vector3(light * Vector3(0.14, 0.14, 0.14)))
       .Set("specular", {0.05, 0.05, 0.05});
   visual.Add("quality").Set("shadowsize", "4096").Set("offsamples", "4");
   visual.Add("map").Set("znear", 0.01).Set("zfar", 20).Set("shadowclip", 1.1);

@@ -13,7 +13,8 @@ void AddMaterials(XmlElement& asset);
 // Adds what does not move, under `worldbody`: floor, tables, lights, and the cameras "overview"
 // (the whole cell), "close" (the parts on the table), "side" and "top", and "overhead-eye-1" to
 // "overhead-eye-4" of the sensor "overhead-camera".
-void AddStage(const domain::Problem& problem, XmlElement& worldbody);
+// `light`: how bright the lamps are, 1 being as usual.
+void AddStage(const domain::Problem& problem, double light, XmlElement& worldbody);
 
 // What a single part rests on, not drawn: the table, at a height of its own.
 struct PartTable {
@@ -27,6 +28,6 @@ inline constexpr std::size_t kMostPartTables = 27;
 void AddPartTables(const domain::Problem& problem, const PartTable& table, XmlElement& worldbody);
 
 // Adds the pictures' settings, under `mujoco`.
-void AddVisualSettings(const domain::Problem& problem, XmlElement& mujoco);
+void AddVisualSettings(const domain::Problem& problem, double light, XmlElement& mujoco);
 
 }  // namespace assay::scene

@@ -134,6 +134,27 @@ TEST(Workcell, WithRulesChangesNothingElse) {
   EXPECT_EQ(&changed->arm(), &workcell->arm());
 }
 
+TEST(Workcell, OneRobotHasNoName) {
+  const auto workcell = Workcell::Load(FileOf("puma762-table"));
+  ASSERT_EQ(workcell->robots().size(), 1u);
+  EXPECT_EQ(workcell->robot().Prefix(), "");
+}
+
+TEST(Workcell, IsSeenByTheRobotThatActs) {
+  const auto left = Workcell::Load(FileOf("two-pumas"));
+  ASSERT_EQ(left->robots().size(), 2u);
+  EXPECT_EQ(left->robot().name, "left");
+  const auto right = left->WorkedBy(RobotId(1));
+  EXPECT_EQ(right->robot().name, "right");
+  EXPECT_EQ(right->robot().Prefix(), "right/");
+  EXPECT_EQ(&right->arm(), right->robots()[1].arm.get());
+  // They stand opposite each other, about the world's z.
+  EXPECT_TRUE(right->X_WorldBase().isApprox(
+      geometry::RotationZ(std::numbers::pi) * left->X_WorldBase(), 1e-12));
+  EXPECT_TRUE(right->WorkedBy(RobotId(0))->X_WorldBase().isApprox(left->X_WorldBase()));
+  EXPECT_EQ(right->placements().size(), left->placements().size());
+}
+
 // A file in the workcells' folder would be found by scenarios, so that the wrong ones go, beside
 // copies of the robot and the gripper, into a folder of their own.
 class WrongWorkcell : public testing::Test {
@@ -169,6 +190,13 @@ class WrongWorkcell : public testing::Test {
   std::filesystem::path folder_;
   std::string text_;
 };
+
+// The robot of the file, under a name of its own, with the gripper; then wrong ones.
+TEST_F(WrongWorkcell, OfSeveralRobotsIsRefused) {
+  const std::string gripper = "gripper: {urdf: ../../grippers/parallel-jaw/gripper.urdf}";
+  EXPECT_THAT(MessageWith("robot:\n", "robots:\n"), HasSubstr("'gripper'"));
+  EXPECT_THAT(MessageWith(gripper, gripper + "\nrobots: {}"), HasSubstr("'robot'"));
+}
 
 TEST_F(WrongWorkcell, IsRefused) {
   EXPECT_EQ(MessageWith("tool_lean", "tool_lean"), "no error");

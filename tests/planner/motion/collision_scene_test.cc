@@ -131,5 +131,31 @@ TEST(CollisionScene, NoVertexMovesMoreThanIsSaid) {
   }
 }
 
+// Law: two arms at their homes are as far apart whichever of them is asked.
+TEST(CollisionScene, AnotherRobotStandsAtItsHome) {
+  domain::Problem problem = Clutter();
+  problem.parts.clear();
+  problem.workcell =
+      domain::Workcell::Load(ASSAY_SOURCE_DIR "/models/workcells/two-pumas/workcell.yaml");
+  const domain::Problem turned = WorkedBy(problem, domain::RobotId(1));
+  const double opening = problem.workcell->gripper().max_opening();
+  const CollisionScene left(problem, {.opening = opening});
+  const CollisionScene right(turned, {.opening = opening});
+  EXPECT_TRUE(IsTested(left, "forearm", "hand of right"));
+  EXPECT_FALSE(IsTested(left, "hand of right", "table"));
+  const auto apart = [](const CollisionScene& scene, const std::string& own,
+                        const std::string& of) {
+    return scene.Separation({Find(scene, of), Find(scene, own)},
+                            scene.arm().LinkPoses(scene.workcell().home()), kInfinity);
+  };
+  for (const char* a : {"base", "upper_arm", "forearm", "hand"}) {
+    for (const char* b : {"base", "upper_arm", "forearm", "hand", "fingers"}) {
+      EXPECT_NEAR(apart(left, a, std::string(b) + " of right"),
+                  apart(right, b, std::string(a) + " of left"), 1e-6)
+          << a << ", " << b;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace assay::motion

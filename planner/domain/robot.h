@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "planner/base/id.h"
+#include "planner/geometry/pose.h"
+#include "planner/kinematics/arm.h"
+#include "planner/kinematics/gripper.h"
+
+namespace assay::domain {
+
+using RobotId = Id<struct RobotTag>;
+
+// An arm with its gripper, and where it stands in a workcell.
+struct Robot {
+  std::string name;  // empty where the workcell has only one
+  std::shared_ptr<const kinematics::Arm> arm;
+  std::shared_ptr<const kinematics::Gripper> gripper;
+  std::filesystem::path gripper_file;
+  geometry::Pose X_WorldBase = geometry::Pose::Identity();
+  kinematics::JointVector home = kinematics::JointVector::Zero();  // where the arm starts and ends
+  kinematics::JointVector joint_acceleration =
+      kinematics::JointVector::Zero();  // greatest, rad/s^2
+
+  // Of what is the robot's own, where names must differ: "left/", or nothing if it is the only one.
+  std::string Prefix() const { return name.empty() ? "" : name + "/"; }
+};
+
+}  // namespace assay::domain

@@ -1,0 +1,110 @@
+#include "planner/domain/robot_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace assay::domain {
+namespace {
+
+using kinematics::JointVector;
+
+std::string ReadName(const Value& key) {
+  const std::string name = key.Text();
+  const bool good = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '-' || c == '_';
+  });
+  if (!good) key.Fail(fmt::format("'{}' cannot name a robot", name), "letters, digits, - and _");
+  return name;
+}
+
+// Reads robots, the paths in whose descriptions start from one folder.
+class RobotFile {
+ public:
+  RobotFile(const Units& units, const std::filesystem::path& folder)
+      : units_(units), folder_(folder) {}
+
+  Robot Read(const std::string& name, const Value& robot, const Value& gripper) const;
+
+ private:
+  JointVector ReadJoints(const Value& value) const;
+  JointVector ReadHome(const Value& home, const kinematics::Arm& arm) const;
+  JointVector ReadAcceleration(const Value& acceleration) const;
+  std::filesystem::path Beside(const Value& path) const;
+
+  const Units& units_;
+  const std::filesystem::path& folder_;
+};
+
+Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& gripper) const {
+  gripper.AllowOnly({"urdf"});
+  Robot read;
+  read.name = name;
+  read.gripper_file = Beside(gripper.At("urdf"));
+  read.arm =
+      std::make_shared<const kinematics::Arm>(kinematics::Arm::FromUrdf(Beside(robot.At("urdf"))));
+  read.gripper =
+      std::make_shared<const kinematics::Gripper>(kinematics::Gripper::FromUrdf(read.gripper_file));
+  const Value base = robot.At("base");
+  base.AllowOnly({"columns"});
+  read.X_WorldBase = ReadColumns(base.At("columns"), units_);
+  read.home = ReadHome(robot.At("home"), *read.arm);
+  read.joint_acceleration = ReadAcceleration(robot.At("acceleration"));
+  return read;
+}
+
+JointVector RobotFile::ReadJoints(const Value& value) const {
+  const std::vector<double> joints = value.Numbers(6);
+  return units_.angle * Eigen::Map<const JointVector>(joints.data());
+}
+
+JointVector RobotFile::ReadHome(const Value& home, const kinematics::Arm& arm) const {
+  const JointVector q = ReadJoints(home);
+  if (!arm.InRange(q)) {
+    home.Fail("the arm's home is outside the joint limits", "angles within the limits of the URDF");
+  }
+  return q;
+}
+
+JointVector RobotFile::ReadAcceleration(const Value& acceleration) const {
+  const JointVector greatest = ReadJoints(acceleration);
+  if (greatest.minCoeff() <= 0) {
+    acceleration.Fail("a joint acceleration that is not positive", "six positive numbers");
+  }
+  return greatest;
+}
+
+std::filesystem::path RobotFile::Beside(const Value& path) const {
+  const std::filesystem::path file = (folder_ / path.Text()).lexically_normal();
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) {
+    path.Fail(fmt::format("there is no file '{}'", path.Text()),
+              "a path from the workcell's folder");
+  }
+  return file;
+}
+
+}  // namespace
+
+std::vector<Robot> ReadRobots(const Value& workcell, const Units& units,
+                              const std::filesystem::path& folder) {
+  const RobotFile file(units, folder);
+  const std::optional<Value> robots = workcell.Find("robots");
+  if (!robots) {
+    const Value robot = workcell.At("robot");
+    robot.AllowOnly({"urdf", "base", "home", "acceleration"});
+    return {file.Read("", robot, workcell.At("gripper"))};
+  }
+  workcell.AllowOnly({"format", "description", "units", "robots", "table", "rules", "placements",
+                      "sensors", "verifications", "recoveries"});
+  std::vector<Robot> read;
+  for (const auto& [key, robot] : robots->Entries()) {
+    robot.AllowOnly({"urdf", "base", "home", "acceleration", "gripper"});
+    read.push_back(file.Read(ReadName(key), robot, robot.At("gripper")));
+  }
+  if (read.empty()) robots->Fail("no robots", "one or more, by their names");
+  return read;
+}
+
+}  // namespace assay::domain

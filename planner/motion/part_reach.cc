@@ -1,0 +1,53 @@
+#include "planner/motion/part_reach.h"
+
+#include <algorithm>
+#include <array>
+#include <variant>
+
+#include "planner/domain/reachability.h"
+#include "planner/domain/tool_path.h"
+#include "planner/motion/path_search.h"
+
+namespace assay::motion {
+namespace {
+
+constexpr MotionRules kWay = {.clearance = 0.01};    // metres
+constexpr MotionRules kWork = {.clearance = 0.001};  // where hand and fingers come near the table
+
+// The tool where it grasps, where its retreat along its own axis ends, and over that at the safe
+// height.
+std::array<Pose, 3> WayOut(const domain::Workcell& workcell, const Pose& X_WorldTool) {
+  const Pose retreated =
+      X_WorldTool * geometry::Translation(0, 0, -workcell.rules().approach_distance);
+  Pose above = retreated;
+  above.translation().z() = std::max(above.translation().z(), workcell.rules().safe_height);
+  return {X_WorldTool, retreated, above};
+}
+
+}  // namespace
+
+bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart) {
+  if (!domain::IsReachableAt(problem, part, grasp, X_WorldPart)) return false;
+  const domain::Workcell& workcell = *problem.workcell;
+  const domain::Grasp& chosen = (*problem.part(part).grasps)[grasp.index()];
+  std::array<Pose, 3> way = WayOut(workcell, X_WorldPart * chosen.X_PartTool);
+  const domain::PathReach from_grasp = ReachAlong(workcell, way);
+  std::ranges::reverse(way);
+  const domain::PathReach from_above = ReachAlong(workcell, way);
+  if (!from_grasp.start || !from_above.start) return false;
+  const CollisionScene scene(problem, {.opening = workcell.gripper().max_opening()});
+  if (MotionCheck(scene, kWork).FindObstruction(*from_grasp.start, *from_grasp.start)) return false;
+  const PathResult path =
+      FindPath(scene, {.from = workcell.home(), .to = *from_above.start, .rules = kWay});
+  return std::holds_alternative<JointPath>(path);
+}
+
+GraspId ServingGrasp(const domain::Problem& problem, PartId part, const Pose& X_WorldPart) {
+  const std::size_t count = problem.part(part).grasps->size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (CanServe(problem, part, GraspId(i), X_WorldPart)) return GraspId(i);
+  }
+  return GraspId::None();
+}
+
+}  // namespace assay::motion

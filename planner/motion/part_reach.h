@@ -1,0 +1,20 @@
+#pragma once
+
+#include "planner/domain/problem.h"
+#include "planner/motion/collision_scene.h"
+
+namespace assay::motion {
+
+using domain::GraspId;
+
+// Whether the robot that acts can take the part by this grasp where it stands alone, at
+// X_WorldPart, and put it down there: the arm goes the straight ways of pickup and putdown
+// (domain::IsReachableAt), and at their ends neither arm nor hand touches table, floor, itself or
+// another robot at its home, to which a path from its own home leads (FindPath).
+bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart);
+
+// The same by any grasp: the first by which it can, None if there is none. This is the extern
+// isReachable(location, robot) of the visual scenario (Gaschler et al. 2013, III-B).
+GraspId ServingGrasp(const domain::Problem& problem, PartId part, const Pose& X_WorldPart);
+
+}  // namespace assay::motion
