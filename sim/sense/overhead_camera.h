@@ -3,19 +3,18 @@
 #include <span>
 #include <vector>
 
-#include "sim/render/renderer.h"
 #include "sim/scene/scene.h"
 #include "sim/sense/edge_search.h"
+#include "sim/sense/overhead_eyes.h"
 #include "sim/sense/pose_fit.h"
 #include "sim/sense/pose_sensor.h"
 
 namespace assay::sense {
 
-// The workcell's "overhead-camera": eyes above the table's corners (the scene's cameras
-// "overhead-eye-1" and so on) that turn to where a part is believed to be and zoom in on it. The
-// part is told from the table by its colour, and its pose is that of which the silhouette fits all
-// pictures best. The part may be up to 10 mm in x and in y, 3 mm in height and 8 degrees in yaw
-// from where it is believed to be; the arm should not stand between it and the eyes.
+// The workcell's "overhead-camera" as a sensor of poses. The part is told from the table by its
+// colour, and its pose is that of which the silhouette fits all pictures best. The part may be up
+// to 10 mm in x and in y, 3 mm in height and 8 degrees in yaw from where it is believed to be; the
+// arm should not stand between it and the eyes.
 //
 // It belongs to the thread that made it, as its renderer does, and remembers nothing: the same data
 // and belief give the same answer, bit for bit.
@@ -34,9 +33,8 @@ class OverheadCamera : public PoseSensor {
 
  private:
   const domain::Problem& problem_;
-  std::vector<Vector3> eyes_;
   Palette palette_;
-  render::Renderer renderer_;
+  OverheadEyes eyes_;
 };
 
 }  // namespace assay::sense

@@ -1,0 +1,70 @@
+#include "sim/sense/color_sensor.h"
+
+#include <algorithm>
+#include <numeric>
+#include <opencv2/imgproc.hpp>
+
+#include "planner/base/check.h"
+#include "sim/sense/silhouette.h"
+
+namespace assay::sense {
+namespace {
+
+std::vector<ColorFilter> FiltersOf(const std::vector<NamedColor>& colors) {
+  std::vector<ColorFilter> filters;
+  for (const NamedColor& named : colors) {
+    const ColorFilter filter(named.color);
+    ASSAY_CHECK(filter.HasHue(), "{} is too grey", named.name);
+    ASSAY_CHECK(std::ranges::none_of(filters, [&](const auto& f) { return f.Overlaps(filter); }),
+                "{} is like another colour", named.name);
+    filters.push_back(filter);
+  }
+  return filters;
+}
+
+// 255 where the view shows the boxes, else 0.
+cv::Mat1b MaskOf(const std::vector<geometry::Box>& boxes, const View& view) {
+  cv::Mat1b mask(view.size(), view.size(), std::uint8_t{0});
+  for (const geometry::Polygon& shadow : Shadows(boxes, view)) {
+    std::vector<cv::Point> corners;
+    for (const Vector2& corner : shadow) {
+      corners.emplace_back(static_cast<int>(corner.x()), static_cast<int>(corner.y()));
+    }
+    cv::fillConvexPoly(mask, corners, cv::Scalar(255));
+  }
+  return mask;
+}
+
+}  // namespace
+
+ColorSensor::ColorSensor(const scene::Scene& scene, const domain::Problem& problem,
+                         const std::vector<NamedColor>& colors)
+    : problem_(problem), eyes_(scene, problem, kWindow), filters_(FiltersOf(colors)) {}
+
+std::vector<double> ColorSensor::Shares(const mujoco::Data& data, PartId part,
+                                        const Pose& believed) {
+  const std::vector<geometry::Box> boxes = BoxesAt(*problem_.part(part).model, believed);
+  std::vector<double> shares(filters_.size(), 0.0);
+  double area = 0;
+  for (const Sight& sight : eyes_.LookAt(data, part, believed)) {
+    const cv::Mat1b mask = MaskOf(boxes, sight.view);
+    area += cv::countNonZero(mask);
+    for (std::size_t color = 0; color < filters_.size(); ++color) {
+      std::vector<std::uint8_t> passes = filters_[color].Pass(sight.image);
+      const cv::Mat1b seen(mask.rows, mask.cols, passes.data());
+      shares[color] += cv::countNonZero(seen & mask);
+    }
+  }
+  for (double& share : shares) share /= area;
+  return shares;
+}
+
+ColorId ColorSensor::Measure(const mujoco::Data& data, PartId part, const Pose& believed) {
+  const std::vector<double> shares = Shares(data, part, believed);
+  const auto greatest = std::ranges::max_element(shares);
+  const double others = std::accumulate(shares.begin(), shares.end(), -*greatest);
+  if (*greatest < kLeastShare || others > kOthersShare) return ColorId::None();
+  return ColorId(static_cast<std::size_t>(greatest - shares.begin()));
+}
+
+}  // namespace assay::sense

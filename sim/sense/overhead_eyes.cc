@@ -1,0 +1,67 @@
+#include "sim/sense/overhead_eyes.h"
+
+#include <fmt/format.h>
+#include <mujoco/mujoco.h>
+
+#include <cmath>
+
+#include "planner/base/check.h"
+
+namespace assay::sense {
+namespace {
+
+constexpr int kPixels = 480;  // along each side of a picture
+
+// They stand in the world and do not move with the simulation.
+std::vector<Vector3> EyesOf(const scene::Scene& scene) {
+  std::vector<Vector3> eyes;
+  const mujoco::Model& model = scene.model();
+  for (int number = 1;; ++number) {
+    const auto camera = model.FindCamera(fmt::format("overhead-eye-{}", number));
+    if (camera.IsNone()) break;
+    eyes.emplace_back(Eigen::Map<const Vector3>(model.get()->cam_pos + 3 * camera.index()));
+  }
+  ASSAY_CHECK(eyes.size() >= 2, "{} eyes", eyes.size());
+  return eyes;
+}
+
+// A ball about the middle of a part's hull that holds the part wherever in the window it is.
+struct Ball {
+  Vector3 center;  // world
+  double radius = 0;
+};
+
+Ball BallAround(const domain::PartModel& model, const Pose& believed, const SearchWindow& window) {
+  Vector3 low = model.hull().vertices.front();
+  Vector3 high = low;
+  for (const Vector3& vertex : model.hull().vertices) {
+    low = low.cwiseMin(vertex);
+    high = high.cwiseMax(vertex);
+  }
+  const Vector3 middle = (low + high) / 2;
+  const double lever = middle.norm();
+  const double way = std::sqrt(2.0) * window.distance + window.height + lever * window.yaw;
+  return {believed * middle, (high - low).norm() / 2 + way};
+}
+
+}  // namespace
+
+OverheadEyes::OverheadEyes(const scene::Scene& scene, const domain::Problem& problem,
+                           const SearchWindow& window)
+    : problem_(problem),
+      window_(window),
+      eyes_(EyesOf(scene)),
+      renderer_(scene.model(), kPixels, kPixels, render::Effects::kNone) {}
+
+std::vector<Sight> OverheadEyes::LookAt(const mujoco::Data& data, PartId part,
+                                        const Pose& believed) {
+  const Ball ball = BallAround(*problem_.part(part).model, believed, window_);
+  std::vector<Sight> sights;
+  for (const Vector3& eye : eyes_) {
+    const View view(eye, ball.center, ball.radius, kPixels);
+    sights.push_back({view, renderer_.Render(data, view.camera())});
+  }
+  return sights;
+}
+
+}  // namespace assay::sense
