@@ -96,8 +96,8 @@ std::vector<Robot> ReadRobots(const Value& workcell, const Units& units,
     robot.AllowOnly({"urdf", "base", "home", "acceleration"});
     return {file.Read("", robot, workcell.At("gripper"))};
   }
-  workcell.AllowOnly({"format", "description", "units", "robots", "table", "rules", "placements",
-                      "sensors", "verifications", "recoveries"});
+  workcell.AllowOnly({"format", "description", "units", "robots", "table", "tables", "rules",
+                      "placements", "places", "sensors", "verifications", "recoveries"});
   std::vector<Robot> read;
   for (const auto& [key, robot] : robots->Entries()) {
     robot.AllowOnly({"urdf", "base", "home", "acceleration", "gripper"});

@@ -29,6 +29,14 @@ struct Placement {
   geometry::Pose X_WorldTable() const;  // Translation(x, y, 0) * RotationZ(yaw)
 };
 
+// A part of the table that has a name, where parts may be put down: a disc.
+struct Place {
+  std::string name;
+  Placement middle;   // of the disc; parts there are turned by its yaw
+  double radius = 0;  // metres, of the disc in which the origins of parts that stand there lie
+  int room = 1;       // so many parts find room
+};
+
 // The rules of a workcell that its file states once for all its scenarios.
 struct WorkcellRules {
   double tool_lean = 0;          // greatest angle of the tool's z from straight down, radians
@@ -69,6 +77,7 @@ class Workcell {
   const kinematics::JointVector& joint_acceleration() const { return robot().joint_acceleration; }
   // Where parts may be put down, best first.
   const std::vector<Placement>& placements() const { return placements_; }
+  const std::vector<Place>& places() const { return places_; }  // those with names; may be none
   const UncertaintyOperations& uncertainty_operations() const { return uncertainty_operations_; }
 
   // The flange pose, in the arm's base frame, that brings the tool to X_WorldTool.
@@ -92,6 +101,7 @@ class Workcell {
   std::vector<Table> tables_;
   WorkcellRules rules_;
   std::vector<Placement> placements_;
+  std::vector<Place> places_;
   UncertaintyOperations uncertainty_operations_;
 };
 

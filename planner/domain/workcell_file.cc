@@ -119,7 +119,7 @@ WorkcellFile::WorkcellFile(const std::filesystem::path& file)
   document.RequireFormat("assay-workcell/1");
   const Value& root = document.root();
   root.AllowOnly({"format", "description", "units", "robot", "robots", "gripper", "table", "tables",
-                  "rules", "placements", "sensors", "verifications", "recoveries"});
+                  "rules", "placements", "places", "sensors", "verifications", "recoveries"});
   if (const auto description = root.Find("description")) description->Text();
   units_ = ReadUnits(root);
   workcell_->name_ = folder_.filename().string();
@@ -127,6 +127,7 @@ WorkcellFile::WorkcellFile(const std::filesystem::path& file)
   ReadTables(root);
   ReadAllRules(root.At("rules"));
   ReadPlacements(root.At("placements"));
+  if (const auto places = root.Find("places")) ReadPlaces(*places);
   workcell_->uncertainty_operations_ = ReadUncertaintyOperations(root, units_);
 }
 
@@ -178,6 +179,20 @@ void WorkcellFile::ReadPlacements(const Value& placements) {
     for (int i = 0; i < yaws; ++i) {
       workcell_->placements_.push_back({p.x(), p.y(), 2 * kPi * i / yaws});
     }
+  }
+}
+
+void WorkcellFile::ReadPlaces(const Value& places) {
+  for (const auto& [name, entry] : places.Entries()) {
+    entry.AllowOnly({"at", "yaw", "radius", "room"});
+    const Vector2 at = ReadVector2(entry.At("at"), units_);
+    const auto yaw = entry.Find("yaw");
+    const auto room = entry.Find("room");
+    workcell_->places_.push_back(
+        {.name = name.Text(),
+         .middle = {at.x(), at.y(), yaw ? ReadAngle(*yaw, units_) : 0},
+         .radius = ReadWithin(entry.At("radius"), units_.length, {0.001, 10}),
+         .room = room ? room->Integer(1, 100) : 1});
   }
 }
 

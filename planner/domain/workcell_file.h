@@ -25,6 +25,7 @@ class WorkcellFile {
   void ReadTable(const std::string& name, const Value& table);
   void ReadAllRules(const Value& rules);
   void ReadPlacements(const Value& placements);
+  void ReadPlaces(const Value& places);
 
   std::filesystem::path folder_;
   Units units_;

@@ -70,7 +70,7 @@ class Carry : public Skill {
   }
 
   exec::Progress Do(const Roles& roles, Situation& situation) const override {
-    const exec::WorldModel& world = situation.execution.world();
+    const exec::WorldModel& world = situation.execution().world();
     const std::string& name = situation.problem().part(roles.part).name;
     if (world.held() != roles.part) {
       return exec::Failure{exec::ExecutionOutcome::kUnreachable, name + " is not in the hand"};
@@ -81,13 +81,13 @@ class Carry : public Skill {
       return exec::Failure{exec::ExecutionOutcome::kUnreachable,
                            fmt::format("no way to a free place on {} for {}", table.name, name)};
     }
-    return Follow(*path, situation.execution);
+    return Follow(*path, situation.execution());
   }
 
  private:
   std::optional<motion::JointPath> FindWay(const domain::Table& table, Situation& situation) const {
     const domain::Problem& problem = situation.problem();
-    exec::Execution& execution = situation.execution;
+    exec::Execution& execution = situation.execution();
     const PartId part = execution.world().held();
     const plan::Hold& hold = execution.world().hold();
     const Pose X_WorldHeld = execution.world().PartPose(part, execution.BelievedTool());

@@ -38,9 +38,13 @@ class Trial {
 
   EnactedTrial Run(const contingent::PlanTree& tree) {
     if (settings_.on_step_end) settings_.on_step_end({"", scene_, data_});
-    exec::Execution execution(problem_, scene_, data_, options_);
+    Crew crew(problem_, scene_, data_, options_);
     Readings readings;
-    Situation situation{execution, readings, random_};
+    std::optional<sense::ColorSensor> color_sensor;
+    if (!interpretation_.colors.empty()) {
+      color_sensor.emplace(scene_, problem_, interpretation_.colors);
+    }
+    Situation situation{crew, readings, random_, color_sensor ? &*color_sensor : nullptr};
     WalkOptions walk{.sensing_errors = settings_.sensing_errors, .random = &random_};
     if (settings_.on_step_end) {
       walk.on_step_end = [this](const WalkedStep& step) {
@@ -48,7 +52,7 @@ class Trial {
       };
     }
     result_.walk = TreeWalk(interpretation_, tree, situation, walk).Go();
-    if (result_.walk.end != WalkEnd::kStopped) ComeToRest(execution);
+    if (result_.walk.end != WalkEnd::kStopped) ComeToRest(crew);
     result_.duration = data_.time();
     Measure();
     Judge();
@@ -58,15 +62,18 @@ class Trial {
  private:
   scene::SceneOptions TrueScene(scene::SceneOptions options, const HiddenWorld& world) const {
     options.part_masses = world.masses;
+    for (const auto& [part, color] : world.colors) {
+      const sense::Color& rgb = interpretation_.colors[color.index()].color;
+      options.part_colors[part] << rgb, 1;
+    }
     return exec::TrueScene(std::move(options), noise_);
   }
 
   // A hand that holds something stays where it is.
-  void ComeToRest(exec::Execution& execution) {
+  void ComeToRest(Crew& crew) {
+    exec::Execution& execution = crew.acting();
     exec::Progress failure;
-    if (execution.world().held().IsNone()) {
-      failure = RunAll({exec::MoveAtSafeHeight{exec::HomeTool(*problem_.workcell)}}, execution);
-    }
+    if (execution.world().held().IsNone()) failure = crew.GoHome();
     if (!failure) failure = execution.Stay(kRest, exec::Stepping::kContact);
     if (!failure) return;
     result_.walk.end = WalkEnd::kStopped;
@@ -79,11 +86,19 @@ class Trial {
     for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
       const PartId part(i);
       MeasureTilt(truth, part);
-      const bool is_held = scene_.Touching(data_, part, scene_.left_finger());
+      const bool is_held = IsHeld(part);
       const exec::Pose X_WorldPart = scene_.TruePose(data_, part);
       if (!is_held && StablePoseAt(problem_.part(part), X_WorldPart) != problem_.part(part).resting)
         result_.fallen.push_back(problem_.part(part).name);
     }
+  }
+
+  bool IsHeld(PartId part) const {
+    for (std::size_t i = 0; i < problem_.workcell->robots().size(); ++i) {
+      const scene::Scene scene = scene_.WorkedBy(RobotId(i));
+      if (scene.Touching(data_, part, scene.left_finger())) return true;
+    }
+    return false;
   }
 
   void MeasureTilt(const Truth& truth, PartId part) {

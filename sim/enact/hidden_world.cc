@@ -17,31 +17,56 @@ Interval ReadMass(const Value& value) {
   return range;
 }
 
+HiddenKinds ReadKinds(const Value& entry, const std::vector<sense::NamedColor>& colors) {
+  entry.AllowOnly({"mass", "color"});
+  HiddenKinds kinds;
+  if (const auto mass = entry.Find("mass")) {
+    for (const Value& kind : mass->Items()) kinds.masses.push_back(ReadMass(kind));
+  }
+  if (const auto color = entry.Find("color")) {
+    for (const Value& kind : color->Items()) kinds.colors.push_back(ReadColorName(kind, colors));
+  }
+  if (kinds.masses.empty() && kinds.colors.empty()) {
+    entry.Fail("nothing is hidden", "mass: at least one range [low, high], kg; or color: [names]");
+  }
+  return kinds;
+}
+
 }  // namespace
 
-HiddenMasses ReadHiddenMasses(const Value& map, const domain::Problem& problem) {
+HiddenParts ReadHiddenParts(const Value& map, const domain::Problem& problem,
+                            const std::vector<sense::NamedColor>& colors) {
   std::vector<std::string> names;
   for (const domain::Part& part : problem.parts) names.push_back(part.name);
-  HiddenMasses masses;
+  HiddenParts parts;
   for (const auto& [name, entry] : map.Entries()) {
-    std::vector<Interval>& kinds = masses[PartId(name.OneOf(names))];
-    if (!kinds.empty()) name.Fail(fmt::format("'{}' is given twice", name.Text()), "once");
-    entry.AllowOnly({"mass"});
-    const Value mass = entry.At("mass");
-    for (const Value& kind : mass.Items()) kinds.push_back(ReadMass(kind));
-    if (kinds.empty()) mass.Fail("no mass", "at least one range [low, high], kg");
+    const auto [kinds, is_new] = parts.try_emplace(PartId(name.OneOf(names)));
+    if (!is_new) name.Fail(fmt::format("'{}' is given twice", name.Text()), "once");
+    kinds->second = ReadKinds(entry, colors);
   }
-  return masses;
+  return parts;
 }
 
-double DrawnMass(const std::vector<Interval>& kinds, RandomStream& random) {
-  const Interval& kind = kinds[random.Index(static_cast<int>(kinds.size()))];
-  return random.Uniform(kind.low, kind.high);
+sense::ColorId ReadColorName(const Value& name, const std::vector<sense::NamedColor>& colors) {
+  std::vector<std::string> names;
+  for (const sense::NamedColor& color : colors) names.push_back(color.name);
+  if (names.empty()) name.Fail("there are no colours", "a key colors");
+  return sense::ColorId(name.OneOf(names));
 }
 
-HiddenWorld DrawnWorld(const HiddenMasses& masses, RandomStream& random) {
+void DrawPart(PartId part, const HiddenKinds& kinds, RandomStream& random, HiddenWorld& world) {
+  if (!kinds.masses.empty()) {
+    const Interval& kind = kinds.masses[random.Index(static_cast<int>(kinds.masses.size()))];
+    world.masses[part] = random.Uniform(kind.low, kind.high);
+  }
+  if (!kinds.colors.empty()) {
+    world.colors[part] = kinds.colors[random.Index(static_cast<int>(kinds.colors.size()))];
+  }
+}
+
+HiddenWorld DrawnWorld(const HiddenParts& parts, RandomStream& random) {
   HiddenWorld world;
-  for (const auto& [part, kinds] : masses) world.masses[part] = DrawnMass(kinds, random);
+  for (const auto& [part, kinds] : parts) DrawPart(part, kinds, random, world);
   return world;
 }
 

@@ -7,6 +7,7 @@
 #include "planner/base/interval.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem.h"
+#include "sim/sense/color_sensor.h"
 
 namespace assay::enact {
 
@@ -15,17 +16,28 @@ using domain::PartId;
 // What a world hides from the planner and from the eye.
 struct HiddenWorld {
   std::map<PartId, double> masses;  // kg
+  std::map<PartId, sense::ColorId> colors;
 };
 
-// The worlds that there may be: of each part the kinds that it may be of, each with the range of
-// its mass, kg.
-using HiddenMasses = std::map<PartId, std::vector<Interval>>;
+// What may be hidden in a part; an empty list: nothing of that sort.
+struct HiddenKinds {
+  std::vector<Interval> masses;        // the range of each kind, kg
+  std::vector<sense::ColorId> colors;  // of each kind
+};
 
-// {can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}, ...}. Throws InputError.
-HiddenMasses ReadHiddenMasses(const Value& map, const domain::Problem& problem);
+// The worlds that there may be.
+using HiddenParts = std::map<PartId, HiddenKinds>;
 
-// A kind, each as likely, and a mass within it.
-double DrawnMass(const std::vector<Interval>& kinds, RandomStream& random);
-HiddenWorld DrawnWorld(const HiddenMasses& masses, RandomStream& random);
+// {can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}, bottle: {color: [full, empty]}, ...}. Throws
+// InputError.
+HiddenParts ReadHiddenParts(const Value& map, const domain::Problem& problem,
+                            const std::vector<sense::NamedColor>& colors);
+
+// Which of the colours the file names. Throws InputError.
+sense::ColorId ReadColorName(const Value& name, const std::vector<sense::NamedColor>& colors);
+
+// A kind, each as likely, and a mass within it: what is hidden in one part, or in all.
+void DrawPart(PartId part, const HiddenKinds& kinds, RandomStream& random, HiddenWorld& world);
+HiddenWorld DrawnWorld(const HiddenParts& parts, RandomStream& random);
 
 }  // namespace assay::enact

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <numbers>
 #include <set>
+#include <stdexcept>
 
 #include "planner/contingent/grounding.h"
 #include "planner/contingent/task_file.h"
+#include "planner/motion/part_reach.h"
 
 namespace assay::enact {
 namespace {
@@ -19,17 +21,23 @@ class KnowledgeFile {
  public:
   KnowledgeFile(const Value& root, const domain::Problem& problem)
       : map_(root.At("knowledge")), problem_(problem), units_(domain::ReadUnits(root)) {
-    map_.AllowOnly({"domain", "problem", "actions", "predicates", "hidden", "spills"});
+    map_.AllowOnly(
+        {"domain", "problem", "externs", "colors", "actions", "predicates", "hidden", "spills"});
     const contingent::Task task =
         contingent::LoadTask(Beside(map_.At("domain")), Beside(map_.At("problem")));
     for (const contingent::Action& action : task.domain.actions) actions_.push_back(action.name);
     for (const contingent::Symbol& p : task.domain.predicates) predicates_.push_back(p.name);
     for (const contingent::Symbol& f : task.domain.functions) predicates_.push_back(f.name);
+    for (const contingent::Symbol& e : task.domain.externs) externs_.push_back(e.name);
     contingent::Externs externs;
+    if (const auto bound = map_.Find("externs")) BindExterns(*bound, externs);
+    if (const auto colors = map_.Find("colors")) ReadColors(*colors);
     read_.task = contingent::Ground(task.domain, task.problem, externs);
     ReadActions(map_.At("actions"));
     ReadPredicates(map_.At("predicates"));
-    if (const auto hidden = map_.Find("hidden")) read_.hidden = ReadHiddenMasses(*hidden, problem);
+    if (const auto hidden = map_.Find("hidden")) {
+      read_.hidden = ReadHiddenParts(*hidden, problem, read_.colors);
+    }
     if (const auto spills = map_.Find("spills")) ReadSpill(*spills);
   }
 
@@ -47,13 +55,55 @@ class KnowledgeFile {
     return file;
   }
 
+  // {isReachable: reachable}
+  void BindExterns(const Value& map, contingent::Externs& externs) {
+    for (const auto& [name, word] : map.Entries()) {
+      name.OneOf(externs_);
+      word.OneOf({"reachable"});
+      externs.Add(name.Text(), [this](std::span<const std::string> arguments) {
+        return CanBeReached(RolesOf(problem_, arguments));
+      });
+    }
+  }
+
+  // Every part, as it stands at the start, by the robot at the place.
+  bool CanBeReached(const Roles& roles) const {
+    if (roles.place == nullptr) throw std::invalid_argument("it needs a place");
+    const domain::Problem problem =
+        roles.robot.IsNone() ? problem_ : domain::WorkedBy(problem_, roles.robot);
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) {
+      const domain::Part& part = problem.parts[i];
+      const geometry::Pose X_WorldPart =
+          roles.place->middle.X_WorldTable() *
+          part.model->stable_poses()[part.resting.index()].X_TablePart;
+      if (motion::ServingGrasp(problem, PartId(i), X_WorldPart).IsNone()) return false;
+    }
+    return true;
+  }
+
+  void ReadColors(const Value& map) {
+    for (const auto& [name, value] : map.Entries()) {
+      const std::vector<double> rgb = value.Numbers(3);
+      const sense::NamedColor named = {name.Text(), {rgb[0], rgb[1], rgb[2]}};
+      const sense::ColorFilter filter(named.color);
+      if (!filter.HasHue()) value.Fail("a colour that is too grey to tell", "one with a hue");
+      for (const sense::NamedColor& other : read_.colors) {
+        if (filter.Overlaps(sense::ColorFilter(other.color))) {
+          value.Fail(fmt::format("the colour is like '{}'", other.name),
+                     "colours unlike each other");
+        }
+      }
+      read_.colors.push_back(named);
+    }
+  }
+
   void ReadActions(const Value& map) {
     std::map<std::string, Value> places;
     for (const auto& [name, entry] : map.Entries()) {
       name.OneOf(actions_);
       const bool is_new = places.emplace(name.Text(), entry).second;
       if (!is_new) name.Fail(fmt::format("'{}' is given twice", name.Text()), "once");
-      read_.skills[name.Text()] = ReadSkill(entry, {problem_, units_});
+      read_.skills[name.Text()] = ReadSkill(entry, {problem_, units_, read_.colors});
     }
     for (const contingent::GroundAction& action : read_.task.actions) {
       const auto place = places.find(action.name);
@@ -72,7 +122,7 @@ class KnowledgeFile {
       name.OneOf(predicates_);
       const bool is_new = places.emplace(name.Text(), entry).second;
       if (!is_new) name.Fail(fmt::format("'{}' is given twice", name.Text()), "once");
-      read_.meanings[name.Text()] = ReadMeaning(entry, {problem_});
+      read_.meanings[name.Text()] = ReadMeaning(entry, {problem_, read_.colors});
     }
     for (const contingent::GroundAtom& atom : read_.task.ground_atoms) {
       const auto place = places.find(atom.symbol);
@@ -112,6 +162,7 @@ class KnowledgeFile {
   domain::Units units_;
   std::vector<std::string> actions_;
   std::vector<std::string> predicates_;
+  std::vector<std::string> externs_;
   Interpretation read_;
 };
 

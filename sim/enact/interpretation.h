@@ -28,7 +28,8 @@ struct Interpretation {
   std::map<std::string, std::unique_ptr<const Skill>> skills;      // by action
   std::map<std::string, std::unique_ptr<const Meaning>> meanings;  // by predicate or function;
                                                                    // null: internal
-  HiddenMasses hidden;
+  std::vector<sense::NamedColor> colors;                           // that can be told
+  HiddenParts hidden;
   std::optional<Spill> spill;
 
   // Of an atom; null if it is internal.

@@ -17,7 +17,7 @@ using contingent::PlanNode;
 
 namespace {
 
-constexpr int kMostDraws = 1000;  // of one part's mass
+constexpr int kMostDraws = 1000;  // of what is hidden in one part
 
 // Goes through the tree with what is known on the way.
 class LeafSearch {
@@ -106,7 +106,7 @@ std::optional<HiddenWorld> WorldFor(const Leaf& leaf, const Interpretation& inte
     int draws = 0;
     do {
       if (draws++ == kMostDraws) return std::nullopt;
-      world.masses[part] = DrawnMass(kinds, random);
+      DrawPart(part, kinds, random, world);
     } while (std::ranges::any_of(leaf.literals, is_refuted));
   }
   return world;

@@ -3,10 +3,25 @@
 #include <array>
 #include <vector>
 
+#include "planner/domain/resting.h"
+
 namespace assay::enact {
 
+scene::Scene Truth::SceneOf(RobotId robot) const {
+  return robot.IsNone() ? scene : scene.WorkedBy(robot);
+}
+
+bool Truth::StandsAt(PartId part, const domain::Place& place) const {
+  const geometry::Pose X_WorldPart = scene.TruePose(data, part);
+  const geometry::Vector2 off =
+      X_WorldPart.translation().head<2>() - geometry::Vector2(place.middle.x, place.middle.y);
+  return off.norm() <= place.radius &&
+         domain::StablePoseAt(problem.part(part), X_WorldPart) == problem.part(part).resting;
+}
+
 std::unique_ptr<const Meaning> ReadMeaning(const Value& map, const MeaningContext& context) {
-  static constexpr std::array kWords = {&kHeld, &kHandEmpty, &kOver, &kHeavier};
+  static constexpr std::array kWords = {&kHeld,    &kHandEmpty, &kOver,    &kHeavier,
+                                        &kColored, &kAt,        &kOccupied};
   std::vector<std::string> names = {"internal"};
   for (const MeaningWord* word : kWords) names.emplace_back(word->name);
   const int word = map.At("is").OneOf(names);

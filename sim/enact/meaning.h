@@ -20,6 +20,11 @@ struct Truth {
   const domain::Problem& problem;
   const scene::Scene& scene;
   const mujoco::Data& data;
+
+  // The same, as this robot has it; None: as it is.
+  scene::Scene SceneOf(RobotId robot) const;
+  // Whether the part stands within the place.
+  bool StandsAt(PartId part, const domain::Place& place) const;
 };
 
 // What a predicate of the domain means in the workcell.
@@ -40,6 +45,7 @@ class Meaning {
 
 struct MeaningContext {
   const domain::Problem& problem;
+  const std::vector<sense::NamedColor>& colors;
 };
 
 // One word of `predicates: {PREDICATE: {is: WORD, ...}}`, a file each.
@@ -52,6 +58,9 @@ extern const MeaningWord kHeld;       // {is: held}
 extern const MeaningWord kHandEmpty;  // {is: hand-empty}
 extern const MeaningWord kOver;       // {is: over, place: TABLE}
 extern const MeaningWord kHeavier;    // {is: heavier, than: kg}
+extern const MeaningWord kColored;    // {is: colored, color: NAME}
+extern const MeaningWord kAt;         // {is: at}
+extern const MeaningWord kOccupied;   // {is: occupied}
 
 // Null for {is: internal}: nothing in the workcell, so that no audit asks it. Throws InputError.
 std::unique_ptr<const Meaning> ReadMeaning(const Value& map, const MeaningContext& context);

@@ -37,7 +37,7 @@ class PickUp : public Skill {
                            fmt::format("no grasp of {} is reachable where it is believed to be",
                                        situation.problem().part(roles.part).name)};
     }
-    exec::Execution& execution = situation.execution;
+    exec::Execution& execution = situation.execution();
     const plan::Pickup pickup{
         roles.part, *hold, {"believed", execution.world().PartPose(roles.part)}};
     return RunAll(exec::CommandsFor(situation.problem(), execution.world(), pickup).InOrder(),
@@ -50,7 +50,7 @@ class PickUp : public Skill {
   static std::optional<plan::Hold> ChooseHold(PartId id, const Situation& situation) {
     const domain::Problem& problem = situation.problem();
     const domain::Part& part = problem.part(id);
-    const Pose X_WorldPart = situation.execution.world().PartPose(id);
+    const Pose X_WorldPart = situation.execution().world().PartPose(id);
     const std::vector<domain::PlacedPart> others = situation.Standing(id);
     const double open = problem.workcell->gripper().max_opening();
     for (const domain::GraspId grasp : MostUprightFirst(part, X_WorldPart)) {

@@ -3,6 +3,7 @@
 #include <map>
 
 #include "planner/domain/problem.h"
+#include "sim/sense/color_sensor.h"
 
 namespace assay::enact {
 
@@ -15,6 +16,7 @@ struct Reading {
 // What sensors have told during a walk, the last of each. All that branches are decided by.
 struct Readings {
   std::map<domain::PartId, Reading> masses;  // kg
+  std::map<domain::PartId, sense::ColorId> colors;
 };
 
 }  // namespace assay::enact

@@ -14,6 +14,14 @@ Roles RolesOf(const domain::Problem& problem, std::span<const std::string> argum
     const std::vector<domain::Table>& tables = problem.workcell->tables();
     const auto table = std::ranges::find(tables, argument, &domain::Table::name);
     if (table != tables.end() && roles.table == nullptr) roles.table = &*table;
+    const std::vector<domain::Place>& places = problem.workcell->places();
+    const auto place = std::ranges::find(places, argument, &domain::Place::name);
+    if (place != places.end() && roles.place == nullptr) roles.place = &*place;
+    const std::vector<domain::Robot>& robots = problem.workcell->robots();
+    const auto robot = std::ranges::find(robots, argument, &domain::Robot::name);
+    if (robot != robots.end() && roles.robot.IsNone()) {
+      roles.robot = RobotId(static_cast<std::size_t>(robot - robots.begin()));
+    }
   }
   return roles;
 }

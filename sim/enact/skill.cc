@@ -7,15 +7,15 @@ namespace assay::enact {
 
 std::vector<domain::PlacedPart> Situation::Standing(PartId but) const {
   std::vector<domain::PlacedPart> standing;
-  for (int i = 0; i < execution.world().part_count(); ++i) {
+  for (int i = 0; i < execution().world().part_count(); ++i) {
     const PartId part(i);
-    if (part != but) standing.push_back({part, execution.world().PartPose(part)});
+    if (part != but) standing.push_back({part, execution().world().PartPose(part)});
   }
   return standing;
 }
 
 std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& context) {
-  static constexpr std::array kWords = {&kPickUp, &kWeigh, &kCarry, &kPutDown};
+  static constexpr std::array kWords = {&kPickUp, &kWeigh, &kCarry, &kPutDown, &kLook};
   std::vector<std::string> names;
   for (const SkillWord* word : kWords) names.emplace_back(word->name);
   return kWords[static_cast<std::size_t>(map.At("skill").OneOf(names))]->read(map, context);

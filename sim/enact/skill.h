@@ -9,20 +9,23 @@
 #include "planner/base/random.h"
 #include "planner/domain/reachability.h"
 #include "planner/domain/units.h"
+#include "sim/enact/crew.h"
 #include "sim/enact/readings.h"
 #include "sim/enact/roles.h"
 #include "sim/exec/execution.h"
 
 namespace assay::enact {
 
-// What a skill works with: the execution, which believes what commands and sensors tell it, and
-// what sensors have told besides.
+// What a skill works with: the execution of the robot that acts, which believes what commands and
+// sensors tell it, the robots as a whole, and what sensors have told besides.
 struct Situation {
-  exec::Execution& execution;
+  Crew& crew;
   Readings& readings;
   RandomStream& sensor_noise;
+  sense::ColorSensor* color_sensor;  // null if the scenario names no colours
 
-  const domain::Problem& problem() const { return execution.problem(); }
+  exec::Execution& execution() const { return crew.acting(); }
+  const domain::Problem& problem() const { return execution().problem(); }
   // Where the parts other than `but` are believed to be; none of them is in the hand.
   std::vector<domain::PlacedPart> Standing(PartId but) const;
 };
@@ -41,6 +44,7 @@ class Skill {
 struct SkillContext {
   const domain::Problem& problem;
   const domain::Units& units;  // of the scenario file
+  const std::vector<sense::NamedColor>& colors;
 };
 
 // One word of `actions: {ACTION: {skill: WORD, ...}}`, a file each.
@@ -53,6 +57,7 @@ extern const SkillWord kPickUp;   // {skill: pick-up}
 extern const SkillWord kWeigh;    // {skill: weigh, error: newtons}
 extern const SkillWord kCarry;    // {skill: carry, to: TABLE, upright: angle}
 extern const SkillWord kPutDown;  // {skill: put-down}
+extern const SkillWord kLook;     // {skill: look}
 
 // Throws InputError.
 std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& context);

@@ -77,11 +77,12 @@ std::optional<NodeId> TreeWalk::Act(const PlanNode& node) {
 }
 
 exec::Progress TreeWalk::Do(const GroundAction& action) {
-  exec::Execution& execution = situation_.execution;
-  execution.SetHandError(HandError(situation_.problem().gripper_error, *options_.random));
   const Roles roles = RolesOf(situation_.problem(), action.arguments);
   const std::string text = TextOf(action);
-  exec::Progress failure = interpretation_.skills.at(action.name)->Do(roles, situation_);
+  exec::Progress failure = situation_.crew.TakeOver(roles.robot);
+  exec::Execution& execution = situation_.execution();
+  execution.SetHandError(HandError(situation_.problem().gripper_error, *options_.random));
+  if (!failure) failure = interpretation_.skills.at(action.name)->Do(roles, situation_);
   if (failure) failure->reason = text + ": " + failure->reason;
   walk_.steps.push_back({text, execution.data().time()});
   return failure;
@@ -148,7 +149,7 @@ std::optional<NodeId> TreeWalk::End(WalkEnd end, const std::string& reason) {
 }
 
 void TreeWalk::AuditNow() {
-  exec::Execution& execution = situation_.execution;
+  exec::Execution& execution = situation_.execution();
   const Truth truth{situation_.problem(), execution.scene(), execution.data()};
   const int step = static_cast<int>(walk_.steps.size());
   for (FalseClaim& claim : audit_.FalseClaims(knowledge_, state_, truth, step)) {

@@ -14,7 +14,7 @@ class Weigh : public Skill {
   explicit Weigh(double error) : error_(error) {}
 
   exec::Progress Do(const Roles& roles, Situation& situation) const override {
-    exec::Execution& execution = situation.execution;
+    exec::Execution& execution = situation.execution();
     if (auto failure = execution.Stay(kCalmDown, exec::Stepping::kContact)) return failure;
     double impulse = 0;
     const double begin = execution.data().time();
