@@ -185,6 +185,10 @@ void WorkcellFile::ReadPlacements(const Value& placements) {
 void WorkcellFile::ReadPlaces(const Value& places) {
   for (const auto& [name, entry] : places.Entries()) {
     entry.AllowOnly({"at", "yaw", "radius", "room"});
+    const auto is_same = [&](const Place& other) { return other.name == name.Text(); };
+    if (std::ranges::any_of(workcell_->places_, is_same)) {
+      name.Fail(fmt::format("'{}' is given twice", name.Text()), "each place once");
+    }
     const Vector2 at = ReadVector2(entry.At("at"), units_);
     const auto yaw = entry.Find("yaw");
     const auto room = entry.Find("room");

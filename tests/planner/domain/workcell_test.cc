@@ -155,6 +155,15 @@ TEST(Workcell, IsSeenByTheRobotThatActs) {
   EXPECT_EQ(right->placements().size(), left->placements().size());
 }
 
+TEST(Workcell, PlacesHaveNamesAndRoom) {
+  const auto workcell = Workcell::Load(FileOf("two-pumas"));
+  const auto shared = std::ranges::find(workcell->places(), "shared", &Place::name);
+  ASSERT_NE(shared, workcell->places().end());
+  EXPECT_EQ(shared->room, 1);
+  EXPECT_EQ(shared->radius, 0.02);
+  EXPECT_TRUE(Workcell::Load(FileOf("puma762-table"))->places().empty());
+}
+
 // A file in the workcells' folder would be found by scenarios, so that the wrong ones go, beside
 // copies of the robot and the gripper, into a folder of their own.
 class WrongWorkcell : public testing::Test {
@@ -196,6 +205,18 @@ TEST_F(WrongWorkcell, OfSeveralRobotsIsRefused) {
   const std::string gripper = "gripper: {urdf: ../../grippers/parallel-jaw/gripper.urdf}";
   EXPECT_THAT(MessageWith("robot:\n", "robots:\n"), HasSubstr("'gripper'"));
   EXPECT_THAT(MessageWith(gripper, gripper + "\nrobots: {}"), HasSubstr("'robot'"));
+}
+
+TEST_F(WrongWorkcell, OfPlacesIsRefused) {
+  const auto with = [&](const std::string& places) {
+    return MessageWith("sensors:", "places: {" + places + "}\nsensors:");
+  };
+  EXPECT_EQ(with("a: {at: [0, 0], radius: 0.1}"), "no error");
+  EXPECT_THAT(with("a: {at: [0, 0]}"), HasSubstr("missing key 'radius'"));
+  EXPECT_THAT(with("a: {at: [0, 0], radius: 0}"), HasSubstr("out of range"));
+  EXPECT_THAT(with("a: {at: [0, 0], radius: 0.1, room: 0}"), HasSubstr("from 1 to 100"));
+  EXPECT_THAT(with("a: {at: [0, 0], radius: 0.1}, a: {at: [0, 1], radius: 0.1}"),
+              HasSubstr("given twice"));
 }
 
 TEST_F(WrongWorkcell, IsRefused) {
