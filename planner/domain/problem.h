@@ -32,6 +32,15 @@ struct Part {
   PoseError error;
 };
 
+// That a part is in one of several poses at the start, and that only a look at it tells which.
+struct OpenPose {
+  PartId part;
+  std::vector<std::string> names;  // of the poses, at least two
+  int chosen = 0;                  // which of them the problem has
+
+  bool operator==(const OpenPose&) const = default;
+};
+
 // part_location(Part, Position) as a goal: the part ends in one of these stable poses.
 struct LocatedGoal {
   PartId part;
@@ -50,6 +59,7 @@ struct Problem {
   std::string description;  // may be empty
   std::shared_ptr<const Workcell> workcell;
   std::vector<Part> parts;
+  std::vector<OpenPose> open_poses = {};  // of these parts, in their order
   std::vector<Mating> matings;
   std::vector<MatingId> assembled;  // true at the start
   std::vector<Goal> goals;

@@ -40,12 +40,12 @@ std::vector<std::string> FoldersWith(const std::filesystem::path& folder, const 
   return names;
 }
 
-std::string ReadName(const Value& key) {
+std::string ReadName(const Value& key, const char* what) {
   const std::string name = key.Text();
   const bool good = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '-' || c == '_';
   });
-  if (!good) key.Fail(fmt::format("'{}' cannot name a part", name), "letters, digits, - and _");
+  if (!good) key.Fail(fmt::format("'{}' cannot name {}", name, what), "letters, digits, - and _");
   return name;
 }
 
@@ -96,6 +96,16 @@ class StablePoseNames {
   std::vector<StablePoseId> poses_;
 };
 
+// Like a counter of which each open pose is a digit. False after the last world.
+bool TurnToNextWorld(const Problem& world, Overrides& overrides) {
+  for (auto open = world.open_poses.rbegin(); open != world.open_poses.rend(); ++open) {
+    const bool is_last = open->chosen + 1 == std::ssize(open->names);
+    overrides.poses[world.part(open->part).name] = is_last ? 0 : open->chosen + 1;
+    if (!is_last) return true;
+  }
+  return false;
+}
+
 // Builds a problem from its file.
 class ProblemFile {
  public:
@@ -122,6 +132,7 @@ class ProblemFile {
   void ReadInitialMating(const Value& value);
   void PlaceParts();
   void PlaceAssembledParts();
+  Value ChosenPose(const Value& pose, PartId part);
   void ReadPose(const Value& pose, Part& part) const;
   Pose ReadStanding(const Value& pose, StablePoseId resting, const Part& part) const;
   void CheckOnTable(const Value& pose, PartId id) const;
@@ -218,7 +229,7 @@ void ProblemFile::ReadWorkcell(const Value& root) {
 void ProblemFile::ReadParts(const Value& parts) {
   known_models_ = FoldersWith(models_ / "parts", "part.yaml");
   if (parts.Entries().empty()) parts.Fail("there are no parts", "at least one part");
-  for (const auto& [key, entry] : parts.Entries()) ReadPart(ReadName(key), entry);
+  for (const auto& [key, entry] : parts.Entries()) ReadPart(ReadName(key, "a part"), entry);
   mating_of_.assign(problem_.parts.size(), MatingId::None());
 }
 
@@ -313,7 +324,7 @@ void ProblemFile::ReadInitialMating(const Value& value) {
 void ProblemFile::PlaceParts() {
   for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
     if (!mating_of_[i].IsNone()) continue;
-    const Value pose = entries_[i].At("pose");
+    const Value pose = ChosenPose(entries_[i].At("pose"), PartId(i));
     ReadPose(pose, problem_.parts[i]);
     CheckOnTable(pose, PartId(i));
   }
@@ -348,6 +359,25 @@ void ProblemFile::PlaceAssembledParts() {
     }
     waiting = std::move(later);
   }
+}
+
+// The pose itself, or of those that it may be the one that is chosen.
+Value ProblemFile::ChosenPose(const Value& pose, PartId part) {
+  const std::optional<Value> one_of = pose.Find("one-of");
+  if (!one_of) return pose;
+  pose.AllowOnly({"one-of"});
+  OpenPose open{.part = part, .names = {}};
+  for (const auto& [name, unused] : one_of->Entries()) {
+    open.names.push_back(ReadName(name, "a pose"));
+    if (std::ranges::count(names_, open.names.back()) > 0) {
+      name.Fail(fmt::format("'{}' is the name of a part", open.names.back()), "other names");
+    }
+  }
+  if (open.names.size() < 2) one_of->Fail("one pose", "two or more, each with its name");
+  const auto chosen = overrides_.poses.find(names_[part.index()]);
+  if (chosen != overrides_.poses.end()) open.chosen = chosen->second;
+  problem_.open_poses.push_back(open);
+  return one_of->Entries()[open.chosen].second;
 }
 
 void ProblemFile::ReadPose(const Value& pose, Part& part) const {
@@ -474,6 +504,20 @@ Problem ReadProblem(const Document& scenario, const std::filesystem::path& model
 Problem ReadProblem(const Document& scenario, const std::filesystem::path& models,
                     const Overrides& overrides) {
   return ProblemFile(scenario, models, overrides).Release();
+}
+
+std::vector<Problem> ReadWorlds(const Document& scenario, const std::filesystem::path& models,
+                                const Overrides& overrides) {
+  std::vector<Problem> worlds;
+  Overrides next = overrides;
+  do {
+    worlds.push_back(ReadProblem(scenario, models, next));
+    if (std::ssize(worlds) > kMostWorlds) {
+      scenario.root().At("parts").Fail(fmt::format("more than {} worlds", kMostWorlds),
+                                       "fewer parts whose pose is open");
+    }
+  } while (TurnToNextWorld(worlds.back(), next));
+  return worlds;
 }
 
 }  // namespace assay::domain

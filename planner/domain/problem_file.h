@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "planner/base/document.h"
 #include "planner/domain/problem.h"
@@ -23,8 +26,16 @@ struct Overrides {
   // Of every error of parts and gripper, 0 or more; not of what sensors promise, nor of tolerances.
   double error_scale = 1;
   std::optional<std::vector<ResolverKind>> resolvers = std::nullopt;
+  std::map<std::string, int> poses = {};  // of parts whose pose is open: which, by the part's name
 };
+// Of an open pose, the first unless the overrides say which.
 Problem ReadProblem(const Document& scenario, const std::filesystem::path& models,
                     const Overrides& overrides);
+
+// The worlds that the scenario allows: a problem for each choice of the open poses, in the order of
+// the file, those of the last part changing fastest. One if none is open.
+inline constexpr int kMostWorlds = 64;
+std::vector<Problem> ReadWorlds(const Document& scenario, const std::filesystem::path& models,
+                                const Overrides& overrides);
 
 }  // namespace assay::domain

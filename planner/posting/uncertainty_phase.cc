@@ -128,6 +128,9 @@ class Augmentation {
   Augmentation(const domain::Problem& problem, const plan::Plan& instance,
                const UncertaintyOptions& options)
       : problem_(problem), best_known_(BestKnown(problem)), instance_(instance), options_(options) {
+    for (const plan::Sense& look : options.looks) {
+      entries_.push_back({.id = StepId(instance.steps.size() + entries_.size()), .action = look});
+    }
     for (const StepId id : instance.ExecutionOrder()) {
       entries_.push_back({.id = id, .action = instance.step(id).action});
     }

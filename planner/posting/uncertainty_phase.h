@@ -19,6 +19,8 @@ struct UncertaintyOptions {
   std::int64_t combinations = 100;  // of remedies, tried for one step
   std::int64_t instances = 10;      // plan instances looked at, of all plans of the first phase
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
+  std::vector<plan::Sense> looks =
+      {};  // with which every plan begins, whether it needs them or not
 };
 
 // A plan instance with its certificates, error count, verifications and recoveries (Spar,

@@ -1,0 +1,156 @@
+#include "planner/assembly/contingent_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "planner/assembly/plan_check.h"
+#include "planner/assembly/resolvers.h"
+#include "planner/base/check.h"
+#include "planner/contingent/contingent_planner.h"
+#include "planner/uncertainty/certify.h"
+
+namespace assay::assembly {
+namespace {
+
+constexpr std::int64_t kKnowledgeStates = 1'000'000;
+
+// "peg standing, block on-back": what tells the world from the others.
+std::string NameOf(const domain::Problem& world) {
+  std::string name;
+  for (const domain::OpenPose& open : world.open_poses) {
+    if (!name.empty()) name += ", ";
+    name += fmt::format("{} {}", world.part(open.part).name, open.names[open.chosen]);
+  }
+  return name;
+}
+
+// A look at each of the parts, by the first sensor that may be used.
+std::vector<plan::Sense> LooksAt(const domain::Problem& world,
+                                 const std::vector<domain::OpenPose>& parts) {
+  std::vector<plan::Sense> looks;
+  if (world.sensors.empty()) return looks;
+  for (const domain::OpenPose& open : parts) {
+    looks.push_back({open.part, world.sensors.front(),
+                     plan::Place{"initial", world.part(open.part).X_WorldPart}});
+  }
+  return looks;
+}
+
+// Whether all that is proved of the plan's steps in its own world is proved in this one.
+bool IsAsCertain(const domain::Problem& world, const plan::Plan& plan,
+                 const posting::UncertaintyOptions& options) {
+  uncertainty::UncertainWorld uncertain(world, options.propagation);
+  return std::ranges::all_of(plan.ExecutionOrder(), [&](plan::StepId id) {
+    const plan::PlannedStep& step = plan.step(id);
+    const plan::Strategy* strategy = step.strategy ? &*step.strategy : nullptr;
+    const auto now = CertifyStep(uncertain, step.action, options.bound, strategy);
+    const auto holds = [](const plan::CertifiedPrecondition& claim) { return claim.holds(); };
+    return std::ranges::count_if(now.certificate.preconditions, holds) >=
+           std::ranges::count_if(step.certificate.preconditions, holds);
+  });
+}
+
+bool Works(const domain::Problem& world, const plan::Plan& plan,
+           const posting::UncertaintyOptions& options) {
+  constexpr int kOrders = 10;
+  return assembly::Check(world, plan, kOrders).flaws.empty() && IsAsCertain(world, plan, options);
+}
+
+// A plan that was made without first looks may serve several worlds; only where it does not serve
+// all is it made anew, to begin with looks.
+class WorldPlanner {
+ public:
+  WorldPlanner(const std::vector<domain::Problem>& worlds, const posting::PlannerOptions& planner,
+               const posting::UncertaintyOptions& uncertainty)
+      : worlds_(worlds), planner_(planner), uncertainty_(uncertainty) {}
+
+  ContingentAssembly Plan() {
+    assembly_.outcome = Outcome::kFound;
+    for (int w = 0; w < std::ssize(worlds_) && assembly_.outcome == Outcome::kFound; ++w) {
+      if (!IsPlannedFor(w)) PlanFor(w);
+    }
+    if (assembly_.outcome == Outcome::kFound) AddTree();
+    return std::move(assembly_);
+  }
+
+ private:
+  bool IsPlannedFor(int world) const {
+    return std::ranges::any_of(assembly_.plans, [&](const PlanOfWorlds& planned) {
+      return std::ranges::count(planned.worlds, world) > 0;
+    });
+  }
+
+  void PlanFor(int w) {
+    const plan::PlanResult blind = assembly::MakeCertifiedPlan(worlds_[w], planner_, uncertainty_);
+    if (blind.outcome != Outcome::kFound) {
+      assembly_.outcome = blind.outcome;
+      assembly_.conflict = blind.conflict;
+      if (!worlds_[w].open_poses.empty()) {
+        assembly_.conflict.push_back("the world is: " + NameOf(worlds_[w]));
+      }
+      return;
+    }
+    PlanOfWorlds planned = {WorldsOf(blind.plan, w), blind.plan};
+    const auto matter = PosesThatMatter(worlds_, planned.worlds);
+    if (!matter.empty()) {
+      posting::UncertaintyOptions looking = uncertainty_;
+      looking.looks = LooksAt(worlds_[w], matter);
+      planned.plan = assembly::MakeCertifiedPlan(worlds_[w], planner_, looking).plan;
+    }
+    assembly_.errors += planned.plan.errors;
+    assembly_.plans.push_back(std::move(planned));
+  }
+
+  std::vector<int> WorldsOf(const plan::Plan& plan, int made_for) const {
+    std::vector<int> worlds;
+    for (int w = 0; w < std::ssize(worlds_); ++w) {
+      if (w == made_for || (!IsPlannedFor(w) && Works(worlds_[w], plan, uncertainty_))) {
+        worlds.push_back(w);
+      }
+    }
+    return worlds;
+  }
+
+  void AddTree() {
+    assembly_.knowledge = KnowledgeOf(worlds_, assembly_.plans);
+    Budget budget(kKnowledgeStates);
+    contingent::ContingentPlan contingent =
+        contingent::MakePlan(assembly_.knowledge.task, contingent::Wanted::kFirst, budget);
+    assembly_.outcome = contingent.outcome;
+    assembly_.tree = std::move(contingent.tree);
+    if (contingent.outcome != Outcome::kNone) return;
+    for (const domain::OpenPose& open : worlds_.front().open_poses) {
+      assembly_.conflict.push_back(
+          fmt::format("no sensor tells which pose {} has", worlds_.front().part(open.part).name));
+    }
+  }
+
+  const std::vector<domain::Problem>& worlds_;
+  const posting::PlannerOptions& planner_;
+  const posting::UncertaintyOptions& uncertainty_;
+  ContingentAssembly assembly_;
+};
+
+}  // namespace
+
+ContingentAssembly MakeContingentPlan(const std::vector<domain::Problem>& worlds,
+                                      const posting::PlannerOptions& planner,
+                                      const posting::UncertaintyOptions& uncertainty) {
+  ASSAY_CHECK(!worlds.empty());
+  return WorldPlanner(worlds, planner, uncertainty).Plan();
+}
+
+ContingentAssembly AsTree(const domain::Problem& problem, const plan::Plan& plan) {
+  ContingentAssembly assembly;
+  assembly.outcome = Outcome::kFound;
+  assembly.plans = {{.worlds = {0}, .plan = plan}};
+  assembly.errors = plan.errors;
+  assembly.knowledge = KnowledgeOf({problem}, assembly.plans);
+  Budget budget(kKnowledgeStates);
+  assembly.tree =
+      contingent::MakePlan(assembly.knowledge.task, contingent::Wanted::kFirst, budget).tree;
+  return assembly;
+}
+
+}  // namespace assay::assembly

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/assembly/plan_knowledge.h"
+#include "planner/base/outcome.h"
+#include "planner/contingent/plan_tree.h"
+#include "planner/posting/uncertainty_phase.h"
+
+namespace assay::assembly {
+
+// One plan tree for all worlds of a scenario.
+struct ContingentAssembly {
+  Outcome outcome = Outcome::kBudget;
+  std::vector<PlanOfWorlds> plans;  // each world is in one of them
+  PlanKnowledge knowledge;
+  contingent::PlanTree tree;          // at kFound
+  std::vector<std::string> conflict;  // at kNone: what cannot hold together, in which world
+  int errors = 0;                     // steps that could not be proved, in all plans
+};
+
+// Plans for every world by MakeCertifiedPlan, begins these plans with a look at each part whose
+// pose matters, and plans what to find out when (contingent::MakePlan): Spar's uncertainty phase
+// with contingent planning as one of its resolvers. A plan that works as it is in other worlds,
+// too, is theirs as well, so that nobody looks at what does not matter. `worlds`: of
+// domain::ReadWorlds.
+ContingentAssembly MakeContingentPlan(const std::vector<domain::Problem>& worlds,
+                                      const posting::PlannerOptions& planner,
+                                      const posting::UncertaintyOptions& uncertainty);
+
+// For a plan that there is already, of a scenario with one world: its verifications and recoveries
+// as branches.
+ContingentAssembly AsTree(const domain::Problem& problem, const plan::Plan& plan);
+
+}  // namespace assay::assembly

@@ -1,0 +1,306 @@
+#include "planner/assembly/plan_knowledge.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ranges>
+#include <set>
+
+#include "planner/base/check.h"
+#include "planner/contingent/grounding.h"
+#include "planner/contingent/pks_file.h"
+
+namespace assay::assembly {
+namespace {
+
+using domain::PartId;
+using Kind = KnowledgeAction::Kind;
+
+constexpr const char* kErrorFunctions[] = {"dx", "dy", "theta"};
+
+std::array<Interval, 3> Coordinates(const domain::PoseError& error) {
+  return {error.x, error.y, error.theta};
+}
+
+std::string Text(const Interval& interval) {
+  return fmt::format("[{}, {}]", interval.low, interval.high);
+}
+
+std::string Both(const std::vector<std::string>& queries) {
+  return queries.empty() ? "true" : fmt::format("{}", fmt::join(queries, " & "));
+}
+
+// The errors that the verifications of a step may signal, each once.
+std::vector<std::string> ErrorsAfter(const plan::Plan& plan, plan::StepId step) {
+  std::vector<std::string> errors;
+  for (const plan::Verification& check : plan.verifications) {
+    if (check.step != step) continue;
+    for (const std::string& error : {check.below, check.above}) {
+      if (!error.empty() && std::ranges::count(errors, error) == 0) errors.push_back(error);
+    }
+  }
+  return errors;
+}
+
+// None that could mend anything: only a person is left.
+bool IsForOperator(const plan::Plan& plan, plan::StepId step, const std::string& error) {
+  return std::ranges::none_of(plan.recoveries, [&](const plan::Recovery& recovery) {
+    return recovery.step == step && recovery.error == error &&
+           recovery.strategy != domain::RecoveryStrategy::kCallOperator;
+  });
+}
+
+const domain::OpenPose& OpenPoseOf(const domain::Problem& world, PartId part) {
+  return *std::ranges::find(world.open_poses, part, &domain::OpenPose::part);
+}
+
+// Whether the worlds have the same poses of all parts but one.
+bool AgreeBeside(const domain::Problem& a, const domain::Problem& b, PartId part) {
+  return std::ranges::all_of(a.open_poses, [&](const domain::OpenPose& open) {
+    return open.part == part || open.chosen == OpenPoseOf(b, open.part).chosen;
+  });
+}
+
+bool Matters(const std::vector<domain::Problem>& worlds, const std::vector<int>& of_plan,
+             PartId part) {
+  for (const int world : of_plan) {
+    for (int other = 0; other < std::ssize(worlds); ++other) {
+      if (std::ranges::count(of_plan, other) > 0) continue;
+      if (AgreeBeside(worlds[world], worlds[other], part)) return true;
+    }
+  }
+  return false;
+}
+
+// Writes domain and problem.
+class KnowledgeText {
+ public:
+  KnowledgeText(const std::vector<domain::Problem>& worlds, const std::vector<PlanOfWorlds>& plans)
+      : first_(worlds.front()), worlds_(worlds), plans_(plans) {
+    for (const domain::OpenPose& open : first_.open_poses) AddLooks(open);
+    for (std::size_t p = 0; p < plans.size(); ++p) AddPlan(static_cast<int>(p));
+  }
+
+  std::string Domain() const {
+    return fmt::format(
+        "# What is known while plans for the scenario {0} are executed.\n"
+        "domain {0}\n\n"
+        "types: part, pose, step, error\n"
+        "predicates: done(step), wentWell(step), signals(step, error), operatorCalled\n"
+        "functions: pose(part): pose, dx(part): number, dy(part): number, theta(part): number\n"
+        "constants: {1}\n{2}",
+        first_.name, Constants(), actions_text_);
+  }
+
+  // A person who takes over is an end, too.
+  std::string Problem() const {
+    return fmt::format(
+        "problem {0}\ndomain {0}\n\ninit: {1}\ngoal: {2} |\n      K(operatorCalled)\n", first_.name,
+        fmt::join(init_, ",\n      "), fmt::join(goals_, " |\n      "));
+  }
+
+  std::map<std::string, KnowledgeAction> Actions() { return std::move(actions_); }
+
+ private:
+  void AddAction(const std::string& name, KnowledgeAction action, const std::string& precondition,
+                 const std::string& effects) {
+    actions_text_ +=
+        fmt::format("\naction {}\n  preconds: {}\n  effects: {}\n", name, precondition, effects);
+    actions_.emplace(name, std::move(action));
+  }
+
+  void AddLooks(const domain::OpenPose& open) {
+    const domain::Part& part = first_.part(open.part);
+    constants_["part"].insert(part.name);
+    constants_["pose"].insert(open.names.begin(), open.names.end());
+    std::vector<std::string> alternatives;
+    for (const std::string& name : open.names) {
+      alternatives.push_back(fmt::format("pose({}) = {}", part.name, name));
+    }
+    init_.push_back(fmt::format("add(Kx, {})", fmt::join(alternatives, " | ")));
+    const auto errors = Coordinates(part.error);
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      init_.push_back(
+          fmt::format("add(Kf, {}({}) = {})", kErrorFunctions[i], part.name, Text(errors[i])));
+    }
+    for (const std::string& sensor : first_.sensors) AddLook(part.name, open.part, sensor);
+  }
+
+  void AddLook(const std::string& part, PartId id, const std::string& sensor) {
+    std::string effects = fmt::format("add(Kv, pose({}))", part);
+    for (const auto& [function, half_width] : PromisesOf(sensor)) {
+      effects += fmt::format(", add(Kv, {}({}) within {})", function, part, half_width);
+    }
+    AddAction(fmt::format("look-{}-{}", part, sensor),
+              {.kind = Kind::kLook, .part = id, .sensor = sensor},
+              fmt::format("!Kv(pose({}))", part), effects);
+  }
+
+  void AddPlan(int index) {
+    const plan::Plan& plan = plans_[index].plan;
+    std::string ready = Both(Requirements(index));
+    const std::size_t looks = FirstLooks(plan).size();
+    for (const plan::StepId id : plan.ExecutionOrder() | std::views::drop(looks)) {
+      const std::string step = fmt::format("plan{}-{}", index + 1, plan.step(id).name);
+      constants_["step"].insert(step);
+      const KnowledgeAction meaning = {.kind = Kind::kStep, .plan = index, .step = id};
+      const std::vector<std::string> errors = ErrorsAfter(plan, id);
+      AddAction(step, meaning, fmt::format("{} & !K(done({}))", ready, step),
+                fmt::format("add(Kf, done({}))", step));
+      ready = fmt::format("K(done({}))", step);
+      if (errors.empty()) continue;
+      AddVerification(step, meaning, errors);
+      ready += fmt::format(" & K(wentWell({}))", step);
+    }
+    goals_.push_back(ready);
+  }
+
+  // A verification tells whether the step went well, and if not, which error it signals: asked one
+  // after another, the last known by elimination. A recovery leaves all of this as open as before.
+  void AddVerification(const std::string& step, const KnowledgeAction& meaning,
+                       const std::vector<std::string>& errors) {
+    constants_["error"].insert(errors.begin(), errors.end());
+    AddAction("verify-" + step, WithKind(Kind::kVerify, meaning),
+              fmt::format("K(done({0})) & !Kw(wentWell({0}))", step),
+              fmt::format("add(Kw, wentWell({}))", step));
+    std::string so_far = fmt::format("K(!wentWell({}))", step);
+    for (const std::string& error : errors) {
+      std::string signalled = so_far;
+      if (error != errors.back()) {
+        AddAction(fmt::format("diagnose-{}-{}", step, error),
+                  WithKind(Kind::kDiagnose, meaning, error),
+                  fmt::format("{} & !Kw(signals({}, {}))", so_far, step, error),
+                  fmt::format("add(Kw, signals({}, {}))", step, error));
+        signalled += fmt::format(" & K(signals({}, {}))", step, error);
+        so_far += fmt::format(" & K(!signals({}, {}))", step, error);
+      }
+      AddRecovery(step, meaning, error, signalled, ForgetOutcome(step, errors));
+    }
+  }
+
+  void AddRecovery(const std::string& step, const KnowledgeAction& meaning,
+                   const std::string& error, const std::string& signalled,
+                   const std::string& forget) {
+    const bool is_last_resort = IsForOperator(plans_[meaning.plan].plan, meaning.step, error);
+    AddAction(fmt::format("{}-{}-{}", is_last_resort ? "call-operator" : "recover", step, error),
+              WithKind(is_last_resort ? Kind::kOperator : Kind::kRecover, meaning, error),
+              signalled, is_last_resort ? "add(Kf, operatorCalled)" : forget);
+  }
+
+  static KnowledgeAction WithKind(Kind kind, KnowledgeAction action, std::string error = {}) {
+    action.kind = kind;
+    action.error = std::move(error);
+    return action;
+  }
+
+  static std::string ForgetOutcome(const std::string& step,
+                                   const std::vector<std::string>& errors) {
+    std::string effects = fmt::format("del(Kf, wentWell({}))", step);
+    for (const std::string& error : errors) {
+      if (error == errors.back()) break;
+      effects += fmt::format(", del(Kf, signals({}, {}))", step, error);
+    }
+    return effects;
+  }
+
+  // What must be known before a plan: in which of its worlds one is, as far as it matters, and what
+  // its certificates take for granted of the parts that it looks at first.
+  std::vector<std::string> Requirements(int index) const {
+    std::vector<std::string> requirements;
+    const std::vector<domain::OpenPose> matter = PosesThatMatter(worlds_, plans_[index].worlds);
+    std::set<std::string> cases;
+    for (const int world : plans_[index].worlds) {
+      std::vector<std::string> facts;
+      for (const domain::OpenPose& open : matter) {
+        const domain::OpenPose& here = OpenPoseOf(worlds_[world], open.part);
+        facts.push_back(
+            fmt::format("K(pose({}) = {})", first_.part(open.part).name, open.names[here.chosen]));
+      }
+      cases.insert(Both(facts));
+    }
+    if (!matter.empty()) requirements.push_back(fmt::format("({})", fmt::join(cases, " | ")));
+    const plan::Plan& plan = plans_[index].plan;
+    for (const plan::StepId id : FirstLooks(plan)) {
+      AddPrecision(std::get<plan::Sense>(plan.step(id).action), requirements);
+    }
+    return requirements;
+  }
+
+  void AddPrecision(const plan::Sense& look, std::vector<std::string>& requirements) const {
+    for (const auto& [function, half_width] : PromisesOf(look.sensor)) {
+      requirements.push_back(
+          fmt::format("Kv({}({}) within {})", function, first_.part(look.part).name, half_width));
+    }
+  }
+
+  // What a sensor makes known: half the width of the interval of a part's error.
+  std::vector<std::pair<const char*, double>> PromisesOf(const std::string& sensor) const {
+    const auto* model = first_.workcell->uncertainty_operations().FindSensor(sensor);
+    ASSAY_CHECK(model != nullptr, "the workcell has no sensor '{}'", sensor);
+    std::vector<std::pair<const char*, double>> promises;
+    for (const auto& [function, promise] :
+         {std::pair(kErrorFunctions[0], model->x), std::pair(kErrorFunctions[1], model->y),
+          std::pair(kErrorFunctions[2], model->theta)}) {
+      const double half_width = (promise.high - promise.low) / 2;
+      if (std::isfinite(half_width)) promises.emplace_back(function, half_width);
+    }
+    return promises;
+  }
+
+  std::string Constants() const {
+    std::vector<std::string> lists;
+    for (const auto& [type, names] : constants_) {
+      lists.push_back(fmt::format("{}: {}", fmt::join(names, ", "), type));
+    }
+    return fmt::format("{}", fmt::join(lists, ",\n           "));
+  }
+
+  const domain::Problem& first_;
+  const std::vector<domain::Problem>& worlds_;
+  const std::vector<PlanOfWorlds>& plans_;
+  std::map<std::string, std::set<std::string>> constants_;  // by type
+  std::string actions_text_;
+  std::vector<std::string> init_;
+  std::vector<std::string> goals_;
+  std::map<std::string, KnowledgeAction> actions_;
+};
+
+}  // namespace
+
+std::vector<domain::OpenPose> PosesThatMatter(const std::vector<domain::Problem>& worlds,
+                                              const std::vector<int>& of_plan) {
+  std::vector<domain::OpenPose> matter = worlds.front().open_poses;
+  std::erase_if(matter,
+                [&](const domain::OpenPose& open) { return !Matters(worlds, of_plan, open.part); });
+  return matter;
+}
+
+std::vector<plan::StepId> FirstLooks(const plan::Plan& plan) {
+  std::vector<plan::StepId> looks;
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    if (!std::holds_alternative<plan::Sense>(plan.step(id).action)) break;
+    looks.push_back(id);
+  }
+  return looks;
+}
+
+PlanKnowledge KnowledgeOf(const std::vector<domain::Problem>& worlds,
+                          const std::vector<PlanOfWorlds>& plans) {
+  ASSAY_CHECK(!worlds.empty());
+  KnowledgeText text(worlds, plans);
+  PlanKnowledge knowledge;
+  knowledge.domain = text.Domain();
+  knowledge.problem = text.Problem();
+  contingent::Externs externs;
+  const std::string& name = worlds.front().name;
+  knowledge.task = contingent::Ground(
+      contingent::ReadPksDomain(knowledge.domain, name + "-domain.pks"),
+      contingent::ReadPksProblem(knowledge.problem, name + "-problem.pks"), externs);
+  knowledge.actions = text.Actions();
+  return knowledge;
+}
+
+}  // namespace assay::assembly
