@@ -15,16 +15,6 @@ namespace {
 
 constexpr std::int64_t kKnowledgeStates = 1'000'000;
 
-// "peg standing, block on-back": what tells the world from the others.
-std::string NameOf(const domain::Problem& world) {
-  std::string name;
-  for (const domain::OpenPose& open : world.open_poses) {
-    if (!name.empty()) name += ", ";
-    name += fmt::format("{} {}", world.part(open.part).name, open.names[open.chosen]);
-  }
-  return name;
-}
-
 // A look at each of the parts, by the first sensor that may be used.
 std::vector<plan::Sense> LooksAt(const domain::Problem& world,
                                  const std::vector<domain::OpenPose>& parts) {
@@ -133,6 +123,15 @@ class WorldPlanner {
 };
 
 }  // namespace
+
+std::string NameOf(const domain::Problem& world) {
+  std::string name;
+  for (const domain::OpenPose& open : world.open_poses) {
+    if (!name.empty()) name += ", ";
+    name += fmt::format("{} {}", world.part(open.part).name, open.names[open.chosen]);
+  }
+  return name;
+}
 
 ContingentAssembly MakeContingentPlan(const std::vector<domain::Problem>& worlds,
                                       const posting::PlannerOptions& planner,

@@ -21,6 +21,9 @@ struct ContingentAssembly {
   int errors = 0;                     // steps that could not be proved, in all plans
 };
 
+// "peg standing, block on-back": what tells the world from the others.
+std::string NameOf(const domain::Problem& world);
+
 // Plans for every world by MakeCertifiedPlan, begins these plans with a look at each part whose
 // pose matters, and plans what to find out when (contingent::MakePlan): Spar's uncertainty phase
 // with contingent planning as one of its resolvers. A plan that works as it is in other worlds,

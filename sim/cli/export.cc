@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 
+#include "planner/assembly/contingent_assembly.h"
 #include "planner/contingent/grounding.h"
 #include "planner/contingent/pddl_text.h"
 #include "planner/contingent/task_file.h"
@@ -11,6 +12,7 @@
 #include "sim/cli/dot.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_text.h"
+#include "sim/cli/plan_tree_report.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
@@ -29,6 +31,7 @@ struct Options {
   bool network = false;
   bool contacts = false;
   bool commands = false;
+  bool pks = false;
   std::filesystem::path pddl;  // the problem of the domain `input`
 };
 
@@ -103,6 +106,21 @@ ExitCode ExportPddl(const Options& options) {
   return ExitCode::kDone;
 }
 
+// Likewise NAME-domain.pks and NAME-problem.pks: what `assay know` would plan with.
+ExitCode ExportPks(const Options& options) {
+  const std::vector<domain::Problem> worlds = LoadWorlds(options.input, options.models);
+  const assembly::ContingentAssembly assembly = assembly::MakeContingentPlan(worlds, {}, {});
+  if (assembly.knowledge.domain.empty()) {
+    Print(Text(worlds, assembly));
+  } else if (options.output.empty()) {
+    Print(assembly.knowledge.domain + "\n" + assembly.knowledge.problem);
+  } else {
+    WriteFile(options.output.string() + "-domain.pks", assembly.knowledge.domain);
+    WriteFile(options.output.string() + "-problem.pks", assembly.knowledge.problem);
+  }
+  return ExitCodeOf(assembly.outcome);
+}
+
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command
@@ -118,12 +136,16 @@ Execution Declare(CLI::App& command) {
   what->add_flag("--commands", options->commands, "what the robot is told, command by command");
   what->add_option("--pddl", options->pddl,
                    "this contingent problem of a domain, and the domain, as contingent PDDL");
+  what->add_flag("--pks", options->pks,
+                 "what is known while the scenario's plans are executed: looks, verifications and "
+                 "recoveries as domain and problem for assay know");
   what->require_option(1);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);
   return [options] {
     if (!options->pddl.empty()) return ExportPddl(*options);
+    if (options->pks) return ExportPks(*options);
     RequireWritable(options->output);
     if (options->mjcf) return ExportMjcf(*options);
     if (options->contacts) return ExportContacts(*options);

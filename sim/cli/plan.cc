@@ -8,13 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "planner/assembly/contingent_assembly.h"
 #include "planner/plan/plan_file.h"
 #include "sim/cli/console.h"
 #include "sim/cli/explanation.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_report.h"
 #include "sim/cli/plan_text.h"
+#include "sim/cli/plan_tree_report.h"
 #include "sim/cli/planned_problem.h"
+#include "sim/cli/progress.h"
 #include "sim/cli/resolver_option.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/usage_error.h"
@@ -32,6 +35,7 @@ struct Options {
   bool json = false;
   bool trace = false;
   bool check = false;
+  bool tree = false;
   int instances = 1;
   std::int64_t budget = posting::PlannerOptions().partial_plans;
   std::string propagation = "sound";
@@ -49,15 +53,18 @@ posting::PlannerOptions PlannerOptionsFrom(const Options& options) {
   return planner;
 }
 
+posting::UncertaintyOptions UncertaintyOptionsFrom(const Options& options) {
+  return {.propagation = options.propagation == "paper" ? uncertainty::Propagation::kPaper
+                                                        : uncertainty::Propagation::kSound};
+}
+
 // A plan file is shown as it is.
 PlannedProblem LoadOrMakePlan(const Options& options) {
   const Document document = Document::Load(options.input);
   if (!IsPlanFile(document)) {
-    return MakePlan(
-        options.input, options.models, PlannerOptionsFrom(options),
-        {.propagation = options.propagation == "paper" ? uncertainty::Propagation::kPaper
-                                                       : uncertainty::Propagation::kSound},
-        {.resolvers = ResolversFrom(options.resolvers)});
+    return MakePlan(options.input, options.models, PlannerOptionsFrom(options),
+                    UncertaintyOptionsFrom(options),
+                    {.resolvers = ResolversFrom(options.resolvers)});
   }
   for (const CLI::Option* option : options.of_planning) {
     if (option->count() == 0) continue;
@@ -132,8 +139,41 @@ std::string ForPeople(const PlannedProblem& planned, const std::vector<plan::Pla
   return text;
 }
 
+void RequireTreeOptions(const Options& options) {
+  if (!options.explain && !options.check && options.instances == 1 && options.output.empty())
+    return;
+  throw UsageError(
+      "a plan tree is printed, with --json for programs: --explain, --check, --instances and "
+      "--output are for plans of one world (see assay plan --help)");
+}
+
+ExitCode ExecuteTree(const std::vector<domain::Problem>& worlds, const Options& options) {
+  RequireTreeOptions(options);
+  const Stopwatch stopwatch;
+  const assembly::ContingentAssembly assembly = [&] {
+    const Progress progress("planning " + worlds.front().name);
+    return assembly::MakeContingentPlan(worlds, PlannerOptionsFrom(options),
+                                        UncertaintyOptionsFrom(options));
+  }();
+  Json json = ToJson(worlds, assembly);
+  json["seconds"] = stopwatch.Seconds();
+  Print(options.json ? json.dump(2) + "\n" : Text(worlds, assembly));
+  return ExitCodeOf(assembly.outcome);
+}
+
+// One where no pose is open, and where the input is a plan file.
+std::vector<domain::Problem> WorldsIn(const Options& options) {
+  if (IsPlanFile(Document::Load(options.input))) return {};
+  return LoadWorlds(options.input, options.models, {.resolvers = ResolversFrom(options.resolvers)});
+}
+
 ExitCode Execute(const Options& options) {
   RequireWritable(options.output);
+  const std::vector<domain::Problem> worlds = WorldsIn(options);
+  if (worlds.size() > 1 || options.tree) {
+    if (worlds.empty()) throw UsageError("--tree is for scenarios (see assay plan --help)");
+    return ExecuteTree(worlds, options);
+  }
   const Stopwatch stopwatch;
   const PlannedProblem planned = LoadOrMakePlan(options);
   const double seconds = stopwatch.Seconds();
@@ -195,6 +235,8 @@ Execution Declare(CLI::App& command) {
       ->excludes(json);
   command.add_flag("--check", options->check,
                    "check the plan with the independent checker, and its certificates");
+  command.add_flag("--tree", options->tree,
+                   "print the plan as a tree: verifications branch, recoveries repeat");
   DeclarePlanning(command, *options);
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

@@ -35,6 +35,13 @@ scenario::Scenario LoadScenario(const fs::path& file, const fs::path& models,
   return scenario::Load(file, models.empty() ? scenario::FindModels(file) : models, overrides);
 }
 
+std::vector<domain::Problem> LoadWorlds(const fs::path& file, const fs::path& models,
+                                        const scenario::Overrides& overrides) {
+  if (models.empty()) Document::Load(file);
+  return scenario::LoadWorlds(file, models.empty() ? scenario::FindModels(file) : models,
+                              overrides);
+}
+
 PlannedProblem LoadPlan(const Document& plan_file, const fs::path& file, const fs::path& models) {
   const fs::path path = FindScenario(plan::ScenarioOf(plan_file), file);
   scenario::Scenario scenario = LoadScenario(path, models);

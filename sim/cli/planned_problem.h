@@ -29,6 +29,11 @@ scenario::Scenario LoadScenario(const std::filesystem::path& file,
                                 const std::filesystem::path& models,
                                 const scenario::Overrides& overrides = {});
 
+// The problems of all worlds that a scenario allows (domain::ReadWorlds).
+std::vector<domain::Problem> LoadWorlds(const std::filesystem::path& file,
+                                        const std::filesystem::path& models,
+                                        const scenario::Overrides& overrides = {});
+
 // A plan file, with the problem in the scenario that it names: a path from the working directory
 // or, if there is no such file, from the plan file's folder.
 PlannedProblem LoadPlan(const Document& plan_file, const std::filesystem::path& file,

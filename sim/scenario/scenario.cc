@@ -1,5 +1,7 @@
 #include "sim/scenario/scenario.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -48,6 +50,18 @@ Simulation ReadSimulation(const Value& root) {
   return simulation;
 }
 
+// For those who plan for one world: open poses are told apart by looking, and a plan is a tree.
+void RequireKnownPoses(const Document& document, const domain::Problem& problem,
+                       const Overrides& overrides) {
+  for (const domain::OpenPose& open : problem.open_poses) {
+    const std::string& name = problem.part(open.part).name;
+    if (overrides.poses.contains(name)) continue;
+    document.root().At("parts").At(name).At("pose").Fail(
+        fmt::format("the pose of '{}' is open, and this is about one world", name),
+        "a pose; or assay plan and assay enact, which make and walk a tree for all worlds");
+  }
+}
+
 }  // namespace
 
 Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models,
@@ -55,7 +69,15 @@ Scenario Load(const std::filesystem::path& file, const std::filesystem::path& mo
   const Document document = Document::Load(file);
   document.RequireFormat("assay-scenario/1");
   Simulation simulation = ReadSimulation(document.root());
-  return {domain::ReadProblem(document, RequireModels(models), overrides), std::move(simulation)};
+  domain::Problem problem = domain::ReadProblem(document, RequireModels(models), overrides);
+  RequireKnownPoses(document, problem, overrides);
+  return {std::move(problem), std::move(simulation)};
+}
+
+std::vector<domain::Problem> LoadWorlds(const std::filesystem::path& file,
+                                        const std::filesystem::path& models,
+                                        const Overrides& overrides) {
+  return domain::ReadWorlds(Document::Load(file), RequireModels(models), overrides);
 }
 
 Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {

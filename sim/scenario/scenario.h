@@ -33,5 +33,10 @@ Scenario Load(const std::filesystem::path& file, const std::filesystem::path& mo
 using domain::Overrides;
 Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models,
               const Overrides& overrides);
+// The problems alone, one for each world (domain::ReadWorlds). The others throw InputError if a
+// pose is open.
+std::vector<domain::Problem> LoadWorlds(const std::filesystem::path& file,
+                                        const std::filesystem::path& models,
+                                        const Overrides& overrides);
 
 }  // namespace assay::scenario
