@@ -139,23 +139,42 @@ class KnowledgeText {
               fmt::format("!Kv(pose({}))", part), effects);
   }
 
+  // What is known is known of the present: of a step that the next one has gone beyond, and of a
+  // pose from which the part was taken, nothing is claimed any more.
   void AddPlan(int index) {
     const plan::Plan& plan = plans_[index].plan;
     std::string ready = Both(Requirements(index));
+    std::string past;
     const std::size_t looks = FirstLooks(plan).size();
     for (const plan::StepId id : plan.ExecutionOrder() | std::views::drop(looks)) {
       const std::string step = fmt::format("plan{}-{}", index + 1, plan.step(id).name);
       constants_["step"].insert(step);
-      const KnowledgeAction meaning = {.kind = Kind::kStep, .plan = index, .step = id};
-      const std::vector<std::string> errors = ErrorsAfter(plan, id);
+      const KnowledgeAction meaning = {
+          .kind = Kind::kStep, .plan = index, .step = id, .name = step};
       AddAction(step, meaning, fmt::format("{} & !K(done({}))", ready, step),
-                fmt::format("add(Kf, done({}))", step));
+                fmt::format("add(Kf, done({})){}{}", step, past, ForgottenPose(plan.step(id))));
       ready = fmt::format("K(done({}))", step);
+      past.clear();
+      const std::vector<std::string> errors = ErrorsAfter(plan, id);
       if (errors.empty()) continue;
       AddVerification(step, meaning, errors);
       ready += fmt::format(" & K(wentWell({}))", step);
+      past = fmt::format(", del(Kf, wentWell({}))", step);
     }
     goals_.push_back(ready);
+  }
+
+  std::string ForgottenPose(const plan::PlannedStep& step) const {
+    const auto* pickup = std::get_if<plan::Pickup>(&step.action);
+    if (pickup == nullptr) return {};
+    std::string effects;
+    for (const domain::OpenPose& open : first_.open_poses) {
+      if (open.part != pickup->part) continue;
+      for (const std::string& name : open.names) {
+        effects += fmt::format(", del(Kf, pose({}) = {})", first_.part(open.part).name, name);
+      }
+    }
+    return effects;
   }
 
   // A verification tells whether the step went well, and if not, which error it signals: asked one

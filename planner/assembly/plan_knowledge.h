@@ -32,6 +32,7 @@ struct KnowledgeAction {
   std::string sensor = {};
   int plan = -1;  // of the others
   plan::StepId step = plan::StepId::None();
+  std::string name = {};   // of the step, as the task has it
   std::string error = {};  // of kDiagnose, kRecover and kOperator
 };
 

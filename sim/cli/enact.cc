@@ -22,6 +22,7 @@
 #include "sim/cli/trial.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
+#include "sim/enact/plan_interpretation.h"
 
 namespace assay::cli {
 namespace {
@@ -111,7 +112,9 @@ class Enacting {
   // With --worlds all the trials go through the leaves in turn.
   enact::HiddenWorld WorldOf(int number) const {
     RandomStream random(seed_, fmt::format("hidden world {}", number));
-    if (reachable_.empty()) return enact::DrawnWorld(scenario_.interpretation.hidden, random);
+    if (reachable_.empty())
+      return enact::DrawnWorld(scenario_.interpretation.hidden,
+                               scenario_.interpretation.WorldCount(), random);
     const std::size_t leaf = reachable_[static_cast<std::size_t>(number - 1) % reachable_.size()];
     return *WorldFor(leaf, random);
   }
@@ -160,13 +163,23 @@ ExitCode Refuse(Outcome outcome, const Options& options) {
   return ExitCodeOf(outcome);
 }
 
+// Plans of assemblies have their tree already.
+contingent::ContingentPlan PlanOf(const enact::Interpretation& interpretation) {
+  if (interpretation.planned) {
+    contingent::ContingentPlan plan;
+    plan.outcome = interpretation.planned->assembly.outcome;
+    plan.tree = interpretation.planned->assembly.tree;
+    return plan;
+  }
+  Budget budget(kBudget);
+  return MakePlan(interpretation.task, contingent::Wanted::kFirst, budget);
+}
+
 ExitCode Execute(const Options& options) {
   if (!options.pictures.empty()) MakeFolder(options.pictures);
   const KnowledgeScenario scenario =
       enact::Load(options.scenario, FindModels(options.models, options.scenario));
-  Budget budget(kBudget);
-  const contingent::ContingentPlan plan =
-      MakePlan(scenario.interpretation.task, contingent::Wanted::kFirst, budget);
+  const contingent::ContingentPlan plan = PlanOf(scenario.interpretation);
   if (plan.outcome != Outcome::kFound) return Refuse(plan.outcome, options);
   return Enacting(options, scenario, plan.tree).Execute();
 }

@@ -6,10 +6,12 @@
 #include <numbers>
 
 #include "planner/domain/resting.h"
+#include "sim/enact/plan_interpretation.h"
 #include "sim/enact/tilt_watch.h"
 #include "sim/exec/action_commands.h"
 #include "sim/exec/executor.h"
 #include "sim/noise/sampling.h"
+#include "sim/sense/overhead_camera.h"
 
 namespace assay::enact {
 namespace {
@@ -21,12 +23,12 @@ constexpr double kRest = 0.5;  // seconds, at the end
 class Trial {
  public:
   Trial(const KnowledgeScenario& scenario, const TrialWorld& trial, const TrialSettings& settings)
-      : problem_(scenario.scenario.problem),
-        interpretation_(scenario.interpretation),
+      : interpretation_(scenario.interpretation),
+        problem_(ProblemOf(scenario, trial.world)),
         settings_(settings),
         random_(settings.seed, fmt::format("enactment {}", trial.number)),
-        noise_(noise::Sample(noise::ErrorBox(problem_, {}), noise::Mode::kUniform, settings.seed,
-                             trial.number)),
+        noise_(noise::Sample(noise::ErrorBox(problem_, PlanOf(trial.world)), noise::Mode::kUniform,
+                             settings.seed, trial.number)),
         scene_(problem_, TrueScene(scenario.scenario.simulation.scene, trial.world)),
         data_(exec::StartOf(problem_, scene_, noise_)),
         tilts_(scene_, data_),
@@ -38,13 +40,19 @@ class Trial {
 
   EnactedTrial Run(const contingent::PlanTree& tree) {
     if (settings_.on_step_end) settings_.on_step_end({"", scene_, data_});
+    std::optional<sense::OverheadCamera> camera;
+    if (!problem_.open_poses.empty()) options_.sensor = &camera.emplace(scene_, problem_);
     Crew crew(problem_, scene_, data_, options_);
     Readings readings;
     std::optional<sense::ColorSensor> color_sensor;
     if (!interpretation_.colors.empty()) {
       color_sensor.emplace(scene_, problem_, interpretation_.colors);
     }
-    Situation situation{crew, readings, random_, color_sensor ? &*color_sensor : nullptr};
+    Situation situation{.crew = crew,
+                        .readings = readings,
+                        .sensor_noise = random_,
+                        .color_sensor = color_sensor ? &*color_sensor : nullptr,
+                        .pose_sensor = options_.sensor};
     WalkOptions walk{.sensing_errors = settings_.sensing_errors, .random = &random_};
     if (settings_.on_step_end) {
       walk.on_step_end = [this](const WalkedStep& step) {
@@ -60,6 +68,16 @@ class Trial {
   }
 
  private:
+  static const domain::Problem& ProblemOf(const KnowledgeScenario& scenario,
+                                          const HiddenWorld& world) {
+    const PlannedWorlds* const planned = scenario.interpretation.planned.get();
+    return planned == nullptr ? scenario.scenario.problem : planned->worlds[world.world];
+  }
+
+  plan::Plan PlanOf(const HiddenWorld& world) const {
+    return interpretation_.planned ? *interpretation_.planned->PlanOf(world.world) : plan::Plan{};
+  }
+
   scene::SceneOptions TrueScene(scene::SceneOptions options, const HiddenWorld& world) const {
     options.part_masses = world.masses;
     for (const auto& [part, color] : world.colors) {
@@ -82,10 +100,13 @@ class Trial {
 
   void Measure() {
     const Truth truth{problem_, scene_, data_};
-    result_.is_goal_true = Audit(interpretation_, problem_).IsGoalTrue(truth);
+    result_.is_goal_true = interpretation_.planned
+                               ? AreGoalsTrue(truth)
+                               : Audit(interpretation_, problem_).IsGoalTrue(truth);
     for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
       const PartId part(i);
       MeasureTilt(truth, part);
+      if (interpretation_.planned) continue;  // plans turn parts
       const bool is_held = IsHeld(part);
       const exec::Pose X_WorldPart = scene_.TruePose(data_, part);
       if (!is_held && StablePoseAt(problem_.part(part), X_WorldPart) != problem_.part(part).resting)
@@ -137,8 +158,8 @@ class Trial {
                        claim.claimed, claim.is_true);
   }
 
-  const domain::Problem& problem_;
   const Interpretation& interpretation_;
+  const domain::Problem& problem_;
   const TrialSettings& settings_;
   RandomStream random_;
   noise::Noise noise_;

@@ -64,8 +64,9 @@ void DrawPart(PartId part, const HiddenKinds& kinds, RandomStream& random, Hidde
   }
 }
 
-HiddenWorld DrawnWorld(const HiddenParts& parts, RandomStream& random) {
+HiddenWorld DrawnWorld(const HiddenParts& parts, int worlds, RandomStream& random) {
   HiddenWorld world;
+  if (worlds > 1) world.world = random.Index(worlds);
   for (const auto& [part, kinds] : parts) DrawPart(part, kinds, random, world);
   return world;
 }

@@ -17,6 +17,7 @@ using domain::PartId;
 struct HiddenWorld {
   std::map<PartId, double> masses;  // kg
   std::map<PartId, sense::ColorId> colors;
+  int world = 0;  // of the scenario's worlds (domain::ReadWorlds): which poses are the true ones
 };
 
 // What may be hidden in a part; an empty list: nothing of that sort.
@@ -38,6 +39,7 @@ sense::ColorId ReadColorName(const Value& name, const std::vector<sense::NamedCo
 
 // A kind, each as likely, and a mass within it: what is hidden in one part, or in all.
 void DrawPart(PartId part, const HiddenKinds& kinds, RandomStream& random, HiddenWorld& world);
-HiddenWorld DrawnWorld(const HiddenParts& parts, RandomStream& random);
+// `worlds`: how many the scenario has.
+HiddenWorld DrawnWorld(const HiddenParts& parts, int worlds, RandomStream& random);
 
 }  // namespace assay::enact

@@ -10,6 +10,7 @@
 #include "planner/contingent/grounding.h"
 #include "planner/contingent/task_file.h"
 #include "planner/motion/part_reach.h"
+#include "sim/enact/plan_interpretation.h"
 
 namespace assay::enact {
 namespace {
@@ -166,7 +167,27 @@ class KnowledgeFile {
   Interpretation read_;
 };
 
+// A scenario without the key `knowledge`: what is to be known are its open poses, and whether steps
+// of its plans went well.
+KnowledgeScenario LoadPlanned(const Document& document, const std::filesystem::path& file,
+                              const std::filesystem::path& models) {
+  auto planned = std::make_shared<PlannedWorlds>();
+  planned->worlds = domain::ReadWorlds(document, models, {});
+  planned->assembly = assembly::MakeContingentPlan(planned->worlds, {}, {});
+  scenario::Overrides first;
+  for (const domain::OpenPose& open : planned->worlds.front().open_poses) {
+    first.poses[planned->worlds.front().part(open.part).name] = 0;
+  }
+  KnowledgeScenario loaded{.scenario = scenario::Load(file, models, first), .interpretation = {}};
+  loaded.interpretation = InterpretationOf(std::move(planned));
+  return loaded;
+}
+
 }  // namespace
+
+int Interpretation::WorldCount() const {
+  return planned ? static_cast<int>(planned->worlds.size()) : 1;
+}
 
 const Meaning* Interpretation::MeaningOf(contingent::AtomId atom) const {
   return meanings.at(task.ground_atoms[atom.index()].symbol).get();
@@ -179,6 +200,7 @@ bool Interpretation::CanSpill(const Truth& truth, PartId part) const {
 KnowledgeScenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {
   const Document document = Document::Load(file);
   document.RequireFormat("assay-scenario/1");
+  if (!document.root().Find("knowledge")) return LoadPlanned(document, file, models);
   KnowledgeScenario loaded{.scenario = scenario::Load(file, models), .interpretation = {}};
   loaded.interpretation = KnowledgeFile(document.root(), loaded.scenario.problem).Take();
   return loaded;

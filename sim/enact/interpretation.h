@@ -21,6 +21,8 @@ struct Spill {
   double beyond = 0;  // radians
 };
 
+struct PlannedWorlds;
+
 // A problem of contingent planning, and what its words are in a workcell: which skill each action
 // is, what each predicate means. Symbols are the names of parts and tables.
 struct Interpretation {
@@ -31,7 +33,10 @@ struct Interpretation {
   std::vector<sense::NamedColor> colors;                           // that can be told
   HiddenParts hidden;
   std::optional<Spill> spill;
+  // Of plans of assemblies (plan_interpretation.h); else null.
+  std::shared_ptr<const PlannedWorlds> planned = nullptr;
 
+  int WorldCount() const;  // of the scenario: 1 unless poses are open
   // Of an atom; null if it is internal.
   const Meaning* MeaningOf(contingent::AtomId atom) const;
   // A part of which the predicate `spill` is true, in the simulator.

@@ -102,6 +102,13 @@ std::optional<HiddenWorld> WorldFor(const Leaf& leaf, const Interpretation& inte
     const auto is_true = meaning->IsTrueIn(world, RolesOf(problem, arguments));
     return is_true && *is_true != literal.is_positive;
   };
+  const int worlds = interpretation.WorldCount();
+  const int first = worlds > 1 ? random.Index(worlds) : 0;
+  for (int tried = 0;; ++tried) {
+    if (tried == worlds) return std::nullopt;
+    world.world = (first + tried) % worlds;
+    if (std::ranges::none_of(leaf.literals, is_refuted)) break;
+  }
   for (const auto& [part, kinds] : interpretation.hidden) {
     int draws = 0;
     do {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 
 #include "planner/domain/problem.h"
 #include "sim/sense/color_sensor.h"
@@ -17,6 +18,9 @@ struct Reading {
 struct Readings {
   std::map<domain::PartId, Reading> masses;  // kg
   std::map<domain::PartId, sense::ColorId> colors;
+  std::map<domain::PartId, std::string> poses;  // of parts whose pose was open: its name
+  std::map<std::string, std::string> errors;    // of steps of plans: what their verifications
+                                                // signal; empty: nothing
 };
 
 }  // namespace assay::enact

@@ -6,6 +6,7 @@ namespace assay::enact {
 
 Roles RolesOf(const domain::Problem& problem, std::span<const std::string> arguments) {
   Roles roles;
+  roles.symbols = arguments;
   for (const std::string& argument : arguments) {
     const auto part = std::ranges::find(problem.parts, argument, &domain::Part::name);
     if (part != problem.parts.end() && roles.part.IsNone()) {

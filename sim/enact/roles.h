@@ -14,10 +14,11 @@ using domain::RobotId;
 // What the arguments of an action or an atom are in the workcell: a symbol that is the name of a
 // part, a table, a place or a robot stands for it. Other symbols stand for nothing.
 struct Roles {
-  PartId part = PartId::None();          // the first
-  const domain::Table* table = nullptr;  // the first
-  const domain::Place* place = nullptr;  // the first
-  RobotId robot = RobotId::None();       // the first
+  PartId part = PartId::None();               // the first
+  const domain::Table* table = nullptr;       // the first
+  const domain::Place* place = nullptr;       // the first
+  RobotId robot = RobotId::None();            // the first
+  std::span<const std::string> symbols = {};  // the arguments themselves
 };
 Roles RolesOf(const domain::Problem& problem, std::span<const std::string> arguments);
 

@@ -13,6 +13,7 @@
 #include "sim/enact/readings.h"
 #include "sim/enact/roles.h"
 #include "sim/exec/execution.h"
+#include "sim/exec/step_execution.h"
 
 namespace assay::enact {
 
@@ -22,7 +23,9 @@ struct Situation {
   Crew& crew;
   Readings& readings;
   RandomStream& sensor_noise;
-  sense::ColorSensor* color_sensor;  // null if the scenario names no colours
+  sense::ColorSensor* color_sensor;                     // null if the scenario names no colours
+  sense::PoseSensor* pose_sensor;                       // null if no pose is open
+  std::unique_ptr<exec::StepExecution> step = nullptr;  // of a plan, on its way
 
   exec::Execution& execution() const { return crew.acting(); }
   const domain::Problem& problem() const { return execution().problem(); }

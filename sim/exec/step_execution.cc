@@ -143,13 +143,22 @@ Progress StepExecution::TakeUpNoise() {
 }
 
 Progress StepExecution::Work() {
+  if (Progress failure = Attempt()) return failure;
+  for (std::string error = Verify(); !error.empty(); error = Verify()) {
+    if (Progress failure = TryAgain(error)) return failure;
+  }
+  return Finish();
+}
+
+Progress StepExecution::Attempt() {
   if (Progress failure = Run(Phase::kAdvance)) return Named(failure);
   Record(Stage::kReached);
   if (Progress failure = Run(Phase::kAct)) return Named(failure);
   Record(Stage::kActed);
-  if (const std::string error = Verify(); !error.empty()) {
-    if (Progress failure = Recover(error)) return Named(failure);
-  }
+  return std::nullopt;
+}
+
+Progress StepExecution::Finish() {
   if (Progress failure = Run(Phase::kDepart)) return Named(failure);
   const StepEnd end{step_, planned_.name, Text(execution_.problem(), planned_.action),
                     execution_.Now()};
@@ -187,33 +196,36 @@ std::string StepExecution::Verify() {
   return {};
 }
 
-Progress StepExecution::Recover(std::string error) {
-  std::map<std::string, std::size_t> tried;  // places, by error
-  while (!error.empty()) {
-    const auto recovery = std::ranges::find_if(plan_.recoveries, [&](const plan::Recovery& r) {
-      return r.step == step_ && r.error == error;
-    });
-    std::vector<Vector3> places;  // none if the plan has no recovery from the error
-    const bool prepared = recovery != plan_.recoveries.end();
-    if (prepared && execution_.options().recovers) places = PlacesToTry(*recovery, axis_);
-    const std::size_t next = tried[error]++;
-    RecoveryRecord record{.time = execution_.data().time(),
-                          .step = step_,
-                          .error = error,
-                          .strategy = domain::RecoveryStrategy::kCallOperator};
-    if (next >= places.size()) {
-      execution_.trace().events.push_back(record);
-      return Failure{ExecutionOutcome::kOperatorCalled,
-                     error + (places.empty() ? "" : ", and nothing that was tried mended it")};
-    }
-    record.strategy = recovery->strategy;
-    record.attempt = static_cast<int>(next) + 1;
-    record.offset = places[next];
+Progress StepExecution::TryAgain(const std::string& error) {
+  const std::vector<Vector3> places = PlacesFor(error);
+  const std::size_t next = tried_[error]++;
+  RecoveryRecord record{.time = execution_.data().time(),
+                        .step = step_,
+                        .error = error,
+                        .strategy = domain::RecoveryStrategy::kCallOperator};
+  if (next >= places.size()) {
     execution_.trace().events.push_back(record);
-    if (Progress failure = TryAt(places[next])) return failure;
-    error = Verify();
+    return Named(Failure{ExecutionOutcome::kOperatorCalled,
+                         error + (places.empty() ? "" : ", and nothing that was tried mended it")});
   }
-  return std::nullopt;
+  record.strategy = RecoveryFrom(error)->strategy;
+  record.attempt = static_cast<int>(next) + 1;
+  record.offset = places[next];
+  execution_.trace().events.push_back(record);
+  return Named(TryAt(places[next]));
+}
+
+const plan::Recovery* StepExecution::RecoveryFrom(const std::string& error) const {
+  const auto found = std::ranges::find_if(plan_.recoveries, [&](const plan::Recovery& recovery) {
+    return recovery.step == step_ && recovery.error == error;
+  });
+  return found == plan_.recoveries.end() ? nullptr : &*found;
+}
+
+std::vector<Vector3> StepExecution::PlacesFor(const std::string& error) const {
+  const plan::Recovery* const recovery = RecoveryFrom(error);
+  if (recovery == nullptr || !execution_.options().recovers) return {};
+  return PlacesToTry(*recovery, axis_);
 }
 
 // A held part that stopped at the rim of a hole is lifted a little, moved sideways, and pushed on

@@ -25,6 +25,17 @@ class StepExecution {
   // mating: the fixed part) lies where it is tried.
   Progress Work();
 
+  // The parts of the work, for who walks a plan tree. What the step is for, without looking how it
+  // went:
+  Progress Attempt();
+  // The first error that a verification of this step signals; empty: none.
+  std::string Verify();
+  // Tries the step at the next place that the recovery from the error has; where none is left, the
+  // operator is called.
+  Progress TryAgain(const std::string& error);
+  // The tool departs.
+  Progress Finish();
+
  private:
   enum class Phase { kApproach, kAdvance, kAct, kDepart };
 
@@ -37,11 +48,10 @@ class StepExecution {
   // Explains a failure by the step's name.
   Progress Named(Progress failure) const;
 
-  // The first error that a verification of this step signals; empty: none.
-  std::string Verify();
   double Measure(domain::MeasuredQuantity quantity) const;
-  // Tries the step again until nothing is signalled.
-  Progress Recover(std::string error);
+  const plan::Recovery* RecoveryFrom(const std::string& error) const;  // null: the plan has none
+  // The places that the plan's recovery from the error has; none if there is none.
+  std::vector<Vector3> PlacesFor(const std::string& error) const;
   Progress TryAt(const Vector3& offset);
   Progress Withdraw();
   Progress MoveSideways();
@@ -58,6 +68,7 @@ class StepExecution {
   Pose X_WorldSought_;
   Vector3 axis_;
   StepCommands commands_;
+  std::map<std::string, std::size_t> tried_;  // places, by error
 };
 
 }  // namespace assay::exec

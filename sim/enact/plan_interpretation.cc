@@ -1,0 +1,300 @@
+#include "sim/enact/plan_interpretation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "planner/base/check.h"
+#include "planner/domain/resting.h"
+
+namespace assay::enact {
+namespace {
+
+using assembly::KnowledgeAction;
+using exec::Progress;
+using Kind = KnowledgeAction::Kind;
+using Planned = std::shared_ptr<const PlannedWorlds>;
+
+double AngleBetween(const exec::Pose& a, const exec::Pose& b) {
+  return Eigen::AngleAxisd(geometry::Matrix3(a.linear().transpose() * b.linear())).angle();
+}
+
+bool IsNear(const exec::Pose& a, const exec::Pose& b) {
+  return (a.translation() - b.translation()).norm() < kNear && AngleBetween(a, b) < kNearlyTurned;
+}
+
+bool IsMated(const Truth& truth, domain::MatingId id) {
+  const domain::Mating& mating = truth.problem.mating(id);
+  return IsNear(truth.scene.TruePose(truth.data, mating.held),
+                truth.scene.TruePose(truth.data, mating.fixed) * mating.X_FixedHeld);
+}
+
+// The poses that a part may have, by name.
+std::vector<std::pair<std::string, exec::Pose>> PosesOf(const PlannedWorlds& planned, PartId part) {
+  std::vector<std::pair<std::string, exec::Pose>> poses;
+  for (const domain::Problem& world : planned.worlds) {
+    const auto open = std::ranges::find(world.open_poses, part, &domain::OpenPose::part);
+    const std::string& name = open->names[open->chosen];
+    if (std::ranges::count(poses, name, &std::pair<std::string, exec::Pose>::first) > 0) continue;
+    poses.emplace_back(name, world.part(part).X_WorldPart);
+  }
+  return poses;
+}
+
+class PlanSkill : public Skill {
+ public:
+  PlanSkill(Planned planned, const KnowledgeAction& action)
+      : planned_(std::move(planned)), action_(action) {}
+
+  std::string Lacks(const Roles&) const override { return {}; }
+
+ protected:
+  const PlannedWorlds& planned() const { return *planned_; }
+  const KnowledgeAction& action() const { return action_; }
+  const plan::Plan& plan() const { return planned_->assembly.plans[action_.plan].plan; }
+
+  bool IsVerified() const {
+    return std::ranges::count(plan().verifications, action_.step, &plan::Verification::step) > 0;
+  }
+
+ private:
+  Planned planned_;
+  KnowledgeAction action_;
+};
+
+// The camera looks for the part in each of its poses; where just one of them is found, that is it,
+// and the part is believed to be where it was seen.
+class LookForPose : public PlanSkill {
+ public:
+  using PlanSkill::PlanSkill;
+
+  Progress Do(const Roles&, Situation& situation) const override {
+    if (Progress failure = situation.crew.GoHome()) return failure;
+    exec::Execution& execution = situation.execution();
+    std::vector<std::pair<std::string, exec::Pose>> found;
+    for (const auto& [name, pose] : PosesOf(planned(), action().part)) {
+      const auto seen = situation.pose_sensor->Measure(execution.data(), action().part, pose);
+      if (seen) found.emplace_back(name, *seen);
+    }
+    situation.readings.poses.erase(action().part);
+    if (found.size() != 1) return std::nullopt;
+    situation.readings.poses[action().part] = found.front().first;
+    execution.world().Believe(action().part, found.front().second);
+    return std::nullopt;
+  }
+};
+
+// Without a verification the step is finished; with one, the tool waits for what it tells.
+class DoStep : public PlanSkill {
+ public:
+  using PlanSkill::PlanSkill;
+
+  Progress Do(const Roles&, Situation& situation) const override {
+    situation.step =
+        std::make_unique<exec::StepExecution>(plan(), action().step, situation.execution());
+    if (Progress failure = situation.step->Approach()) return failure;
+    if (Progress failure = situation.step->Attempt()) return failure;
+    return IsVerified() ? std::nullopt : situation.step->Finish();
+  }
+};
+
+class Verify : public PlanSkill {
+ public:
+  using PlanSkill::PlanSkill;
+
+  Progress Do(const Roles&, Situation& situation) const override {
+    const std::string error = situation.step->Verify();
+    situation.readings.errors[action().name] = error;
+    return error.empty() ? situation.step->Finish() : std::nullopt;
+  }
+};
+
+// The verification has told already.
+class Diagnose : public PlanSkill {
+ public:
+  using PlanSkill::PlanSkill;
+  Progress Do(const Roles&, Situation&) const override { return std::nullopt; }
+};
+
+class Recover : public PlanSkill {
+ public:
+  using PlanSkill::PlanSkill;
+
+  Progress Do(const Roles&, Situation& situation) const override {
+    situation.readings.errors.erase(action().name);
+    return situation.step->TryAgain(action().error);
+  }
+};
+
+class CallOperator : public PlanSkill {
+ public:
+  using PlanSkill::PlanSkill;
+
+  Progress Do(const Roles&, Situation&) const override {
+    return exec::Failure{exec::ExecutionOutcome::kOperatorCalled, action().error};
+  }
+};
+
+std::unique_ptr<const Skill> SkillOf(const Planned& planned, const KnowledgeAction& action) {
+  switch (action.kind) {
+    case Kind::kLook:
+      return std::make_unique<LookForPose>(planned, action);
+    case Kind::kStep:
+      return std::make_unique<DoStep>(planned, action);
+    case Kind::kVerify:
+      return std::make_unique<Verify>(planned, action);
+    case Kind::kDiagnose:
+      return std::make_unique<Diagnose>(planned, action);
+    case Kind::kRecover:
+      return std::make_unique<Recover>(planned, action);
+    case Kind::kOperator:
+      return std::make_unique<CallOperator>(planned, action);
+  }
+  ASSAY_CHECK(false, "an action that the switch does not know");
+  return nullptr;
+}
+
+// pose(part) = name
+class IsPosed : public Meaning {
+ public:
+  explicit IsPosed(Planned planned) : planned_(std::move(planned)) {}
+
+  bool IsTrue(const Truth& truth, const Roles& roles) const override {
+    const exec::Pose X_WorldPart = truth.scene.TruePose(truth.data, roles.part);
+    const auto poses = PosesOf(*planned_, roles.part);
+    const auto nearest = std::ranges::min_element(poses, {}, [&](const auto& named) {
+      return AngleBetween(named.second, X_WorldPart) +
+             (named.second.translation() - X_WorldPart.translation()).norm();
+    });
+    return nearest->first == roles.symbols.back();
+  }
+  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+    const auto found = readings.poses.find(roles.part);
+    if (found == readings.poses.end()) return std::nullopt;
+    return found->second == roles.symbols.back();
+  }
+  std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
+    const auto& open = planned_->worlds[world.world].open_poses;
+    const auto found = std::ranges::find(open, roles.part, &domain::OpenPose::part);
+    if (found == open.end()) return std::nullopt;
+    return found->names[found->chosen] == roles.symbols.back();
+  }
+
+ private:
+  Planned planned_;
+};
+
+// A step by the name that the task has for it: "plan1-action_2".
+class OfStep : public Meaning {
+ public:
+  explicit OfStep(Planned planned) : planned_(std::move(planned)) {}
+
+ protected:
+  const plan::Plan& PlanOf(const Roles& roles) const {
+    return planned_->assembly.plans[ActionOf(roles).plan].plan;
+  }
+  plan::StepId StepOf(const Roles& roles) const { return ActionOf(roles).step; }
+
+ private:
+  const KnowledgeAction& ActionOf(const Roles& roles) const {
+    return planned_->assembly.knowledge.actions.at(roles.symbols.front());
+  }
+
+  Planned planned_;
+};
+
+class WentWell : public OfStep {
+ public:
+  using OfStep::OfStep;
+
+  bool IsTrue(const Truth& truth, const Roles& roles) const override {
+    return std::visit([&](const auto& action) { return IsTrueAfter(truth, action); },
+                      PlanOf(roles).step(StepOf(roles)).action);
+  }
+  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+    const auto found = readings.errors.find(roles.symbols.front());
+    if (found == readings.errors.end()) return std::nullopt;
+    return found->second.empty();
+  }
+
+ private:
+  static bool IsTrueAfter(const Truth& truth, const plan::Pickup& pickup) {
+    const scene::Scene& scene = truth.scene;
+    return scene.Touching(truth.data, pickup.part, scene.left_finger()) &&
+           scene.Touching(truth.data, pickup.part, scene.right_finger());
+  }
+  static bool IsTrueAfter(const Truth& truth, const plan::Putdown& putdown) {
+    const exec::Pose X_WorldPart = truth.scene.TruePose(truth.data, putdown.part);
+    const exec::Pose& wanted = putdown.to.X_WorldPart;
+    return std::abs(X_WorldPart.translation().z() - wanted.translation().z()) < kNear &&
+           X_WorldPart.linear().row(2).dot(wanted.linear().row(2)) > std::cos(kNearlyTurned);
+  }
+  static bool IsTrueAfter(const Truth& truth, const plan::Assemble& assemble) {
+    return IsMated(truth, assemble.mating);
+  }
+  static bool IsTrueAfter(const Truth&, const plan::Sense&) { return true; }
+  static bool IsTrueAfter(const Truth&, const plan::Squeeze&) { return true; }
+};
+
+class Signals : public OfStep {
+ public:
+  using OfStep::OfStep;
+
+  bool IsTrue(const Truth& truth, const Roles& roles) const override {
+    return std::ranges::any_of(PlanOf(roles).verifications, [&](const auto& check) {
+      if (check.step != StepOf(roles)) return false;
+      const double off = Measured(truth, check.quantity) - check.expected;
+      return (off < -check.tolerance && check.below == roles.symbols.back()) ||
+             (off > check.tolerance && check.above == roles.symbols.back());
+    });
+  }
+  std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
+    const auto found = readings.errors.find(roles.symbols.front());
+    if (found == readings.errors.end()) return std::nullopt;
+    return found->second == roles.symbols.back();
+  }
+
+ private:
+  static double Measured(const Truth& truth, domain::MeasuredQuantity quantity) {
+    return quantity == domain::MeasuredQuantity::kGripperOpening
+               ? truth.scene.Opening(truth.data)
+               : truth.scene.ToolPose(truth.data).translation().z();
+  }
+};
+
+}  // namespace
+
+const plan::Plan* PlannedWorlds::PlanOf(int world) const {
+  for (const assembly::PlanOfWorlds& planned : assembly.plans) {
+    if (std::ranges::count(planned.worlds, world) > 0) return &planned.plan;
+  }
+  return nullptr;
+}
+
+Interpretation InterpretationOf(Planned planned) {
+  Interpretation interpretation;
+  interpretation.task = planned->assembly.knowledge.task;
+  for (const auto& [name, action] : planned->assembly.knowledge.actions) {
+    interpretation.skills[name] = SkillOf(planned, action);
+  }
+  interpretation.meanings["pose"] = std::make_unique<IsPosed>(planned);
+  interpretation.meanings["wentWell"] = std::make_unique<WentWell>(planned);
+  interpretation.meanings["signals"] = std::make_unique<Signals>(planned);
+  interpretation.meanings["done"] = nullptr;
+  interpretation.meanings["operatorCalled"] = nullptr;
+  interpretation.planned = std::move(planned);
+  return interpretation;
+}
+
+bool AreGoalsTrue(const Truth& truth) {
+  return std::ranges::all_of(truth.problem.goals, [&](const domain::Goal& goal) {
+    if (const auto* mating = std::get_if<domain::MatingId>(&goal)) return IsMated(truth, *mating);
+    const auto& located = std::get<domain::LocatedGoal>(goal);
+    const auto resting = domain::StablePoseAt(truth.problem.part(located.part),
+                                              truth.scene.TruePose(truth.data, located.part));
+    return std::ranges::count(located.stable_poses, resting) > 0;
+  });
+}
+
+}  // namespace assay::enact
