@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+
+#include "sim/exec/awaited_contact.h"
 
 namespace assay::exec {
 namespace {
@@ -33,6 +36,17 @@ MatingOutcome OutcomeOf(ExecutionOutcome outcome) {
       return MatingOutcome::kUnreachable;
   }
   return MatingOutcome::kUnreachable;
+}
+
+bool LetsGo(const plan::Strategy& strategy, std::size_t motion) {
+  if (motion == 0) return false;
+  const auto names_of = [&](const std::vector<int>& contacts) {
+    std::set<std::string> names;
+    for (const auto& contact : plan::ContactsAt(strategy, contacts)) names.insert(contact.name);
+    return names;
+  };
+  return !std::ranges::includes(names_of(strategy.motions[motion].kept),
+                                names_of(plan::ContactsAfter(strategy.motions[motion - 1])));
 }
 
 HybridControl::HybridControl(const plan::Strategy& strategy, PartId fixed, const ControlLaw& law,
@@ -149,10 +163,14 @@ double HybridControl::NextRate(const Way& way, double rate, double left) const {
 PressedContacts HybridControl::Pressed(std::span<const int> contacts) const {
   std::vector<plan::StrategyContact> pressed;
   for (const int index : contacts) {
-    pressed.push_back(strategy_.contacts[static_cast<std::size_t>(index)]);
+    pressed.push_back(Planned(index));
     pressed.back().at += Beside(pressed.back());
   }
   return PressedContacts(pressed);
+}
+
+const plan::StrategyContact& HybridControl::Planned(int contact) const {
+  return strategy_.contacts[static_cast<std::size_t>(contact)];
 }
 
 Vector3 HybridControl::Beside(const plan::StrategyContact& planned) const {
@@ -162,23 +180,15 @@ Vector3 HybridControl::Beside(const plan::StrategyContact& planned) const {
 
 void HybridControl::Remember(std::span<const int> contacts, const PressedContacts& pressed) {
   for (std::size_t i = 0; i < contacts.size(); ++i) {
-    const auto& planned = strategy_.contacts[static_cast<std::size_t>(contacts[i])];
+    const auto& planned = Planned(contacts[i]);
     beside_[planned.name] = pressed.contacts()[i].at - planned.at;
   }
 }
 
-// What presses on a contact is commanded to be beyond it.
-bool HybridControl::LetsGo(std::size_t motion) const {
-  if (motion == 0) return false;
-  const plan::StrategyMotion& before = strategy_.motions[motion - 1];
-  const std::vector<int>& kept = strategy_.motions[motion].kept;
-  const auto is_kept = [&](int contact) { return std::ranges::find(kept, contact) != kept.end(); };
-  return !std::ranges::all_of(before.kept, is_kept) || (before.until && !is_kept(*before.until));
-}
-
 HybridControl::Ended HybridControl::RunMotion(std::size_t index) {
   const plan::StrategyMotion& motion = strategy_.motions[index];
-  if (LetsGo(index)) arm_.TakeStock();
+  // What presses on a contact is commanded to be beyond it.
+  if (LetsGo(strategy_, index)) arm_.TakeStock();
   arm_.Linearize();
   const Way way = WayTo(motion.X_FixedTip, SpeedOf(motion));
   if (motion.slides) return Slide(way);
@@ -202,37 +212,33 @@ HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedConta
   return Settle(kept);
 }
 
-// The contact is told from those that are kept, and from friction, by the force that each of them
-// would have to bear for what is felt. When it has not come once, errors are greater than they
-// should be: the next time it may be farther away.
+// When the contact has not come once, errors are greater than they should be: the next time it may
+// be farther away.
 HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion, const Way& way) {
   const std::vector<int> after = plan::ContactsAfter(motion);
   PressedContacts kept = Pressed(motion.kept);
+  AwaitedContact awaited(static_cast<int>(motion.kept.size()), SeemingForce(motion, kept, way),
+                         law_);
   const double dt = arm_.timestep();
   const double latest = 1 + attempt_ * motion.beyond + Slack(*motion.until, way);
-  const double usual = kept.empty() ? law_.first_touching_force : law_.touching_force;
-  const double touching =
-      std::max(usual, law_.first_touching_force + SeemingForce(motion, kept, way));
-  double felt = 0;  // newtons
   double gone = 0;
   double rate = 0;
   for (double waited = 0; waited < law_.settling;) {
-    rate = gone < latest ? NextRate(way, rate, latest - gone) : 0;
+    rate = gone < latest ? NextRate(way.At(awaited.Pace()), rate, latest - gone) : 0;
     if (Ended error = Step(Hybrid(kept, rate * way.twist))) return error;
     const PressedContacts touched = Pressed(after);
-    const double force = touched.Forces(arm_.wrench()).tail<1>()[0];
-    felt += std::min(1.0, dt / law_.touch_filter) * (force - felt);
-    if (felt > touching) return Make(motion, way, rate, kept);
+    awaited.Feel(touched.Forces(arm_.wrench()), dt);
+    if (awaited.IsMade()) return Make(motion, way, rate, kept);
     if (Ended error = CheckObstruction(touched)) return error;
-    if (felt < touching / 2) {
+    if (awaited.IsApart()) {
       kept.Locate(arm_.wrench(), std::min(1.0, dt / law_.location_filter));
       Remember(motion.kept, kept);
     }
     gone += dt * rate;
     if (rate == 0) waited += dt;
   }
-  const auto& awaited = strategy_.contacts[static_cast<std::size_t>(*motion.until)];
-  return Error(MatingOutcome::kTimeout, fmt::format("no contact of {}", awaited.name));
+  return Error(MatingOutcome::kTimeout,
+               fmt::format("no contact of {}", Planned(*motion.until).name));
 }
 
 // Where what is kept slides toward what is waited for, its friction is a force that the latter
@@ -313,7 +319,7 @@ HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left)
 // In ways: until the contact is pressed on, although the parts may be a little farther apart than
 // errors explain.
 double HybridControl::Slack(int contact, const Way& way) const {
-  const auto& awaited = strategy_.contacts[static_cast<std::size_t>(contact)];
+  const auto& awaited = Planned(contact);
   const Vector6 row = Joined(awaited.normal, awaited.at.cross(awaited.normal));
   return law_.slack / std::max(law_.slack, -row.dot(way.twist));
 }
@@ -369,7 +375,7 @@ void HybridControl::Believe(const PressedContacts& kept, const Pose& X_FixedTip)
 
 // So much farther or less far than believed, and turned so much more or less.
 void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along) {
-  const auto& made = strategy_.contacts[static_cast<std::size_t>(contact)];
+  const auto& made = Planned(contact);
   const Vector6 row = Joined(made.normal, made.at.cross(made.normal));
   arm_.Correct(-row.dot(TwistBetween(X_FixedTip, arm_.MeasuredTip())) / row.dot(along) * along);
 }

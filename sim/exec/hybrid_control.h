@@ -43,6 +43,10 @@ struct StrategyEnd {
 // Told of each timestep: the simulation after it, and the motion's index.
 using MotionObserver = std::function<void(const mujoco::Data&, int)>;
 
+// Whether a contact that touches after the motion before is not kept in this one. Each motion plans
+// a contact at a place of its own: it is the same one if its name is.
+bool LetsGo(const plan::Strategy& strategy, std::size_t motion);
+
 // Runs strategies by hybrid control of position and force (Dakin and Popplestone, section 2): in
 // each contact state the arm is moved along the tangents as the plan has it, and along the normals
 // as forces ask for, so that contacts are kept although it is not known exactly where they are.
@@ -69,6 +73,8 @@ class HybridControl {
     Vector6 twist = Vector6::Zero();
     double rate = 0;          // at most
     double acceleration = 0;  // ways / s^2
+
+    Way At(double pace) const { return {twist, pace * rate, acceleration}; }
   };
   using Ended = std::optional<ErrorState>;  // none: it goes on
 
@@ -88,13 +94,12 @@ class HybridControl {
   Speed SpeedOf(const plan::StrategyMotion& motion) const;
   // The next timestep's rate, if so much of the way is left.
   double NextRate(const Way& way, double rate, double left) const;
+  const plan::StrategyContact& Planned(int contact) const;
   // Where they are found to be.
   PressedContacts Pressed(std::span<const int> contacts) const;
   Vector3 Beside(const plan::StrategyContact& planned) const;
   void Remember(std::span<const int> contacts, const PressedContacts& pressed);
 
-  // Whether a contact that was made before is not kept in this motion.
-  bool LetsGo(std::size_t motion) const;
   Ended RunMotion(std::size_t index);
   Ended MoveAlong(const Way& way, const PressedContacts& kept);
   Ended MoveUntil(const plan::StrategyMotion& motion, const Way& way);

@@ -134,6 +134,20 @@ TEST(Mate, AFewTrialsComeToTheSeat) {
 }
 
 // A picture for each motion, one of all of them, the graph, and a page that shows them.
+// Where edges lie on the same rim near each other, the second one takes over what the first one
+// bears; and errors that are covered, but greater than planned for, put them nearer still.
+TEST(Mate, WhatIsKeptIsNotLiftedByTheNextContact) {
+  for (const std::vector<std::string>& errors :
+       {std::vector<std::string>{"--clearance", "0.2", "--trial", "24"},
+        std::vector<std::string>{"--beyond", "1.35", "--trial", "7"}}) {
+    std::vector<std::string> command = {"mate", kSquare, "--friction", "0.2", "--json"};
+    command.insert(command.end(), errors.begin(), errors.end());
+    const Ended ended = Assay(command);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.Json()["trials"]["sequences"]["covered_matching"], 1);
+  }
+}
+
 TEST(Mate, PicturesOfTheContactStates) {
   const Folder folder;
   const std::string pictures = folder / "pictures";
