@@ -12,14 +12,14 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr int kSteps = 24;             // of a motion
-constexpr int kClosings = 3;           // Newton steps; contacts are nearly closed before
-constexpr double kTouching = 1e-7;     // metres
-constexpr double kBeside = 1e-6;       // metres; in a concave corner edges touch at their ends
-constexpr double kNudge = 1e-7;        // metres, of numerical derivatives
-constexpr double kLost = 2e-5;         // metres that kept contacts may be beside their features
-constexpr double kLonger = 1.05;       // than the longest way, contacts are waited for
-constexpr double kMargin = 1e-3;       // metres, beyond what a motion can reach
+constexpr int kSteps = 24;          // of a motion
+constexpr int kClosings = 3;        // Newton steps; contacts are nearly closed before
+constexpr double kTouching = 1e-7;  // metres
+constexpr double kBeside = 1e-6;    // metres; in a concave corner edges touch at their ends
+constexpr double kNudge = 1e-7;     // metres, of numerical derivatives
+constexpr double kLost = 2e-5;      // metres that kept contacts may be beside their features
+constexpr double kLonger = 1.05;    // than the longest way, contacts are waited for
+constexpr double kMargin = 1e-3;    // metres, beyond what a motion can reach
 
 std::size_t At(int index) { return static_cast<std::size_t>(index); }
 
@@ -61,11 +61,10 @@ bool Overlap(const Passage& passage, const ContactKey& key, const Pose& X, doubl
       return IsInside(passage.stationary.faces[At(key.stationary)],
                       X * passage.moving.vertices[At(key.moving)].p, beside);
     case ContactKind::kFaceVertex:
-      return IsInside(
-          passage.moving.faces[At(key.moving)],
-          X.linear().transpose() *
-              (passage.stationary.vertices[At(key.stationary)].p - X.translation()),
-          beside);
+      return IsInside(passage.moving.faces[At(key.moving)],
+                      X.linear().transpose() *
+                          (passage.stationary.vertices[At(key.stationary)].p - X.translation()),
+                      beside);
     case ContactKind::kEdgeEdge: {
       const OuterEdge& a = passage.moving.edges[At(key.moving)];
       const OuterEdge& b = passage.stationary.edges[At(key.stationary)];
@@ -209,8 +208,7 @@ void ExactPart::Close(std::span<const ContactKey> keys) {
       const double size = k < 3 ? 1 : 1 / radius_;
       const Pose nudged = Displaced(X_, kNudge * size * PoseChange::Unit(k));
       for (Eigen::Index i = 0; i < gaps.size(); ++i) {
-        rows(i, k) =
-            (GapOf(passage_, keys[At(static_cast<int>(i))], nudged) - gaps[i]) / kNudge;
+        rows(i, k) = (GapOf(passage_, keys[At(static_cast<int>(i))], nudged) - gaps[i]) / kNudge;
       }
     }
     PoseChange closing = rows.completeOrthogonalDecomposition().solve(-gaps);

@@ -71,9 +71,9 @@ TEST(ExactPart, TurnsAboutWhereTheTipIsBelievedToBe) {
   ExactPart part(passage, Tilted({0.1, 0, 0.1}, Vector3::Zero()), 0.02);
   const Vector3 believed(0, 0, 0.1);
   EXPECT_EQ(part.Move({Way(Vector3::Zero(), {0, 0, 0.5}), {}, {}}, 1, believed), std::nullopt);
-  EXPECT_NEAR((part.X().translation() - Vector3(0.1 * std::cos(0.5), 0.1 * std::sin(0.5), 0.1))
-                  .norm(),
-              0, 1e-9);
+  EXPECT_NEAR(
+      (part.X().translation() - Vector3(0.1 * std::cos(0.5), 0.1 * std::sin(0.5), 0.1)).norm(), 0,
+      1e-9);
 }
 
 // A corner that is kept on the floor stays there as the part is turned about its origin.
@@ -161,20 +161,20 @@ TEST_P(AbsorbedErrors, LeadThroughThePlannedContactsInExactGeometry) {
   EXPECT_EQ(wrong, 0) << "of " << trials.size() << " with " << plan.absorbed << " times the errors";
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Matings, AbsorbedErrors,
-    testing::Values(Asked{"mate-square", 0.5e-3, 2e-3, kDegree},
-                    Asked{"mate-square", 0.25e-3, 2e-3, kDegree},
-                    Asked{"mate-square", 0.2e-3, 2e-3, kDegree},
-                    Asked{"mate-keyed", 0.5e-3, 2.5e-3, 1.25 * kDegree},
-                    Asked{"mate-octagonal", 0.5e-3, 1.5e-3, 0.75 * kDegree},
-                    Asked{"mate-stepped", 0.5e-3, 0.5e-3, 0.25 * kDegree},
-                    Asked{"mate-t-slot", 0.5e-3, 0.45e-3, 0.2 * kDegree}),
-    [](const auto& test) {
-      std::string name = test.param.scenario;
-      std::ranges::replace(name, '-', '_');
-      return name + "_" + std::to_string(static_cast<int>(1e6 * test.param.clearance));
-    });
+INSTANTIATE_TEST_SUITE_P(Matings, AbsorbedErrors,
+                         testing::Values(Asked{"mate-square", 0.5e-3, 2e-3, kDegree},
+                                         Asked{"mate-square", 0.25e-3, 2e-3, kDegree},
+                                         Asked{"mate-square", 0.2e-3, 2e-3, kDegree},
+                                         Asked{"mate-keyed", 0.5e-3, 2.5e-3, 1.25 * kDegree},
+                                         Asked{"mate-octagonal", 0.5e-3, 1.5e-3, 0.75 * kDegree},
+                                         Asked{"mate-stepped", 0.5e-3, 0.5e-3, 0.25 * kDegree},
+                                         Asked{"mate-t-slot", 0.5e-3, 0.45e-3, 0.2 * kDegree}),
+                         [](const auto& test) {
+                           std::string name = test.param.scenario;
+                           std::ranges::replace(name, '-', '_');
+                           return name + "_" +
+                                  std::to_string(static_cast<int>(1e6 * test.param.clearance));
+                         });
 
 }  // namespace
 }  // namespace assay::finemotion
