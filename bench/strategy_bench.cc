@@ -50,6 +50,7 @@ void Search(benchmark::State& state, double multiple) {
   state.counters["motions"] = static_cast<double>(plan.motions.size());
   state.counters["nodes"] = plan.expanded;
   state.counters["replayed"] = plan.replayed;
+  state.counters["exact_replays"] = plan.exact_replays;
 }
 
 // --- How the cost of a node grows. A search that ends after so many nodes, without moved starts;

@@ -9,6 +9,7 @@
 #include <queue>
 
 #include "planner/base/random.h"
+#include "planner/finemotion/exact_replay.h"
 #include "planner/finemotion/force_signature.h"
 #include "planner/finemotion/friction_limit.h"
 
@@ -36,6 +37,7 @@ constexpr double kEnlarged[] = {1, 2};
 // Of the errors, that sequences are searched for, round by round.
 constexpr double kMultiples[] = {0.8, 0.7, 1, 0.5, 0.3, 0.15};
 constexpr double kGrowth = 1.06;  // of the errors that a moved start must absorb
+constexpr double kLeast = 0.1;    // multiple of the errors that a plan is of any use for
 
 // Where a trial starts: turned and beside the entry.
 struct Start {
@@ -411,6 +413,36 @@ void TellInSmaller(FineMotionPlan& plan, double enlarged) {
   if (plan.obstacle) plan.obstacle->scale *= enlarged;
 }
 
+// With so many times the errors, all motions go as planned in exact geometry. How many replays that
+// was found in; none: one went otherwise.
+std::optional<int> Confirmed(const FineMotionPlan& plan, double multiple, const Passage& passage,
+                             const FineMotionErrors& errors, const StrategyOptions& options) {
+  RandomStream random(options.seed, "errors of exact replays");
+  const ExactReplay replay{.passage = passage,
+                           .X_StationaryStart = plan.X_StationaryStart,
+                           .motions = plan.motions,
+                           .radius = options.radius,
+                           .velocity_error = errors.velocity};
+  const auto trials = TrialErrors(multiple * errors.pose, options.drawn, random);
+  const bool as_planned = std::ranges::all_of(trials, [&](const PoseChange& error) {
+    return MotionsAsPlanned(replay, error, random) == plan.motions.size();
+  });
+  return as_planned ? std::optional(static_cast<int>(std::ssize(trials))) : std::nullopt;
+}
+
+// Rows are linear; what they leave out grows with the square of the errors.
+void AbsorbWhatIsConfirmed(FineMotionPlan& plan, const Passage& passage,
+                           const FineMotionErrors& errors, const StrategyOptions& options) {
+  while (plan.absorbed >= kLeast) {
+    if (const auto replays = Confirmed(plan, plan.absorbed, passage, errors, options)) {
+      plan.exact_replays = *replays;
+      return;
+    }
+    const double less = plan.absorbed / kGrowth;
+    plan.absorbed = plan.absorbed > 1 ? std::max(1.0, less) : less;
+  }
+}
+
 }  // namespace
 
 FineMotionErrors Enlarged(const FineMotionErrors& errors, double multiple) {
@@ -450,10 +482,9 @@ FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& er
       const FineMotionErrors larger = Enlarged(errors, enlarged);
       FineMotionPlan plan = Search(passage, larger, options, round, multiple, 1 / enlarged).Run();
       TellInSmaller(plan, enlarged);
-      if (plan.absorbed >= 1) {  // of the errors that were asked for
-        plan.found = true;
-        plan.obstacle.reset();
-      }
+      if (plan.absorbed >= 1) AbsorbWhatIsConfirmed(plan, passage, errors, options);
+      plan.found = plan.absorbed >= 1;  // of the errors that were asked for
+      if (plan.found) plan.obstacle.reset();
       expanded += plan.expanded;
       replayed += plan.replayed;
       comparison += plan.comparison;

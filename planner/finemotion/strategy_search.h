@@ -36,6 +36,7 @@ struct StrategyOptions {
   int tries = 400;        // at moving a start
   double greatest = 1.5;  // multiple of the errors that is worth being absorbed
   int nodes = 200;        // that a search may expand for each critical point
+  int drawn = 32;         // errors that a plan is replayed with, from the box and from its surface
   MeetingTest test = MeetingTest::kExact;
   std::uint64_t seed = 1;
 };
@@ -45,8 +46,10 @@ struct FineMotionPlan {
   Pose X_StationaryStart = Pose::Identity();  // of the tip, in free space
   std::vector<Maneuver> maneuvers = {};
   std::vector<CertainMotion> motions = {};
-  // The greatest multiple of the errors for which all motions are certain, as far as was looked.
+  // The greatest multiple of the errors for which all motions are certain to first order, as far as
+  // was looked, and with which no replay in exact geometry went otherwise.
   double absorbed = 0;
+  int exact_replays = 0;  // of errors within that, if it is found
   // No motion can be held by less friction in what it keeps.
   double friction_limit = kGreatestFriction;
   // If all the errors are too much: what then happens first.
@@ -68,7 +71,9 @@ Belief BeliefIn(const Pose& X_StationaryMoving, const FineMotionErrors& errors, 
 // that absorbs most. Contacts are linearized
 // anew at the end of every segment, not once at the critical point as in the paper: edges that are
 // parallel there are not where the part is tilted, and how it is tilted is what makes the sequence
-// certain.
+// certain. What rows leave out can be more than a motion's margin: what is found is therefore
+// replayed in exact geometry (exact_replay.h), with errors at the corners and in the middles of the
+// faces of the box and with some that are drawn, and absorbs only what none of these contradicts.
 FineMotionPlan SearchStrategy(const Passage& passage, const FineMotionErrors& errors,
                               const StrategyOptions& options = {});
 
