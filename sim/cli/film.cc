@@ -61,6 +61,16 @@ render::Renderer RendererFor(const mujoco::Model& model, const std::string& size
   return render::Renderer(model, size->width, size->height);
 }
 
+// "grasp-can1" of "grasp(can1)".
+std::string FileName(const std::string& action) {
+  std::string name;
+  for (const char c : action) {
+    if (c == '(') name += '-';
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
+  }
+  return name;
+}
+
 }  // namespace
 
 void AddPictureOptions(CLI::App& command, PictureOptions& options) {
@@ -105,10 +115,7 @@ void Film::TakeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
 }
 
 void Film::TakeStepEnd(const std::string& action, const mujoco::Data& data) {
-  std::string name;  // of a file
-  for (const char c : action)
-    name += c == '(' ? "-" : std::isalnum(static_cast<unsigned char>(c)) ? std::string(1, c) : "";
-  Take(name, fmt::format("{} {}", sheet_.size(), action), data, {});
+  Take(FileName(action), fmt::format("{} {}", sheet_.size(), action), data, {});
 }
 
 void Film::Write(const std::filesystem::path& folder) const {

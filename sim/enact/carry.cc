@@ -95,7 +95,7 @@ class Carry : public Skill {
     const motion::CollisionScene scene(problem, {.parts = standing,
                                                  .held = motion::HeldPart{part, hold.X_PartTool},
                                                  .opening = hold.width});
-    const motion::MotionRules rules = RulesFor(part, X_WorldHeld, hold);
+    const motion::MotionRules rules = RulesFor(X_WorldHeld, hold);
     for (const Pose& X_WorldPart : FreePlaces(table, problem, part, X_WorldHeld, standing)) {
       const Pose X_WorldTool = execution.Erring(X_WorldPart * hold.X_PartTool);
       for (const JointVector& q :
@@ -109,7 +109,7 @@ class Carry : public Skill {
   }
 
   // What points up in the hand is to point up all the way.
-  motion::MotionRules RulesFor(PartId, const Pose& X_WorldHeld, const plan::Hold& hold) const {
+  motion::MotionRules RulesFor(const Pose& X_WorldHeld, const plan::Hold& hold) const {
     motion::MotionRules rules{.clearance = kClearance};
     if (!tilt_) return rules;
     const Pose X_WorldTool = X_WorldHeld * hold.X_PartTool;

@@ -25,7 +25,7 @@ enum class EnactmentOutcome {
 };
 std::string_view Name(EnactmentOutcome outcome);  // "false-claim"
 
-// The hidden world of a trial and the seed of its errors.
+// A trial's number, by which its errors are drawn, and what is hidden in it.
 struct TrialWorld {
   int number = 0;  // from 1
   HiddenWorld world;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <numbers>
-#include <set>
 #include <stdexcept>
 
 #include "planner/contingent/grounding.h"

@@ -19,6 +19,16 @@ namespace {
 constexpr int kMostActions = 1000;
 constexpr int kMostSensings = 5;  // of one thing, one after the other
 
+// Whether it does nothing but tell, so that it can be done again.
+bool IsSensing(const GroundAction& action) {
+  using Kind = contingent::GroundChange::Kind;
+  return std::ranges::all_of(action.effects, [](const contingent::GroundEffect& effect) {
+    return std::ranges::all_of(effect.changes, [](const contingent::GroundChange& change) {
+      return change.kind == Kind::kSense || change.kind == Kind::kSenseValue;
+    });
+  });
+}
+
 exec::Pose HandError(const domain::PoseError& error, RandomStream& random) {
   const auto draw = [&](const Interval& range) { return random.Uniform(range.low, range.high); };
   const double x = draw(error.x);
@@ -99,7 +109,8 @@ std::optional<bool> TreeWalk::SensedWhether(AtomId atom) {
   for (int times = 1;; ++times) {
     const std::optional<bool> told = Told(atom);
     if (told || times == kMostSensings || last_.IsNone()) return told;
-    if (Do(interpretation_.task.actions[last_.index()])) return std::nullopt;
+    const GroundAction& last = interpretation_.task.actions[last_.index()];
+    if (!IsSensing(last) || Do(last)) return std::nullopt;
   }
 }
 

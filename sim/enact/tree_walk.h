@@ -63,7 +63,7 @@ class TreeWalk {
   std::optional<contingent::NodeId> ByValue(contingent::NodeId id);
   exec::Progress Do(const contingent::GroundAction& action);
   std::optional<bool> Told(contingent::AtomId atom) const;
-  // The same; as long as it is open, the last action is done again.
+  // The same; as long as it is open, the last action, if it senses, is done again.
   std::optional<bool> SensedWhether(contingent::AtomId atom);
   bool IsFlipped();
   std::optional<contingent::NodeId> Take(contingent::NodeId id, std::size_t child, bool is_flipped);

@@ -91,7 +91,7 @@ TEST(Enactment, WhatTheSensorLeavesOpenIsSaid) {
 TEST(Enactment, WhatCannotBeReachedStopsTheWalk) {
   const KnowledgeScenario scenario = TwoCans({
       {"at: [550, -300]", "at: [860, -650]"},
-      {"workcell: two-tables", "workcell: two-tables\nrules: {safe_height: 900}"},
+      {"workcell: two-tables", "workcell: two-tables\nrules: {safe_height: 1500}"},
   });
   const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kBothFull}, {});
   EXPECT_EQ(trial.outcome, EnactmentOutcome::kStopped);

@@ -39,8 +39,8 @@ TEST(TwoTables, AreAsHighAsIsSaidUnderEachPart) {
   const Scene scene(TwoCans(), {});
   mujoco::Data data = scene.Start();
   scene.SetTableHeight(data, PartId(0), 0.0005);
-  EXPECT_EQ(scene.TableHeight(data, PartId(0)), 0.0005);
-  EXPECT_EQ(scene.TableHeight(data, PartId(1)), 0);
+  EXPECT_NEAR(scene.TableHeight(data, PartId(0)), 0.0005, 1e-12);
+  EXPECT_NEAR(scene.TableHeight(data, PartId(1)), 0, 1e-12);
   EXPECT_NEAR(HeightOfCanLetGo(scene, data, 0.4), 0.0005, 1e-4);
 }
 
