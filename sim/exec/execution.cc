@@ -89,7 +89,8 @@ Progress Execution::TakeUpHandError(const Pose& error) {
     if (!nearest || turn(*q) < turn(*nearest)) nearest = *q;
   }
   if (!nearest) return Failure{ExecutionOutcome::kUnreachable, "the arm cannot take up an error"};
-  const JointTrajectory way = SynchronizedMove(commanded_.q, *nearest, RatesOf(workcell));
+  const JointTrajectory way =
+      motion::SynchronizedMove(commanded_.q, *nearest, motion::RatesOf(workcell));
   return Follow(way, way.duration());
 }
 

@@ -3,12 +3,16 @@
 #include <optional>
 #include <span>
 
+#include "planner/motion/joint_trajectory.h"
 #include "sim/exec/executor.h"
-#include "sim/exec/joint_trajectory.h"
 #include "sim/exec/world_model.h"
 #include "sim/scene/servo.h"
 
 namespace assay::exec {
+
+using kinematics::JointState;
+using kinematics::JointVector;
+using motion::JointTrajectory;
 
 // Why an execution cannot go on.
 struct Failure {

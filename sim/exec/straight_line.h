@@ -4,13 +4,16 @@
 #include <vector>
 
 #include "planner/domain/workcell.h"
-#include "sim/exec/joint_trajectory.h"
+#include "planner/motion/joint_trajectory.h"
 #include "sim/exec/pace.h"
 
 namespace assay::exec {
 
 using geometry::Pose;
 using geometry::Vector3;
+using kinematics::JointVector;
+using motion::JointRates;
+using motion::JointTrajectory;
 
 // Joint values along a straight line of the tool, whose orientation is kept, at equal distances.
 struct LinePath {

@@ -12,6 +12,7 @@ namespace assay::exec {
 namespace {
 
 using geometry::CollisionShape;
+using motion::JointRates;
 
 constexpr double kLookTurn = 0.05;  // radians that a joint turns between looks at a way
 
@@ -102,10 +103,6 @@ bool CanFollow(const domain::Workcell& workcell, JointVector q,
   return true;
 }
 
-double MoveTime(const JointVector& from, const JointVector& to, const JointRates& rates) {
-  return SynchronizedMove(from, to, rates).duration();
-}
-
 // Joint values over the destination from which the lines can be followed, nearest first.
 std::vector<JointVector> Destinations(const domain::Workcell& workcell,
                                       const TravelRequest& request, const JointRates& rates) {
@@ -116,7 +113,7 @@ std::vector<JointVector> Destinations(const domain::Workcell& workcell,
       if (CanFollow(workcell, q, request.corners)) found.push_back(q);
     }
   }
-  const auto time = [&](const JointVector& q) { return MoveTime(request.from, q, rates); };
+  const auto time = [&](const JointVector& q) { return MoveDuration(request.from, q, rates); };
   std::ranges::stable_sort(found, {}, time);
   return found;
 }
@@ -127,18 +124,10 @@ std::string Where(const Vector3& p) {
 
 }  // namespace
 
-JointRates RatesOf(const domain::Workcell& workcell) {
-  JointRates rates{.acceleration = workcell.joint_acceleration()};
-  for (int j = 0; j < rates.speed.size(); ++j) {
-    rates.speed[j] = workcell.arm().limits()[static_cast<std::size_t>(j)].velocity;
-  }
-  return rates;
-}
-
 TravelResult PlanTravel(const domain::Problem& problem, const WorldModel& world,
                         const TravelRequest& request) {
   const domain::Workcell& workcell = *problem.workcell;
-  const JointRates rates = RatesOf(workcell);
+  const JointRates rates = motion::RatesOf(workcell);
   const std::string where = Where(request.X_WorldTool.translation());
   const std::vector<JointVector> destinations = Destinations(workcell, request, rates);
   if (destinations.empty()) {

@@ -5,10 +5,13 @@
 #include <variant>
 #include <vector>
 
-#include "sim/exec/joint_trajectory.h"
+#include "planner/motion/joint_trajectory.h"
 #include "sim/exec/world_model.h"
 
 namespace assay::exec {
+
+using kinematics::JointVector;
+using motion::JointTrajectory;
 
 // What the arm is to do at safe height: go over `X_WorldTool`, in such a configuration that the
 // straight lines that follow, from corner to corner (origins of the tool, world), can be followed.
@@ -30,7 +33,5 @@ TravelResult PlanTravel(const domain::Problem& problem, const WorldModel& world,
                         const TravelRequest& request);
 
 inline constexpr double kTravelGap = 0.01;  // metres
-
-JointRates RatesOf(const domain::Workcell& workcell);
 
 }  // namespace assay::exec

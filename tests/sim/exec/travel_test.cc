@@ -48,7 +48,8 @@ TEST_F(Travel, ChoosesTheNearestConfiguration) {
   ASSERT_EQ(moves.size(), 1u);
   for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(destination))) {
     for (const JointVector& q : workcell.arm().Representatives(s.q)) {
-      const JointTrajectory other = SynchronizedMove(workcell.home(), q, RatesOf(workcell));
+      const JointTrajectory other =
+          motion::SynchronizedMove(workcell.home(), q, motion::RatesOf(workcell));
       EXPECT_LE(moves[0].duration(), other.duration() + 1e-9);
     }
   }
