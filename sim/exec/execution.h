@@ -129,6 +129,7 @@ class Execution {
 
 // The commands (one file each). `rest`: the commands that follow in the same step.
 Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execution& execution);
+Progress Run(const FollowPath& follow, std::span<const Command> rest, Execution& execution);
 Progress Run(const MoveStraight& move, std::span<const Command> rest, Execution& execution);
 Progress Run(const OpenGripper& open, std::span<const Command> rest, Execution& execution);
 Progress Run(const CloseGripper& close, std::span<const Command> rest, Execution& execution);

@@ -2,7 +2,6 @@
 
 #include "sim/exec/execution.h"
 #include "sim/exec/straight_line.h"
-#include "sim/exec/travel.h"
 
 namespace assay::exec {
 

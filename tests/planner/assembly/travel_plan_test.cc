@@ -1,0 +1,129 @@
+#include "planner/assembly/travel_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/assembly/certified_plan.h"
+#include "planner/assembly/plan_check.h"
+#include "planner/motion/motion_check.h"
+#include "planner/motion/straight_line.h"
+#include "planner/plan/tool_route.h"
+#include "tests/planner/posting/scenarios.h"
+
+namespace assay::assembly {
+namespace {
+
+using domain::PartId;
+using kinematics::JointVector;
+using ::testing::Contains;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const PartId kMast(2);
+
+const domain::Problem& Masts() {
+  static const domain::Problem problem = posting::LoadScenario("masts");
+  return problem;
+}
+
+const plan::Plan& PlanAmongMasts() {
+  static const plan::Plan plan = MakeCertifiedPlan(Masts(), {}, {}).plan;
+  return plan;
+}
+
+std::vector<plan::StepId> StepsWithTravel(const plan::Plan& plan) {
+  std::vector<plan::StepId> steps;
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    if (plan.step(id).travel) steps.push_back(id);
+  }
+  return steps;
+}
+
+// Nothing is in the way in the paper's figures: plans stay as they were.
+TEST(TravelPlan, LeavesFreeTravelsAsTheyAre) {
+  const domain::Problem problem = posting::LoadScenario("spar-fig15");
+  const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
+  ASSERT_EQ(result.outcome, Outcome::kFound);
+  EXPECT_THAT(StepsWithTravel(result.plan), IsEmpty());
+  EXPECT_FALSE(result.plan.homing);
+}
+
+TEST(TravelPlan, GoesAroundMasts) {
+  EXPECT_FALSE(StepsWithTravel(PlanAmongMasts()).empty());
+  EXPECT_THAT(FlawsOfTravels(Masts(), PlanAmongMasts()), IsEmpty());
+  EXPECT_THAT(assembly::Check(Masts(), PlanAmongMasts(), 10).flaws, IsEmpty());
+}
+
+// Oracle: at every thousandth of each path, no link of the arm comes nearer to a mast that stands
+// where the scenario says than the clearance that the plan claims.
+TEST(TravelPlan, PathsKeepTheirClearance) {
+  motion::Surroundings surroundings;
+  for (std::size_t p = kMast.index(); p < Masts().parts.size(); ++p) {
+    surroundings.parts.push_back({PartId(p), Masts().parts[p].X_WorldPart});
+  }
+  const motion::CollisionScene scene(Masts(), surroundings);
+  for (const plan::StepId id : StepsWithTravel(PlanAmongMasts())) {
+    const plan::Travel& travel = *PlanAmongMasts().step(id).travel;
+    EXPECT_GE(travel.clearance, kTravelClearance);
+    for (std::size_t i = 0; i + 1 < travel.path.size(); ++i) {
+      for (int k = 0; k <= 1000; ++k) {
+        const JointVector q = travel.path[i] + k / 1000.0 * (travel.path[i + 1] - travel.path[i]);
+        const motion::LinkPoses X_BaseLink = scene.arm().LinkPoses(q);
+        for (const motion::BodyPair& pair : scene.pairs()) {
+          if (scene.IsCarried(pair.second) || scene.body(pair.first).name.find("mast") != 0)
+            continue;
+          ASSERT_GE(scene.Separation(pair, X_BaseLink, 1), travel.clearance);
+        }
+      }
+    }
+  }
+}
+
+// A path starts where the step before leaves the tool, and the executor goes on from its end.
+TEST(TravelPlan, PathsJoinTheStraightLines) {
+  for (const plan::StepId id : StepsWithTravel(PlanAmongMasts())) {
+    const plan::PlannedStep& step = PlanAmongMasts().step(id);
+    if (std::holds_alternative<plan::Sense>(step.action)) continue;
+    const PartId part = plan::PartOf(Masts(), step.action);
+    if (!std::holds_alternative<plan::Assemble>(step.action)) continue;
+    const plan::ToolRoute route = plan::RouteOf(Masts(), step, Masts().part(part).X_WorldPart);
+    const geometry::Pose end = motion::ToolAt(*Masts().workcell, step.travel->path.back());
+    EXPECT_TRUE(end.isApprox(route.poised, 1e-6));
+  }
+}
+
+TEST(TravelPlan, FlawsAreTold) {
+  const plan::StepId step = StepsWithTravel(PlanAmongMasts()).front();
+  const auto expect = [&](const std::function<void(plan::Travel&)>& change, const char* words) {
+    plan::Plan tampered = PlanAmongMasts();
+    change(*tampered.steps[step.index()].travel);
+    EXPECT_THAT(FlawsOfTravels(Masts(), tampered),
+                Contains(Field(&plan::Flaw::what, HasSubstr(words))));
+  };
+  expect([](plan::Travel& t) { t.path.front()[0] += 0.01; }, "does not start where");
+  expect([](plan::Travel& t) { t.path.back()[4] += 0.01; }, "does not end where");
+  expect([](plan::Travel& t) { t.clearance = 0; }, "a clearance of 0.00 mm is less");
+  expect([](plan::Travel& t) { t.clearance = 0.2; }, "are nearer than");
+  expect([](plan::Travel& t) { t.path = {t.path.front(), t.path.back()}; }, "the mast");
+}
+
+// A mast over the peg: nothing comes near it. It is told what is in the way, and that this is no
+// proof.
+TEST(TravelPlan, TellsWhatIsInTheWay) {
+  domain::Problem problem = Masts();
+  const geometry::Vector3 peg = problem.part(PartId(1)).X_WorldPart.translation();
+  problem.parts[kMast.index()].X_WorldPart.translation().head<2>() =
+      peg.head<2>() + geometry::Vector2(-0.06, 0.03);
+  plan::Plan plan = PlanAmongMasts();
+  const auto obstruction = AddTravels(problem, {.budget = 2000}, plan);
+  ASSERT_TRUE(obstruction);
+  EXPECT_THAT(*obstruction, HasSubstr("no way to action_"));
+  EXPECT_THAT(*obstruction, HasSubstr("the mast are nearer than"));
+}
+
+}  // namespace
+}  // namespace assay::assembly
