@@ -28,17 +28,10 @@ using motion::Obstruction;
 using plan::StepId;
 using plan::ToolRoute;
 
-constexpr double kPosture = 0.02;           // metres between postures that are looked at on lines
+constexpr double kLineStep = 0.01;          // metres between postures that are looked at on lines
 constexpr double kFurthestClearance = 0.1;  // that is told of a path, metres
 constexpr double kAccuracy = 5e-4;          // of what is told, metres
 constexpr double kSameOrientation = 1e-9;
-
-// Of the joint values along a line those that are some way apart, the last among them.
-void AppendThinned(const motion::LinePath& line, JointPath& path) {
-  const auto stride = std::max<std::size_t>(1, static_cast<std::size_t>(kPosture / line.step));
-  for (std::size_t i = 0; i + 1 < line.q.size(); i += stride) path.push_back(line.q[i]);
-  path.push_back(line.q.back());
-}
 
 // Straight to a pose of the tool, from the last posture of the path on. False if the arm cannot.
 bool AppendLine(const domain::Workcell& workcell, const Pose& X_WorldTool, JointPath& path) {
@@ -49,8 +42,8 @@ bool AppendLine(const domain::Workcell& workcell, const Pose& X_WorldTool, Joint
     if (q) path.push_back(*q);
     return q.has_value();
   }
-  const auto line = motion::FollowLine(workcell, path.back(), X_WorldTool.translation());
-  if (line.path) AppendThinned(*line.path, path);
+  const auto line = motion::FollowLine(workcell, path.back(), X_WorldTool.translation(), kLineStep);
+  if (line.path) path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
   return line.path.has_value();
 }
 
@@ -136,9 +129,11 @@ class TravelSearch {
     JointPath path = {from_};
     if (!AppendLine(workcell_, plan::AtSafeHeight(workcell_, walk_.left()), path)) return {};
     const Pose above = plan::AtSafeHeight(workcell_, route_.poised);
-    const motion::TravelResult over = motion::PlanTravel(
-        walk_.problem(), surroundings_,
-        {.from = path.back(), .X_WorldTool = above, .corners = Corners(Up::kToSafeHeight)});
+    const motion::TravelResult over = motion::PlanTravel(walk_.problem(), surroundings_,
+                                                         {.from = path.back(),
+                                                          .X_WorldTool = above,
+                                                          .corners = Corners(Up::kToSafeHeight),
+                                                          .line_step = kLineStep});
     if (std::holds_alternative<std::string>(over)) return {};
     const auto& way = std::get<JointPath>(over);
     path.insert(path.end(), way.begin() + 1, way.end());
@@ -157,7 +152,7 @@ class TravelSearch {
     std::string why = "no configuration of the arm comes there and goes on straight";
     int tried = 0;
     for (const JointVector& end : motion::PosturesAt(workcell_, route_.poised, from_)) {
-      if (!motion::CanFollow(workcell_, end, Corners(Up::kNo))) continue;
+      if (!motion::CanFollow(workcell_, end, Corners(Up::kNo), kLineStep)) continue;
       const auto after = AfterWork(end);
       if (!after) {
         why = in_the_way_;

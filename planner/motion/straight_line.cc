@@ -9,7 +9,6 @@ namespace {
 using kinematics::Indicators;
 using kinematics::InverseSolution;
 
-constexpr double kStep = 0.0005;           // metres
 constexpr double kGreatestTurn = 0.2;      // radians of a joint in one step
 constexpr double kSameJointValues = 1e-6;  // radians
 
@@ -65,15 +64,15 @@ std::optional<JointVector> NearestPosture(const domain::Workcell& workcell, cons
   return nearest;
 }
 
-LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from,
-                      const Vector3& end) {
+LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from, const Vector3& end,
+                      double step) {
   const Pose X_WorldTool = ToolAt(workcell, from);
   const Vector3 start = X_WorldTool.translation();
   const LineFollower follower(workcell, X_WorldTool);
   const std::optional<Indicators> configuration = follower.ConfigurationAt(from);
   if (!configuration) return {std::nullopt, start};
   const double length = (end - start).norm();
-  const int steps = std::max(2, static_cast<int>(std::ceil(length / kStep)));
+  const int steps = std::max(2, static_cast<int>(std::ceil(length / step)));
   LinePath path{.step = length / steps, .q = {from}};
   for (int i = 1; i <= steps; ++i) {
     const Vector3 p = start + static_cast<double>(i) / steps * (end - start);

@@ -24,9 +24,12 @@ struct LineResult {
   Vector3 stuck_at = Vector3::Zero();
 };
 
-// The line from where the tool is with joint values `from` to `end`.
-LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from,
-                      const Vector3& end);
+inline constexpr double kLineStep = 0.0005;  // metres
+
+// The line from where the tool is with joint values `from` to `end`, in steps of at most `step`
+// metres.
+LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from, const Vector3& end,
+                      double step = kLineStep);
 
 // Of the joint values that bring the tool there, those that are the nearest to `near`; none if the
 // arm does not reach it.

@@ -110,10 +110,10 @@ std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose
   return found;
 }
 
-bool CanFollow(const domain::Workcell& workcell, JointVector q,
-               const std::vector<Vector3>& corners) {
+bool CanFollow(const domain::Workcell& workcell, JointVector q, const std::vector<Vector3>& corners,
+               double step) {
   for (const Vector3& corner : corners) {
-    const LineResult line = FollowLine(workcell, q, corner);
+    const LineResult line = FollowLine(workcell, q, corner, step);
     if (!line.path) return false;
     q = line.path->q.back();
   }
@@ -127,7 +127,7 @@ TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surr
   const Clearance clearance(problem, surroundings);
   std::vector<JointVector> destinations;  // from which the lines can be followed
   for (const JointVector& q : PosturesAt(workcell, request.X_WorldTool, request.from)) {
-    if (!CanFollow(workcell, q, request.corners)) continue;
+    if (!CanFollow(workcell, q, request.corners, request.line_step)) continue;
     if (clearance.IsClear(request.from, q)) return JointPath{request.from, q};
     destinations.push_back(q);
   }

@@ -15,6 +15,7 @@ struct TravelRequest {
   JointVector from;
   Pose X_WorldTool;
   std::vector<Vector3> corners;
+  double line_step = 0.0005;  // metres, in which the lines are followed
 };
 
 // A path of one or two motions, or why there is none.
@@ -33,7 +34,7 @@ inline constexpr double kTravelGap = 0.01;  // metres
 std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose& X_WorldTool,
                                     const JointVector& from);
 // Whether the arm can go on from q along all lines, each from the end of the one before.
-bool CanFollow(const domain::Workcell& workcell, JointVector q,
-               const std::vector<Vector3>& corners);
+bool CanFollow(const domain::Workcell& workcell, JointVector q, const std::vector<Vector3>& corners,
+               double step);
 
 }  // namespace assay::motion

@@ -25,13 +25,13 @@ using ::testing::IsEmpty;
 
 const PartId kMast(2);
 
-const domain::Problem& Masts() {
-  static const domain::Problem problem = posting::LoadScenario("masts");
+const domain::Problem& Mast() {
+  static const domain::Problem problem = posting::LoadScenario("mast");
   return problem;
 }
 
-const plan::Plan& PlanAmongMasts() {
-  static const plan::Plan plan = MakeCertifiedPlan(Masts(), {}, {}).plan;
+const plan::Plan& PlanBesideTheMast() {
+  static const plan::Plan plan = MakeCertifiedPlan(Mast(), {}, {}).plan;
   return plan;
 }
 
@@ -52,22 +52,22 @@ TEST(TravelPlan, LeavesFreeTravelsAsTheyAre) {
   EXPECT_FALSE(result.plan.homing);
 }
 
-TEST(TravelPlan, GoesAroundMasts) {
-  EXPECT_FALSE(StepsWithTravel(PlanAmongMasts()).empty());
-  EXPECT_THAT(FlawsOfTravels(Masts(), PlanAmongMasts()), IsEmpty());
-  EXPECT_THAT(assembly::Check(Masts(), PlanAmongMasts(), 10).flaws, IsEmpty());
+TEST(TravelPlan, GoesAroundTheMast) {
+  EXPECT_FALSE(StepsWithTravel(PlanBesideTheMast()).empty());
+  EXPECT_THAT(FlawsOfTravels(Mast(), PlanBesideTheMast()), IsEmpty());
+  EXPECT_THAT(assembly::Check(Mast(), PlanBesideTheMast(), 10).flaws, IsEmpty());
 }
 
-// Oracle: at every thousandth of each path, no link of the arm comes nearer to a mast that stands
-// where the scenario says than the clearance that the plan claims.
+// Oracle: at every thousandth of each path, no link of the arm comes nearer to the mast than the
+// clearance that the plan claims.
 TEST(TravelPlan, PathsKeepTheirClearance) {
   motion::Surroundings surroundings;
-  for (std::size_t p = kMast.index(); p < Masts().parts.size(); ++p) {
-    surroundings.parts.push_back({PartId(p), Masts().parts[p].X_WorldPart});
+  for (std::size_t p = kMast.index(); p < Mast().parts.size(); ++p) {
+    surroundings.parts.push_back({PartId(p), Mast().parts[p].X_WorldPart});
   }
-  const motion::CollisionScene scene(Masts(), surroundings);
-  for (const plan::StepId id : StepsWithTravel(PlanAmongMasts())) {
-    const plan::Travel& travel = *PlanAmongMasts().step(id).travel;
+  const motion::CollisionScene scene(Mast(), surroundings);
+  for (const plan::StepId id : StepsWithTravel(PlanBesideTheMast())) {
+    const plan::Travel& travel = *PlanBesideTheMast().step(id).travel;
     EXPECT_GE(travel.clearance, kTravelClearance);
     for (std::size_t i = 0; i + 1 < travel.path.size(); ++i) {
       for (int k = 0; k <= 1000; ++k) {
@@ -85,23 +85,23 @@ TEST(TravelPlan, PathsKeepTheirClearance) {
 
 // A path starts where the step before leaves the tool, and the executor goes on from its end.
 TEST(TravelPlan, PathsJoinTheStraightLines) {
-  for (const plan::StepId id : StepsWithTravel(PlanAmongMasts())) {
-    const plan::PlannedStep& step = PlanAmongMasts().step(id);
+  for (const plan::StepId id : StepsWithTravel(PlanBesideTheMast())) {
+    const plan::PlannedStep& step = PlanBesideTheMast().step(id);
     if (std::holds_alternative<plan::Sense>(step.action)) continue;
-    const PartId part = plan::PartOf(Masts(), step.action);
+    const PartId part = plan::PartOf(Mast(), step.action);
     if (!std::holds_alternative<plan::Assemble>(step.action)) continue;
-    const plan::ToolRoute route = plan::RouteOf(Masts(), step, Masts().part(part).X_WorldPart);
-    const geometry::Pose end = motion::ToolAt(*Masts().workcell, step.travel->path.back());
+    const plan::ToolRoute route = plan::RouteOf(Mast(), step, Mast().part(part).X_WorldPart);
+    const geometry::Pose end = motion::ToolAt(*Mast().workcell, step.travel->path.back());
     EXPECT_TRUE(end.isApprox(route.poised, 1e-6));
   }
 }
 
 TEST(TravelPlan, FlawsAreTold) {
-  const plan::StepId step = StepsWithTravel(PlanAmongMasts()).front();
+  const plan::StepId step = StepsWithTravel(PlanBesideTheMast()).front();
   const auto expect = [&](const std::function<void(plan::Travel&)>& change, const char* words) {
-    plan::Plan tampered = PlanAmongMasts();
+    plan::Plan tampered = PlanBesideTheMast();
     change(*tampered.steps[step.index()].travel);
-    EXPECT_THAT(FlawsOfTravels(Masts(), tampered),
+    EXPECT_THAT(FlawsOfTravels(Mast(), tampered),
                 Contains(Field(&plan::Flaw::what, HasSubstr(words))));
   };
   expect([](plan::Travel& t) { t.path.front()[0] += 0.01; }, "does not start where");
@@ -114,11 +114,11 @@ TEST(TravelPlan, FlawsAreTold) {
 // A mast over the peg: nothing comes near it. It is told what is in the way, and that this is no
 // proof.
 TEST(TravelPlan, TellsWhatIsInTheWay) {
-  domain::Problem problem = Masts();
+  domain::Problem problem = Mast();
   const geometry::Vector3 peg = problem.part(PartId(1)).X_WorldPart.translation();
   problem.parts[kMast.index()].X_WorldPart.translation().head<2>() =
       peg.head<2>() + geometry::Vector2(-0.06, 0.03);
-  plan::Plan plan = PlanAmongMasts();
+  plan::Plan plan = PlanBesideTheMast();
   const auto obstruction = AddTravels(problem, {.budget = 2000}, plan);
   ASSERT_TRUE(obstruction);
   EXPECT_THAT(*obstruction, HasSubstr("no way to action_"));

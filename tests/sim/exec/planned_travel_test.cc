@@ -17,12 +17,12 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
 
-// Figure 15 behind masts that the forearm would pass through.
-class AmongMasts : public testing::Test {
+// A peg and a block beside a mast that the forearm would run into.
+class BesideTheMast : public testing::Test {
  protected:
   static const domain::Problem& problem() {
     static const domain::Problem problem = domain::ReadProblem(
-        Document::Load(ASSAY_SOURCE_DIR "/scenarios/masts.yaml"), ASSAY_SOURCE_DIR "/models");
+        Document::Load(ASSAY_SOURCE_DIR "/scenarios/mast.yaml"), ASSAY_SOURCE_DIR "/models");
     return problem;
   }
   static const plan::Plan& planned() {
@@ -41,8 +41,8 @@ class AmongMasts : public testing::Test {
     mujoco::Data data = scene.Start();
     return Execute(problem(), plan, scene, data, {.sample_rate = 500});
   }
-  // Of arm, hand, fingers or the peg with a mast: everything that happened.
-  static std::set<std::string> TouchedMasts(const Trace& trace) {
+  // Of arm, hand, fingers or the peg with the mast: everything that happened.
+  static std::set<std::string> TouchedMast(const Trace& trace) {
     std::set<std::string> touched;
     for (const Sample* sample : trace.All<Sample>()) {
       for (const auto& [a, b] : sample->moment.contacts) {
@@ -54,14 +54,14 @@ class AmongMasts : public testing::Test {
   }
 };
 
-TEST_F(AmongMasts, TheUsualTravelRunsIntoOne) {
-  EXPECT_THAT(TouchedMasts(Executed(Usual())), Not(IsEmpty()));
+TEST_F(BesideTheMast, TheUsualTravelRunsIntoIt) {
+  EXPECT_THAT(TouchedMast(Executed(Usual())), Not(IsEmpty()));
 }
 
-TEST_F(AmongMasts, PlannedPathsTouchNothingAndTheGoalIsReached) {
+TEST_F(BesideTheMast, PlannedPathsTouchNothingAndTheGoalIsReached) {
   const Trace trace = Executed(planned());
   ASSERT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
-  EXPECT_THAT(TouchedMasts(trace), IsEmpty());
+  EXPECT_THAT(TouchedMast(trace), IsEmpty());
   const Moment& end = trace.end().moment;
   for (std::size_t p = 2; p < problem().parts.size(); ++p) {
     const Vector3 moved =
@@ -75,7 +75,7 @@ TEST_F(AmongMasts, PlannedPathsTouchNothingAndTheGoalIsReached) {
 }
 
 // The step before a path ends low, and the path takes the place of up, over and down.
-TEST_F(AmongMasts, CommandsFollowThePaths) {
+TEST_F(BesideTheMast, CommandsFollowThePaths) {
   const CommandFile file = CommandFileOf(problem(), planned());
   int paths = 0;
   for (std::size_t i = 0; i < file.steps.size(); ++i) {
@@ -95,7 +95,7 @@ TEST_F(AmongMasts, CommandsFollowThePaths) {
 }
 
 // A path belongs to a posture of the arm: from another one it is not followed.
-TEST_F(AmongMasts, APathIsNotFollowedFromElsewhere) {
+TEST_F(BesideTheMast, APathIsNotFollowedFromElsewhere) {
   const scene::Scene scene(problem(), {});
   mujoco::Data data = scene.Start();
   const ExecutorOptions options;
@@ -103,7 +103,7 @@ TEST_F(AmongMasts, APathIsNotFollowedFromElsewhere) {
   kinematics::JointVector away = problem().workcell->home();
   away[0] += 0.5;
   const FollowPath follow{{away, problem().workcell->home()}, plan::HomeTool(*problem().workcell)};
-  const Progress failure = Run(follow, {}, execution);
+  const Progress failure = exec::Run(follow, {}, execution);
   ASSERT_TRUE(failure);
   EXPECT_EQ(failure->outcome, ExecutionOutcome::kUnreachable);
   EXPECT_THAT(failure->reason, HasSubstr("not in the posture"));

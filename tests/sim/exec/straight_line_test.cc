@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
-#include "sim/exec/travel.h"
 #include "tests/sim/exec/figure15.h"
 
 namespace assay::exec {
