@@ -1,14 +1,20 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <ctime>
+#include <iostream>
 #include <string>
+#include <vector>
 
 #include "planner/base/random.h"
 #include "planner/domain/problem_file.h"
 #include "planner/motion/path_search.h"
+#include "planner/motion/straight_line.h"
 #include "sim/scene/scene.h"
 
 namespace assay::exec {
@@ -22,7 +28,7 @@ using motion::JointPath;
 // ASSAY_PATH_QUERIES of them for each scene; the figures are printed.
 int Queries() {
   const char* said = std::getenv("ASSAY_PATH_QUERIES");
-  return said == nullptr ? 3 : std::stoi(said);
+  return said == nullptr ? 2 : std::stoi(said);
 }
 
 struct Case {
@@ -76,14 +82,25 @@ class PathInEngine : public testing::TestWithParam<Case> {
     }
   }
 
+  void Put(PartId part, const geometry::Pose& X_WorldPart) {
+    const mjModel* model = data_.own_model();
+    const int joint = model->body_jntadr[engine_.Body(part).index()];
+    const Eigen::Quaterniond turn(X_WorldPart.linear());
+    const geometry::Vector3 p = X_WorldPart.translation();
+    const std::array<double, 7> values = {p.x(),    p.y(),    p.z(),   turn.w(),
+                                          turn.x(), turn.y(), turn.z()};
+    std::ranges::copy(values, data_.qpos().begin() + model->jnt_qposadr[joint]);
+  }
+
   // What touches what it should not with the arm there.
   std::string Touching(const JointVector& q) {
-    engine_.SetArm(data_, q);
+    for (std::size_t j = 0; j < 6; ++j) data_.qpos()[engine_.arm().qpos[j]] = q[j];
     if (const auto& held = surroundings_.held) {
-      data_.Forward();
-      engine_.SetPart(data_, held->part, engine_.ToolPose(data_) * held->X_PartTool.inverse());
+      Put(held->part, motion::ToolAt(*problem_.workcell, q) * held->X_PartTool.inverse());
     }
-    data_.Forward();
+    mj_kinematics(data_.own_model(), data_.get());
+    mj_comPos(data_.own_model(), data_.get());
+    mj_collision(data_.own_model(), data_.get());
     const std::string peg = surroundings_.held ? "part/peg" : "-";
     for (const mujoco::Contact& contact : mujoco::Contacts(data_)) {
       const std::string a = data_.model().Name(contact.body_a);
@@ -124,9 +141,12 @@ TEST_P(PathInEngine, TouchesNothing) {
   RandomStream random(2026, "paths in the engine");
   int unsolved = 0;
   int solved_by_a_long_run = 0;
+  std::vector<double> milliseconds;
   for (int i = 0; i < Queries(); ++i) {
     motion::PathRequest request{.from = Draw(random), .to = Draw(random)};
+    const std::clock_t start = std::clock();
     const motion::PathResult result = FindPath(paths_, request);
+    milliseconds.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
     if (const auto* path = std::get_if<JointPath>(&result)) {
       EXPECT_EQ(TouchingAlong(*path), "") << "query " << i;
       continue;
@@ -135,8 +155,10 @@ TEST_P(PathInEngine, TouchesNothing) {
     request.budget *= 20;
     if (std::holds_alternative<JointPath>(FindPath(paths_, request))) ++solved_by_a_long_run;
   }
-  RecordProperty("unsolved", unsolved);
-  RecordProperty("solved_by_a_long_run", solved_by_a_long_run);
+  std::ranges::sort(milliseconds);
+  std::cout << Queries() << " queries, " << unsolved << " unsolved, of which a long run solves "
+            << solved_by_a_long_run << "; median " << milliseconds[milliseconds.size() / 2]
+            << " ms\n";
   EXPECT_LE(solved_by_a_long_run, Queries() / 100);
 }
 
