@@ -121,7 +121,7 @@ void PathBetweenRandomPostures(benchmark::State& state, Hand hand, Tool tool) {
     const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
     milliseconds.push_back(took.count());
     if (const auto* path = std::get_if<JointPath>(&result)) {
-      durations.push_back(JointTrajectory(*path, rates).duration());
+      durations.push_back(AlongPath(*path, rates).duration());
     }
   }
   state.counters["solved"] =

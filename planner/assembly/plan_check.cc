@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "planner/assembly/fine_motion_resolver.h"
+#include "planner/assembly/travel_plan.h"
 #include "planner/finemotion/strategy_check.h"
 
 namespace assay::assembly {
@@ -31,6 +32,7 @@ plan::CheckReport Check(const domain::Problem& problem, const plan::Plan& plan,
                         int most_linearizations) {
   plan::CheckReport report = plan::Check(problem, plan, most_linearizations);
   std::ranges::move(FlawsOfStrategies(problem, plan), std::back_inserter(report.flaws));
+  if (report.flaws.empty()) report.flaws = FlawsOfTravels(problem, plan);
   return report;
 }
 

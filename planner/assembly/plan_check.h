@@ -8,7 +8,7 @@
 
 namespace assay::assembly {
 
-// plan::Check, and whether the strategies hold up.
+// plan::Check, and whether strategies and travels hold up.
 plan::CheckReport Check(const domain::Problem& problem, const plan::Plan& plan,
                         int most_linearizations);
 

@@ -37,13 +37,4 @@ std::vector<std::shared_ptr<posting::Resolver>> Resolvers(
   return resolvers;
 }
 
-plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
-                                   const posting::PlannerOptions& planner,
-                                   posting::UncertaintyOptions uncertainty) {
-  if (uncertainty.resolvers.empty()) {
-    uncertainty.resolvers = Resolvers(problem.resolvers, uncertainty.propagation);
-  }
-  return posting::MakeCertifiedPlan(problem, planner, uncertainty);
-}
-
 }  // namespace assay::assembly

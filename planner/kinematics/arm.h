@@ -12,6 +12,12 @@ namespace assay::kinematics {
 
 using JointVector = Eigen::Matrix<double, 6, 1>;  // radians, joint 1 first
 
+// Where the joints are, or are to be, and how fast.
+struct JointState {
+  JointVector q = JointVector::Zero();   // rad
+  JointVector qd = JointVector::Zero();  // rad/s
+};
+
 // The indicators that name the up to eight solutions (Lee and Ziegler 1983, whose convention of
 // joint values is used throughout).
 enum class Shoulder { kRight, kLeft };  // ARM = +1, -1: the wrist behind or before axis 1

@@ -81,13 +81,17 @@ double BallGap(const Pose& X_BaseA, const Vector3& a, double a_radius, const Pos
 
 CollisionScene::CollisionScene(const domain::Problem& problem, const Surroundings& surroundings)
     : workcell_(problem.workcell) {
+  const auto doubt = [&](PartId part) {
+    return surroundings.doubts.empty() ? 0 : surroundings.doubts[part.index()];
+  };
   AddLinks();
   AddGripper(surroundings.opening);
   if (surroundings.held) {
     const domain::Part& part = problem.part(surroundings.held->part);
     const Pose X_FlangePart =
         workcell_->gripper().X_FlangeTool() * surroundings.held->X_PartTool.inverse();
-    Add(part.name, kFlange, HullsOf(part.model->boxes(), X_FlangePart));
+    Add(part.name, kFlange, HullsOf(part.model->boxes(), X_FlangePart)).doubt =
+        doubt(surroundings.held->part);
   }
   AddStage();
   for (const domain::Robot& robot : workcell_->robots()) {
@@ -96,12 +100,12 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
   const Pose X_BaseWorld = workcell_->X_WorldBase().inverse();
   for (const auto& [id, X_WorldPart] : surroundings.parts) {
     const domain::Part& part = problem.part(id);
-    Add(part.name, 0, HullsOf(part.model->boxes(), X_BaseWorld * X_WorldPart));
+    Add(part.name, 0, HullsOf(part.model->boxes(), X_BaseWorld * X_WorldPart)).doubt = doubt(id);
   }
   ListPairs();
 }
 
-void CollisionScene::Add(std::string name, int link, std::vector<RoundedHull> hulls) {
+Body& CollisionScene::Add(std::string name, int link, std::vector<RoundedHull> hulls) {
   Body body{.name = std::move(name), .link = link, .hulls = std::move(hulls)};
   body.reach = ReachOf(body, arm().model());
   Eigen::AlignedBox3d bounds;
@@ -111,7 +115,7 @@ void CollisionScene::Add(std::string name, int link, std::vector<RoundedHull> hu
   body.center = bounds.center();
   body.ball_radius =
       GreatestOverVertices(body.hulls, [&](const Vector3& p) { return (p - body.center).norm(); });
-  bodies_.push_back(std::move(body));
+  return bodies_.emplace_back(std::move(body));
 }
 
 void CollisionScene::AddLinks() {
@@ -179,6 +183,10 @@ void CollisionScene::ListPairs() {
       pairs_.push_back(pair);
     }
   }
+}
+
+bool CollisionScene::IsCarried(BodyId id) const {
+  return body(id).link == kFlange && id.index() >= arm_bodies_;
 }
 
 double CollisionScene::Separation(const BodyPair& pair, const LinkPoses& X_BaseLink,

@@ -32,6 +32,7 @@ struct Body {
   std::array<double, 6> reach = {};
   Vector3 center = Vector3::Zero();  // of a ball that holds the body, in the link's frame
   double ball_radius = 0;
+  double doubt = 0;  // a point of it may be so far from where it is here, metres
 };
 
 // Two bodies that must not touch; the second is at least as far along the arm.
@@ -56,7 +57,8 @@ struct HeldPart {
 struct Surroundings {
   std::vector<domain::PlacedPart> parts = {};  // that stand still; others are not there
   std::optional<HeldPart> held = {};
-  double opening = 0;  // between the pads, metres
+  std::vector<double> doubts = {};  // of the parts by PartId, metres (Body::doubt); empty: none
+  double opening = 0;               // between the pads, metres
 };
 
 // The workcell as bodies: the arm's links, hand, fingers, held part, table, floor (where the arm's
@@ -77,6 +79,9 @@ class CollisionScene {
   const Body& body(BodyId id) const { return bodies_[static_cast<std::size_t>(id.index())]; }
   const std::vector<BodyPair>& pairs() const { return pairs_; }
 
+  // Hand, fingers or held part.
+  bool IsCarried(BodyId id) const;
+
   // The distance of two bodies, never more than the truth. From `enough` on, anything that is at
   // least `enough` may be told.
   double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough) const;
@@ -92,7 +97,7 @@ class CollisionScene {
   std::string Describe(const BodyPair& pair) const;
 
  private:
-  void Add(std::string name, int link, std::vector<RoundedHull> hulls);
+  Body& Add(std::string name, int link, std::vector<RoundedHull> hulls);
   void AddLinks();
   void AddGripper(double opening);
   void AddStage();

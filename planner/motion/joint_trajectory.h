@@ -7,7 +7,26 @@
 
 namespace assay::motion {
 
+using kinematics::JointState;
 using kinematics::JointVector;
+
+// Joint values over time: cubic between knots, with continuous velocity.
+class JointTrajectory {
+ public:
+  struct Knot {
+    double time = 0;  // seconds, increasing from 0
+    JointState state;
+  };
+
+  explicit JointTrajectory(std::vector<Knot> knots);  // at least one (checked)
+
+  double duration() const { return knots_.back().time; }  // seconds
+  const std::vector<Knot>& knots() const { return knots_; }
+  JointState At(double time) const;  // the ends' states before and after
+
+ private:
+  std::vector<Knot> knots_;
+};
 
 // What the joints may do, rad/s and rad/s^2.
 struct JointRates {
@@ -17,42 +36,16 @@ struct JointRates {
 
 JointRates RatesOf(const domain::Workcell& workcell);
 
-// A motion straight in joint space, from rest to rest: all joints start and stop together, each
-// with the same trapezoid of velocity; the fastest that breaks none of the rates.
-class SynchronizedMove {
- public:
-  SynchronizedMove(const JointVector& from, const JointVector& to, const JointRates& rates);
+// From rest at `from` to rest at `to`, straight in joint space: all joints start and stop together,
+// each with the same trapezoid of velocity; the fastest that breaks none of the rates.
+JointTrajectory SynchronizedMove(const JointVector& from, const JointVector& to,
+                                 const JointRates& rates);
 
-  double duration() const { return duration_; }  // seconds
-  double ramp() const { return ramp_; }          // of speeding up, and of slowing down; seconds
-  JointVector At(double time) const;             // the ends before and after
-  JointVector VelocityAt(double time) const;     // rad/s
-
- private:
-  JointVector from_;
-  JointVector way_;
-  double ramp_ = 0;
-  double duration_ = 0;
-  double cruise_ = 0;  // of the whole way, per second
-};
+// How long that takes, seconds.
+double MoveDuration(const JointVector& from, const JointVector& to, const JointRates& rates);
 
 // A path in time: one synchronized move after the other, at rest in each corner, so that it stays
-// exactly on the path that was found to be free.
-class JointTrajectory {
- public:
-  JointTrajectory(const JointPath& path,
-                  const JointRates& rates);  // at least one posture (checked)
-
-  double duration() const { return starts_.back(); }  // seconds
-  const std::vector<SynchronizedMove>& moves() const { return moves_; }
-  JointVector At(double time) const;
-  JointVector VelocityAt(double time) const;
-
- private:
-  std::size_t MoveAt(double time) const;
-
-  std::vector<SynchronizedMove> moves_;
-  std::vector<double> starts_;  // of the moves, and the end of the last
-};
+// exactly on the path that was found to be free. At least one posture (checked).
+JointTrajectory AlongPath(const JointPath& path, const JointRates& rates);
 
 }  // namespace assay::motion

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 
@@ -9,6 +10,9 @@
 
 namespace assay::motion {
 namespace {
+
+// Of the distance in a given posture, what must be kept elsewhere.
+constexpr double kShareOfGiven = 0.9;
 
 double AngleBetweenUnits(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -26,18 +30,38 @@ std::string Describe(const CollisionScene& scene, const MotionRules& rules,
                          rules.upright->tilt * 180 / M_PI);
     case Obstruction::Kind::kPair:
       return fmt::format("{} are nearer than {:.1f} mm", scene.Describe(obstruction.pair),
-                         1e3 * rules.clearance);
+                         1e3 * obstruction.clearance);
   }
   ASSAY_CHECK(false, "no such kind of obstruction");
 }
 
 MotionCheck::MotionCheck(const CollisionScene& scene, const MotionRules& rules)
-    : scene_(scene), rules_(rules) {
+    : scene_(scene), rules_(rules), watched_(WatchedPairs()) {
   ASSAY_CHECK(rules.clearance >= 0);
   if (!rules.upright) return;
   const domain::Workcell& workcell = scene.workcell();
   up_Flange_ = workcell.gripper().X_FlangeTool().linear() * rules.upright->up_Tool;
   up_Base_ = workcell.X_WorldBase().linear().transpose() * Vector3::UnitZ();
+}
+
+std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
+  std::vector<LinkPoses> given;
+  for (const JointVector& q : rules_.given) given.push_back(scene_.arm().LinkPoses(q));
+  std::vector<WatchedPair> watched;
+  for (const BodyPair& pair : scene_.pairs()) {
+    const bool carried = scene_.IsCarried(pair.second);
+    if (carried && rules_.bodies == MotionRules::Bodies::kArm) continue;
+    double clearance =
+        rules_.clearance + scene_.body(pair.first).doubt + scene_.body(pair.second).doubt;
+    if (carried) {
+      for (const LinkPoses& X_BaseLink : given) {
+        const double near = kShareOfGiven * scene_.Separation(pair, X_BaseLink, clearance);
+        if (near > 0) clearance = std::min(clearance, near);
+      }
+    }
+    watched.push_back({pair, clearance});
+  }
+  return watched;
 }
 
 double MotionCheck::Tilt(const LinkPoses& X_BaseLink) const {
@@ -47,7 +71,7 @@ double MotionCheck::Tilt(const LinkPoses& X_BaseLink) const {
 std::optional<Obstruction> MotionCheck::FindObstruction(const JointVector& from,
                                                         const JointVector& to) {
   for (const JointVector& q : {from, to}) {  // the range is convex: its ends are enough
-    if (!scene_.arm().InRange(q)) return Obstruction{Obstruction::Kind::kLimits, {}, q};
+    if (!scene_.arm().InRange(q)) return Obstruction{Obstruction::Kind::kLimits, {}, 0, q};
   }
   const JointVector way = to - from;
   const JointVector turn = way.cwiseAbs();
@@ -70,8 +94,8 @@ std::optional<Obstruction> MotionCheck::FindObstruction(const JointVector& from,
 
 std::vector<MotionCheck::OpenPair> MotionCheck::OpenPairs(const JointVector& turn) const {
   std::vector<OpenPair> open;
-  for (const BodyPair& pair : scene_.pairs()) {
-    open.push_back({pair, scene_.GreatestMotion(pair, turn)});
+  for (const auto& [pair, clearance] : watched_) {
+    open.push_back({pair, clearance, scene_.GreatestMotion(pair, turn)});
   }
   return open;
 }
@@ -85,17 +109,17 @@ std::optional<Obstruction> MotionCheck::Narrow(Interval& interval, const JointVe
     const double turn_from_middle = turn * interval.half;
     interval.tilt_is_open = room < turn_from_middle;
     if (room < 0 || (interval.tilt_is_open && turn_from_middle < kUndecided)) {
-      return Obstruction{Obstruction::Kind::kTilt, {}, q};
+      return Obstruction{Obstruction::Kind::kTilt, {}, 0, q};
     }
   }
   std::vector<OpenPair> still_open;
   for (const OpenPair& open : interval.pairs) {
     const double motion = open.motion * interval.half;
-    const double needed = rules_.clearance + motion;
+    const double needed = open.clearance + motion;
     const double distance = scene_.Separation(open.pair, X_BaseLink, needed);
     if (distance > 0 && distance >= needed) continue;
-    if (distance == 0 || distance < rules_.clearance || motion < kUndecided) {
-      return Obstruction{Obstruction::Kind::kPair, open.pair, q};
+    if (distance == 0 || distance < open.clearance || motion < kUndecided) {
+      return Obstruction{Obstruction::Kind::kPair, open.pair, open.clearance, q};
     }
     still_open.push_back(open);
   }

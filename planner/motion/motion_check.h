@@ -17,8 +17,17 @@ struct Upright {
 
 // What a motion must keep to, everywhere on its way.
 struct MotionRules {
-  double clearance = 0.01;  // of every pair of bodies, metres, >= 0
+  // Of every pair of bodies, metres, >= 0; beyond their doubts (Body::doubt).
+  double clearance = 0.01;
   std::optional<Upright> upright = {};
+  // Postures that are given, as those where straight lines end: what the arm carries may come to
+  // anything nearly as near as it is in one of these.
+  std::vector<JointVector> given = {};
+  enum class Bodies {
+    kAll,
+    kArm,  // not what the arm carries: that is held against its work elsewhere
+  };
+  Bodies bodies = Bodies::kAll;
 };
 
 // What stands in the way of a motion.
@@ -29,7 +38,8 @@ struct Obstruction {
     kPair,    // `pair` comes nearer than the clearance
   };
   Kind kind = Kind::kPair;
-  BodyPair pair = {};  // of kPair
+  BodyPair pair = {};    // of kPair
+  double clearance = 0;  // that `pair` must keep, metres
   JointVector at = JointVector::Zero();
 };
 
@@ -58,8 +68,13 @@ class MotionCheck {
   static constexpr double kUndecided = 1e-4;  // metres, or radians of tilt
 
  private:
+  struct WatchedPair {
+    BodyPair pair;
+    double clearance = 0;  // metres
+  };
   struct OpenPair {
     BodyPair pair;
+    double clearance = 0;
     double motion = 0;  // of its bodies on the whole way, metres
   };
   // A part of a motion, and what is not yet known to be free on it.
@@ -70,6 +85,7 @@ class MotionCheck {
     bool tilt_is_open = false;
   };
 
+  std::vector<WatchedPair> WatchedPairs() const;
   double Tilt(const LinkPoses& X_BaseLink) const;  // radians
   std::vector<OpenPair> OpenPairs(const JointVector& turn) const;
   // Takes from the interval what the posture in its middle, q, shows to be free all along it.
@@ -78,6 +94,7 @@ class MotionCheck {
 
   const CollisionScene& scene_;
   MotionRules rules_;
+  std::vector<WatchedPair> watched_;
   Vector3 up_Flange_ = Vector3::Zero();
   Vector3 up_Base_ = Vector3::Zero();
   std::int64_t postures_ = 0;

@@ -89,7 +89,7 @@ class Shortening {
   }
 
   double Time(const JointVector& from, const JointVector& to) const {
-    return SynchronizedMove(from, to, rates_).duration();
+    return MoveDuration(from, to, rates_);
   }
 
   JointPath path_;

@@ -13,6 +13,7 @@
 #include "planner/domain/mating.h"
 #include "planner/domain/uncertainty_operations.h"
 #include "planner/geometry/pose.h"
+#include "planner/kinematics/arm.h"
 #include "planner/plan/certificate.h"
 #include "planner/plan/strategy.h"
 
@@ -71,6 +72,17 @@ struct Squeeze {
 
 using Action = std::variant<Pickup, Putdown, Assemble, Sense, Squeeze>;
 
+// How the arm comes to where it is poised before its work, where the usual way (straight up, over at
+// safe height, straight down) is not free.
+struct Travel {
+  // Straight in joint space from each to the next: from where the step before leaves the tool after
+  // its retreat (plan::RouteOf) to where this one is poised; at least two, radians.
+  std::vector<kinematics::JointVector> path;
+  // What bodies keep from each other all along, wherever the parts are within their errors, metres;
+  // hand and held part may be as near to parts and table as they are at an end of the path.
+  double clearance = 0;
+};
+
 struct PlannedStep {
   std::string name;  // "action_3"
   Action action;
@@ -79,6 +91,7 @@ struct PlannedStep {
   Certificate certificate = {};
   std::optional<Strategy> strategy =
       {};  // of assemble: how fine motion executes it; none: straight
+  std::optional<Travel> travel = {};  // none: up, over and down
 };
 
 // A check after a step whose preconditions could not be proved: a measured quantity against what it
@@ -113,6 +126,7 @@ struct Plan {
   std::vector<Verification> verifications = {};
   std::vector<Recovery> recoveries = {};
   int errors = 0;  // actions whose uncertainty-reduction goals are not met (Spar's error count)
+  std::optional<Travel> homing = {};  // after the last step, to the arm's home; none: up and over
 
   const PlannedStep& step(StepId id) const { return steps[id.index()]; }
   std::vector<StepId> ExecutionOrder() const;
@@ -125,6 +139,9 @@ struct PlanResult {
   Plan plan;
   std::vector<std::string> conflict;
   std::map<std::string, std::int64_t> counters;  // machine-free: nodes, instances, ...
+  // What was in the way of the first plan instance, if the arm could execute none: a sentence. With
+  // kBudget: no path was found, which is no proof that there is none.
+  std::string obstruction = {};
 };
 
 }  // namespace assay::plan

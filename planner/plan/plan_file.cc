@@ -14,6 +14,7 @@
 #include "planner/plan/pose_file.h"
 #include "planner/plan/recovery_file.h"
 #include "planner/plan/strategy_file.h"
+#include "planner/plan/travel_file.h"
 
 namespace assay::plan {
 namespace {
@@ -110,6 +111,7 @@ Json StepToJson(const PlannedStep& step, const domain::Problem& problem) {
                {"executed", step.executed}};
   if (const Hold* hold = std::visit(HoldOf{}, step.action)) json["hold"] = HoldToJson(*hold);
   json["place"] = PlaceToJson(PlaceOf(step.action));
+  if (step.travel) json["travel"] = ToJson(*step.travel);
   if (step.strategy) json["strategy"] = ToJson(*step.strategy);
   return json;
 }
@@ -212,7 +214,8 @@ Assemble ReadAssemble(const Value& action, const domain::Problem& problem) {
 }
 
 Sense ReadSense(const Value& action, const domain::Problem& problem) {
-  action.AllowOnly({"id", "name", "arguments", "inserted", "executed", "place", "certificate"});
+  action.AllowOnly(
+      {"id", "name", "arguments", "inserted", "executed", "place", "travel", "certificate"});
   const Value arguments = action.At("arguments");
   arguments.AllowOnly({"part", "sensor", "position"});
   return {ReadPart(arguments.At("part"), problem), ReadSensor(arguments.At("sensor"), problem),
@@ -246,12 +249,13 @@ Action ReadAction(const Value& action, const domain::Problem& problem) {
 }
 
 PlannedStep ReadStep(const Value& action, const domain::Problem& problem) {
-  action.AllowOnly({"id", "name", "arguments", "inserted", "executed", "hold", "place", "strategy",
-                    "certificate"});
+  action.AllowOnly({"id", "name", "arguments", "inserted", "executed", "hold", "place", "travel",
+                    "strategy", "certificate"});
   const int most = std::numeric_limits<int>::max();
   PlannedStep step = {action.At("id").Text(), ReadAction(action, problem),
                       action.At("inserted").Integer(1, most),
                       action.At("executed").Integer(1, most)};
+  if (const auto travel = action.Find("travel")) step.travel = ReadTravel(*travel);
   const std::optional<Value> strategy = action.Find("strategy");
   if (!strategy) return step;
   if (!std::holds_alternative<Assemble>(step.action)) {
@@ -362,7 +366,9 @@ Json ToJson(const PlanResult& result, const domain::Problem& problem, const std:
                {"verifications", verifications},
                {"recoveries", recoveries},
                {"errors", plan.errors}};
+  if (plan.homing) json["homing"] = ToJson(*plan.homing);
   if (result.outcome == Outcome::kNone) json["conflict"] = result.conflict;
+  if (!result.obstruction.empty()) json["obstruction"] = result.obstruction;
   json["counters"] = Json::object();
   for (const auto& [name, count] : result.counters) json["counters"][name] = count;
   return json;
@@ -377,8 +383,8 @@ PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
   plan_file.RequireFormat(kFormat);
   const Value& root = plan_file.root();
   root.AllowOnly({"format", "scenario", "problem", "outcome", "actions", "ordering",
-                  "verifications", "recoveries", "errors", "conflict", "counters", "seconds",
-                  "instances", "check"});
+                  "verifications", "recoveries", "errors", "homing", "conflict", "obstruction",
+                  "counters", "seconds", "instances", "check"});
   root.At("scenario").Text();
   PlanResult result;
   result.plan.problem = root.At("problem").Text();
@@ -389,7 +395,9 @@ PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
   CheckNumbering(actions, result.plan.steps);
   result.plan.ordering = ReadOrdering(root.At("ordering"), result.plan.steps);
   ReadAugmentation(root, problem, result.plan);
+  if (const auto homing = root.Find("homing")) result.plan.homing = ReadTravel(*homing);
   result.conflict = ReadConflict(root, result.outcome);
+  if (const auto obstruction = root.Find("obstruction")) result.obstruction = obstruction->Text();
   result.counters = ReadCounters(root.At("counters"));
   return result;
 }

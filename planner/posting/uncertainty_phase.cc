@@ -461,6 +461,9 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const Planner
   std::int64_t combinations = 0;
   PlannerOptions first_phase = planner;
   first_phase.accept = [&](const plan::Plan& instance) {
+    if (complete.can_be_executed && !complete.can_be_executed(instance)) {
+      return ++instances >= complete.instances;
+    }
     auto augmentation = std::make_unique<const Augmentation>(problem, instance, complete);
     combinations += augmentation->combinations();
     if (!best || augmentation->IsBetterThan(*best)) best = std::move(augmentation);
@@ -472,6 +475,10 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const Planner
     result.outcome = Outcome::kFound;
     result.conflict.clear();
     result.plan = best->WriteOut().plan;
+  } else if (instances > 0) {  // none of which can be executed
+    result.outcome = Outcome::kBudget;
+    result.plan = {};
+    result.conflict.clear();
   }
   return result;
 }

@@ -21,6 +21,9 @@ struct UncertaintyOptions {
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
   std::vector<plan::Sense> looks =
       {};  // with which every plan begins, whether it needs them or not
+  // Asked of each plan instance of the first phase before it is augmented: those that cannot be
+  // executed are passed over. Empty: all can be.
+  std::function<bool(const plan::Plan&)> can_be_executed = {};
 };
 
 // A plan instance with its certificates, error count, verifications and recoveries (Spar,

@@ -45,6 +45,21 @@ struct ActionText {
   }
 };
 
+// The paths that the arm takes where it cannot go up, over and down; nothing if it always can.
+std::string TravelText(const plan::Plan& plan) {
+  std::string text;
+  const auto tell = [&](const std::string& to, const plan::Travel& travel) {
+    text += fmt::format("  to {}: {} postures, {:.1f} mm clear\n", to, travel.path.size(),
+                        1e3 * travel.clearance);
+  };
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    const plan::PlannedStep& step = plan.step(id);
+    if (step.travel) tell(fmt::format("step {}", step.executed), *step.travel);
+  }
+  if (plan.homing) tell("home", *plan.homing);
+  return text.empty() ? text : "\npaths around what is in the way\n" + text;
+}
+
 }  // namespace
 
 std::string Text(const Problem& problem, const plan::Action& action) {
@@ -70,11 +85,15 @@ std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
 std::string Text(const Problem& problem, const plan::PlanResult& result) {
   switch (result.outcome) {
     case Outcome::kFound:
-      return PlanTable(problem, result.plan) + UncertaintyText(result.plan);
+      return PlanTable(problem, result.plan) + TravelText(result.plan) +
+             UncertaintyText(result.plan);
     case Outcome::kNone:
       return fmt::format("No plan exists. These cannot hold together:\n  - {}\n",
                          fmt::join(result.conflict, "\n  - "));
     case Outcome::kBudget:
+      if (!result.obstruction.empty()) {
+        return fmt::format("The arm can execute no plan that was found: {}.\n", result.obstruction);
+      }
       return "The budget was spent before an answer; --budget gives a greater one.\n";
   }
   return "";

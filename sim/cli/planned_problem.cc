@@ -4,7 +4,7 @@
 #include <iterator>
 
 #include "planner/assembly/plan_check.h"
-#include "planner/assembly/resolvers.h"
+#include "planner/assembly/certified_plan.h"
 #include "planner/plan/plan_file.h"
 #include "sim/cli/certificate_check.h"
 #include "sim/cli/progress.h"

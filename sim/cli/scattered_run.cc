@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/assembly/resolvers.h"
+#include "planner/assembly/certified_plan.h"
 #include "planner/domain/scatter.h"
 #include "sim/cli/console.h"
 #include "sim/cli/output_file.h"

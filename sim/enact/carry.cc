@@ -10,7 +10,6 @@
 #include "sim/enact/skill.h"
 #include "sim/exec/action_commands.h"
 #include "sim/exec/straight_line.h"
-#include "sim/exec/travel.h"
 
 namespace assay::enact {
 namespace {
@@ -148,12 +147,8 @@ class Carry : public Skill {
   }
 
   static exec::Progress Follow(const motion::JointPath& path, exec::Execution& execution) {
-    const exec::JointRates rates = exec::RatesOf(*execution.problem().workcell);
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const exec::JointTrajectory way = exec::SynchronizedMove(path[i], path[i + 1], rates);
-      if (auto failure = execution.Follow(way, 0)) return failure;
-    }
-    return std::nullopt;
+    const motion::JointRates rates = motion::RatesOf(*execution.problem().workcell);
+    return execution.Follow(motion::AlongPath(path, rates), 0);
   }
 
   const domain::Table* to_;     // null: the action's

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 
+#include "planner/motion/joint_trajectory.h"
 #include "planner/motion/path_search.h"
-#include "sim/exec/joint_trajectory.h"
-#include "sim/exec/travel.h"
 
 namespace assay::enact {
 namespace {
 
-constexpr motion::MotionRules kWay = {.clearance = 0.01};  // metres
+const motion::MotionRules kWay = {.clearance = 0.01};  // metres
 
 motion::Surroundings SurroundingsOf(const exec::Execution& execution) {
   const exec::WorldModel& world = execution.world();
@@ -76,12 +75,9 @@ exec::Progress Crew::GoHome() {
   if (const auto* failure = std::get_if<motion::PathFailure>(&found)) {
     return exec::Failure{exec::ExecutionOutcome::kUnreachable, "no way home: " + failure->what};
   }
-  const auto& path = std::get<motion::JointPath>(found);
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const auto way = exec::SynchronizedMove(path[i], path[i + 1], exec::RatesOf(workcell));
-    if (exec::Progress failure = execution.Follow(way, way.duration())) return failure;
-  }
-  return std::nullopt;
+  const motion::JointTrajectory way =
+      motion::AlongPath(std::get<motion::JointPath>(found), motion::RatesOf(workcell));
+  return execution.Follow(way, way.duration());
 }
 
 }  // namespace assay::enact

@@ -3,6 +3,46 @@
 #include <algorithm>
 
 namespace assay::exec {
+namespace {
+
+bool GoesTo(const Command& command, const Pose& X_WorldTool) {
+  const auto* line = std::get_if<MoveStraight>(&command);
+  return line != nullptr && line->X_WorldTool.isApprox(X_WorldTool);
+}
+
+// The path in place of all moves up to where the tool is poised.
+void ComeByPath(const std::vector<kinematics::JointVector>& path, const plan::ToolRoute& route,
+                StepCommands& commands) {
+  std::erase_if(commands.approach,
+                [&](const Command& command) { return GoesTo(command, route.poised); });
+  const auto travel = std::ranges::find_if(commands.approach, [](const Command& command) {
+    return std::holds_alternative<MoveAtSafeHeight>(command);
+  });
+  *travel = FollowPath{path, route.poised};
+  for (Command& command : commands.withdraw) {
+    auto* line = std::get_if<MoveStraight>(&command);
+    if (line != nullptr) line->X_WorldTool = route.poised;
+  }
+}
+
+// The last line goes no higher than the retreat.
+void StayLow(const plan::ToolRoute& route, StepCommands& commands) {
+  if (commands.depart.empty()) return;
+  auto& last = std::get<MoveStraight>(commands.depart.back());
+  last.X_WorldTool = route.left();
+  const std::size_t count = commands.depart.size();
+  if (count > 1 && GoesTo(commands.depart[count - 2], route.left())) commands.depart.pop_back();
+}
+
+bool IsLeftByPath(const plan::Plan& plan, plan::StepId step) {
+  const int place = plan.step(step).executed;
+  if (place == static_cast<int>(plan.steps.size())) return plan.homing.has_value();
+  const auto next = std::ranges::find(plan.steps, place + 1, &plan::PlannedStep::executed);
+  return next->travel.has_value();
+}
+
+}  // namespace
+
 std::vector<Command> StepCommands::InOrder() const {
   std::vector<Command> commands;
   for (const auto* phase : {&approach, &advance, &act, &depart}) {
@@ -21,19 +61,21 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
       step.action);
 }
 
-Pose HomeTool(const domain::Workcell& workcell) {
-  return workcell.X_WorldBase() * workcell.arm().Forward(workcell.home()) *
-         workcell.gripper().X_FlangeTool();
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Plan& plan, plan::StepId id) {
+  const plan::PlannedStep& step = plan.step(id);
+  StepCommands commands = CommandsFor(problem, world, step);
+  const Pose& X_WorldPart = world.PartPose(plan::PartOf(problem, step.action));
+  const plan::ToolRoute route = plan::RouteOf(problem, step, X_WorldPart);
+  if (step.travel) ComeByPath(step.travel->path, route, commands);
+  if (IsLeftByPath(plan, id)) StayLow(route, commands);
+  return commands;
 }
 
-Pose Retreated(const domain::Workcell& workcell, const Pose& X_WorldTool) {
-  return X_WorldTool * geometry::Translation(0, 0, -workcell.rules().approach_distance);
-}
-
-Pose AtSafeHeight(const domain::Workcell& workcell, const Pose& X_WorldTool) {
-  Pose raised = X_WorldTool;
-  raised.translation().z() = std::max(raised.translation().z(), workcell.rules().safe_height);
-  return raised;
+Command HomingOf(const domain::Problem& problem, const plan::Plan& plan) {
+  const Pose home = plan::HomeTool(*problem.workcell);
+  if (plan.homing) return FollowPath{plan.homing->path, home};
+  return MoveAtSafeHeight{home};
 }
 
 }  // namespace assay::exec

@@ -2,10 +2,13 @@
 
 #include <vector>
 
+#include "planner/plan/tool_route.h"
 #include "sim/exec/command.h"
 #include "sim/exec/world_model.h"
 
 namespace assay::exec {
+
+using plan::AtSafeHeight;
 
 // The commands of one step, by what they are for: move above, straight line down, act, and up
 // again (Spar, figure 18).
@@ -25,10 +28,17 @@ struct StepCommands {
 // The commands of a step of a plan, from where the parts are believed to be. Straight lines down
 // and up are vertical; the last piece to a part and the first away from it are along the tool's
 // axis, as long as the workcell's approach distance. Parts that are put down or mated go on until
-// they meet resistance, up to the workcell's guarded travel beyond where that is expected.
+// they meet resistance, up to the workcell's guarded travel beyond where that is expected. Where
+// the plan holds a path to the step, the arm comes by it from where the step before has left the
+// tool (plan::RouteOf), and neither goes up.
+StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
+                         const plan::Plan& plan, plan::StepId step);
+// After the last step.
+Command HomingOf(const domain::Problem& problem, const plan::Plan& plan);
+
+// The same with the usual travel.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step);
-
 // Of the actions. `certificate`: what is known of the step; empty: nothing.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Pickup& pickup, const plan::Certificate& certificate = {});
@@ -50,12 +60,5 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
 // What a guarded move takes for resistance. Less than what the pads can hold against (twice
 // friction times grip force), more than what starting and stopping the hand exerts. Newtons.
 inline constexpr double kResistance = 15;
-
-// Where the tool is while the arm is at home.
-Pose HomeTool(const domain::Workcell& workcell);
-// The tool drawn back along its axis by the workcell's approach distance.
-Pose Retreated(const domain::Workcell& workcell, const Pose& X_WorldTool);
-// The tool straight above, at safe height or where it is if that is higher.
-Pose AtSafeHeight(const domain::Workcell& workcell, const Pose& X_WorldTool);
 
 }  // namespace assay::exec

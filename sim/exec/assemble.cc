@@ -12,9 +12,10 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
   const double travel = workcell.rules().guarded_travel;
   const Vector3 beyond = travel * vector.normalized();
   const Pace pace = MatingPace(travel + plan::DoubtOfContact(certificate, travel));
-  const Pose mated = X_WorldHeld * assemble.hold.X_PartTool;
-  const Pose start = geometry::Translation(-vector) * mated;
-  const Pose retreated = Retreated(workcell, mated);
+  const plan::ToolRoute route = plan::RouteOf(problem, assemble, X_WorldFixed);
+  const Pose& start = route.poised;
+  const Pose& mated = route.to_work.back();
+  const Pose& retreated = route.left();
   return {
       .approach = {MoveAtSafeHeight{AtSafeHeight(workcell, start)}, MoveStraight{start, kFreePace}},
       .advance = {MoveStraight{geometry::Translation(beyond) * mated, pace, Guard{kResistance}}},

@@ -18,6 +18,10 @@ struct TextOf {
   std::string operator()(const MoveAtSafeHeight& move) const {
     return "move-at-safe-height to " + PoseText(move.X_WorldTool);
   }
+  std::string operator()(const FollowPath& follow) const {
+    return fmt::format("follow a path of {} postures to {}", follow.path.size(),
+                       PoseText(follow.X_WorldTool));
+  }
   std::string operator()(const MoveStraight& move) const {
     return "move-straight to " + PoseText(move.X_WorldTool);
   }

@@ -23,6 +23,14 @@ struct MoveAtSafeHeight {
   Pose X_WorldTool;
 };
 
+// The arm goes along a path that the plan holds, straight in joint space from posture to posture,
+// to where the tool is now believed to have to be at its end: millimetres from where it was
+// planned.
+struct FollowPath {
+  std::vector<kinematics::JointVector> path;
+  Pose X_WorldTool;
+};
+
 // A move that ends where it meets resistance.
 struct Guard {
   double force = 0;  // newtons against the motion, more than before it
@@ -74,8 +82,8 @@ struct FollowStrategy {
   PartId fixed;
 };
 
-using Command = std::variant<MoveAtSafeHeight, MoveStraight, OpenGripper, CloseGripper, Look, Clamp,
-                             FollowStrategy>;
+using Command = std::variant<MoveAtSafeHeight, FollowPath, MoveStraight, OpenGripper, CloseGripper,
+                             Look, Clamp, FollowStrategy>;
 
 // One line for people; millimetres, world frame.
 std::string Text(const domain::Problem& problem, const Command& command);

@@ -33,11 +33,11 @@ CommandFile CommandFileOf(const domain::Problem& problem, const plan::Plan& plan
   CommandFile file;
   WorldModel world(problem);
   for (const plan::StepId id : plan.ExecutionOrder()) {
-    file.steps.push_back(CommandsFor(problem, world, plan.step(id)));
+    file.steps.push_back(CommandsFor(problem, world, plan, id));
     file.steps.back().step = id;
     for (const Command& command : file.steps.back().InOrder()) world.Foresee(command);
   }
-  file.home.X_WorldTool = HomeTool(*problem.workcell);
+  file.home = HomingOf(problem, plan);
   return file;
 }
 

@@ -12,7 +12,7 @@ namespace assay::exec {
 // sensing tells nothing new and nothing goes wrong.
 struct CommandFile {
   std::vector<StepCommands> steps;
-  MoveAtSafeHeight home;  // at the end
+  Command home;  // at the end
 };
 
 CommandFile CommandFileOf(const domain::Problem& problem, const plan::Plan& plan);

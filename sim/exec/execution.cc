@@ -7,7 +7,6 @@
 #include <set>
 
 #include "sim/exec/straight_line.h"
-#include "sim/exec/travel.h"
 
 namespace assay::exec {
 namespace {
@@ -81,15 +80,10 @@ Progress Execution::TakeUpHandError(const Pose& error) {
   const domain::Workcell& workcell = *problem_.workcell;
   const Pose X_WorldTool = BelievedTool() * error;
   hand_error_ = error;
-  std::optional<JointVector> nearest;
-  for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), commanded_.q)) {
-    const auto q = workcell.arm().NearestInRange(s.q, commanded_.q);
-    if (!q) continue;
-    const auto turn = [&](const JointVector& to) { return (to - commanded_.q).norm(); };
-    if (!nearest || turn(*q) < turn(*nearest)) nearest = *q;
-  }
+  const auto nearest = motion::NearestPosture(workcell, X_WorldTool, commanded_.q);
   if (!nearest) return Failure{ExecutionOutcome::kUnreachable, "the arm cannot take up an error"};
-  const JointTrajectory way = SynchronizedMove(commanded_.q, *nearest, RatesOf(workcell));
+  const JointTrajectory way =
+      motion::SynchronizedMove(commanded_.q, *nearest, motion::RatesOf(workcell));
   return Follow(way, way.duration());
 }
 

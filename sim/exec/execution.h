@@ -3,12 +3,16 @@
 #include <optional>
 #include <span>
 
+#include "planner/motion/joint_trajectory.h"
 #include "sim/exec/executor.h"
-#include "sim/exec/joint_trajectory.h"
 #include "sim/exec/world_model.h"
 #include "sim/scene/servo.h"
 
 namespace assay::exec {
+
+using kinematics::JointState;
+using kinematics::JointVector;
+using motion::JointTrajectory;
 
 // Why an execution cannot go on.
 struct Failure {
@@ -125,6 +129,7 @@ class Execution {
 
 // The commands (one file each). `rest`: the commands that follow in the same step.
 Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execution& execution);
+Progress Run(const FollowPath& follow, std::span<const Command> rest, Execution& execution);
 Progress Run(const MoveStraight& move, std::span<const Command> rest, Execution& execution);
 Progress Run(const OpenGripper& open, std::span<const Command> rest, Execution& execution);
 Progress Run(const CloseGripper& close, std::span<const Command> rest, Execution& execution);

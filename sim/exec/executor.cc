@@ -39,8 +39,8 @@ Progress RunPlan(const plan::Plan& plan, Execution& execution) {
     if (Progress failure = step.Work()) return failure;
     if (id == execution.options().last) return std::nullopt;
   }
-  const MoveAtSafeHeight home{HomeTool(*execution.problem().workcell)};
-  if (Progress failure = Run(home, {}, execution)) return failure;
+  const auto run = [&](const auto& command) { return Run(command, {}, execution); };
+  if (Progress failure = std::visit(run, HomingOf(execution.problem(), plan))) return failure;
   return Rest(execution);
 }
 

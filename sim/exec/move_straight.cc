@@ -2,7 +2,6 @@
 
 #include "sim/exec/execution.h"
 #include "sim/exec/straight_line.h"
-#include "sim/exec/travel.h"
 
 namespace assay::exec {
 
@@ -18,7 +17,7 @@ Progress Run(const MoveStraight& move, std::span<const Command>, Execution& exec
                                "{:.1f}) mm in its present configuration",
                                p.x(), p.y(), p.z())};
   }
-  const TimedLine timed = WithTimes(*line.path, move.pace, RatesOf(workcell));
+  const TimedLine timed = WithTimes(*line.path, move.pace, motion::RatesOf(workcell));
   if (!move.guard) return execution.Follow(timed.trajectory, timed.final_from);
   return execution.Follow(timed.trajectory, timed.final_from,
                           {move.guard->force, (end - start).normalized()});

@@ -5,8 +5,9 @@ namespace assay::exec {
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Pickup& pickup, const plan::Certificate&) {
   const domain::Workcell& workcell = *problem.workcell;
-  const Pose grasp = world.PartPose(pickup.part) * pickup.hold.X_PartTool;
-  const Pose retreated = Retreated(workcell, grasp);
+  const plan::ToolRoute route = plan::RouteOf(problem, pickup, world.PartPose(pickup.part));
+  const Pose& retreated = route.poised;
+  const Pose& grasp = route.to_work.back();
   return {.approach = {OpenGripper{}, MoveAtSafeHeight{AtSafeHeight(workcell, retreated)},
                        MoveStraight{retreated, kFreePace}},
           .advance = {MoveStraight{grasp, kFingersPace, Guard{kResistance}}},

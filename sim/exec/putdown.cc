@@ -6,9 +6,10 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel&,
                          const plan::Putdown& putdown, const plan::Certificate& certificate) {
   const domain::Workcell& workcell = *problem.workcell;
   const double travel = workcell.rules().guarded_travel;
-  const Pose placed = putdown.to.X_WorldPart * putdown.hold.X_PartTool;
+  const plan::ToolRoute route = plan::RouteOf(problem, putdown);
+  const Pose& placed = route.to_work.back();
   const Pose lowest = geometry::Translation(0, 0, -travel) * placed;
-  const Pose retreated = Retreated(workcell, placed);
+  const Pose& retreated = route.left();
   return {.approach = {MoveAtSafeHeight{AtSafeHeight(workcell, placed)}},
           .advance = {MoveStraight{
               lowest, LandingPace(travel + plan::DoubtOfContact(certificate, travel)),

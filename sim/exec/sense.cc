@@ -26,7 +26,7 @@ Look::Takes TakesOf(const domain::Problem& problem, const plan::Sense& sense,
 
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel&,
                          const plan::Sense& sense, const plan::Certificate& certificate) {
-  return {.approach = {MoveAtSafeHeight{HomeTool(*problem.workcell)}},
+  return {.approach = {MoveAtSafeHeight{plan::HomeTool(*problem.workcell)}},
           .act = {Look{sense.part, sense.sensor, TakesOf(problem, sense, certificate)}}};
 }
 

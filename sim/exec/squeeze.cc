@@ -6,8 +6,9 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
                          const plan::Squeeze& squeeze, const plan::Certificate&) {
   const domain::Workcell& workcell = *problem.workcell;
   const Pose X_WorldPart = world.PartPose(squeeze.part);
-  const Pose grasp = X_WorldPart * squeeze.hold.X_PartTool;
-  const Pose retreated = Retreated(workcell, grasp);
+  const plan::ToolRoute route = plan::RouteOf(problem, squeeze, X_WorldPart);
+  const Pose& retreated = route.poised;
+  const Pose& grasp = route.to_work.back();
   const OpenGripper let_go{OpenGripper::Release{squeeze.part, X_WorldPart}};
   return {.approach = {OpenGripper{}, MoveAtSafeHeight{AtSafeHeight(workcell, retreated)},
                        MoveStraight{retreated, kFreePace}},

@@ -9,16 +9,6 @@
 namespace assay::exec {
 namespace {
 
-// The part whose place decides whether the step works: the one that is handled, or mated with.
-struct SoughtPart {
-  const domain::Problem& problem;
-
-  PartId operator()(const plan::Assemble& assemble) const {
-    return problem.mating(assemble.mating).fixed;
-  }
-  PartId operator()(const auto& action) const { return action.part; }
-};
-
 // Along which the tool comes, as far as a place across it can be wrong.
 struct AxisOf {
   const domain::Problem& problem;
@@ -42,6 +32,7 @@ Pose LastTarget(const std::vector<Command>& commands) {
   for (const Command& command : commands) {
     if (const auto* line = std::get_if<MoveStraight>(&command)) target = line->X_WorldTool;
     if (const auto* move = std::get_if<MoveAtSafeHeight>(&command)) target = move->X_WorldTool;
+    if (const auto* path = std::get_if<FollowPath>(&command)) target = path->X_WorldTool;
   }
   return target;
 }
@@ -53,10 +44,10 @@ StepExecution::StepExecution(const plan::Plan& plan, plan::StepId step, Executio
       planned_(plan.step(step)),
       step_(step),
       execution_(execution),
-      sought_(std::visit(SoughtPart{execution.problem()}, planned_.action)),
+      sought_(plan::PartOf(execution.problem(), planned_.action)),
       X_WorldSought_(execution.world().PartPose(sought_)),
       axis_(std::visit(AxisOf{execution.problem(), execution.world()}, planned_.action)),
-      commands_(CommandsFor(execution.problem(), execution.world(), planned_)) {
+      commands_(CommandsFor(execution.problem(), execution.world(), plan, step)) {
   execution_.SetStep(step);
 }
 
@@ -233,7 +224,7 @@ std::vector<Vector3> StepExecution::PlacesFor(const std::string& error) const {
 Progress StepExecution::TryAt(const Vector3& offset) {
   if (Progress failure = Withdraw()) return failure;
   execution_.world().Believe(sought_, geometry::Translation(offset) * X_WorldSought_);
-  commands_ = CommandsFor(execution_.problem(), execution_.world(), planned_);
+  commands_ = CommandsFor(execution_.problem(), execution_.world(), plan_, step_);
   if (Progress failure = MoveSideways()) return failure;
   if (commands_.withdraw.empty()) {
     if (Progress failure = Probe()) return failure;

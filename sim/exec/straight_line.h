@@ -1,36 +1,18 @@
 #pragma once
 
-#include <optional>
-#include <vector>
-
-#include "planner/domain/workcell.h"
-#include "sim/exec/joint_trajectory.h"
+#include "planner/motion/joint_trajectory.h"
+#include "planner/motion/straight_line.h"
 #include "sim/exec/pace.h"
 
 namespace assay::exec {
 
-using geometry::Pose;
-using geometry::Vector3;
-
-// Joint values along a straight line of the tool, whose orientation is kept, at equal distances.
-struct LinePath {
-  double step = 0;             // metres between neighbours
-  std::vector<JointVector> q;  // at least two, from the start of the line to its end
-};
-
-// What became of a line: its path, or the first point (origin of the tool, world) where the arm
-// could not follow in the configuration in which it started, within its limits and without leaps.
-struct LineResult {
-  std::optional<LinePath> path;
-  Vector3 stuck_at = Vector3::Zero();
-};
-
-// The line from where the tool is with joint values `from` to `end`.
-LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from,
-                      const Vector3& end);
-
-// X_WorldTool with these joint values.
-Pose ToolAt(const domain::Workcell& workcell, const JointVector& q);
+using kinematics::JointVector;
+using motion::FollowLine;
+using motion::JointRates;
+using motion::JointTrajectory;
+using motion::LinePath;
+using motion::LineResult;
+using motion::ToolAt;
 
 struct TimedLine {
   JointTrajectory trajectory;

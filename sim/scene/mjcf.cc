@@ -48,7 +48,8 @@ XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
 
 // Bits of what a geom is, and masks of what it touches. A part has its exact boxes for parts and
 // gripper, and its supporting boxes for what it may rest on: the floor, and a table of its own,
-// whose height may differ from what is under other parts. Arm links touch nothing.
+// whose height may differ from what is under other parts. Arm links
+// are like the gripper, which touches nothing of its own kind.
 constexpr int kPart = 1;
 constexpr int kGripper = 2;
 constexpr int kFloor = 4;

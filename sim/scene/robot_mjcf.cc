@@ -58,11 +58,27 @@ void AddVisuals(const Link& link, XmlElement& body) {
   }
 }
 
+void AddCollisions(const Link& link, double pad_friction, XmlElement& body) {
+  for (const kinematics::Collision& collision : link.collisions) {
+    XmlElement& geom = body.Add("geom").Set("class", "collision");
+    std::visit(ShapeWriter{geom}, collision.shape);
+    geom.SetPose(collision.X_LinkShape);
+    if (collision.name == "pad") {
+      // First by priority: else the engine would take the greater friction, which is the part's.
+      geom.Set("condim", "4")
+          .Set("priority", "1")
+          .Set("friction", {pad_friction, kPadTorsionFriction, 0.0001});
+    } else {
+      geom.Set("friction", {kFingerFriction, kPadTorsionFriction, 0.0001});
+    }
+  }
+}
+
 // Adds robots link by link; names are prefixed, because arm and gripper may use the same.
 class RobotWriter {
  public:
-  RobotWriter(const RobotModel& model, std::string prefix)
-      : model_(model), prefix_(std::move(prefix)) {}
+  RobotWriter(const RobotModel& model, std::string prefix, double pad_friction)
+      : model_(model), prefix_(std::move(prefix)), pad_friction_(pad_friction) {}
 
   XmlElement& AddRoot(const geometry::Pose& X_ParentRoot, XmlElement& parent) const {
     return AddLink(model_.links.front(), X_ParentRoot, parent);
@@ -94,34 +110,19 @@ class RobotWriter {
     XmlElement& body = parent.Add("body").Set("name", prefix_ + link.name).SetPose(X_ParentLink);
     if (link.inertial) AddInertial(*link.inertial, body);
     AddVisuals(link, body);
+    AddCollisions(link, pad_friction_, body);
     return body;
   }
 
   const RobotModel& model_;
   std::string prefix_;
+  double pad_friction_;
 };
-
-void AddCollisions(const Link& link, double pad_friction, XmlElement& body) {
-  for (const kinematics::Collision& collision : link.collisions) {
-    XmlElement& geom = body.Add("geom").Set("class", "collision");
-    std::visit(ShapeWriter{geom}, collision.shape);
-    geom.SetPose(collision.X_LinkShape);
-    if (collision.name == "pad") {
-      // First by priority: else the engine would take the greater friction, which is the part's.
-      geom.Set("condim", "4")
-          .Set("priority", "1")
-          .Set("friction", {pad_friction, kPadTorsionFriction, 0.0001});
-    } else {
-      geom.Set("friction", {kFingerFriction, kPadTorsionFriction, 0.0001});
-    }
-  }
-}
 
 void AddGripper(const Robot& robot, const GripperRules& rules, XmlElement& flange) {
   const RobotModel& model = robot.gripper->model();
-  const RobotWriter writer(model, robot.Prefix() + "gripper/");
+  const RobotWriter writer(model, robot.Prefix() + "gripper/", rules.pad_friction);
   XmlElement& hand = writer.AddRoot(geometry::Pose::Identity(), flange);
-  AddCollisions(model.links.front(), rules.pad_friction, hand);
   hand.Add("site").Set("name", robot.Prefix() + "wrist").Set("class", "mark");
   hand.Add("site")
       .Set("name", robot.Prefix() + "tool")
@@ -133,7 +134,6 @@ void AddGripper(const Robot& robot, const GripperRules& rules, XmlElement& flang
     writer.AddJoint(joint, finger)
         .Set("armature", kFingerArmature)
         .Set("damping", rules.grip_force / kFingerSpeed);
-    AddCollisions(model.link(joint.child), rules.pad_friction, finger);
   }
 }
 
@@ -150,7 +150,7 @@ void AddServo(const std::string& joint, double stiffness, XmlElement& general) {
 void AddRobot(const Robot& robot, const GripperRules& rules, XmlElement& worldbody) {
   const RobotModel& model = robot.arm->model();
   ASSAY_CHECK(model.joints.size() == kServoGains.size());
-  const RobotWriter writer(model, robot.Prefix() + "arm/");
+  const RobotWriter writer(model, robot.Prefix() + "arm/", rules.pad_friction);
   XmlElement* body = &writer.AddRoot(robot.X_WorldBase, worldbody);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     body = &writer.AddMoved(model.joints[i], *body);

@@ -7,8 +7,8 @@ namespace assay::scene {
 
 // All names here begin with the robot's prefix.
 
-// Adds arm and gripper under `worldbody`: links with their inertias; the arm's links are seen but
-// do not collide, hand and fingers do. Sites "tool" and "wrist" (the flange) are on the hand.
+// Adds arm and gripper under `worldbody`: links with their inertias, which collide with parts,
+// tables and floor, and not with each other. Sites "tool" and "wrist" (the flange) are on the hand.
 struct GripperRules {
   double grip_force = 0;    // newtons
   double pad_friction = 0;  // of the pads against whatever they touch

@@ -4,11 +4,7 @@
 
 namespace assay::scene {
 
-// Where the joints are to be, and how fast.
-struct JointState {
-  JointVector q = JointVector::Zero();   // rad
-  JointVector qd = JointVector::Zero();  // rad/s
-};
+using kinematics::JointState;
 
 // What hangs in the hand: it pulls at a point (world) with a force, newtons.
 struct Load {

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
-#include "planner/assembly/resolvers.h"
+#include "planner/assembly/certified_plan.h"
 #include "planner/plan/plan_file.h"
 #include "sim/check/attack.h"
 #include "sim/check/conservatism.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/assembly/certified_plan.h"
 #include "planner/assembly/resolvers.h"
 #include "planner/base/random.h"
 #include "tests/oracle/executed_errors.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <functional>
 
-#include "planner/assembly/resolvers.h"
+#include "planner/assembly/certified_plan.h"
 #include "tests/planner/posting/scenarios.h"
 
 namespace assay::assembly {

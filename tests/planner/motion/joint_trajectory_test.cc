@@ -2,12 +2,98 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/base/random.h"
 #include "tests/planner/motion/arm_scene.h"
 
 namespace assay::motion {
 namespace {
 
-class Trajectory : public ::testing::Test {
+constexpr std::uint64_t kSeed = 31;
+
+JointVector Draw(RandomStream& random, double low, double high) {
+  JointVector v;
+  for (int j = 0; j < v.size(); ++j) v[j] = random.Uniform(low, high);
+  return v;
+}
+
+struct Case {
+  JointVector from, to;
+  JointRates rates;
+  JointTrajectory move;
+};
+
+Case Draw(RandomStream& random) {
+  const JointVector from = Draw(random, -3, 3);
+  const JointVector to = Draw(random, -3, 3);
+  const JointRates rates{Draw(random, 0.2, 3), Draw(random, 0.5, 6)};
+  return {from, to, rates, SynchronizedMove(from, to, rates)};
+}
+
+TEST(SynchronizedMove, GoesFromRestToRest) {
+  RandomStream random(kSeed, "ends");
+  for (int i = 0; i < 200; ++i) {
+    const Case c = Draw(random);
+    EXPECT_TRUE(c.move.At(0).q.isApprox(c.from, 1e-12));
+    EXPECT_TRUE(c.move.At(c.move.duration()).q.isApprox(c.to, 1e-12));
+    EXPECT_EQ(c.move.At(0).qd.norm(), 0);
+    EXPECT_EQ(c.move.At(c.move.duration()).qd.norm(), 0);
+  }
+}
+
+TEST(SynchronizedMove, KeepsTheRatesAndReachesOneOfThem) {
+  RandomStream random(kSeed, "rates");
+  for (int i = 0; i < 100; ++i) {
+    const Case c = Draw(random);
+    const double dt = c.move.duration() / 1000;
+    double speed = 0;  // greatest, as a share of what is allowed
+    double acceleration = 0;
+    for (int k = 0; k < 1000; ++k) {
+      const JointState a = c.move.At(k * dt);
+      const JointState b = c.move.At((k + 1) * dt);
+      speed = std::max(speed, (b.qd.cwiseAbs().cwiseQuotient(c.rates.speed)).maxCoeff());
+      acceleration =
+          std::max(acceleration,
+                   ((b.qd - a.qd).cwiseAbs() / dt).cwiseQuotient(c.rates.acceleration).maxCoeff());
+    }
+    EXPECT_LE(speed, 1 + 1e-9) << "case " << i;
+    EXPECT_LE(acceleration, 1 + 1e-9) << "case " << i;
+    EXPECT_GT(acceleration, 1 - 1e-6) << "case " << i;
+  }
+}
+
+// All joints go the same share of their way at every time.
+TEST(SynchronizedMove, IsAStraightLineInJointSpace) {
+  RandomStream random(kSeed, "line");
+  for (int i = 0; i < 100; ++i) {
+    const Case c = Draw(random);
+    const JointVector gone = c.move.At(random.Uniform() * c.move.duration()).q - c.from;
+    const JointVector way = c.to - c.from;
+    const double share = gone.dot(way) / way.squaredNorm();
+    EXPECT_LT((gone - share * way).norm(), 1e-12);
+  }
+}
+
+TEST(SynchronizedMove, ToTheSamePlaceTakesNoTime) {
+  const JointVector q = JointVector::Constant(0.3);
+  const JointTrajectory move = SynchronizedMove(q, q, {});
+  EXPECT_EQ(move.duration(), 0);
+  EXPECT_EQ(move.At(0).q, q);
+}
+
+TEST(JointTrajectory, VelocityIsTheDerivativeOfPosition) {
+  RandomStream random(kSeed, "derivative");
+  for (int i = 0; i < 100; ++i) {
+    const JointTrajectory trajectory({{0, {Draw(random, -1, 1), Draw(random, -1, 1)}},
+                                      {0.4, {Draw(random, -1, 1), Draw(random, -1, 1)}},
+                                      {1, {Draw(random, -1, 1), Draw(random, -1, 1)}}});
+    const double t = random.Uniform(0.01, 0.99);
+    const double h = 1e-6;
+    const JointVector slope = (trajectory.At(t + h).q - trajectory.At(t - h).q) / (2 * h);
+    EXPECT_LT((slope - trajectory.At(t).qd).norm(), 1e-4);
+  }
+}
+
+class AlongAPath : public ::testing::Test {
  protected:
   JointPath RandomPath(RandomStream& random, int corners) const {
     JointPath path;
@@ -20,17 +106,17 @@ class Trajectory : public ::testing::Test {
 
 // The mean speeds and accelerations between close times are within the rates, and somewhere one of
 // them is used up.
-TEST_F(Trajectory, KeepsToTheRates) {
+TEST_F(AlongAPath, KeepsToTheRates) {
   RandomStream random(91, "rates");
   for (int i = 0; i < 10; ++i) {
-    const JointTrajectory trajectory(RandomPath(random, 4), rates_);
+    const JointTrajectory trajectory = AlongPath(RandomPath(random, 4), rates_);
     const double step = 1e-3;
     double used = 0;
     for (double time = 0; time < trajectory.duration(); time += step) {
-      const JointVector moved = trajectory.At(time + step) - trajectory.At(time);
-      const JointVector speed = moved.cwiseAbs() / step;
-      const JointVector gained = trajectory.VelocityAt(time + step) - trajectory.VelocityAt(time);
-      const JointVector acceleration = gained.cwiseAbs() / step;
+      const JointState now = trajectory.At(time);
+      const JointState next = trajectory.At(time + step);
+      const JointVector speed = (next.q - now.q).cwiseAbs() / step;
+      const JointVector acceleration = (next.qd - now.qd).cwiseAbs() / step;
       used = std::max({used, speed.cwiseQuotient(rates_.speed).maxCoeff(),
                        acceleration.cwiseQuotient(rates_.acceleration).maxCoeff()});
     }
@@ -39,40 +125,27 @@ TEST_F(Trajectory, KeepsToTheRates) {
   }
 }
 
-// The velocity that is told is the rate at which the joints move.
-TEST_F(Trajectory, VelocityIsTheDerivative) {
-  RandomStream random(92, "velocity");
-  const JointTrajectory trajectory(RandomPath(random, 3), rates_);
-  for (int i = 0; i < 200; ++i) {
-    const double time = random.Uniform(0, trajectory.duration());
-    const double step = 1e-6;
-    const JointVector mean = (trajectory.At(time + step) - trajectory.At(time - step)) / (2 * step);
-    EXPECT_TRUE(mean.isApprox(trajectory.VelocityAt(time), 1e-4) ||
-                (mean - trajectory.VelocityAt(time)).norm() < 1e-5);
-  }
-}
-
-TEST_F(Trajectory, GoesThroughItsCornersAtRest) {
+TEST_F(AlongAPath, GoesThroughItsCornersAtRest) {
   RandomStream random(93, "corners");
   const JointPath path = RandomPath(random, 5);
-  const JointTrajectory trajectory(path, rates_);
+  const JointTrajectory trajectory = AlongPath(path, rates_);
   double time = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    EXPECT_TRUE(trajectory.At(time).isApprox(path[i], 1e-9)) << i;
-    EXPECT_NEAR(trajectory.VelocityAt(time).norm(), 0, 1e-9);
-    if (i < trajectory.moves().size()) time += trajectory.moves()[i].duration();
+    if (i > 0) time += MoveDuration(path[i - 1], path[i], rates_);
+    EXPECT_TRUE(trajectory.At(time).q.isApprox(path[i], 1e-9)) << i;
+    EXPECT_NEAR(trajectory.At(time).qd.norm(), 0, 1e-9);
   }
   EXPECT_NEAR(time, trajectory.duration(), 1e-12);
 }
 
-TEST_F(Trajectory, StandsStill) {
-  const JointTrajectory trajectory({workcell_.home()}, rates_);
+TEST_F(AlongAPath, StandsStill) {
+  const JointTrajectory trajectory = AlongPath({workcell_.home()}, rates_);
   EXPECT_EQ(trajectory.duration(), 0);
-  EXPECT_EQ(trajectory.At(1), workcell_.home());
+  EXPECT_EQ(trajectory.At(1).q, workcell_.home());
 }
 
 // Known answer: 90 degrees of the waist at 90 deg/s and 90 deg/s^2: a second up and one down.
-TEST_F(Trajectory, WaistByAQuarterTurn) {
+TEST_F(AlongAPath, WaistByAQuarterTurn) {
   JointVector to = JointVector::Zero();
   to[0] = M_PI / 2;
   EXPECT_NEAR(SynchronizedMove(JointVector::Zero(), to, rates_).duration(), 2, 1e-9);

@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "planner/assembly/resolvers.h"
+#include "planner/assembly/certified_plan.h"
 #include "sim/check/attack.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"

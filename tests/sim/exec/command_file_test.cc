@@ -143,7 +143,7 @@ TEST_F(CommandFileTest, SenseSendsTheArmHomeAndLooks) {
   const std::vector<Command> commands = CommandsFor(problem_, world_, sense).InOrder();
   ASSERT_EQ(Kinds(commands), "SW");
   EXPECT_EQ(std::get<MoveAtSafeHeight>(commands[0]).X_WorldTool.matrix(),
-            CommandFileOf(problem_, plan_).home.X_WorldTool.matrix());
+            std::get<MoveAtSafeHeight>(CommandFileOf(problem_, plan_).home).X_WorldTool.matrix());
   EXPECT_EQ(std::get<Look>(commands[1]).part, sense.part);
   EXPECT_EQ(std::get<Look>(commands[1]).sensor, "overhead-camera");
   EXPECT_EQ(Text(problem_, commands[1]), "look at block with overhead-camera");

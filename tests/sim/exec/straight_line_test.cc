@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
-#include "sim/exec/travel.h"
 #include "tests/sim/exec/figure15.h"
 
 namespace assay::exec {
@@ -17,7 +16,7 @@ class StraightLine : public testing::Test {
     static const domain::Problem problem = Figure15();
     return *problem.workcell;
   }
-  const JointRates rates_ = RatesOf(workcell());
+  const JointRates rates_ = motion::RatesOf(workcell());
 
   // Lines of the tool from home, up to 20 cm in any direction but up to 5 cm upward.
   Vector3 DrawEnd(RandomStream& random) const {
@@ -41,7 +40,8 @@ TEST_F(StraightLine, StaysOnTheLineAndKeepsTheOrientation) {
     ASSERT_TRUE(line.path) << "line " << i << " to " << end.transpose();
     const TimedLine timed = WithTimes(*line.path, kFreePace, rates_);
     for (int k = 0; k <= 300; ++k) {
-      const JointState state = timed.trajectory.At(k * timed.trajectory.duration() / 300);
+      const kinematics::JointState state =
+          timed.trajectory.At(k * timed.trajectory.duration() / 300);
       const Pose X_WorldTool = ToolAt(workcell(), state.q);
       ASSERT_LT(DistanceFromLine(X_WorldTool.translation(), start.translation(), end), 2e-6);
       ASSERT_LT(geometry::AngleBetween(X_WorldTool.linear(), start.linear()), 2e-5);

@@ -1,25 +1,31 @@
-#include "sim/exec/travel.h"
+#include "planner/motion/travel.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/exec/straight_line.h"
-#include "tests/sim/exec/figure15.h"
+#include "planner/domain/problem_file.h"
+#include "planner/motion/joint_trajectory.h"
+#include "planner/motion/straight_line.h"
 
-namespace assay::exec {
+namespace assay::motion {
 namespace {
 
-using Moves = std::vector<JointTrajectory>;
+const PartId kBlock(0);
+const PartId kPeg(1);
 
+// Spar's figure 15: the block on its back, the peg on its side.
 class Travel : public testing::Test {
  protected:
-  Travel() : problem_(Figure15()), world_(problem_) {}
+  Travel()
+      : problem_(domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/spar-fig15.yaml"),
+                                     ASSAY_SOURCE_DIR "/models")) {
+    for (const PartId part : {kBlock, kPeg}) {
+      at_the_start_.parts.push_back({part, problem_.part(part).X_WorldPart});
+    }
+  }
 
   TravelRequest To(const Pose& X_WorldTool) const {
-    return {.from = problem_.workcell->home(),
-            .opening = 0.1,
-            .X_WorldTool = X_WorldTool,
-            .corners = {}};
+    return {.from = problem_.workcell->home(), .X_WorldTool = X_WorldTool, .corners = {}};
   }
   // The tool straight down at some place.
   static Pose Down(double x, double y, double z) {
@@ -27,15 +33,14 @@ class Travel : public testing::Test {
   }
 
   domain::Problem problem_;
-  WorldModel world_;
+  Surroundings at_the_start_ = {.opening = 0.1};
 };
 
 TEST_F(Travel, EndsAtTheDestination) {
   const Pose destination = Down(0.7, 0.3, 0.4);
-  const TravelResult result = PlanTravel(problem_, world_, To(destination));
-  ASSERT_TRUE(std::holds_alternative<Moves>(result)) << std::get<std::string>(result);
-  const JointTrajectory& last = std::get<Moves>(result).back();
-  const JointVector q = last.At(last.duration()).q;
+  const TravelResult result = PlanTravel(problem_, at_the_start_, To(destination));
+  ASSERT_TRUE(std::holds_alternative<JointPath>(result)) << std::get<std::string>(result);
+  const JointVector& q = std::get<JointPath>(result).back();
   EXPECT_TRUE(ToolAt(*problem_.workcell, q).isApprox(destination, 1e-9));
   EXPECT_TRUE(problem_.workcell->arm().InRange(q));
 }
@@ -43,13 +48,14 @@ TEST_F(Travel, EndsAtTheDestination) {
 // Of all joint values over the destination, none is nearer in time.
 TEST_F(Travel, ChoosesTheNearestConfiguration) {
   const Pose destination = Down(0.7, 0.3, 0.4);
-  const auto moves = std::get<Moves>(PlanTravel(problem_, world_, To(destination)));
+  const auto path = std::get<JointPath>(PlanTravel(problem_, at_the_start_, To(destination)));
   const domain::Workcell& workcell = *problem_.workcell;
-  ASSERT_EQ(moves.size(), 1u);
+  ASSERT_EQ(path.size(), 2u);
+  const JointRates rates = RatesOf(workcell);
   for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(destination))) {
     for (const JointVector& q : workcell.arm().Representatives(s.q)) {
-      const JointTrajectory other = SynchronizedMove(workcell.home(), q, RatesOf(workcell));
-      EXPECT_LE(moves[0].duration(), other.duration() + 1e-9);
+      EXPECT_LE(MoveDuration(workcell.home(), path[1], rates),
+                MoveDuration(workcell.home(), q, rates) + 1e-9);
     }
   }
 }
@@ -58,8 +64,8 @@ TEST_F(Travel, ChoosesTheNearestConfiguration) {
 TEST_F(Travel, CanGoOnFromTheDestination) {
   TravelRequest request = To(Down(0.7, 0.3, 0.4));
   request.corners = {{0.7, 0.3, 0.1}, {0.75, 0.3, 0.1}};
-  const auto moves = std::get<Moves>(PlanTravel(problem_, world_, request));
-  JointVector q = moves.back().At(moves.back().duration()).q;
+  const auto path = std::get<JointPath>(PlanTravel(problem_, at_the_start_, request));
+  JointVector q = path.back();
   for (const Vector3& corner : request.corners) {
     const LineResult line = FollowLine(*problem_.workcell, q, corner);
     ASSERT_TRUE(line.path);
@@ -68,29 +74,29 @@ TEST_F(Travel, CanGoOnFromTheDestination) {
 }
 
 TEST_F(Travel, SaysWhereTheArmDoesNotReach) {
-  const TravelResult result = PlanTravel(problem_, world_, To(Down(2, 0.3, 0.4)));
+  const TravelResult result = PlanTravel(problem_, at_the_start_, To(Down(2, 0.3, 0.4)));
   ASSERT_TRUE(std::holds_alternative<std::string>(result));
   EXPECT_THAT(std::get<std::string>(result), testing::HasSubstr("(2000.0, 300.0, 400.0) mm"));
 }
 
 TEST_F(Travel, DoesNotGoThroughParts) {
-  const PartId block = PartNamed(problem_, "block");
   const Vector3 center =
-      problem_.part(block).X_WorldPart * problem_.part(block).model->mass().center;
+      problem_.part(kBlock).X_WorldPart * problem_.part(kBlock).model->mass().center;
   const TravelResult result =
-      PlanTravel(problem_, world_, To(Down(center.x(), center.y(), center.z())));
+      PlanTravel(problem_, at_the_start_, To(Down(center.x(), center.y(), center.z())));
   ASSERT_TRUE(std::holds_alternative<std::string>(result));
   EXPECT_THAT(std::get<std::string>(result), testing::HasSubstr("within 10 mm"));
 }
 
 // A held part counts: what the hand passes over, the part that hangs from it may not.
 TEST_F(Travel, TakesTheHeldPartIntoAccount) {
-  const PartId peg = PartNamed(problem_, "peg");
   const Pose low = Down(0.7, 0.35, 0.04);
-  EXPECT_TRUE(std::holds_alternative<Moves>(PlanTravel(problem_, world_, To(low))));
-  world_.Take(peg, {"hanging", geometry::Translation(0, 0, -0.2), 0.0762});
-  EXPECT_TRUE(std::holds_alternative<std::string>(PlanTravel(problem_, world_, To(low))));
+  EXPECT_TRUE(std::holds_alternative<JointPath>(PlanTravel(problem_, at_the_start_, To(low))));
+  Surroundings holding = at_the_start_;
+  holding.parts.pop_back();
+  holding.held = HeldPart{kPeg, geometry::Translation(0, 0, -0.2)};
+  EXPECT_TRUE(std::holds_alternative<std::string>(PlanTravel(problem_, holding, To(low))));
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::motion

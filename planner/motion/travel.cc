@@ -1,14 +1,16 @@
-#include "sim/exec/travel.h"
+#include "planner/motion/travel.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "planner/geometry/collision.h"
-#include "sim/exec/straight_line.h"
+#include "planner/motion/joint_trajectory.h"
+#include "planner/motion/straight_line.h"
 
-namespace assay::exec {
+namespace assay::motion {
 namespace {
 
 using geometry::CollisionShape;
@@ -43,17 +45,17 @@ struct Mover {
 // Looks whether what the arm carries stays clear of everything else.
 class Clearance {
  public:
-  Clearance(const domain::Problem& problem, const WorldModel& world, double opening)
-      : problem_(problem), world_(world) {
+  Clearance(const domain::Problem& problem, const Surroundings& surroundings)
+      : problem_(problem), surroundings_(surroundings) {
     const kinematics::Gripper& gripper = problem.workcell->gripper();
     std::vector<geometry::Box> hand = gripper.HandBoxes();
     const std::vector<geometry::Box> fingers =
-        gripper.FingerBoxes(std::clamp(opening, 0.0, gripper.max_opening()));
+        gripper.FingerBoxes(std::clamp(surroundings.opening, 0.0, gripper.max_opening()));
     hand.insert(hand.end(), fingers.begin(), fingers.end());
     movers_.push_back({hand, CollisionShape(hand), Pose::Identity()});
-    if (!world.held().IsNone()) {
-      const domain::PartModel& held = *problem.part(world.held()).model;
-      movers_.push_back({held.boxes(), held.shape(), world.hold().X_PartTool.inverse()});
+    if (surroundings.held) {
+      const domain::PartModel& held = *problem.part(surroundings.held->part).model;
+      movers_.push_back({held.boxes(), held.shape(), surroundings.held->X_PartTool.inverse()});
     }
   }
 
@@ -74,10 +76,8 @@ class Clearance {
     const Pose X_WorldMover = X_WorldTool * mover.X_ToolMover;
     const double lowest = LowestPoint(mover.boxes, X_WorldMover);
     if (lowest < kTravelGap) return false;
-    for (int i = 0; i < world_.part_count(); ++i) {
-      if (PartId(i) == world_.held()) continue;
-      const domain::Part& part = problem_.part(PartId(i));
-      const Pose X_WorldPart = world_.PartPose(PartId(i), X_WorldTool);
+    for (const auto& [id, X_WorldPart] : surroundings_.parts) {
+      const domain::Part& part = problem_.part(id);
       if (lowest > HighestPoint(part, X_WorldPart) + kTravelGap) continue;
       if (Distance(mover.shape, X_WorldMover, part.model->shape(), X_WorldPart) < kTravelGap) {
         return false;
@@ -87,39 +87,9 @@ class Clearance {
   }
 
   const domain::Problem& problem_;
-  const WorldModel& world_;
+  const Surroundings& surroundings_;
   std::vector<Mover> movers_;
 };
-
-// Whether the arm can go on from q along all lines, each from the end of the one before.
-bool CanFollow(const domain::Workcell& workcell, JointVector q,
-               const std::vector<Vector3>& corners) {
-  for (const Vector3& corner : corners) {
-    const LineResult line = FollowLine(workcell, q, corner);
-    if (!line.path) return false;
-    q = line.path->q.back();
-  }
-  return true;
-}
-
-double MoveTime(const JointVector& from, const JointVector& to, const JointRates& rates) {
-  return SynchronizedMove(from, to, rates).duration();
-}
-
-// Joint values over the destination from which the lines can be followed, nearest first.
-std::vector<JointVector> Destinations(const domain::Workcell& workcell,
-                                      const TravelRequest& request, const JointRates& rates) {
-  std::vector<JointVector> found;
-  const kinematics::Arm& arm = workcell.arm();
-  for (const auto& s : arm.Inverse(workcell.FlangeFor(request.X_WorldTool), request.from)) {
-    for (const JointVector& q : arm.Representatives(s.q)) {
-      if (CanFollow(workcell, q, request.corners)) found.push_back(q);
-    }
-  }
-  const auto time = [&](const JointVector& q) { return MoveTime(request.from, q, rates); };
-  std::ranges::stable_sort(found, {}, time);
-  return found;
-}
 
 std::string Where(const Vector3& p) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", 1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
@@ -127,39 +97,52 @@ std::string Where(const Vector3& p) {
 
 }  // namespace
 
-JointRates RatesOf(const domain::Workcell& workcell) {
-  JointRates rates{.acceleration = workcell.joint_acceleration()};
-  for (int j = 0; j < rates.speed.size(); ++j) {
-    rates.speed[j] = workcell.arm().limits()[static_cast<std::size_t>(j)].velocity;
+std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose& X_WorldTool,
+                                    const JointVector& from) {
+  std::vector<JointVector> found;
+  const kinematics::Arm& arm = workcell.arm();
+  for (const auto& s : arm.Inverse(workcell.FlangeFor(X_WorldTool), from)) {
+    std::ranges::copy(arm.Representatives(s.q), std::back_inserter(found));
   }
-  return rates;
+  const JointRates rates = RatesOf(workcell);
+  const auto time = [&](const JointVector& q) { return MoveDuration(from, q, rates); };
+  std::ranges::stable_sort(found, {}, time);
+  return found;
 }
 
-TravelResult PlanTravel(const domain::Problem& problem, const WorldModel& world,
+bool CanFollow(const domain::Workcell& workcell, JointVector q, const std::vector<Vector3>& corners,
+               double step) {
+  for (const Vector3& corner : corners) {
+    const LineResult line = FollowLine(workcell, q, corner, step);
+    if (!line.path) return false;
+    q = line.path->q.back();
+  }
+  return true;
+}
+
+TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surroundings,
                         const TravelRequest& request) {
   const domain::Workcell& workcell = *problem.workcell;
-  const JointRates rates = RatesOf(workcell);
   const std::string where = Where(request.X_WorldTool.translation());
-  const std::vector<JointVector> destinations = Destinations(workcell, request, rates);
+  const Clearance clearance(problem, surroundings);
+  std::vector<JointVector> destinations;  // from which the lines can be followed
+  for (const JointVector& q : PosturesAt(workcell, request.X_WorldTool, request.from)) {
+    if (!CanFollow(workcell, q, request.corners, request.line_step)) continue;
+    if (clearance.IsClear(request.from, q)) return JointPath{request.from, q};
+    destinations.push_back(q);
+  }
   if (destinations.empty()) {
     return fmt::format("no configuration of the arm reaches {} and goes on straight from there",
                        where);
   }
-  const Clearance clearance(problem, world, request.opening);
-  for (const JointVector& q : destinations) {
-    if (clearance.IsClear(request.from, q)) {
-      return std::vector{SynchronizedMove(request.from, q, rates)};
-    }
-  }
   const JointVector& home = workcell.home();
   for (const JointVector& q : destinations) {
     if (clearance.IsClear(request.from, home) && clearance.IsClear(home, q)) {
-      return std::vector{SynchronizedMove(request.from, home, rates),
-                         SynchronizedMove(home, q, rates)};
+      return JointPath{request.from, home, q};
     }
   }
   return fmt::format("every way to {} comes within {:.0f} mm of the table or a part", where,
                      1e3 * kTravelGap);
 }
 
-}  // namespace assay::exec
+}  // namespace assay::motion

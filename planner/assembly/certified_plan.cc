@@ -1,0 +1,32 @@
+#include "planner/assembly/certified_plan.h"
+
+#include <utility>
+
+#include "planner/assembly/resolvers.h"
+#include "planner/assembly/travel_plan.h"
+
+namespace assay::assembly {
+
+plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
+                                   const posting::PlannerOptions& planner,
+                                   posting::UncertaintyOptions uncertainty) {
+  if (uncertainty.resolvers.empty()) {
+    uncertainty.resolvers = Resolvers(problem.resolvers, uncertainty.propagation);
+  }
+  plan::PlanResult result = posting::MakeCertifiedPlan(problem, planner, uncertainty);
+  if (result.outcome != Outcome::kFound) return result;
+  const std::optional<std::string> obstruction = AddTravels(problem, {}, result.plan);
+  if (!obstruction) return result;
+  // What a path is not found for before looks and squeezes are inserted has none with them.
+  uncertainty.can_be_executed = [&](plan::Plan instance) {
+    return !AddTravels(problem, {}, instance);
+  };
+  result = posting::MakeCertifiedPlan(problem, planner, uncertainty);
+  if (result.outcome == Outcome::kFound && !AddTravels(problem, {}, result.plan)) return result;
+  result.outcome = Outcome::kBudget;
+  result.plan = {};
+  result.obstruction = *obstruction;
+  return result;
+}
+
+}  // namespace assay::assembly

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "planner/motion/collision_scene.h"
+#include "planner/motion/joint_path.h"
+
+namespace assay::motion {
+
+// What the arm is to do at safe height: go over `X_WorldTool`, in such a configuration that the
+// straight lines that follow, from corner to corner (origins of the tool, world), can be followed.
+struct TravelRequest {
+  JointVector from;
+  Pose X_WorldTool;
+  std::vector<Vector3> corners;
+  double line_step = 0.0005;  // metres, in which the lines are followed
+};
+
+// A path of one or two motions, or why there is none.
+using TravelResult = std::variant<JointPath, std::string>;
+
+// Plans the path. Of the joint values that bring the tool there (up to eight configurations, joints
+// 4 and 6 with up to two turns each) those nearest in time come first; the way is a joint move, or
+// two of them by way of the workcell's home. Hand, fingers and held part must stay kTravelGap away
+// from the table and from the parts; the arm is not looked at.
+TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surroundings,
+                        const TravelRequest& request);
+
+inline constexpr double kTravelGap = 0.01;  // metres
+
+// Joint values that bring the tool to a pose, the nearest in time to `from` first.
+std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose& X_WorldTool,
+                                    const JointVector& from);
+// Whether the arm can go on from q along all lines, each from the end of the one before.
+bool CanFollow(const domain::Workcell& workcell, JointVector q, const std::vector<Vector3>& corners,
+               double step);
+
+}  // namespace assay::motion

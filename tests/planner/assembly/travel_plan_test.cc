@@ -1,0 +1,126 @@
+#include "planner/assembly/travel_plan.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/assembly/certified_plan.h"
+#include "planner/assembly/plan_check.h"
+#include "planner/motion/motion_check.h"
+#include "planner/motion/straight_line.h"
+#include "planner/plan/tool_route.h"
+#include "tests/planner/posting/scenarios.h"
+
+namespace assay::assembly {
+namespace {
+
+using domain::PartId;
+using kinematics::JointVector;
+using ::testing::Contains;
+using ::testing::Field;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const PartId kMast(2);
+
+const domain::Problem& Mast() {
+  static const domain::Problem problem = posting::LoadScenario("mast");
+  return problem;
+}
+
+const plan::Plan& PlanBesideTheMast() {
+  static const plan::Plan plan = MakeCertifiedPlan(Mast(), {}, {}).plan;
+  return plan;
+}
+
+std::vector<plan::StepId> StepsWithTravel(const plan::Plan& plan) {
+  std::vector<plan::StepId> steps;
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    if (plan.step(id).travel) steps.push_back(id);
+  }
+  return steps;
+}
+
+// Nothing is in the way in the paper's figures: plans stay as they were.
+TEST(TravelPlan, LeavesFreeTravelsAsTheyAre) {
+  const domain::Problem problem = posting::LoadScenario("spar-fig15");
+  const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
+  ASSERT_EQ(result.outcome, Outcome::kFound);
+  EXPECT_THAT(StepsWithTravel(result.plan), IsEmpty());
+  EXPECT_FALSE(result.plan.homing);
+}
+
+TEST(TravelPlan, GoesAroundTheMast) {
+  EXPECT_FALSE(StepsWithTravel(PlanBesideTheMast()).empty());
+  EXPECT_THAT(FlawsOfTravels(Mast(), PlanBesideTheMast()), IsEmpty());
+  EXPECT_THAT(assembly::Check(Mast(), PlanBesideTheMast(), 10).flaws, IsEmpty());
+}
+
+// Oracle: at every thousandth of each path, no link of the arm comes nearer to the mast than the
+// clearance that the plan claims.
+TEST(TravelPlan, PathsKeepTheirClearance) {
+  motion::Surroundings surroundings;
+  for (std::size_t p = kMast.index(); p < Mast().parts.size(); ++p) {
+    surroundings.parts.push_back({PartId(p), Mast().parts[p].X_WorldPart});
+  }
+  const motion::CollisionScene scene(Mast(), surroundings);
+  for (const plan::StepId id : StepsWithTravel(PlanBesideTheMast())) {
+    const plan::Travel& travel = *PlanBesideTheMast().step(id).travel;
+    EXPECT_GE(travel.clearance, kTravelClearance);
+    for (std::size_t i = 0; i + 1 < travel.path.size(); ++i) {
+      for (int k = 0; k <= 1000; ++k) {
+        const JointVector q = travel.path[i] + k / 1000.0 * (travel.path[i + 1] - travel.path[i]);
+        const motion::LinkPoses X_BaseLink = scene.arm().LinkPoses(q);
+        for (const motion::BodyPair& pair : scene.pairs()) {
+          if (scene.IsCarried(pair.second) || scene.body(pair.first).name.find("mast") != 0)
+            continue;
+          ASSERT_GE(scene.Separation(pair, X_BaseLink, 1), travel.clearance);
+        }
+      }
+    }
+  }
+}
+
+// A path starts where the step before leaves the tool, and the executor goes on from its end.
+TEST(TravelPlan, PathsJoinTheStraightLines) {
+  for (const plan::StepId id : StepsWithTravel(PlanBesideTheMast())) {
+    const plan::PlannedStep& step = PlanBesideTheMast().step(id);
+    if (std::holds_alternative<plan::Sense>(step.action)) continue;
+    const PartId part = plan::PartOf(Mast(), step.action);
+    if (!std::holds_alternative<plan::Assemble>(step.action)) continue;
+    const plan::ToolRoute route = plan::RouteOf(Mast(), step, Mast().part(part).X_WorldPart);
+    const geometry::Pose end = motion::ToolAt(*Mast().workcell, step.travel->path.back());
+    EXPECT_TRUE(end.isApprox(route.poised, 1e-6));
+  }
+}
+
+TEST(TravelPlan, FlawsAreTold) {
+  const plan::StepId step = StepsWithTravel(PlanBesideTheMast()).front();
+  const auto expect = [&](const std::function<void(plan::Travel&)>& change, const char* words) {
+    plan::Plan tampered = PlanBesideTheMast();
+    change(*tampered.steps[step.index()].travel);
+    EXPECT_THAT(FlawsOfTravels(Mast(), tampered),
+                Contains(Field(&plan::Flaw::what, HasSubstr(words))));
+  };
+  expect([](plan::Travel& t) { t.path.front()[0] += 0.01; }, "does not start where");
+  expect([](plan::Travel& t) { t.path.back()[4] += 0.01; }, "does not end where");
+  expect([](plan::Travel& t) { t.clearance = 0; }, "a clearance of 0.00 mm is less");
+  expect([](plan::Travel& t) { t.clearance = 0.2; }, "are nearer than");
+  expect([](plan::Travel& t) { t.path = {t.path.front(), t.path.back()}; }, "the mast");
+}
+
+// Five centimetres farther, the mast stands where the forearm is while the hand takes the peg.
+TEST(TravelPlan, TellsWhatIsInTheWay) {
+  domain::Problem problem = Mast();
+  problem.parts[kMast.index()].X_WorldPart.translation().x() += 0.05;
+  plan::Plan plan = PlanBesideTheMast();
+  const auto obstruction = AddTravels(problem, {.budget = 2000}, plan);
+  ASSERT_TRUE(obstruction);
+  EXPECT_THAT(*obstruction, HasSubstr("no way to action_"));
+  EXPECT_THAT(*obstruction, HasSubstr("the mast are nearer than"));
+}
+
+}  // namespace
+}  // namespace assay::assembly

@@ -1,0 +1,188 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "planner/base/random.h"
+#include "planner/domain/problem_file.h"
+#include "planner/motion/path_search.h"
+#include "planner/motion/straight_line.h"
+#include "sim/scene/scene.h"
+
+namespace assay::exec {
+namespace {
+
+using domain::PartId;
+using kinematics::JointVector;
+using motion::CollisionScene;
+using motion::JointPath;
+
+// ASSAY_PATH_QUERIES of them for each scene; the figures are printed.
+int Queries() {
+  const char* said = std::getenv("ASSAY_PATH_QUERIES");
+  return said == nullptr ? 2 : std::stoi(said);
+}
+
+struct Case {
+  const char* scenario;
+  bool holds_the_peg;
+};
+
+// Random queries between postures with the tool low over the table; the engine, which has shapes of
+// its own for all that moves, is the oracle.
+class PathInEngine : public testing::TestWithParam<Case> {
+ protected:
+  PathInEngine()
+      : problem_(domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/" +
+                                                    std::string(GetParam().scenario) + ".yaml"),
+                                     ASSAY_SOURCE_DIR "/models")),
+        surroundings_(SurroundingsOf(problem_)),
+        paths_(problem_, surroundings_),
+        engine_(problem_, {}),
+        data_(engine_.Start()) {
+    engine_.SetGripper(data_, surroundings_.opening);
+  }
+
+  static motion::Surroundings SurroundingsOf(const domain::Problem& problem) {
+    const PartId peg(1);
+    motion::Surroundings surroundings{.opening = 0.05};
+    for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+      if (GetParam().holds_the_peg && PartId(p) == peg) continue;
+      surroundings.parts.push_back({PartId(p), problem.parts[p].X_WorldPart});
+    }
+    if (!GetParam().holds_the_peg) return surroundings;
+    const domain::Grasp& grasp = problem.part(peg).grasps->front();
+    surroundings.held = motion::HeldPart{peg, grasp.X_PartTool};
+    surroundings.opening = grasp.width;
+    return surroundings;
+  }
+
+  JointVector Draw(RandomStream& random) const {
+    motion::MotionCheck check(paths_, {.clearance = 0.012});
+    const domain::Workcell& workcell = *problem_.workcell;
+    while (true) {
+      JointVector q;
+      for (int j = 0; j < 6; ++j) {
+        const kinematics::JointLimits& limits = workcell.arm().limits()[j];
+        q[j] = random.Uniform(limits.lower, limits.upper);
+      }
+      const geometry::Vector3 tool = workcell.X_WorldBase() * workcell.arm().Forward(q) *
+                                     workcell.gripper().X_FlangeTool().translation();
+      const bool near = tool.x() > 0.3 && tool.x() < 1.05 && std::abs(tool.y()) < 0.6 &&
+                        tool.z() > 0 && tool.z() < 0.35;
+      if (near && !check.FindObstruction(q, q)) return q;
+    }
+  }
+
+  void Put(PartId part, const geometry::Pose& X_WorldPart) {
+    const mjModel* model = data_.own_model();
+    const int joint = model->body_jntadr[engine_.Body(part).index()];
+    const Eigen::Quaterniond turn(X_WorldPart.linear());
+    const geometry::Vector3 p = X_WorldPart.translation();
+    const std::array<double, 7> values = {p.x(),    p.y(),    p.z(),   turn.w(),
+                                          turn.x(), turn.y(), turn.z()};
+    std::ranges::copy(values, data_.qpos().begin() + model->jnt_qposadr[joint]);
+  }
+
+  // What touches what it should not with the arm there.
+  std::string Touching(const JointVector& q) {
+    for (std::size_t j = 0; j < 6; ++j) data_.qpos()[engine_.arm().qpos[j]] = q[j];
+    if (const auto& held = surroundings_.held) {
+      Put(held->part, motion::ToolAt(*problem_.workcell, q) * held->X_PartTool.inverse());
+    }
+    mj_kinematics(data_.own_model(), data_.get());
+    mj_comPos(data_.own_model(), data_.get());
+    mj_collision(data_.own_model(), data_.get());
+    const std::string peg = surroundings_.held ? "part/peg" : "-";
+    for (const mujoco::Contact& contact : mujoco::Contacts(data_)) {
+      const std::string a = data_.model().Name(contact.body_a);
+      const std::string b = data_.model().Name(contact.body_b);
+      const auto moves = [&](const std::string& name) {
+        return name.starts_with("arm/") || name.starts_with("gripper/") || name == peg;
+      };
+      if (moves(a) != moves(b)) return a + " " + b;
+    }
+    return {};
+  }
+
+  // In steps in which no point of what moves goes farther than a millimetre.
+  std::string TouchingAlong(const JointPath& path) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      const JointVector way = path[i + 1] - path[i];
+      double motion = 0;
+      for (const motion::BodyPair& pair : paths_.pairs()) {
+        motion = std::max(motion, paths_.GreatestMotion(pair, way.cwiseAbs()));
+      }
+      const int steps = static_cast<int>(std::ceil(motion / 1e-3));
+      for (int k = 0; k <= steps; ++k) {
+        const std::string pair = Touching(path[i] + static_cast<double>(k) / steps * way);
+        if (!pair.empty()) return pair;
+      }
+    }
+    return {};
+  }
+
+  domain::Problem problem_;
+  motion::Surroundings surroundings_;
+  CollisionScene paths_;
+  scene::Scene engine_;
+  mujoco::Data data_;
+};
+
+TEST_P(PathInEngine, TouchesNothing) {
+  RandomStream random(2026, "paths in the engine");
+  int unsolved = 0;
+  int solved_by_a_long_run = 0;
+  std::vector<double> milliseconds;
+  for (int i = 0; i < Queries(); ++i) {
+    motion::PathRequest request{.from = Draw(random), .to = Draw(random)};
+    const std::clock_t start = std::clock();
+    const motion::PathResult result = FindPath(paths_, request);
+    milliseconds.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    if (const auto* path = std::get_if<JointPath>(&result)) {
+      EXPECT_EQ(TouchingAlong(*path), "") << "query " << i;
+      continue;
+    }
+    ++unsolved;
+    request.budget *= 20;
+    if (std::holds_alternative<JointPath>(FindPath(paths_, request))) ++solved_by_a_long_run;
+  }
+  std::ranges::sort(milliseconds);
+  std::cout << Queries() << " queries, " << unsolved << " unsolved, of which a long run solves "
+            << solved_by_a_long_run << "; median " << milliseconds[milliseconds.size() / 2]
+            << " ms\n";
+  EXPECT_LE(solved_by_a_long_run, Queries() / 100);
+}
+
+// The oracle sees: with the hand in the middle of the block there is contact.
+TEST_P(PathInEngine, TheEngineSeesWhatIsTouched) {
+  const geometry::Pose X_WorldTool =
+      problem_.part(PartId(0)).X_WorldPart *
+      geometry::Translation(problem_.part(PartId(0)).model->mass().center);
+  const geometry::Pose down =
+      geometry::Translation(X_WorldTool.translation()) * geometry::RotationX(M_PI);
+  const domain::Workcell& workcell = *problem_.workcell;
+  for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(down), workcell.home())) {
+    if (!workcell.arm().InRange(s.q)) continue;
+    EXPECT_NE(Touching(s.q), "");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, PathInEngine,
+                         testing::Values(Case{"clutter", false}, Case{"clutter", true},
+                                         Case{"mast", false}, Case{"mast", true}),
+                         [](const auto& of) {
+                           return std::string(of.param.scenario) +
+                                  (of.param.holds_the_peg ? "WithThePeg" : "");
+                         });
+
+}  // namespace
+}  // namespace assay::exec

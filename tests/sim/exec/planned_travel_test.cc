@@ -1,0 +1,114 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "planner/assembly/certified_plan.h"
+#include "sim/exec/action_commands.h"
+#include "sim/exec/command_file.h"
+#include "sim/exec/execution.h"
+#include "sim/exec/executor.h"
+#include "tests/sim/exec/figure15.h"
+
+namespace assay::exec {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+// A peg and a block beside a mast that the forearm would run into.
+class BesideTheMast : public testing::Test {
+ protected:
+  static const domain::Problem& problem() {
+    static const domain::Problem problem = domain::ReadProblem(
+        Document::Load(ASSAY_SOURCE_DIR "/scenarios/mast.yaml"), ASSAY_SOURCE_DIR "/models");
+    return problem;
+  }
+  static const plan::Plan& planned() {
+    static const plan::Plan plan = assembly::MakeCertifiedPlan(problem(), {}, {}).plan;
+    return plan;
+  }
+  // The same plan, up, over and down.
+  static plan::Plan Usual() {
+    plan::Plan plan = planned();
+    plan.homing.reset();
+    for (plan::PlannedStep& step : plan.steps) step.travel.reset();
+    return plan;
+  }
+  static Trace Executed(const plan::Plan& plan, plan::StepId last = plan::StepId::None()) {
+    const scene::Scene scene(problem(), {});
+    mujoco::Data data = scene.Start();
+    return Execute(problem(), plan, scene, data, {.sample_rate = 200, .last = last});
+  }
+  // Of arm, hand, fingers or the peg with the mast: everything that happened.
+  static std::set<std::string> TouchedMast(const Trace& trace) {
+    std::set<std::string> touched;
+    for (const Sample* sample : trace.All<Sample>()) {
+      for (const auto& [a, b] : sample->moment.contacts) {
+        const bool of_mast = a.starts_with("part/mast") || b.starts_with("part/mast");
+        if (of_mast && a != "world" && b != "world") touched.insert(a + " " + b);
+      }
+    }
+    return touched;
+  }
+};
+
+TEST_F(BesideTheMast, TheUsualTravelRunsIntoIt) {
+  const plan::StepId pickup = planned().ExecutionOrder()[1];
+  EXPECT_THAT(TouchedMast(Executed(Usual(), pickup)), Not(IsEmpty()));
+}
+
+TEST_F(BesideTheMast, PlannedPathsTouchNothingAndTheGoalIsReached) {
+  const Trace trace = Executed(planned());
+  ASSERT_EQ(trace.end().outcome, ExecutionOutcome::kDone) << trace.end().reason;
+  EXPECT_THAT(TouchedMast(trace), IsEmpty());
+  const Moment& end = trace.end().moment;
+  for (std::size_t p = 2; p < problem().parts.size(); ++p) {
+    const Vector3 moved =
+        end.parts[p].truth.translation() - problem().parts[p].X_WorldPart.translation();
+    EXPECT_LT(moved.norm(), 1e-4) << problem().parts[p].name;
+  }
+  const domain::Mating& mating = problem().mating(domain::MatingId(0));
+  const Pose X_FixedHeld =
+      end.parts[mating.fixed.index()].truth.inverse() * end.parts[mating.held.index()].truth;
+  EXPECT_LT((X_FixedHeld.translation() - mating.X_FixedHeld.translation()).norm(), 2e-4);
+}
+
+// The step before a path ends low, and the path takes the place of up, over and down.
+TEST_F(BesideTheMast, CommandsFollowThePaths) {
+  const CommandFile file = CommandFileOf(problem(), planned());
+  int paths = 0;
+  for (std::size_t i = 0; i < file.steps.size(); ++i) {
+    const plan::PlannedStep& step = planned().step(file.steps[i].step);
+    for (const Command& command : file.steps[i].approach) {
+      EXPECT_EQ(std::holds_alternative<MoveAtSafeHeight>(command) && step.travel, false);
+      const auto* follow = std::get_if<FollowPath>(&command);
+      if (follow == nullptr) continue;
+      ++paths;
+      EXPECT_EQ(follow->path, step.travel->path);
+      if (i == 0 || file.steps[i - 1].depart.empty()) continue;
+      const auto& last = std::get<MoveStraight>(file.steps[i - 1].depart.back());
+      EXPECT_LT(last.X_WorldTool.translation().z(), problem().workcell->rules().safe_height);
+    }
+  }
+  EXPECT_GT(paths, 0);
+}
+
+// A path belongs to a posture of the arm: from another one it is not followed.
+TEST_F(BesideTheMast, APathIsNotFollowedFromElsewhere) {
+  const scene::Scene scene(problem(), {});
+  mujoco::Data data = scene.Start();
+  const ExecutorOptions options;
+  Execution execution(problem(), scene, data, options);
+  kinematics::JointVector away = problem().workcell->home();
+  away[0] += 0.5;
+  const FollowPath follow{{away, problem().workcell->home()}, plan::HomeTool(*problem().workcell)};
+  const Progress failure = exec::Run(follow, {}, execution);
+  ASSERT_TRUE(failure);
+  EXPECT_EQ(failure->outcome, ExecutionOutcome::kUnreachable);
+  EXPECT_THAT(failure->reason, HasSubstr("not in the posture"));
+}
+
+}  // namespace
+}  // namespace assay::exec
