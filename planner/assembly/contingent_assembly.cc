@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "planner/assembly/certified_plan.h"
 #include "planner/assembly/plan_check.h"
-#include "planner/assembly/resolvers.h"
 #include "planner/base/check.h"
 #include "planner/contingent/contingent_planner.h"
 #include "planner/uncertainty/certify.h"
