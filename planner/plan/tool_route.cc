@@ -9,11 +9,6 @@ using domain::Workcell;
 using geometry::Translation;
 using geometry::Vector3;
 
-// The tool drawn back along its axis by the workcell's approach distance.
-Pose Retreated(const Workcell& workcell, const Pose& X_WorldTool) {
-  return X_WorldTool * Translation(0, 0, -workcell.rules().approach_distance);
-}
-
 Pose Lifted(const Workcell& workcell, const Pose& X_WorldTool) {
   return Translation(0, 0, workcell.rules().approach_distance) * X_WorldTool;
 }
@@ -45,6 +40,10 @@ struct PartOfAction {
 };
 
 }  // namespace
+
+Pose Retreated(const Workcell& workcell, const Pose& X_WorldTool) {
+  return X_WorldTool * Translation(0, 0, -workcell.rules().approach_distance);
+}
 
 PartId PartOf(const domain::Problem& problem, const Action& action) {
   return std::visit(PartOfAction{problem}, action);

@@ -38,6 +38,8 @@ ToolRoute RouteOf(const domain::Problem& problem, const Squeeze& squeeze, const 
 
 // Where the tool is while the arm is at home.
 Pose HomeTool(const domain::Workcell& workcell);
+// The tool drawn back along its axis by the workcell's approach distance.
+Pose Retreated(const domain::Workcell& workcell, const Pose& X_WorldTool);
 // The tool straight above, at safe height or where it is if that is higher.
 Pose AtSafeHeight(const domain::Workcell& workcell, const Pose& X_WorldTool);
 

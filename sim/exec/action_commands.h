@@ -9,6 +9,7 @@
 namespace assay::exec {
 
 using plan::AtSafeHeight;
+using plan::Retreated;
 
 // The commands of one step, by what they are for: move above, straight line down, act, and up
 // again (Spar, figure 18).
