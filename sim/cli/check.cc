@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "planner/assembly/contingent_assembly.h"
 #include "planner/base/input_error.h"
 #include "planner/domain/part_file.h"
 #include "sim/cli/console.h"
@@ -51,7 +53,16 @@ Report CheckPart(const Document& document, const fs::path& file, const Options& 
 // What a scenario's key `knowledge` says is of no matter to the report, but must be right.
 Report CheckScenario(const Document& document, const fs::path& file, const Options& options) {
   if (document.root().Find("knowledge")) enact::Load(file, FindModels(options.models, file));
-  return ReportOn(LoadScenario(file, options.models).problem);
+  const std::vector<domain::Problem> worlds = LoadWorlds(file, options.models);
+  Report report = ReportOn(worlds.front());
+  if (worlds.size() == 1) return report;
+  std::vector<std::string> names;
+  for (const domain::Problem& world : worlds) names.push_back(assembly::NameOf(world));
+  Json json = *report.json;
+  json["worlds"] = names;
+  report.json = std::make_shared<const Json>(std::move(json));
+  report.text += fmt::format("worlds: {} (this is the first)\n", fmt::join(names, "; "));
+  return report;
 }
 
 Report CheckFile(const fs::path& file, const Options& options) {

@@ -186,7 +186,7 @@ ExitCode Execute(const Options& options) {
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("scenario", options->scenario, "scenario file with the key `knowledge`")
+  command.add_option("scenario", options->scenario, "scenario file: with the key `knowledge`, or of an assembly")
       ->required();
   command
       .add_option("--trials", options->trials,

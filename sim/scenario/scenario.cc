@@ -77,7 +77,9 @@ Scenario Load(const std::filesystem::path& file, const std::filesystem::path& mo
 std::vector<domain::Problem> LoadWorlds(const std::filesystem::path& file,
                                         const std::filesystem::path& models,
                                         const Overrides& overrides) {
-  return domain::ReadWorlds(Document::Load(file), RequireModels(models), overrides);
+  const Document document = Document::Load(file);
+  ReadSimulation(document.root());  // must be right
+  return domain::ReadWorlds(document, RequireModels(models), overrides);
 }
 
 Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {
