@@ -15,8 +15,8 @@ using domain::PartId;
 
 // What a world hides from the planner and from the eye.
 struct HiddenWorld {
-  std::map<PartId, double> masses;  // kg
-  std::map<PartId, sense::ColorId> colors;
+  std::map<PartId, double> masses = {};  // kg
+  std::map<PartId, sense::ColorId> colors = {};
   int world = 0;  // of the scenario's worlds (domain::ReadWorlds): which poses are the true ones
 };
 
