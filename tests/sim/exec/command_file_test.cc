@@ -12,7 +12,7 @@ namespace {
 // The kinds of the commands, as letters: safe height, line, open, close, look (W).
 std::string Kinds(const std::vector<Command>& commands) {
   std::string kinds;
-  for (const Command& command : commands) kinds += "SLOCW"[command.index()];
+  for (const Command& command : commands) kinds += "SPLOCW"[command.index()];
   return kinds;
 }
 
