@@ -140,16 +140,4 @@ ContingentAssembly MakeContingentPlan(const std::vector<domain::Problem>& worlds
   return WorldPlanner(worlds, planner, uncertainty).Plan();
 }
 
-ContingentAssembly AsTree(const domain::Problem& problem, const plan::Plan& plan) {
-  ContingentAssembly assembly;
-  assembly.outcome = Outcome::kFound;
-  assembly.plans = {{.worlds = {0}, .plan = plan}};
-  assembly.errors = plan.errors;
-  assembly.knowledge = KnowledgeOf({problem}, assembly.plans);
-  Budget budget(kKnowledgeStates);
-  assembly.tree =
-      contingent::MakePlan(assembly.knowledge.task, contingent::Wanted::kFirst, budget).tree;
-  return assembly;
-}
-
 }  // namespace assay::assembly

@@ -33,8 +33,4 @@ ContingentAssembly MakeContingentPlan(const std::vector<domain::Problem>& worlds
                                       const posting::PlannerOptions& planner,
                                       const posting::UncertaintyOptions& uncertainty);
 
-// For a plan that there is already, of a scenario with one world: its verifications and recoveries
-// as branches.
-ContingentAssembly AsTree(const domain::Problem& problem, const plan::Plan& plan);
-
 }  // namespace assay::assembly

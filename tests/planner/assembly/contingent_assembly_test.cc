@@ -93,10 +93,9 @@ TEST(ContingentAssembly, WithoutASensorNothingTellsWhichPoseItIs) {
 // search).
 TEST(ContingentAssembly, VerificationsBranchAndRecoveriesRepeat) {
   const domain::Problem problem = posting::LoadScenario("uncertain-failing");
-  const plan::PlanResult result = posting::MakeCertifiedPlan(problem, {}, {});
-  ASSERT_EQ(result.plan.verifications.size(), 2U);
-  const ContingentAssembly assembly = AsTree(problem, result.plan);
+  const ContingentAssembly assembly = MakeContingentPlan({problem}, {}, {});
   ExpectHoldsInAllWorlds(assembly);
+  ASSERT_EQ(assembly.plans.front().plan.verifications.size(), 2U);
   EXPECT_EQ(Count(assembly, Kind::kStep), 2);
   EXPECT_EQ(Count(assembly, Kind::kVerify), 2);
   EXPECT_EQ(Count(assembly, Kind::kRecover), 2);
@@ -106,8 +105,7 @@ TEST(ContingentAssembly, VerificationsBranchAndRecoveriesRepeat) {
 
 TEST(ContingentAssembly, TheKnowledgeIsReadBackFromItsText) {
   const domain::Problem problem = posting::LoadScenario("uncertain-failing");
-  const plan::PlanResult result = posting::MakeCertifiedPlan(problem, {}, {});
-  const PlanKnowledge knowledge = AsTree(problem, result.plan).knowledge;
+  const PlanKnowledge knowledge = MakeContingentPlan({problem}, {}, {}).knowledge;
   EXPECT_EQ(contingent::ReadPksDomain(knowledge.domain, "d.pks").actions.size(),
             knowledge.actions.size());
   EXPECT_EQ(contingent::ReadPksProblem(knowledge.problem, "p.pks").domain, "uncertain-failing");
