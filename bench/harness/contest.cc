@@ -1,0 +1,40 @@
+#include "bench/harness/contest.h"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace assay::bench {
+
+void Announce(std::string_view family, const Terms& terms) {
+  const auto tell = [&](std::string_view key, const std::string& text) {
+    if (!text.empty()) benchmark::AddCustomContext(fmt::format("{}/{}", family, key), text);
+  };
+  const auto number = [](double wanted) {
+    return wanted > 0 ? fmt::format("{}", wanted) : std::string();
+  };
+  tell("measured", terms.measured);
+  tell("unfair", terms.unfair);
+  tell("against", terms.against);
+  tell("at_least", number(terms.at_least));
+  tell("never_below", number(terms.never_below));
+}
+
+void AddContestant(std::string_view family, std::string_view instance, std::string_view contestant,
+                   std::function<void(benchmark::State&)> work) {
+  benchmark::RegisterBenchmark(fmt::format("{}/{}/{}", family, instance, contestant).c_str(),
+                               std::move(work));
+}
+
+void AddMissing(std::string_view family, std::string_view contestant, std::string_view package) {
+  benchmark::AddCustomContext(fmt::format("{}/missing/{}", family, contestant),
+                              std::string(package));
+}
+
+bool Tiny() {
+  const char* asked = std::getenv("ASSAY_BENCH_TINY");
+  return asked != nullptr && *asked != '\0' && std::string_view(asked) != "0";
+}
+
+}  // namespace assay::bench

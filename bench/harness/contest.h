@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace benchmark {
+class State;
+}
+
+namespace assay::bench {
+
+// On what terms the contestants of a family meet; the report says it beside their times.
+struct Terms {
+  std::string measured = {};  // what the time is of
+  std::string unfair = {};    // what makes the comparison unfair, and to whom
+  std::string against = {};  // the peer that `at_least` speaks of; empty: the best of each instance
+  double at_least = 0;       // wanted: geometric mean of the ratios; 0: nothing is
+  double never_below = 0;    // wanted: ratio to the best peer in every instance
+};
+
+// The name of our own contestant. Others are "peer" or "peer:variant", of whose variants the best
+// counts; "assay:variant" is shown, but compared with nothing.
+inline constexpr std::string_view kOurs = "assay";
+
+// Once for a family, before any of its contestants.
+void Announce(std::string_view family, const Terms& terms);
+
+// Registers `work` as the benchmark "family/instance/contestant". Contestants of one instance are
+// added one after another, ours first, so that passes over the program time them in turn. `work`
+// holds the contestant's answer against ours before it times anything, and skips with an error if
+// they differ.
+void AddContestant(std::string_view family, std::string_view instance, std::string_view contestant,
+                   std::function<void(benchmark::State&)> work);
+
+// Instead of a contestant that this machine does not have: the report says so.
+void AddMissing(std::string_view family, std::string_view contestant, std::string_view package);
+
+// The environment asks for a run that only shows that nothing is broken (ASSAY_BENCH_TINY).
+bool Tiny();
+
+}  // namespace assay::bench

@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# Times every engine beside its peers and writes bench/REPORT.md and bench/plots/.
+#   bench/run.sh [--passes N] [--seconds S] [--only PATTERN] [--tiny]
+# Passes over a program come one after another, and in a pass the contestants of an instance take
+# turns, so that what else the machine does falls on all of them. What was measured stays in
+# build/release/bench/results. --only: programs that match, into build/release/bench/REPORT.md.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+passes=5 seconds=0.1 only= report=bench/REPORT.md plots=bench/plots
+build=build/release/bench
+elsewhere() { report=$build/REPORT.md plots=$build/plots; }
+while (($#)); do
+  case $1 in
+    --passes) passes=$2; shift 2 ;;
+    --seconds) seconds=$2; shift 2 ;;
+    --only) only=$2; elsewhere; shift 2 ;;
+    --tiny) export ASSAY_BENCH_TINY=1; passes=1 seconds=0.001; elsewhere; shift ;;
+    *) echo "unknown option $1; allowed: --passes N, --seconds S, --only PATTERN, --tiny" >&2; exit 2 ;;
+  esac
+done
+
+cmake --preset release >/dev/null
+cmake --build --preset release
+results=$build/results
+rm -rf "$results"
+mkdir -p "$results" "$plots"
+processor=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -1)
+compiler=$(c++ --version | head -1)
+revision=$(git describe --always --dirty 2>/dev/null || echo unknown)
+for pass in $(seq "$passes"); do
+  for program in "$build"/*_bench; do
+    name=$(basename "$program" _bench)
+    [[ $name =~ $only ]] || continue
+    echo "pass $pass of $passes: $name" >&2
+    "$program" --benchmark_min_time="$seconds" --benchmark_out_format=json \
+      --benchmark_out="$results/$name.$pass.json" --benchmark_context=processor="${processor//,/}" \
+      --benchmark_context=compiler="${compiler//,/}" --benchmark_context=revision="$revision" \
+      --benchmark_context=passes="$passes" >"$results/$name.$pass.txt"
+  done
+done
+"$build/summarize" "$report" "$results/plots.gp" "$results"/*.json
+(cd "$plots" && gnuplot "$OLDPWD/$results/plots.gp")
+echo "$report"

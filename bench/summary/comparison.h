@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench/summary/measurements.h"
+
+namespace assay::bench {
+
+// How many times as long a peer takes as we do: of the passes, each with the two times that were
+// measured next to each other.
+struct Ratio {
+  double median = 0;
+  double least = 0;
+  double greatest = 0;
+};
+
+// What a peer took. Of a peer's variants the quickest.
+struct PeerTime {
+  std::string peer;
+  std::string variant;  // if there are several
+  Series series;
+  Ratio ratio;
+};
+
+// One piece of work, done by us and by others.
+struct Contest {
+  std::string instance;
+  Series ours;
+  std::vector<Series> variants;  // of ours, compared with nothing
+  std::vector<PeerTime> peers;   // by name
+
+  const PeerTime* Best() const;                         // null without peers
+  const PeerTime* Find(const std::string& peer) const;  // null if it has no time
+};
+
+// Contests over work of one kind.
+struct Family {
+  std::string name;
+  std::string measured;
+  std::string unfair;
+  std::string against;  // see Terms (bench/harness/contest.h)
+  double at_least = 0;  // 0: nothing is wanted
+  double never_below = 0;
+  std::vector<std::string> missing;  // peers that this machine does not have
+  std::vector<std::string> skipped;  // "instance/contestant: why"
+  std::vector<Contest> contests;
+};
+
+// In the order in which they ran. Benchmarks without "/assay" in their instance are in none.
+std::vector<Family> Families(const Measurements& measurements);
+
+// Of ratios and the like, all positive.
+double GeometricMean(const std::vector<double>& values);
+
+// Of all instances that it has a time in. `peer` empty: of the best of each instance.
+std::vector<double> Ratios(const Family& family, const std::string& peer);
+
+// All that have a time in some instance, by name.
+std::vector<std::string> Peers(const Family& family);
+
+}  // namespace assay::bench

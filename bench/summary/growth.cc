@@ -1,0 +1,76 @@
+#include "bench/summary/growth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace assay::bench {
+namespace {
+
+struct SizedName {
+  std::string name;
+  double size = 0;
+};
+
+bool IsNumber(const std::string& text) {
+  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+}
+
+// A contestant's size is a counter, since its name tells whose it is: "family/contestant".
+std::optional<SizedName> SizedNameOf(const Series& series) {
+  const std::size_t last = series.name.rfind('/');
+  if (last == std::string::npos) return std::nullopt;
+  const std::string end = series.name.substr(last + 1);
+  if (IsNumber(end)) return SizedName{series.name.substr(0, last), std::stod(end)};
+  const auto size = series.counters.find("size");
+  if (size == series.counters.end()) return std::nullopt;
+  return SizedName{series.name.substr(0, series.name.find('/')) + "/" + end, size->second};
+}
+
+// Points of one size as one: their mean in logarithms.
+void Merge(std::vector<Growth::Point>& points) {
+  std::ranges::sort(points, {}, &Growth::Point::size);
+  std::vector<Growth::Point> merged;
+  for (std::size_t i = 0; i < points.size();) {
+    double sum = 0;
+    std::size_t end = i;
+    for (; end < points.size() && points[end].size == points[i].size; ++end) {
+      sum += std::log(points[end].seconds);
+    }
+    merged.push_back({points[i].size, std::exp(sum / static_cast<double>(end - i))});
+    i = end;
+  }
+  points = std::move(merged);
+}
+
+}  // namespace
+
+double Growth::Exponent() const {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const Point& point : points) {
+    const double log_size = std::log(point.size);
+    const double log_time = std::log(point.seconds);
+    x += log_size;
+    y += log_time;
+    xx += log_size * log_size;
+    xy += log_size * log_time;
+  }
+  const double n = static_cast<double>(points.size());
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+std::vector<Growth> Growths(const Measurements& measurements) {
+  std::vector<Growth> growths;
+  for (const Series& series : measurements.series) {
+    const std::optional<SizedName> sized = SizedNameOf(series);
+    if (!sized || sized->size <= 0 || series.seconds.empty()) continue;
+    auto known = std::ranges::find(growths, sized->name, &Growth::name);
+    if (known == growths.end()) known = growths.insert(known, {.name = sized->name, .points = {}});
+    known->points.push_back({sized->size, series.Median()});
+  }
+  for (Growth& growth : growths) Merge(growth.points);
+  std::erase_if(growths, [](const Growth& growth) { return growth.points.size() < 3; });
+  return growths;
+}
+
+}  // namespace assay::bench

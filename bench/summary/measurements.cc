@@ -1,0 +1,100 @@
+#include "bench/summary/measurements.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "planner/base/input_error.h"
+
+namespace assay::bench {
+namespace {
+
+using Json = nlohmann::json;
+
+Json Load(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  try {
+    return Json::parse(stream);
+  } catch (const Json::parse_error& error) {
+    throw InputError({.file = file.string()}, error.what(), "JSON as Google Benchmark writes it");
+  }
+}
+
+double Seconds(const Json& entry) {
+  static const std::map<std::string, double> kUnits = {
+      {"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1}};
+  return entry.at("cpu_time").get<double>() * kUnits.at(entry.at("time_unit").get<std::string>());
+}
+
+// Google Benchmark mixes user counters with keys of its own.
+std::map<std::string, double> CountersOf(const Json& entry) {
+  static const std::set<std::string> kOwn = {"family_index", "per_family_instance_index",
+                                             "repetitions",  "repetition_index",
+                                             "threads",      "iterations",
+                                             "real_time",    "cpu_time"};
+  std::map<std::string, double> counters;
+  for (const auto& [key, value] : entry.items()) {
+    if (value.is_number() && !kOwn.contains(key)) counters[key] = value.get<double>();
+  }
+  return counters;
+}
+
+class Reader {
+ public:
+  void Add(const Json& file) {
+    for (const auto& [key, value] : file.at("context").items()) {
+      measurements_.context[key] = value.is_string() ? value.get<std::string>() : value.dump();
+    }
+    for (const Json& entry : file.at("benchmarks")) {
+      if (entry.at("run_type") == "iteration") Add(entry, SeriesOf(entry.at("name")));
+    }
+  }
+  Measurements Take() { return std::move(measurements_); }
+
+ private:
+  Series& SeriesOf(const std::string& name) {
+    const auto [at, is_new] = index_.try_emplace(name, measurements_.series.size());
+    if (is_new) measurements_.series.push_back({.name = name});
+    return measurements_.series[at->second];
+  }
+
+  static void Add(const Json& entry, Series& series) {
+    if (entry.value("error_occurred", false)) {
+      series.skipped = entry.at("error_message");
+      return;
+    }
+    if (series.seconds.empty()) series.counters = CountersOf(entry);
+    series.seconds.push_back(Seconds(entry));
+  }
+
+  Measurements measurements_;
+  std::map<std::string, std::size_t> index_;
+};
+
+}  // namespace
+
+double Series::Median() const {
+  if (seconds.empty()) return std::numeric_limits<double>::infinity();
+  std::vector<double> sorted = seconds;
+  std::ranges::sort(sorted);
+  const std::size_t half = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+Measurements Read(const std::vector<std::filesystem::path>& files) {
+  Reader reader;
+  for (const std::filesystem::path& file : files) {
+    try {
+      reader.Add(Load(file));
+    } catch (const Json::exception& error) {
+      throw InputError({.file = file.string()}, error.what(), "JSON as Google Benchmark writes it");
+    }
+  }
+  return reader.Take();
+}
+
+}  // namespace assay::bench

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace assay::bench {
+
+// A benchmark, with its times over several passes.
+struct Series {
+  std::string name;                             // "family/instance/contestant", "Name/argument"
+  std::vector<double> seconds = {};             // processor time of an iteration, one of each pass
+  std::map<std::string, double> counters = {};  // of the first pass
+  std::string skipped = {};                     // why there are no times
+
+  double Median() const;  // of the times; infinite if there are none
+};
+
+// What several passes over several programs measured.
+struct Measurements {
+  std::map<std::string, std::string> context;  // of the machine, and what programs tell
+  std::vector<Series> series;                  // in the order in which they ran
+};
+
+// From files that Google Benchmark wrote with --benchmark_format=json, one for each program and
+// pass. Throws InputError if one cannot be read.
+Measurements Read(const std::vector<std::filesystem::path>& files);
+
+}  // namespace assay::bench

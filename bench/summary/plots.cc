@@ -1,0 +1,71 @@
+#include "bench/summary/plots.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "bench/summary/comparison.h"
+#include "bench/summary/growth.h"
+
+namespace assay::bench {
+namespace {
+
+// gnuplot reads "_" and the like as typesetting otherwise.
+constexpr const char* kStyle = R"(set encoding utf8
+set termoption noenhanced
+set grid
+set key outside right top
+)";
+
+// One row of dots for each family: an instance's ratio to its best peer.
+void DrawRatios(std::string& out, const std::vector<Family>& families) {
+  out += "$ratios << END\n";
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    for (const double ratio : Ratios(families[i], "")) {
+      out += fmt::format("{:.6g} {}\n", ratio, families.size() - i);
+    }
+  }
+  out += "END\n";
+  std::vector<std::string> labels;
+  for (std::size_t i = 0; i < families.size(); ++i) {
+    labels.push_back(fmt::format("\"{}\" {}", families[i].name, families.size() - i));
+  }
+  out += fmt::format(
+      "set terminal svg size 900,{} dynamic background 'white'\nset output 'ratios.svg'\n"
+      "set logscale x\nset xlabel 'time of the best peer over ours'\nset ytics ({})\n"
+      "set yrange [0.5:{}.5]\nset arrow from 1, graph 0 to 1, graph 1 nohead dashtype 2\n"
+      "plot $ratios using 1:2 with points pointtype 6 notitle\nreset\n",
+      140 + 40 * families.size(), fmt::join(labels, ", "), families.size());
+}
+
+void DrawGrowths(std::string& out, const std::vector<Growth>& growths) {
+  std::vector<std::string> curves;
+  for (std::size_t i = 0; i < growths.size(); ++i) {
+    out += fmt::format("$curve{} << END\n", i);
+    for (const Growth::Point& point : growths[i].points) {
+      out += fmt::format("{:.6g} {:.6g}\n", point.size, point.seconds);
+    }
+    out += "END\n";
+    curves.push_back(fmt::format("$curve{} with linespoints title '{} ({:.2f})'", i,
+                                 growths[i].name, growths[i].Exponent()));
+  }
+  out += kStyle;
+  out += fmt::format(
+      "set terminal svg size 1100,{} dynamic background 'white'\nset output 'growth.svg'\n"
+      "set logscale xy\nset xlabel 'size'\nset ylabel 'seconds'\nset format y '10^{{%L}}'\n"
+      "plot {}\n",
+      500 + 12 * growths.size(), fmt::join(curves, ", \\\n  "));
+}
+
+}  // namespace
+
+std::string PlotScript(const Measurements& measurements) {
+  std::string out = kStyle;
+  const std::vector<Family> families = Families(measurements);
+  if (!families.empty()) DrawRatios(out, families);
+  const std::vector<Growth> growths = Growths(measurements);
+  if (!growths.empty()) DrawGrowths(out, growths);
+  return out;
+}
+
+}  // namespace assay::bench

@@ -1,0 +1,228 @@
+#include "bench/summary/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "bench/summary/comparison.h"
+#include "bench/summary/growth.h"
+
+namespace assay::bench {
+namespace {
+
+std::string Time(double seconds) {
+  if (!std::isfinite(seconds)) return "-";
+  static const std::vector<std::pair<double, const char*>> kUnits = {
+      {1, "s"}, {1e-3, "ms"}, {1e-6, "us"}, {1e-9, "ns"}};
+  for (const auto& [unit, name] : kUnits) {
+    if (seconds >= unit) return fmt::format("{:.3g} {}", seconds / unit, name);
+  }
+  return fmt::format("{:.3g} ns", seconds * 1e9);
+}
+
+std::string Multiple(double ratio) {
+  return ratio < 100 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
+}
+
+std::string Text(const Ratio& ratio) {
+  return fmt::format("{} ({} to {})", Multiple(ratio.median), Multiple(ratio.least),
+                     Multiple(ratio.greatest));
+}
+
+std::string Row(const std::vector<std::string>& cells) {
+  return fmt::format("| {} |\n", fmt::join(cells, " | "));
+}
+
+std::string Heading(const std::vector<std::string>& cells) {
+  return Row(cells) + Row(std::vector<std::string>(cells.size(), "---"));
+}
+
+std::string Wanted(const Family& family) {
+  std::vector<std::string> wishes;
+  if (family.at_least > 0) {
+    wishes.push_back(fmt::format("{} times {}", Multiple(family.at_least),
+                                 family.against.empty() ? "the best peer" : family.against));
+  }
+  if (family.never_below > 0) {
+    wishes.push_back(fmt::format("nowhere below {}", Multiple(family.never_below)));
+  }
+  return fmt::format("{}", fmt::join(wishes, ", "));
+}
+
+bool Holds(const Family& family) {
+  const std::vector<double> best = Ratios(family, "");
+  const std::vector<double> wanted = Ratios(family, family.against);
+  return (family.at_least == 0 || (!wanted.empty() && GeometricMean(wanted) >= family.at_least)) &&
+         (family.never_below == 0 ||
+          (!best.empty() && std::ranges::min(best) >= family.never_below));
+}
+
+std::string Verdict(const Family& family) {
+  if (family.at_least == 0 && family.never_below == 0) return "";
+  return Holds(family) ? "holds" : "**missed**";
+}
+
+void Headline(std::string& out, const std::vector<Family>& families) {
+  out +=
+      "## Ratios\n\nA peer's time over ours, single thread: geometric mean over the instances, "
+      "then least and greatest. Above 1 we are quicker.\n\n";
+  out += Heading({"work", "peer", "instances", "ratio", "least", "greatest", "wanted", ""});
+  for (const Family& family : families) {
+    std::vector<std::string> peers = Peers(family);
+    if (peers.size() > 1) peers.push_back("");
+    for (const std::string& peer : peers) {
+      const std::vector<double> ratios = Ratios(family, peer);
+      const bool last = &peer == &peers.back();
+      out += Row({fmt::format("[{0}](#{0})", family.name), peer.empty() ? "best of each" : peer,
+                  fmt::format("{}", ratios.size()), Multiple(GeometricMean(ratios)),
+                  Multiple(std::ranges::min(ratios)), Multiple(std::ranges::max(ratios)),
+                  last ? Wanted(family) : "", last ? Verdict(family) : ""});
+    }
+  }
+  out += "\n![ratios](plots/ratios.svg)\n\n";
+}
+
+std::vector<std::string> CounterNames(const Family& family) {
+  std::set<std::string> names;
+  for (const Contest& contest : family.contests) {
+    for (const auto& [name, value] : contest.ours.counters) names.insert(name);
+  }
+  return {names.begin(), names.end()};
+}
+
+std::string Counter(const Series& series, const std::string& name) {
+  const auto at = series.counters.find(name);
+  return at == series.counters.end() ? "" : fmt::format("{:.4g}", at->second);
+}
+
+std::string PeerCell(const PeerTime* peer) {
+  if (peer == nullptr) return "";
+  const std::string variant = peer->variant.empty() ? "" : " " + peer->variant;
+  return fmt::format("{}{}", Time(peer->series.Median()), variant);
+}
+
+std::string VariantCell(const Contest& contest, const std::string& variant) {
+  for (const Series& series : contest.variants) {
+    if (series.name.ends_with(":" + variant)) return Time(series.Median());
+  }
+  return "";
+}
+
+std::vector<std::string> Variants(const Family& family) {
+  std::set<std::string> names;
+  for (const Contest& contest : family.contests) {
+    for (const Series& series : contest.variants) {
+      names.insert(series.name.substr(series.name.rfind(':') + 1));
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+void Instances(std::string& out, const Family& family) {
+  const std::vector<std::string> variants = Variants(family);
+  const std::vector<std::string> peers = Peers(family);
+  const std::vector<std::string> counters = CounterNames(family);
+  std::vector<std::string> heading = {"instance", "ours"};
+  heading.insert(heading.end(), variants.begin(), variants.end());
+  heading.insert(heading.end(), peers.begin(), peers.end());
+  heading.push_back("best peer / ours");
+  heading.insert(heading.end(), counters.begin(), counters.end());
+  out += Heading(heading);
+  for (const Contest& contest : family.contests) {
+    std::vector<std::string> row = {contest.instance, Time(contest.ours.Median())};
+    for (const std::string& variant : variants) row.push_back(VariantCell(contest, variant));
+    for (const std::string& peer : peers) row.push_back(PeerCell(contest.Find(peer)));
+    const PeerTime* best = contest.Best();
+    row.push_back(best != nullptr ? Text(best->ratio) : "");
+    for (const std::string& name : counters) row.push_back(Counter(contest.ours, name));
+    out += Row(row);
+  }
+}
+
+void Section(std::string& out, const Family& family) {
+  out += fmt::format("### {}\n\n", family.name);
+  if (!family.measured.empty()) out += fmt::format("Time of: {}.\n\n", family.measured);
+  if (!family.unfair.empty()) out += fmt::format("Unfair: {}.\n\n", family.unfair);
+  for (const std::string& peer : family.missing) {
+    out += fmt::format("Not on this machine: {}.\n\n", peer);
+  }
+  Instances(out, family);
+  out += "\n";
+  for (const std::string& text : family.skipped) {
+    out += fmt::format("Without a time: {}.\n\n", text);
+  }
+}
+
+void GrowthSection(std::string& out, const Measurements& measurements) {
+  const std::vector<Growth> growths = Growths(measurements);
+  if (growths.empty()) return;
+  out += "## Growth\n\nTimes grow as the size to this power (least squares in logarithms).\n\n";
+  out += Heading({"work", "sizes", "least", "greatest", "exponent"});
+  for (const Growth& growth : growths) {
+    const Growth::Point& first = growth.points.front();
+    const Growth::Point& last = growth.points.back();
+    out += Row({growth.name, fmt::format("{:g} to {:g}", first.size, last.size),
+                Time(first.seconds), Time(last.seconds), fmt::format("{:.2f}", growth.Exponent())});
+  }
+  out += "\n![growth](plots/growth.svg)\n\n";
+}
+
+std::string Limit(const Series& series) {
+  const auto limit = series.counters.find("at_most_ms");
+  if (limit == series.counters.end()) return "";
+  const bool holds = series.Median() <= limit->second * 1e-3;
+  return fmt::format("at most {}: {}", Time(limit->second * 1e-3), holds ? "holds" : "**missed**");
+}
+
+std::string CountersText(const Series& series) {
+  std::vector<std::string> texts;
+  for (const auto& [name, value] : series.counters) {
+    if (name != "at_most_ms") texts.push_back(fmt::format("{} {:.4g}", name, value));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
+void AloneSection(std::string& out, const Measurements& measurements,
+                  const std::vector<Family>& families) {
+  std::set<std::string> in_families;
+  for (const Family& family : families) in_families.insert(family.name);
+  out += "## Without a peer\n\n" + Heading({"work", "time", "wanted", "counters"});
+  for (const Series& series : measurements.series) {
+    if (in_families.contains(series.name.substr(0, series.name.find('/')))) continue;
+    const std::string time =
+        series.seconds.empty() ? "without a time: " + series.skipped : Time(series.Median());
+    out += Row({series.name, time, Limit(series), CountersText(series)});
+  }
+  out += "\n";
+}
+
+void Machine(std::string& out, const Measurements& measurements) {
+  out += "## Where\n\n";
+  for (const char* key : {"revision", "date", "processor", "compiler", "passes", "mhz_per_cpu",
+                          "num_cpus", "load_avg", "library_build_type"}) {
+    const auto at = measurements.context.find(key);
+    if (at != measurements.context.end()) out += fmt::format("- {}: {}\n", key, at->second);
+  }
+}
+
+}  // namespace
+
+std::string Report(const Measurements& measurements) {
+  const std::vector<Family> families = Families(measurements);
+  std::string out =
+      "# Benchmarks\n\nMade by `bench/run.sh`. Medians of processor time over passes in which all "
+      "contestants take turns, single thread. A contestant's answer is held against ours before "
+      "its time counts.\n\n";
+  if (!families.empty()) Headline(out, families);
+  if (!families.empty()) out += "## Instances\n\n";
+  for (const Family& family : families) Section(out, family);
+  GrowthSection(out, measurements);
+  AloneSection(out, measurements, families);
+  Machine(out, measurements);
+  return out;
+}
+
+}  // namespace assay::bench

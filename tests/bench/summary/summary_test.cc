@@ -1,0 +1,147 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "bench/summary/comparison.h"
+#include "bench/summary/growth.h"
+#include "bench/summary/measurements.h"
+#include "bench/summary/plots.h"
+#include "bench/summary/report.h"
+#include "planner/base/input_error.h"
+#include "tests/scratch_file.h"
+
+namespace assay::bench {
+namespace {
+
+using testing::DoubleNear;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+Series Of(const std::string& name, std::vector<double> seconds,
+          std::map<std::string, double> counters = {}) {
+  return {.name = name, .seconds = std::move(seconds), .counters = std::move(counters)};
+}
+
+Measurements TwoInstances() {
+  return {.context = {{"labeling/measured", "the search"},
+                      {"labeling/at_least", "5"},
+                      {"labeling/against", "gecode"},
+                      {"labeling/never_below", "2"},
+                      {"labeling/missing/minion", "minion"}},
+          .series = {Of("labeling/a/assay", {1, 2, 4}), Of("labeling/a/gecode:afc", {10, 20, 40}),
+                     Of("labeling/a/gecode:size", {5, 8, 24}), Of("labeling/a/cadical", {2, 4, 8}),
+                     Of("labeling/b/assay", {1, 1, 1}), Of("labeling/b/gecode:afc", {9, 9, 9}),
+                     Of("alone/b", {3, 3, 3})}};
+}
+
+TEST(Comparison, TakesAPeersBestVariantAndPairsThePasses) {
+  const std::vector<Family> families = Families(TwoInstances());
+  ASSERT_THAT(families, SizeIs(1));
+  const Contest& a = families[0].contests[0];
+  const PeerTime* gecode = a.Find("gecode");
+  ASSERT_NE(gecode, nullptr);
+  EXPECT_EQ(gecode->variant, "size");
+  EXPECT_EQ(gecode->ratio.least, 4);
+  EXPECT_EQ(gecode->ratio.median, 5);
+  EXPECT_EQ(gecode->ratio.greatest, 6);
+  EXPECT_EQ(a.Best()->peer, "cadical");
+  EXPECT_THAT(Ratios(families[0], ""), ElementsAre(2, 9));
+  EXPECT_THAT(Ratios(families[0], "gecode"), ElementsAre(5, 9));
+  EXPECT_THAT(families[0].missing, ElementsAre("minion (minion)"));
+}
+
+TEST(Comparison, ScalesPublishedFiguresByWhatBothRan) {
+  const Measurements measurements = {
+      .context = {},
+      .series = {Of("bounds/spar/assay", {1e-6}),
+                 Of("bounds/spar/boost", {4e-6}, {{"times:ibex", 1000.0}})}};
+  const std::vector<Family> families = Families(measurements);
+  EXPECT_THAT(Ratios(families[0], "ibex (scaled)"), ElementsAre(DoubleNear(4000, 1e-9)));
+}
+
+TEST(Comparison, ShowsWhatWasSkipped) {
+  Measurements measurements = TwoInstances();
+  measurements.series.push_back(
+      {.name = "labeling/b/cadical", .seconds = {}, .counters = {}, .skipped = "answers differ"});
+  EXPECT_THAT(Report(measurements), HasSubstr("b/cadical: answers differ"));
+}
+
+TEST(Comparison, GeometricMeanOfPowers) {
+  EXPECT_NEAR(GeometricMean({1, 10, 100}), 10, 1e-12);
+  EXPECT_NEAR(GeometricMean({0.5, 2}), 1, 1e-12);
+}
+
+TEST(Growth, FindsTheExponentOfAPowerLaw) {
+  Measurements measurements;
+  for (const int size : {1, 2, 5, 10}) {
+    measurements.series.push_back(
+        Of("Search/" + std::to_string(size), {3e-6 * std::pow(size, 1.5)}));
+    measurements.series.push_back(
+        Of("plan/n" + std::to_string(size) + "/assay", {1e-3 * size * size}, {{"size", size}}));
+  }
+  const std::vector<Growth> growths = Growths(measurements);
+  ASSERT_THAT(growths, SizeIs(2));
+  EXPECT_NEAR(growths[0].Exponent(), 1.5, 1e-9);
+  EXPECT_EQ(growths[1].name, "plan/assay");
+  EXPECT_NEAR(growths[1].Exponent(), 2, 1e-9);
+}
+
+TEST(Report, TellsWhatHoldsAndWhatIsMissed) {
+  Measurements measurements = TwoInstances();
+  EXPECT_THAT(Report(measurements), HasSubstr("| 5 times gecode, nowhere below 2 | holds |"));
+  measurements.context["labeling/at_least"] = "50";
+  EXPECT_THAT(Report(measurements), HasSubstr("**missed**"));
+}
+
+TEST(Report, HoldsTimesAgainstTheirLimits) {
+  const Measurements measurements = {.context = {},
+                                     .series = {Of("Plan/fig13", {0.005}, {{"at_most_ms", 20}}),
+                                                Of("Plan/fig16", {0.025}, {{"at_most_ms", 20}})}};
+  const std::string report = Report(measurements);
+  EXPECT_THAT(report, HasSubstr("| Plan/fig13 | 5 ms | at most 20 ms: holds |"));
+  EXPECT_THAT(report, HasSubstr("| Plan/fig16 | 25 ms | at most 20 ms: **missed** |"));
+}
+
+TEST(PlotScript, DrawsWhatThereIs) {
+  EXPECT_THAT(PlotScript(TwoInstances()), HasSubstr("set output 'ratios.svg'"));
+  EXPECT_THAT(PlotScript(TwoInstances()), testing::Not(HasSubstr("growth.svg")));
+}
+
+std::filesystem::path Write(const std::string& name, const std::string& text) {
+  const std::filesystem::path path = ScratchFile(name);
+  std::ofstream(path) << text;
+  return path;
+}
+
+TEST(Measurements, ReadsWhatGoogleBenchmarkWrites) {
+  const auto pass = [](const std::string& name, const std::string& time) {
+    return Write(name, R"({"context": {"host_name": "h", "num_cpus": 2, "caches": []},
+      "benchmarks": [
+        {"name": "A/b/assay", "run_type": "iteration", "iterations": 7, "real_time": 9,
+         "cpu_time": )" + time +
+                           R"(, "time_unit": "us", "nodes": 12},
+        {"name": "A/b/peer", "run_type": "iteration", "error_occurred": true,
+         "error_message": "answers differ"},
+        {"name": "A_mean", "run_type": "aggregate", "cpu_time": 1, "time_unit": "us"}]})");
+  };
+  const Measurements measurements = Read({pass("pass1.json", "2"), pass("pass2.json", "4")});
+  ASSERT_THAT(measurements.series, SizeIs(2));
+  EXPECT_THAT(measurements.series[0].seconds,
+              ElementsAre(DoubleNear(2e-6, 1e-18), DoubleNear(4e-6, 1e-18)));
+  EXPECT_EQ(measurements.series[0].counters.at("nodes"), 12);
+  EXPECT_EQ(measurements.series[0].counters.size(), 1u);
+  EXPECT_EQ(measurements.series[1].skipped, "answers differ");
+  EXPECT_EQ(measurements.context.at("num_cpus"), "2");
+}
+
+TEST(Measurements, TellsWhichFileIsNoResult) {
+  EXPECT_THROW(Read({Write("cut.json", "{\"context\": {")}), InputError);
+  EXPECT_THROW(Read({Write("other.json", "{}")}), InputError);
+}
+
+}  // namespace
+}  // namespace assay::bench
