@@ -55,10 +55,10 @@ mujoco::CameraId FindCamera(const mujoco::Model& model, const std::string& name)
       fmt::format("there is no camera '{}'; allowed: {}", name, fmt::join(names, ", ")));
 }
 
-render::Renderer RendererFor(const mujoco::Model& model, const std::string& size_text) {
-  const std::optional<Size> size = ReadSize(size_text);
-  if (!size) throw UsageError(ExplainSize(size_text));
-  return render::Renderer(model, size->width, size->height);
+render::Renderer RendererFor(const mujoco::Model& model, const PictureOptions& options) {
+  const std::optional<Size> size = ReadSize(options.size);
+  if (!size) throw UsageError(ExplainSize(options.size));
+  return render::Renderer(model, size->width, size->height, {.samples = options.samples});
 }
 
 // "grasp-can1" of "grasp(can1)".
@@ -79,6 +79,11 @@ void AddPictureOptions(CLI::App& command, PictureOptions& options) {
       ->type_name("WIDTHxHEIGHT")
       ->check(CLI::Validator(ExplainSize, "", "size"))
       ->capture_default_str();
+  command
+      .add_option("--samples", options.samples,
+                  "drawn along each side of a pixel: 1 is quick, with jagged edges")
+      ->check(CLI::Range(1, render::kMostSamples))
+      ->capture_default_str();
   command.add_flag("--no-ghosts", options.hides_ghosts,
                    "leave out the ghosts: parts at the extremes of their predicted error sets");
 }
@@ -88,7 +93,7 @@ Film::Film(const FilmSubject& subject, const std::vector<std::string>& cameras_o
     : problem_(subject.problem),
       plan_(subject.plan),
       hides_ghosts_(options.hides_ghosts),
-      renderer_(RendererFor(subject.scene.model(), options.size)),
+      renderer_(RendererFor(subject.scene.model(), options)),
       cameras_(options.cameras.empty() ? cameras_of_scenario : options.cameras) {
   for (const std::string& camera : cameras_) FindCamera(subject.scene.model(), camera);
 }

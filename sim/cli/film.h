@@ -22,10 +22,11 @@ namespace assay::cli {
 struct PictureOptions {
   std::vector<std::string> cameras = {};  // empty: the scenario's
   std::string size = "960x720";           // pixels, WIDTHxHEIGHT
+  int samples = 2;                        // along each side of a pixel
   bool hides_ghosts = false;              // of the predicted error sets
 };
 
-// Adds --camera, --size and --no-ghosts.
+// Adds --camera, --size, --samples and --no-ghosts.
 void AddPictureOptions(CLI::App& command, PictureOptions& options);
 
 // What is executed, and where.

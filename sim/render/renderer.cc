@@ -67,17 +67,18 @@ mjvGeom LineOf(const Edge& edge, Colour colour, double width) {
 
 // Members in the order of construction: what draws is freed before the context that it needs.
 struct Renderer::Contents {
-  Contents(const mujoco::Model& model, int picture_width, int picture_height, Effects effects)
-      : width(picture_width),
-        height(picture_height),
+  Contents(const mujoco::Model& model, int picture_width, int picture_height,
+           const Quality& quality)
+      : width(picture_width * quality.samples),
+        height(picture_height * quality.samples),
+        samples(quality.samples),
         context(OffscreenContext::Create()),
-        engine_model(WithFramebuffers(model.get(), width * kSupersampling, height * kSupersampling,
-                                      effects)) {
+        engine_model(WithFramebuffers(model.get(), width, height, quality.effects)) {
     mjv_defaultScene(&shapes);
     mjr_defaultContext(&drawing);
     context->MakeCurrent();
     mjv_makeScene(engine_model.get(), &shapes, kMostShapes);
-    if (effects == Effects::kNone) {
+    if (quality.effects == Effects::kNone) {
       for (const mjtRndFlag effect : {mjRND_SHADOW, mjRND_REFLECTION, mjRND_SKYBOX}) {
         shapes.flags[effect] = 0;
       }
@@ -107,7 +108,7 @@ struct Renderer::Contents {
   void Add(const Ghost& ghost) {
     const float* const position = shapes.camera[0].pos;
     const Vector3 eye(position[0], position[1], position[2]);
-    const double line_width = kSupersampling * std::max(1.0, height / 480.0);
+    const double line_width = std::max<double>(samples, height / 480.0);
     for (const Edge& edge : ghost.edges) {
       if (shapes.ngeom == shapes.maxgeom) return;
       if (!edge.FacesTowards(eye)) continue;
@@ -116,30 +117,33 @@ struct Renderer::Contents {
   }
 
   Image Draw() {
-    Image large{width * kSupersampling, height * kSupersampling, {}};
-    large.rgb.resize(std::size_t{3} * large.width * large.height);
-    const mjrRect viewport{0, 0, large.width, large.height};
+    Image drawn{width, height, {}};
+    drawn.rgb.resize(std::size_t{3} * width * height);
+    const mjrRect viewport{0, 0, width, height};
     mjr_render(viewport, &shapes, &drawing);
-    mjr_readPixels(large.rgb.data(), nullptr, viewport, &drawing);
-    return FromSamples(large);
+    mjr_readPixels(drawn.rgb.data(), nullptr, viewport, &drawing);
+    return FromSamples(drawn, samples);
   }
 
   Contents(const Contents&) = delete;
   Contents& operator=(const Contents&) = delete;
 
-  int width;
+  int width;  // of what is drawn
   int height;
+  int samples;
   std::unique_ptr<OffscreenContext> context;
   ModelCopy engine_model;
   mjvScene shapes{};
   mjrContext drawing{};
 };
 
-Renderer::Renderer(const mujoco::Model& model, int width, int height, Effects effects) {
+Renderer::Renderer(const mujoco::Model& model, int width, int height, const Quality& quality) {
   ASSAY_CHECK(std::min(width, height) >= 1 && std::max(width, height) <= kLargestSide,
               "a picture of {} by {} pixels", width, height);
+  ASSAY_CHECK(quality.samples >= 1 && quality.samples <= kMostSamples, "{} samples",
+              quality.samples);
   mujoco::HandleEngineMessages();
-  contents_ = std::make_unique<Contents>(model, width, height, effects);
+  contents_ = std::make_unique<Contents>(model, width, height, quality);
 }
 
 Renderer::~Renderer() = default;

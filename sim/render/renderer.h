@@ -23,6 +23,12 @@ enum class Effects {
   kNone,  // the shapes and their light alone
 };
 
+struct Quality {
+  Effects effects = Effects::kAll;
+  int samples = 2;  // along each side of a pixel, averaged: 1 is quick, with jagged edges
+};
+inline constexpr int kMostSamples = 4;
+
 // Pictures of a simulation by the engine's own renderer, off screen: with OSMesa, or with EGL
 // without a surface where there is no OSMesa. Both are loaded when the first Renderer is made, so
 // that nothing links against them. The same data give the same bytes on one machine. A renderer
@@ -30,8 +36,8 @@ enum class Effects {
 class Renderer {
  public:
   // Throws EnvironmentError, naming the Debian package to install, if there is no renderer.
-  // Sizes are 1 to 4096 pixels (checked).
-  Renderer(const mujoco::Model& model, int width, int height, Effects effects = Effects::kAll);
+  // Sizes are 1 to 4096 pixels, samples 1 to kMostSamples (checked).
+  Renderer(const mujoco::Model& model, int width, int height, const Quality& quality = {});
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;

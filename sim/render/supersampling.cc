@@ -4,8 +4,8 @@
 
 namespace assay::render {
 
-Image FromSamples(const Image& drawing) {
-  Image picture{drawing.width / kSupersampling, drawing.height / kSupersampling, {}};
+Image FromSamples(const Image& drawing, int samples) {
+  Image picture{drawing.width / samples, drawing.height / samples, {}};
   picture.rgb.resize(std::size_t{3} * picture.width * picture.height);
   // OpenCV has no type for memory that is only read.
   const cv::Mat from(drawing.height, drawing.width, CV_8UC3,

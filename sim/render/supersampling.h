@@ -4,11 +4,9 @@
 
 namespace assay::render {
 
-// Pictures are drawn this many times too wide and too high, and averaged: OSMesa has no other
-// antialiasing that is the same on every machine.
-inline constexpr int kSupersampling = 2;
-
-// The picture of a drawing whose rows, as OpenGL's, begin at the bottom.
-Image FromSamples(const Image& drawing);
+// The picture of a drawing that is `samples` times too wide and too high, and whose rows, as
+// OpenGL's, begin at the bottom. OSMesa has no other antialiasing that is the same on every
+// machine.
+Image FromSamples(const Image& drawing, int samples);
 
 }  // namespace assay::render

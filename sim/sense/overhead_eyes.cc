@@ -51,7 +51,7 @@ OverheadEyes::OverheadEyes(const scene::Scene& scene, const domain::Problem& pro
     : problem_(problem),
       window_(window),
       eyes_(EyesOf(scene)),
-      renderer_(scene.model(), kPixels, kPixels, render::Effects::kNone) {}
+      renderer_(scene.model(), kPixels, kPixels, {.effects = render::Effects::kNone}) {}
 
 std::vector<Sight> OverheadEyes::LookAt(const mujoco::Data& data, PartId part,
                                         const Pose& believed) {

@@ -1,0 +1,146 @@
+#include <benchmark/benchmark.h>
+#include <mujoco/mujoco.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bench/harness/contest.h"
+#include "planner/posting/posting_planner.h"
+#include "sim/exec/executor.h"
+#include "sim/scenario/scenario.h"
+
+namespace assay {
+namespace {
+
+constexpr int kWindow = 100;         // steps that are replayed from a saved state
+constexpr double kSameState = 1e-3;  // metres and radians, after a window
+
+// A scenario with its plan, and what executing it once told the engine.
+struct Run {
+  // What a step was told.
+  struct Told {
+    double timestep;
+    std::vector<double> ctrl;
+    std::vector<double> qfrc_applied;
+  };
+  struct Window {
+    mujoco::State start;
+    std::vector<Told> steps = {};
+    std::vector<double> qpos = {};  // at its end
+  };
+
+  scenario::Scenario scenario;
+  plan::Plan plan;
+  scene::Scene scene;
+  std::vector<Window> windows = {};
+  std::int64_t steps = 0;
+
+  explicit Run(const std::string& name)
+      : scenario(scenario::Load(std::string(ASSAY_SOURCE_DIR) + "/scenarios/" + name + ".yaml")),
+        plan(posting::MakePlan(scenario.problem, {}).plan),
+        scene(scenario.problem, scenario.simulation.scene) {}
+
+  exec::Trace Execute(const exec::ExecutorOptions& options) const {
+    mujoco::Data data = scene.Start();
+    return exec::Execute(scenario.problem, plan, scene, data, options);
+  }
+
+  void Record() {
+    Execute({.on_timestep = [this](const mujoco::Data& data) { Note(data); }});
+    if (windows.back().steps.size() < kWindow) windows.pop_back();  // cut by the end
+  }
+
+ private:
+  // States are saved between windows; what the saving step was told is in the window before.
+  void Note(const mujoco::Data& data) {
+    if (!windows.empty()) {
+      Window& window = windows.back();
+      const auto copied = [](std::span<const double> numbers) {
+        return std::vector<double>(numbers.begin(), numbers.end());
+      };
+      const mjData* engine = data.get();
+      window.steps.push_back({data.timestep(),
+                              copied(data.ctrl()),
+                              {engine->qfrc_applied, engine->qfrc_applied + data.own_model()->nv}});
+      if (window.steps.size() < kWindow) return;
+      window.qpos = copied(data.qpos());
+    }
+    windows.push_back({.start = data.Save()});
+  }
+};
+
+const Run& Recorded(const std::string& name) {
+  static std::map<std::string, Run> runs;
+  const auto [at, is_new] = runs.try_emplace(name, name);
+  if (is_new) at->second.Record();
+  return at->second;
+}
+
+// The plan's execution with everything that it does besides stepping.
+void Execute(benchmark::State& state, const std::string& name) {
+  const Run& run = Recorded(name);
+  std::int64_t steps = 0;
+  run.Execute({.on_timestep = [&](const mujoco::Data&) { ++steps; }});
+  double simulated = 0;
+  for (auto _ : state) simulated += run.Execute({}).end().moment.time;
+  state.counters["steps"] = static_cast<double>(steps);
+  state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
+}
+
+void Replay(const Run::Window& window, mujoco::Data& data) {
+  data.Restore(window.start);
+  mjModel* model = const_cast<mjModel*>(data.own_model());
+  for (const Run::Told& told : window.steps) {
+    model->opt.timestep = told.timestep;
+    std::ranges::copy(told.ctrl, data.get()->ctrl);
+    std::ranges::copy(told.qfrc_applied, data.get()->qfrc_applied);
+    mj_step(model, data.get());
+  }
+}
+
+bool EndsWhereWeDid(const Run::Window& window, const mujoco::Data& data) {
+  return std::ranges::equal(window.qpos, data.qpos(),
+                            [](double a, double b) { return std::abs(a - b) < kSameState; });
+}
+
+// The engine's loop and nothing else, told what the execution told it.
+void BareLoop(benchmark::State& state, const std::string& name) {
+  const Run& run = Recorded(name);
+  mujoco::Data data = run.scene.Start();
+  std::size_t alike = 0;
+  for (const Run::Window& window : run.windows) {
+    Replay(window, data);
+    alike += EndsWhereWeDid(window, data);
+  }
+  if (alike < run.windows.size() * 99 / 100) return state.SkipWithError("it goes elsewhere");
+  for (auto _ : state) {
+    for (const Run::Window& window : run.windows) Replay(window, data);
+  }
+  state.counters["steps"] = static_cast<double>(run.windows.size() * kWindow);
+}
+
+const bool kAdded = [] {
+  bench::Announce(
+      "simulation",
+      {.measured = "a plan's execution from the first step to the last, and the engine's own "
+                   "mj_step told the same controls from the same states every 100 steps",
+       .unfair = "ours also drives the arm, watches forces and keeps the trace. Both have our "
+                 "check of box collisions, which spares the solver contacts that are there twice",
+       .never_below = 0.95});
+  const std::vector<std::string> scenarios =
+      bench::Tiny() ? std::vector<std::string>{"spar-fig15"}
+                    : std::vector<std::string>{"spar-fig13", "spar-fig15", "two-pegs"};
+  for (const std::string& name : scenarios) {
+    bench::AddContestant("simulation", name, "assay",
+                         [name](benchmark::State& state) { Execute(state, name); });
+    bench::AddContestant("simulation", name, "mujoco",
+                         [name](benchmark::State& state) { BareLoop(state, name); });
+  }
+  return true;
+}();
+
+}  // namespace
+}  // namespace assay
