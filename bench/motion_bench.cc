@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bench/harness/contest.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem_file.h"
 #include "planner/motion/joint_trajectory.h"
@@ -131,12 +132,12 @@ void PathBetweenRandomPostures(benchmark::State& state, Hand hand, Tool tool) {
   state.counters["median_motion_s"] = Share(durations, 0.5);
 }
 BENCHMARK_CAPTURE(PathBetweenRandomPostures, EmptyHand, Hand::kEmpty, Tool::kAnyhow)
-    ->Iterations(kQueries);
+    ->Iterations(bench::Tiny() ? 4 : kQueries);
 BENCHMARK_CAPTURE(PathBetweenRandomPostures, HoldingThePeg, Hand::kHoldingThePeg, Tool::kAnyhow)
-    ->Iterations(kQueries);
+    ->Iterations(bench::Tiny() ? 4 : kQueries);
 
 BENCHMARK_CAPTURE(PathBetweenRandomPostures, KeptUpright, Hand::kEmpty, Tool::kUpright)
-    ->Iterations(200);
+    ->Iterations(bench::Tiny() ? 2 : 200);
 
 void SweptVolumeOfAPath(benchmark::State& state) {
   const CollisionScene scene = Scene(Hand::kHoldingThePeg);

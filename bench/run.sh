@@ -31,6 +31,7 @@ for pass in $(seq "$passes"); do
   for program in "$build"/*_bench; do
     name=$(basename "$program" _bench)
     [[ $name =~ $only ]] || continue
+    [[ $name == sweep ]] && continue  # threads; it takes turns and reports by itself
     echo "pass $pass of $passes: $name" >&2
     "$program" --benchmark_min_time="$seconds" --benchmark_out_format=json \
       --benchmark_out="$results/$name.$pass.json" --benchmark_context=processor="${processor//,/}" \

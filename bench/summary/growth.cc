@@ -16,15 +16,26 @@ bool IsNumber(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
+// Of "12" and "sides:12"; what Google Benchmark was told, and seeds, are no sizes.
+std::optional<double> SizeIn(const std::string& argument) {
+  const std::size_t colon = argument.find(':');
+  const std::string number = colon == std::string::npos ? argument : argument.substr(colon + 1);
+  const std::string name = argument.substr(0, argument.size() - number.size());
+  if (!IsNumber(number) || name == "iterations:" || name == "seed:") return std::nullopt;
+  return std::stod(number);
+}
+
 // A contestant's size is a counter, since its name tells whose it is: "family/contestant".
 std::optional<SizedName> SizedNameOf(const Series& series) {
   const std::size_t last = series.name.rfind('/');
   if (last == std::string::npos) return std::nullopt;
   const std::string end = series.name.substr(last + 1);
-  if (IsNumber(end)) return SizedName{series.name.substr(0, last), std::stod(end)};
-  const auto size = series.counters.find("size");
-  if (size == series.counters.end()) return std::nullopt;
-  return SizedName{series.name.substr(0, series.name.find('/')) + "/" + end, size->second};
+  if (const std::optional<double> size = SizeIn(end)) {
+    return SizedName{series.name.substr(0, last), *size};
+  }
+  const auto counted = series.counters.find("size");
+  if (counted == series.counters.end()) return std::nullopt;
+  return SizedName{series.name.substr(0, series.name.find('/')) + "/" + end, counted->second};
 }
 
 // Points of one size as one: their mean in logarithms.

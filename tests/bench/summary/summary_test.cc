@@ -79,9 +79,12 @@ TEST(Growth, FindsTheExponentOfAPowerLaw) {
   Measurements measurements;
   for (const int size : {1, 2, 5, 10}) {
     measurements.series.push_back(
-        Of("Search/" + std::to_string(size), {3e-6 * std::pow(size, 1.5)}));
+        Of("Search/sides:" + std::to_string(size), {3e-6 * std::pow(size, 1.5)}));
     measurements.series.push_back(
         Of("plan/n" + std::to_string(size) + "/assay", {1e-3 * size * size}, {{"size", size}}));
+  }
+  for (const char* not_a_size : {"Draw/seed:1", "Draw/seed:2", "Draw/seed:3", "A/iterations:1"}) {
+    measurements.series.push_back(Of(not_a_size, {1}));
   }
   const std::vector<Growth> growths = Growths(measurements);
   ASSERT_THAT(growths, SizeIs(2));
