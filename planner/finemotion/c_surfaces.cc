@@ -1,5 +1,6 @@
 #include "planner/finemotion/c_surfaces.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,7 +49,14 @@ CSurfaces::CSurfaces(const std::vector<PrimitiveContact>& contacts, double radiu
     rows_.row(k) = Scaled(contact.row, radius);
     offsets_[k] = contact.offset;
   }
-  for (Limit& limit : limits_) limit.open = limit.open && !StopsAtASurface(limit);
+  for (int k = 0; k < size(); ++k) {
+    for (const Patch& patch : Patches(k)) CloseEnds(k, patch);
+  }
+}
+
+void CSurfaces::CloseEnds(int surface, const Patch& patch) {
+  for (auto i = static_cast<std::size_t>(patch.begin); std::cmp_less(i, patch.end); ++i)
+    limits_[i].open = limits_[i].open && !StopsAtASurface(limits_[i], surface);
 }
 
 // Limits of a rotation are in radians: times the radius, they are lengths like the others.
@@ -62,13 +70,18 @@ CSurfaces::Patch CSurfaces::AddLimits(const std::vector<HalfSpace>& limits, doub
   return {begin, static_cast<int>(limits_.size())};
 }
 
-// What exceeds the limit is behind the surface.
-bool CSurfaces::StopsAtASurface(const Limit& limit) const {
+// What is on this surface and exceeds the limit is behind another one: the excess is, with some
+// l > 0 and m, -l times the gap of that less m times the gap of this one. In a right angle m is 0.
+bool CSurfaces::StopsAtASurface(const Limit& limit, int surface) const {
+  Eigen::Matrix<double, kPoseDimensions + 1, 2> gaps;
+  Eigen::Vector<double, kPoseDimensions + 1> excess;
+  gaps.col(1) << Row(surface), offsets_[surface];
+  excess << limit.a, -limit.b;
   for (int k = 0; k < size(); ++k) {
-    if (std::abs(limit.b - offsets_[k]) < kSameSurface &&
-        (limit.a + Row(k)).cwiseAbs().maxCoeff() < kSameSurface) {
-      return true;
-    }
+    gaps.col(0) << Row(k), offsets_[k];
+    const Eigen::Vector2d multiples = -gaps.householderQr().solve(excess);
+    const bool rises = k != surface && multiples[0] > kAlong;
+    if (rises && (gaps * multiples + excess).cwiseAbs().maxCoeff() < kSameSurface) return true;
   }
   return false;
 }

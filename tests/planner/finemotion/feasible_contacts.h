@@ -96,18 +96,29 @@ class FeasibleContacts {
     }
   }
 
-  // An end belongs to a patch where what is past it is behind another surface.
+  // An end belongs to a patch where what is past it is behind another surface: within the patch's
+  // surface, its excess is the negative of a gap.
   void CloseEnds() {
     for (Surface& surface : surfaces_) {
       for (Patch& patch : surface.patches) {
         for (Limit& limit : patch) {
           for (const Surface& other : surfaces_) {
-            const Condition& gap = other.gap_is_0;
-            if (AreOpposite(limit.a, limit.b, gap.a, gap.b)) limit.open = false;
+            if (Stops(surface.gap_is_0, other.gap_is_0, limit)) limit.open = false;
           }
         }
       }
     }
+  }
+
+  static bool Stops(const Condition& surface, const Condition& other, const Limit& limit) {
+    const Eigen::VectorXd at = surface.b / surface.a.squaredNorm() * surface.a;
+    const Eigen::MatrixXd along = Eigen::FullPivLU<Eigen::MatrixXd>(surface.a.transpose()).kernel();
+    Eigen::VectorXd excess(along.cols() + 1);
+    Eigen::VectorXd gap(along.cols() + 1);
+    excess << along.transpose() * limit.a, limit.a.dot(at) - limit.b;
+    gap << along.transpose() * other.a, other.a.dot(at) - other.b;
+    if (gap.head(along.cols()).isZero(1e-9) || excess.dot(gap) >= 0) return false;
+    return (excess - excess.dot(gap) / gap.squaredNorm() * gap).isZero(1e-9);
   }
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
