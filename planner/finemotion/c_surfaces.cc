@@ -7,6 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "planner/finemotion/nonnegative_least_squares.h"
+
 namespace assay::finemotion {
 
 namespace {
@@ -56,7 +58,7 @@ CSurfaces::CSurfaces(const std::vector<PrimitiveContact>& contacts, double radiu
 
 void CSurfaces::CloseEnds(int surface, const Patch& patch) {
   for (auto i = static_cast<std::size_t>(patch.begin); std::cmp_less(i, patch.end); ++i)
-    limits_[i].open = limits_[i].open && !StopsAtASurface(limits_[i], surface);
+    limits_[i].open = limits_[i].open && !StopsAtOthers(limits_[i], surface);
 }
 
 // Limits of a rotation are in radians: times the radius, they are lengths like the others.
@@ -70,20 +72,24 @@ CSurfaces::Patch CSurfaces::AddLimits(const std::vector<HalfSpace>& limits, doub
   return {begin, static_cast<int>(limits_.size())};
 }
 
-// What is on this surface and exceeds the limit is behind another one: the excess is, with some
-// l > 0 and m, -l times the gap of that less m times the gap of this one. In a right angle m is 0.
-bool CSurfaces::StopsAtASurface(const Limit& limit, int surface) const {
-  Eigen::Matrix<double, kPoseDimensions + 1, 2> gaps;
-  Eigen::Vector<double, kPoseDimensions + 1> excess;
-  gaps.col(1) << Row(surface), offsets_[surface];
-  excess << limit.a, -limit.b;
+// What is on this surface and exceeds the limit is behind others: there, the excess is minus a sum
+// of nonnegative multiples of gaps (Farkas). Of one gap where a wall rises; of several where a face
+// lands on more than the feature that the limit is of.
+bool CSurfaces::StopsAtOthers(const Limit& limit, int surface) const {
+  using Gap = Eigen::Vector<double, kPoseDimensions + 1>;
+  const Gap own = (Gap() << Row(surface), offsets_[surface]).finished().normalized();
+  const auto there = [&](const Gap& gap) -> Gap { return gap - gap.dot(own) * own; };
+  const Vector3 across = limit.a.head<3>().cross(own.head<3>());
+  Eigen::MatrixXd gaps(own.size(), size());
+  Eigen::Index count = 0;
   for (int k = 0; k < size(); ++k) {
-    gaps.col(0) << Row(k), offsets_[k];
-    const Eigen::Vector2d multiples = -gaps.householderQr().solve(excess);
-    const bool rises = k != surface && multiples[0] > kAlong;
-    if (rises && (gaps * multiples + excess).cwiseAbs().maxCoeff() < kSameSurface) return true;
+    if (k == surface || std::abs(across.dot(Row(k).head<3>())) > kSameSurface) continue;
+    gaps.col(count++) = there((Gap() << Row(k), offsets_[k]).finished());
   }
-  return false;
+  gaps.conservativeResize(Eigen::NoChange, count);
+  const Gap excess = there((Gap() << limit.a, -limit.b).finished());
+  const Eigen::VectorXd multiples = NonnegativeLeastSquares(gaps, -excess);
+  return count > 0 && (gaps * multiples + excess).cwiseAbs().maxCoeff() < kSameSurface;
 }
 
 bool CSurfaces::AreOneSeam(std::size_t limit, std::size_t other) const {

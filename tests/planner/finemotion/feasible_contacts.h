@@ -96,29 +96,23 @@ class FeasibleContacts {
     }
   }
 
-  // An end belongs to a patch where what is past it is behind another surface: within the patch's
-  // surface, its excess is the negative of a gap.
+  // An end belongs to a patch where what is past it is behind another surface: in front of all of
+  // them the end can just be reached.
   void CloseEnds() {
     for (Surface& surface : surfaces_) {
+      Conditions in_front = {surface.gap_is_0};
+      for (const Surface& other : surfaces_)
+        in_front.push_back({-other.gap_is_0.a, -other.gap_is_0.b, Condition::Kind::kAtMost});
       for (Patch& patch : surface.patches) {
         for (Limit& limit : patch) {
-          for (const Surface& other : surfaces_) {
-            if (Stops(surface.gap_is_0, other.gap_is_0, limit)) limit.open = false;
-          }
+          Conditions at_end = in_front;
+          at_end.push_back({limit.a, limit.b, Condition::Kind::kEqual});
+          Conditions past_end = in_front;
+          past_end.push_back({-limit.a, -limit.b, Condition::Kind::kBelow});
+          if (Solve(at_end, 0) && !Solve(past_end)) limit.open = false;
         }
       }
     }
-  }
-
-  static bool Stops(const Condition& surface, const Condition& other, const Limit& limit) {
-    const Eigen::VectorXd at = surface.b / surface.a.squaredNorm() * surface.a;
-    const Eigen::MatrixXd along = Eigen::FullPivLU<Eigen::MatrixXd>(surface.a.transpose()).kernel();
-    Eigen::VectorXd excess(along.cols() + 1);
-    Eigen::VectorXd gap(along.cols() + 1);
-    excess << along.transpose() * limit.a, limit.a.dot(at) - limit.b;
-    gap << along.transpose() * other.a, other.a.dot(at) - other.b;
-    if (gap.head(along.cols()).isZero(1e-9) || excess.dot(gap) >= 0) return false;
-    return (excess - excess.dot(gap) / gap.squaredNorm() * gap).isZero(1e-9);
   }
 
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
@@ -280,7 +274,7 @@ class FeasibleContacts {
   }
 
   // The point with the greatest margin, if it is enough. Variables are in millimetres.
-  std::optional<Solution> Solve(const Conditions& conditions) {
+  std::optional<Solution> Solve(const Conditions& conditions, double least_margin = kLeastMargin) {
     ++programs_;
     const std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> problem(glp_create_prob(),
                                                                         &glp_delete_prob);
@@ -304,7 +298,7 @@ class FeasibleContacts {
     for (int v = 0; v < kPoseDimensions; ++v) {
       solution.x[v] = 1e-3 * glp_get_col_prim(p, v + 1);
     }
-    if (solution.margin < kLeastMargin) return std::nullopt;
+    if (solution.margin < least_margin) return std::nullopt;
     return solution;
   }
 
