@@ -87,6 +87,12 @@ BENCHMARK_CAPTURE(CriticalPoint, at_the_rim, 0.0)
     ->Arg(48)
     ->Arg(96)
     ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(CriticalPoint, past_the_rim, 0.001)
+    ->ArgName("target_points")
+    ->Arg(12)
+    ->Arg(24)
+    ->Arg(48)
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(CriticalPoint, half_in, 0.015)
     ->ArgName("target_points")
     ->Arg(12)

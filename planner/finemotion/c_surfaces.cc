@@ -1,10 +1,13 @@
 #include "planner/finemotion/c_surfaces.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 #include <utility>
+
+#include "planner/finemotion/nonnegative_least_squares.h"
 
 namespace assay::finemotion {
 
@@ -48,7 +51,14 @@ CSurfaces::CSurfaces(const std::vector<PrimitiveContact>& contacts, double radiu
     rows_.row(k) = Scaled(contact.row, radius);
     offsets_[k] = contact.offset;
   }
-  for (Limit& limit : limits_) limit.open = limit.open && !StopsAtASurface(limit);
+  for (int k = 0; k < size(); ++k) {
+    for (const Patch& patch : Patches(k)) CloseEnds(k, patch);
+  }
+}
+
+void CSurfaces::CloseEnds(int surface, const Patch& patch) {
+  for (auto i = static_cast<std::size_t>(patch.begin); std::cmp_less(i, patch.end); ++i)
+    limits_[i].open = limits_[i].open && !StopsAtOthers(limits_[i], surface);
 }
 
 // Limits of a rotation are in radians: times the radius, they are lengths like the others.
@@ -62,15 +72,24 @@ CSurfaces::Patch CSurfaces::AddLimits(const std::vector<HalfSpace>& limits, doub
   return {begin, static_cast<int>(limits_.size())};
 }
 
-// What exceeds the limit is behind the surface.
-bool CSurfaces::StopsAtASurface(const Limit& limit) const {
+// What is on this surface and exceeds the limit is behind others: there, the excess is minus a sum
+// of nonnegative multiples of gaps (Farkas). Of one gap where a wall rises; of several where a face
+// lands on more than the feature that the limit is of.
+bool CSurfaces::StopsAtOthers(const Limit& limit, int surface) const {
+  using Gap = Eigen::Vector<double, kPoseDimensions + 1>;
+  const Gap own = (Gap() << Row(surface), offsets_[surface]).finished().normalized();
+  const auto there = [&](const Gap& gap) -> Gap { return gap - gap.dot(own) * own; };
+  const Vector3 across = limit.a.head<3>().cross(own.head<3>());
+  Eigen::MatrixXd gaps(own.size(), size());
+  Eigen::Index count = 0;
   for (int k = 0; k < size(); ++k) {
-    if (std::abs(limit.b - offsets_[k]) < kSameSurface &&
-        (limit.a + Row(k)).cwiseAbs().maxCoeff() < kSameSurface) {
-      return true;
-    }
+    if (k == surface || std::abs(across.dot(Row(k).head<3>())) > kSameSurface) continue;
+    gaps.col(count++) = there((Gap() << Row(k), offsets_[k]).finished());
   }
-  return false;
+  gaps.conservativeResize(Eigen::NoChange, count);
+  const Gap excess = there((Gap() << limit.a, -limit.b).finished());
+  const Eigen::VectorXd multiples = NonnegativeLeastSquares(gaps, -excess);
+  return count > 0 && (gaps * multiples + excess).cwiseAbs().maxCoeff() < kSameSurface;
 }
 
 bool CSurfaces::AreOneSeam(std::size_t limit, std::size_t other) const {

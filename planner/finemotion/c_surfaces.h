@@ -28,8 +28,9 @@ struct Stretch {
 //
 // What of its limits belongs to a patch decides which contacts there are where contacts meet:
 // - the limit of a rotation does, as a face may lie flat;
-// - the end of a face where another one rises, and stops the same feature, does: a corner touches
-//   both;
+// - the end of a face or an edge does where others stop what would go past it: a corner touches
+// both
+//   walls that meet there, an edge still touches when the face at its end has landed;
 // - the end of a face or an edge elsewhere does not, as another contact takes over there: a part
 //   that slides along a wall is not under the wall's top;
 // - the seam of two patches of a surface does.
@@ -75,7 +76,8 @@ class CSurfaces {
   };
 
   Patch AddLimits(const std::vector<HalfSpace>& limits, double radius);
-  bool StopsAtASurface(const Limit& limit) const;
+  void CloseEnds(int surface, const Patch& patch);
+  bool StopsAtOthers(const Limit& limit, int surface) const;
   bool AreOneSeam(std::size_t limit, std::size_t other) const;
 
   std::vector<int> first_contacts_;

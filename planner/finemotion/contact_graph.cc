@@ -495,6 +495,11 @@ std::vector<int> ContactGraph::DistancesTo(const std::vector<int>& goals) const 
   return distances;
 }
 
+void ContactGraph::MeasureTo(const std::vector<int>& goals) {
+  const std::vector<int> distances = DistancesTo(goals);
+  for (Index i = 0; i < states.size(); ++i) states[i].to_goal = distances[i];
+}
+
 int ContactGraph::Find(const std::vector<int>& contacts) const {
   const auto found = std::ranges::find(states, contacts, &ContactState::contacts);
   return found == states.end() ? -1 : static_cast<int>(found - states.begin());

@@ -30,6 +30,7 @@ struct ContactState {
   std::vector<LocalPose> target_points;  // where all of them touch and nothing overlaps
   std::vector<int> parents;              // states with one contact less, one dimension more
   std::vector<int> sons;                 // with one contact more
+  int to_goal = -1;  // least number of transitions to a goal; -1: none known, or not to be reached
 };
 
 // The topology of local contact space (Dakin and Popplestone, section 3, figures 4 and 8).
@@ -39,6 +40,7 @@ struct ContactGraph {
 
   // Least numbers of transitions to a goal, over parents and sons; -1: cannot be reached.
   std::vector<int> DistancesTo(const std::vector<int>& goals) const;
+  void MeasureTo(const std::vector<int>& goals);     // stores them with the states
   int Find(const std::vector<int>& contacts) const;  // -1: there is no such state
 };
 

@@ -181,18 +181,6 @@ FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate,
   return errors;
 }
 
-LocalTopology TopologyOf(const Passage& passage) {
-  constexpr double kReach = 0.003;  // metres
-  LocalTopology topology{
-      {PrimitiveContacts(passage.moving, passage.stationary, passage.X_StationaryEntry, kReach)},
-      {}};
-  ContactGraphOptions options;
-  for (const PrimitiveContact& contact : topology.space.contacts)
-    options.radius = std::max(options.radius, contact.at.norm());
-  topology.graph = MakeContactGraph(topology.space, options);
-  return topology;
-}
-
 plan::Strategy StrategyOf(const MatingGeometry& geometry, const FineMotionPlan& plan,
                           const StrategyOptions& options) {
   plan::Strategy strategy{.X_HeldTip = geometry.X_HeldTip,

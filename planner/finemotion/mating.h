@@ -1,7 +1,6 @@
 #pragma once
 
 #include "planner/domain/problem.h"
-#include "planner/finemotion/contact_graph.h"
 #include "planner/finemotion/critical_points.h"
 #include "planner/finemotion/strategy_search.h"
 #include "planner/plan/strategy.h"
@@ -27,13 +26,6 @@ MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& 
 // What a strategy with this certificate is to be certain for.
 FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate,
                           const MatingGeometry& geometry);
-
-// Contact space about the first critical point, and how its contact states hang together.
-struct LocalTopology {
-  ContactSpace space;
-  ContactGraph graph;
-};
-LocalTopology TopologyOf(const Passage& passage);
 
 // The plan for hybrid control: its motions, then the way on to the seat in the crevice between the
 // walls. `options`: with which it was searched for.

@@ -26,6 +26,7 @@ struct CertainMotion {
   SegmentCheck check;
   std::vector<PrimitiveContact> contacts = {};  // kept, made and unwanted, as they are then
   bool can_be_held = false;                     // by friction, in what it keeps: it is not certain
+  int critical_point = 0;                       // index, of the one that it leads through
 };
 
 // As finemotion::FrictionLimit.

@@ -341,6 +341,7 @@ class Search {
       const int after = PointAfter(maneuver, point);
       if (after != point && !ManeuveringAt(point).IsThrough(belief)) return replay;
       Maneuvered done = Apply(point, ManeuveringAt(point).At(belief), maneuver, margins);
+      for (CertainMotion& motion : done.motions) motion.critical_point = point;
       std::ranges::move(done.motions, std::back_inserter(replay.motions));
       if (!done.certain) return replay;
       belief = std::move(done.after);

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
-#include <tuple>
 
 #include "planner/contingent/tree_text.h"
 #include "sim/cli/plan_text.h"
@@ -75,23 +75,61 @@ std::string ConstraintNetworkToDot(const posting::PartialPlan& plan) {
   return text + "}\n";
 }
 
-std::string ContactGraphToDot(const std::string& name, const finemotion::LocalTopology& topology) {
-  const auto& [contacts, graph] = std::tie(topology.space.contacts, topology.graph);
-  std::string text = fmt::format("graph {} {{\n  rankdir=TB;\n  node [shape=box];\n", Quoted(name));
+namespace {
+
+// A node of the contact state of a critical point.
+std::string NodeOf(std::size_t point, std::size_t state) {
+  return fmt::format("c{}s{}", point + 1, state);
+}
+
+std::string LabelOf(const finemotion::LocalTopology& topology, std::size_t i) {
+  std::string label;
+  for (const finemotion::ContactKey& contact : topology.ContactsOf(static_cast<int>(i)))
+    label += Name(contact) + "\\n";
+  if (label.empty()) label = "free\\n";
+  const int to_goal = topology.graph.states[i].to_goal;
+  return label + (to_goal < 0 ? "no way to a goal" : fmt::format("{} to a goal", to_goal));
+}
+
+// Where ways begin and where they end.
+const char* StyleOf(const finemotion::LocalTopology& topology, std::size_t i) {
+  const auto has = [&](const std::vector<int>& states) {
+    return std::ranges::count(states, static_cast<int>(i)) > 0;
+  };
+  if (has(topology.goals)) return ", style=filled, fillcolor=palegreen";
+  return has(topology.initial) ? ", style=filled, fillcolor=lightblue" : "";
+}
+
+std::string ClusterOf(const finemotion::LocalTopology& topology, std::size_t point) {
+  std::string text =
+      fmt::format("  subgraph cluster{0} {{\n  label=\"critical point {0}\";\n", point + 1);
   std::map<int, std::string> rows;  // by dimension
-  for (std::size_t i = 0; i < graph.states.size(); ++i) {
-    const finemotion::ContactState& state = graph.states[i];
-    std::string label = state.contacts.empty() ? "free" : "";
-    for (const int contact : state.contacts) {
-      label += fmt::format("{}{}", label.empty() ? "" : "\\n",
-                           Name(contacts[static_cast<std::size_t>(contact)]));
-    }
-    text += fmt::format("  s{} [label=\"{}\"];\n", i, label);
-    rows[state.dimension] += fmt::format(" s{};", i);
-    for (const int son : state.sons) text += fmt::format("  s{} -- s{};\n", i, son);
+  for (std::size_t i = 0; i < topology.graph.states.size(); ++i) {
+    const finemotion::ContactState& state = topology.graph.states[i];
+    const std::string node = NodeOf(point, i);
+    text +=
+        fmt::format("  {} [label=\"{}\"{}];\n", node, LabelOf(topology, i), StyleOf(topology, i));
+    rows[state.dimension] += fmt::format(" {};", node);
+    for (const int son : state.sons)
+      text += fmt::format("  {} -- {};\n", node, NodeOf(point, static_cast<std::size_t>(son)));
   }
-  for (const auto& [dimension, states] : rows) {
+  for (const auto& [dimension, states] : rows)
     text += fmt::format("  {{ rank=same;{} }}  // {} dimensions\n", states, dimension);
+  return text + "  }\n";
+}
+
+}  // namespace
+
+std::string ContactChainToDot(const std::string& name, const finemotion::ContactChain& chain) {
+  std::string text = fmt::format("graph {} {{\n  rankdir=TB;\n  node [shape=box];\n", Quoted(name));
+  for (std::size_t point = 0; point < chain.points.size(); ++point)
+    text += ClusterOf(chain.points[point], point);
+  for (std::size_t point = 0; point < chain.shared.size(); ++point) {
+    for (const finemotion::SharedState& state : chain.shared[point]) {
+      text += fmt::format("  {} -- {} [style=bold, color=blue, constraint=false];\n",
+                          NodeOf(point, static_cast<std::size_t>(state.earlier)),
+                          NodeOf(point + 1, static_cast<std::size_t>(state.later)));
+    }
   }
   return text + "}\n";
 }

@@ -4,7 +4,7 @@
 
 #include "planner/contingent/plan_tree.h"
 #include "planner/domain/problem.h"
-#include "planner/finemotion/mating.h"
+#include "planner/finemotion/contact_chain.h"
 #include "planner/plan/plan.h"
 #include "planner/posting/partial_plan.h"
 
@@ -18,9 +18,11 @@ std::string OrderingGraphToDot(const domain::Problem& problem, const plan::Plan&
 // left, and an arc for each constraint between two of them (Spar, figures 9 and 10).
 std::string ConstraintNetworkToDot(const posting::PartialPlan& plan);
 
-// The contact states at a critical point, a row for each dimension, and an edge where one contact
-// is made or broken (Dakin and Popplestone, figure 4).
-std::string ContactGraphToDot(const std::string& name, const finemotion::LocalTopology& topology);
+// The contact states at each critical point, a row for each dimension, and an edge where one
+// contact is made or broken (Dakin and Popplestone, figure 4). Nodes tell their contacts and how
+// many transitions it is to a goal; initial states are blue, goals green, and bold edges join the
+// states that neighbouring critical points share.
+std::string ContactChainToDot(const std::string& name, const finemotion::ContactChain& chain);
 
 // A contingent plan: a box for each action, a diamond for each branch, dashed where it goes back to
 // repeat what lies between.

@@ -86,7 +86,7 @@ ExitCode ExportContacts(const Options& options) {
   }
   const finemotion::MatingGeometry geometry =
       finemotion::GeometryOf(problem, problem.matings.back());
-  Deliver(ContactGraphToDot(problem.name, TopologyOf(geometry.passage)), options);
+  Deliver(ContactChainToDot(problem.name, ContactChainOf(geometry)), options);
   return ExitCode::kDone;
 }
 
@@ -131,8 +131,9 @@ Execution Declare(CLI::App& command) {
   what->add_flag("--mjcf", options->mjcf, "the scene as a model for MuJoCo");
   what->add_flag("--dot", options->dot, "the plan's ordering graph for Graphviz");
   what->add_flag("--network", options->network, "the plan's constraint network for Graphviz");
-  what->add_flag("--contacts", options->contacts,
-                 "the contact states of the last mating at its first critical point, for Graphviz");
+  what->add_flag(
+      "--contacts", options->contacts,
+      "the contact states of the last mating at all of its critical points, for Graphviz");
   what->add_flag("--commands", options->commands, "what the robot is told, command by command");
   what->add_option("--pddl", options->pddl,
                    "this contingent problem of a domain, and the domain, as contingent PDDL");

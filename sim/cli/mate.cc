@@ -14,6 +14,7 @@
 #include "planner/domain/mating_errors_file.h"
 #include "sim/check/margin_ranking.h"
 #include "sim/cli/console.h"
+#include "sim/cli/contact_chain_report.h"
 #include "sim/cli/mating_pictures.h"
 #include "sim/cli/mating_report.h"
 #include "sim/cli/mating_task.h"
@@ -129,7 +130,7 @@ struct Planning {
   MatingGeometry geometry;
   finemotion::FineMotionErrors errors;
   finemotion::StrategyOptions search;
-  finemotion::LocalTopology topology = {};
+  finemotion::ContactChain chain = {};
   FineMotionPlan plan = {};
   plan::Strategy strategy = {};  // of the plan
 
@@ -150,15 +151,16 @@ Planning Prepared(const Options& options) {
 void Search(Planning& of) {
   Json seconds;
   const Stopwatch graphing;
-  of.topology = TopologyOf(of.geometry.passage);
+  of.chain = ContactChainOf(of.geometry);
   seconds["graph"] = graphing.Seconds();
   const Stopwatch searching;
   of.plan = SearchStrategy(of.geometry.passage, of.errors, of.search);
   seconds["search"] = searching.Seconds();
   of.strategy = StrategyOf(of.geometry, of.plan, of.search);
-  of.json = ToJson(of.geometry, of.plan, of.topology.graph);
+  of.json = ToJson(of.geometry, of.plan);
+  of.json.update(ToJson(of.chain, of.plan));
   of.json["seconds"] = seconds;
-  of.text = TextOf(of.geometry, of.plan);
+  of.text = TextOf(of.geometry, of.plan) + TextOf(of.chain, of.plan);
   if (of.plan.found) of.code = ExitCode::kDone;
 }
 
@@ -224,7 +226,7 @@ void Picture(const std::filesystem::path& folder, Planning& of) {
   const PlannedProblem& planned = of.task.planned;
   const std::vector<std::string> files =
       WriteMatingPictures(folder, {planned, planned.problem.mating(of.task.assemble.mating),
-                                   of.geometry, of.topology, of.plan, of.strategy});
+                                   of.geometry, of.chain, of.plan, of.strategy});
   of.json["pictures"] = files;
   of.text += fmt::format("{}\n", fmt::join(files, "\n"));
 }
@@ -293,7 +295,7 @@ Execution Declare(CLI::App& command) {
   AddUncertainty(command, *options);
   AddTrials(command, *options);
   command.add_option("--pictures", options->pictures,
-                     "folder for pictures of the contact states and their graph; index.html has "
+                     "folder for pictures of the contact states and their graphs; index.html has "
                      "all of it");
   command.add_flag("--json", options->json, "print the result as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")

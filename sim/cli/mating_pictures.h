@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/finemotion/mating.h"
+#include "planner/finemotion/contact_chain.h"
 #include "sim/cli/planned_problem.h"
 
 namespace assay::cli {
@@ -14,13 +14,14 @@ struct PicturedMating {
   const PlannedProblem& planned;
   const domain::Mating& mating;
   const finemotion::MatingGeometry& geometry;
-  const finemotion::LocalTopology& topology;
+  const finemotion::ContactChain& chain;
   const finemotion::FineMotionPlan& plan;  // has motions
   const plan::Strategy& strategy;          // of the plan
 };
 
-// Writes the contact pictures (see contact_pictures.h), the contact graph as graph.svg, and
-// index.html, one page with all of it. Returns the files' names.
+// Writes the contact pictures (see contact_pictures.h), the contact graph of each critical
+// point as graph-1.svg and so on, and index.html, one page with all of it. Returns the files'
+// names.
 std::vector<std::string> WriteMatingPictures(const std::filesystem::path& folder,
                                              const PicturedMating& mating);
 

@@ -67,12 +67,6 @@ Json MarginsJson(const FineMotionPlan& plan) {
   return margins;
 }
 
-Json ToJson(const finemotion::ContactGraph& graph) {
-  std::size_t arcs = 0;
-  for (const finemotion::ContactState& state : graph.states) arcs += state.sons.size();
-  return {{"states", graph.states.size()}, {"arcs", arcs}};
-}
-
 // --- Trials.
 
 struct Tally {
@@ -342,8 +336,7 @@ std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionP
   return text;
 }
 
-Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan,
-            const finemotion::ContactGraph& graph) {
+Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
   Json critical_points = Json::array();
   for (const auto& point : geometry.critical_points) critical_points.push_back(point.travel);
   Json json = {{"outcome", plan.found ? "plan" : "none"},
@@ -355,8 +348,7 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
                  {"compared", plan.comparison.compared},
                  {"missed", plan.comparison.missed}}},
                {"strategy", StrategyJson(plan)},
-               {"margins", MarginsJson(plan)},
-               {"graph", ToJson(graph)}};
+               {"margins", MarginsJson(plan)}};
   if (!plan.found && plan.obstacle) json["obstacle"] = ToJson(*plan.obstacle);
   return json;
 }

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "planner/assembly/strategy_reach.h"
-#include "planner/finemotion/contact_graph.h"
 #include "planner/finemotion/mating.h"
 #include "sim/check/margin_ranking.h"
 #include "sim/cli/mating_task.h"
@@ -23,8 +22,7 @@ std::string SummaryOf(
     const finemotion::FineMotionPlan& plan);  // a line of it, and the table's rows
 std::vector<report::MatingSubject::Motion> MotionsOf(const finemotion::FineMotionPlan& plan);
 nlohmann::ordered_json ToJson(const finemotion::MatingGeometry& geometry,
-                              const finemotion::FineMotionPlan& plan,
-                              const finemotion::ContactGraph& graph);
+                              const finemotion::FineMotionPlan& plan);
 
 // Why the arm cannot execute the strategy, a line.
 std::string TextOf(const MatingTask& task, const assembly::Unreached& unreached);

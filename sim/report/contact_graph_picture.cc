@@ -28,6 +28,8 @@ constexpr const char* kRules =
     ".contacts .ground { fill: #ffffff; } "
     ".contacts .neighbour { fill: none; stroke: #98a2ad; stroke-width: .5; stroke-opacity: .55; } "
     ".contacts .state { fill: #4f5560; } "
+    ".contacts .initial { fill: #1d4ed8; } "
+    ".contacts .goal { fill: #15803d; } "
     ".contacts .way { fill: none; stroke: #c2410c; stroke-width: 1.8; } "
     ".contacts .planned { fill: #ffffff; stroke: #c2410c; stroke-width: 2.2; } "
     ".contacts text.numbers { fill: #9a3412; font-weight: 600; paint-order: stroke; "
@@ -113,10 +115,12 @@ std::string NumbersOf(const Stop& stop) {
 
 class Picture {
  public:
-  Picture(const finemotion::LocalTopology& topology, const check::PlannedContacts& planned)
+  Picture(const finemotion::LocalTopology& topology, const check::PlannedContacts& planned,
+          const MotionRange& motions)
       : topology_(topology), layout_(topology.graph), least_(layout_.least_dimension()) {
-    Visit({}, 0);
-    for (std::size_t i = 0; i < planned.motions.size(); ++i)
+    if (motions.begin == motions.end) return;
+    Visit(planned.motions[motions.begin].before, static_cast<int>(motions.begin));
+    for (std::size_t i = motions.begin; i < motions.end; ++i)
       Visit(planned.motions[i].after, static_cast<int>(i) + 1);
   }
 
@@ -200,7 +204,24 @@ class Picture {
       const Place place = layout_.PlaceOf(i);
       Element& dot = svg.Add("circle").Set("class", "state");
       dot.Set("cx", place.x).Set("cy", place.y).Set("r", 2.5);
-      dot.Add("title", TextOf(ContactsOf(topology_.graph.states[i])));
+      dot.Add("title", TitleOf(i));
+    }
+    AddMarks(svg, topology_.initial, "initial");
+    AddMarks(svg, topology_.goals, "goal");
+  }
+
+  std::string TitleOf(std::size_t state) const {
+    const int to_goal = topology_.graph.states[state].to_goal;
+    return TextOf(ContactsOf(topology_.graph.states[state])) +
+           (to_goal < 0 ? "" : fmt::format("; {} to a goal", to_goal));
+  }
+
+  void AddMarks(Element& svg, const std::vector<int>& states, const char* kind) const {
+    for (const int state : states) {
+      const Place place = layout_.PlaceOf(static_cast<std::size_t>(state));
+      Element& mark = svg.Add("circle").Set("class", kind);
+      mark.Set("cx", place.x).Set("cy", place.y).Set("r", 4);
+      mark.Add("title", TitleOf(static_cast<std::size_t>(state)));
     }
   }
 
@@ -229,8 +250,8 @@ class Picture {
 }  // namespace
 
 Element ContactGraphPicture(const finemotion::LocalTopology& topology,
-                            const check::PlannedContacts& planned) {
-  return Picture(topology, planned).Draw();
+                            const check::PlannedContacts& planned, const MotionRange& motions) {
+  return Picture(topology, planned, motions).Draw();
 }
 
 std::string SvgFile(const Element& picture) {

@@ -2,20 +2,27 @@
 
 #include <string>
 
-#include "planner/finemotion/mating.h"
+#include "planner/finemotion/contact_chain.h"
 #include "sim/check/contact_sequence.h"
 #include "sim/report/element.h"
 
 namespace assay::report {
 
+// Motions of a plan, by index.
+struct MotionRange {
+  std::size_t begin = 0;
+  std::size_t end = 0;  // past the last; as begin: none
+};
+
 // The contact states at a critical point as an SVG drawing that needs no style sheet: a dot for
 // each, in a row for each dimension from 6 down; a line where one contact is made or broken (Dakin
-// and Popplestone, figure 4). States that a plan leads through are joined in its order and numbered
-// by the motions that end in them. Those that the graph has not, since their contacts exist where
-// the part is tilted only, stand in columns of their own beside it. Pointing at a state tells its
-// contacts.
+// and Popplestone, figure 4). Initial states and goals are marked. States that these motions of a
+// plan lead through are joined in its order and numbered by the motions that end in them. Those
+// that the graph has not, since their contacts exist where the part is tilted only, stand in
+// columns of their own beside it. Pointing at a state tells its contacts and how far it is from a
+// goal.
 Element ContactGraphPicture(const finemotion::LocalTopology& topology,
-                            const check::PlannedContacts& planned);
+                            const check::PlannedContacts& planned, const MotionRange& motions);
 
 // The same as a file of its own.
 std::string SvgFile(const Element& picture);

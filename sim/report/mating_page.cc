@@ -11,22 +11,33 @@ namespace {
 // A table that is narrow enough stands beside the graph, pictures side by side.
 constexpr const char* kRules = R"css(
 .beside { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
-.beside figure { flex: 1 1 34rem; min-width: 0; margin: .6rem 0; }
+.graphs { flex: 1 1 34rem; min-width: 0; }
+.graphs figure { margin: .6rem 0; }
 .beside .scroll { flex: 1 1 26rem; }
 .contacts { max-width: 100%; height: auto; }
 .states { display: grid; grid-template-columns: repeat(auto-fill, minmax(17rem, 1fr)); gap: 1rem; }
 .states figure { margin: 0; }
 )css";
 
-Element Graph(Element picture) {
-  Element figure("figure");
-  figure.Add("div").Set("class", "scroll").Add(std::move(picture));
-  figure.Add("figcaption",
-             "Contact states at the first critical point, a row for each dimension; lines where "
-             "one contact is made or broken. Rings: states of the plan, joined in its order and "
-             "numbered by the motions that end in them; those beside the graph exist where the "
-             "part is tilted. Point at a state to read its contacts.");
-  return figure;
+Element Graphs(std::vector<Element> pictures) {
+  Element graphs("div");
+  graphs.Set("class", "graphs");
+  int number = 0;
+  for (Element& picture : pictures) {
+    Element& figure = graphs.Add("figure");
+    figure.Add("div").Set("class", "scroll").Add(std::move(picture));
+    figure.Add("figcaption", fmt::format("Critical point {}", ++number));
+  }
+  graphs
+      .Add("p",
+           "Contact states at each critical point, a row for each dimension; lines where one "
+           "contact is made or broken. Blue: states that the way begins in; green: goals. Those "
+           "of the crevice between two critical points are goals of the one and beginnings of the "
+           "next. Rings: states of the plan, joined in its order and numbered by the motions that "
+           "end in them; those beside the graph exist where the part is tilted. Point at a state "
+           "to read its contacts and how many transitions it is from a goal.")
+      .Set("class", "note");
+  return graphs;
 }
 
 Element Motions(const std::vector<MatingSubject::Motion>& motions) {
@@ -71,7 +82,7 @@ std::string MatingPage(MatingSubject subject) {
   header.Add("p", subject.summary).Set("class", "about");
   Element& main = body.Add("main");
   Element& beside = main.Add("div").Set("class", "beside");
-  beside.Add(Graph(std::move(subject.graph)));
+  beside.Add(Graphs(std::move(subject.graphs)));
   beside.Add(Motions(subject.motions));
   main.Add("h2", "Where the motions end");
   main.Add("p", "If there are no errors: the held part as lines, crosses where the parts touch.")

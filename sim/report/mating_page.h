@@ -20,13 +20,13 @@ struct MatingSubject {
   };
 
   std::string title;
-  std::string summary;  // a line
-  Element graph;        // ContactGraphPicture
+  std::string summary;               // a line
+  std::vector<Element> graphs = {};  // ContactGraphPicture of each critical point
   std::vector<Motion> motions = {};
   std::vector<Picture> pictures = {};  // of contact states
 };
 
-// One HTML page, complete in itself, as Page: the contact graph beside the table of motions, and
+// One HTML page, complete in itself, as Page: the contact graphs beside the table of motions, and
 // the pictures of the states that these lead to.
 std::string MatingPage(MatingSubject subject);
 

@@ -129,6 +129,24 @@ TEST(ContactGraphTest, HasAllFeasibleSetsOfAPegBetweenTwoWalls) {
   ExpectAllFeasibleSets(space, Options());
 }
 
+// At the corner between the walls of an octagonal hole a corner of the peg touches both, each at
+// its end.
+TEST(ContactGraphTest, HasAllFeasibleSetsOfAnOctagonalPegBetweenTwoWallsOfItsHole) {
+  const ContactSpace space =
+      Only({PrimitiveContacts(OutsideOf({workloads::PrismPiece({8, kHalf, 0.04})}),
+                              OutsideOf(workloads::AroundHole({8, kHalf + kClearance, 0.03}, 0.04)),
+                              geometry::Translation(0, 0, -0.01), 0.003)},
+           [](const PrimitiveContact& contact) {
+             return contact.normal.head<2>().dot(Eigen::Vector2d(-1, -0.4)) > 0.9;
+           });
+  ASSERT_THAT(space.contacts, SizeIs(8));
+  ExpectAllFeasibleSets(space, Options());
+  // Flat on both.
+  const ContactGraph graph = MakeContactGraph(space, Options());
+  EXPECT_EQ(graph.states.back().dimension, 1);
+  EXPECT_THAT(graph.states.back().contacts, SizeIs(8));
+}
+
 // Contacts of vertices and edges with one side of the hole, its top and its rim: where one's limits
 // end others begin, and free space is not convex.
 TEST(ContactGraphTest, HasAllFeasibleSetsOfAPegAtOneSideOfTheRim) {

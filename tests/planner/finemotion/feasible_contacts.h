@@ -96,15 +96,20 @@ class FeasibleContacts {
     }
   }
 
-  // An end belongs to a patch where what is past it is behind another surface.
+  // An end belongs to a patch where what is past it is behind another surface: in front of all of
+  // them the end can just be reached.
   void CloseEnds() {
     for (Surface& surface : surfaces_) {
+      Conditions in_front = {surface.gap_is_0};
+      for (const Surface& other : surfaces_)
+        in_front.push_back({-other.gap_is_0.a, -other.gap_is_0.b, Condition::Kind::kAtMost});
       for (Patch& patch : surface.patches) {
         for (Limit& limit : patch) {
-          for (const Surface& other : surfaces_) {
-            const Condition& gap = other.gap_is_0;
-            if (AreOpposite(limit.a, limit.b, gap.a, gap.b)) limit.open = false;
-          }
+          Conditions at_end = in_front;
+          at_end.push_back({limit.a, limit.b, Condition::Kind::kEqual});
+          Conditions past_end = in_front;
+          past_end.push_back({-limit.a, -limit.b, Condition::Kind::kBelow});
+          if (Solve(at_end, 0) && !Solve(past_end)) limit.open = false;
         }
       }
     }
@@ -269,7 +274,7 @@ class FeasibleContacts {
   }
 
   // The point with the greatest margin, if it is enough. Variables are in millimetres.
-  std::optional<Solution> Solve(const Conditions& conditions) {
+  std::optional<Solution> Solve(const Conditions& conditions, double least_margin = kLeastMargin) {
     ++programs_;
     const std::unique_ptr<glp_prob, decltype(&glp_delete_prob)> problem(glp_create_prob(),
                                                                         &glp_delete_prob);
@@ -293,7 +298,7 @@ class FeasibleContacts {
     for (int v = 0; v < kPoseDimensions; ++v) {
       solution.x[v] = 1e-3 * glp_get_col_prim(p, v + 1);
     }
-    if (solution.margin < kLeastMargin) return std::nullopt;
+    if (solution.margin < least_margin) return std::nullopt;
     return solution;
   }
 

@@ -58,6 +58,30 @@ TEST(Mate, ErrorsOnTheCommandLineReplaceTheScenarios) {
   EXPECT_EQ(ended.out, Assay({"mate", kSquare}).out);
 }
 
+// Free space, a crevice of the mouth, one of the lips, the seat: told for each critical point, and
+// by how many contacts the strategy came as far.
+TEST(Mate, GraphsOfAllCriticalPointsAreAChain) {
+  const Ended ended = Assay({"mate", kTree / "scenarios/mate-t-slot.yaml", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json result = ended.Json();
+  EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
+  const nlohmann::json& graphs = result["graphs"];
+  ASSERT_EQ(graphs.size(), 3u);
+  int motions = 0;
+  for (std::size_t i = 0; i < graphs.size(); ++i) {
+    const nlohmann::json one = 1;  // free space
+    EXPECT_EQ(graphs[i]["initial"], i > 0 ? graphs[i - 1]["goals"] : one);
+    EXPECT_GT(graphs[i]["goals"], 0);
+    EXPECT_GT(graphs[i]["transitions"], 0);
+    int states = 0;
+    for (const int count : graphs[i]["dimensions"]) states += count;
+    EXPECT_EQ(graphs[i]["states"], states);
+    if (graphs[i].contains("strategy")) motions += graphs[i]["strategy"]["motions"].get<int>();
+  }
+  EXPECT_EQ(motions, result["strategy"].size());
+  EXPECT_EQ(result["graph"]["states"], graphs[0]["states"]);
+}
+
 // The mouth, the lips, and the plate's landing.
 TEST(Mate, AStrategyLeadsThroughAllCriticalPoints) {
   const Ended ended =
@@ -156,14 +180,19 @@ TEST(Mate, PicturesOfTheContactStates) {
   const nlohmann::json result = ended.Json();
   EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
   const int states = static_cast<int>(result["strategy"].size()) + 1;  // and the slide's end
-  EXPECT_EQ(static_cast<int>(result["pictures"].size()), states + 3);
+  EXPECT_EQ(static_cast<int>(result["pictures"].size()), states + 4);
   for (const std::string file : result["pictures"])
     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / file)) << file;
-  const std::string graph = TextOf(pictures + "/graph.svg");
-  EXPECT_EQ(CountOf("class=\"state\"", graph), result["graph"]["states"]);
+  int point = 0;
+  for (const nlohmann::json& graph : result["graphs"]) {
+    const std::string drawn = TextOf(pictures + "/graph-" + std::to_string(++point) + ".svg");
+    EXPECT_EQ(CountOf("class=\"state\"", drawn), graph["states"]);
+    EXPECT_EQ(CountOf("class=\"goal\"", drawn), graph["goals"]);
+  }
+  EXPECT_EQ(point, 2);
   const std::string page = TextOf(pictures + "/index.html");
   EXPECT_EQ(CountOf("<img", page), states);
-  EXPECT_EQ(CountOf("<svg", page), 1);
+  EXPECT_EQ(CountOf("<svg", page), 2);
 }
 
 }  // namespace

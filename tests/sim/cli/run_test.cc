@@ -201,21 +201,27 @@ TEST(Export, NetworkOfTheWorkedExample) {
   EXPECT_EQ(mate_reachable, 1);
 }
 
-// As many states and arcs as `mate` counts.
+// As many states and arcs as `mate` counts, and a bold edge for each state that neighbours share.
 TEST(Export, ContactStatesOfAMating) {
   const std::string square = kTree / "scenarios/mate-square.yaml";
   const Ended ended = Assay({"export", square, "--contacts"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   int states = 0;
   int arcs = 0;
+  int shared = 0;
   std::istringstream lines(ended.out);
   for (std::string line; std::getline(lines, line);) {
-    states += line.starts_with("  s") && line.find("[label=") != std::string::npos;
-    arcs += line.find(" -- ") != std::string::npos;
+    states += line.starts_with("  c") && line.find("[label=") != std::string::npos;
+    const bool is_edge = line.find(" -- ") != std::string::npos;
+    const bool is_bold = line.find("style=bold") != std::string::npos;
+    arcs += is_edge && !is_bold;
+    shared += is_edge && is_bold;
   }
-  const nlohmann::json graph = Assay({"mate", square, "--json"}).Json()["graph"];
-  EXPECT_EQ(graph["states"], states);
-  EXPECT_EQ(graph["arcs"], arcs);
+  const nlohmann::json graphs = Assay({"mate", square, "--json"}).Json()["graphs"];
+  ASSERT_EQ(graphs.size(), 2u);
+  EXPECT_EQ(graphs[0]["states"].get<int>() + graphs[1]["states"].get<int>(), states);
+  EXPECT_EQ(graphs[0]["arcs"].get<int>() + graphs[1]["arcs"].get<int>(), arcs);
+  EXPECT_EQ(graphs[0]["goals"], shared);
   EXPECT_EQ(Assay({"export", kTree / "scenarios/uncertain-sensing.yaml", "--contacts"}).code, 0);
 }
 

@@ -21,7 +21,11 @@ finemotion::ContactKey OnFace(int vertex) { return {ContactKind::kVertexFace, ve
 finemotion::ContactState StateOf(std::vector<int> contacts, std::vector<int> parents,
                                  std::vector<int> sons) {
   const int dimension = 6 - static_cast<int>(contacts.size());
-  return {std::move(contacts), dimension, {}, std::move(parents), std::move(sons)};
+  return {.contacts = std::move(contacts),
+          .dimension = dimension,
+          .target_points = {},
+          .parents = std::move(parents),
+          .sons = std::move(sons)};
 }
 
 // Two contacts, apart and together.
@@ -34,17 +38,29 @@ finemotion::LocalTopology TwoContacts() {
   }
   topology.graph.states = {StateOf({}, {}, {1, 2}), StateOf({0}, {0}, {3}), StateOf({1}, {0}, {3}),
                            StateOf({0, 1}, {1, 2}, {})};
+  topology.initial = {0};
+  topology.goals = {3};
+  topology.graph.MeasureTo(topology.goals);
   return topology;
 }
 
 check::PlannedContacts Through(std::vector<check::ContactSet> after) {
   check::PlannedContacts planned;
-  for (check::ContactSet& contacts : after) planned.motions.push_back({.after = contacts});
+  check::ContactSet before;
+  for (check::ContactSet& contacts : after) {
+    planned.motions.push_back({.before = before, .after = contacts});
+    before = contacts;
+  }
   return planned;
 }
 
+Markup Drawn(const check::PlannedContacts& planned, const MotionRange& motions) {
+  return ReadMarkup("<!DOCTYPE html>\n" +
+                    ContactGraphPicture(TwoContacts(), planned, motions).Markup());
+}
+
 Markup Drawn(const check::PlannedContacts& planned) {
-  return ReadMarkup("<!DOCTYPE html>\n" + ContactGraphPicture(TwoContacts(), planned).Markup());
+  return Drawn(planned, {0, planned.motions.size()});
 }
 
 std::vector<const Markup*> OfClass(const Markup& picture, const std::string& name) {
@@ -70,9 +86,9 @@ TEST(ContactGraphPicture, HasADotForEachStateInTheRowOfItsDimension) {
   std::set<std::set<std::string>> states;
   for (const auto& [y, names] : rows) states.insert(names);
   EXPECT_EQ(states, (std::set<std::set<std::string>>{
-                        {"free"},
-                        {"vertex 1 on face 0", "vertex 2 on face 0"},
-                        {"vertex 1 on face 0, vertex 2 on face 0"},
+                        {"free; 2 to a goal"},
+                        {"vertex 1 on face 0; 1 to a goal", "vertex 2 on face 0; 1 to a goal"},
+                        {"vertex 1 on face 0, vertex 2 on face 0; 0 to a goal"},
                     }));
 }
 
@@ -101,6 +117,24 @@ TEST(ContactGraphPicture, NumbersThePlansStates) {
     EXPECT_TRUE(dots.contains({ring->attributes.at("cx"), ring->attributes.at("cy")}));
 }
 
+// At a later critical point the way begins where the motion before it has ended.
+TEST(ContactGraphPicture, HasOnlyTheMotionsThatAreAsked) {
+  const Markup picture = Drawn(Through({{OnFace(2)}, {OnFace(1), OnFace(2)}, {OnFace(1)}}), {1, 2});
+  std::vector<std::string> numbers;
+  for (const Markup* text : OfClass(picture, "numbers")) numbers.push_back(text->text);
+  EXPECT_THAT(numbers, ElementsAre("1", "2"));
+  EXPECT_TRUE(OfClass(Drawn(Through({{OnFace(2)}}), {1, 1}), "planned").empty());
+}
+
+TEST(ContactGraphPicture, MarksWhereWaysBeginAndEnd) {
+  const Markup picture = Drawn({});
+  ASSERT_EQ(OfClass(picture, "initial").size(), 1u);
+  EXPECT_EQ(TitleOf(*OfClass(picture, "initial")[0]), "free; 2 to a goal");
+  ASSERT_EQ(OfClass(picture, "goal").size(), 1u);
+  EXPECT_EQ(TitleOf(*OfClass(picture, "goal")[0]),
+            "vertex 1 on face 0, vertex 2 on face 0; 0 to a goal");
+}
+
 TEST(ContactGraphPicture, StatesThatItHasNotStandBesideIt) {
   const Markup picture = Drawn(Through({{OnFace(7)}}));
   double farthest = 0;
@@ -116,13 +150,15 @@ TEST(ContactGraphPicture, StatesThatItHasNotStandBesideIt) {
 TEST(MatingPage, IsWellFormedAndHasAllOfIt) {
   MatingSubject subject{.title = "peg <1> into block",
                         .summary = "2 motions & more",
-                        .graph = ContactGraphPicture(TwoContacts(), Through({{OnFace(1)}})),
+                        .graphs = {},
                         .motions = {{"vertex 1 on face 0", "vertex 1 on face 0", "none"},
                                     {"its way", "", "loss of vertex 1 on face 0"}},
                         .pictures = {{"1: vertex 1 on face 0", "not really a PNG"}}};
+  for (int point = 0; point < 2; ++point)
+    subject.graphs.push_back(ContactGraphPicture(TwoContacts(), Through({{OnFace(1)}}), {0, 1}));
   const Markup page = ReadMarkup(MatingPage(subject));
   EXPECT_EQ(page.All("h1").at(0)->text, "peg <1> into block");
-  EXPECT_EQ(page.All("svg").size(), 1u);
+  EXPECT_EQ(page.All("svg").size(), 2u);
   EXPECT_EQ(page.All("tr").size(), 3u);  // names and two motions
   ASSERT_EQ(page.All("img").size(), 1u);
   EXPECT_THAT(page.All("img")[0]->attributes.at("src"), HasSubstr("data:image/png;base64,"));
