@@ -8,6 +8,7 @@
 
 #include "planner/geometry/collision.h"
 #include "planner/motion/joint_trajectory.h"
+#include "planner/motion/path_search.h"
 #include "planner/motion/straight_line.h"
 
 namespace assay::motion {
@@ -91,9 +92,112 @@ class Clearance {
   std::vector<Mover> movers_;
 };
 
+// Looks whether the arm, and all that it carries, stays clear of the workcell's other robots.
+class OtherRobots {
+ public:
+  OtherRobots(const domain::Problem& problem, const Surroundings& surroundings)
+      : scene_(problem, surroundings),
+        check_(scene_, {.clearance = kTravelGap, .bodies = MotionRules::Bodies::kRobots}) {}
+
+  bool IsClear(const JointPath& path) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      const auto obstruction = check_.FindObstruction(path[i], path[i + 1]);
+      if (!obstruction) continue;
+      in_the_way_ = Describe(scene_, check_.rules(), *obstruction);
+      return false;
+    }
+    return true;
+  }
+  // Around everything.
+  PathResult FindPathTo(const JointVector& q, const JointVector& from) const {
+    constexpr std::int64_t kBudget = 20'000;  // postures
+    return FindPath(scene_, {.from = from,
+                             .to = q,
+                             .rules = {.clearance = kTravelGap, .given = {from, q}},
+                             .budget = kBudget});
+  }
+  const std::string& in_the_way() const { return in_the_way_; }  // of the last way; or empty
+
+ private:
+  CollisionScene scene_;
+  MotionCheck check_;
+  std::string in_the_way_;
+};
+
 std::string Where(const Vector3& p) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", 1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
 }
+
+// The straight lines from q on, corner to corner; none if the arm cannot follow them.
+std::optional<JointPath> Lines(const domain::Workcell& workcell, const JointVector& q,
+                               const std::vector<Vector3>& corners, double step) {
+  JointPath path = {q};
+  for (const Vector3& corner : corners) {
+    const LineResult line = FollowLine(workcell, path.back(), corner, step);
+    if (!line.path) return std::nullopt;
+    path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
+  }
+  return path;
+}
+
+class TravelSearch {
+ public:
+  TravelSearch(const domain::Problem& problem, const Surroundings& surroundings,
+               const TravelRequest& request)
+      : workcell_(*problem.workcell), request_(request), clearance_(problem, surroundings) {
+    if (workcell_.robots().size() > 1) others_.emplace(problem, surroundings);
+  }
+
+  TravelResult Plan() {
+    std::vector<JointVector> destinations;  // from which the lines can be followed
+    for (const JointVector& q : PosturesAt(workcell_, request_.X_WorldTool, request_.from)) {
+      const auto lines = Lines(workcell_, q, request_.corners, request_.line_step);
+      if (!lines || !IsClearOfOthers(*lines)) continue;
+      if (IsFree({request_.from, q})) return JointPath{request_.from, q};
+      destinations.push_back(q);
+    }
+    for (const JointVector& q : destinations) {
+      if (const JointPath by_home = {request_.from, workcell_.home(), q}; IsFree(by_home)) {
+        return by_home;
+      }
+    }
+    if (others_) {
+      for (const JointVector& q : destinations) {
+        PathResult around = others_->FindPathTo(q, request_.from);
+        if (auto* path = std::get_if<JointPath>(&around)) return std::move(*path);
+      }
+    }
+    return WhyNot(destinations.empty());
+  }
+
+ private:
+  bool IsClearOfOthers(const JointPath& path) { return !others_ || others_->IsClear(path); }
+
+  bool IsFree(const JointPath& path) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      if (!clearance_.IsClear(path[i], path[i + 1])) return false;
+    }
+    return IsClearOfOthers(path);
+  }
+
+  std::string WhyNot(bool has_no_destination) const {
+    const std::string where = Where(request_.X_WorldTool.translation());
+    if (others_ && !others_->in_the_way().empty()) {
+      return fmt::format("no way to {} that was tried is free: {}", where, others_->in_the_way());
+    }
+    if (has_no_destination) {
+      return fmt::format("no configuration of the arm reaches {} and goes on straight from there",
+                         where);
+    }
+    return fmt::format("every way to {} comes within {:.0f} mm of the table or a part", where,
+                       1e3 * kTravelGap);
+  }
+
+  const domain::Workcell& workcell_;
+  const TravelRequest& request_;
+  const Clearance clearance_;
+  std::optional<OtherRobots> others_;  // where there are any
+};
 
 }  // namespace
 
@@ -110,39 +214,14 @@ std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose
   return found;
 }
 
-bool CanFollow(const domain::Workcell& workcell, JointVector q, const std::vector<Vector3>& corners,
-               double step) {
-  for (const Vector3& corner : corners) {
-    const LineResult line = FollowLine(workcell, q, corner, step);
-    if (!line.path) return false;
-    q = line.path->q.back();
-  }
-  return true;
+bool CanFollow(const domain::Workcell& workcell, const JointVector& q,
+               const std::vector<Vector3>& corners, double step) {
+  return Lines(workcell, q, corners, step).has_value();
 }
 
 TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surroundings,
                         const TravelRequest& request) {
-  const domain::Workcell& workcell = *problem.workcell;
-  const std::string where = Where(request.X_WorldTool.translation());
-  const Clearance clearance(problem, surroundings);
-  std::vector<JointVector> destinations;  // from which the lines can be followed
-  for (const JointVector& q : PosturesAt(workcell, request.X_WorldTool, request.from)) {
-    if (!CanFollow(workcell, q, request.corners, request.line_step)) continue;
-    if (clearance.IsClear(request.from, q)) return JointPath{request.from, q};
-    destinations.push_back(q);
-  }
-  if (destinations.empty()) {
-    return fmt::format("no configuration of the arm reaches {} and goes on straight from there",
-                       where);
-  }
-  const JointVector& home = workcell.home();
-  for (const JointVector& q : destinations) {
-    if (clearance.IsClear(request.from, home) && clearance.IsClear(home, q)) {
-      return JointPath{request.from, home, q};
-    }
-  }
-  return fmt::format("every way to {} comes within {:.0f} mm of the table or a part", where,
-                     1e3 * kTravelGap);
+  return TravelSearch(problem, surroundings, request).Plan();
 }
 
 }  // namespace assay::motion

@@ -18,13 +18,16 @@ struct TravelRequest {
   double line_step = 0.0005;  // metres, in which the lines are followed
 };
 
-// A path of one or two motions, or why there is none.
+// A path, or why there is none; where another robot is in the way, the pair of bodies.
 using TravelResult = std::variant<JointPath, std::string>;
 
 // Plans the path. Of the joint values that bring the tool there (up to eight configurations, joints
 // 4 and 6 with up to two turns each) those nearest in time come first; the way is a joint move, or
 // two of them by way of the workcell's home. Hand, fingers and held part must stay kTravelGap away
 // from the table and from the parts; the arm is not looked at.
+//
+// Where the workcell has other robots, the whole arm must stay as far from them, also on the lines,
+// and where no such way is free of them, one around everything is searched (FindPath).
 TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surroundings,
                         const TravelRequest& request);
 
@@ -34,7 +37,7 @@ inline constexpr double kTravelGap = 0.01;  // metres
 std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose& X_WorldTool,
                                     const JointVector& from);
 // Whether the arm can go on from q along all lines, each from the end of the one before.
-bool CanFollow(const domain::Workcell& workcell, JointVector q, const std::vector<Vector3>& corners,
-               double step);
+bool CanFollow(const domain::Workcell& workcell, const JointVector& q,
+               const std::vector<Vector3>& corners, double step);
 
 }  // namespace assay::motion

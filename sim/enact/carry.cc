@@ -91,9 +91,7 @@ class Carry : public Skill {
     const plan::Hold& hold = execution.world().hold();
     const Pose X_WorldHeld = execution.world().PartPose(part, execution.BelievedTool());
     const std::vector<domain::PlacedPart> standing = situation.Standing(part);
-    const motion::CollisionScene scene(problem, {.parts = standing,
-                                                 .held = motion::HeldPart{part, hold.X_PartTool},
-                                                 .opening = hold.width});
+    const motion::CollisionScene scene(problem, execution.BelievedSurroundings());
     const motion::MotionRules rules = RulesFor(X_WorldHeld, hold);
     for (const Pose& X_WorldPart : FreePlaces(table, problem, part, X_WorldHeld, standing)) {
       const Pose X_WorldTool = execution.Erring(X_WorldPart * hold.X_PartTool);

@@ -10,20 +10,6 @@ namespace {
 
 const motion::MotionRules kWay = {.clearance = 0.01};  // metres
 
-motion::Surroundings SurroundingsOf(const exec::Execution& execution) {
-  const exec::WorldModel& world = execution.world();
-  motion::Surroundings around{.opening = execution.problem().workcell->gripper().max_opening()};
-  for (int i = 0; i < world.part_count(); ++i) {
-    const domain::PartId part(i);
-    if (part != world.held()) around.parts.push_back({part, world.PartPose(part)});
-  }
-  if (!world.held().IsNone()) {
-    around.held = motion::HeldPart{world.held(), world.hold().X_PartTool};
-    around.opening = world.hold().width;
-  }
-  return around;
-}
-
 }  // namespace
 
 Crew::Crew(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
@@ -69,7 +55,7 @@ exec::Progress Crew::TakeOver(RobotId robot) {
 exec::Progress Crew::GoHome() {
   exec::Execution& execution = acting();
   const domain::Workcell& workcell = *execution.problem().workcell;
-  const motion::CollisionScene scene(execution.problem(), SurroundingsOf(execution));
+  const motion::CollisionScene scene(execution.problem(), execution.BelievedSurroundings());
   const motion::PathResult found = motion::FindPath(
       scene, {.from = execution.commanded(), .to = workcell.home(), .rules = kWay});
   if (const auto* failure = std::get_if<motion::PathFailure>(&found)) {

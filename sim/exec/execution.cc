@@ -55,6 +55,25 @@ Pose Execution::MeasuredTool() const {
   return ToolAt(*problem_.workcell, scene_.ArmPosition(data_)) * hand_error_.inverse();
 }
 
+motion::Surroundings Execution::BelievedSurroundings() const {
+  motion::Surroundings around{.opening = scene_.Opening(data_)};
+  for (int i = 0; i < world_.part_count(); ++i) {
+    const PartId part(i);
+    if (part != world_.held()) around.parts.push_back({part, world_.PartPose(part)});
+  }
+  if (!world_.held().IsNone()) {
+    around.held = motion::HeldPart{world_.held(), world_.hold().X_PartTool};
+  }
+  const domain::Workcell& workcell = *problem_.workcell;
+  for (std::size_t i = 0; i < workcell.robots().size(); ++i) {
+    const domain::RobotId robot(i);
+    if (robot == workcell.acting()) continue;
+    around.robots.push_back(
+        {robot, scene_.ArmPosition(data_, robot), scene_.Opening(data_, robot)});
+  }
+  return around;
+}
+
 void Execution::Place(const JointVector& q) {
   scene_.SetArm(data_, q);
   commanded_ = {q, JointVector::Zero()};

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "planner/motion/collision_scene.h"
 #include "planner/motion/joint_trajectory.h"
 #include "sim/exec/executor.h"
 #include "sim/exec/world_model.h"
@@ -56,6 +57,9 @@ class Execution {
   Pose BelievedTool() const;
   // Where it believes itself to be by the joints' own sensors.
   Pose MeasuredTool() const;
+  // What the arm has around it: parts where they are believed to be, other robots where their
+  // joints' sensors say.
+  motion::Surroundings BelievedSurroundings() const;
   Moment Now() const;
   std::int64_t steps() const { return steps_; }  // of the engine, so far
   // Newtons at the wrist, the greatest so far that lasted for some milliseconds.

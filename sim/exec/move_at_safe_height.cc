@@ -16,24 +16,11 @@ std::vector<Vector3> CornersAfter(std::span<const Command> rest, const Execution
   return corners;
 }
 
-motion::Surroundings BelievedSurroundings(Execution& execution) {
-  const WorldModel& world = execution.world();
-  motion::Surroundings surroundings{.opening = execution.scene().Opening(execution.data())};
-  for (int i = 0; i < world.part_count(); ++i) {
-    if (PartId(i) == world.held()) continue;
-    surroundings.parts.push_back({PartId(i), world.PartPose(PartId(i))});
-  }
-  if (!world.held().IsNone()) {
-    surroundings.held = motion::HeldPart{world.held(), world.hold().X_PartTool};
-  }
-  return surroundings;
-}
-
 }  // namespace
 
 Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execution& execution) {
   const motion::TravelResult result =
-      motion::PlanTravel(execution.problem(), BelievedSurroundings(execution),
+      motion::PlanTravel(execution.problem(), execution.BelievedSurroundings(),
                          {.from = execution.commanded(),
                           .X_WorldTool = execution.Erring(move.X_WorldTool),
                           .corners = CornersAfter(rest, execution)});

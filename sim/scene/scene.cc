@@ -121,7 +121,11 @@ void Scene::SetArm(Data& data, const JointVector& q) const {
   Scatter(Gather(data.qfrc_bias(), arm().dof), arm().dof, data.qfrc_applied());
 }
 
-JointVector Scene::ArmPosition(const Data& data) const { return Gather(data.qpos(), arm().qpos); }
+JointVector Scene::ArmPosition(const Data& data) const { return ArmPosition(data, acting_); }
+
+JointVector Scene::ArmPosition(const Data& data, domain::RobotId robot) const {
+  return Gather(data.qpos(), robots_[robot.index()].arm.qpos);
+}
 
 JointVector Scene::ArmVelocity(const Data& data) const { return Gather(data.qvel(), arm().dof); }
 
@@ -141,8 +145,11 @@ void Scene::SetGripper(Data& data, double opening) const {
   data.Forward();
 }
 
-double Scene::Opening(const Data& data) const {
-  return data.qpos()[acting().fingers[0].qpos] + data.qpos()[acting().fingers[1].qpos];
+double Scene::Opening(const Data& data) const { return Opening(data, acting_); }
+
+double Scene::Opening(const Data& data, domain::RobotId robot) const {
+  const std::array<Finger, 2>& fingers = robots_[robot.index()].fingers;
+  return data.qpos()[fingers[0].qpos] + data.qpos()[fingers[1].qpos];
 }
 
 double Scene::OpeningSpeed(const Data& data) const {

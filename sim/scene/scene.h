@@ -57,6 +57,7 @@ class Scene {
   // The arm, at rest with its servos on these joint values: a jump, for the start of a trial.
   void SetArm(mujoco::Data& data, const JointVector& q) const;
   JointVector ArmPosition(const mujoco::Data& data) const;
+  JointVector ArmPosition(const mujoco::Data& data, domain::RobotId robot) const;
   JointVector ArmVelocity(const mujoco::Data& data) const;
   Pose ToolPose(const mujoco::Data& data) const;  // X_WorldTool
 
@@ -65,7 +66,8 @@ class Scene {
   void CommandGripper(mujoco::Data& data, double opening) const;
   // The gripper is set to this opening, at rest and commanded there: a jump.
   void SetGripper(mujoco::Data& data, double opening) const;
-  double Opening(const mujoco::Data& data) const;       // metres between the pads
+  double Opening(const mujoco::Data& data) const;  // metres between the pads
+  double Opening(const mujoco::Data& data, domain::RobotId robot) const;
   double OpeningSpeed(const mujoco::Data& data) const;  // m/s, positive when opening
   double max_opening() const { return acting().max_opening; }
 
