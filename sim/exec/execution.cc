@@ -43,6 +43,7 @@ Execution::Execution(const domain::Problem& problem, const scene::Scene& scene, 
       options_(options),
       servo_(scene),
       world_(problem),
+      collisions_(scene),
       trace_(EmptyTrace(problem)),
       commanded_{scene.ArmPosition(data), JointVector::Zero()},
       force_limit_(options.force_limit) {}
@@ -211,6 +212,7 @@ Progress Execution::Advance(const JointState& next) {
   ++steps_;
   if (options_.on_timestep) options_.on_timestep(data_);
   SampleIfDue();
+  RecordCollisions();
   return Watch();
 }
 
@@ -228,6 +230,13 @@ void Execution::SampleIfDue() {
   if (options_.sample_rate <= 0 || data_.time() < samples_ / options_.sample_rate) return;
   trace_.events.push_back(Sample{Now()});
   ++samples_;
+}
+
+void Execution::RecordCollisions() {
+  for (const Collision& collision : collisions_.Look(data_)) {
+    trace_.events.push_back(CollisionRecord{data_.time(), data_.model().Name(collision.robot),
+                                            data_.model().Name(collision.other)});
+  }
 }
 
 Progress Execution::Watch() {

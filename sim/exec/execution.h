@@ -5,6 +5,7 @@
 
 #include "planner/motion/collision_scene.h"
 #include "planner/motion/joint_trajectory.h"
+#include "sim/exec/collision_watch.h"
 #include "sim/exec/executor.h"
 #include "sim/exec/world_model.h"
 #include "sim/scene/servo.h"
@@ -78,6 +79,8 @@ class Execution {
   Progress TakeUpHandError(const Pose& error);
   // Where the hand truly goes when it is told to go to X_WorldTool.
   Pose Erring(const Pose& X_WorldTool) const { return X_WorldTool * hand_error_; }
+  // From now on the hand may touch these parts and no others (CollisionWatch).
+  void Handle(std::vector<PartId> parts) { collisions_.Handle(std::move(parts)); }
   void SetStep(plan::StepId step) { step_ = step; }
   plan::StepId step() const { return step_; }
 
@@ -111,6 +114,7 @@ class Execution {
   Progress Advance(const JointState& next);
   scene::Load Carried() const;
   void SampleIfDue();
+  void RecordCollisions();
   Progress Watch();
 
   const domain::Problem& problem_;
@@ -119,6 +123,7 @@ class Execution {
   const ExecutorOptions& options_;
   scene::JointServo servo_;
   WorldModel world_;
+  CollisionWatch collisions_;
   Trace trace_;
   JointState commanded_;
   Pose hand_error_ = Pose::Identity();

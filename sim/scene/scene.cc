@@ -273,6 +273,15 @@ Vector3 Scene::HandAcceleration(const Data& data) const {
   return linear + angular.cross(center - own) + Eigen::Map<const Vector3>(m.opt.gravity);
 }
 
+BodyKind Scene::KindOf(mujoco::BodyId body) const {
+  if (body == world()) return BodyKind::kWorld;
+  if (std::ranges::count(parts_, body, &FreeBody::body) > 0) return BodyKind::kPart;
+  const bool is_hand = std::ranges::any_of(robots_, [&](const RobotAddresses& robot) {
+    return body == robot.hand || std::ranges::count(robot.fingers, body, &Finger::body) > 0;
+  });
+  return is_hand ? BodyKind::kHand : BodyKind::kArm;
+}
+
 bool Scene::Touching(const Data& data, PartId part, mujoco::BodyId body) const {
   return !mujoco::ContactsBetween(data, Body(part), body).empty();
 }

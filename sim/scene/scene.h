@@ -31,6 +31,14 @@ struct Twist {
   Vector3 angular = Vector3::Zero();  // rad/s
 };
 
+// What a body of the engine is.
+enum class BodyKind {
+  kWorld,  // tables and floor
+  kPart,
+  kArm,   // a link of an arm, its foot included
+  kHand,  // hand or finger
+};
+
 // Where the engine keeps the six arm joints, joint 1 first.
 struct ArmAddresses {
   std::array<int, 6> qpos{};
@@ -110,6 +118,7 @@ class Scene {
   mujoco::BodyId left_finger() const { return acting().fingers[0].body; }
   mujoco::BodyId right_finger() const { return acting().fingers[1].body; }
   bool Touching(const mujoco::Data& data, PartId part, mujoco::BodyId body) const;
+  BodyKind KindOf(mujoco::BodyId body) const;
 
  private:
   struct FreeBody {
