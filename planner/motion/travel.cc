@@ -92,35 +92,52 @@ class Clearance {
   std::vector<Mover> movers_;
 };
 
-// Looks whether the arm, and all that it carries, stays clear of the workcell's other robots.
-class OtherRobots {
+// Looks at the whole arm, and all that it carries: beside other robots always, beside everything if
+// it is asked for. What the arm carries is held against its work elsewhere, so that on lines only
+// its links are.
+class ArmWatch {
  public:
-  OtherRobots(const domain::Problem& problem, const Surroundings& surroundings)
-      : scene_(problem, surroundings),
-        check_(scene_, {.clearance = kTravelGap, .bodies = MotionRules::Bodies::kRobots}) {}
-
-  bool IsClear(const JointPath& path) {
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const auto obstruction = check_.FindObstruction(path[i], path[i + 1]);
-      if (!obstruction) continue;
-      in_the_way_ = Describe(scene_, check_.rules(), *obstruction);
-      return false;
-    }
-    return true;
+  ArmWatch(const domain::Problem& problem, const Surroundings& surroundings,
+           const TravelRequest& request)
+      : request_(request), scene_(problem, surroundings) {
+    using Bodies = MotionRules::Bodies;
+    on_lines_.push_back(CheckOf(Bodies::kRobots));
+    if (request.is_arm_watched) on_lines_.push_back(CheckOf(Bodies::kArm));
+    on_ways_.push_back(CheckOf(request.is_arm_watched ? Bodies::kAll : Bodies::kRobots));
   }
-  // Around everything.
-  PathResult FindPathTo(const JointVector& q, const JointVector& from) const {
+
+  bool IsClearOnLines(const JointPath& path) { return IsClear(path, on_lines_); }
+  bool IsClear(const JointPath& path) { return IsClear(path, on_ways_); }
+  PathResult FindPathTo(const JointVector& q) const {
     constexpr std::int64_t kBudget = 20'000;  // postures
-    return FindPath(scene_, {.from = from,
+    return FindPath(scene_, {.from = request_.from,
                              .to = q,
-                             .rules = {.clearance = kTravelGap, .given = {from, q}},
+                             .rules = {.clearance = kTravelGap, .given = {request_.from, q}},
                              .budget = kBudget});
   }
   const std::string& in_the_way() const { return in_the_way_; }  // of the last way; or empty
 
  private:
+  MotionCheck CheckOf(MotionRules::Bodies bodies) const {
+    return {scene_, {.clearance = kTravelGap, .given = {request_.from}, .bodies = bodies}};
+  }
+
+  bool IsClear(const JointPath& path, std::vector<MotionCheck>& checks) {
+    for (MotionCheck& check : checks) {
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const auto obstruction = check.FindObstruction(path[i], path[i + 1]);
+        if (!obstruction) continue;
+        in_the_way_ = Describe(scene_, check.rules(), *obstruction);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const TravelRequest& request_;
   CollisionScene scene_;
-  MotionCheck check_;
+  std::vector<MotionCheck> on_lines_;
+  std::vector<MotionCheck> on_ways_;
   std::string in_the_way_;
 };
 
@@ -145,14 +162,16 @@ class TravelSearch {
   TravelSearch(const domain::Problem& problem, const Surroundings& surroundings,
                const TravelRequest& request)
       : workcell_(*problem.workcell), request_(request), clearance_(problem, surroundings) {
-    if (workcell_.robots().size() > 1) others_.emplace(problem, surroundings);
+    if (request.is_arm_watched || workcell_.robots().size() > 1) {
+      arm_.emplace(problem, surroundings, request);
+    }
   }
 
   TravelResult Plan() {
     std::vector<JointVector> destinations;  // from which the lines can be followed
     for (const JointVector& q : PosturesAt(workcell_, request_.X_WorldTool, request_.from)) {
       const auto lines = Lines(workcell_, q, request_.corners, request_.line_step);
-      if (!lines || !IsClearOfOthers(*lines)) continue;
+      if (!lines || (arm_ && !arm_->IsClearOnLines(*lines))) continue;
       if (IsFree({request_.from, q})) return JointPath{request_.from, q};
       destinations.push_back(q);
     }
@@ -161,9 +180,9 @@ class TravelSearch {
         return by_home;
       }
     }
-    if (others_) {
+    if (arm_) {
       for (const JointVector& q : destinations) {
-        PathResult around = others_->FindPathTo(q, request_.from);
+        PathResult around = arm_->FindPathTo(q);
         if (auto* path = std::get_if<JointPath>(&around)) return std::move(*path);
       }
     }
@@ -171,19 +190,17 @@ class TravelSearch {
   }
 
  private:
-  bool IsClearOfOthers(const JointPath& path) { return !others_ || others_->IsClear(path); }
-
   bool IsFree(const JointPath& path) {
     for (std::size_t i = 0; i + 1 < path.size(); ++i) {
       if (!clearance_.IsClear(path[i], path[i + 1])) return false;
     }
-    return IsClearOfOthers(path);
+    return !arm_ || arm_->IsClear(path);
   }
 
   std::string WhyNot(bool has_no_destination) const {
     const std::string where = Where(request_.X_WorldTool.translation());
-    if (others_ && !others_->in_the_way().empty()) {
-      return fmt::format("no way to {} that was tried is free: {}", where, others_->in_the_way());
+    if (arm_ && !arm_->in_the_way().empty()) {
+      return fmt::format("no way to {} that was tried is free: {}", where, arm_->in_the_way());
     }
     if (has_no_destination) {
       return fmt::format("no configuration of the arm reaches {} and goes on straight from there",
@@ -196,7 +213,7 @@ class TravelSearch {
   const domain::Workcell& workcell_;
   const TravelRequest& request_;
   const Clearance clearance_;
-  std::optional<OtherRobots> others_;  // where there are any
+  std::optional<ArmWatch> arm_;  // where it is looked at
 };
 
 }  // namespace
