@@ -66,4 +66,24 @@ exec::Progress Crew::GoHome() {
   return execution.Follow(way, way.duration());
 }
 
+std::vector<domain::PartId> Crew::Held() const {
+  std::vector<domain::PartId> parts;
+  for (const auto& member : members_) {
+    const domain::PartId part = member->execution->world().held();
+    if (!part.IsNone()) parts.push_back(part);
+  }
+  return parts;
+}
+
+std::vector<exec::CollisionRecord> Crew::Collisions() const {
+  std::vector<exec::CollisionRecord> collisions;
+  for (const auto& member : members_) {
+    for (const auto* collision : member->execution->trace().All<exec::CollisionRecord>()) {
+      collisions.push_back(*collision);
+    }
+  }
+  std::ranges::stable_sort(collisions, {}, &exec::CollisionRecord::time);
+  return collisions;
+}
+
 }  // namespace assay::enact

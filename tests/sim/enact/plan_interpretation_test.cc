@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/enact/enactment.h"
+#include "sim/enact/leaves.h"
 #include "sim/render/renderer.h"
 
 namespace assay::enact {
@@ -39,6 +40,28 @@ TEST_F(FallenPeg, EachWorldReachesTheGoal) {
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
     EXPECT_EQ(trial.walk.branches.front().text, told);
   }
+}
+
+// Where errors lead something is made to go wrong: a recovery mends it, or a person is called.
+TEST_F(FallenPeg, EveryBranchIsComeTo) {
+  const Interpretation& interpretation = Scenario().interpretation;
+  const contingent::PlanTree& tree = interpretation.planned->assembly.tree;
+  int repeats = 0;
+  int mishaps = 0;
+  for (const Leaf& leaf : LeavesOf(interpretation.task, tree, 100)) {
+    if (leaf.branches.front().text != "pose(peg) = lying") continue;  // the other is alike
+    RandomStream random(1, "worlds");
+    const auto world = WorldFor(leaf, interpretation, Scenario().scenario.problem, random);
+    ASSERT_TRUE(world) << leaf.Text();
+    const EnactedTrial trial = RunTrial(Scenario(), tree, {1, *world}, {.seed = 1});
+    EXPECT_TRUE(leaf.IsOn(trial.walk)) << leaf.Text() << ": " << trial.mishap;
+    EXPECT_FALSE(trial.IsFailed()) << leaf.Text() << ": " << trial.reason;
+    EXPECT_EQ(world->mishap.has_value(), !trial.mishap.empty());
+    if (leaf.is_repeat) ++repeats;
+    if (world->mishap) ++mishaps;
+  }
+  EXPECT_EQ(repeats, 1);
+  EXPECT_EQ(mishaps, 2);
 }
 
 // A peg that stands is claimed to lie: the audit tells at once.
