@@ -87,7 +87,9 @@ class WorldSearch {
       : leaf_(leaf), interpretation_(interpretation), problem_(problem), random_(random) {}
 
   std::variant<HiddenWorld, std::string> Find() {
-    if (!ChooseWorld()) return "in no world of the scenario " + refuted_;
+    if (!ChooseWorld()) {
+      return no_mishap_.empty() ? "in no world of the scenario " + refuted_ : no_mishap_;
+    }
     for (const auto& [part, kinds] : interpretation_.hidden) {
       if (!Draw(part, kinds)) {
         return fmt::format("nothing that {} may hide makes {}", problem_.part(part).name, refuted_);
@@ -114,8 +116,12 @@ class WorldSearch {
     for (const StepError& error : ErrorsOf(*interpretation_.planned, world_.world)) {
       world_.mishap = Mishap{.action = error.step, .error = error.error};
       if (IsRefuted()) continue;
-      world_.mishap = MishapFor(*interpretation_.planned, world_.world, error, random_);
-      return true;
+      auto made = MishapFor(*interpretation_.planned, world_.world, error, random_);
+      if (auto* mishap = std::get_if<Mishap>(&made)) {
+        world_.mishap = std::move(*mishap);
+        return true;
+      }
+      no_mishap_ = std::get<std::string>(made);
     }
     world_.mishap.reset();
     return false;
@@ -151,7 +157,8 @@ class WorldSearch {
   const domain::Problem& problem_;
   RandomStream& random_;
   HiddenWorld world_;
-  std::string refuted_;
+  std::string refuted_;    // of what the leaf asks, the last
+  std::string no_mishap_;  // why one that is needed cannot be
 };
 
 }  // namespace

