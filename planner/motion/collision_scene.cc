@@ -94,9 +94,7 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
         doubt(surroundings.held->part);
   }
   AddStage();
-  for (const domain::Robot& robot : workcell_->robots()) {
-    if (&robot != &workcell_->robot()) AddBystander(robot);
-  }
+  AddOtherRobots(surroundings.robots);
   const Pose X_BaseWorld = workcell_->X_WorldBase().inverse();
   for (const auto& [id, X_WorldPart] : surroundings.parts) {
     const domain::Part& part = problem.part(id);
@@ -147,10 +145,27 @@ void CollisionScene::AddStage() {
   Add("floor", 0, HullsOf(std::span(&floor, 1), Pose::Identity()));
 }
 
-void CollisionScene::AddBystander(const domain::Robot& robot) {
+void CollisionScene::AddOtherRobots(const std::vector<StandingRobot>& said) {
+  others_begin_ = static_cast<int>(bodies_.size());
+  const std::vector<domain::Robot>& robots = workcell_->robots();
+  for (std::size_t i = 0; i < robots.size(); ++i) {
+    const domain::RobotId id(i);
+    if (id == workcell_->acting()) continue;
+    const auto stands = std::ranges::find(said, id, &StandingRobot::robot);
+    if (stands == said.end()) {
+      AddOtherRobot(robots[i], robots[i].home, robots[i].gripper->max_opening());
+    } else {
+      AddOtherRobot(robots[i], stands->q, stands->opening);
+    }
+  }
+  others_end_ = static_cast<int>(bodies_.size());
+}
+
+void CollisionScene::AddOtherRobot(const domain::Robot& robot, const JointVector& q,
+                                   double opening) {
   const Pose X_BaseOther = workcell_->X_WorldBase().inverse() * robot.X_WorldBase;
   const std::vector<kinematics::Link>& links = robot.arm->model().links;
-  const LinkPoses X_OtherLink = robot.arm->LinkPoses(robot.home);
+  const LinkPoses X_OtherLink = robot.arm->LinkPoses(q);
   const auto add = [&](const std::string& name, std::vector<RoundedHull> hulls) {
     if (!hulls.empty()) Add(fmt::format("{} of {}", name, robot.name), 0, std::move(hulls));
   };
@@ -160,7 +175,8 @@ void CollisionScene::AddBystander(const domain::Robot& robot) {
   const kinematics::Gripper& gripper = *robot.gripper;
   const Pose X_BaseTool = X_BaseOther * X_OtherLink.back() * gripper.X_FlangeTool();
   add("hand", HullsOf(gripper.HandBoxes(), X_BaseTool));
-  add("fingers", HullsOf(gripper.FingerBoxes(gripper.max_opening()), X_BaseTool));
+  const double width = std::clamp(opening, 0.0, gripper.max_opening());
+  add("fingers", HullsOf(gripper.FingerBoxes(width), X_BaseTool));
 }
 
 bool CollisionScene::AreNeighbours(int link, int later_link) const {
@@ -183,6 +199,10 @@ void CollisionScene::ListPairs() {
       pairs_.push_back(pair);
     }
   }
+}
+
+bool CollisionScene::IsOfAnotherRobot(BodyId id) const {
+  return others_begin_ <= id.index() && id.index() < others_end_;
 }
 
 bool CollisionScene::IsCarried(BodyId id) const {

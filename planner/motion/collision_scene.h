@@ -53,18 +53,27 @@ struct HeldPart {
   Pose X_PartTool;
 };
 
+// Another robot of the workcell, which stands still.
+struct StandingRobot {
+  domain::RobotId robot;
+  JointVector q = JointVector::Zero();
+  double opening = 0;  // between its pads, metres
+};
+
 // What is where while the arm moves.
 struct Surroundings {
   std::vector<domain::PlacedPart> parts = {};  // that stand still; others are not there
   std::optional<HeldPart> held = {};
   std::vector<double> doubts = {};  // of the parts by PartId, metres (Body::doubt); empty: none
   double opening = 0;               // between the pads, metres
+  // Robots that are not named stand at their homes with open grippers.
+  std::vector<StandingRobot> robots = {};
 };
 
 // The workcell as bodies: the arm's links, hand, fingers, held part, table, floor (where the arm's
-// base stands), parts, and the workcell's other robots, which stand at their homes with open
-// grippers. A link's shapes are its URDF's collisions, or its visuals if there are
-// none; round ones are replaced by polyhedra that hold them (cylinders by prisms of 16 sides).
+// base stands), parts, and the workcell's other robots ("forearm of right"). A link's shapes are
+// its URDF's collisions, or its visuals if there are none; round ones are replaced by polyhedra
+// that hold them (cylinders by prisms of 16 sides).
 //
 // Not tested, since they touch or are kept apart by construction: what is fixed to the same link
 // (so the held part against fingers and hand), and links of the arm that one joint connects. Two
@@ -81,6 +90,7 @@ class CollisionScene {
 
   // Hand, fingers or held part.
   bool IsCarried(BodyId id) const;
+  bool IsOfAnotherRobot(BodyId id) const;
 
   // The distance of two bodies, never more than the truth. From `enough` on, anything that is at
   // least `enough` may be told.
@@ -101,7 +111,8 @@ class CollisionScene {
   void AddLinks();
   void AddGripper(double opening);
   void AddStage();
-  void AddBystander(const domain::Robot& robot);
+  void AddOtherRobots(const std::vector<StandingRobot>& said);
+  void AddOtherRobot(const domain::Robot& robot, const JointVector& q, double opening);
   void ListPairs();
   bool AreNeighbours(int link, int later_link) const;
 
@@ -109,6 +120,9 @@ class CollisionScene {
   std::vector<Body> bodies_;
   std::vector<BodyPair> pairs_;
   int arm_bodies_ = 0;  // the first so many are the arm's own links
+  // Of the other robots are the bodies from this index on, up to that one.
+  int others_begin_ = 0;
+  int others_end_ = 0;
 };
 
 }  // namespace assay::motion

@@ -51,6 +51,9 @@ std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
   for (const BodyPair& pair : scene_.pairs()) {
     const bool carried = scene_.IsCarried(pair.second);
     if (carried && rules_.bodies == MotionRules::Bodies::kArm) continue;
+    if (rules_.bodies == MotionRules::Bodies::kRobots && !scene_.IsOfAnotherRobot(pair.first)) {
+      continue;
+    }
     double clearance =
         rules_.clearance + scene_.body(pair.first).doubt + scene_.body(pair.second).doubt;
     if (carried) {

@@ -25,7 +25,8 @@ struct MotionRules {
   std::vector<JointVector> given = {};
   enum class Bodies {
     kAll,
-    kArm,  // not what the arm carries: that is held against its work elsewhere
+    kArm,     // not what the arm carries: that is held against its work elsewhere
+    kRobots,  // arm and what it carries, but against the workcell's other robots alone
   };
   Bodies bodies = Bodies::kAll;
 };

@@ -22,6 +22,7 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
+constexpr std::int64_t kUnlikely = 20;  // the budget's divisor where a path is unlikely
 constexpr double kLongestMotion = 1.5;  // of the trees, metres as JointWeights measures
 
 // Joints count by how far they can move the flange: OMPL's distances are then near to metres.
@@ -177,7 +178,8 @@ std::shared_ptr<ob::SpaceInformation> SpaceOf(MotionCheck& check, ObstructionTal
 }
 
 // RRT-Connect's path; empty if the budget was spent before.
-JointPath Connect(MotionCheck& check, ObstructionTally& tally, const PathRequest& request) {
+JointPath Connect(MotionCheck& check, ObstructionTally& tally, const PathRequest& request,
+                  std::int64_t budget) {
   ompl::msg::noOutputHandler();
   const WeightedJoints joints(check.scene());
   const auto space = SpaceOf(check, tally, request);
@@ -192,7 +194,7 @@ JointPath Connect(MotionCheck& check, ObstructionTally& tally, const PathRequest
   planner.setRange(kLongestMotion);
   planner.setProblemDefinition(problem);
   planner.setup();
-  const std::int64_t limit = check.postures() + request.budget;
+  const std::int64_t limit = check.postures() + budget;
   planner.solve(ob::PlannerTerminationCondition([&] { return check.postures() >= limit; }));
   JointPath path;
   if (!problem->hasExactSolution()) return path;
@@ -212,12 +214,24 @@ PathFailure Failure(PathFailure::Reason reason, const MotionCheck& check,
       return {reason, obstruction, "at the start, " + what};
     case PathFailure::Reason::kGoal:
       return {reason, obstruction, "at the goal, " + what};
+    case PathFailure::Reason::kConfiguration:
+      return {reason, obstruction,
+              fmt::format("the goal is in another configuration of the arm, into which no upright "
+                          "path was found, looking at {} postures; most often, {}",
+                          check.postures(), what)};
     case PathFailure::Reason::kBudget:
       return {reason, obstruction,
               fmt::format("no path was found, looking at {} postures; most often, {}",
                           check.postures(), what)};
   }
   ASSAY_CHECK(false, "no such reason");
+}
+
+// Upright postures of two configurations meet where the arm is singular: stretched, or with the
+// forearm in line with what is kept upright, or over its own axis.
+bool NeedsAnotherConfiguration(const CollisionScene& scene, const PathRequest& request) {
+  return request.rules.upright &&
+         scene.arm().IndicatorsOf(request.from) != scene.arm().IndicatorsOf(request.to);
 }
 
 }  // namespace
@@ -234,8 +248,14 @@ PathResult FindPath(const CollisionScene& scene, const PathRequest& request) {
   const auto straight = check.FindObstruction(request.from, request.to);
   if (!straight) return JointPath{request.from, request.to};
   tally.Count(*straight);
-  const JointPath path = Connect(check, tally, request);
-  if (path.empty()) return Failure(PathFailure::Reason::kBudget, check, tally.MostFrequent());
+  const bool is_elsewhere = NeedsAnotherConfiguration(scene, request);
+  const std::int64_t budget = is_elsewhere ? request.budget / kUnlikely : request.budget;
+  const JointPath path = Connect(check, tally, request, budget);
+  if (path.empty()) {
+    const auto reason =
+        is_elsewhere ? PathFailure::Reason::kConfiguration : PathFailure::Reason::kBudget;
+    return Failure(reason, check, tally.MostFrequent());
+  }
   return Shortened(path, check, request.shortening);
 }
 

@@ -24,6 +24,9 @@ struct PathFailure {
     kStart,   // the rules are broken at the start; nothing was searched
     kGoal,    // the same at the goal
     kBudget,  // none found within the budget; `obstruction` ended the most motions tried
+    // The same, of a part of the budget: what is kept upright would have to come into another
+    // configuration of the arm. That is next to never possible.
+    kConfiguration,
   };
   Reason reason = Reason::kBudget;
   Obstruction obstruction;
@@ -36,7 +39,8 @@ using PathResult = std::variant<JointPath, PathFailure>;
 // RRT-Connect's (Kuffner and LaValle 2000; OMPL), shortened. What is to be kept upright is sampled
 // exactly upright. Where the tool's axis is what points up, such postures of one configuration of
 // the arm form planes in joint space (q4 is 0 or half a turn, and q2 + q3 +- q5 is constant), so
-// that motions between them stay upright. The same request gives the same path.
+// that motions between them stay upright. From one configuration to another they seldom are joined:
+// such requests get a twentieth of the budget. The same request gives the same path.
 PathResult FindPath(const CollisionScene& scene, const PathRequest& request);
 
 }  // namespace assay::motion

@@ -8,6 +8,7 @@
 
 #include "planner/geometry/collision.h"
 #include "planner/motion/joint_trajectory.h"
+#include "planner/motion/path_search.h"
 #include "planner/motion/straight_line.h"
 
 namespace assay::motion {
@@ -91,9 +92,129 @@ class Clearance {
   std::vector<Mover> movers_;
 };
 
+// Looks at the whole arm, and all that it carries: beside other robots always, beside everything if
+// it is asked for. What the arm carries is held against its work elsewhere, so that on lines only
+// its links are.
+class ArmWatch {
+ public:
+  ArmWatch(const domain::Problem& problem, const Surroundings& surroundings,
+           const TravelRequest& request)
+      : request_(request), scene_(problem, surroundings) {
+    using Bodies = MotionRules::Bodies;
+    on_lines_.push_back(CheckOf(Bodies::kRobots));
+    if (request.is_arm_watched) on_lines_.push_back(CheckOf(Bodies::kArm));
+    on_ways_.push_back(CheckOf(request.is_arm_watched ? Bodies::kAll : Bodies::kRobots));
+  }
+
+  bool IsClearOnLines(const JointPath& path) { return IsClear(path, on_lines_); }
+  bool IsClear(const JointPath& path) { return IsClear(path, on_ways_); }
+  PathResult FindPathTo(const JointVector& q) const {
+    constexpr std::int64_t kBudget = 20'000;  // postures
+    return FindPath(scene_, {.from = request_.from,
+                             .to = q,
+                             .rules = {.clearance = kTravelGap, .given = {request_.from, q}},
+                             .budget = kBudget});
+  }
+  const std::string& in_the_way() const { return in_the_way_; }  // of the last way; or empty
+
+ private:
+  MotionCheck CheckOf(MotionRules::Bodies bodies) const {
+    return {scene_, {.clearance = kTravelGap, .given = {request_.from}, .bodies = bodies}};
+  }
+
+  bool IsClear(const JointPath& path, std::vector<MotionCheck>& checks) {
+    for (MotionCheck& check : checks) {
+      for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+        const auto obstruction = check.FindObstruction(path[i], path[i + 1]);
+        if (!obstruction) continue;
+        in_the_way_ = Describe(scene_, check.rules(), *obstruction);
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const TravelRequest& request_;
+  CollisionScene scene_;
+  std::vector<MotionCheck> on_lines_;
+  std::vector<MotionCheck> on_ways_;
+  std::string in_the_way_;
+};
+
 std::string Where(const Vector3& p) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", 1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
 }
+
+// The straight lines from q on, corner to corner; none if the arm cannot follow them.
+std::optional<JointPath> Lines(const domain::Workcell& workcell, const JointVector& q,
+                               const std::vector<Vector3>& corners, double step) {
+  JointPath path = {q};
+  for (const Vector3& corner : corners) {
+    const LineResult line = FollowLine(workcell, path.back(), corner, step);
+    if (!line.path) return std::nullopt;
+    path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
+  }
+  return path;
+}
+
+class TravelSearch {
+ public:
+  TravelSearch(const domain::Problem& problem, const Surroundings& surroundings,
+               const TravelRequest& request)
+      : workcell_(*problem.workcell), request_(request), clearance_(problem, surroundings) {
+    if (request.is_arm_watched || workcell_.robots().size() > 1) {
+      arm_.emplace(problem, surroundings, request);
+    }
+  }
+
+  TravelResult Plan() {
+    std::vector<JointVector> destinations;  // from which the lines can be followed
+    for (const JointVector& q : PosturesAt(workcell_, request_.X_WorldTool, request_.from)) {
+      const auto lines = Lines(workcell_, q, request_.corners, request_.line_step);
+      if (!lines || (arm_ && !arm_->IsClearOnLines(*lines))) continue;
+      if (IsFree({request_.from, q})) return JointPath{request_.from, q};
+      destinations.push_back(q);
+    }
+    for (const JointVector& q : destinations) {
+      if (const JointPath by_home = {request_.from, workcell_.home(), q}; IsFree(by_home)) {
+        return by_home;
+      }
+    }
+    if (arm_) {
+      for (const JointVector& q : destinations) {
+        PathResult around = arm_->FindPathTo(q);
+        if (auto* path = std::get_if<JointPath>(&around)) return std::move(*path);
+      }
+    }
+    return WhyNot(destinations.empty());
+  }
+
+ private:
+  bool IsFree(const JointPath& path) {
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      if (!clearance_.IsClear(path[i], path[i + 1])) return false;
+    }
+    return !arm_ || arm_->IsClear(path);
+  }
+
+  std::string WhyNot(bool has_no_destination) const {
+    const std::string where = Where(request_.X_WorldTool.translation());
+    if (arm_ && !arm_->in_the_way().empty()) {
+      return fmt::format("no way to {} that was tried is free: {}", where, arm_->in_the_way());
+    }
+    if (has_no_destination) {
+      return fmt::format("no configuration of the arm reaches {} and goes on straight from there",
+                         where);
+    }
+    return fmt::format("every way to {} comes within {:.0f} mm of the table or a part", where,
+                       1e3 * kTravelGap);
+  }
+
+  const domain::Workcell& workcell_;
+  const TravelRequest& request_;
+  const Clearance clearance_;
+  std::optional<ArmWatch> arm_;  // where it is looked at
+};
 
 }  // namespace
 
@@ -110,39 +231,14 @@ std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose
   return found;
 }
 
-bool CanFollow(const domain::Workcell& workcell, JointVector q, const std::vector<Vector3>& corners,
-               double step) {
-  for (const Vector3& corner : corners) {
-    const LineResult line = FollowLine(workcell, q, corner, step);
-    if (!line.path) return false;
-    q = line.path->q.back();
-  }
-  return true;
+bool CanFollow(const domain::Workcell& workcell, const JointVector& q,
+               const std::vector<Vector3>& corners, double step) {
+  return Lines(workcell, q, corners, step).has_value();
 }
 
 TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surroundings,
                         const TravelRequest& request) {
-  const domain::Workcell& workcell = *problem.workcell;
-  const std::string where = Where(request.X_WorldTool.translation());
-  const Clearance clearance(problem, surroundings);
-  std::vector<JointVector> destinations;  // from which the lines can be followed
-  for (const JointVector& q : PosturesAt(workcell, request.X_WorldTool, request.from)) {
-    if (!CanFollow(workcell, q, request.corners, request.line_step)) continue;
-    if (clearance.IsClear(request.from, q)) return JointPath{request.from, q};
-    destinations.push_back(q);
-  }
-  if (destinations.empty()) {
-    return fmt::format("no configuration of the arm reaches {} and goes on straight from there",
-                       where);
-  }
-  const JointVector& home = workcell.home();
-  for (const JointVector& q : destinations) {
-    if (clearance.IsClear(request.from, home) && clearance.IsClear(home, q)) {
-      return JointPath{request.from, home, q};
-    }
-  }
-  return fmt::format("every way to {} comes within {:.0f} mm of the table or a part", where,
-                     1e3 * kTravelGap);
+  return TravelSearch(problem, surroundings, request).Plan();
 }
 
 }  // namespace assay::motion

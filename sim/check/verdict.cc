@@ -124,6 +124,10 @@ std::string Reason(const Finding& finding) {
                      finding.limit, finding.unit);
 }
 
+std::string Reason(const exec::CollisionRecord& collision) {
+  return fmt::format("at {:.2f} s {} touched {}", collision.time, collision.robot, collision.other);
+}
+
 std::string Reason(const Problem& problem, const GraspFact& fact) {
   return fmt::format("at {:.2f} s the gripper closed on {} to {:.2f} mm instead of {:.2f} mm{}",
                      fact.time, problem.part(fact.part).name, 1e3 * fact.opening,
@@ -147,6 +151,8 @@ std::string_view Name(TrialOutcome outcome) {
       return "not-found";
     case TrialOutcome::kOperatorCalled:
       return "operator-called";
+    case TrialOutcome::kCollided:
+      return "collided";
     case TrialOutcome::kGraspFailed:
       return "grasp-failed";
     case TrialOutcome::kNotSeated:
@@ -170,6 +176,11 @@ Verdict Judge(const Problem& problem, const exec::Trace& trace, const Limits& li
   if (end.outcome != exec::ExecutionOutcome::kDone) {
     verdict.outcome = OutcomeOf(end.outcome);
     verdict.reason = end.reason;
+    return verdict;
+  }
+  if (const auto collisions = trace.All<exec::CollisionRecord>(); !collisions.empty()) {
+    verdict.outcome = TrialOutcome::kCollided;
+    verdict.reason = Reason(*collisions.front());
     return verdict;
   }
   const Finding* worst = nullptr;

@@ -18,6 +18,7 @@ enum class TrialOutcome {
   kEngineWarning,   // the engine's numbers cannot be trusted: the trial tells nothing
   kNotFound,        // a sensor did not see the part that it was to look at
   kOperatorCalled,  // an error was signalled, and no recovery mended it
+  kCollided,        // an arm touched something, or a hand what it does not handle
   kGraspFailed,     // a goal does not hold, and before that the gripper missed what it was to hold
   kNotSeated,       // a held part is not all the way in
   kMisaligned,      // it is in, but off to the side, tilted or turned

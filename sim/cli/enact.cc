@@ -89,9 +89,16 @@ class Enacting {
   // With --worlds all: of each leaf that a hidden world leads to, the number among all leaves.
   void FindWorlds() {
     if (!study_.is_every_leaf) return;
+    study_.unreachable.resize(study_.leaves.size());
     for (std::size_t i = 0; i < study_.leaves.size(); ++i) {
       RandomStream random(seed_, "reachable");
-      if (WorldFor(i, random)) reachable_.push_back(i);
+      const auto found = enact::FindWorld(study_.leaves[i], scenario_.interpretation,
+                                          scenario_.scenario.problem, random);
+      if (const auto* why = std::get_if<std::string>(&found)) {
+        study_.unreachable[i] = *why;
+      } else {
+        reachable_.push_back(i);
+      }
     }
     if (reachable_.empty()) throw UsageError("enact: no hidden world leads to a leaf of the tree");
   }
@@ -186,7 +193,9 @@ ExitCode Execute(const Options& options) {
 
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
-  command.add_option("scenario", options->scenario, "scenario file: with the key `knowledge`, or of an assembly")
+  command
+      .add_option("scenario", options->scenario,
+                  "scenario file: with the key `knowledge`, or of an assembly")
       ->required();
   command
       .add_option("--trials", options->trials,
@@ -197,9 +206,10 @@ Execution Declare(CLI::App& command) {
   command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
   command.add_option("--seed", options->seed, "of all that is random; the scenario's if left out");
   command
-      .add_option("--worlds", options->worlds,
-                  "drawn: what is hidden is drawn; all: for each leaf of the tree in turn, from "
-                  "what leads there")
+      .add_option(
+          "--worlds", options->worlds,
+          "drawn: what is hidden is drawn; all: for each leaf and repeat of the tree in turn, "
+          "from what leads there, with mishaps where errors do")
       ->check(CLI::IsMember({"drawn", "all"}))
       ->capture_default_str();
   command

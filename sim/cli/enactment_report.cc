@@ -21,8 +21,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-bool IsFailed(const EnactedTrial& trial) { return trial.outcome != EnactmentOutcome::kReached; }
-
 bool IsFlipped(const EnactedTrial& trial) {
   return std::ranges::any_of(trial.walk.branches, &enact::TakenBranch::is_flipped);
 }
@@ -31,11 +29,13 @@ bool IsFlipped(const EnactedTrial& trial) {
 struct Tally {
   int trials = 0;
   int reached = 0;
+  int called = 0;            // a person, as was to be
   double greatest_tilt = 0;  // radians
 
   void Add(const EnactedTrial& trial) {
     ++trials;
-    if (!IsFailed(trial)) ++reached;
+    if (trial.outcome == EnactmentOutcome::kReached) ++reached;
+    if (trial.outcome == EnactmentOutcome::kOperator && !trial.IsFailed()) ++called;
     greatest_tilt = std::max(greatest_tilt, trial.greatest_tilt);
   }
 };
@@ -43,7 +43,7 @@ struct Tally {
 Tally TallyOf(const Leaf& leaf, const EnactmentStudy& study) {
   Tally tally;
   for (const EnactedTrial& trial : study.trials) {
-    if (leaf.IsEndOf(trial.walk)) tally.Add(trial);
+    if (leaf.IsOn(trial.walk)) tally.Add(trial);
   }
   return tally;
 }
@@ -57,7 +57,7 @@ Tally TallyOf(const EnactmentStudy& study) {
 std::map<std::string, int> Failures(const EnactmentStudy& study) {
   std::map<std::string, int> failures;
   for (const EnactedTrial& trial : study.trials) {
-    if (IsFailed(trial)) ++failures[std::string(Name(trial.outcome))];
+    if (trial.IsFailed()) ++failures[std::string(Name(trial.outcome))];
   }
   return failures;
 }
@@ -80,6 +80,7 @@ std::string LeafTable(const EnactmentStudy& study) {
   Table table({{"leaf"},
                {"trials", Align::kRight},
                {"reached", Align::kRight},
+               {"operator called", Align::kRight},
                {"greatest tilt", Align::kRight}});
   constexpr std::size_t kMostMissed = 4;  // that are listed
   std::size_t missed = 0;
@@ -87,11 +88,25 @@ std::string LeafTable(const EnactmentStudy& study) {
     const Tally tally = TallyOf(leaf, study);
     if (tally.trials == 0 && ++missed > kMostMissed) continue;
     table.Add({leaf.Text(), fmt::format("{}", tally.trials), fmt::format("{}", tally.reached),
+               fmt::format("{}", tally.called),
                tally.trials > 0 ? fmt::format("{:.3f} deg", tally.greatest_tilt / kDegree) : ""});
   }
   if (missed <= kMostMissed) return table.Text();
   return table.Text() +
          fmt::format("and {} leaves more that were not come to\n", missed - kMostMissed);
+}
+
+// What no world leads to, and what was made to go wrong.
+std::string MishapText(const EnactmentStudy& study) {
+  std::string text;
+  for (std::size_t i = 0; i < study.unreachable.size(); ++i) {
+    if (study.unreachable[i].empty()) continue;
+    text += fmt::format("unreachable: {}: {}\n", study.leaves[i].Text(), study.unreachable[i]);
+  }
+  for (const EnactedTrial& trial : study.trials) {
+    if (!trial.mishap.empty()) text += fmt::format("trial {}: {}\n", trial.number, trial.mishap);
+  }
+  return text;
 }
 
 std::string StepTable(const EnactedTrial& trial) {
@@ -104,14 +119,16 @@ std::string StepTable(const EnactedTrial& trial) {
 }
 
 Json ToJson(const EnactedTrial& trial) {
-  Json json = {{"trial", trial.number},
-               {"outcome", Name(trial.outcome)},
-               {"reason", trial.reason},
-               {"goal", trial.is_goal_true},
-               {"greatest_tilt", trial.greatest_tilt / kDegree},
-               {"spilled", trial.spilled},
-               {"fallen", trial.fallen},
-               {"simulated", trial.duration}};
+  Json json = {{"trial", trial.number},      {"outcome", Name(trial.outcome)},
+               {"reason", trial.reason},     {"mishap", trial.mishap},
+               {"goal", trial.is_goal_true}, {"greatest_tilt", trial.greatest_tilt / kDegree},
+               {"spilled", trial.spilled},   {"fallen", trial.fallen}};
+  json["collisions"] = Json::array();
+  for (const exec::CollisionRecord& collision : trial.collisions) {
+    json["collisions"].push_back(
+        {{"time", collision.time}, {"robot", collision.robot}, {"other", collision.other}});
+  }
+  json["simulated"] = trial.duration;
   json["steps"] = Json::array();
   for (const auto& [action, end] : trial.walk.steps) {
     json["steps"].push_back({{"action", action}, {"end", end}});
@@ -135,7 +152,7 @@ std::string FailuresText(const EnactmentStudy& study) {
   std::string text;
   int told = 0;
   for (const EnactedTrial& trial : study.trials) {
-    if (!IsFailed(trial) || ++told > kMostTold) continue;
+    if (!trial.IsFailed() || ++told > kMostTold) continue;
     text += fmt::format("trial {}: {}: {}{}\nagain: {}\n", trial.number, Name(trial.outcome),
                         trial.reason, trial.is_goal_true ? "; the goal is true" : "",
                         ReplayCommand(study, trial.number));
@@ -148,18 +165,21 @@ std::string FailuresText(const EnactmentStudy& study) {
 }  // namespace
 
 int EnactmentStudy::Failed() const {
-  return static_cast<int>(std::ranges::count_if(trials, IsFailed));
+  return static_cast<int>(std::ranges::count_if(trials, &EnactedTrial::IsFailed));
 }
 
 std::string TextOf(const EnactmentStudy& study) {
   std::string text = study.trials.size() == 1 ? StepTable(study.trials.front()) + "\n" : "";
-  text += LeafTable(study) + "\n" + FailuresText(study);
+  text += LeafTable(study) + "\n" + MishapText(study) + FailuresText(study);
   const Tally all = TallyOf(study);
   const Interval rate = sweep::WilsonInterval(all.reached, all.trials);
   text += fmt::format(
-      "{} of {} trials reached the goal with nothing spilled and nothing claimed falsely (95 % "
+      "{} of {} trials reached the goal with nothing touched, spilled or claimed falsely (95 % "
       "interval of the rate: {:.1f} to {:.1f} %)\n",
       all.reached, all.trials, 100 * rate.low, 100 * rate.high);
+  if (all.called > 0) {
+    text += fmt::format("{} ended with a person who takes over, as the tree has it\n", all.called);
+  }
   const auto unreached = std::ranges::count_if(
       study.leaves, [&](const Leaf& leaf) { return TallyOf(leaf, study).trials == 0; });
   text += fmt::format(
@@ -182,23 +202,27 @@ nlohmann::ordered_json ToJson(const EnactmentStudy& study) {
                {"sensing_errors", study.sensing_errors},
                {"trials", all.trials},
                {"reached", all.reached},
+               {"operator_called", all.called},
                {"failed", Json(Failures(study))},
                {"greatest_tilt", all.greatest_tilt / kDegree},
                {"flipped", CountFlipped(study, false)},
                {"flipped_and_told", CountFlipped(study, true)}};
   if (json["failed"].is_null()) json["failed"] = Json::object();
   json["leaves"] = Json::array();
-  for (const Leaf& leaf : study.leaves) {
+  for (std::size_t i = 0; i < study.leaves.size(); ++i) {
+    const Leaf& leaf = study.leaves[i];
     const Tally tally = TallyOf(leaf, study);
     json["leaves"].push_back({{"outcomes", leaf.Text()},
+                              {"unreachable", study.is_every_leaf ? study.unreachable[i] : ""},
                               {"trials", tally.trials},
                               {"reached", tally.reached},
+                              {"operator_called", tally.called},
                               {"greatest_tilt", tally.greatest_tilt / kDegree}});
   }
   json["replay"] = Json::array();
   json["rows"] = Json::array();
   for (const EnactedTrial& trial : study.trials) {
-    if (IsFailed(trial)) json["replay"].push_back(ReplayCommand(study, trial.number));
+    if (trial.IsFailed()) json["replay"].push_back(ReplayCommand(study, trial.number));
     json["rows"].push_back(ToJson(trial));
   }
   json["seconds"] = study.seconds;

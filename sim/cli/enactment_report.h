@@ -16,6 +16,8 @@ struct EnactmentStudy {
   double sensing_errors = 0;
   bool is_every_leaf = false;  // the trials go through the leaves in turn
   std::vector<enact::Leaf> leaves;
+  // Of each leaf, if they are gone through: why no world leads there; empty: one may.
+  std::vector<std::string> unreachable = {};
   std::vector<enact::EnactedTrial> trials = {};
   double seconds = 0;
 

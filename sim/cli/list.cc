@@ -12,6 +12,8 @@
 #include "sim/cli/models_folder.h"
 #include "sim/cli/table.h"
 #include "sim/cli/verb.h"
+#include "sim/enact/meaning.h"
+#include "sim/enact/skill.h"
 
 namespace assay::cli {
 namespace {
@@ -100,12 +102,25 @@ Entries ListActions(const fs::path&) {
   return entries;
 }
 
+template <class Words>
+Entries ListWords(const Words& words) {
+  Entries entries;
+  for (const auto* word : words) {
+    entries.push_back({std::string(word->name), std::string(word->summary)});
+  }
+  return entries;
+}
+
+Entries ListSkills(const fs::path&) { return ListWords(enact::SkillWords()); }
+Entries ListMeanings(const fs::path&) { return ListWords(enact::MeaningWords()); }
+
 struct Kind {
   const char* name;
   Entries (*list)(const fs::path& models);
 };
 constexpr std::array kKinds = {Kind{"scenarios", ListScenarios}, Kind{"parts", ListParts},
-                               Kind{"workcells", ListWorkcells}, Kind{"actions", ListActions}};
+                               Kind{"workcells", ListWorkcells}, Kind{"actions", ListActions},
+                               Kind{"skills", ListSkills},       Kind{"meanings", ListMeanings}};
 
 std::string ForPeople(const char* kind, const Entries& entries) {
   Table table({{kind}, {""}});
@@ -145,7 +160,8 @@ Execution Declare(CLI::App& command) {
 
 const Verb kList = {
     .name = "list",
-    .summary = "lists scenarios, parts, workcells and actions",
+    .summary =
+        "lists scenarios, parts, workcells, actions, and skills and meanings for key knowledge",
     .example = "assay list scenarios",
     .declare = Declare,
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "planner/domain/resting.h"
 #include "planner/motion/joint_trajectory.h"
@@ -44,7 +45,7 @@ std::vector<Vector2> PlacesOn(const domain::Table& table) {
 }
 
 // The joint values of the tool at safe height over a place from which the part can be put down
-// straight, and the hand go up again; nearest to `from` first.
+// straight, and the hand go up again; those in the configuration of `from` first, and nearest.
 std::vector<JointVector> PosturesAbove(const domain::Workcell& workcell, const Pose& X_WorldTool,
                                        const JointVector& from) {
   std::vector<JointVector> postures;
@@ -54,8 +55,11 @@ std::vector<JointVector> PosturesAbove(const domain::Workcell& workcell, const P
       if (exec::FollowLine(workcell, q, X_WorldTool.translation()).path) postures.push_back(q);
     }
   }
-  std::ranges::stable_sort(postures, {},
-                           [&](const JointVector& q) { return (q - from).cwiseAbs().maxCoeff(); });
+  const auto indicators = workcell.arm().IndicatorsOf(from);
+  std::ranges::stable_sort(postures, {}, [&](const JointVector& q) {
+    return std::pair(workcell.arm().IndicatorsOf(q) != indicators,
+                     (q - from).cwiseAbs().maxCoeff());
+  });
   return postures;
 }
 
@@ -91,9 +95,7 @@ class Carry : public Skill {
     const plan::Hold& hold = execution.world().hold();
     const Pose X_WorldHeld = execution.world().PartPose(part, execution.BelievedTool());
     const std::vector<domain::PlacedPart> standing = situation.Standing(part);
-    const motion::CollisionScene scene(problem, {.parts = standing,
-                                                 .held = motion::HeldPart{part, hold.X_PartTool},
-                                                 .opening = hold.width});
+    const motion::CollisionScene scene(problem, execution.BelievedSurroundings());
     const motion::MotionRules rules = RulesFor(X_WorldHeld, hold);
     for (const Pose& X_WorldPart : FreePlaces(table, problem, part, X_WorldHeld, standing)) {
       const Pose X_WorldTool = execution.Erring(X_WorldPart * hold.X_PartTool);

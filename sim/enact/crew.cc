@@ -10,20 +10,6 @@ namespace {
 
 const motion::MotionRules kWay = {.clearance = 0.01};  // metres
 
-motion::Surroundings SurroundingsOf(const exec::Execution& execution) {
-  const exec::WorldModel& world = execution.world();
-  motion::Surroundings around{.opening = execution.problem().workcell->gripper().max_opening()};
-  for (int i = 0; i < world.part_count(); ++i) {
-    const domain::PartId part(i);
-    if (part != world.held()) around.parts.push_back({part, world.PartPose(part)});
-  }
-  if (!world.held().IsNone()) {
-    around.held = motion::HeldPart{world.held(), world.hold().X_PartTool};
-    around.opening = world.hold().width;
-  }
-  return around;
-}
-
 }  // namespace
 
 Crew::Crew(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
@@ -69,7 +55,7 @@ exec::Progress Crew::TakeOver(RobotId robot) {
 exec::Progress Crew::GoHome() {
   exec::Execution& execution = acting();
   const domain::Workcell& workcell = *execution.problem().workcell;
-  const motion::CollisionScene scene(execution.problem(), SurroundingsOf(execution));
+  const motion::CollisionScene scene(execution.problem(), execution.BelievedSurroundings());
   const motion::PathResult found = motion::FindPath(
       scene, {.from = execution.commanded(), .to = workcell.home(), .rules = kWay});
   if (const auto* failure = std::get_if<motion::PathFailure>(&found)) {
@@ -78,6 +64,26 @@ exec::Progress Crew::GoHome() {
   const motion::JointTrajectory way =
       motion::AlongPath(std::get<motion::JointPath>(found), motion::RatesOf(workcell));
   return execution.Follow(way, way.duration());
+}
+
+std::vector<domain::PartId> Crew::Held() const {
+  std::vector<domain::PartId> parts;
+  for (const auto& member : members_) {
+    const domain::PartId part = member->execution->world().held();
+    if (!part.IsNone()) parts.push_back(part);
+  }
+  return parts;
+}
+
+std::vector<exec::CollisionRecord> Crew::Collisions() const {
+  std::vector<exec::CollisionRecord> collisions;
+  for (const auto& member : members_) {
+    for (const auto* collision : member->execution->trace().All<exec::CollisionRecord>()) {
+      collisions.push_back(*collision);
+    }
+  }
+  std::ranges::stable_sort(collisions, {}, &exec::CollisionRecord::time);
+  return collisions;
 }
 
 }  // namespace assay::enact

@@ -23,6 +23,10 @@ class Crew {
   // From now on this robot acts (None: the same as before). The one before goes home first, and
   // tells it where it believes the parts to be.
   exec::Progress TakeOver(RobotId robot);
+  // The parts in all hands.
+  std::vector<domain::PartId> Held() const;
+  // What robots touched and were not to touch until now.
+  std::vector<exec::CollisionRecord> Collisions() const;
   // The robot that acts goes home, clear of everything (motion::FindPath).
   exec::Progress GoHome();
 

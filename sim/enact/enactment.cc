@@ -54,13 +54,18 @@ class Trial {
                         .color_sensor = color_sensor ? &*color_sensor : nullptr,
                         .pose_sensor = options_.sensor};
     WalkOptions walk{.sensing_errors = settings_.sensing_errors, .random = &random_};
+    if (result_.world.mishap) {
+      result_.mishap = result_.world.mishap->Text(problem_);
+      walk.on_step_start = [this](const std::string& action) { Befall(action); };
+    }
     if (settings_.on_step_end) {
       walk.on_step_end = [this](const WalkedStep& step) {
         settings_.on_step_end({step.action, scene_, data_});
       };
     }
     result_.walk = TreeWalk(interpretation_, tree, situation, walk).Go();
-    if (result_.walk.end != WalkEnd::kStopped) ComeToRest(crew);
+    if (IsAtRest(result_.walk.end)) ComeToRest(crew);
+    result_.collisions = crew.Collisions();
     result_.duration = data_.time();
     Measure();
     Judge();
@@ -85,6 +90,17 @@ class Trial {
       options.part_colors[part] << rgb, 1;
     }
     return exec::TrueScene(std::move(options), noise_);
+  }
+
+  // Where an error ended the walk the hand may be at its work.
+  static bool IsAtRest(WalkEnd end) {
+    return end != WalkEnd::kStopped && end != WalkEnd::kOperator;
+  }
+
+  void Befall(const std::string& action) {
+    const Mishap& mishap = *result_.world.mishap;
+    if (action != mishap.action) return;
+    scene_.SetPart(data_, mishap.part, mishap.After(scene_.TruePose(data_, mishap.part)));
   }
 
   // A hand that holds something stays where it is.
@@ -139,8 +155,12 @@ class Trial {
       return end(EnactmentOutcome::kFalseClaim, ReasonOf(walk.false_claims.front()));
     }
     if (walk.end == WalkEnd::kStopped) return end(EnactmentOutcome::kStopped, walk.reason);
+    if (walk.end == WalkEnd::kOperator) return end(EnactmentOutcome::kOperator, walk.reason);
     if (walk.end == WalkEnd::kUncertain) return end(EnactmentOutcome::kUncertain, walk.reason);
     if (walk.end == WalkEnd::kEndless) return end(EnactmentOutcome::kEndless, walk.reason);
+    if (!result_.collisions.empty()) {
+      return end(EnactmentOutcome::kCollided, ReasonOf(result_.collisions.front()));
+    }
     if (!result_.spilled.empty()) {
       return end(EnactmentOutcome::kSpilled,
                  fmt::format("{} spilled: the greatest tilt was {:.2f} degrees",
@@ -156,6 +176,15 @@ class Trial {
   static std::string ReasonOf(const FalseClaim& claim) {
     return fmt::format("after step {} {} is claimed to be {} and is {}", claim.step, claim.atom,
                        claim.claimed, claim.is_true);
+  }
+
+  // The action in which it happened is told.
+  std::string ReasonOf(const exec::CollisionRecord& collision) const {
+    const auto& steps = result_.walk.steps;
+    const auto step = std::ranges::find_if(
+        steps, [&](const WalkedStep& walked) { return collision.time <= walked.end; });
+    return fmt::format("{}: {} touched {}", step == steps.end() ? "at the end" : step->action,
+                       collision.robot, collision.other);
   }
 
   const Interpretation& interpretation_;
@@ -178,12 +207,16 @@ std::string_view Name(EnactmentOutcome outcome) {
       return "reached";
     case EnactmentOutcome::kStopped:
       return "stopped";
+    case EnactmentOutcome::kOperator:
+      return "operator-called";
     case EnactmentOutcome::kUncertain:
       return "uncertain";
     case EnactmentOutcome::kEndless:
       return "endless";
     case EnactmentOutcome::kFalseClaim:
       return "false-claim";
+    case EnactmentOutcome::kCollided:
+      return "collided";
     case EnactmentOutcome::kSpilled:
       return "spilled";
     case EnactmentOutcome::kFallen:
@@ -192,6 +225,11 @@ std::string_view Name(EnactmentOutcome outcome) {
       return "missed";
   }
   return {};
+}
+
+bool EnactedTrial::IsFailed() const {
+  if (outcome == EnactmentOutcome::kOperator) return !world.mishap;
+  return outcome != EnactmentOutcome::kReached;
 }
 
 EnactedTrial RunTrial(const KnowledgeScenario& scenario, const contingent::PlanTree& tree,

@@ -17,8 +17,10 @@ enum class EnactmentOutcome {
   kReached,     // a leaf, with the goal true in physics, nothing spilled, nothing claimed falsely
   kFalseClaim,  // what was claimed to be known was not so, even if the goal is true
   kStopped,     // a skill could not be done
+  kOperator,    // a person was called
   kUncertain,   // sensing left a branch open
   kEndless,     // the walk came to no leaf
+  kCollided,    // an arm touched something, or a hand what it does not handle
   kSpilled,     // a part was tilted further than it may be
   kFallen,      // at the end a part does not rest as it did at the start
   kMissed,      // the goal is not true
@@ -52,9 +54,14 @@ struct EnactedTrial {
   Walk walk = {};
   bool is_goal_true = false;
   double greatest_tilt = 0;  // of parts that can spill, radians
+  std::string mishap = {};   // of the world, in words
   std::vector<std::string> spilled = {};
   std::vector<std::string> fallen = {};
-  double duration = 0;  // seconds of simulated time
+  std::vector<exec::CollisionRecord> collisions = {};  // in the order of time
+  double duration = 0;                                 // seconds of simulated time
+
+  // Neither reached nor, in a world whose mishap leads there, handed over to a person.
+  bool IsFailed() const;
 };
 
 // Walks the tree in this world, in a simulation with errors drawn from the seed and the trial's

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
+
 namespace assay::enact {
 namespace {
 
@@ -33,6 +35,22 @@ HiddenKinds ReadKinds(const Value& entry, const std::vector<sense::NamedColor>& 
 }
 
 }  // namespace
+
+geometry::Pose Mishap::After(const geometry::Pose& X_WorldPart) const {
+  geometry::Pose after = geometry::RotationZ(turn) * X_WorldPart;
+  after.translation() = X_WorldPart.translation() + way;
+  return after;
+}
+
+std::string Mishap::Text(const domain::Problem& problem) const {
+  const std::string& name = problem.part(part).name;
+  if (turn != 0) {
+    return fmt::format("before {}: {} turned by {:.0f} degrees", action, name,
+                       turn * 180 / std::numbers::pi);
+  }
+  return fmt::format("before {}: {} moved by ({:.1f}, {:.1f}, {:.1f}) mm", action, name,
+                     1e3 * way.x(), 1e3 * way.y(), 1e3 * way.z());
+}
 
 HiddenParts ReadHiddenParts(const Value& map, const domain::Problem& problem,
                             const std::vector<sense::NamedColor>& colors) {

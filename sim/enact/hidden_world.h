@@ -1,23 +1,41 @@
 #pragma once
 
 #include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "planner/base/document.h"
 #include "planner/base/interval.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem.h"
+#include "planner/geometry/pose.h"
 #include "sim/sense/color_sensor.h"
 
 namespace assay::enact {
 
 using domain::PartId;
 
+// Something goes wrong just before an action of a plan, and nobody is told: a part is moved, or
+// slips in the hand.
+struct Mishap {
+  std::string action = {};  // by its name in the task
+  std::string error = {};   // that its verification is to signal
+  PartId part = PartId::None();
+  geometry::Vector3 way = geometry::Vector3::Zero();  // world, metres
+  double turn = 0;                                    // about the vertical, radians
+
+  geometry::Pose After(const geometry::Pose& X_WorldPart) const;
+  // "before plan1-action_2: block moved by (4.0, 0.0, 0.0) mm"; "... turned by 30 degrees"
+  std::string Text(const domain::Problem& problem) const;
+};
+
 // What a world hides from the planner and from the eye.
 struct HiddenWorld {
   std::map<PartId, double> masses = {};  // kg
   std::map<PartId, sense::ColorId> colors = {};
   int world = 0;  // of the scenario's worlds (domain::ReadWorlds): which poses are the true ones
+  std::optional<Mishap> mishap = {};
 };
 
 // What may be hidden in a part; an empty list: nothing of that sort.

@@ -4,9 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 #include "planner/contingent/knowledge_base.h"
 #include "planner/contingent/tree_text.h"
+#include "sim/enact/mishap.h"
 
 namespace assay::enact {
 
@@ -38,12 +41,18 @@ class LeafSearch {
       leaves_.push_back(way);
     } else if (node.kind == PlanNode::Kind::kAct) {
       const auto after = knowledge_.After(task_.actions[node.action.index()], state);
-      if (after && !node.Repeats(0)) Visit(node.children.front(), *after, way);
+      if (after) GoOn(node, 0, *after, way);
     } else {
       for (std::size_t child = 0; child < node.children.size(); ++child) {
-        if (!node.Repeats(child)) Branch(id, child, state, way);
+        Branch(id, child, state, way);
       }
     }
+  }
+
+  void GoOn(const PlanNode& node, std::size_t child, const KnowledgeState& state, const Leaf& way) {
+    if (!node.Repeats(child)) return Visit(node.children[child], state, way);
+    leaves_.push_back(way);
+    leaves_.back().is_repeat = true;
   }
 
   void Branch(NodeId id, std::size_t child, const KnowledgeState& state, Leaf way) {
@@ -60,7 +69,7 @@ class LeafSearch {
     }
     way.branches.push_back({id, child, OutcomeText(task_, node, child)});
     way.literals.push_back(literal);
-    Visit(node.children[child], learned, way);
+    GoOn(node, child, learned, way);
   }
 
   const contingent::GroundTask& task_;
@@ -70,20 +79,108 @@ class LeafSearch {
   std::vector<Leaf> leaves_;
 };
 
+// What a leaf asks of different parts is independent, so that each is drawn by itself.
+class WorldSearch {
+ public:
+  WorldSearch(const Leaf& leaf, const Interpretation& interpretation,
+              const domain::Problem& problem, RandomStream& random)
+      : leaf_(leaf), interpretation_(interpretation), problem_(problem), random_(random) {}
+
+  std::variant<HiddenWorld, std::string> Find() {
+    if (!ChooseWorld()) {
+      return no_mishap_.empty() ? "in no world of the scenario " + refuted_ : no_mishap_;
+    }
+    for (const auto& [part, kinds] : interpretation_.hidden) {
+      if (!Draw(part, kinds)) {
+        return fmt::format("nothing that {} may hide makes {}", problem_.part(part).name, refuted_);
+      }
+    }
+    return std::move(world_);
+  }
+
+ private:
+  // Worlds in which nothing goes wrong come first.
+  bool ChooseWorld() {
+    const int worlds = interpretation_.WorldCount();
+    const int first = worlds > 1 ? random_.Index(worlds) : 0;
+    for (int tried = 0; tried < worlds; ++tried) {
+      world_ = HiddenWorld{};
+      world_.world = (first + tried) % worlds;
+      if (!IsRefuted() || ChooseMishap()) return true;
+    }
+    return false;
+  }
+
+  bool ChooseMishap() {
+    if (!interpretation_.planned) return false;
+    for (const StepError& error : ErrorsOf(*interpretation_.planned, world_.world)) {
+      world_.mishap = Mishap{.action = error.step, .error = error.error};
+      if (IsRefuted()) continue;
+      auto made = MishapFor(*interpretation_.planned, world_.world, error, random_);
+      if (auto* mishap = std::get_if<Mishap>(&made)) {
+        world_.mishap = std::move(*mishap);
+        return true;
+      }
+      no_mishap_ = std::get<std::string>(made);
+    }
+    world_.mishap.reset();
+    return false;
+  }
+
+  bool Draw(PartId part, const HiddenKinds& kinds) {
+    for (int draws = 0; draws < kMostDraws; ++draws) {
+      DrawPart(part, kinds, random_, world_);
+      if (!IsRefuted()) return true;
+    }
+    return false;
+  }
+
+  bool IsRefuted() {
+    const auto refuted = std::ranges::find_if(
+        leaf_.literals, [&](const GroundLiteral& literal) { return IsRefuted(literal); });
+    if (refuted == leaf_.literals.end()) return false;
+    const std::string& atom = interpretation_.task.atoms[refuted->atom.index()];
+    refuted_ = (refuted->is_positive ? "" : "!") + atom;
+    return true;
+  }
+
+  bool IsRefuted(const GroundLiteral& literal) const {
+    const Meaning* const meaning = interpretation_.MeaningOf(literal.atom);
+    if (meaning == nullptr) return false;
+    const auto& arguments = interpretation_.task.ground_atoms[literal.atom.index()].arguments;
+    const auto is_true = meaning->IsTrueIn(world_, RolesOf(problem_, arguments));
+    return is_true && *is_true != literal.is_positive;
+  }
+
+  const Leaf& leaf_;
+  const Interpretation& interpretation_;
+  const domain::Problem& problem_;
+  RandomStream& random_;
+  HiddenWorld world_;
+  std::string refuted_;    // of what the leaf asks, the last
+  std::string no_mishap_;  // why one that is needed cannot be
+};
+
 }  // namespace
 
 std::string Leaf::Text() const {
   if (branches.empty()) return "always";
   std::vector<std::string> texts;
   for (const TakenBranch& branch : branches) texts.push_back(branch.text);
-  return fmt::format("{}", fmt::join(texts, ", "));
+  return fmt::format("{}{}", fmt::join(texts, ", "), is_repeat ? ", and again" : "");
 }
 
-bool Leaf::IsEndOf(const Walk& walk) const {
-  return walk.end == WalkEnd::kGoal &&
-         std::ranges::equal(branches, walk.branches, [](const auto& a, const auto& b) {
-           return a.node == b.node && a.child == b.child;
-         });
+bool Leaf::IsOn(const Walk& walk) const {
+  const std::size_t count = branches.size();
+  if (walk.branches.size() < count) return false;
+  const auto choice = [](const TakenBranch& branch) {
+    return std::pair(branch.node, branch.child);
+  };
+  const bool is_same =
+      std::ranges::equal(branches, std::span(walk.branches).first(count), {}, choice, choice);
+  if (is_repeat) return is_same;
+  const bool is_end = walk.end == WalkEnd::kGoal || walk.end == WalkEnd::kOperator;
+  return is_same && is_end && walk.branches.size() == count;
 }
 
 std::vector<Leaf> LeavesOf(const contingent::GroundTask& task, const contingent::PlanTree& tree,
@@ -91,32 +188,18 @@ std::vector<Leaf> LeavesOf(const contingent::GroundTask& task, const contingent:
   return LeafSearch(task, tree, most).Find();
 }
 
-// What a leaf asks of different parts is independent, so that each is drawn by itself.
+std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
+                                                 const Interpretation& interpretation,
+                                                 const domain::Problem& problem,
+                                                 RandomStream& random) {
+  return WorldSearch(leaf, interpretation, problem, random).Find();
+}
+
 std::optional<HiddenWorld> WorldFor(const Leaf& leaf, const Interpretation& interpretation,
                                     const domain::Problem& problem, RandomStream& random) {
-  HiddenWorld world;
-  const auto is_refuted = [&](const GroundLiteral& literal) {
-    const Meaning* const meaning = interpretation.MeaningOf(literal.atom);
-    if (meaning == nullptr) return false;
-    const auto& arguments = interpretation.task.ground_atoms[literal.atom.index()].arguments;
-    const auto is_true = meaning->IsTrueIn(world, RolesOf(problem, arguments));
-    return is_true && *is_true != literal.is_positive;
-  };
-  const int worlds = interpretation.WorldCount();
-  const int first = worlds > 1 ? random.Index(worlds) : 0;
-  for (int tried = 0;; ++tried) {
-    if (tried == worlds) return std::nullopt;
-    world.world = (first + tried) % worlds;
-    if (std::ranges::none_of(leaf.literals, is_refuted)) break;
-  }
-  for (const auto& [part, kinds] : interpretation.hidden) {
-    int draws = 0;
-    do {
-      if (draws++ == kMostDraws) return std::nullopt;
-      DrawPart(part, kinds, random, world);
-    } while (std::ranges::any_of(leaf.literals, is_refuted));
-  }
-  return world;
+  auto found = FindWorld(leaf, interpretation, problem, random);
+  if (auto* world = std::get_if<HiddenWorld>(&found)) return std::move(*world);
+  return std::nullopt;
 }
 
 }  // namespace assay::enact

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "planner/contingent/plan_tree.h"
@@ -10,23 +11,31 @@
 
 namespace assay::enact {
 
-// A way through a plan tree to one of its leaves: the branches that lead there, and what they say
-// is true.
+// A way through a plan tree to one of its leaves, or to where it repeats: the branches that lead
+// there, and what they say is true.
 struct Leaf {
   std::vector<TakenBranch> branches;
   std::vector<contingent::GroundLiteral> literals;
+  bool is_repeat = false;
 
-  std::string Text() const;  // "isSpillable(can1), !isSpillable(can2)"; "always"
-  bool IsEndOf(const Walk& walk) const;
+  // "isSpillable(can1), !isSpillable(can2)"; "always"; with ", and again" where it repeats
+  std::string Text() const;
+  bool IsOn(const Walk& walk) const;  // whether it came to this leaf, or repeated so
 };
 
-// All leaves of the tree as it unfolds, at most `most` of them; repeats are not gone. In the order
-// of the tree.
+// All leaves and repeats of the tree as it unfolds, at most `most` of them; repeats are not gone.
+// In the order of the tree.
 std::vector<Leaf> LeavesOf(const contingent::GroundTask& task, const contingent::PlanTree& tree,
                            std::size_t most);
 
-// A hidden world that leads to the leaf, drawn from those that do. None if there is none: what
-// the leaf asks of a part, none of its kinds is.
+// A hidden world that is to lead to the leaf, drawn from those that do; or, in words, why there is
+// none: what the leaf asks of a part none of its kinds is. Errors that a plan's verifications
+// signal come of mishaps (MishapFor); whether one does come of it, the walk tells.
+std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
+                                                 const Interpretation& interpretation,
+                                                 const domain::Problem& problem,
+                                                 RandomStream& random);
+// The same; none if there is none.
 std::optional<HiddenWorld> WorldFor(const Leaf& leaf, const Interpretation& interpretation,
                                     const domain::Problem& problem, RandomStream& random);
 

@@ -19,13 +19,17 @@ bool Truth::StandsAt(PartId part, const domain::Place& place) const {
          domain::StablePoseAt(problem.part(part), X_WorldPart) == problem.part(part).resting;
 }
 
-std::unique_ptr<const Meaning> ReadMeaning(const Value& map, const MeaningContext& context) {
+std::span<const MeaningWord* const> MeaningWords() {
   static constexpr std::array kWords = {&kHeld,    &kHandEmpty, &kOver,    &kHeavier,
                                         &kColored, &kAt,        &kOccupied};
+  return kWords;
+}
+
+std::unique_ptr<const Meaning> ReadMeaning(const Value& map, const MeaningContext& context) {
   std::vector<std::string> names = {"internal"};
-  for (const MeaningWord* word : kWords) names.emplace_back(word->name);
+  for (const MeaningWord* word : MeaningWords()) names.emplace_back(word->name);
   const int word = map.At("is").OneOf(names);
-  if (word > 0) return kWords[static_cast<std::size_t>(word - 1)]->read(map, context);
+  if (word > 0) return MeaningWords()[static_cast<std::size_t>(word - 1)]->read(map, context);
   map.AllowOnly({"is"});
   return nullptr;
 }

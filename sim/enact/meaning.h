@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -61,6 +62,9 @@ extern const MeaningWord kHeavier;    // {is: heavier, than: kg}
 extern const MeaningWord kColored;    // {is: colored, color: NAME}
 extern const MeaningWord kAt;         // {is: at}
 extern const MeaningWord kOccupied;   // {is: occupied}
+
+// All of them.
+std::span<const MeaningWord* const> MeaningWords();
 
 // Null for {is: internal}: nothing in the workcell, so that no audit asks it. Throws InputError.
 std::unique_ptr<const Meaning> ReadMeaning(const Value& map, const MeaningContext& context);

@@ -217,6 +217,10 @@ class WentWell : public OfStep {
     if (found == readings.errors.end()) return std::nullopt;
     return found->second.empty();
   }
+  // Without a mishap nothing is expected to go wrong.
+  std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
+    return !world.mishap || world.mishap->action != roles.symbols.front();
+  }
 
  private:
   static bool IsTrueAfter(const Truth& truth, const plan::Pickup& pickup) {
@@ -253,6 +257,10 @@ class Signals : public OfStep {
     const auto found = readings.errors.find(roles.symbols.front());
     if (found == readings.errors.end()) return std::nullopt;
     return found->second == roles.symbols.back();
+  }
+  std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
+    return world.mishap && world.mishap->action == roles.symbols.front() &&
+           world.mishap->error == roles.symbols.back();
   }
 
  private:

@@ -1,7 +1,8 @@
 #include "sim/enact/skill.h"
 
 #include <array>
-#include <span>
+
+#include "sim/exec/travel.h"
 
 namespace assay::enact {
 
@@ -14,20 +15,43 @@ std::vector<domain::PlacedPart> Situation::Standing(PartId but) const {
   return standing;
 }
 
-std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& context) {
+std::span<const SkillWord* const> SkillWords() {
   static constexpr std::array kWords = {&kPickUp, &kWeigh, &kCarry, &kPutDown, &kLook};
-  std::vector<std::string> names;
-  for (const SkillWord* word : kWords) names.emplace_back(word->name);
-  return kWords[static_cast<std::size_t>(map.At("skill").OneOf(names))]->read(map, context);
+  return kWords;
 }
+
+std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& context) {
+  std::vector<std::string> names;
+  for (const SkillWord* word : SkillWords()) names.emplace_back(word->name);
+  return SkillWords()[static_cast<std::size_t>(map.At("skill").OneOf(names))]->read(map, context);
+}
+
+namespace {
+
+// No plan has looked at the arm on its way here.
+exec::Progress Travel(const exec::MoveAtSafeHeight& move, std::span<const exec::Command> rest,
+                      exec::Execution& execution) {
+  motion::TravelRequest request = exec::RequestFor(move, rest, execution);
+  request.is_arm_watched = true;
+  return exec::Go(
+      motion::PlanTravel(execution.problem(), execution.BelievedSurroundings(), request),
+      execution);
+}
+
+exec::Progress Run(const exec::Command& command, std::span<const exec::Command> rest,
+                   exec::Execution& execution) {
+  if (const auto* move = std::get_if<exec::MoveAtSafeHeight>(&command)) {
+    return Travel(*move, rest, execution);
+  }
+  return std::visit([&](const auto& other) { return exec::Run(other, rest, execution); }, command);
+}
+
+}  // namespace
 
 exec::Progress RunAll(const std::vector<exec::Command>& commands, exec::Execution& execution) {
   const std::span<const exec::Command> all(commands);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const auto run = [&](const auto& command) {
-      return exec::Run(command, all.subspan(i + 1), execution);
-    };
-    if (exec::Progress failure = std::visit(run, all[i])) return failure;
+    if (exec::Progress failure = Run(all[i], all.subspan(i + 1), execution)) return failure;
   }
   return std::nullopt;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -61,6 +62,9 @@ extern const SkillWord kWeigh;    // {skill: weigh, error: newtons}
 extern const SkillWord kCarry;    // {skill: carry, to: TABLE, upright: angle}
 extern const SkillWord kPutDown;  // {skill: put-down}
 extern const SkillWord kLook;     // {skill: look}
+
+// All of them.
+std::span<const SkillWord* const> SkillWords();
 
 // Throws InputError.
 std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& context);

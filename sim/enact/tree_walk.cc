@@ -76,7 +76,11 @@ std::optional<NodeId> TreeWalk::Act(const PlanNode& node) {
   if (walk_.steps.size() >= kMostActions) {
     return End(WalkEnd::kEndless, fmt::format("more than {} actions", kMostActions));
   }
-  if (const exec::Progress failure = Do(action)) return End(WalkEnd::kStopped, failure->reason);
+  if (options_.on_step_start) options_.on_step_start(action.name);
+  if (const exec::Progress failure = Do(action)) {
+    const bool is_called = failure->outcome == exec::ExecutionOutcome::kOperatorCalled;
+    return End(is_called ? WalkEnd::kOperator : WalkEnd::kStopped, failure->reason);
+  }
   last_ = node.action;
   const auto after = knowledge_.After(action, state_);
   ASSAY_CHECK(after, "the plan's {} contradicts what is known", TextOf(action));
@@ -91,6 +95,11 @@ exec::Progress TreeWalk::Do(const GroundAction& action) {
   const std::string text = TextOf(action);
   exec::Progress failure = situation_.crew.TakeOver(roles.robot);
   exec::Execution& execution = situation_.execution();
+  if (!roles.part.IsNone()) {  // steps of plans say themselves what they handle
+    std::vector<PartId> handled = situation_.crew.Held();
+    handled.push_back(roles.part);
+    execution.Handle(std::move(handled));
+  }
   execution.SetHandError(HandError(situation_.problem().gripper_error, *options_.random));
   if (!failure) failure = interpretation_.skills.at(action.name)->Do(roles, situation_);
   if (failure) failure->reason = text + ": " + failure->reason;

@@ -27,6 +27,7 @@ struct WalkedStep {
 
 enum class WalkEnd {
   kGoal,       // a leaf was come to
+  kOperator,   // a person takes over: that leaf, or nothing that was tried mended an error
   kStopped,    // a skill could not be done
   kUncertain,  // what was sensed left a branch open, however often it was sensed
   kEndless,    // too many actions
@@ -43,6 +44,7 @@ struct Walk {
 struct WalkOptions {
   double sensing_errors = 0;       // probability that what is sensed is made wrong
   RandomStream* random = nullptr;  // of these errors, and of the hand's
+  std::function<void(const std::string& action)> on_step_start = {};  // its name in the task
   std::function<void(const WalkedStep&)> on_step_end = {};
 };
 

@@ -43,6 +43,7 @@ Execution::Execution(const domain::Problem& problem, const scene::Scene& scene, 
       options_(options),
       servo_(scene),
       world_(problem),
+      collisions_(scene),
       trace_(EmptyTrace(problem)),
       commanded_{scene.ArmPosition(data), JointVector::Zero()},
       force_limit_(options.force_limit) {}
@@ -53,6 +54,25 @@ Pose Execution::BelievedTool() const {
 
 Pose Execution::MeasuredTool() const {
   return ToolAt(*problem_.workcell, scene_.ArmPosition(data_)) * hand_error_.inverse();
+}
+
+motion::Surroundings Execution::BelievedSurroundings() const {
+  motion::Surroundings around{.opening = scene_.Opening(data_)};
+  for (int i = 0; i < world_.part_count(); ++i) {
+    const PartId part(i);
+    if (part != world_.held()) around.parts.push_back({part, world_.PartPose(part)});
+  }
+  if (!world_.held().IsNone()) {
+    around.held = motion::HeldPart{world_.held(), world_.hold().X_PartTool};
+  }
+  const domain::Workcell& workcell = *problem_.workcell;
+  for (std::size_t i = 0; i < workcell.robots().size(); ++i) {
+    const domain::RobotId robot(i);
+    if (robot == workcell.acting()) continue;
+    around.robots.push_back(
+        {robot, scene_.ArmPosition(data_, robot), scene_.Opening(data_, robot)});
+  }
+  return around;
 }
 
 void Execution::Place(const JointVector& q) {
@@ -192,6 +212,7 @@ Progress Execution::Advance(const JointState& next) {
   ++steps_;
   if (options_.on_timestep) options_.on_timestep(data_);
   SampleIfDue();
+  RecordCollisions();
   return Watch();
 }
 
@@ -209,6 +230,13 @@ void Execution::SampleIfDue() {
   if (options_.sample_rate <= 0 || data_.time() < samples_ / options_.sample_rate) return;
   trace_.events.push_back(Sample{Now()});
   ++samples_;
+}
+
+void Execution::RecordCollisions() {
+  for (const Collision& collision : collisions_.Look(data_)) {
+    trace_.events.push_back(CollisionRecord{data_.time(), data_.model().Name(collision.robot),
+                                            data_.model().Name(collision.other)});
+  }
 }
 
 Progress Execution::Watch() {

@@ -3,7 +3,9 @@
 #include <optional>
 #include <span>
 
+#include "planner/motion/collision_scene.h"
 #include "planner/motion/joint_trajectory.h"
+#include "sim/exec/collision_watch.h"
 #include "sim/exec/executor.h"
 #include "sim/exec/world_model.h"
 #include "sim/scene/servo.h"
@@ -56,6 +58,9 @@ class Execution {
   Pose BelievedTool() const;
   // Where it believes itself to be by the joints' own sensors.
   Pose MeasuredTool() const;
+  // What the arm has around it: parts where they are believed to be, other robots where their
+  // joints' sensors say.
+  motion::Surroundings BelievedSurroundings() const;
   Moment Now() const;
   std::int64_t steps() const { return steps_; }  // of the engine, so far
   // Newtons at the wrist, the greatest so far that lasted for some milliseconds.
@@ -74,6 +79,8 @@ class Execution {
   Progress TakeUpHandError(const Pose& error);
   // Where the hand truly goes when it is told to go to X_WorldTool.
   Pose Erring(const Pose& X_WorldTool) const { return X_WorldTool * hand_error_; }
+  // From now on the hand may touch these parts and no others (CollisionWatch).
+  void Handle(std::vector<PartId> parts) { collisions_.Handle(std::move(parts)); }
   void SetStep(plan::StepId step) { step_ = step; }
   plan::StepId step() const { return step_; }
 
@@ -107,6 +114,7 @@ class Execution {
   Progress Advance(const JointState& next);
   scene::Load Carried() const;
   void SampleIfDue();
+  void RecordCollisions();
   Progress Watch();
 
   const domain::Problem& problem_;
@@ -115,6 +123,7 @@ class Execution {
   const ExecutorOptions& options_;
   scene::JointServo servo_;
   WorldModel world_;
+  CollisionWatch collisions_;
   Trace trace_;
   JointState commanded_;
   Pose hand_error_ = Pose::Identity();

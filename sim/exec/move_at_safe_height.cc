@@ -1,5 +1,4 @@
-#include "planner/motion/travel.h"
-#include "sim/exec/execution.h"
+#include "sim/exec/travel.h"
 
 namespace assay::exec {
 namespace {
@@ -16,37 +15,32 @@ std::vector<Vector3> CornersAfter(std::span<const Command> rest, const Execution
   return corners;
 }
 
-motion::Surroundings BelievedSurroundings(Execution& execution) {
-  const WorldModel& world = execution.world();
-  motion::Surroundings surroundings{.opening = execution.scene().Opening(execution.data())};
-  for (int i = 0; i < world.part_count(); ++i) {
-    if (PartId(i) == world.held()) continue;
-    surroundings.parts.push_back({PartId(i), world.PartPose(PartId(i))});
-  }
-  if (!world.held().IsNone()) {
-    surroundings.held = motion::HeldPart{world.held(), world.hold().X_PartTool};
-  }
-  return surroundings;
-}
-
 }  // namespace
 
-Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execution& execution) {
-  const motion::TravelResult result =
-      motion::PlanTravel(execution.problem(), BelievedSurroundings(execution),
-                         {.from = execution.commanded(),
-                          .X_WorldTool = execution.Erring(move.X_WorldTool),
-                          .corners = CornersAfter(rest, execution)});
-  if (const auto* why = std::get_if<std::string>(&result)) {
+motion::TravelRequest RequestFor(const MoveAtSafeHeight& move, std::span<const Command> rest,
+                                 const Execution& execution) {
+  return {.from = execution.commanded(),
+          .X_WorldTool = execution.Erring(move.X_WorldTool),
+          .corners = CornersAfter(rest, execution)};
+}
+
+Progress Go(const motion::TravelResult& travel, Execution& execution) {
+  if (const auto* why = std::get_if<std::string>(&travel)) {
     return Failure{ExecutionOutcome::kUnreachable, *why};
   }
-  const auto& path = std::get<motion::JointPath>(result);
+  const auto& path = std::get<motion::JointPath>(travel);
   const motion::JointRates rates = motion::RatesOf(*execution.problem().workcell);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     const JointTrajectory way = motion::SynchronizedMove(path[i], path[i + 1], rates);
     if (Progress failure = execution.Follow(way, way.duration())) return failure;
   }
   return std::nullopt;
+}
+
+Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execution& execution) {
+  return Go(motion::PlanTravel(execution.problem(), execution.BelievedSurroundings(),
+                               RequestFor(move, rest, execution)),
+            execution);
 }
 
 }  // namespace assay::exec

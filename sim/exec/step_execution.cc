@@ -49,6 +49,14 @@ StepExecution::StepExecution(const plan::Plan& plan, plan::StepId step, Executio
       axis_(std::visit(AxisOf{execution.problem(), execution.world()}, planned_.action)),
       commands_(CommandsFor(execution.problem(), execution.world(), plan, step)) {
   execution_.SetStep(step);
+  execution_.Handle(HandledParts());
+}
+
+// Also what it holds all the while, as when a sensor looks at another part.
+std::vector<PartId> StepExecution::HandledParts() const {
+  std::vector<PartId> parts = {sought_};
+  if (!execution_.world().held().IsNone()) parts.push_back(execution_.world().held());
+  return parts;
 }
 
 const std::vector<Command>& StepExecution::CommandsOf(Phase phase) const {

@@ -43,6 +43,8 @@ class StepExecution {
   std::vector<Command> After(Phase phase) const;
   Progress Run(Phase phase);
   Progress RunAll(const std::vector<Command>& commands, const std::vector<Command>& then);
+  // What the hand may touch in this step.
+  std::vector<PartId> HandledParts() const;
   void SetTables();
   void Record(Stage stage);
   // Explains a failure by the step's name.

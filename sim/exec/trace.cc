@@ -102,6 +102,12 @@ class TraceWriter {
     }
     return {{"kind", "rest"}, {"duration", rest.duration}, {"parts", parts}};
   }
+  Json operator()(const CollisionRecord& collision) const {
+    return {{"kind", "collision"},
+            {"time", collision.time},
+            {"robot", collision.robot},
+            {"other", collision.other}};
+  }
   Json operator()(const ExecutionEnd& end) const {
     Json json = Of("end", end.moment);
     json["outcome"] = exec::Name(end.outcome);

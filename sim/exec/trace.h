@@ -137,6 +137,13 @@ struct RestRecord {
   std::vector<Speeds> parts = {};  // by PartId
 };
 
+// A robot touched what it was not to touch (CollisionWatch): names of bodies, each pair once.
+struct CollisionRecord {
+  double time = 0;
+  std::string robot;  // "arm/forearm"
+  std::string other;  // "part/brick"
+};
+
 // How the execution of a plan ended.
 enum class ExecutionOutcome {
   kDone,            // every command was executed; what came of it, the checks tell
@@ -155,9 +162,9 @@ struct ExecutionEnd {
   std::int64_t steps = 0;  // of the engine
 };
 
-using TraceEvent =
-    std::variant<Sample, GraspFact, LookRecord, GuardRecord, MotionRecord, Milestone,
-                 VerificationRecord, RecoveryRecord, StepEnd, RestRecord, ExecutionEnd>;
+using TraceEvent = std::variant<Sample, GraspFact, LookRecord, GuardRecord, MotionRecord, Milestone,
+                                VerificationRecord, RecoveryRecord, StepEnd, RestRecord,
+                                CollisionRecord, ExecutionEnd>;
 
 // All that is recorded about one execution, in the order of time.
 struct Trace {

@@ -48,8 +48,8 @@ XmlElement& AddGeomClass(const char* name, XmlElement& defaults) {
 
 // Bits of what a geom is, and masks of what it touches. A part has its exact boxes for parts and
 // gripper, and its supporting boxes for what it may rest on: the floor, and a table of its own,
-// whose height may differ from what is under other parts. Arm links
-// are like the gripper, which touches nothing of its own kind.
+// whose height may differ from what is under other parts. Arm links are like the gripper, which
+// touches nothing of its own robot; each of several robots touches the others.
 constexpr int kPart = 1;
 constexpr int kGripper = 2;
 constexpr int kFloor = 4;
@@ -62,6 +62,12 @@ int TableBit(domain::PartId part) {
   return kFirstTable << static_cast<int>(std::min(index, kMostPartTables - 1));
 }
 
+// Of the robots, if there are several: this one and the higher ones.
+constexpr int kFirstRobot = kFirstTable << kMostPartTables;
+constexpr int kMostRobots = 4;
+
+int RobotBit(int robot) { return kFirstRobot << std::min(robot, kMostRobots - 1); }
+
 XmlElement& AddTouchingClass(const char* name, int is, int touches, XmlElement& defaults) {
   return AddGeomClass(name, defaults)
       .Set("contype", fmt::format("{}", is))
@@ -69,8 +75,20 @@ XmlElement& AddTouchingClass(const char* name, int is, int touches, XmlElement& 
 }
 
 // Shapes for collision alone are in group 3, which is not drawn.
-void AddTouchingClasses(XmlElement& defaults) {
-  AddTouchingClass("collision", kGripper, kPart | kFloor, defaults).Set("group", "3");
+void AddRobotClasses(const std::vector<domain::Robot>& robots, XmlElement& defaults) {
+  const int count = static_cast<int>(robots.size());
+  int all = 0;
+  for (int i = 0; i < count && count > 1; ++i) all |= RobotBit(i);
+  for (int i = 0; i < count; ++i) {
+    const int own = RobotBit(i) & all;
+    AddTouchingClass(CollisionClass(robots[i]).c_str(), kGripper | own,
+                     kPart | kFloor | (all - own), defaults)
+        .Set("group", "3");
+  }
+}
+
+void AddTouchingClasses(const std::vector<domain::Robot>& robots, XmlElement& defaults) {
+  AddRobotClasses(robots, defaults);
   AddTouchingClass("part", kPart, kPart | kGripper, defaults)
       .Set("type", "box")
       .Set("material", "part");
@@ -86,12 +104,12 @@ void AddTouchingClasses(XmlElement& defaults) {
       .Set("friction", {kGroundFriction, kTorsionFriction, kRollFriction});
 }
 
-void AddDefaults(XmlElement& mujoco) {
+void AddDefaults(const std::vector<domain::Robot>& robots, XmlElement& mujoco) {
   XmlElement& defaults = mujoco.Add("default");
   defaults.Add("geom").Set("solref", kSolref).Set("solimp", kSolimp).Set("condim", "3");
   defaults.Add("equality").Set("solref", kSolref).Set("solimp", kSolimp);
   AddTouchingClass("visual", 0, 0, defaults).Set("material", "paint");
-  AddTouchingClasses(defaults);
+  AddTouchingClasses(robots, defaults);
   defaults.Add("default").Set("class", "mark").Add("site").Set("group", "4").Set("size", "0.005");
 }
 
@@ -188,7 +206,8 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   mujoco.Add("compiler").Set("angle", "radian").Set("inertiafromgeom", "false");
   AddOption(options, mujoco);
   AddVisualSettings(problem, options.light, mujoco);
-  AddDefaults(mujoco);
+  const std::vector<domain::Robot>& robots = problem.workcell->robots();
+  AddDefaults(robots, mujoco);
   AddMaterials(mujoco.Add("asset"));
   XmlElement& worldbody = mujoco.Add("worldbody");
   AddStage(problem, options.light, worldbody);
@@ -196,7 +215,6 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   const GripperRules gripper = {
       .grip_force = rules.grip_force,
       .pad_friction = TrueFriction(rules.pad_friction, options.pad_friction_error)};
-  const std::vector<domain::Robot>& robots = problem.workcell->robots();
   for (const domain::Robot& robot : robots) AddRobot(robot, gripper, worldbody);
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
     const domain::PartId part(i);

@@ -58,9 +58,10 @@ void AddVisuals(const Link& link, XmlElement& body) {
   }
 }
 
-void AddCollisions(const Link& link, double pad_friction, XmlElement& body) {
+void AddCollisions(const Link& link, const std::string& geom_class, double pad_friction,
+                   XmlElement& body) {
   for (const kinematics::Collision& collision : link.collisions) {
-    XmlElement& geom = body.Add("geom").Set("class", "collision");
+    XmlElement& geom = body.Add("geom").Set("class", geom_class);
     std::visit(ShapeWriter{geom}, collision.shape);
     geom.SetPose(collision.X_LinkShape);
     if (collision.name == "pad") {
@@ -74,11 +75,15 @@ void AddCollisions(const Link& link, double pad_friction, XmlElement& body) {
   }
 }
 
-// Adds robots link by link; names are prefixed, because arm and gripper may use the same.
+// Adds a robot's arm or gripper link by link; names are prefixed, because both may use the same.
 class RobotWriter {
  public:
-  RobotWriter(const RobotModel& model, std::string prefix, double pad_friction)
-      : model_(model), prefix_(std::move(prefix)), pad_friction_(pad_friction) {}
+  RobotWriter(const Robot& robot, const RobotModel& model, const std::string& prefix,
+              double pad_friction)
+      : model_(model),
+        prefix_(robot.Prefix() + prefix),
+        collision_class_(CollisionClass(robot)),
+        pad_friction_(pad_friction) {}
 
   XmlElement& AddRoot(const geometry::Pose& X_ParentRoot, XmlElement& parent) const {
     return AddLink(model_.links.front(), X_ParentRoot, parent);
@@ -110,18 +115,19 @@ class RobotWriter {
     XmlElement& body = parent.Add("body").Set("name", prefix_ + link.name).SetPose(X_ParentLink);
     if (link.inertial) AddInertial(*link.inertial, body);
     AddVisuals(link, body);
-    AddCollisions(link, pad_friction_, body);
+    AddCollisions(link, collision_class_, pad_friction_, body);
     return body;
   }
 
   const RobotModel& model_;
   std::string prefix_;
+  std::string collision_class_;
   double pad_friction_;
 };
 
 void AddGripper(const Robot& robot, const GripperRules& rules, XmlElement& flange) {
   const RobotModel& model = robot.gripper->model();
-  const RobotWriter writer(model, robot.Prefix() + "gripper/", rules.pad_friction);
+  const RobotWriter writer(robot, model, "gripper/", rules.pad_friction);
   XmlElement& hand = writer.AddRoot(geometry::Pose::Identity(), flange);
   hand.Add("site").Set("name", robot.Prefix() + "wrist").Set("class", "mark");
   hand.Add("site")
@@ -147,10 +153,12 @@ void AddServo(const std::string& joint, double stiffness, XmlElement& general) {
 
 }  // namespace
 
+std::string CollisionClass(const Robot& robot) { return robot.Prefix() + "collision"; }
+
 void AddRobot(const Robot& robot, const GripperRules& rules, XmlElement& worldbody) {
   const RobotModel& model = robot.arm->model();
   ASSAY_CHECK(model.joints.size() == kServoGains.size());
-  const RobotWriter writer(model, robot.Prefix() + "arm/", rules.pad_friction);
+  const RobotWriter writer(robot, model, "arm/", rules.pad_friction);
   XmlElement* body = &writer.AddRoot(robot.X_WorldBase, worldbody);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     body = &writer.AddMoved(model.joints[i], *body);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "planner/domain/workcell.h"
 #include "sim/scene/xml_element.h"
 
@@ -7,8 +9,11 @@ namespace assay::scene {
 
 // All names here begin with the robot's prefix.
 
-// Adds arm and gripper under `worldbody`: links with their inertias, which collide with parts,
-// tables and floor, and not with each other. Sites "tool" and "wrist" (the flange) are on the hand.
+// The class of the robot's shapes for collision, which says what they touch.
+std::string CollisionClass(const domain::Robot& robot);
+
+// Adds arm and gripper under `worldbody`: links with their inertias and shapes of their class for
+// collision. Sites "tool" and "wrist" (the flange) are on the hand.
 struct GripperRules {
   double grip_force = 0;    // newtons
   double pad_friction = 0;  // of the pads against whatever they touch

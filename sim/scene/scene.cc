@@ -121,7 +121,11 @@ void Scene::SetArm(Data& data, const JointVector& q) const {
   Scatter(Gather(data.qfrc_bias(), arm().dof), arm().dof, data.qfrc_applied());
 }
 
-JointVector Scene::ArmPosition(const Data& data) const { return Gather(data.qpos(), arm().qpos); }
+JointVector Scene::ArmPosition(const Data& data) const { return ArmPosition(data, acting_); }
+
+JointVector Scene::ArmPosition(const Data& data, domain::RobotId robot) const {
+  return Gather(data.qpos(), robots_[robot.index()].arm.qpos);
+}
 
 JointVector Scene::ArmVelocity(const Data& data) const { return Gather(data.qvel(), arm().dof); }
 
@@ -141,8 +145,11 @@ void Scene::SetGripper(Data& data, double opening) const {
   data.Forward();
 }
 
-double Scene::Opening(const Data& data) const {
-  return data.qpos()[acting().fingers[0].qpos] + data.qpos()[acting().fingers[1].qpos];
+double Scene::Opening(const Data& data) const { return Opening(data, acting_); }
+
+double Scene::Opening(const Data& data, domain::RobotId robot) const {
+  const std::array<Finger, 2>& fingers = robots_[robot.index()].fingers;
+  return data.qpos()[fingers[0].qpos] + data.qpos()[fingers[1].qpos];
 }
 
 double Scene::OpeningSpeed(const Data& data) const {
@@ -264,6 +271,15 @@ Vector3 Scene::HandAcceleration(const Data& data) const {
   const Eigen::Map<const Vector3> center(data.get()->subtree_com + 3 * hand().index());
   const Eigen::Map<const Vector3> own(data.get()->xipos + 3 * hand().index());
   return linear + angular.cross(center - own) + Eigen::Map<const Vector3>(m.opt.gravity);
+}
+
+BodyKind Scene::KindOf(mujoco::BodyId body) const {
+  if (body == world()) return BodyKind::kWorld;
+  if (std::ranges::count(parts_, body, &FreeBody::body) > 0) return BodyKind::kPart;
+  const bool is_hand = std::ranges::any_of(robots_, [&](const RobotAddresses& robot) {
+    return body == robot.hand || std::ranges::count(robot.fingers, body, &Finger::body) > 0;
+  });
+  return is_hand ? BodyKind::kHand : BodyKind::kArm;
 }
 
 bool Scene::Touching(const Data& data, PartId part, mujoco::BodyId body) const {

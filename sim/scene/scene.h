@@ -31,6 +31,14 @@ struct Twist {
   Vector3 angular = Vector3::Zero();  // rad/s
 };
 
+// What a body of the engine is.
+enum class BodyKind {
+  kWorld,  // tables and floor
+  kPart,
+  kArm,   // a link of an arm, its foot included
+  kHand,  // hand or finger
+};
+
 // Where the engine keeps the six arm joints, joint 1 first.
 struct ArmAddresses {
   std::array<int, 6> qpos{};
@@ -57,6 +65,7 @@ class Scene {
   // The arm, at rest with its servos on these joint values: a jump, for the start of a trial.
   void SetArm(mujoco::Data& data, const JointVector& q) const;
   JointVector ArmPosition(const mujoco::Data& data) const;
+  JointVector ArmPosition(const mujoco::Data& data, domain::RobotId robot) const;
   JointVector ArmVelocity(const mujoco::Data& data) const;
   Pose ToolPose(const mujoco::Data& data) const;  // X_WorldTool
 
@@ -65,7 +74,8 @@ class Scene {
   void CommandGripper(mujoco::Data& data, double opening) const;
   // The gripper is set to this opening, at rest and commanded there: a jump.
   void SetGripper(mujoco::Data& data, double opening) const;
-  double Opening(const mujoco::Data& data) const;       // metres between the pads
+  double Opening(const mujoco::Data& data) const;  // metres between the pads
+  double Opening(const mujoco::Data& data, domain::RobotId robot) const;
   double OpeningSpeed(const mujoco::Data& data) const;  // m/s, positive when opening
   double max_opening() const { return acting().max_opening; }
 
@@ -108,6 +118,7 @@ class Scene {
   mujoco::BodyId left_finger() const { return acting().fingers[0].body; }
   mujoco::BodyId right_finger() const { return acting().fingers[1].body; }
   bool Touching(const mujoco::Data& data, PartId part, mujoco::BodyId body) const;
+  BodyKind KindOf(mujoco::BodyId body) const;
 
  private:
   struct FreeBody {

@@ -21,8 +21,9 @@ struct PartTable {
   domain::PartId part;
   int bit = 0;  // that it is, and that the part touches
 };
-// The engine has 31 bits: parts from the 27th on share a table.
-inline constexpr std::size_t kMostPartTables = 27;
+// The engine has 31 bits: parts from the 23rd on share a table, robots from the
+// 4th on a bit.
+inline constexpr std::size_t kMostPartTables = 23;
 
 // Adds it, once for each table of the workcell.
 void AddPartTables(const domain::Problem& problem, const PartTable& table, XmlElement& worldbody);

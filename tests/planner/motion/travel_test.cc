@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "planner/domain/problem_file.h"
 #include "planner/motion/joint_trajectory.h"
 #include "planner/motion/straight_line.h"
@@ -96,6 +99,79 @@ TEST_F(Travel, TakesTheHeldPartIntoAccount) {
   holding.parts.pop_back();
   holding.held = HeldPart{kPeg, geometry::Translation(0, 0, -0.2)};
   EXPECT_TRUE(std::holds_alternative<std::string>(PlanTravel(problem_, holding, To(low))));
+}
+
+// Two arms face each other; the right one stands with its hand low over the middle of the table.
+class TravelBesideAnArm : public testing::Test {
+ protected:
+  static constexpr domain::RobotId kRight = domain::RobotId(1);
+
+  JointPath PlanFrom(const Pose& from, const Pose& to) const {
+    const TravelResult result = PlanTravel(problem_, around_, Request(from, to));
+    if (const auto* why = std::get_if<std::string>(&result)) ADD_FAILURE() << *why;
+    return std::get<JointPath>(result);
+  }
+  TravelRequest Request(const Pose& from, const Pose& to) const {
+    return {.from = Posture(problem_, from), .X_WorldTool = to, .corners = {}};
+  }
+  static JointVector Posture(const domain::Problem& problem, const Pose& X_WorldTool) {
+    return PosturesAt(*problem.workcell, X_WorldTool, problem.workcell->home()).front();
+  }
+  static Pose Down(double x, double y, double z) {
+    return geometry::PoseFromColumns({-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {x, y, z});
+  }
+  // The naive way: postures along the path, a hundredth of a radian apart.
+  double NearestToTheOther(const JointPath& path) const {
+    const CollisionScene scene(problem_, around_);
+    double nearest = 1;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+      const JointVector way = path[i + 1] - path[i];
+      const int steps = static_cast<int>(std::ceil(way.cwiseAbs().maxCoeff() / 0.01));
+      for (int k = 0; k <= steps; ++k) {
+        const LinkPoses X_BaseLink = scene.arm().LinkPoses(path[i] + k * way / steps);
+        for (const BodyPair& pair : scene.pairs()) {
+          if (!scene.IsOfAnotherRobot(pair.first)) continue;
+          nearest = std::min(nearest, scene.Separation(pair, X_BaseLink, nearest));
+        }
+      }
+    }
+    return nearest;
+  }
+
+  const domain::Problem problem_ = domain::ReadProblem(
+      Document::Parse("format: assay-scenario/1\nworkcell: two-pumas\nparts:\n"
+                      "  bottle: {model: bottle, pose: {stable: upright, at: [-0.4, 0.1]}}\n"
+                      "goal: [{located: {part: bottle, stable: [upright]}}]\n",
+                      "bottle.yaml"),
+      ASSAY_SOURCE_DIR "/models");
+  const JointVector right_ = Posture(WorkedBy(problem_, kRight), Down(-0.05, 0, 0.3));
+  const Surroundings around_ = {.opening = 0.1, .robots = {{kRight, right_, 0.1}}};
+};
+
+// With the other arm at its home the hand goes straight over; where it stands, around it.
+TEST_F(TravelBesideAnArm, GoesAroundIt) {
+  const Pose from = Down(-0.15, -0.35, 0.4);
+  const Pose to = Down(-0.15, 0.35, 0.4);
+  const TravelResult alone = PlanTravel(problem_, {.opening = 0.1}, Request(from, to));
+  ASSERT_TRUE(std::holds_alternative<JointPath>(alone));
+  EXPECT_LT(NearestToTheOther(std::get<JointPath>(alone)), kTravelGap);
+  EXPECT_GE(NearestToTheOther(PlanFrom(from, to)), kTravelGap);
+}
+
+TEST_F(TravelBesideAnArm, NamesThePairThatIsInTheWay) {
+  const TravelResult result =
+      PlanTravel(problem_, around_, Request(Down(-0.4, -0.35, 0.4), Down(-0.05, 0, 0.35)));
+  ASSERT_TRUE(std::holds_alternative<std::string>(result));
+  EXPECT_THAT(std::get<std::string>(result),
+              testing::ContainsRegex("the .* and the .* of right are nearer than 10.0 mm"));
+}
+
+// Only the lines of the work lead to it.
+TEST_F(TravelBesideAnArm, LooksAtTheLinesThatFollow) {
+  TravelRequest request = Request(Down(-0.4, -0.35, 0.4), Down(-0.35, 0, 0.3));
+  EXPECT_TRUE(std::holds_alternative<JointPath>(PlanTravel(problem_, around_, request)));
+  request.corners = {{-0.1, 0, 0.3}};
+  ASSERT_TRUE(std::holds_alternative<std::string>(PlanTravel(problem_, around_, request)));
 }
 
 }  // namespace

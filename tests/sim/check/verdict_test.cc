@@ -54,6 +54,17 @@ class JudgeTest : public testing::Test {
   ExecutionEnd end_;
 };
 
+// The goal holds all the same.
+TEST_F(JudgeTest, AnArmThatTouchedSomethingHasFailed) {
+  const exec::CollisionRecord collision{.time = 2.5, .robot = "arm/forearm", .other = "part/brick"};
+  const Trace trace = {.problem = "test", .parts = {}, .events = {grasp_, collision, rest_, end_}};
+  const Verdict verdict = Judge(problem_, trace, {});
+  EXPECT_EQ(verdict.outcome, TrialOutcome::kCollided);
+  EXPECT_EQ(Name(verdict.outcome), "collided");
+  EXPECT_EQ(verdict.reason, "at 2.50 s arm/forearm touched part/brick");
+  EXPECT_FALSE(verdict.findings.empty());
+}
+
 TEST_F(JudgeTest, Succeeds) {
   const Verdict verdict = Judged();
   EXPECT_EQ(verdict.outcome, TrialOutcome::kSucceeded);

@@ -11,7 +11,7 @@ using ::testing::HasSubstr;
 
 TEST(List, HasEverythingWithALine) {
   const auto json = Assay({"list", "--json", "--models", kTree / "models"}).Json();
-  for (const char* kind : {"scenarios", "parts", "workcells", "actions"}) {
+  for (const char* kind : {"scenarios", "parts", "workcells", "actions", "skills", "meanings"}) {
     ASSERT_GT(json[kind].size(), 0) << kind;
     for (const auto& entry : json[kind]) {
       EXPECT_NE(entry["name"], "");
@@ -26,6 +26,18 @@ TEST(List, OneKind) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("putdown"));
   EXPECT_THAT(ended.out, ::testing::Not(HasSubstr("scenarios")));
+}
+
+// Those that the scenarios use.
+TEST(List, WhatADomainsWordsMayMean) {
+  const Ended ended = Assay({"list", "skills", "--models", kTree / "models"});
+  for (const char* skill : {"pick-up", "weigh", "carry", "put-down", "look"}) {
+    EXPECT_THAT(ended.out, HasSubstr(skill));
+  }
+  const Ended meanings = Assay({"list", "meanings", "--models", kTree / "models"});
+  for (const char* meaning : {"held", "hand-empty", "over", "heavier", "colored", "occupied"}) {
+    EXPECT_THAT(meanings.out, HasSubstr(meaning));
+  }
 }
 
 TEST(List, WorkcellsTellWhatTheyCanDoAboutUncertainty) {

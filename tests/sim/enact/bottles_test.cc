@@ -60,7 +60,7 @@ TEST_F(Bottles, EveryBranchReachesTheGoal) {
     EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << leaf.Text() << ": " << trial.reason;
     EXPECT_TRUE(trial.is_goal_true);
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
-    EXPECT_TRUE(leaf.IsEndOf(trial.walk)) << leaf.Text();
+    EXPECT_TRUE(leaf.IsOn(trial.walk)) << leaf.Text();
   }
   EXPECT_EQ(number, 2);
 }

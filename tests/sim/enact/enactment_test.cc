@@ -38,7 +38,7 @@ TEST(Enactment, EveryLeafOfTwoCansIsReached) {
     ASSERT_TRUE(world);
     const EnactedTrial trial = RunTrial(scenario, tree, {i + 1, *world}, {});
     EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
-    EXPECT_TRUE(leaves[i].IsEndOf(trial.walk));
+    EXPECT_TRUE(leaves[i].IsOn(trial.walk));
     EXPECT_TRUE(trial.is_goal_true);
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
     EXPECT_LT(trial.greatest_tilt, 5 * kDegree);
@@ -86,6 +86,22 @@ TEST(Enactment, WhatTheSensorLeavesOpenIsSaid) {
   EXPECT_THAT(trial.reason, HasSubstr("isSpillable(can1)"));
   EXPECT_EQ(trial.walk.steps.size(), 6u);  // the can is lifted and weighed five times
   EXPECT_THAT(trial.walk.false_claims, IsEmpty());
+}
+
+// A post stands where the straight way would lead: what goes around it upright does not spill, and
+// what just goes around it does.
+TEST(Enactment, WhatIsCarriedAroundAPostSpillsUnlessItIsKeptUpright) {
+  const auto run = [](const Replacements& replacements) {
+    const KnowledgeScenario scenario = TwoCans(replacements, "post");
+    return RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
+  };
+  const EnactedTrial upright = run({});
+  EXPECT_EQ(upright.outcome, EnactmentOutcome::kReached) << upright.reason;
+  EXPECT_LT(upright.greatest_tilt, 5 * kDegree);
+  const EnactedTrial any = run({{", upright: 5}", "}"}});
+  EXPECT_EQ(any.outcome, EnactmentOutcome::kSpilled);
+  EXPECT_THAT(any.spilled, ElementsAre("can1"));
+  EXPECT_THAT(any.collisions, IsEmpty());
 }
 
 TEST(Enactment, WhatCannotBeReachedStopsTheWalk) {

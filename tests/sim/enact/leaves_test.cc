@@ -60,6 +60,9 @@ TEST(Leaves, ThatNoWorldLeadsTo) {
         WorldFor(leaf, scenario.interpretation, scenario.scenario.problem, random).has_value());
   }
   EXPECT_THAT(are_reachable, ElementsAre(false, false, true, true));
+  const Leaf first = LeavesOf(scenario.interpretation.task, TreeOf(scenario), 100).front();
+  const auto why = FindWorld(first, scenario.interpretation, scenario.scenario.problem, random);
+  EXPECT_EQ(std::get<std::string>(why), "nothing that can1 may hide makes isSpillable(can1)");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/enact/enactment.h"
+#include "sim/enact/leaves.h"
 #include "sim/render/renderer.h"
 
 namespace assay::enact {
@@ -39,6 +40,30 @@ TEST_F(FallenPeg, EachWorldReachesTheGoal) {
     EXPECT_THAT(trial.walk.false_claims, IsEmpty());
     EXPECT_EQ(trial.walk.branches.front().text, told);
   }
+}
+
+// Where errors lead, something is made to go wrong: a recovery mends it, or a person is called; or
+// it is said why nothing can lead there. The other world is alike.
+TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
+  const Interpretation& interpretation = Scenario().interpretation;
+  const contingent::PlanTree& tree = interpretation.planned->assembly.tree;
+  int executed = 0;
+  for (const Leaf& leaf : LeavesOf(interpretation.task, tree, 100)) {
+    if (leaf.branches.front().text != "pose(peg) = lying" || leaf.branches.size() < 3) continue;
+    RandomStream random(1, "worlds");
+    const auto found = FindWorld(leaf, interpretation, Scenario().scenario.problem, random);
+    if (const auto* why = std::get_if<std::string>(&found)) {
+      EXPECT_THAT(*why, testing::HasSubstr("a guarded move ends within 8.0 mm"));
+      continue;
+    }
+    const auto& world = std::get<HiddenWorld>(found);
+    ASSERT_TRUE(world.mishap);
+    const EnactedTrial trial = RunTrial(Scenario(), tree, {1, world}, {.seed = 1});
+    EXPECT_TRUE(leaf.IsOn(trial.walk)) << leaf.Text() << ": " << trial.mishap;
+    EXPECT_FALSE(trial.IsFailed()) << leaf.Text() << ": " << trial.reason;
+    ++executed;
+  }
+  EXPECT_GT(executed, 0);
 }
 
 // A peg that stands is claimed to lie: the audit tells at once.

@@ -17,10 +17,12 @@ inline const std::filesystem::path kRoot = ASSAY_SOURCE_DIR;
 
 using Replacements = std::vector<std::pair<std::string, std::string>>;
 
-// The scenario's text, with longer timesteps and absolute paths, and some of it replaced.
-inline std::string TwoCansText(const Replacements& replacements = {}) {
+// The text of a scenario with two cans, with longer timesteps and absolute paths, and some of it
+// replaced.
+inline std::string TwoCansText(const Replacements& replacements = {},
+                               const std::string& scenario = "two-cans") {
   std::ostringstream text;
-  text << std::ifstream(kRoot / "scenarios/two-cans.yaml").rdbuf();
+  text << std::ifstream(kRoot / "scenarios" / (scenario + ".yaml")).rdbuf();
   std::string changed = text.str();
   Replacements all = {{"know/force-sensing", kRoot / "scenarios/know/force-sensing"},
                       {"know/two-cans", kRoot / "scenarios/know/two-cans"},
@@ -34,9 +36,10 @@ inline std::string TwoCansText(const Replacements& replacements = {}) {
   return changed;
 }
 
-inline KnowledgeScenario TwoCans(const Replacements& replacements = {}) {
-  const std::filesystem::path file = ScratchFile("two-cans.yaml");
-  std::ofstream(file) << TwoCansText(replacements);
+inline KnowledgeScenario TwoCans(const Replacements& replacements = {},
+                                 const std::string& scenario = "two-cans") {
+  const std::filesystem::path file = ScratchFile(scenario + ".yaml");
+  std::ofstream(file) << TwoCansText(replacements, scenario);
   return Load(file, kRoot / "models");
 }
 

@@ -68,6 +68,7 @@ Trace OneOfEach() {
                      Milestone{plan::StepId(2), Stage::kReached, SomeMoment(0.78)}, check, recovery,
                      StepEnd{plan::StepId(0), "action_1", "pickup(peg, PG1)", SomeMoment(1)},
                      motion, RestRecord{.duration = 0.5, .parts = {{1e-6, 2e-6}}},
+                     CollisionRecord{1.5, "arm/forearm", "part/peg"},
                      ExecutionEnd{.outcome = ExecutionOutcome::kOverload,
                                   .reason = "too much",
                                   .moment = SomeMoment(2)}}};
@@ -82,7 +83,7 @@ class TraceSchema : public testing::Test {
 
 TEST_F(TraceSchema, EveryLineFollowsIt) {
   const std::vector<Json> lines = Lines(OneOfEach());
-  ASSERT_EQ(lines.size(), 13u);
+  ASSERT_EQ(lines.size(), 14u);
   for (const Json& line : lines) EXPECT_THAT(schema_.Errors(line), IsEmpty()) << line.dump(2);
 }
 
@@ -134,7 +135,8 @@ TEST(TraceTest, SaysWhatItWasGiven) {
   EXPECT_EQ(lines[1]["wrist"]["torque"], Json::parse("[4.0, 5.0, 6.0]"));
   EXPECT_EQ(lines[2]["holds"], false);
   EXPECT_EQ(lines[9]["action"], "pickup(peg, PG1)");
-  EXPECT_EQ(lines[12]["outcome"], "overload");
+  EXPECT_EQ(lines[12]["other"], "part/peg");
+  EXPECT_EQ(lines[13]["outcome"], "overload");
 }
 
 TEST(TraceTest, SaysWhatSensorsTold) {

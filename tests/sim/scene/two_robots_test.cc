@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 
 #include "planner/domain/problem_file.h"
 #include "sim/scene/scene.h"
@@ -28,6 +29,11 @@ Pose ToolAt(const domain::Workcell& workcell, const JointVector& q) {
 
 class TwoRobots : public testing::TestWithParam<domain::RobotId> {
  protected:
+  // Contacts of a part at the start, all of them with its table.
+  int CountOf(PartId part) const {
+    return static_cast<int>(
+        mujoco::ContactsBetween(first_.Start(), first_.Body(part), first_.world()).size());
+  }
   domain::RobotId Other() const { return GetParam() == kLeft ? kRight : kLeft; }
 
   const domain::Problem problem_ = Bottle();
@@ -85,6 +91,31 @@ TEST_P(TwoRobots, TheWristFeelsWhatItsOwnHandHolds) {
   EXPECT_TRUE(scene_.Touching(data_, kBottle, scene_.left_finger()));
   EXPECT_NEAR(scene_.WristWrench(data_).force.z(), -weight, 0.05 * weight);
   EXPECT_NEAR(other_.WristWrench(data_).force.norm(), 0, 0.05 * weight);
+}
+
+// The hands of both at one place: the arms touch each other, and neither touches itself.
+TEST_P(TwoRobots, TouchEachOther) {
+  const domain::Problem others = WorkedBy(problem_, Other());
+  const Pose down = geometry::PoseFromColumns({-1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, 0, 0.4});
+  const auto posture = [&](const domain::Workcell& workcell) {
+    for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(down), workcell.home())) {
+      if (workcell.arm().InRange(s.q)) return s.q;
+    }
+    return workcell.home();
+  };
+  scene_.SetArm(data_, posture(*workcell_));
+  EXPECT_EQ(data_.get()->ncon, CountOf(kBottle));
+  other_.SetArm(data_, posture(*others.workcell));
+  int between = 0;
+  for (const mujoco::Contact& contact : mujoco::Contacts(data_)) {
+    const std::string a = data_.model().Name(contact.body_a);
+    const std::string b = data_.model().Name(contact.body_b);
+    EXPECT_NE(a.substr(0, a.find('/')), b.substr(0, b.find('/'))) << a << " " << b;
+    const bool is_of_both = a.starts_with("left/") != b.starts_with("left/") &&
+                            a.starts_with("right/") != b.starts_with("right/");
+    if (is_of_both) ++between;
+  }
+  EXPECT_GT(between, 0);
 }
 
 TEST(SceneOfTwoRobots, HasTheColorsOfTheTrial) {
