@@ -221,10 +221,13 @@ std::string TextOf(const check::MarginRanking& ranking) {
   if (!ranking.correlation) {
     return "margins and frequencies of unwanted contacts: not enough variation\n";
   }
+  const auto happened = std::ranges::count_if(
+      ranking.contacts, [](const check::RankedContact& contact) { return contact.happened > 0; });
   return fmt::format(
       "margins and frequencies of unwanted contacts: rank correlation {:.2f}, 95 % in "
-      "{:.2f} .. {:.2f}\n",
-      *ranking.correlation, ranking.interval->low, ranking.interval->high);
+      "{:.2f} .. {:.2f}, of {} pairs; {} of them ever happened\n",
+      *ranking.correlation, ranking.interval->low, ranking.interval->high, ranking.contacts.size(),
+      happened);
 }
 
 Json ToJson(const check::Divergence& divergence) {
@@ -338,8 +341,9 @@ Json ToJson(const check::MarginRanking& ranking) {
 std::string SummaryOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
   return fmt::format(
       "{} critical points; {} motions, certain for {:.2f} times the errors and friction up "
-      "to {:.2f}",
-      geometry.critical_points.size(), plan.motions.size(), plan.absorbed, plan.friction_limit);
+      "to {:.2f}; as planned in {} replays in exact geometry",
+      geometry.critical_points.size(), plan.motions.size(), plan.absorbed, plan.friction_limit,
+      plan.exact_replays);
 }
 
 std::vector<report::MatingSubject::Motion> MotionsOf(const FineMotionPlan& plan) {
@@ -384,6 +388,7 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
   Json json = {{"outcome", plan.found ? "plan" : "none"},
                {"critical_points", critical_points},
                {"absorbed", plan.absorbed},
+               {"exact_replays", plan.exact_replays},
                {"friction", plan.friction_limit},
                {"intersections",
                 {{"tests", plan.comparison.tests},
