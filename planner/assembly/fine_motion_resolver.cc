@@ -164,10 +164,11 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
   for (int round = 0; round < kRounds; ++round) {
     if (box.d.norm() >= kGreatestShift || box.w.norm() >= kGreatestTurn) return std::nullopt;
     box = {box.d.cwiseMax(kLeastShift), box.w.cwiseMax(kLeastTurn)};
-    const plan::StrategyCertificate certificate = {.absorbs = AbsorbedConditions(),
-                                                   .d = box.d,
-                                                   .w = box.w,
-                                                   .velocity = FineMotionErrors().velocity};
+    const plan::StrategyCertificate certificate = {
+        .absorbs = AbsorbedConditions(),
+        .d = box.d,
+        .w = box.w,
+        .velocity = unmet.problem.mating_errors.velocity};
     const FineMotionErrors errors = finemotion::ErrorsOf(certificate, geometry);
     const FineMotionPlan& plan = PlanFor(assemble.mating, geometry, errors, friction);
     if (!plan.found) return std::nullopt;

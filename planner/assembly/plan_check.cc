@@ -23,6 +23,12 @@ std::vector<std::string> FlawsOf(const domain::Problem& problem, const domain::M
     if (std::ranges::count(AbsorbedConditions(), condition) > 0) continue;
     flaws.push_back(fmt::format("no strategy absorbs '{}'", condition));
   }
+  const double velocity = problem.mating_errors.velocity;
+  if (strategy.certificate.velocity < velocity) {
+    flaws.push_back(
+        fmt::format("it is certain for directions that err by {:.4g}, and they may by {:.4g}",
+                    strategy.certificate.velocity, velocity));
+  }
   return flaws;
 }
 

@@ -3,13 +3,16 @@
 namespace assay::domain {
 
 MatingErrors ReadMatingErrors(const Value& map, const Units& units) {
-  map.AllowOnly({"displacement", "rotation"});
+  map.AllowOnly({"displacement", "rotation", "velocity"});
   MatingErrors errors;
   if (const auto displacement = map.Find("displacement")) {
     errors.displacement = ReadWithin(*displacement, units.length, kMatingDisplacements);
   }
   if (const auto rotation = map.Find("rotation")) {
     errors.rotation = ReadWithin(*rotation, units.angle, kMatingRotations);
+  }
+  if (const auto velocity = map.Find("velocity")) {
+    errors.velocity = ReadWithin(*velocity, 1, kMatingVelocities);
   }
   return errors;
 }

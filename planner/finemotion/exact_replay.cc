@@ -241,6 +241,20 @@ std::size_t MotionsAsPlanned(const ExactReplay& replay, const PoseChange& error,
   return motions;
 }
 
+ExactReplays ReplayWithErrors(const ExactReplay& replay, const PoseChange& half_widths, int drawn,
+                              std::uint64_t seed) {
+  RandomStream random(seed, "errors of exact replays");
+  ExactReplays replays;
+  for (const PoseChange& error : TrialErrors(half_widths, drawn, random)) {
+    const std::size_t motions = MotionsAsPlanned(replay, error, random);
+    ++replays.tried;
+    if (motions == replay.motions.size()) continue;
+    replays.deviation = {error, motions};
+    break;
+  }
+  return replays;
+}
+
 std::vector<PoseChange> TrialErrors(const PoseChange& half_widths, int drawn,
                                     RandomStream& random) {
   std::vector<PoseChange> errors = {PoseChange::Zero()};

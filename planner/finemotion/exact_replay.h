@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,7 +12,8 @@ namespace assay::finemotion {
 
 // A part that moves in exact geometry, features taken by their points and planes and nothing made
 // linear. It goes on in small steps, after each of which kept contacts are closed by the least
-// motion. Tolerances of the model are left out.
+// motion. Tolerances of the model are left out: their rows tell how planes and ends of edges are
+// displaced, but not what then becomes of the outlines that points of a face are to be within.
 class ExactPart {
  public:
   ExactPart(const Passage& passage, const Pose& X_StationaryMoving, double radius);
@@ -37,7 +39,8 @@ class ExactPart {
   double size_ = 0;  // metres, of the farthest corner
 };
 
-// A strategy's motions and what they are to be replayed with.
+// A strategy's motions and what they are to be replayed with. The slide in the crevice is none of
+// them: walls lead it.
 struct ExactReplay {
   const Passage& passage;
   Pose X_StationaryStart = Pose::Identity();
@@ -50,6 +53,22 @@ struct ExactReplay {
 // comes than the planned one, or a kept one is off its features.
 std::size_t MotionsAsPlanned(const ExactReplay& replay, const PoseChange& error,
                              RandomStream& random);
+
+// What came of replays with many errors.
+struct ExactReplays {
+  int tried = 0;
+  // The first error with which a motion did not go as planned, and that motion's index.
+  struct Deviation {
+    PoseChange error = PoseChange::Zero();
+    std::size_t motion = 0;
+  };
+  std::optional<Deviation> deviation = {};
+};
+
+// With the trial errors of a box with these half widths (below), until one goes otherwise. The same
+// seed draws the same errors, in shares of the half widths.
+ExactReplays ReplayWithErrors(const ExactReplay& replay, const PoseChange& half_widths, int drawn,
+                              std::uint64_t seed);
 
 // Errors at the corners, in the middle and in the middles of the faces of a box with these half
 // widths; then so many drawn from all of it, and as many from its surface.

@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "planner/finemotion/exact_replay.h"
+
 namespace assay::finemotion {
 
 namespace {
@@ -45,6 +47,7 @@ class StrategyReplay {
     const double absorbed = strategy_.certificate.absorbed;
     if (flaws_.empty()) Replay(1, Margins::kAll);
     if (flaws_.empty() && absorbed > 1) Replay(absorbed, Margins::kNone);
+    if (flaws_.empty()) ReplayExactly();
     return std::move(flaws_);
   }
 
@@ -93,11 +96,38 @@ class StrategyReplay {
       if (!replayed.check.certain) return Refuse(i, replayed);
       CompareLength(i, replayed);
       if (margins == Margins::kAll) CompareClaims(i, replayed);
+      Remember(i, replayed);
       belief = replayed.check.after;
       belief.X_StationaryMoving = strategy_.motions[i].X_FixedTip;
     }
     if (!maneuvering_.IsThrough(belief))
       Add("{}: where it starts, the way in is not surely free{}", Motion(slide), Errors());
+  }
+
+  // As they stand in the file; contacts come the later, the greater the errors are.
+  void Remember(std::size_t index, const CertainMotion& replayed) {
+    if (index == motions_.size()) motions_.push_back(replayed);
+    CertainMotion& motion = motions_[index];
+    motion.X_StationaryAfter = strategy_.motions[index].X_FixedTip;
+    motion.check.longest = std::max(motion.check.longest, replayed.check.longest);
+  }
+
+  void ReplayExactly() {
+    const StrategyOptions options = OptionsOf(strategy_);
+    const ExactReplay replay{.passage = geometry_.passage,
+                             .X_StationaryStart = strategy_.X_FixedStart,
+                             .motions = motions_,
+                             .radius = options.radius,
+                             .velocity_error = errors_.velocity};
+    const ExactReplays replays =
+        ReplayWithErrors(replay, kRounding * strategy_.certificate.absorbed * errors_.pose,
+                         options.drawn, options.seed);
+    if (const auto& deviation = replays.deviation) {
+      const PoseChange& error = deviation->error;
+      Add("{}: in exact geometry it goes otherwise with errors of ({:.4g}) mm and ({:.4g}) rad",
+          Motion(deviation->motion), fmt::join(Vector3(1e3 * error.head<3>()), ", "),
+          fmt::join(Vector3(error.tail<3>()), ", "));
+    }
   }
 
   static StrategyOptions OptionsOf(const plan::Strategy& strategy) {
@@ -230,6 +260,7 @@ class StrategyReplay {
   const MotionChecker checker_;
   const Maneuvering maneuvering_;  // where it ends: at the last critical point
   std::vector<ContactKey> keys_;   // of the strategy's contacts
+  std::vector<CertainMotion> motions_;
   double multiple_ = 1;
   std::vector<std::string> flaws_;
 };

@@ -16,7 +16,9 @@ namespace assay::finemotion {
 //   in is not free: with the errors, and with as many times the errors as it is said to absorb;
 // - contacts that are said to be elsewhere, to press otherwise or to be wider open than they are
 //   where their motion leads, and motions that end before their contact surely comes;
-// - contacts that happen with smaller errors than is said, or of which nothing is said.
+// - contacts that happen with smaller errors than is said, or of which nothing is said;
+// - motions that go otherwise in exact geometry with one of the errors that the search replays with
+//   (exact_replay.h: without tolerances), as many times as great as the strategy is said to absorb.
 //
 // Where a motion is not certain, nothing is told of those after it. Errors are taken a thousandth
 // smaller than they are, so that rounded numbers make no flaw. Requires a strategy of which

@@ -418,17 +418,14 @@ void TellInSmaller(FineMotionPlan& plan, double enlarged) {
 // was found in; none: one went otherwise.
 std::optional<int> Confirmed(const FineMotionPlan& plan, double multiple, const Passage& passage,
                              const FineMotionErrors& errors, const StrategyOptions& options) {
-  RandomStream random(options.seed, "errors of exact replays");
   const ExactReplay replay{.passage = passage,
                            .X_StationaryStart = plan.X_StationaryStart,
                            .motions = plan.motions,
                            .radius = options.radius,
                            .velocity_error = errors.velocity};
-  const auto trials = TrialErrors(multiple * errors.pose, options.drawn, random);
-  const bool as_planned = std::ranges::all_of(trials, [&](const PoseChange& error) {
-    return MotionsAsPlanned(replay, error, random) == plan.motions.size();
-  });
-  return as_planned ? std::optional(static_cast<int>(std::ssize(trials))) : std::nullopt;
+  const ExactReplays replays =
+      ReplayWithErrors(replay, multiple * errors.pose, options.drawn, options.seed);
+  return replays.deviation ? std::nullopt : std::optional(replays.tried);
 }
 
 // Rows are linear; what they leave out grows with the square of the errors.

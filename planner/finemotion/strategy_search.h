@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "planner/domain/mating_errors.h"
 #include "planner/finemotion/friction_limit.h"
 #include "planner/finemotion/maneuver.h"
 
@@ -11,9 +12,9 @@ namespace assay::finemotion {
 
 // Half widths of what is not known.
 struct FineMotionErrors {
-  Eigen::Matrix<double, kPoseDimensions, 1> pose;  // where the tip is at first: metres, radians
-  double velocity = 0.002;                         // as SegmentModel
-  Eigen::VectorXd tolerances = {};                 // of the passage's, metres
+  Eigen::Matrix<double, kPoseDimensions, 1> pose;     // where the tip is at first: metres, radians
+  double velocity = domain::MatingErrors().velocity;  // as SegmentModel
+  Eigen::VectorXd tolerances = {};                    // of the passage's, metres
 };
 
 // Of poses and tolerances; velocities stay.

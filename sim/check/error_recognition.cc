@@ -12,28 +12,51 @@ bool HasName(const ContactSet& contacts, const std::string& name) {
                              [&](const ContactKey& key) { return finemotion::Name(key) == name; });
 }
 
+// What went on in an error state ends in the same one.
+std::vector<exec::ErrorState> ErrorStatesOf(const exec::StrategyEnd& end) {
+  std::vector<exec::ErrorState> states = end.recovered;
+  states.insert(states.end(), end.ignored.begin(), end.ignored.end());
+  if (end.outcome != exec::MatingOutcome::kDone && end.ignored.empty()) {
+    states.push_back({.outcome = end.outcome,
+                      .motion = end.motion,
+                      .recognized = end.recognized,
+                      .time = end.time});
+  }
+  return states;
+}
+
+void Add(const std::optional<exec::RecognizedContact>& recognized,
+         const std::vector<ContactSpan>& bridged, Recognition& recognition) {
+  ++recognition.errors;
+  if (!recognized) return;
+  ++recognition.named;
+  if (IsRight(*recognized, bridged)) ++recognition.right;
+}
+
 }  // namespace
 
-bool IsRight(const exec::RecognizedContact& named, double time,
-             const std::vector<ContactSpan>& bridged) {
+bool IsRight(const exec::RecognizedContact& named, const std::vector<ContactSpan>& bridged) {
   const bool is_there = std::ranges::any_of(bridged, [&](const ContactSpan& span) {
-    return span.end >= time - kBefore && span.start <= time && HasName(span.contacts, named.name);
+    return span.end >= named.time - kBefore && span.start <= named.time &&
+           HasName(span.contacts, named.name);
   });
   return is_there != named.is_loss;
 }
 
-void Count(const exec::StrategyEnd& end, const std::vector<ContactSpan>& bridged,
+void Count(const exec::StrategyEnd& end, const std::vector<ContactSpan>& bridged, bool diverged,
            RecognitionTally& tally) {
-  const auto count = [&](int motion, const auto& recognized, double time) {
-    if (std::ranges::count(bridged, motion, &ContactSpan::motion) == 0) return;
-    ++tally.errors;
-    if (!recognized) return;
-    ++tally.named;
-    if (IsRight(*recognized, time, bridged)) ++tally.right;
-  };
-  for (const exec::ErrorState& state : end.recovered)
-    count(state.motion, state.recognized, state.time);
-  if (end.outcome != exec::MatingOutcome::kDone) count(end.motion, end.recognized, end.time);
+  std::vector<exec::ErrorState> states = ErrorStatesOf(end);
+  std::erase_if(states, [&](const exec::ErrorState& state) {
+    return std::ranges::count(bridged, state.motion, &ContactSpan::motion) == 0;
+  });
+  for (const exec::ErrorState& state : states) Add(state.recognized, bridged, tally.states);
+  if (!diverged) {
+    tally.needless += static_cast<int>(std::ssize(states));
+    return;
+  }
+  const auto named = std::ranges::find_if(
+      states, [](const exec::ErrorState& state) { return state.recognized.has_value(); });
+  Add(named == states.end() ? std::nullopt : named->recognized, bridged, tally.unwanted);
 }
 
 }  // namespace assay::check

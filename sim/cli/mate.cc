@@ -41,6 +41,7 @@ struct Options {
   std::filesystem::path models;
   std::optional<double> displacement_mm;
   std::optional<double> rotation_deg;
+  std::optional<double> velocity;  // share
   std::optional<double> clearance_mm;
   std::optional<double> friction;
   double beyond = 1;
@@ -73,6 +74,7 @@ domain::MatingErrors HalfWidths(const Options& options, const domain::Problem& p
   domain::MatingErrors errors = problem.mating_errors;
   if (options.displacement_mm) errors.displacement = *options.displacement_mm * kMillimetre;
   if (options.rotation_deg) errors.rotation = *options.rotation_deg * kDegree;
+  if (options.velocity) errors.velocity = *options.velocity;
   return errors;
 }
 
@@ -82,6 +84,7 @@ finemotion::FineMotionErrors ErrorsOf(const domain::MatingErrors& half_widths,
   errors.tolerances = geometry.tolerances;
   errors.pose.head<3>().setConstant(half_widths.displacement);
   errors.pose.tail<3>().setConstant(half_widths.rotation);
+  errors.velocity = half_widths.velocity;
   return errors;
 }
 
@@ -104,6 +107,7 @@ std::string ReplayCommand(const Options& options) {
   };
   add_given("displacement", options.displacement_mm);
   add_given("rotation", options.rotation_deg);
+  add_given("velocity", options.velocity);
   add_given("clearance", options.clearance_mm);
   add_given("friction", options.friction);
   add("beyond", options.beyond, usual.beyond);
@@ -252,6 +256,11 @@ void AddUncertainty(CLI::App& command, Options& options) {
   command
       .add_option("--rotation", options.rotation_deg, "so many degrees at most, about x, y and z")
       ->check(CLI::Range(0.0, domain::kMatingRotations.high / kDegree));
+  command
+      .add_option("--velocity", options.velocity,
+                  "directions of motion err by such a share of the motion at most, 0.002 being "
+                  "0.2 %")
+      ->check(CLI::Range(domain::kMatingVelocities.low, domain::kMatingVelocities.high));
   command
       .add_option("--clearance", options.clearance_mm, "mm on each side, instead of the scenario's")
       ->check(CLI::Range(0.0, 100.0));

@@ -156,11 +156,22 @@ std::string TextOf(const std::optional<exec::Holding>& holding) {
   return holding ? fmt::format("; what can hold it: {}", exec::Name(*holding)) : "";
 }
 
+// Error states that did not end the trial.
+std::string TextOf(int trial, const std::vector<exec::ErrorState>& states, const char* then) {
+  std::string text;
+  for (const exec::ErrorState& state : states) {
+    text += fmt::format("  trial {}: {}: {}{}; {}\n", trial, exec::Name(state.outcome),
+                        state.reason, TextOf(state.recognized), then);
+  }
+  return text;
+}
+
 // What went wrong, a line each; none if nothing did.
 std::string TextOf(const MatingStudy& study, const MatedTrial& trial) {
-  std::string text;
+  const exec::StrategyEnd& end = trial.result.end;
+  std::string text = TextOf(trial.number, end.recovered, "drew back");
+  text += TextOf(trial.number, end.ignored, "went on");
   if (!trial.seated) {
-    const exec::StrategyEnd& end = trial.result.end;
     text += fmt::format("  trial {}: {}: {}{}{}\n", trial.number, exec::Name(end.outcome),
                         end.reason, TextOf(end.holding), TextOf(end.recognized));
   }
@@ -176,26 +187,41 @@ std::string TextOf(const MatingStudy& study, const MatedTrial& trial) {
 check::RecognitionTally RecognitionOf(const MatingStudy& study) {
   check::RecognitionTally tally;
   for (const MatedTrial& trial : study.strategy) {
-    check::Count(trial.result.end, check::Bridged(trial.sequence->contacts.spans), tally);
+    const auto& events = trial.sequence->comparison.events;
+    const bool diverged = std::ranges::any_of(
+        events, [](const check::ContactEvent& event) { return !event.is_loss; });
+    check::Count(trial.result.end, check::Bridged(trial.sequence->contacts.spans), diverged, tally);
   }
   return tally;
 }
 
 std::string TextOf(const check::RecognitionTally& tally) {
-  if (tally.errors == 0) return {};
-  return fmt::format(
-      "error states: {} by contacts; {} recognized as one of the plan's, {} rightly\n",
-      tally.errors, tally.named, tally.right);
+  std::string text;
+  if (const auto& states = tally.states; states.errors > 0) {
+    text += fmt::format(
+        "error states: {} by contacts, {} recognized as one of the plan's, {} rightly; "
+        "{} in trials without an unwanted contact\n",
+        states.errors, states.named, states.right, tally.needless);
+  }
+  if (const auto& trials = tally.unwanted; trials.errors > 0) {
+    text +=
+        fmt::format("unwanted contacts: made in {} trials; named rightly in {}, wrongly in {}\n",
+                    trials.errors, trials.right, trials.named - trials.right);
+  }
+  return text;
 }
 
 std::string TextOf(const check::MarginRanking& ranking) {
   if (!ranking.correlation) {
     return "margins and frequencies of unwanted contacts: not enough variation\n";
   }
+  const auto happened = std::ranges::count_if(
+      ranking.contacts, [](const check::RankedContact& contact) { return contact.happened > 0; });
   return fmt::format(
       "margins and frequencies of unwanted contacts: rank correlation {:.2f}, 95 % in "
-      "{:.2f} .. {:.2f}\n",
-      *ranking.correlation, ranking.interval->low, ranking.interval->high);
+      "{:.2f} .. {:.2f}, of {} pairs; {} of them ever happened\n",
+      *ranking.correlation, ranking.interval->low, ranking.interval->high, ranking.contacts.size(),
+      happened);
 }
 
 Json ToJson(const check::Divergence& divergence) {
@@ -232,14 +258,26 @@ Json ToJson(const SequenceRecord& sequence) {
           {"unmapped", sequence.contacts.unmapped}};
 }
 
+Json ToJson(const check::Recognition& recognition) {
+  return {
+      {"errors", recognition.errors}, {"named", recognition.named}, {"right", recognition.right}};
+}
+
+Json ToJson(const check::RecognitionTally& tally) {
+  Json json = ToJson(tally.states);
+  json["needless"] = tally.needless;
+  json["unwanted"] = ToJson(tally.unwanted);
+  return json;
+}
+
 // What an error state was recognized as, and whether that is what the engine had; null: nothing.
-Json RecognizedJson(const std::optional<exec::RecognizedContact>& recognized, double time,
+Json RecognizedJson(const std::optional<exec::RecognizedContact>& recognized,
                     const SequenceRecord& sequence) {
   if (!recognized) return {};
   const auto bridged = check::Bridged(sequence.contacts.spans);
   return {{"contact", recognized->name},
           {"loss", recognized->is_loss},
-          {"right", check::IsRight(*recognized, time, bridged)}};
+          {"right", check::IsRight(*recognized, bridged)}};
 }
 
 Json ToJson(const std::optional<exec::Holding>& holding) {
@@ -253,7 +291,7 @@ Json ToJson(const std::vector<exec::ErrorState>& states, const SequenceRecord& s
                     {"end", exec::Name(state.outcome)},
                     {"reason", state.reason},
                     {"holding", ToJson(state.holding)},
-                    {"recognized", RecognizedJson(state.recognized, state.time, sequence)}});
+                    {"recognized", RecognizedJson(state.recognized, sequence)}});
   }
   return json;
 }
@@ -267,9 +305,9 @@ Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
           {"end", exec::Name(trial.result.end.outcome)},
           {"reason", trial.result.end.reason},
           {"holding", ToJson(trial.result.end.holding)},
-          {"recognized",
-           RecognizedJson(trial.result.end.recognized, trial.result.end.time, *trial.sequence)},
+          {"recognized", RecognizedJson(trial.result.end.recognized, *trial.sequence)},
           {"recovered", ToJson(trial.result.end.recovered, *trial.sequence)},
+          {"ignored", ToJson(trial.result.end.ignored, *trial.sequence)},
           {"force", trial.result.greatest_force},
           {"simulated", trial.result.duration},
           {"sequence", ToJson(*trial.sequence)},
@@ -297,8 +335,9 @@ Json ToJson(const check::MarginRanking& ranking) {
 std::string SummaryOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
   return fmt::format(
       "{} critical points; {} motions, certain for {:.2f} times the errors and friction up "
-      "to {:.2f}",
-      geometry.critical_points.size(), plan.motions.size(), plan.absorbed, plan.friction_limit);
+      "to {:.2f}; as planned in {} replays in exact geometry",
+      geometry.critical_points.size(), plan.motions.size(), plan.absorbed, plan.friction_limit,
+      plan.exact_replays);
 }
 
 std::vector<report::MatingSubject::Motion> MotionsOf(const FineMotionPlan& plan) {
@@ -342,6 +381,7 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
   Json json = {{"outcome", plan.found ? "plan" : "none"},
                {"critical_points", critical_points},
                {"absorbed", plan.absorbed},
+               {"exact_replays", plan.exact_replays},
                {"friction", plan.friction_limit},
                {"intersections",
                 {{"tests", plan.comparison.tests},
@@ -400,7 +440,6 @@ Json ToJson(const MatingStudy& study) {
   Json rows = Json::array();
   for (const MatedTrial& trial : study.strategy) rows.push_back(ToJson(study, trial));
   const SequenceTally tally = SequencesOf(study);
-  const check::RecognitionTally recognition = RecognitionOf(study);
   return {{"number", study.strategy.size()},
           {"strategy", ToJson(study.strategy)},
           {"straight", ToJson(study.straight)},
@@ -410,10 +449,7 @@ Json ToJson(const MatingStudy& study) {
             {"covered_matching", tally.covered_matching},
             {"points", tally.points},
             {"unmapped", tally.unmapped}}},
-          {"recognition",
-           {{"errors", recognition.errors},
-            {"named", recognition.named},
-            {"right", recognition.right}}},
+          {"recognition", ToJson(RecognitionOf(study))},
           {"ranking", ToJson(study.ranking)},
           {"rows", rows}};
 }

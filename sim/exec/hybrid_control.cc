@@ -62,6 +62,7 @@ StrategyEnd HybridControl::Run(const MotionObserver& observer) {
   StrategyEnd end;
   for (attempt_ = 1;; ++attempt_) {
     Ended error = RunOnce();
+    end.ignored = ignored_;
     if (!error) return end;
     if (attempt_ < law_.attempts && CanBeLeft(error->outcome)) {
       end.recovered.push_back(*std::move(error));
@@ -82,8 +83,8 @@ HybridControl::Ended HybridControl::RunOnce() {
   for (std::size_t i = 0; i < strategy_.motions.size(); ++i) {
     motion_ = static_cast<int>(i);
     Ended error = RunMotion(i);
-    if (error) error->recognized = Recognized(strategy_.motions[i]);
-    Record(error.value_or(Error(MatingOutcome::kDone, {})));
+    if (error && !error->recognized) error->recognized = Recognized(strategy_.motions[i]);
+    Record(error ? *error : Passed());
     if (error) return error;
   }
   return std::nullopt;
@@ -98,16 +99,49 @@ void HybridControl::Record(const ErrorState& end) {
                                                    .recognized = end.recognized});
 }
 
-// With contacts where they are found to be.
-std::optional<RecognizedContact> HybridControl::Recognized(
-    const plan::StrategyMotion& motion) const {
+ErrorState HybridControl::Passed() const {
+  ErrorState passed = Error(MatingOutcome::kDone, {});
+  if (!ignored_.empty() && ignored_.back().motion == motion_)
+    passed.recognized = ignored_.back().recognized;
+  return passed;
+}
+
+plan::Strategy HybridControl::Found() const {
   plan::Strategy found = strategy_;
   for (plan::StrategyContact& contact : found.contacts) contact.at += Beside(contact);
-  const auto error =
-      Recognize(found, motion, {felt_, TwistBetween(motion.X_FixedTip, arm_.MeasuredTip())});
+  return found;
+}
+
+// What went on in an error state has not been where the plan is since.
+std::optional<RecognizedContact> HybridControl::Recognized(
+    const plan::StrategyMotion& motion) const {
+  if (!ignored_.empty()) return ignored_.front().recognized;
+  const auto error = Recognize(Found(), motion, felt_.wrench);
   if (!error) return std::nullopt;
-  return RecognizedContact{found.contacts[static_cast<std::size_t>(error->contact)].name,
-                           error->is_loss};
+  return Named(*error, felt_.time);
+}
+
+RecognizedContact HybridControl::Named(const plan::UnwantedContact& unwanted, double time) const {
+  return {Planned(unwanted.contact).name, unwanted.is_loss, time};
+}
+
+HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motion) {
+  const plan::Strategy found = Found();
+  if (IsAsPlanned(found, motion, felt_.wrench)) return std::nullopt;
+  ErrorState wrong =
+      Error(MatingOutcome::kWrongContact, "forces that no contacts of the plan explain");
+  // Others may have followed the contact that the motion took for the awaited one.
+  for (const Feeling& felt : {first_felt_, felt_}) {
+    if (IsAsPlanned(found, motion, felt.wrench)) continue;
+    const auto unwanted = Recognize(found, motion, felt.wrench);
+    if (!unwanted) continue;
+    wrong.recognized = Named(*unwanted, felt.time);
+    if (attempt_ < law_.attempts) BelieveUnwanted(motion, *unwanted);
+    break;
+  }
+  if (attempt_ < law_.attempts) return wrong;
+  ignored_.push_back(std::move(wrong));
+  return std::nullopt;
 }
 
 HybridControl::Ended HybridControl::DrawBack() {
@@ -190,11 +224,13 @@ HybridControl::Ended HybridControl::RunMotion(std::size_t index) {
   // What presses on a contact is commanded to be beyond it.
   if (LetsGo(strategy_, index)) arm_.TakeStock();
   arm_.Linearize();
+  first_felt_ = {};
   const Way way = WayTo(motion.X_FixedTip, SpeedOf(motion));
   if (motion.slides) return Slide(way);
   if (motion.until) return MoveUntil(motion, way);
   const PressedContacts kept = Pressed(motion.kept);
   if (Ended error = MoveAlong(way, kept)) return error;
+  if (Ended error = CheckState(motion)) return error;
   Believe(kept, motion.X_FixedTip);
   return std::nullopt;
 }
@@ -260,8 +296,10 @@ double HybridControl::SeemingForce(const plan::StrategyMotion& motion, const Pre
 
 HybridControl::Ended HybridControl::Make(const plan::StrategyMotion& motion, const Way& way,
                                          double rate, const PressedContacts& kept) {
+  first_felt_ = felt_;
   if (Ended error = Brake(Hybrid(kept, rate * way.twist))) return error;
   if (Ended error = Settle(Pressed(plan::ContactsAfter(motion)))) return error;
+  if (Ended error = CheckState(motion)) return error;
   Believe(kept, motion.X_FixedTip);
   BelieveMade(*motion.until, motion.X_FixedTip, Hybrid(kept, way.twist).planned);
   return std::nullopt;
@@ -380,10 +418,22 @@ void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vecto
   arm_.Correct(-row.dot(TwistBetween(X_FixedTip, arm_.MeasuredTip())) / row.dot(along) * along);
 }
 
+void HybridControl::BelieveUnwanted(const plan::StrategyMotion& motion,
+                                    const plan::UnwantedContact& unwanted) {
+  if (unwanted.is_loss) return;
+  const PressedContacts touching = Pressed(plan::ContactsInError(motion, unwanted));
+  Eigen::VectorXd gaps =
+      touching.rows() * TwistBetween(motion.X_FixedTip, arm_.MeasuredTip());  // as believed
+  gaps.tail<1>()[0] += unwanted.gap;
+  arm_.Correct(-touching.Opening(gaps));
+}
+
 HybridControl::Ended HybridControl::Step(const TipMotion& motion) {
   if (Progress failure = arm_.Step(motion))
     return Error(OutcomeOf(failure->outcome), failure->reason);
-  felt_ += std::min(1.0, arm_.timestep() / law_.recognition_filter) * (arm_.wrench() - felt_);
+  felt_.wrench +=
+      std::min(1.0, arm_.timestep() / law_.recognition_filter) * (arm_.wrench() - felt_.wrench);
+  felt_.time = arm_.data().time();
   if (observer_) observer_(arm_.data(), motion_);
   return std::nullopt;
 }

@@ -35,6 +35,7 @@ struct StrategyEnd {
   std::string reason = {};                 // empty if done
   int motion = 0;                          // the one that it ended in
   std::vector<ErrorState> recovered = {};  // that it had come into before, and out of again
+  std::vector<ErrorState> ignored = {};    // of the last attempt, that it went on in
   std::optional<RecognizedContact> recognized = {};
   double time = 0;  // simulated seconds
   std::optional<Holding> holding = {};
@@ -55,8 +56,11 @@ bool LetsGo(const plan::Strategy& strategy, std::size_t motion);
 // velocity in proportion to what the force is too much. What it gives way goes into the commanded
 // position and is not undone later.
 //
-// In an error state the arm draws back and starts again. What contacts have told until then is
-// kept, so that the second time the errors are smaller.
+// After each motion the arm asks whether it feels the contact state that the plan then has
+// (recognition.h). If not, or if it cannot go on, it is in an error state: it draws back and starts
+// again. What contacts have told until then is kept, also an unwanted one that is recognized, so
+// that the next time the errors are smaller. In the last attempt it goes on as long as it can:
+// with parts that touch otherwise than planned it often still comes in.
 class HybridControl {
  public:
   // The part in the execution's hand goes where the strategy leads, seen from `fixed`. The tool
@@ -77,10 +81,21 @@ class HybridControl {
     Way At(double pace) const { return {twist, pace * rate, acceleration}; }
   };
   using Ended = std::optional<ErrorState>;  // none: it goes on
+  // The arm's wrench, averaged.
+  struct Feeling {
+    Vector6 wrench = Vector6::Zero();
+    double time = 0;
+  };
 
   Ended RunOnce();
   void Record(const ErrorState& end);
+  ErrorState Passed() const;  // none, but what is recognized
+  // The strategy with contacts where they are found to be.
+  plan::Strategy Found() const;
   std::optional<RecognizedContact> Recognized(const plan::StrategyMotion& motion) const;
+  RecognizedContact Named(const plan::UnwantedContact& unwanted, double time) const;
+  // That the motion has come to the contact state that the plan has there.
+  Ended CheckState(const plan::StrategyMotion& motion);
   // Out of the hole, and to where the strategy starts.
   Ended DrawBack();
   Vector3 WayOut() const;
@@ -127,6 +142,8 @@ class HybridControl {
   // after a motion, and so is one that was made on the way `along`.
   void Believe(const PressedContacts& kept, const Pose& X_FixedTip);
   void BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along);
+  // So is an unwanted one that was made instead of what is waited for.
+  void BelieveUnwanted(const plan::StrategyMotion& motion, const plan::UnwantedContact& unwanted);
 
   ErrorState Error(MatingOutcome outcome, std::string reason) const;
 
@@ -138,7 +155,9 @@ class HybridControl {
   MotionObserver observer_;
   std::map<std::string, Vector3> beside_;  // where contacts are planned, that they are found
   double obstructed_ = 0;                  // seconds, without a break
-  Vector6 felt_ = Vector6::Zero();         // the arm's wrench, averaged
+  std::vector<ErrorState> ignored_;        // StrategyEnd
+  Feeling felt_;
+  Feeling first_felt_;  // of the motion's awaited contact; what else is made then comes after it
   int attempt_ = 1;
   int motion_ = 0;
 };

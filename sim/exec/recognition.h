@@ -7,18 +7,31 @@
 
 namespace assay::exec {
 
-// What an arm knows where a motion does not go on as planned.
-struct Resistance {
-  Vector6 wrench = Vector6::Zero();  // that the contacts exert on the tip
-  Vector6 off = Vector6::Zero();     // the twist to the believed tip from where the motion leads
-};
+// Contact states are told apart by their force signatures (Dakin and Popplestone, section 5: the
+// next state's signature is what ends a motion, and those of error states come with the plan). The
+// paper does not say how a wrench is compared with signatures. Here each state has a likelihood,
+// told as the exponent's sum of squares:
+//
+// - by what angle the wrench is outside the state's cone of wrenches, friction and all; contacts
+//   may be moved to where they explain more, which has its price: edges that are nearly parallel
+//   touch centimetres beside where they are planned;
+// - of error states, by how much all errors must be enlarged for the state to come about (section
+//   4: the likelihood is inversely related to that).
+//
+// Where a part is believed to be does not tell contacts apart: in an error state that is what is
+// wrong. Neither is anything told by a contact that touches and bears nothing.
 
-// The error state of the motion whose force signature the wrench is of (Dakin and Popplestone,
-// sections 4 and 5), by what makes it one. None: the contacts of the plan explain the wrench as
-// well, or no known error state does whose forces can be told from the plan's. That what the motion
-// waits for has not come is no finding.
+// Whether what is felt after a motion is of the contacts that the plan then has. Less than a newton
+// is of any.
+bool IsAsPlanned(const plan::Strategy& strategy, const plan::StrategyMotion& motion,
+                 const Vector6& wrench);
+
+// The likeliest error state of the motion in which the tip bears the wrench, by what makes it one.
+// A contact that was made must explain the wrench, and the planned ones must not; one that was lost
+// must not be needed. None: no known error state does, of those whose forces can be told from the
+// plan's. That what the motion waits for has not come is no finding.
 std::optional<plan::UnwantedContact> Recognize(const plan::Strategy& strategy,
                                                const plan::StrategyMotion& motion,
-                                               const Resistance& felt);
+                                               const Vector6& wrench);
 
 }  // namespace assay::exec

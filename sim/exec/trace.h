@@ -72,6 +72,7 @@ struct GuardRecord {
 struct RecognizedContact {
   std::string name;  // "vertex 8 on face 6"
   bool is_loss = false;
+  double time = 0;  // at which it was felt
 };
 
 // How a motion of a strategy ended.
@@ -81,7 +82,8 @@ struct MotionRecord {
   int motion = 0;   // index
   int attempt = 1;  // at the strategy, from 1
   MatingOutcome outcome = MatingOutcome::kDone;
-  std::optional<RecognizedContact> recognized = {};  // if not done; none: none of the known ones
+  // None: no error state, or none that the plan knows. Done all the same: it was the last attempt.
+  std::optional<RecognizedContact> recognized = {};
 };
 
 // What is reached in a step.

@@ -14,6 +14,7 @@ namespace {
 
 using plan::Strategy;
 using ::testing::AllOf;
+using ::testing::Contains;
 using ::testing::Each;
 using ::testing::Field;
 using ::testing::HasSubstr;
@@ -42,6 +43,15 @@ TEST(PlanCheck, ReplaysStrategies) {
   expect([](Strategy& s) { s.certificate.d *= 3; }, "motion ");
   expect([](Strategy& s) { s.certificate.absorbed = 4; }, "motion ");
   expect([](Strategy& s) { s.certificate.absorbs.push_back("hand clear"); }, "'hand clear'");
+}
+
+TEST(PlanCheck, StrategiesAreCertainForTheArmsVelocity) {
+  domain::Problem problem = posting::LoadScenario("uncertain-fine-motion");
+  const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
+  EXPECT_THAT(FlawsOfStrategies(problem, plan), IsEmpty());
+  problem.mating_errors.velocity *= 1.5;
+  EXPECT_THAT(FlawsOfStrategies(problem, plan),
+              Contains(Field(&plan::Flaw::what, HasSubstr("err by 0.002, and they may by 0.003"))));
 }
 
 // The strategy was found for holes that may be narrower than they should be.

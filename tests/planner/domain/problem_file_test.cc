@@ -236,6 +236,9 @@ TEST(ProblemFile, ReadsMatingErrorsInTheFilesUnits) {
   EXPECT_NEAR(problem.mating_errors.rotation, 0.5 * kDegree, kTolerance);
   EXPECT_EQ(ParseScenario(kBrick + "mating_errors: {rotation: 0}\n").mating_errors,
             (MatingErrors{.displacement = usual.displacement, .rotation = 0}));
+  EXPECT_EQ(ParseScenario(kBrick + "mating_errors: {velocity: 0.01}\n").mating_errors.velocity,
+            0.01)
+      << "a share has no unit";
 }
 
 // ---- Overrides ----

@@ -117,6 +117,29 @@ TEST(TrialErrors, AreInTheBoxWithItsCornersAndTheMiddlesOfItsFaces) {
   EXPECT_EQ(middles, 12);
 }
 
+// A cube that goes down onto a floor meets another corner if it is tilted the other way.
+TEST(ReplayWithErrors, TellsTheFirstErrorThatGoesOtherwise) {
+  const Passage passage = CubeOverFloor();
+  const Pose start = Tilted({0, 0, 0.01}, {0.02, 0.04, 0});
+  ExactPart part(passage, start, 0.02);
+  Command command{Way({0, 0, -0.015}), {}, {}};
+  command.until = part.Move(command, 1, start.translation());
+  ASSERT_TRUE(command.until);
+  const std::vector<CertainMotion> motions = {{command, part.X(), {}}};
+  const ExactReplay replay{passage, start, motions};
+  PoseChange half = PoseChange::Zero();
+  half.tail<3>() << 0.01, 0.02, 0.01;
+  const ExactReplays less = ReplayWithErrors(replay, half, 5, 1);
+  EXPECT_FALSE(less.deviation);
+  EXPECT_EQ(less.tried, 1 + 64 + 12 + 10);
+  const ExactReplays more = ReplayWithErrors(replay, 4 * half, 5, 1);
+  ASSERT_TRUE(more.deviation);
+  EXPECT_LT(more.tried, less.tried);
+  EXPECT_EQ(more.deviation->motion, 0U);
+  EXPECT_TRUE(more.deviation->error[3] < -0.02 || more.deviation->error[4] < -0.04)
+      << more.deviation->error.transpose();
+}
+
 // --- What strategies absorb, in exact geometry: errors that the search has not tried, as great as
 // it says they may be.
 

@@ -49,7 +49,7 @@ plan::Strategy SomeStrategy() {
 }
 
 std::string NameOf(const plan::Strategy& strategy, const Vector6& wrench) {
-  const auto found = Recognize(strategy, strategy.motions[0], {.wrench = wrench});
+  const auto found = Recognize(strategy, strategy.motions[0], wrench);
   if (!found) return "none";
   return fmt::format("{}{}", found->is_loss ? "loss of " : "",
                      strategy.contacts[static_cast<std::size_t>(found->contact)].name);
@@ -64,6 +64,7 @@ TEST(Recognition, NamesTheContactWhoseForceIsFelt) {
       const Vector6 wrench = ForceOf(strategy.contacts[0], random.Uniform(2, 6), &random) +
                              ForceOf(unwanted, random.Uniform(8, 20), &random);
       EXPECT_EQ(NameOf(strategy, wrench), unwanted.name) << round;
+      EXPECT_FALSE(IsAsPlanned(strategy, strategy.motions[0], wrench)) << round;
     }
   }
 }
@@ -76,6 +77,7 @@ TEST(Recognition, ForcesOfThePlanAreOfNoErrorState) {
     const Vector6 awaited = ForceOf(strategy.contacts[1], random.Uniform(2, 6), &random);
     EXPECT_EQ(NameOf(strategy, kept), "none");
     EXPECT_EQ(NameOf(strategy, kept + awaited), "none");
+    EXPECT_TRUE(IsAsPlanned(strategy, strategy.motions[0], kept + awaited));
   }
 }
 
@@ -89,16 +91,27 @@ TEST(Recognition, ForcesOfNoKnownStateAreNotNamed) {
       << "half a newton tells of nothing";
 }
 
-// Of two contacts with the same force, the one that is nearer to where the tip believes to be.
-TEST(Recognition, OfLikeForcesTheNearerContactIsNamed) {
+// Of two contacts with the same force, the one that smaller errors bring about.
+TEST(Recognition, OfLikeForcesTheLikelierContactIsNamed) {
   plan::Strategy strategy = SomeStrategy();
   strategy.contacts[4] = strategy.contacts[2];
   strategy.contacts[4].name = "right again";
-  strategy.motions[0].unwanted[2].gap = 3e-3;
+  strategy.motions[0].unwanted[2].scale = 3;
   const Vector6 wrench = ForceOf(strategy.contacts[2], 10, nullptr);
   EXPECT_EQ(NameOf(strategy, wrench), "right");
-  std::swap(strategy.motions[0].unwanted[0].gap, strategy.motions[0].unwanted[2].gap);
+  std::swap(strategy.motions[0].unwanted[0].scale, strategy.motions[0].unwanted[2].scale);
   EXPECT_EQ(NameOf(strategy, wrench), "right again");
+}
+
+// Nothing is to touch, and something does.
+TEST(Recognition, AfterAFreeMotionAnyForceIsUnplanned) {
+  plan::Strategy strategy = SomeStrategy();
+  strategy.motions[0].kept.clear();
+  strategy.motions[0].until.reset();
+  EXPECT_TRUE(IsAsPlanned(strategy, strategy.motions[0], Vector6::Zero()));
+  const Vector6 wrench = ForceOf(strategy.contacts[3], 8, nullptr);
+  EXPECT_FALSE(IsAsPlanned(strategy, strategy.motions[0], wrench));
+  EXPECT_EQ(NameOf(strategy, wrench), "left");
 }
 
 }  // namespace
