@@ -14,8 +14,8 @@ constexpr double kLeastForce = 1;  // newtons that tell of contacts
 constexpr double kUsualSine = 0.1;
 constexpr double kUsualSlip = 0.005;  // metres
 constexpr double kUsualGrowth = 1.5;  // multiple of errors, above 1
-// Unlikelinesses, sums of squares of the above. Where all went as planned (841 ends of motions), the planned
-// state's was 0.7 at most, and where it was not the true one 6 at least.
+// Unlikelinesses, sums of squares of the above. Where all went as planned (841 ends of motions),
+// the planned state's was 0.7 at most, and where it was not the true one 6 at least.
 constexpr double kExplained = 4;  // at most, of a state that explains a wrench
 constexpr double kBetter = 1;     // by which one must be less to explain more than another
 constexpr double kAlike = 0.1;    // separation of states that forces do not tell apart
