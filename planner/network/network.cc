@@ -160,8 +160,10 @@ bool Network::HoldsWithin(std::span<const int> component) const {
            arc.relation->Allows(witness_[arc.a], witness_[arc.b]);
   };
   return labels_hold && std::all_of(component.begin(), component.end(), [&](int node) {
-           const auto& around = consistency_.at(node);
-           return std::all_of(around.begin(), around.end(), arc_holds);
+           for (const ArcConsistency::Direction& direction : consistency_.at(node)) {
+             if (!arc_holds(direction)) return false;
+           }
+           return true;
          });
 }
 
