@@ -298,8 +298,8 @@ NetworkWorkload NetworkOfFamily(NetworkFamily family, int index, std::uint64_t s
 NetworkWorkload LoadNetworkWorkload(const std::filesystem::path& file) {
   const network::NamedNetwork named = network::LoadNetwork(file);
   NetworkWorkload workload;
-  for (int node = 0; node < named.network.node_count(); ++node) {
-    workload.nodes.push_back(named.network.labels(NodeId(node)));
+  for (const std::vector<std::string>& labels : named.labels) {
+    workload.nodes.push_back(LabelSet::All(static_cast<int>(labels.size())));
   }
   workload.arcs.assign(named.network.arcs().begin(), named.network.arcs().end());
   return workload;
