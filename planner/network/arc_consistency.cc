@@ -115,13 +115,21 @@ inline ArcConsistency::Revision ArcConsistency::Revise(const Direction& directio
   return Revision::kChanged;
 }
 
+// Such a node, whose turn in the queue is over, has left only labels around that support its own.
+inline bool ArcConsistency::IsSettled(int node, const LabelStore& labels) const {
+  return labels.count(node) == 1 && cause_[node] == kNotQueued;
+}
+
 bool ArcConsistency::ReviseAround(int node, LabelStore& labels, Counters& counters) {
   const int cause = cause_[node];
   cause_[node] = kNotQueued;
   const int count = labels.count(node);
+  // With more labels left here than any label at the other end forbids, each there has a support.
   for (const Direction& direction : at(node)) {
-    // With more labels left than any label at the other end forbids, each has a support.
-    if (direction.arc == cause || count > direction.most_unsupporting) continue;
+    if (direction.arc == cause || count > direction.most_unsupporting ||
+        IsSettled(direction.revised, labels)) {
+      continue;
+    }
     ++counters.revisions;
     switch (Revise(direction, node, labels)) {
       case Revision::kUnchanged:

@@ -65,6 +65,7 @@ class ArcConsistency {
 
   void Enqueue(int node, int arc);
   int TakeSmallest(const LabelStore& labels);
+  bool IsSettled(int node, const LabelStore& labels) const;
   bool ReviseAround(int node, LabelStore& labels, Counters& counters);
   Revision Revise(const Direction& direction, int changed, LabelStore& labels);
   Revision ReviseWide(const Direction& direction, int changed, LabelStore& labels);
