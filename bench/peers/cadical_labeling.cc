@@ -20,8 +20,8 @@ constexpr int kSatisfiable = 10, kUnsatisfiable = 20;  // of CaDiCaL::Solver::so
 class Deadline : public CaDiCaL::Terminator {
  public:
   explicit Deadline(double seconds)
-      : end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                std::chrono::duration<double>(seconds))) {}
+      : end_(Clock::now() +
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
   bool terminate() override { return Clock::now() >= end_; }
 
  private:

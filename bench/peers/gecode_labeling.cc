@@ -91,9 +91,7 @@ struct Search {
       engine = std::make_unique<Gecode::DFS<NetworkSpace>>(&space, options);
     }
   }
-  std::unique_ptr<NetworkSpace> Next() {
-    return std::unique_ptr<NetworkSpace>(engine->next());
-  }
+  std::unique_ptr<NetworkSpace> Next() { return std::unique_ptr<NetworkSpace>(engine->next()); }
   std::int64_t visited() const { return static_cast<std::int64_t>(engine->statistics().node); }
 
   Gecode::Search::TimeStop stop;

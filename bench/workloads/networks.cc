@@ -127,9 +127,9 @@ class ThreatenedPlanBuilder {
   }
 
   void AddArc(int a, int b, double fraction) {
-    workload_.arcs.push_back({NodeId(a), NodeId(b),
-                              RandomFraction(workload_.nodes[a].size(), workload_.nodes[b].size(),
-                                             fraction, random_)});
+    workload_.arcs.push_back(
+        {NodeId(a), NodeId(b),
+         RandomFraction(workload_.nodes[a].size(), workload_.nodes[b].size(), fraction, random_)});
   }
 
   ThreatenedPlanModel model_;
@@ -141,7 +141,9 @@ class ThreatenedPlanBuilder {
 class RbNetworkBuilder {
  public:
   RbNetworkBuilder(const ModelRb& model, RandomStream& random)
-      : model_(model), random_(random), labels_(static_cast<int>(std::lround(std::pow(model.nodes, kAlpha)))) {}
+      : model_(model),
+        random_(random),
+        labels_(static_cast<int>(std::lround(std::pow(model.nodes, kAlpha)))) {}
 
   NetworkWorkload Build() {
     for (int node = 0; node < model_.nodes; ++node) forced_.push_back(random_.Index(labels_));
@@ -151,8 +153,8 @@ class RbNetworkBuilder {
     NetworkWorkload workload;
     workload.nodes.assign(model_.nodes, LabelSet::All(labels_));
     for (const auto& [ends, pairs] : forbidden_) {
-      workload.arcs.push_back({NodeId(ends.first), NodeId(ends.second),
-                               Relation::Forbidding(labels_, labels_, pairs)});
+      workload.arcs.push_back(
+          {NodeId(ends.first), NodeId(ends.second), Relation::Forbidding(labels_, labels_, pairs)});
     }
     return workload;
   }
@@ -280,9 +282,10 @@ NetworkWorkload NetworkOfFamily(NetworkFamily family, int index, std::uint64_t s
       return RandomRbNetwork({.nodes = 12 + index / 2}, random);
     case NetworkFamily::kPlan: {
       const int parts = 2 + index / 5;
-      return RandomThreatenedPlan(
-          {.parts = parts, .steps = 3, .threats = parts * (4 * parts - 10) + 5 * (index % 5)},
-          random);
+      return RandomThreatenedPlan({.parts = parts,
+                                   .steps = 3,
+                                   .threats = parts * (3 * parts - 5) + 2 * parts * (index % 5)},
+                                  random);
     }
     case NetworkFamily::kTree:
       return RandomTree({.nodes = 10 * (index + 1), .labels = 10, .forbidden = 70}, random);

@@ -18,8 +18,8 @@ struct NetworkWorkload {
   network::Network Build() const;  // without consistency checks
 };
 
-// A planner's use of a network: arc after arc, with an answer after each; what leaves no labeling is
-// taken back.
+// A planner's use of a network: arc after arc, with an answer after each; what leaves no labeling
+// is taken back.
 struct Posts {
   std::vector<Outcome> outcomes;  // by arc
   network::Counters counters;
@@ -93,9 +93,9 @@ NetworkWorkload RandomThreatenedPlan(const ThreatenedPlanModel& model, RandomStr
 // The networks that benchmarks measure: those of bench/workloads/networks, and of each family of
 // the generators 30 of growing size, drawn from the seed.
 enum class NetworkFamily { kModelB, kModelRb, kPlan, kTree, kGrid };
-inline constexpr NetworkFamily kNetworkFamilies[] = {
-    NetworkFamily::kModelB, NetworkFamily::kModelRb, NetworkFamily::kPlan, NetworkFamily::kTree,
-    NetworkFamily::kGrid};
+inline constexpr NetworkFamily kNetworkFamilies[] = {NetworkFamily::kModelB,
+                                                     NetworkFamily::kModelRb, NetworkFamily::kPlan,
+                                                     NetworkFamily::kTree, NetworkFamily::kGrid};
 inline constexpr int kNetworksOfFamily = 30;
 std::string_view Name(NetworkFamily family);
 NetworkWorkload NetworkOfFamily(NetworkFamily family, int index, std::uint64_t seed);

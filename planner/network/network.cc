@@ -22,7 +22,8 @@ Outcome Network::Restrict(NodeId node, const LabelSet& allowed) {
 }
 
 Outcome Network::Restrict(NodeId node, const LabelSet& allowed, Budget& budget) {
-  return Try({node}, [&] { Narrow(node, allowed); }, budget);
+  return Try(
+      {node}, [&] { Narrow(node, allowed); }, budget);
 }
 
 Outcome Network::Post(NodeId a, NodeId b, std::shared_ptr<const Relation> relation) {
@@ -32,7 +33,8 @@ Outcome Network::Post(NodeId a, NodeId b, std::shared_ptr<const Relation> relati
 
 Outcome Network::Post(NodeId a, NodeId b, std::shared_ptr<const Relation> relation,
                       Budget& budget) {
-  return Try({a, b}, [&] { AddArc(a, b, relation); }, budget);
+  return Try(
+      {a, b}, [&] { AddArc(a, b, relation); }, budget);
 }
 
 NodeId Network::AddNode(const LabelSet& labels) {
