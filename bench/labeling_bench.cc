@@ -11,9 +11,6 @@
 // everything is counted but the making of relations and tables.
 //
 // A contestant's answer is compared with ours before its time counts.
-//
-// In seconds: --benchmark_filter='/(plan-2x2|plan-00|model-b-00|tree-00|grid-00)/'
-// --benchmark_min_time=0.001
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -33,6 +30,7 @@
 #ifdef ASSAY_PEER_GECODE_LABELING
 #include "bench/peers/gecode_labeling.h"
 #endif
+#include "bench/harness/contest.h"
 #include "bench/peers/labeling_answer.h"
 #include "bench/workloads/networks.h"
 #include "planner/network/count.h"
@@ -124,13 +122,6 @@ void Post(benchmark::State& state, Instance& instance) {
 
 // ---- Peers ------------------------------------------------------------------------------------
 
-// Visible in the results where a peer is not installed.
-[[maybe_unused]] Contestant NotBuilt(const std::string& name, const std::string& package) {
-  return {name, [package](benchmark::State& state, Instance&) {
-            state.SkipWithError(fmt::format("not built: apt-get install {}", package).c_str());
-          }};
-}
-
 enum class Verdict { kAgrees, kDiffers, kTimeIsUp };
 
 [[maybe_unused]] Verdict Judge(Instance& instance, const peers::LabelingAnswer& answer) {
@@ -203,9 +194,9 @@ Contestants GecodePosts() {
   });
 }
 #else
-Contestants GecodeLabels() { return {NotBuilt("gecode", "libgecode-dev")}; }
-Contestants GecodeCounts() { return GecodeLabels(); }
-Contestants GecodePosts() { return GecodeLabels(); }
+Contestants GecodeLabels() { return {}; }
+Contestants GecodeCounts() { return {}; }
+Contestants GecodePosts() { return {}; }
 #endif
 
 #ifdef ASSAY_PEER_CADICAL_LABELING
@@ -248,8 +239,8 @@ Contestants CadicalPosts() {
       });
 }
 #else
-Contestants CadicalLabels() { return {NotBuilt("cadical", "libcadical-dev")}; }
-Contestants CadicalPosts() { return CadicalLabels(); }
+Contestants CadicalLabels() { return {}; }
+Contestants CadicalPosts() { return {}; }
 #endif
 
 // ---- What is measured on what -------------------------------------------------------------------
@@ -262,56 +253,101 @@ Contestants Beside(Contestant ours, std::initializer_list<Contestants> peers) {
   return contestants;
 }
 
-void Register(const std::string& question, const std::string& name,
-              const std::shared_ptr<Instance>& instance, const Contestants& contestants) {
+void Add(std::string_view family, const std::string& name,
+         const std::shared_ptr<Instance>& instance, const Contestants& contestants) {
   for (const Contestant& contestant : contestants) {
-    benchmark::RegisterBenchmark(
-        fmt::format("{}/{}/{}", question, name, contestant.name).c_str(),
-        [=](benchmark::State& state) { contestant.measure(state, *instance); })
-        ->Unit(benchmark::kMicrosecond);
+    bench::AddContestant(family, name, contestant.name,
+                         [=](benchmark::State& state) { contestant.measure(state, *instance); });
   }
 }
 
-void RegisterInstance(const std::string& name, bool counted,
-                      std::function<NetworkWorkload()> make) {
+struct Asked {
+  bool posted = true, counted = true;  // besides the first labeling
+};
+
+void AddInstance(const std::string& name, Asked asked, std::function<NetworkWorkload()> make) {
   const auto instance = std::make_shared<Instance>(std::move(make));
-  Register("labeling", name, instance, Beside({"assay", Label}, {GecodeLabels(), CadicalLabels()}));
-  Register("posting", name, instance, Beside({"assay", Post}, {GecodePosts(), CadicalPosts()}));
-  if (counted) {
-    Register("counting", name, instance, Beside({"assay", CountAll}, {GecodeCounts()}));
+  Add("labeling", name, instance, Beside({"assay", Label}, {GecodeLabels(), CadicalLabels()}));
+  if (asked.counted) {
+    Add("counting", name, instance, Beside({"assay", CountAll}, {GecodeCounts()}));
+  }
+  if (asked.posted) {
+    Add("posting", name, instance, Beside({"assay", Post}, {GecodePosts(), CadicalPosts()}));
   }
 }
 
-// Counted is what has no more labelings than Gecode can list.
-void RegisterFiles() {
+// Counted is what has no more labelings than Gecode can list; posted, what is a plan.
+void AddFiles() {
   const std::filesystem::path folder = ASSAY_SOURCE_DIR "/bench/workloads/networks";
   std::vector<std::filesystem::path> files(std::filesystem::directory_iterator(folder), {});
   std::ranges::sort(files);
   for (const std::filesystem::path& file : files) {
     const std::string name = file.stem();
-    RegisterInstance(name, name != "easy-n200-d5" && name != "grid-n100-d20",
-                     [=] { return workloads::LoadNetworkWorkload(file); });
+    const bool plan = name.starts_with("plan-");
+    if (bench::Tiny() && name != "plan-2x2" && name != "mb-n10-d10") continue;
+    AddInstance(name,
+                {.posted = plan, .counted = name != "easy-n200-d5" && name != "grid-n100-d20"},
+                [=] { return workloads::LoadNetworkWorkload(file); });
   }
 }
 
-void RegisterFamily(NetworkFamily family) {
+void AddFamily(NetworkFamily family) {
   const bool few = family == NetworkFamily::kModelB || family == NetworkFamily::kModelRb;
-  const bool small = family == NetworkFamily::kTree || family == NetworkFamily::kGrid;
-  for (int index = 0; index < workloads::kNetworksOfFamily; ++index) {
-    RegisterInstance(fmt::format("{}-{:02}", Name(family), index), few || (small && index == 0),
-                     [=] { return workloads::NetworkOfFamily(family, index, kSeed); });
+  const bool plan = family == NetworkFamily::kPlan;
+  const int networks = bench::Tiny() ? 1 : workloads::kNetworksOfFamily;
+  for (int index = 0; index < networks; ++index) {
+    AddInstance(fmt::format("{}-{:02}", Name(family), index), {.posted = plan, .counted = few},
+                [=] { return workloads::NetworkOfFamily(family, index, kSeed); });
   }
 }
+
+void AnnounceFamilies() {
+  const std::string cadical = "CaDiCaL is general, and built at the processor's baseline.";
+  bench::Announce(
+      "labeling",
+      {.measured = "the first labeling, or the proof that there is none, from the contestant's own "
+                   "form of the network: ours is copied and searched, Gecode's tables posted and "
+                   "searched, CaDiCaL's clauses solved",
+       .unfair = "Gecode's posting cannot be told from its first propagation, so that it counts. " +
+                 cadical,
+       .against = "gecode",
+       .at_least = 20,
+       .never_below = 1 / 1.1});
+  bench::Announce("counting", {.measured = "the number of all labelings",
+                               .unfair = "Gecode lists them one by one, ours multiplies the counts "
+                                         "of what does not depend on each other",
+                               .against = "gecode",
+                               .at_least = 10});
+  bench::Announce(
+      "posting",
+      {.measured = "a whole trace: arcs come one by one, each is answered completely, and taken "
+                   "back where no labeling is left",
+       .unfair = "Gecode clones a space with what was accepted and searches it anew; CaDiCaL keeps "
+                 "what it learned. Its clauses count, as our arcs do. " +
+                 cadical,
+       .against = "gecode",
+       .at_least = 50,
+       .never_below = 1});
+}
+
+void AnnounceMissing() {
+  for ([[maybe_unused]] const char* family : {"labeling", "counting", "posting"}) {
+#ifndef ASSAY_PEER_GECODE_LABELING
+    bench::AddMissing(family, "gecode", "libgecode-dev");
+#endif
+#ifndef ASSAY_PEER_CADICAL_LABELING
+    bench::AddMissing(family, "cadical", "libcadical-dev");
+#endif
+  }
+}
+
+const bool kAdded = [] {
+  AnnounceFamilies();
+  AnnounceMissing();
+  AddFiles();
+  for (const NetworkFamily family : workloads::kNetworkFamilies) AddFamily(family);
+  return true;
+}();
 
 }  // namespace
 }  // namespace assay::network
-
-int main(int argc, char** argv) {
-  assay::network::RegisterFiles();
-  for (const auto family : assay::workloads::kNetworkFamilies) {
-    assay::network::RegisterFamily(family);
-  }
-  benchmark::Initialize(&argc, argv);
-  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 1;
-  benchmark::RunSpecifiedBenchmarks();
-}

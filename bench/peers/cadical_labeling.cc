@@ -138,7 +138,7 @@ class CadicalLabeling::Solver {
 };
 
 std::string_view CadicalLabeling::Name(Encoding encoding) {
-  return encoding == Encoding::kDirect ? "cadical_direct" : "cadical_support";
+  return encoding == Encoding::kDirect ? "cadical:direct" : "cadical:support";
 }
 
 CadicalLabeling::CadicalLabeling(const NetworkWorkload& workload, Encoding encoding)

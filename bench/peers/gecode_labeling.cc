@@ -116,13 +116,13 @@ struct GecodeLabeling::Tables {
 std::string_view GecodeLabeling::Name(Order order) {
   switch (order) {
     case Order::kAfc:
-      return "gecode_afc";
+      return "gecode:afc";
     case Order::kSize:
-      return "gecode_size";
+      return "gecode:size";
     case Order::kAction:
-      return "gecode_action";
+      return "gecode:action";
     case Order::kAfcRestarts:
-      return "gecode_afc_restarts";
+      return "gecode:afc_restarts";
   }
   return "";
 }
