@@ -168,13 +168,17 @@ Outcome Network::FindWitness(Budget& budget) {
 
 Outcome Network::LabelComponent(std::span<const int> component, Labeling& found, Budget& budget) {
   const Fringe fringe = FringeOf(component, labels_, consistency_);
-  TreeSearch search(labels_, consistency_, counters_, fringe.core, NodeOrder::kConflictWeighted);
-  search.Prefer(witness_.labels);
-  const Outcome outcome = search.Any(budget);
+  const Outcome outcome = fringe.core.empty() ? Outcome::kFound : SearchCore(fringe.core, budget);
   if (outcome != Outcome::kFound) return outcome;
   for (int node : fringe.core) found.labels[node] = labels_.First(node);
   LabelFringe(fringe, found);
   return outcome;
+}
+
+Outcome Network::SearchCore(const std::vector<int>& core, Budget& budget) {
+  TreeSearch search(labels_, consistency_, counters_, core, NodeOrder::kConflictWeighted);
+  search.Prefer(witness_.labels);
+  return search.Any(budget);
 }
 
 void Network::LabelFringe(const Fringe& fringe, Labeling& found) const {

@@ -92,6 +92,7 @@ class Network {
   Outcome Search(Budget& budget);
   Outcome FindWitness(Budget& budget);
   Outcome LabelComponent(std::span<const int> component, Labeling& found, Budget& budget);
+  Outcome SearchCore(const std::vector<int>& core, Budget& budget);
   void LabelFringe(const Fringe& fringe, Labeling& found) const;
   bool HoldsWithin(std::span<const int> component) const;
   bool Mend(NodeId node);
