@@ -1,8 +1,14 @@
 #include "bench/workloads/networks.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/network/network_file.h"
 
 namespace assay::workloads {
 namespace {
@@ -85,6 +91,95 @@ class PlanNetworkBuilder {
   NetworkWorkload workload_;
 };
 
+class ThreatenedPlanBuilder {
+ public:
+  ThreatenedPlanBuilder(const ThreatenedPlanModel& model, RandomStream& random)
+      : model_(model), random_(random) {}
+
+  NetworkWorkload Build() {
+    for (int part = 0; part < model_.parts; ++part) AddPart();
+    for (int threat = 0; threat < model_.threats; ++threat) AddThreat();
+    return std::move(workload_);
+  }
+
+ private:
+  int NodesOfPart() const { return 2 * model_.steps + 1; }  // poses at even places
+
+  // A pose it has, one that it shall have, and what is between.
+  void AddPart() {
+    const int first = static_cast<int>(workload_.nodes.size());
+    for (int i = 0; i < NodesOfPart(); ++i) {
+      workload_.nodes.push_back(LabelSet::All(i % 2 == 0 ? model_.poses : model_.grasps));
+    }
+    workload_.nodes[first] = LabelSet::Of(model_.poses, {random_.Index(model_.poses)});
+    for (int i = 0; i + 1 < NodesOfPart(); ++i) AddArc(first + i, first + i + 1, model_.reachable);
+  }
+
+  void AddThreat() {
+    const auto [earlier, later] = TwoParts();
+    AddArc(earlier * NodesOfPart() + 1 + random_.Index(NodesOfPart() - 1),
+           later * NodesOfPart() + 1 + random_.Index(NodesOfPart() - 1), model_.harmless);
+  }
+
+  std::pair<int, int> TwoParts() {
+    const std::vector<int> parts = Draw(2, model_.parts, random_);
+    return std::minmax(parts[0], parts[1]);
+  }
+
+  void AddArc(int a, int b, double fraction) {
+    workload_.arcs.push_back(
+        {NodeId(a), NodeId(b),
+         RandomFraction(workload_.nodes[a].size(), workload_.nodes[b].size(), fraction, random_)});
+  }
+
+  ThreatenedPlanModel model_;
+  RandomStream& random_;
+  NetworkWorkload workload_;
+};
+
+// Forbidden pairs of Model RB's arcs, by the two nodes.
+class RbNetworkBuilder {
+ public:
+  RbNetworkBuilder(const ModelRb& model, RandomStream& random)
+      : model_(model),
+        random_(random),
+        labels_(static_cast<int>(std::lround(std::pow(model.nodes, kAlpha)))) {}
+
+  NetworkWorkload Build() {
+    for (int node = 0; node < model_.nodes; ++node) forced_.push_back(random_.Index(labels_));
+    const double density = -kAlpha / std::log(1 - kForbidden);
+    const auto arcs = std::lround(density * model_.nodes * std::log(model_.nodes));
+    for (int arc = 0; arc < arcs; ++arc) DrawArc();
+    NetworkWorkload workload;
+    workload.nodes.assign(model_.nodes, LabelSet::All(labels_));
+    for (const auto& [ends, pairs] : forbidden_) {
+      workload.arcs.push_back(
+          {NodeId(ends.first), NodeId(ends.second), Relation::Forbidding(labels_, labels_, pairs)});
+    }
+    return workload;
+  }
+
+ private:
+  static constexpr double kAlpha = 0.8, kForbidden = 0.25;
+
+  void DrawArc() {
+    const std::vector<int> ends = Draw(2, model_.nodes, random_);
+    const auto [a, b] = std::minmax(ends[0], ends[1]);
+    std::vector<LabelPair>& pairs = forbidden_[{a, b}];
+    const int cells = labels_ * labels_, kept = forced_[a] * labels_ + forced_[b];
+    for (int cell : Draw(static_cast<int>(std::lround(kForbidden * cells)), cells, random_)) {
+      if (model_.labeling == ModelRb::Labeling::kForced && cell == kept) continue;
+      pairs.emplace_back(cell / labels_, cell % labels_);
+    }
+  }
+
+  ModelRb model_;
+  RandomStream& random_;
+  int labels_;
+  std::vector<Label> forced_;
+  std::map<std::pair<int, int>, std::vector<LabelPair>> forbidden_;
+};
+
 }  // namespace
 
 network::Network NetworkWorkload::Build() const {
@@ -92,6 +187,17 @@ network::Network NetworkWorkload::Build() const {
   for (const LabelSet& labels : nodes) built.AddNode(labels);
   for (const network::Arc& arc : arcs) built.AddArc(arc.a, arc.b, arc.relation);
   return built;
+}
+
+Posts PostArcByArc(const NetworkWorkload& workload) {
+  network::Network network;
+  Posts posts;
+  for (const LabelSet& labels : workload.nodes) network.AddNode(labels);
+  for (const network::Arc& arc : workload.arcs) {
+    posts.outcomes.push_back(network.Post(arc.a, arc.b, arc.relation));
+  }
+  posts.counters = network.counters();
+  return posts;
 }
 
 NetworkWorkload RandomNetwork(const ModelB& model, RandomStream& random) {
@@ -137,6 +243,69 @@ NetworkWorkload RandomGrid(const GridModel& model, RandomStream& random) {
 
 NetworkWorkload RandomPlanNetwork(const PlanModel& model, RandomStream& random) {
   return PlanNetworkBuilder(model, random).Build();
+}
+
+NetworkWorkload RandomThreatenedPlan(const ThreatenedPlanModel& model, RandomStream& random) {
+  return ThreatenedPlanBuilder(model, random).Build();
+}
+
+NetworkWorkload RandomRbNetwork(const ModelRb& model, RandomStream& random) {
+  return RbNetworkBuilder(model, random).Build();
+}
+
+std::string_view Name(NetworkFamily family) {
+  switch (family) {
+    case NetworkFamily::kModelB:
+      return "model-b";
+    case NetworkFamily::kModelRb:
+      return "model-rb";
+    case NetworkFamily::kPlan:
+      return "plan";
+    case NetworkFamily::kTree:
+      return "tree";
+    case NetworkFamily::kGrid:
+      return "grid";
+  }
+  return "";
+}
+
+// Model B and Model RB near their thresholds, where one labeling is expected.
+NetworkWorkload NetworkOfFamily(NetworkFamily family, int index, std::uint64_t seed) {
+  RandomStream random(seed, fmt::format("{}-{}", Name(family), index));
+  switch (family) {
+    case NetworkFamily::kModelB: {
+      const int nodes = 11 + index;
+      return RandomNetwork({.nodes = nodes, .labels = 10, .arcs = nodes * 5, .forbidden = 37},
+                           random);
+    }
+    case NetworkFamily::kModelRb:
+      return RandomRbNetwork({.nodes = 12 + index / 2}, random);
+    case NetworkFamily::kPlan: {
+      const int parts = 2 + index / 5;
+      return RandomThreatenedPlan({.parts = parts,
+                                   .steps = 3,
+                                   .threats = parts * (3 * parts - 5) + 2 * parts * (index % 5)},
+                                  random);
+    }
+    case NetworkFamily::kTree:
+      return RandomTree({.nodes = 10 * (index + 1), .labels = 10, .forbidden = 70}, random);
+    case NetworkFamily::kGrid: {
+      const int rows = 3 + index / 4;
+      return RandomGrid({.rows = rows, .columns = rows + index % 4, .labels = 20, .forbidden = 280},
+                        random);
+    }
+  }
+  return {};
+}
+
+NetworkWorkload LoadNetworkWorkload(const std::filesystem::path& file) {
+  const network::NamedNetwork named = network::LoadNetwork(file);
+  NetworkWorkload workload;
+  for (const std::vector<std::string>& labels : named.labels) {
+    workload.nodes.push_back(LabelSet::All(static_cast<int>(labels.size())));
+  }
+  workload.arcs.assign(named.network.arcs().begin(), named.network.arcs().end());
+  return workload;
 }
 
 }  // namespace assay::workloads

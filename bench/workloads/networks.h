@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
+#include <string_view>
 #include <vector>
 
 #include "planner/base/random.h"
@@ -15,6 +18,14 @@ struct NetworkWorkload {
   network::Network Build() const;  // without consistency checks
 };
 
+// A planner's use of a network: arc after arc, with an answer after each; what leaves no labeling
+// is taken back.
+struct Posts {
+  std::vector<Outcome> outcomes;  // by arc
+  network::Counters counters;
+};
+Posts PostArcByArc(const NetworkWorkload& workload);
+
 // Random networks with exact numbers of arcs and of forbidden pairs in each (Model B: Smith and
 // Dyer 1996).
 struct ModelB {
@@ -24,6 +35,15 @@ struct ModelB {
   int forbidden = 0;  // pairs of each arc
 };
 NetworkWorkload RandomNetwork(const ModelB& model, RandomStream& random);
+
+// Random networks whose hard instances are known to lie at the threshold, where half of them have a
+// labeling (Model RB: Xu and Li 2000): nodes^0.8 labels, arcs drawn with repetition, a quarter of
+// the pairs of each forbidden. Arcs between the same nodes become one.
+struct ModelRb {
+  int nodes = 0;
+  enum class Labeling { kAsDrawn, kForced } labeling = Labeling::kAsDrawn;  // kForced: has one
+};
+NetworkWorkload RandomRbNetwork(const ModelRb& model, RandomStream& random);
 
 // Each node but the first has one arc to an earlier node.
 struct TreeModel {
@@ -56,5 +76,30 @@ struct PlanModel {
   double interference = 0.05;  // fraction of pairs of poses
 };
 NetworkWorkload RandomPlanNetwork(const PlanModel& model, RandomStream& random);
+
+// The networks of assembly plans as above, but for the threats: where, for how many pairs of poses
+// and grasps, parts are in each other's way is drawn at random.
+struct ThreatenedPlanModel {
+  int parts = 0;
+  int steps = 0;
+  int poses = 24;
+  int grasps = 48;
+  double reachable = 0.19;  // fraction of pairs of a grasp and a pose
+  int threats = 0;          // arcs between poses or grasps of different parts
+  double harmless = 0.65;   // fraction of pairs
+};
+NetworkWorkload RandomThreatenedPlan(const ThreatenedPlanModel& model, RandomStream& random);
+
+// The networks that benchmarks measure: those of bench/workloads/networks, and of each family of
+// the generators 30 of growing size, drawn from the seed.
+enum class NetworkFamily { kModelB, kModelRb, kPlan, kTree, kGrid };
+inline constexpr NetworkFamily kNetworkFamilies[] = {NetworkFamily::kModelB,
+                                                     NetworkFamily::kModelRb, NetworkFamily::kPlan,
+                                                     NetworkFamily::kTree, NetworkFamily::kGrid};
+inline constexpr int kNetworksOfFamily = 30;
+std::string_view Name(NetworkFamily family);
+NetworkWorkload NetworkOfFamily(NetworkFamily family, int index, std::uint64_t seed);
+
+NetworkWorkload LoadNetworkWorkload(const std::filesystem::path& file);  // as `assay label` reads
 
 }  // namespace assay::workloads

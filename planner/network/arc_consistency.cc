@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <utility>
+
+#include "planner/network/support.h"
 
 namespace assay::network {
 namespace {
@@ -16,64 +19,50 @@ void ForEachLabel(std::span<const Word> words, const Visit& visit) {
   }
 }
 
-enum class SmallerSet { kRevised, kChanged };
+constexpr std::size_t kCompared = 32;  // nodes of the queue
 
-// The labels of `revised` that one word of `changed` supports, when both sets are one word. Goes
-// through the smaller of the two sets.
-Word SupportedInOneWord(const ArcConsistency::Direction& direction, Word revised, Word changed,
-                        SmallerSet smaller) {
-  if (smaller == SmallerSet::kChanged) {
-    Word supported = 0;
-    for (Word rest = changed; rest != 0; rest &= rest - 1) {
-      supported |= direction.supported[std::countr_zero(rest)];
-    }
-    return revised & supported;
-  }
-  Word kept = 0;
-  for (Word rest = revised; rest != 0; rest &= rest - 1) {
-    const int label = std::countr_zero(rest);
-    kept |= Word{(direction.supports[label] & changed) != 0} << label;
-  }
-  return kept;
-}
+enum class SmallerSet { kRevised, kChanged };
 
 }  // namespace
 
 void ArcConsistency::AddNode() {
-  at_.emplace_back();
+  first_at_.push_back(kNoDirection);
   cause_.push_back(kNotQueued);
 }
 
 void ArcConsistency::RemoveLastNode() {
   if (cause_.back() != kNotQueued) std::erase(queue_, static_cast<int>(cause_.size()) - 1);
-  at_.pop_back();
+  first_at_.pop_back();
   cause_.pop_back();
 }
 
 void ArcConsistency::AddArc(int arc, int a, int b, const Relation& relation) {
   const auto add = [&](int changed, int revised, const Relation::Direction& supports,
                        const Relation::Direction& supported) {
-    at_[changed].push_back({.revised = revised,
-                            .arc = arc,
-                            .most_unsupporting = supports.most_unsupporting,
-                            .residues = static_cast<int>(residues_.size()),
-                            .supports = supports.supports.data(),
-                            .supported = supported.supports.data()});
+    directions_.push_back({.revised = revised,
+                           .arc = arc,
+                           .most_unsupporting = supports.most_unsupporting,
+                           .residues = static_cast<int>(residues_.size()),
+                           .next = std::exchange(first_at_[changed], std::ssize(directions_)),
+                           .supports = supports.supports.data(),
+                           .supported = supported.supports.data()});
     if (supports.words > 1) residues_.resize(residues_.size() + supports.count, 0);
   };
-  if (std::ssize(weights_) <= arc) weights_.resize(arc + 1, 1.0);
+  if (std::ssize(weights_) <= arc) weights_.resize(arc + 1, 1);
   add(b, a, relation.by_row(), relation.by_column());
   add(a, b, relation.by_column(), relation.by_row());
 }
 
 void ArcConsistency::RemoveLastArc(int a, int b) {
-  residues_.resize(at_[b].back().residues);
-  weights_.resize(at_[b].back().arc);
-  at_[a].pop_back();
-  at_[b].pop_back();
+  first_at_[a] = directions_.back().next;
+  directions_.pop_back();
+  first_at_[b] = directions_.back().next;
+  residues_.resize(directions_.back().residues);
+  weights_.resize(directions_.back().arc);
+  directions_.pop_back();
 }
 
-void ArcConsistency::ForgetWeights() { std::fill(weights_.begin(), weights_.end(), 1.0); }
+void ArcConsistency::ForgetWeights() { std::fill(weights_.begin(), weights_.end(), 1); }
 
 bool ArcConsistency::Propagate(LabelStore& labels, Counters& counters) {
   while (!queue_.empty()) {
@@ -100,9 +89,10 @@ void ArcConsistency::ClearQueue() {
   queue_.clear();
 }
 
+// Of the last ones, so that a long queue does not cost its square.
 int ArcConsistency::TakeSmallest(const LabelStore& labels) {
-  std::size_t smallest = 0;
-  for (std::size_t i = 1; i < queue_.size(); ++i) {
+  std::size_t smallest = queue_.size() > kCompared ? queue_.size() - kCompared : 0;
+  for (std::size_t i = smallest + 1; i < queue_.size(); ++i) {
     if (labels.count(queue_[i]) < labels.count(queue_[smallest])) smallest = i;
   }
   const int node = queue_[smallest];
@@ -111,13 +101,35 @@ int ArcConsistency::TakeSmallest(const LabelStore& labels) {
   return node;
 }
 
+inline ArcConsistency::Revision ArcConsistency::Revise(const Direction& direction, int changed,
+                                                       LabelStore& labels) {
+  const int revised = direction.revised;
+  if (!labels.IsOneWord(revised) || !labels.IsOneWord(changed)) {
+    return ReviseWide(direction, changed, labels);
+  }
+  const Word before = labels.OneWord(revised);
+  const Word kept = Supported(direction.supports, before, labels.OneWord(changed));
+  if (kept == before) return Revision::kUnchanged;
+  if (kept == 0) return Revision::kWipedOut;
+  labels.SetOneWord(revised, kept);
+  return Revision::kChanged;
+}
+
+// Such a node, whose turn in the queue is over, has left only labels around that support its own.
+inline bool ArcConsistency::IsSettled(int node, const LabelStore& labels) const {
+  return labels.count(node) == 1 && cause_[node] == kNotQueued;
+}
+
 bool ArcConsistency::ReviseAround(int node, LabelStore& labels, Counters& counters) {
   const int cause = cause_[node];
   cause_[node] = kNotQueued;
   const int count = labels.count(node);
-  for (const Direction& direction : at_[node]) {
-    // With more labels left than any label at the other end forbids, each has a support.
-    if (direction.arc == cause || count > direction.most_unsupporting) continue;
+  // With more labels left here than any label at the other end forbids, each there has a support.
+  for (const Direction& direction : at(node)) {
+    if (direction.arc == cause || count > direction.most_unsupporting ||
+        IsSettled(direction.revised, labels)) {
+      continue;
+    }
     ++counters.revisions;
     switch (Revise(direction, node, labels)) {
       case Revision::kUnchanged:
@@ -126,28 +138,21 @@ bool ArcConsistency::ReviseAround(int node, LabelStore& labels, Counters& counte
         Enqueue(direction.revised, direction.arc);
         break;
       case Revision::kWipedOut:
-        weights_[direction.arc] += 1;
+        ++weights_[direction.arc];
+        last_wipe_out_ = {.arc = direction.arc, .changed = node, .revised = direction.revised};
         return false;
     }
   }
   return true;
 }
 
-ArcConsistency::Revision ArcConsistency::Revise(const Direction& direction, int changed,
-                                                LabelStore& labels) {
+ArcConsistency::Revision ArcConsistency::ReviseWide(const Direction& direction, int changed,
+                                                    LabelStore& labels) {
   const std::span<const Word> before = labels.Words(direction.revised);
-  const std::span<const Word> others = labels.Words(changed);
   const int words = static_cast<int>(before.size());
   const SmallerSet smaller = labels.count(changed) * words <= labels.count(direction.revised)
                                  ? SmallerSet::kChanged
                                  : SmallerSet::kRevised;
-  if (words == 1 && others.size() == 1) {
-    const Word kept = SupportedInOneWord(direction, before[0], others[0], smaller);
-    if (kept == before[0]) return Revision::kUnchanged;
-    if (kept == 0) return Revision::kWipedOut;
-    labels.SetWord(direction.revised, 0, kept, std::popcount(before[0] ^ kept));
-    return Revision::kChanged;
-  }
   kept_.assign(before.size(), 0);
   if (smaller == SmallerSet::kChanged) {
     KeepSupported(direction, changed, labels);
@@ -165,7 +170,7 @@ ArcConsistency::Revision ArcConsistency::Replace(int node, LabelStore& labels) {
   }
   for (std::size_t i = 0; i < kept_.size(); ++i) {
     const Word lost = before[i] ^ kept_[i];
-    if (lost != 0) labels.SetWord(node, static_cast<int>(i), kept_[i], std::popcount(lost));
+    if (lost != 0) labels.SetWord(node, static_cast<int>(i), kept_[i]);
   }
   return Revision::kChanged;
 }

@@ -68,7 +68,7 @@ std::optional<std::uint64_t> LabelingCounter::CountComponent(const std::vector<i
 }
 
 std::optional<std::uint64_t> LabelingCounter::CountByBranching(const std::vector<int>& component) {
-  const int node = HeaviestOpen(component, labels_, arcs_);
+  const int node = OpenNodes(component, labels_, arcs_).Heaviest();
   std::uint64_t sum = 0;
   for (Label label : labels_.Labels(node)) {
     if (!budget_.Spend()) return std::nullopt;

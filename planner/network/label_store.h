@@ -12,8 +12,9 @@ namespace assay::network {
 
 using NodeId = Id<struct NodeTag>;
 
-// The label sets of all nodes of a network, side by side in one array, with a trail: label sets
-// only shrink, and shrink back open only by undoing to an earlier mark, last change first.
+// The label sets of all nodes of a network, side by side, with a trail: label sets only shrink, and
+// open again only by undoing to an earlier mark, last change first. A set of one word, as most are,
+// stands beside its count.
 class LabelStore {
  public:
   using Mark = std::size_t;  // a length of the trail
@@ -25,16 +26,21 @@ class LabelStore {
   int size(int node) const { return nodes_[node].size; }
   int count(int node) const { return nodes_[node].count; }
   bool Contains(int node, Label label) const {
-    return (words_[nodes_[node].offset + label / kWordBits] & BitOf(label)) != 0;
+    return (Words(node)[label / kWordBits] & BitOf(label)) != 0;
   }
   Label First(int node) const;  // the least label; there is one
+  bool IsOneWord(int node) const { return nodes_[node].words == 1; }
+  Word OneWord(int node) const { return nodes_[node].word; }
   std::span<const Word> Words(int node) const {
-    return {words_.data() + nodes_[node].offset, static_cast<std::size_t>(nodes_[node].words)};
+    const Node& at = nodes_[node];
+    return {at.words == 1 ? &at.word : wide_.data() + at.offset,
+            static_cast<std::size_t>(at.words)};
   }
   LabelSet Labels(int node) const { return LabelSet::OfWords(size(node), Words(node)); }
 
   // Changes to one label set. SetWord replaces its word `word` by a subset of it.
-  void SetWord(int node, int word, Word value, int removed_count);
+  void SetOneWord(int node, Word value);
+  void SetWord(int node, int word, Word value);
   void Replace(int node, const LabelSet& labels);  // by a subset
   void Assign(int node, Label label);              // a member becomes the only one
   void Remove(int node, Label label);              // a member is taken out
@@ -44,38 +50,36 @@ class LabelStore {
 
  private:
   struct Node {
-    int offset;  // of its first word
-    int words;
-    int size;
+    Word word;  // of a set of one word
+    // The period between two marks in which `word` was last put on the trail: within one period
+    // the first value is the one to come back to, so that later ones need not be recorded.
+    std::int64_t recorded_in;
     int count;
+    int size;
+    int words;
+    int offset;  // of several words, in wide_
   };
   struct Change {
     int node;
-    int word;  // in words_
-    Word value;
+    int word;
     int count;
+    Word value;
   };
 
   std::vector<Node> nodes_;
-  std::vector<Word> words_;
-  // The period between two marks in which a word was last put on the trail: within one period the
-  // first value is the one to come back to, so that later ones need not be recorded.
-  std::vector<std::int64_t> recorded_in_;
+  std::vector<Word> wide_;
   std::int64_t period_ = 0;
   std::vector<Change> trail_;
 };
 
-inline void LabelStore::SetWord(int node, int word, Word value, int removed_count) {
+inline void LabelStore::SetOneWord(int node, Word value) {
   Node& at = nodes_[node];
-  const int index = at.offset + word;
-  // The count belongs to the node, not to the word, so a node of several words records every
-  // change: undone in reverse, the oldest count comes back last.
-  if (recorded_in_[index] != period_ || at.words > 1) {
-    recorded_in_[index] = period_;
-    trail_.push_back({.node = node, .word = index, .value = words_[index], .count = at.count});
+  if (at.recorded_in != period_) {
+    at.recorded_in = period_;
+    trail_.push_back({.node = node, .word = 0, .count = at.count, .value = at.word});
   }
-  words_[index] = value;
-  at.count -= removed_count;
+  at.word = value;
+  at.count = std::popcount(value);
 }
 
 }  // namespace assay::network

@@ -1,6 +1,7 @@
 #include "planner/network/network.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 #include <utility>
 
@@ -21,7 +22,8 @@ Outcome Network::Restrict(NodeId node, const LabelSet& allowed) {
 }
 
 Outcome Network::Restrict(NodeId node, const LabelSet& allowed, Budget& budget) {
-  return Try([&] { Narrow(node, allowed); }, budget);
+  return Try(
+      {node}, [&] { Narrow(node, allowed); }, budget);
 }
 
 Outcome Network::Post(NodeId a, NodeId b, std::shared_ptr<const Relation> relation) {
@@ -31,7 +33,8 @@ Outcome Network::Post(NodeId a, NodeId b, std::shared_ptr<const Relation> relati
 
 Outcome Network::Post(NodeId a, NodeId b, std::shared_ptr<const Relation> relation,
                       Budget& budget) {
-  return Try([&] { AddArc(a, b, std::move(relation)); }, budget);
+  return Try(
+      {a, b}, [&] { AddArc(a, b, relation); }, budget);
 }
 
 NodeId Network::AddNode(const LabelSet& labels) {
@@ -48,11 +51,11 @@ void Network::Narrow(NodeId node, const LabelSet& allowed) {
   const int index = node.index();
   ASSAY_CHECK(allowed.size() == labels_.size(index), "{} labels for a node of {}", allowed.size(),
               labels_.size(index));
-  LabelSet narrowed = labels(node);
+  LabelSet narrowed = labels_.Labels(index);
   narrowed.intersect(allowed);
   labels_.Replace(index, narrowed);
   consistency_.Enqueue(index);
-  propagated_ = false;
+  propagated_ = owed_ = false;
   witness_holds_ = witness_holds_ && narrowed.contains(witness_[node]);
 }
 
@@ -70,7 +73,7 @@ void Network::AddArc(NodeId a, NodeId b, std::shared_ptr<const Relation> relatio
     consistency_.AddArc(static_cast<int>(arcs_.size()), a.index(), b.index(), *relation);
     consistency_.Enqueue(a.index());
     consistency_.Enqueue(b.index());
-    propagated_ = false;
+    propagated_ = owed_ = false;
     witness_holds_ = witness_holds_ && relation->Allows(witness_[a], witness_[b]);
   }
   arcs_.push_back({.a = a, .b = b, .relation = std::move(relation)});
@@ -91,23 +94,28 @@ Outcome Network::Decide() {
 }
 
 Outcome Network::Decide(Budget& budget) {
-  const Mark before = Save();
-  if (!Propagate()) {
-    Undo(before);
-    return Outcome::kNone;
-  }
-  if (witness_holds_) return Outcome::kFound;
-  const Outcome outcome = FindWitness(budget);
-  if (outcome == Outcome::kNone) Undo(before);
-  return outcome;
+  if (!witness_holds_) return Search(budget);
+  owed_ = true;
+  return Outcome::kFound;
 }
 
+// A search starts from label sets that were arc consistent without the constraint in question: when
+// it is taken back they need not be made so again.
 template <class Constrain>
-Outcome Network::Try(const Constrain& constrain, Budget& budget) {
-  const Mark before = Save();
+Outcome Network::Try(std::initializer_list<NodeId> ends, const Constrain& constrain,
+                     Budget& budget) {
+  Mark before = Save();
   const bool held = witness_holds_;
   constrain();
-  const Outcome outcome = Decide(budget);
+  const auto mend = [&](NodeId end) { return Mend(end); };
+  if (witness_holds_ || (held && std::ranges::any_of(ends, mend))) return Decide(budget);
+  if (held && !before.propagated) {
+    Undo(before);
+    Propagate();
+    before = Save();
+    constrain();
+  }
+  const Outcome outcome = Search(budget);
   if (outcome == Outcome::kFound) return outcome;
   Undo(before);
   // Only a labeling that was found replaces the witness, so that the old one is still there.
@@ -115,13 +123,28 @@ Outcome Network::Try(const Constrain& constrain, Budget& budget) {
   return outcome;
 }
 
-bool Network::Propagate() {
+bool Network::HasEmptyNode() const {
   for (int node = 0; node < node_count(); ++node) {
-    if (labels_.count(node) == 0) return false;
+    if (labels_.count(node) == 0) return true;
   }
-  if (!consistency_.Propagate(labels_, counters_)) return false;
-  propagated_ = true;
-  return true;
+  return false;
+}
+
+bool Network::Propagate() const {
+  propagated_ = !HasEmptyNode() && consistency_.Propagate(labels_, counters_);
+  return propagated_;
+}
+
+LabelSet Network::labels(NodeId node) const {
+  if (owed_ && !propagated_) Propagate();
+  return labels_.Labels(node.index());
+}
+
+Outcome Network::Search(Budget& budget) {
+  const Mark before = Save();
+  const Outcome outcome = Propagate() ? FindWitness(budget) : Outcome::kNone;
+  if (outcome == Outcome::kNone) Undo(before);
+  return outcome;
 }
 
 // The parts of the network that do not depend on each other are searched one by one, and only
@@ -131,21 +154,64 @@ Outcome Network::FindWitness(Budget& budget) {
   for (int node = 0; node < node_count(); ++node) {
     if (labels_.count(node) == 1) found.labels[node] = labels_.First(node);
   }
-  for (std::vector<int>& component : OpenComponents(labels_, consistency_)) {
+  for (const std::vector<int>& component : OpenComponents(labels_, consistency_)) {
     if (HoldsWithin(component)) continue;
     const LabelStore::Mark mark = labels_.Save();
-    TreeSearch search(labels_, consistency_, counters_, component, NodeOrder::kConflictWeighted);
-    search.Prefer(witness_.labels);
-    const Outcome outcome = search.Any(budget);
-    if (outcome == Outcome::kFound) {
-      for (int node : component) found.labels[node] = labels_.First(node);
-    }
+    const Outcome outcome = LabelComponent(component, found, budget);
     labels_.Undo(mark);
     if (outcome != Outcome::kFound) return outcome;
   }
   witness_ = std::move(found);
   witness_holds_ = true;
   return Outcome::kFound;
+}
+
+Outcome Network::LabelComponent(std::span<const int> component, Labeling& found, Budget& budget) {
+  const Fringe fringe = FringeOf(component, labels_, consistency_);
+  const Outcome outcome = fringe.core.empty() ? Outcome::kFound : SearchCore(fringe.core, budget);
+  if (outcome != Outcome::kFound) return outcome;
+  for (int node : fringe.core) found.labels[node] = labels_.First(node);
+  LabelFringe(fringe, found);
+  return outcome;
+}
+
+Outcome Network::SearchCore(const std::vector<int>& core, Budget& budget) {
+  TreeSearch search(labels_, consistency_, counters_, core, NodeOrder::kConflictWeighted);
+  search.Prefer(witness_.labels);
+  return search.Any(budget);
+}
+
+void Network::LabelFringe(const Fringe& fringe, Labeling& found) const {
+  for (auto hanging = fringe.hanging.rbegin(); hanging != fringe.hanging.rend(); ++hanging) {
+    const std::span<const Word> words = labels_.Words(hanging->node);
+    const auto fits = [&](std::size_t word) {
+      return hanging->parent == HangingNode::kNoParent
+                 ? words[word]
+                 : words[word] &
+                       hanging->supported[found.labels[hanging->parent] * words.size() + word];
+    };
+    std::size_t word = 0;
+    while (fits(word) == 0) ++word;
+    found.labels[hanging->node] =
+        static_cast<Label>(word) * kWordBits + std::countr_zero(fits(word));
+  }
+}
+
+// Whether the witness, which does not hold only on account of the last constraint, holds with
+// another label of this node.
+bool Network::Mend(NodeId node) {
+  const std::span<const Word> words = labels_.Words(node.index());
+  for (std::size_t word = 0; word < words.size(); ++word) {
+    Word fits = words[word];
+    for (const ArcConsistency::Direction& direction : consistency_.at(node.index())) {
+      fits &= direction.supports[witness_.labels[direction.revised] * words.size() + word];
+    }
+    if (fits == 0) continue;
+    witness_.labels[node.index()] = static_cast<Label>(word) * kWordBits + std::countr_zero(fits);
+    witness_holds_ = true;
+    return true;
+  }
+  return false;
 }
 
 bool Network::HoldsWithin(std::span<const int> component) const {
@@ -160,8 +226,10 @@ bool Network::HoldsWithin(std::span<const int> component) const {
            arc.relation->Allows(witness_[arc.a], witness_[arc.b]);
   };
   return labels_hold && std::all_of(component.begin(), component.end(), [&](int node) {
-           const auto& around = consistency_.at(node);
-           return std::all_of(around.begin(), around.end(), arc_holds);
+           for (const ArcConsistency::Direction& direction : consistency_.at(node)) {
+             if (!arc_holds(direction)) return false;
+           }
+           return true;
          });
 }
 
@@ -169,7 +237,8 @@ Network::Mark Network::Save() {
   return {.nodes = node_count(),
           .arcs = static_cast<int>(arcs_.size()),
           .labels = labels_.Save(),
-          .propagated = propagated_};
+          .propagated = propagated_,
+          .owed = owed_};
 }
 
 void Network::Undo(const Mark& mark) {
@@ -185,6 +254,7 @@ void Network::Undo(const Mark& mark) {
   }
   witness_.labels.resize(mark.nodes);
   propagated_ = mark.propagated;
+  owed_ = mark.owed;
   consistency_.ClearQueue();
   if (!propagated_) {
     for (int node = 0; node < node_count(); ++node) consistency_.Enqueue(node);
@@ -194,7 +264,7 @@ void Network::Undo(const Mark& mark) {
 bool Network::Satisfies(const Labeling& labeling) const {
   if (std::ssize(labeling.labels) != node_count()) return false;
   for (int node = 0; node < node_count(); ++node) {
-    if (!labels(NodeId(node)).contains(labeling.labels[node])) return false;
+    if (!labels_.Labels(node).contains(labeling.labels[node])) return false;
   }
   return std::all_of(arcs_.begin(), arcs_.end(), [&](const Arc& arc) {
     return arc.relation->Allows(labeling[arc.a], labeling[arc.b]);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <initializer_list>
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +9,7 @@
 #include "planner/base/outcome.h"
 #include "planner/network/arc_consistency.h"
 #include "planner/network/counters.h"
+#include "planner/network/fringe.h"
 #include "planner/network/label_set.h"
 #include "planner/network/label_store.h"
 #include "planner/network/labeling.h"
@@ -25,8 +26,9 @@ struct Arc {
 
 // A binary constraint network that constraints are posted to one by one, each with a complete
 // answer whether a labeling is left (Spar: Hutchinson and Kak 1990, "Constraints at the Geometric
-// Level of Planning"). Differences from the paper: label sets are kept arc consistent, search
-// maintains arc consistency, and the last labeling is kept, so that most posts need no search.
+// Level of Planning"). Differences from the paper: the last labeling is kept, and where it does not
+// hold any more first mended in one node, so that most posts need neither propagation nor search;
+// search maintains arc consistency; label sets are made arc consistent when they are asked for.
 class Network {
  public:
   // ---- Constraints with a consistency check -----------------------------------------------
@@ -57,7 +59,7 @@ class Network {
   struct Mark {
     int nodes, arcs;
     LabelStore::Mark labels;
-    bool propagated;
+    bool propagated, owed;
   };
   Mark Save();
   // Takes back everything since the mark, which was set on this network and not undone before.
@@ -67,7 +69,7 @@ class Network {
   int node_count() const { return labels_.node_count(); }
   // The labels still possible, by the constraints so far and by arc consistency as of the last
   // check.
-  LabelSet labels(NodeId node) const { return labels_.Labels(node.index()); }
+  LabelSet labels(NodeId node) const;
   std::span<const Arc> arcs() const { return arcs_; }
   // A labeling of the present network; null if none is known.
   const Labeling* witness() const { return witness_holds_ ? &witness_ : nullptr; }
@@ -84,21 +86,32 @@ class Network {
  private:
   void CheckNode(NodeId node) const;
   template <class Constrain>
-  Outcome Try(const Constrain& constrain, Budget& budget);
-  bool Propagate();
+  Outcome Try(std::initializer_list<NodeId> ends, const Constrain& constrain, Budget& budget);
+  bool HasEmptyNode() const;
+  bool Propagate() const;
+  Outcome Search(Budget& budget);
   Outcome FindWitness(Budget& budget);
+  Outcome LabelComponent(std::span<const int> component, Labeling& found, Budget& budget);
+  Outcome SearchCore(const std::vector<int>& core, Budget& budget);
+  void LabelFringe(const Fringe& fringe, Labeling& found) const;
   bool HoldsWithin(std::span<const int> component) const;
+  bool Mend(NodeId node);
   void NarrowToLoop(NodeId node, const Relation& relation);
 
-  LabelStore labels_;
-  ArcConsistency consistency_;
+  // Mutable, because arc consistency says nothing new: what is owed is made up for when somebody
+  // asks for it.
+  mutable LabelStore labels_;
+  mutable ArcConsistency consistency_;
+  mutable Counters counters_;
   std::vector<Arc> arcs_;
-  bool propagated_ = true;  // what is not yet propagated is in the queue of consistency_
+  // What is not propagated is in the queue of consistency_. It is owed once a check has found that
+  // there is a labeling.
+  mutable bool propagated_ = true;
+  bool owed_ = false;
 
   // The last labeling found. When it does not hold any more it is still the best guess.
   Labeling witness_;
   bool witness_holds_ = true;
-  Counters counters_;
 };
 
 }  // namespace assay::network

@@ -25,16 +25,20 @@ std::vector<int> Scope(int node_count, const std::vector<NodeId>& order) {
   return scope;
 }
 
+ArcConsistency WithoutWeights(ArcConsistency consistency) {
+  consistency.ForgetWeights();
+  return consistency;
+}
+
 }  // namespace
 
 struct Labelings::State {
   State(const Network& network, const SearchOptions& options)
       : arcs(network.arcs().begin(), network.arcs().end()),
         labels(network.label_store()),
-        consistency(network.arc_consistency()),
+        consistency(WithoutWeights(network.arc_consistency())),
         search(labels, consistency, counters, Scope(network.node_count(), options.order),
                options.order.empty() ? NodeOrder::kConflictWeighted : NodeOrder::kGiven) {
-    consistency.ForgetWeights();
     for (int node = 0; node < labels.node_count(); ++node) {
       exhausted = exhausted || labels.count(node) == 0;
     }

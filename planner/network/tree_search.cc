@@ -15,7 +15,7 @@ TreeSearch::TreeSearch(LabelStore& labels, ArcConsistency& arcs, Counters& count
     : labels_(labels),
       arcs_(arcs),
       counters_(counters),
-      scope_(std::move(scope)),
+      open_(std::move(scope), labels, arcs),
       order_(order),
       preferred_(labels.node_count(), kNoLabel) {}
 
@@ -52,11 +52,12 @@ std::optional<Outcome> TreeSearch::Advance(Budget& budget, std::int64_t wipe_out
 
 bool TreeSearch::Descend(int node) {
   const Label label = ChooseLabel(node);
-  decisions_.push_back({.mark = labels_.Save(), .node = node, .label = label});
+  decisions_.push_back(
+      {.mark = labels_.Save(), .node = node, .label = label, .open = open_.count()});
   ++counters_.visited;
   labels_.Assign(node, label);
   arcs_.Enqueue(node);
-  if (!arcs_.Propagate(labels_, counters_)) return false;
+  if (!Propagate()) return false;
   preferred_[node] = label;
   return true;
 }
@@ -66,22 +67,31 @@ bool TreeSearch::Backtrack() {
     const Decision decision = decisions_.back();
     decisions_.pop_back();
     labels_.Undo(decision.mark);
+    open_.Reopen(decision.open);
     labels_.Remove(decision.node, decision.label);
     arcs_.Enqueue(decision.node);
-    if (arcs_.Propagate(labels_, counters_)) return true;
+    if (Propagate()) return true;
   }
+  return false;
+}
+
+bool TreeSearch::Propagate() {
+  if (arcs_.Propagate(labels_, counters_)) return true;
+  open_.Blame(arcs_.last_wipe_out());
   return false;
 }
 
 void TreeSearch::Rewind() {
   if (decisions_.empty()) return;
   labels_.Undo(decisions_.front().mark);
+  open_.Reopen(decisions_.front().open);
   decisions_.clear();
 }
 
-int TreeSearch::ChooseNode() const {
-  return order_ == NodeOrder::kGiven ? FirstOpen(scope_, labels_)
-                                     : HeaviestOpen(scope_, labels_, arcs_);
+int TreeSearch::ChooseNode() {
+  if (order_ == NodeOrder::kGiven) return open_.First();
+  open_.Update();
+  return open_.Heaviest();
 }
 
 Label TreeSearch::ChooseLabel(int node) const {

@@ -43,6 +43,7 @@ class TreeSearch {
     LabelStore::Mark mark;
     int node;
     Label label;
+    int open;  // the length of open_ before
   };
 
   static constexpr std::int64_t kUnlimited = -1;
@@ -50,15 +51,16 @@ class TreeSearch {
   std::optional<Outcome> Advance(Budget& budget, std::int64_t wipe_out_limit);
   bool Descend(int node);
   bool Backtrack();
+  bool Propagate();
   void Rewind();
 
-  int ChooseNode() const;
+  int ChooseNode();
   Label ChooseLabel(int node) const;
 
   LabelStore& labels_;
   ArcConsistency& arcs_;
   Counters& counters_;
-  std::vector<int> scope_;
+  OpenNodes open_;
   NodeOrder order_;
   std::vector<Label> preferred_;
 

@@ -106,6 +106,18 @@ TEST(Network, DecidesEveryPostAndStaysAsBeforeWhenItRefuses) {
   EXPECT_GT(refused, 500);
 }
 
+// The witness is mended in one node, and nothing is propagated before somebody asks.
+TEST(Network, PropagatesWhatItOwesWhenLabelsAreAskedFor) {
+  Network network;
+  const NodeId a = network.AddNode(LabelSet::All(3)), b = network.AddNode(LabelSet::All(3));
+  ASSERT_EQ(network.Post(a, b, Relation::Where(3, 3, std::less<Label>())), Outcome::kFound);
+  EXPECT_EQ(*network.witness(), (Labeling{{0, 1}}));
+  EXPECT_EQ(network.counters(), Counters());
+  EXPECT_EQ(network.labels(a), LabelSet::Of(3, {0, 1}));
+  EXPECT_EQ(network.labels(b), LabelSet::Of(3, {1, 2}));
+  EXPECT_GT(network.counters().revisions, 0);
+}
+
 TEST(Network, UndoGivesTheNetworkThatWasSaved) {
   struct Saved {
     Network::Mark mark;

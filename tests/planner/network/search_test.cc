@@ -273,5 +273,42 @@ TEST_F(SparExample, RefusesAPoseThatNoGraspReaches) {
   EXPECT_EQ(network.labels(pos_1), LabelSet::Of(6, {1, 2}));
 }
 
+// Model RB with a labeling forced into it has one; as drawn, at its threshold, some have and some
+// have not.
+TEST(RandomRbNetwork, HasALabelingWhereOneIsForced) {
+  int drawn = 0;
+  for (int seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomStream random(seed, "rb");
+    using workloads::ModelRb;
+    const auto decide = [&](ModelRb::Labeling labeling) {
+      Network network =
+          workloads::RandomRbNetwork({.nodes = 12, .labeling = labeling}, random).Build();
+      return network.Decide();
+    };
+    ASSERT_EQ(decide(ModelRb::Labeling::kForced), Outcome::kFound);
+    if (decide(ModelRb::Labeling::kAsDrawn) == Outcome::kFound) ++drawn;
+  }
+  EXPECT_GT(drawn, 0);
+  EXPECT_LT(drawn, 20);
+}
+
+// What the benchmarks measure: refutations and counts of the smaller ones by another way.
+TEST(NetworkFamily, IsDecidedAsItIsCounted) {
+  int none = 0;
+  for (const workloads::NetworkFamily family : workloads::kNetworkFamilies) {
+    for (int index = 0; index < 4; ++index) {
+      SCOPED_TRACE(std::string(workloads::Name(family)) + std::to_string(index));
+      Network network = workloads::NetworkOfFamily(family, index, 1).Build();
+      Budget budget(2000);  // counts of some have twenty digits
+      const LabelingCount count = Count(network, budget);
+      if (count.outcome == Outcome::kBudget) continue;
+      ASSERT_EQ(network.Decide(), count.outcome);
+      if (count.outcome == Outcome::kNone) ++none;
+    }
+  }
+  EXPECT_GT(none, 0);
+}
+
 }  // namespace
 }  // namespace assay::network

@@ -1,0 +1,353 @@
+// Our labeling engine beside Gecode and CaDiCaL, on the same networks in one run:
+//   labeling/NETWORK/CONTESTANT   the first labeling, or the proof that there is none
+//   counting/NETWORK/CONTESTANT   the number of labelings
+//   posting/NETWORK/CONTESTANT    arcs posted one by one, each with a complete answer whether a
+//                                 labeling is left, and taken back where none is
+//
+// What is measured, of labeling and counting: from a network that the contestant holds in its own
+// form to the answer. Ours is copied and searched; Gecode's tables, which cannot be taken apart
+// from their propagation, are posted and searched; CaDiCaL's clauses are solved. Reading files,
+// drawing random networks, and making arcs, tables and clauses of them is excluded. Of posting
+// everything is counted but the making of relations and tables.
+//
+// A contestant's answer is compared with ours before its time counts.
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+
+#ifdef ASSAY_PEER_CADICAL_LABELING
+#include "bench/peers/cadical_labeling.h"
+#endif
+#ifdef ASSAY_PEER_GECODE_LABELING
+#include "bench/peers/gecode_labeling.h"
+#endif
+#include "bench/harness/contest.h"
+#include "bench/peers/labeling_answer.h"
+#include "bench/workloads/networks.h"
+#include "planner/network/count.h"
+#include "planner/network/search.h"
+
+namespace assay::network {
+namespace {
+
+using workloads::NetworkFamily;
+using workloads::NetworkWorkload;
+
+constexpr std::uint64_t kSeed = 1;
+constexpr double kPeerSeconds = 10;  // for one question, and for all questions of one trace
+
+// A network, drawn or read when it is first needed, and our answers about it.
+class Instance {
+ public:
+  explicit Instance(std::function<NetworkWorkload()> make) : make_(std::move(make)) {}
+
+  const NetworkWorkload& workload() { return Once(workload_, make_); }
+  Outcome outcome() {
+    return Once(outcome_, [&] { return workload().Build().Decide(); });
+  }
+  std::uint64_t count() {
+    Budget budget(std::numeric_limits<std::int64_t>::max());
+    return Once(count_, [&] { return Count(workload().Build(), budget).count; });
+  }
+  const std::vector<Outcome>& posts() {
+    return Once(posts_, [&] { return workloads::PostArcByArc(workload()).outcomes; });
+  }
+
+ private:
+  template <class T, class Make>
+  static const T& Once(std::optional<T>& value, const Make& make) {
+    if (!value.has_value()) value = make();
+    return *value;
+  }
+
+  std::function<NetworkWorkload()> make_;
+  std::optional<NetworkWorkload> workload_;
+  std::optional<Outcome> outcome_;
+  std::optional<std::uint64_t> count_;
+  std::optional<std::vector<Outcome>> posts_;
+};
+
+struct Contestant {
+  std::string name;
+  std::function<void(benchmark::State&, Instance&)> measure;
+};
+using Contestants = std::vector<Contestant>;
+
+// ---- Ours -------------------------------------------------------------------------------------
+
+void Report(benchmark::State& state, const Counters& counters) {
+  state.counters["visited"] = static_cast<double>(counters.visited);
+  state.counters["revisions"] = static_cast<double>(counters.revisions);
+}
+
+void Label(benchmark::State& state, Instance& instance) {
+  const Network network = instance.workload().Build();
+  FirstLabeling first;
+  for (auto _ : state) {
+    Budget budget(std::numeric_limits<std::int64_t>::max());
+    first = First(network, {}, budget);
+  }
+  Report(state, first.counters);
+  state.counters["found"] = instance.outcome() == Outcome::kFound;
+}
+
+void CountAll(benchmark::State& state, Instance& instance) {
+  const Network network = instance.workload().Build();
+  LabelingCount count;
+  for (auto _ : state) {
+    Budget budget(std::numeric_limits<std::int64_t>::max());
+    count = Count(network, budget);
+  }
+  Report(state, count.counters);
+  state.counters["count"] = static_cast<double>(count.count);
+}
+
+void Post(benchmark::State& state, Instance& instance) {
+  const NetworkWorkload& workload = instance.workload();
+  workloads::Posts posts;
+  for (auto _ : state) posts = workloads::PostArcByArc(workload);
+  Report(state, posts.counters);
+  state.counters["refused"] =
+      static_cast<double>(std::ranges::count(posts.outcomes, Outcome::kNone));
+}
+
+// ---- Peers ------------------------------------------------------------------------------------
+
+enum class Verdict { kAgrees, kDiffers, kTimeIsUp };
+
+[[maybe_unused]] Verdict Judge(Instance& instance, const peers::LabelingAnswer& answer) {
+  if (answer.outcome == Outcome::kBudget) return Verdict::kTimeIsUp;
+  const bool agrees =
+      answer.outcome == instance.outcome() &&
+      (answer.outcome != Outcome::kFound || instance.workload().Build().Satisfies(answer.labeling));
+  return agrees ? Verdict::kAgrees : Verdict::kDiffers;
+}
+
+[[maybe_unused]] Verdict Judge(Instance& instance, const peers::CountAnswer& answer) {
+  if (answer.outcome == Outcome::kBudget) return Verdict::kTimeIsUp;
+  return answer.count == instance.count() ? Verdict::kAgrees : Verdict::kDiffers;
+}
+
+[[maybe_unused]] Verdict Judge(Instance& instance, const std::vector<Outcome>& posts) {
+  if (posts.size() < instance.workload().arcs.size()) return Verdict::kTimeIsUp;
+  return posts == instance.posts() ? Verdict::kAgrees : Verdict::kDiffers;
+}
+
+void Conclude(benchmark::State& state, Verdict verdict) {
+  state.counters["timeout"] = verdict == Verdict::kTimeIsUp;
+  if (verdict == Verdict::kDiffers) state.SkipWithError("its answer is not ours");
+}
+
+// Measures `ask`, which starts anew each time.
+template <class Ask>
+void Measure(benchmark::State& state, Instance& instance, const Ask& ask) {
+  decltype(ask()) answer;
+  for (auto _ : state) answer = ask();
+  Conclude(state, Judge(instance, answer));
+}
+
+#ifdef ASSAY_PEER_GECODE_LABELING
+using peers::GecodeLabeling;
+
+// One contestant for each of its variable orders.
+template <class Ask>
+Contestants Gecode(const Ask& ask) {
+  Contestants contestants;
+  for (const GecodeLabeling::Order order : GecodeLabeling::kOrders) {
+    contestants.push_back({std::string(GecodeLabeling::Name(order)),
+                           [=](benchmark::State& state, Instance& instance) {
+                             const GecodeLabeling gecode(instance.workload());
+                             Measure(state, instance, [&] { return ask(gecode, order); });
+                           }});
+  }
+  return contestants;
+}
+
+Contestants GecodeLabels() {
+  return Gecode([](const GecodeLabeling& gecode, GecodeLabeling::Order order) {
+    return gecode.First(order, kPeerSeconds);
+  });
+}
+
+Contestants GecodeCounts() {
+  Contestants contestants = Gecode([](const GecodeLabeling& gecode, GecodeLabeling::Order order) {
+    return gecode.Count(order, kPeerSeconds);
+  });
+  std::erase_if(contestants, [](const Contestant& contestant) {
+    return contestant.name == GecodeLabeling::Name(GecodeLabeling::Order::kAfcRestarts);
+  });
+  return contestants;
+}
+
+Contestants GecodePosts() {
+  return Gecode([](const GecodeLabeling& gecode, GecodeLabeling::Order order) {
+    return gecode.PostArcByArc(order, kPeerSeconds);
+  });
+}
+#else
+Contestants GecodeLabels() { return {}; }
+Contestants GecodeCounts() { return {}; }
+Contestants GecodePosts() { return {}; }
+#endif
+
+#ifdef ASSAY_PEER_CADICAL_LABELING
+using peers::CadicalLabeling;
+
+// A solver answers once. Clauses are given to a new one while the clock stands still; stopping and
+// starting it costs less than a microsecond.
+void MeasureCadical(benchmark::State& state, Instance& instance,
+                    CadicalLabeling::Encoding encoding) {
+  std::optional<CadicalLabeling> cadical;
+  peers::LabelingAnswer answer;
+  for (auto _ : state) {
+    state.PauseTiming();
+    cadical.emplace(instance.workload(), encoding);
+    state.ResumeTiming();
+    answer = cadical->First(kPeerSeconds);
+  }
+  Conclude(state, Judge(instance, answer));
+}
+
+template <class MeasureEncoding>
+Contestants Cadical(const MeasureEncoding& measure) {
+  Contestants contestants;
+  for (const CadicalLabeling::Encoding encoding : CadicalLabeling::kEncodings) {
+    contestants.push_back(
+        {std::string(CadicalLabeling::Name(encoding)),
+         [=](benchmark::State& state, Instance& instance) { measure(state, instance, encoding); }});
+  }
+  return contestants;
+}
+
+Contestants CadicalLabels() { return Cadical(MeasureCadical); }
+
+Contestants CadicalPosts() {
+  return Cadical(
+      [](benchmark::State& state, Instance& instance, CadicalLabeling::Encoding encoding) {
+        Measure(state, instance, [&] {
+          return CadicalLabeling::PostArcByArc(instance.workload(), encoding, kPeerSeconds);
+        });
+      });
+}
+#else
+Contestants CadicalLabels() { return {}; }
+Contestants CadicalPosts() { return {}; }
+#endif
+
+// ---- What is measured on what -------------------------------------------------------------------
+
+Contestants Beside(Contestant ours, std::initializer_list<Contestants> peers) {
+  Contestants contestants = {std::move(ours)};
+  for (const Contestants& some : peers) {
+    contestants.insert(contestants.end(), some.begin(), some.end());
+  }
+  return contestants;
+}
+
+void Add(std::string_view family, const std::string& name,
+         const std::shared_ptr<Instance>& instance, const Contestants& contestants) {
+  for (const Contestant& contestant : contestants) {
+    bench::AddContestant(family, name, contestant.name,
+                         [=](benchmark::State& state) { contestant.measure(state, *instance); });
+  }
+}
+
+struct Asked {
+  bool posted = true, counted = true;  // besides the first labeling
+};
+
+void AddInstance(const std::string& name, Asked asked, std::function<NetworkWorkload()> make) {
+  const auto instance = std::make_shared<Instance>(std::move(make));
+  Add("labeling", name, instance, Beside({"assay", Label}, {GecodeLabels(), CadicalLabels()}));
+  if (asked.counted) {
+    Add("counting", name, instance, Beside({"assay", CountAll}, {GecodeCounts()}));
+  }
+  if (asked.posted) {
+    Add("posting", name, instance, Beside({"assay", Post}, {GecodePosts(), CadicalPosts()}));
+  }
+}
+
+// Counted is what has no more labelings than Gecode can list; posted, what is a plan.
+void AddFiles() {
+  const std::filesystem::path folder = ASSAY_SOURCE_DIR "/bench/workloads/networks";
+  std::vector<std::filesystem::path> files(std::filesystem::directory_iterator(folder), {});
+  std::ranges::sort(files);
+  for (const std::filesystem::path& file : files) {
+    const std::string name = file.stem();
+    const bool plan = name.starts_with("plan-");
+    if (bench::Tiny() && name != "plan-2x2" && name != "mb-n10-d10") continue;
+    AddInstance(name,
+                {.posted = plan, .counted = name != "easy-n200-d5" && name != "grid-n100-d20"},
+                [=] { return workloads::LoadNetworkWorkload(file); });
+  }
+}
+
+void AddFamily(NetworkFamily family) {
+  const bool few = family == NetworkFamily::kModelB || family == NetworkFamily::kModelRb;
+  const bool plan = family == NetworkFamily::kPlan;
+  const int networks = bench::Tiny() ? 1 : workloads::kNetworksOfFamily;
+  for (int index = 0; index < networks; ++index) {
+    AddInstance(fmt::format("{}-{:02}", Name(family), index), {.posted = plan, .counted = few},
+                [=] { return workloads::NetworkOfFamily(family, index, kSeed); });
+  }
+}
+
+void AnnounceFamilies() {
+  const std::string cadical = "CaDiCaL is general, and built at the processor's baseline.";
+  bench::Announce(
+      "labeling",
+      {.measured = "the first labeling, or the proof that there is none, from the contestant's own "
+                   "form of the network: ours is copied and searched, Gecode's tables posted and "
+                   "searched, CaDiCaL's clauses solved",
+       .unfair = "Gecode's posting cannot be told from its first propagation, so that it counts. " +
+                 cadical,
+       .against = "gecode",
+       .at_least = 20,
+       .never_below = 1 / 1.1});
+  bench::Announce("counting", {.measured = "the number of all labelings",
+                               .unfair = "Gecode lists them one by one, ours multiplies the counts "
+                                         "of what does not depend on each other",
+                               .against = "gecode",
+                               .at_least = 10});
+  bench::Announce(
+      "posting",
+      {.measured = "a whole trace: arcs come one by one, each is answered completely, and taken "
+                   "back where no labeling is left",
+       .unfair = "Gecode clones a space with what was accepted and searches it anew; CaDiCaL keeps "
+                 "what it learned. Its clauses count, as our arcs do. " +
+                 cadical,
+       .against = "gecode",
+       .at_least = 50,
+       .never_below = 1});
+}
+
+void AnnounceMissing() {
+  for ([[maybe_unused]] const char* family : {"labeling", "counting", "posting"}) {
+#ifndef ASSAY_PEER_GECODE_LABELING
+    bench::AddMissing(family, "gecode", "libgecode-dev");
+#endif
+#ifndef ASSAY_PEER_CADICAL_LABELING
+    bench::AddMissing(family, "cadical", "libcadical-dev");
+#endif
+  }
+}
+
+const bool kAdded = [] {
+  AnnounceFamilies();
+  AnnounceMissing();
+  AddFiles();
+  for (const NetworkFamily family : workloads::kNetworkFamilies) AddFamily(family);
+  return true;
+}();
+
+}  // namespace
+}  // namespace assay::network

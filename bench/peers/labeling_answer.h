@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/base/outcome.h"
+#include "planner/network/labeling.h"
+
+namespace assay::peers {
+
+// What a contestant says about a network. kBudget: its time was up.
+struct LabelingAnswer {
+  Outcome outcome = Outcome::kNone;
+  network::Labeling labeling;  // at kFound
+  std::int64_t visited = 0;    // nodes of the search tree, or decisions
+};
+
+struct CountAnswer {
+  Outcome outcome = Outcome::kNone;
+  std::uint64_t count = 0;
+  std::int64_t visited = 0;
+};
+
+}  // namespace assay::peers
