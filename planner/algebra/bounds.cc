@@ -73,6 +73,7 @@ class Ladder {
     stop.evaluations -= bound_.evaluations - reduced_probe.evaluations();
     Lower(BranchAndBound(reduced_probe, bound_.value, stop), Rung::kBranchAndBound);
     Learn(reduced_probe);
+    bound_.splits = reduced_probe.splits();
   }
 
   void StepOnTermwise(Probe& probe) {

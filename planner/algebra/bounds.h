@@ -40,6 +40,7 @@ struct Bound {
                                 // infinite if the value is, or no point was found
   std::vector<double> at = {};  // a feasible point, by VariableId; empty if none was found
   std::int64_t evaluations = 0;
+  std::int64_t splits = 0;  // of boxes
 };
 
 struct BothBounds {

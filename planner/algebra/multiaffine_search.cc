@@ -92,6 +92,7 @@ Bound MultiaffineSearch::Maximize(int sign, const BoundRequest& request,
   sign_ = sign;
   attained_ = -kInfinity;
   evaluations_ = 1;
+  splits_ = 0;
   slack_ = 0;
   parts_.clear();
   sectors_.clear();
@@ -107,7 +108,8 @@ Bound MultiaffineSearch::Maximize(int sign, const BoundRequest& request,
           .rung = rung_,
           .gap = std::max(0.0, RoundedUp(upper_bound_ - attained_)),
           .at = attained_ > -kInfinity ? std::move(elsewhere) : std::vector<double>(),
-          .evaluations = evaluations_};
+          .evaluations = evaluations_,
+          .splits = splits_};
 }
 
 // Until monotonicity settles no more; what it has settled goes into the form.
@@ -344,6 +346,7 @@ double MultiaffineSearch::Search(const StopRule& stop) {
 }
 
 void MultiaffineSearch::Split(const Part& part) {
+  ++splits_;
   const int place = static_cast<int>(std::ranges::find(free_, part.split) - free_.begin());
   Sector lower = sectors_[part.sectors + place];
   Sector upper = lower;

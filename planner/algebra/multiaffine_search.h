@@ -110,6 +110,7 @@ class MultiaffineSearch {
   double attained_ = 0;
   std::vector<double> best_point_;
   std::int64_t evaluations_ = 0;
+  std::int64_t splits_ = 0;
 
   // The part that is looked at.
   std::vector<Sector> part_;  // by variable
