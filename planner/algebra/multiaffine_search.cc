@@ -14,7 +14,6 @@ namespace {
 // Products of coordinates stay below this: what vanishes by underflow is then below kVanishing.
 constexpr double kFarOut = 1e30;
 constexpr double kVanishing = 1e-280;
-constexpr std::size_t kMostAnglesForConcavity = 16;
 constexpr double kNarrowest = 1e-13;  // relative to 1 and the coordinate: not split further
 
 double Size(const Interval& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
@@ -44,7 +43,9 @@ MultiaffineSearch::MultiaffineSearch(MultiaffineForm form)
       ascent_(point_),
       box_(form_.variables.size()),
       slopes_(box_.size()),
-      slope_error_(box_.size()) {}
+      slope_error_(box_.size()),
+      part_slopes_(box_.size()),
+      least_curvature_(box_.size()) {}
 
 bool MultiaffineSearch::Enter(std::span<const Interval> box) {
   double reach = 1;
@@ -78,6 +79,11 @@ void MultiaffineSearch::BoundErrors() {
   }
   point_error_ = magnitudes.Value(form_.point_error) + kVanishing;
   error_ = magnitudes.Value(form_.error) + kVanishing;
+  double reach = 4;  // of the waves' arguments
+  for (int angle = 0; angle < form_.angle_count; ++angle) {
+    reach += Size({box_[angle].low, box_[angle].high});
+  }
+  wave_error_ = error_ * reach;
   magnitudes.Differentiate(form_.error);
   for (std::size_t i = 0; i < box_.size(); ++i) {
     const int variable = static_cast<int>(i);
@@ -93,6 +99,8 @@ Bound MultiaffineSearch::Maximize(int sign, const BoundRequest& request,
   attained_ = -kInfinity;
   evaluations_ = 1;
   splits_ = 0;
+  waves_count_ = 0;
+  part_waves_ = -1;
   slack_ = 0;
   parts_.clear();
   sectors_.clear();
@@ -165,13 +173,17 @@ void MultiaffineSearch::Climb(const StopRule& stop, Rung highest) {
 }
 
 void MultiaffineSearch::PutInSettled() {
-  NestedForm::AtomSet free = 0;
-  for (const int variable : free_) {
+  reduction_.Reduce(form_.nested, sign_, AtomsOf(free_), point_.derivatives().atoms(), reduced_);
+}
+
+NestedForm::AtomSet MultiaffineSearch::AtomsOf(const std::vector<int>& variables) const {
+  NestedForm::AtomSet atoms = 0;
+  for (const int variable : variables) {
     const int atom = form_.AtomOf(variable);
-    free |= NestedForm::SetOf(atom);
-    if (IsAngle(variable)) free |= NestedForm::SetOf(atom + 1);
+    atoms |= NestedForm::SetOf(atom);
+    if (IsAngle(variable)) atoms |= NestedForm::SetOf(atom + 1);
   }
-  reduction_.Reduce(form_.nested, sign_, free, point_.derivatives().atoms(), reduced_);
+  return atoms;
 }
 
 // ---- The part that is looked at ----
@@ -202,16 +214,40 @@ void MultiaffineSearch::Settle() {
   bool is_smaller = true;
   while (is_smaller && !live_.empty()) {
     ++evaluations_;
-    const NearestInterval range = over_box_.Value(reduced_);
-    Lower(range.high + error_ + slack_, Rung::kMonotone);
-    over_box_.Differentiate(reduced_);
+    part_waves_ < 0 ? EvaluateNested() : EvaluateWaves();
     is_smaller = std::erase_if(live_, [&](int variable) { return SettleBySlope(variable); }) > 0;
   }
 }
 
+void MultiaffineSearch::EvaluateNested() {
+  const NearestInterval range = over_box_.Value(reduced_);
+  Lower(range.high + error_ + slack_, Rung::kMonotone);
+  over_box_.Differentiate(reduced_);
+  for (const int variable : live_) {
+    part_slopes_[variable] = over_box_.Slope(variable);
+    if (IsAngle(variable)) least_curvature_[variable] = over_box_.Curvature(variable).low;
+  }
+}
+
+void MultiaffineSearch::EvaluateWaves() {
+  const Waves& waves = waves_[part_waves_];
+  wave_box_.clear();
+  for (const int angle : waves.angles) wave_box_.emplace_back(part_[angle].low, part_[angle].high);
+  wave_evaluation_.Enter(waves.sum, wave_box_);
+  Lower(wave_evaluation_.range().high + wave_error_ + slack_, Rung::kMonotone);
+  for (std::size_t i = 0; i < waves.angles.size(); ++i) {
+    part_slopes_[waves.angles[i]] = wave_evaluation_.Slope(static_cast<int>(i));
+    least_curvature_[waves.angles[i]] = wave_evaluation_.LeastCurvature(static_cast<int>(i));
+  }
+}
+
+double MultiaffineSearch::SlopeError(int variable) const {
+  return part_waves_ < 0 ? slope_error_[variable] : wave_error_;
+}
+
 bool MultiaffineSearch::SettleBySlope(int variable) {
-  const NearestInterval slope = over_box_.Slope(variable);
-  const double error = slope_error_[variable];
+  const NearestInterval slope = part_slopes_[variable];
+  const double error = SlopeError(variable);
   const bool rises = slope.low >= -error;
   const bool falls = slope.high <= error;
   if (!rises && !falls) return false;
@@ -227,8 +263,30 @@ bool MultiaffineSearch::SettleBySlope(int variable) {
 void MultiaffineSearch::Examine() {
   if (live_.empty()) return LowerAtPoint();
   if (live_.size() == 1 && IsAngle(live_[0])) return LowerByOneAngle();
+  if (TurnToWaves()) {
+    Settle();
+    return Examine();
+  }
   LowerByCentre();
-  if (!IsHopeless()) LowerByConcavity();
+  if (!IsHopeless() && part_waves_ >= 0) LowerByCurvature();
+}
+
+// If only angles have freedom, and it has not been done.
+bool MultiaffineSearch::TurnToWaves() {
+  const bool has_displacements =
+      std::ranges::any_of(live_, [&](int variable) { return !IsAngle(variable); });
+  if (part_waves_ >= 0 || has_displacements) return false;
+  if (waves_count_ == static_cast<int>(waves_.size())) waves_.emplace_back();
+  Waves& waves = waves_[waves_count_];
+  waves.angles = live_;
+  cosines_.clear();
+  for (const int angle : live_) cosines_.push_back(form_.AtomOf(angle));
+  PutAtLow();
+  reduction_.Reduce(reduced_, 1, AtomsOf(live_), point_.derivatives().atoms(), angles_only_);
+  if (!waves.sum.Assign(angles_only_, cosines_)) return false;
+  slack_ += waves.sum.left_out();
+  part_waves_ = waves_count_++;
+  return true;
 }
 
 void MultiaffineSearch::LowerAtPoint() {
@@ -269,12 +327,12 @@ void MultiaffineSearch::LowerByCentre() {
   PutAtLow();
   double most = error_ + slack_;
   for (const int variable : live_) {
-    const NearestInterval slope = over_box_.Slope(variable);
+    const NearestInterval slope = part_slopes_[variable];
     const Sector& sector = part_[variable];
     const double centre = BestCentre(sector, slope);
     point_.Set(variable, centre);
     most += std::max(slope.high * (sector.high - centre), slope.low * (sector.low - centre)) +
-            slope_error_[variable] * sector.Width();
+            SlopeError(variable) * sector.Width();
   }
   const double value = Value();
   Lower(value + most, Rung::kCentred);
@@ -284,38 +342,30 @@ void MultiaffineSearch::LowerByCentre() {
   }
 }
 
+// The form's value at the middle, plus the most that its slopes there and the greatest curvature
+// in the part let it rise (Taylor).
+void MultiaffineSearch::LowerByCurvature() {
+  PutAtMiddle();
+  const double value = Value();
+  point_.derivatives().Differentiate(reduced_);
+  widths_.clear();
+  wave_slopes_.clear();
+  double error = wave_error_ + slack_;
+  for (const int angle : waves_[part_waves_].angles) {
+    widths_.push_back(part_[angle].Width());
+    wave_slopes_.push_back(point_.derivatives().Slope(angle));
+    error += error_ * part_[angle].Width();
+  }
+  quadratic_bound_.SetCurvature(wave_evaluation_.greatest_curvature(), wave_error_, widths_);
+  Lower(value + quadratic_bound_.Most(wave_slopes_) + error, Rung::kCentred);
+  if (!IsHopeless() && quadratic_bound_.IsConcave()) LowerByConcavity();
+}
+
 // The greatest value of the tangent plane at the summit, which lies nowhere below a concave form.
 void MultiaffineSearch::LowerByConcavity() {
-  const bool bends = live_.size() <= kMostAnglesForConcavity &&
-                     std::ranges::all_of(live_, [&](int variable) { return IsAngle(variable); });
-  if (!bends || !IsConcave()) return;
-  PutAtLow();
-  for (const int angle : live_) point_.Set(angle, part_[angle].low + part_[angle].Width() / 2);
   evaluations_ += ascent_.Climb(reduced_, live_, part_);
   Lower(TangentBound(), Rung::kCentred);
   Offer();
-}
-
-// Whether the matrix of second derivatives is negative definite all over the part.
-bool MultiaffineSearch::IsConcave() {
-  const int n = static_cast<int>(live_.size());
-  curvature_.Reset(n);
-  deviation_.Reset(n);
-  const auto set = [&](int i, int j, const NearestInterval& minus) {
-    curvature_(i, j) = -(minus.low / 2 + minus.high / 2);
-    deviation_(i, j) = (minus.high - minus.low) / 2 * (1 + 1e-15) + error_;
-  };
-  for (int i = 0; i < n; ++i) {
-    const NearestInterval curvature = over_box_.Curvature(live_[i]);
-    if (!(curvature.high < 0)) return false;
-    set(i, i, curvature);
-  }
-  for (int i = 1; i < n; ++i) {
-    ++evaluations_;
-    over_box_.DifferentiateSlopes(reduced_, live_[i]);
-    for (int j = 0; j < i; ++j) set(i, j, over_box_.MixedCurvature(live_[j]));
-  }
-  return IsSurelyPositiveDefinite(curvature_, deviation_);
 }
 
 double MultiaffineSearch::TangentBound() {
@@ -368,6 +418,7 @@ void MultiaffineSearch::Open(const Part& part, const Sector& half) {
   part_[part.split] = half;
   upper_bound_ = part.upper_bound;
   slack_ = part.slack;
+  part_waves_ = part.waves;
   Settle();
   if (IsHopeless()) return;
   Examine();
@@ -375,7 +426,7 @@ void MultiaffineSearch::Open(const Part& part, const Sector& half) {
 }
 
 void MultiaffineSearch::Keep() {
-  Part part = {.upper_bound = upper_bound_, .age = ++age_, .slack = slack_};
+  Part part = {.upper_bound = upper_bound_, .age = ++age_, .slack = slack_, .waves = part_waves_};
   ChooseSplit(part);
   part.sectors = RoomForSectors();
   for (std::size_t i = 0; i < free_.size(); ++i) sectors_[part.sectors + i] = part_[free_[i]];
@@ -400,7 +451,7 @@ void MultiaffineSearch::ChooseSplit(Part& part) const {
     const Sector& sector = part_[variable];
     const bool has_only_ends = HasOnlyItsEnds(variable);
     if (!has_only_ends && sector.Width() < kNarrowest * (1 + std::abs(sector.low))) continue;
-    const NearestInterval slope = over_box_.Slope(variable);
+    const NearestInterval slope = part_slopes_[variable];
     const double variation = std::max(-slope.low, slope.high) * sector.Width();
     if (variation <= largest) continue;
     largest = variation;
@@ -412,13 +463,20 @@ void MultiaffineSearch::ChooseSplit(Part& part) const {
 // The form is affine in a displacement. Where it is convex in an angle, whatever the others are, it
 // is largest at an end, too.
 bool MultiaffineSearch::HasOnlyItsEnds(int variable) const {
-  return !IsAngle(variable) || over_box_.Curvature(variable).low >= slope_error_[variable];
+  return !IsAngle(variable) || least_curvature_[variable] >= SlopeError(variable);
 }
 
 // ---- The point ----
 
 void MultiaffineSearch::PutAtLow() {
   for (const int variable : free_) point_.SetToLow(variable, part_[variable]);
+}
+
+void MultiaffineSearch::PutAtMiddle() {
+  PutAtLow();
+  for (const int variable : live_) {
+    point_.Set(variable, part_[variable].low + part_[variable].Width() / 2);
+  }
 }
 
 double MultiaffineSearch::Value() {

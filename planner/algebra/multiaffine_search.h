@@ -10,8 +10,9 @@
 #include "planner/algebra/multiaffine_derivatives.h"
 #include "planner/algebra/multiaffine_form.h"
 #include "planner/algebra/multiaffine_point.h"
-#include "planner/algebra/positive_definite.h"
+#include "planner/algebra/quadratic_bound.h"
 #include "planner/algebra/sector.h"
+#include "planner/algebra/wave_sum.h"
 
 namespace assay::algebra {
 
@@ -41,6 +42,7 @@ class MultiaffineSearch {
     std::int64_t age = 0;  // parts of the same bound: the oldest first
     double slack = 0;
     int sectors = 0;  // where those of the free variables begin in sectors_
+    int waves = -1;   // in waves_, where only angles have freedom; -1: none
     int split = -1;   // the variable; -1: none is left that can be split
     bool has_only_ends = false;
 
@@ -63,13 +65,18 @@ class MultiaffineSearch {
   // Of the part that is looked at.
   void EnterSector(int variable);
   void Settle();
+  void EvaluateNested();
+  void EvaluateWaves();
+  double SlopeError(int variable) const;
   bool SettleBySlope(int variable);
   void Examine();
   void LowerAtPoint();
   void LowerByOneAngle();
+  bool TurnToWaves();
+  NestedForm::AtomSet AtomsOf(const std::vector<int>& variables) const;
   void LowerByCentre();
+  void LowerByCurvature();
   void LowerByConcavity();
-  bool IsConcave();
   double TangentBound();
   void Lower(double upper_bound, Rung rung);
   bool IsHopeless() const { return upper_bound_ <= attained_; }
@@ -84,6 +91,7 @@ class MultiaffineSearch {
 
   // Of the point.
   void PutAtLow();
+  void PutAtMiddle();
   double Value();
   void Offer();
 
@@ -100,6 +108,7 @@ class MultiaffineSearch {
   std::vector<double> slope_error_;
   double error_ = 0;
   double point_error_ = 0;
+  double wave_error_ = 0;  // as error_, of sums of waves
 
   // The question.
   int sign_ = 1;
@@ -113,8 +122,11 @@ class MultiaffineSearch {
   std::int64_t splits_ = 0;
 
   // The part that is looked at.
-  std::vector<Sector> part_;  // by variable
-  std::vector<int> live_;     // variables that have freedom there
+  std::vector<Sector> part_;                  // by variable
+  std::vector<int> live_;                     // variables that have freedom there
+  int part_waves_ = -1;                       // in waves_
+  std::vector<NearestInterval> part_slopes_;  // by variable
+  std::vector<double> least_curvature_;       // by angle
   double upper_bound_ = 0;
   double slack_ = 0;  // lost at most where slopes were rounding alone
 
@@ -122,7 +134,20 @@ class MultiaffineSearch {
   std::vector<Sector> sectors_;
   std::vector<int> unused_sectors_;
   std::int64_t age_ = 0;
-  SymmetricMatrix curvature_, deviation_;
+
+  // What is left of the form where only angles have freedom, as waves; several parts share one.
+  struct Waves {
+    WaveSum sum;
+    std::vector<int> angles;
+  };
+  std::vector<Waves> waves_;
+  int waves_count_ = 0;  // of this question
+  WaveEvaluation wave_evaluation_;
+  QuadraticBound quadratic_bound_;
+  std::vector<NearestInterval> wave_box_;
+  std::vector<double> widths_, wave_slopes_;
+  std::vector<int> cosines_;
+  NestedForm angles_only_;
 };
 
 }  // namespace assay::algebra
