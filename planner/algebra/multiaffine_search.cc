@@ -79,11 +79,10 @@ void MultiaffineSearch::BoundErrors() {
   }
   point_error_ = magnitudes.Value(form_.point_error) + kVanishing;
   error_ = magnitudes.Value(form_.error) + kVanishing;
-  double reach = 4;  // of the waves' arguments
+  wave_reach_ = std::numbers::pi;
   for (int angle = 0; angle < form_.angle_count; ++angle) {
-    reach += Size({box_[angle].low, box_[angle].high});
+    wave_reach_ += Size({box_[angle].low, box_[angle].high});
   }
-  wave_error_ = error_ * reach;
   magnitudes.Differentiate(form_.error);
   for (std::size_t i = 0; i < box_.size(); ++i) {
     const int variable = static_cast<int>(i);
@@ -160,16 +159,17 @@ void MultiaffineSearch::Climb(const StopRule& stop, Rung highest) {
   SettleWhole();
   whole_ = part_;
   if (free_.empty()) return LowerAtCorner();
-  if (highest == Rung::kMonotone) {
+  if (highest == Rung::kMonotone || stop.IsMet(upper_bound_, attained_)) {
     evaluations_ += ascent_.Climb(reduced_, free_, whole_);
     return Offer();
   }
-  if (!stop.IsMet(upper_bound_, attained_)) Examine();
+  Examine();
   if (highest == Rung::kCentred || stop.IsMet(upper_bound_, attained_)) return;
+  const double upper_bound = upper_bound_;
+  const Rung rung = rung_;
   Keep();
-  const double upper_bound = Search(stop);
-  Lower(upper_bound, Rung::kBranchAndBound);
-  upper_bound_ = upper_bound;
+  upper_bound_ = Search(stop);
+  rung_ = upper_bound_ < upper_bound ? Rung::kBranchAndBound : rung;
 }
 
 void MultiaffineSearch::PutInSettled() {
@@ -234,7 +234,7 @@ void MultiaffineSearch::EvaluateWaves() {
   wave_box_.clear();
   for (const int angle : waves.angles) wave_box_.emplace_back(part_[angle].low, part_[angle].high);
   wave_evaluation_.Enter(waves.sum, wave_box_);
-  Lower(wave_evaluation_.range().high + wave_error_ + slack_, Rung::kMonotone);
+  Lower(wave_evaluation_.range().high + waves.error + slack_, Rung::kMonotone);
   for (std::size_t i = 0; i < waves.angles.size(); ++i) {
     part_slopes_[waves.angles[i]] = wave_evaluation_.Slope(static_cast<int>(i));
     least_curvature_[waves.angles[i]] = wave_evaluation_.LeastCurvature(static_cast<int>(i));
@@ -242,7 +242,7 @@ void MultiaffineSearch::EvaluateWaves() {
 }
 
 double MultiaffineSearch::SlopeError(int variable) const {
-  return part_waves_ < 0 ? slope_error_[variable] : wave_error_;
+  return part_waves_ < 0 ? slope_error_[variable] : waves_[part_waves_].error;
 }
 
 bool MultiaffineSearch::SettleBySlope(int variable) {
@@ -284,6 +284,8 @@ bool MultiaffineSearch::TurnToWaves() {
   PutAtLow();
   reduction_.Reduce(reduced_, 1, AtomsOf(live_), point_.derivatives().atoms(), angles_only_);
   if (!waves.sum.Assign(angles_only_, cosines_)) return false;
+  // The error covers 64 roundings at least; here, arguments are rounded and waves are added.
+  waves.error = error_ * wave_reach_ * (1 + waves.sum.wave_count() / 64.0);
   slack_ += waves.sum.left_out();
   part_waves_ = waves_count_++;
   return true;
@@ -348,16 +350,22 @@ void MultiaffineSearch::LowerByCurvature() {
   PutAtMiddle();
   const double value = Value();
   point_.derivatives().Differentiate(reduced_);
+  const Waves& waves = waves_[part_waves_];
   widths_.clear();
-  wave_slopes_.clear();
-  double error = wave_error_ + slack_;
-  for (const int angle : waves_[part_waves_].angles) {
+  middle_slopes_.clear();
+  live_places_.clear();
+  double error = waves.error + slack_;
+  for (std::size_t i = 0; i < waves.angles.size(); ++i) {
+    const int angle = waves.angles[i];
+    if (!part_[angle].IsFree()) continue;
+    live_places_.push_back(static_cast<int>(i));
     widths_.push_back(part_[angle].Width());
-    wave_slopes_.push_back(point_.derivatives().Slope(angle));
+    middle_slopes_.push_back(point_.derivatives().Slope(angle));
     error += error_ * part_[angle].Width();
   }
-  quadratic_bound_.SetCurvature(wave_evaluation_.greatest_curvature(), wave_error_, widths_);
-  Lower(value + quadratic_bound_.Most(wave_slopes_) + error, Rung::kCentred);
+  wave_evaluation_.greatest_curvature().CopyTo(curvature_, live_places_);
+  quadratic_bound_.SetCurvature(curvature_, waves.error, widths_);
+  Lower(value + quadratic_bound_.Most(middle_slopes_) + error, Rung::kCentred);
   if (!IsHopeless() && quadratic_bound_.IsConcave()) LowerByConcavity();
 }
 

@@ -108,7 +108,7 @@ class MultiaffineSearch {
   std::vector<double> slope_error_;
   double error_ = 0;
   double point_error_ = 0;
-  double wave_error_ = 0;  // as error_, of sums of waves
+  double wave_reach_ = 0;  // the arguments of waves go no further
 
   // The question.
   int sign_ = 1;
@@ -139,14 +139,16 @@ class MultiaffineSearch {
   struct Waves {
     WaveSum sum;
     std::vector<int> angles;
+    double error = 0;  // of the range, slopes and curvatures over any part
   };
   std::vector<Waves> waves_;
   int waves_count_ = 0;  // of this question
   WaveEvaluation wave_evaluation_;
   QuadraticBound quadratic_bound_;
   std::vector<NearestInterval> wave_box_;
-  std::vector<double> widths_, wave_slopes_;
-  std::vector<int> cosines_;
+  std::vector<double> widths_, middle_slopes_;
+  std::vector<int> cosines_, live_places_;
+  SymmetricMatrix curvature_;
   NestedForm angles_only_;
 };
 

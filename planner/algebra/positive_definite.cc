@@ -5,6 +5,14 @@
 
 namespace assay::algebra {
 
+void SymmetricMatrix::CopyTo(SymmetricMatrix& part, std::span<const int> numbers) const {
+  const int n = static_cast<int>(numbers.size());
+  part.Reset(n);
+  for (int i = 0; i < n; ++i) {
+    for (int j = 0; j <= i; ++j) part(i, j) = (*this)(numbers[i], numbers[j]);
+  }
+}
+
 bool FactorPositiveDefinite(SymmetricMatrix& m) {
   const int n = m.size();
   for (int j = 0; j < n; ++j) {

@@ -14,6 +14,8 @@ class SymmetricMatrix {
     entries_.assign(static_cast<std::size_t>(size) * size, 0);
   }
   int size() const { return size_; }
+  // The rows and columns with these numbers, which increase.
+  void CopyTo(SymmetricMatrix& part, std::span<const int> numbers) const;
   double& operator()(int i, int j) { return entries_[static_cast<std::size_t>(i) * size_ + j]; }
   double operator()(int i, int j) const {
     return entries_[static_cast<std::size_t>(i) * size_ + j];

@@ -24,6 +24,7 @@ class WaveSum {
   bool Assign(const NestedForm& form, std::span<const int> cosines);
 
   int angle_count() const { return angle_count_; }
+  int wave_count() const { return static_cast<int>(waves_.size()); }
   // The sum of amplitudes of waves that are rounding alone and were left out.
   double left_out() const { return left_out_; }
 
