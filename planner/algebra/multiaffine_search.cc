@@ -263,12 +263,14 @@ bool MultiaffineSearch::SettleBySlope(int variable) {
 void MultiaffineSearch::Examine() {
   if (live_.empty()) return LowerAtPoint();
   if (live_.size() == 1 && IsAngle(live_[0])) return LowerByOneAngle();
+  LowerByCentre();
+  if (IsHopeless()) return;
   if (TurnToWaves()) {
     Settle();
-    return Examine();
+    if (!IsHopeless()) Examine();
+  } else if (part_waves_ >= 0) {
+    LowerByCurvature();
   }
-  LowerByCentre();
-  if (!IsHopeless() && part_waves_ >= 0) LowerByCurvature();
 }
 
 // If only angles have freedom, and it has not been done.
