@@ -28,27 +28,10 @@ struct Step {
 
 class BoostInterval::Evaluation {
  public:
-  Evaluation(const Expression& e, const algebra::ConstraintSet& box) {
-    const std::vector<Expression> nodes = algebra::NodesOf(e);
-    std::unordered_map<int, std::size_t> places;
-    for (const Expression& node : nodes) {
-      places[node.index()] = steps_.size();
-      Step step = {.op = node.op(), .exponent = 0, .operands = {}};
-      Number value = 0;
-      if (node.op() == Operator::kConstant) value = node.constant();
-      if (node.op() == Operator::kPower) step.exponent = node.exponent();
-      if (node.op() == Operator::kVariable) {
-        const Interval& x = box.box[static_cast<std::size_t>(node.variable().index())];
-        value = Number(x.low, x.high);
-      }
-      for (const Expression& operand : node.operands()) {
-        step.operands.push_back(operand.IsConstant() ? AddConstant(operand.constant())
-                                                     : places.at(operand.index()));
-      }
-      if (!step.operands.empty()) places[node.index()] = steps_.size();
-      steps_.push_back(std::move(step));
-      values_.push_back(value);
-    }
+  Evaluation(const Expression& e, std::span<const Expression> others,
+             const algebra::ConstraintSet& box) {
+    for (const Expression& other : others) Add(other, box);
+    Add(e, box);
   }
 
   Interval Range() {
@@ -57,6 +40,31 @@ class BoostInterval::Evaluation {
   }
 
  private:
+  // What it is made of, unless it is there already, and at last itself.
+  void Add(const Expression& e, const algebra::ConstraintSet& box) {
+    for (const Expression& node : algebra::NodesOf(e)) {
+      if (!node.IsConstant() && !places_.contains(node.index())) AddNode(node, box);
+    }
+    if (e.IsConstant()) AddConstant(e.constant());
+  }
+
+  void AddNode(const Expression& node, const algebra::ConstraintSet& box) {
+    Step step = {.op = node.op(), .exponent = 0, .operands = {}};
+    Number value = 0;
+    if (node.op() == Operator::kPower) step.exponent = node.exponent();
+    if (node.op() == Operator::kVariable) {
+      const Interval& x = box.box[static_cast<std::size_t>(node.variable().index())];
+      value = Number(x.low, x.high);
+    }
+    for (const Expression& operand : node.operands()) {
+      step.operands.push_back(operand.IsConstant() ? AddConstant(operand.constant())
+                                                   : places_.at(operand.index()));
+    }
+    places_[node.index()] = steps_.size();
+    steps_.push_back(std::move(step));
+    values_.push_back(value);
+  }
+
   std::size_t AddConstant(double constant) {
     steps_.emplace_back();
     values_.emplace_back(constant);
@@ -97,10 +105,12 @@ class BoostInterval::Evaluation {
 
   std::vector<Step> steps_;
   std::vector<Number> values_;
+  std::unordered_map<int, std::size_t> places_;  // of expressions, by index
 };
 
-BoostInterval::BoostInterval(const Expression& e, const algebra::ConstraintSet& box)
-    : evaluation_(std::make_unique<Evaluation>(e, box)) {}
+BoostInterval::BoostInterval(const Expression& e, std::span<const Expression> others,
+                             const algebra::ConstraintSet& box)
+    : evaluation_(std::make_unique<Evaluation>(e, others, box)) {}
 BoostInterval::~BoostInterval() = default;
 BoostInterval::BoostInterval(BoostInterval&&) noexcept = default;
 

@@ -12,10 +12,11 @@ namespace assay::workloads {
 // (bench/workloads/expressions/measured.yaml).
 struct MeasuredExpression {
   std::string name;
-  algebra::BoundProblem problem;  // of one expression
-  Interval range;                 // to six digits
-  double boost_us = 0;            // one evaluation with Boost.Interval
-  double ibex_ms = 0;             // both ends with IBEX's optimizer
+  algebra::BoundProblem problem;           // of one expression
+  Interval range;                          // to six digits
+  std::vector<algebra::Expression> waves;  // sines and cosines of its angles
+  double boost_us = 0;                     // one evaluation with Boost.Interval, and of the waves
+  double ibex_ms = 0;                      // both ends with IBEX's optimizer
 
   const algebra::Expression& expression() const { return problem.questions[0].expression; }
 };
