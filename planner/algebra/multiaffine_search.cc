@@ -69,6 +69,7 @@ bool MultiaffineSearch::Enter(std::span<const Interval> box) {
   return true;
 }
 
+// Where an angle's sine and cosine count as 1, an error of the value is one of its derivative, too.
 void MultiaffineSearch::BoundErrors() {
   MultiaffineDerivatives<double>& magnitudes = point_.derivatives();
   for (std::size_t i = 0; i < box_.size(); ++i) {
@@ -148,8 +149,7 @@ void MultiaffineSearch::SettleBySlopesOfBox() {
 // All variables are settled. Where no two share a product, each product alone is as large.
 void MultiaffineSearch::LowerAtCorner() {
   const double termwise = upper_bound_;
-  Offer();
-  const double corner = RoundedUp(RoundedUp(attained_ + 2 * point_error_) + slack_);
+  const double corner = RoundedUp(Offer() + point_error_ + slack_);
   const bool is_termwise = form_.nested.node_count() == 1 && termwise <= corner + 4 * error_;
   upper_bound_ = std::min(upper_bound_, corner);
   rung_ = is_termwise ? Rung::kTermwise : Rung::kMonotone;
@@ -161,7 +161,8 @@ void MultiaffineSearch::Climb(const StopRule& stop, Rung highest) {
   if (free_.empty()) return LowerAtCorner();
   if (highest == Rung::kMonotone || stop.IsMet(upper_bound_, attained_)) {
     evaluations_ += ascent_.Climb(reduced_, free_, whole_);
-    return Offer();
+    Offer();
+    return;
   }
   Examine();
   if (highest == Rung::kCentred || stop.IsMet(upper_bound_, attained_)) return;
@@ -322,7 +323,7 @@ void MultiaffineSearch::LowerByOneAngle() {
     best = std::max(best, value_at(wave));
     point_.Set(angle, summit, wave);
   }
-  Lower(best + error_ + slack_, Rung::kCentred);
+  Lower(best + 2 * error_ + slack_, Rung::kCentred);  // of the value, and of a and b
   if (best > attained_) Offer();
 }
 
@@ -495,13 +496,16 @@ double MultiaffineSearch::Value() {
 }
 
 // Keeps the point if the form as it was given surely attains more there than at the best so far.
-void MultiaffineSearch::Offer() {
+// Returns its value there.
+double MultiaffineSearch::Offer() {
   ++evaluations_;
   const double value = sign_ * point_.derivatives().Value(form_.nested);
   const double attained = RoundedDown(value - point_error_);
-  if (!(attained > attained_)) return;
-  attained_ = attained;
-  best_point_ = point_.coordinates();
+  if (attained > attained_) {
+    attained_ = attained;
+    best_point_ = point_.coordinates();
+  }
+  return value;
 }
 
 }  // namespace assay::algebra

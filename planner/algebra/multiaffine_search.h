@@ -93,7 +93,7 @@ class MultiaffineSearch {
   void PutAtLow();
   void PutAtMiddle();
   double Value();
-  void Offer();
+  double Offer();
 
   const MultiaffineForm form_;
   MultiaffineDerivatives<NearestInterval> over_box_;
