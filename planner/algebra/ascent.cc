@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <optional>
+#include <utility>
 
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/positive_definite.h"
 
 namespace assay::algebra {
 namespace {
@@ -15,38 +15,6 @@ constexpr int kNewtonSteps = 40;
 constexpr int kMostVariablesForNewton = 16;  // above: steepest ascent
 constexpr double kNegligible = 1e-15;        // of the value: slopes below end the ascent
 constexpr double kInvisible = 1e-13;         // of the value: a step that gains less is the last
-
-// A symmetric matrix, dense.
-struct Matrix {
-  explicit Matrix(int n) : size(n), entries(static_cast<std::size_t>(n) * n, 0) {}
-  double& operator()(int i, int j) { return entries[static_cast<std::size_t>(i) * size + j]; }
-
-  int size;
-  std::vector<double> entries;
-};
-
-// The solution of m * x = b by Cholesky's factorization; none if m is not positive definite.
-std::optional<std::vector<double>> SolvePositiveDefinite(Matrix m, std::vector<double> b) {
-  const int n = m.size;
-  for (int j = 0; j < n; ++j) {
-    for (int k = 0; k < j; ++k) m(j, j) -= m(j, k) * m(j, k);
-    if (!(m(j, j) > 0)) return std::nullopt;
-    m(j, j) = std::sqrt(m(j, j));
-    for (int i = j + 1; i < n; ++i) {
-      for (int k = 0; k < j; ++k) m(i, j) -= m(i, k) * m(j, k);
-      m(i, j) /= m(j, j);
-    }
-  }
-  for (int i = 0; i < n; ++i) {
-    for (int k = 0; k < i; ++k) b[i] -= m(i, k) * b[k];
-    b[i] /= m(i, i);
-  }
-  for (int i = n - 1; i >= 0; --i) {
-    for (int k = i + 1; k < n; ++k) b[i] -= m(k, i) * b[k];
-    b[i] /= m(i, i);
-  }
-  return b;
-}
 
 // One ascent. Coordinates are scaled by the widths of the box, so that one damping fits all.
 class Ascent {
@@ -80,9 +48,10 @@ class Ascent {
   }
 
   // Minus the second derivatives, scaled, of the free variables.
-  Matrix Curvature() {
+  SymmetricMatrix Curvature() {
     const int n = static_cast<int>(free_.size());
-    Matrix curvature(n);
+    SymmetricMatrix curvature;
+    curvature.Reset(n);
     if (n > kMostVariablesForNewton) return curvature;
     for (int i = 0; i < n; ++i) {
       probe_.CountSecondDerivatives();
@@ -95,7 +64,7 @@ class Ascent {
   }
 
   bool Improve() {
-    const Matrix curvature = Curvature();
+    const SymmetricMatrix curvature = Curvature();
     std::vector<double> slope;
     double steepest = 0;
     for (int variable : free_) {
@@ -104,12 +73,13 @@ class Ascent {
     }
     if (!(steepest > kNegligible * (1 + std::abs(value_)))) return false;
     for (double damping = 0; damping <= 1e6; damping = std::max(damping * 8, 1e-3)) {
-      Matrix damped = curvature;
-      for (int i = 0; i < damped.size; ++i) damped(i, i) += damping * steepest;
-      const auto step = SolvePositiveDefinite(std::move(damped), slope);
-      if (!step) continue;
-      if (IsLast(*step, slope)) return Finish(*step);
-      if (Try(*step)) return true;
+      SymmetricMatrix damped = curvature;
+      for (int i = 0; i < damped.size(); ++i) damped(i, i) += damping * steepest;
+      if (!FactorPositiveDefinite(damped)) continue;
+      std::vector<double> step = slope;
+      SolveFactored(damped, step);
+      if (IsLast(step, slope)) return Finish(step);
+      if (Try(step)) return true;
     }
     return false;
   }

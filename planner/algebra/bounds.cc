@@ -14,6 +14,9 @@
 #include "planner/algebra/linear_part.h"
 #include "planner/algebra/linear_program.h"
 #include "planner/algebra/monotone.h"
+#include "planner/algebra/multiaffine_form.h"
+#include "planner/algebra/multiaffine_search.h"
+#include "planner/algebra/normal_form.h"
 #include "planner/algebra/sup_inf.h"
 #include "planner/algebra/termwise.h"
 #include "planner/base/check.h"
@@ -25,9 +28,10 @@ namespace {
 // can only lower the value, and every value is an upper bound by itself.
 class Ladder {
  public:
-  Ladder(const Expression& e, int sign, const ConstraintSet& constraints,
+  // `form`: the normal form of e, if it is known.
+  Ladder(const Expression& e, const NormalForm* form, int sign, const ConstraintSet& constraints,
          const BoundRequest& request)
-      : e_(e), sign_(sign), constraints_(constraints), request_(request) {
+      : e_(e), form_(form), sign_(sign), constraints_(constraints), request_(request) {
     stop_ = {.gap = request.gap, .evaluations = request.evaluations};
     if (request.limit) stop_.limit = sign * *request.limit;
     bound_.value = kInfinity;
@@ -55,7 +59,8 @@ class Ladder {
   }
 
   void ClimbOverBox() {
-    const Maximization problem = MaximizationOf(e_, sign_, constraints_);
+    const Maximization problem = form_ == nullptr ? MaximizationOf(e_, sign_, constraints_)
+                                                  : MaximizationOf(e_, *form_, sign_, constraints_);
     Probe probe(problem);
     StepOnTermwise(probe);
     if (IsDone(Rung::kTermwise)) return;
@@ -68,6 +73,7 @@ class Ladder {
     stop.evaluations -= bound_.evaluations - reduced_probe.evaluations();
     Lower(BranchAndBound(reduced_probe, bound_.value, stop), Rung::kBranchAndBound);
     Learn(reduced_probe);
+    bound_.splits = reduced_probe.splits();
   }
 
   void StepOnTermwise(Probe& probe) {
@@ -159,6 +165,7 @@ class Ladder {
   }
 
   const Expression& e_;
+  const NormalForm* form_;
   int sign_;
   ConstraintSet constraints_;
   const BoundRequest& request_;
@@ -188,14 +195,83 @@ std::string_view Name(Rung rung) {
   ASSAY_CHECK(false, "no such rung");
 }
 
+class PreparedExpression::Ready {
+ public:
+  explicit Ready(const Expression& e) : e_(e), form_(NormalFormOf(e)) {
+    if (MayBeUndefined(e)) return;
+    if (auto multiaffine = MultiaffineFormOf(form_)) search_.emplace(*std::move(multiaffine));
+  }
+
+  // Whether questions over these constraints are for Search.
+  bool Enter(const ConstraintSet& constraints, const BoundRequest& request) {
+    const bool is_for_search =
+        search_ && request.highest >= Rung::kMonotone && constraints.inequalities.empty();
+    return is_for_search && search_->Enter(constraints.box);
+  }
+
+  Bound Search(int sign, const ConstraintSet& constraints, const BoundRequest& request) {
+    std::vector<double> middle;
+    middle.reserve(constraints.box.size());
+    for (const Interval& interval : constraints.box) middle.push_back(Midpoint(interval));
+    return search_->Maximize(sign, request, std::move(middle));
+  }
+
+  Bound Climb(int sign, const ConstraintSet& constraints, const BoundRequest& request) const {
+    return Ladder(e_, &form_, sign, constraints, request).Climb();
+  }
+
+  Bound Bounded(int sign, const ConstraintSet& constraints, const BoundRequest& request) {
+    return Enter(constraints, request) ? Search(sign, constraints, request)
+                                       : Climb(sign, constraints, request);
+  }
+
+ private:
+  Expression e_;
+  NormalForm form_;
+  std::optional<MultiaffineSearch> search_;
+};
+
+PreparedExpression::PreparedExpression(const Expression& e) : ready_(std::make_unique<Ready>(e)) {}
+PreparedExpression::~PreparedExpression() = default;
+PreparedExpression::PreparedExpression(PreparedExpression&&) noexcept = default;
+PreparedExpression& PreparedExpression::operator=(PreparedExpression&&) noexcept = default;
+
+Bound PreparedExpression::Above(const ConstraintSet& constraints, const BoundRequest& request) {
+  return ready_->Bounded(1, constraints, request);
+}
+
+Bound PreparedExpression::Below(const ConstraintSet& constraints, const BoundRequest& request) {
+  return ready_->Bounded(-1, constraints, request);
+}
+
+BothBounds PreparedExpression::Both(const ConstraintSet& constraints, const BoundRequest& request) {
+  if (!ready_->Enter(constraints, request)) {
+    return {ready_->Climb(-1, constraints, request), ready_->Climb(1, constraints, request)};
+  }
+  return {ready_->Search(-1, constraints, request), ready_->Search(1, constraints, request)};
+}
+
+namespace {
+
+// The normal form of an expression that the linear core may do without is left to the ladder.
+Bound BoundOnce(const Expression& e, int sign, const ConstraintSet& constraints,
+                const BoundRequest& request) {
+  const bool starts_linear = !constraints.inequalities.empty() || request.highest == Rung::kLinear;
+  if (starts_linear) return Ladder(e, nullptr, sign, constraints, request).Climb();
+  PreparedExpression prepared(e);
+  return sign > 0 ? prepared.Above(constraints, request) : prepared.Below(constraints, request);
+}
+
+}  // namespace
+
 Bound BoundAbove(const Expression& e, const ConstraintSet& constraints,
                  const BoundRequest& request) {
-  return Ladder(e, 1, constraints, request).Climb();
+  return BoundOnce(e, 1, constraints, request);
 }
 
 Bound BoundBelow(const Expression& e, const ConstraintSet& constraints,
                  const BoundRequest& request) {
-  return Ladder(e, -1, constraints, request).Climb();
+  return BoundOnce(e, -1, constraints, request);
 }
 
 }  // namespace assay::algebra

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,31 @@ struct Bound {
                                 // infinite if the value is, or no point was found
   std::vector<double> at = {};  // a feasible point, by VariableId; empty if none was found
   std::int64_t evaluations = 0;
+  std::int64_t splits = 0;  // of boxes
+};
+
+struct BothBounds {
+  Bound inf, sup;
+};
+
+// An expression made ready to be bounded again and again: what does not depend on the constraints
+// (its normal form above all, which mostly takes longer than the search) is done once. Not to be
+// shared between threads.
+class PreparedExpression {
+ public:
+  explicit PreparedExpression(const Expression& e);
+  ~PreparedExpression();
+  PreparedExpression(PreparedExpression&&) noexcept;
+  PreparedExpression& operator=(PreparedExpression&&) noexcept;
+
+  Bound Above(const ConstraintSet& constraints, const BoundRequest& request);
+  Bound Below(const ConstraintSet& constraints, const BoundRequest& request);
+  // In less time than one after the other. A limit is of either.
+  BothBounds Both(const ConstraintSet& constraints, const BoundRequest& request);
+
+ private:
+  class Ready;
+  std::unique_ptr<Ready> ready_;
 };
 
 // SUP: bounds the expression from above over the constraints; BoundBelow: INF, from below.

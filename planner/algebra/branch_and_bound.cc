@@ -82,6 +82,7 @@ class Search {
   }
 
   void Split(const Part& part) {
+    probe_.CountSplit();
     const Interval x = part.box[part.split];
     Interval lower = {x.low, x.low};
     Interval upper = {x.high, x.high};

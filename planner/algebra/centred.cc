@@ -6,6 +6,7 @@
 
 #include "planner/algebra/ascent.h"
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/positive_definite.h"
 
 namespace assay::algebra {
 namespace {
@@ -30,38 +31,6 @@ double ValuePlusSlopes(const Interval& value, std::span<const Interval> box,
     sum = sum + gradient[i] * (box[i] - Interval{c[i], c[i]});
   }
   return sum.high;
-}
-
-// The entry of a symmetric family of matrices: its midpoint and by how much it may differ.
-struct Entry {
-  double centre = 0;
-  double deviation = 0;
-};
-
-// Whether every symmetric matrix between the entries (a lower triangle, by rows) is positive
-// definite. Taking from each diagonal entry of the centre the sum of its row's deviations gives a
-// matrix that is less than all of the family (for a deviation d, 2*d*x*y >= -|d|*(x^2 + y^2)); it
-// is positive definite if Gauss's elimination, outward-rounded, meets positive pivots only.
-bool IsPositiveDefinite(const std::vector<std::vector<Entry>>& entries) {
-  const std::size_t n = entries.size();
-  std::vector<std::vector<Interval>> m(n, std::vector<Interval>(n));
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j <= i; ++j) {
-      m[i][j] = m[j][i] = {entries[i][j].centre, entries[i][j].centre};
-    }
-    for (std::size_t j = 0; j < n; ++j) {
-      const double deviation = entries[std::max(i, j)][std::min(i, j)].deviation;
-      m[i][i] = m[i][i] - Interval{deviation, deviation};
-    }
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    if (!(m[k][k].low > 0)) return false;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const Interval factor = m[i][k] / m[k][k];
-      for (std::size_t j = k + 1; j < n; ++j) m[i][j] = m[i][j] - factor * m[k][j];
-    }
-  }
-  return true;
 }
 
 // The variables with freedom, if the form can be strictly concave in them: none is affine, and
@@ -112,21 +81,22 @@ double TangentUpperBound(Probe& probe, std::span<const Interval> box, std::span<
 }
 
 bool IsConcave(Probe& probe, std::span<const int> variables) {
-  std::vector<std::vector<Entry>> entries;
-  for (std::size_t i = 0; i < variables.size(); ++i) {
+  SymmetricMatrix centre, deviation;
+  centre.Reset(static_cast<int>(variables.size()));
+  deviation.Reset(centre.size());
+  for (int i = 0; i < centre.size(); ++i) {
     probe.CountSecondDerivatives();
     const std::vector<Interval>& row = probe.over_box().SecondDerivatives(variables[i]);
     if (!(row[variables[i]].high < 0)) return false;
-    entries.emplace_back();
-    for (std::size_t j = 0; j <= i; ++j) {
+    for (int j = 0; j <= i; ++j) {
       const Interval minus = -row[variables[j]];
-      const double centre = Midpoint(minus);
-      const Interval difference = minus - Interval{centre, centre};
-      entries.back().push_back({centre, std::max(-difference.low, difference.high)});
-      if (!std::isfinite(entries.back().back().deviation)) return false;
+      centre(i, j) = Midpoint(minus);
+      const Interval difference = minus - Interval{centre(i, j), centre(i, j)};
+      deviation(i, j) = std::max(-difference.low, difference.high);
+      if (!std::isfinite(deviation(i, j))) return false;
     }
   }
-  return IsPositiveDefinite(entries);
+  return IsSurelyPositiveDefinite(centre, deviation);
 }
 
 }  // namespace assay::algebra

@@ -35,8 +35,7 @@ NormalForm Negated(NormalForm form) {
   return form;
 }
 
-// Whether there are square roots or divisions, so that it may have no value somewhere. `seen`: the
-// expressions that are known to have none, by index.
+// `seen`: the expressions that are known to have none, by index.
 bool MayBeUndefined(const Expression& e, std::vector<bool>& seen) {
   if (e.pool() == nullptr || seen[e.index()]) return false;
   seen[e.index()] = true;
@@ -48,8 +47,7 @@ bool MayBeUndefined(const Expression& e, std::vector<bool>& seen) {
 }
 
 std::optional<CompiledForm> AsWritten(const Expression& e, std::size_t variables) {
-  std::vector<bool> seen(e.index() + 1, false);  // operands have smaller indices
-  if (!MayBeUndefined(e, seen)) return std::nullopt;
+  if (!MayBeUndefined(e)) return std::nullopt;
   std::vector<VariableId> all;
   for (std::size_t i = 0; i < variables; ++i) all.emplace_back(i);
   return Compile({{{.coefficient = {1, 1}, .factors = {{.atom = e, .exponent = 1}}}}}, all);
@@ -129,10 +127,19 @@ std::vector<bool> Constrained(std::span<const VariableId> variables,
 
 }  // namespace
 
+bool MayBeUndefined(const Expression& e) {
+  std::vector<bool> seen(e.index() + 1, false);  // operands have smaller indices
+  return MayBeUndefined(e, seen);
+}
+
 Maximization MaximizationOf(const Expression& e, int sign, const ConstraintSet& constraints) {
+  return MaximizationOf(e, NormalFormOf(e), sign, constraints);
+}
+
+Maximization MaximizationOf(const Expression& e, NormalForm form, int sign,
+                            const ConstraintSet& constraints) {
   Maximization problem;
-  problem.form = NormalFormOf(e);
-  if (sign < 0) problem.form = Negated(std::move(problem.form));
+  problem.form = sign < 0 ? Negated(std::move(form)) : std::move(form);
   std::vector<NormalForm> slacks;
   std::set<VariableId> in_inequalities;
   for (const Inequality& inequality : constraints.inequalities) {

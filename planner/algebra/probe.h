@@ -34,6 +34,8 @@ class Probe {
   const std::vector<double>& Gradient();
   const std::vector<Interval>& GradientOverBox();
   void CountSecondDerivatives() { ++evaluations_; }
+  std::int64_t splits() const { return splits_; }
+  void CountSplit() { ++splits_; }
 
   std::vector<Derivatives<double>>& slacks_at_point() { return slacks_at_point_; }
 
@@ -60,6 +62,7 @@ class Probe {
   std::vector<double> best_point_;
   double best_value_ = -std::numeric_limits<double>::infinity();
   std::int64_t evaluations_ = 0;
+  std::int64_t splits_ = 0;
 };
 
 // Each variable's midpoint.

@@ -17,11 +17,11 @@ Interval Shrunk(const Interval& interval, double factor) {
   return {middle - factor * (middle - interval.low), middle + factor * (interval.high - middle)};
 }
 
-Bound SupWithShrunk(VariableId variable, double factor, const Expression& e,
+Bound SupWithShrunk(VariableId variable, double factor, PreparedExpression& e,
                     ConstraintSet constraints, const BoundRequest& request) {
   Interval& interval = constraints.box[variable.index()];
   interval = Shrunk(interval, factor);
-  return BoundAbove(e, constraints, request);
+  return e.Above(constraints, request);
 }
 
 // The variables of e that have a width to lose.
@@ -40,8 +40,8 @@ double Noise(const Bound& a, const Bound& b, const BoundRequest& request) {
 }
 
 // The greatest factor, if any, that brings SUP below the limit. A smaller one does, too.
-std::optional<Tightening> MildestTightening(VariableId variable, double limit, const Expression& e,
-                                            const ConstraintSet& constraints,
+std::optional<Tightening> MildestTightening(VariableId variable, double limit,
+                                            PreparedExpression& e, const ConstraintSet& constraints,
                                             const BoundRequest& request) {
   const auto suffices = [&](int step) {
     const double factor = static_cast<double>(step) / kFactorSteps;
@@ -62,10 +62,11 @@ std::vector<Share> SharesOfSup(const Expression& e, const ConstraintSet& constra
                                const BoundRequest& request) {
   BoundRequest exact = request;
   exact.limit.reset();
-  const Bound all = BoundAbove(e, constraints, exact);
+  PreparedExpression prepared(e);
+  const Bound all = prepared.Above(constraints, exact);
   std::vector<Share> shares;
   for (VariableId variable : UncertainVariables(e, constraints)) {
-    const Bound without = SupWithShrunk(variable, 0, e, constraints, exact);
+    const Bound without = SupWithShrunk(variable, 0, prepared, constraints, exact);
     const double cost = all.value - without.value;
     // -infinity: no point with that midpoint satisfies the inequalities; nothing can be said.
     if (std::isfinite(without.value) && cost > Noise(all, without, exact)) {
@@ -88,9 +89,10 @@ std::vector<Tightening> TighteningsToBringSupBelow(double limit, const Expressio
   BoundRequest question = request;
   question.limit = limit;
   std::vector<Tightening> tightenings;
-  if (BoundAbove(e, constraints, question).value < limit) return tightenings;
+  PreparedExpression prepared(e);
+  if (prepared.Above(constraints, question).value < limit) return tightenings;
   for (VariableId variable : UncertainVariables(e, constraints)) {
-    const auto mildest = MildestTightening(variable, limit, e, constraints, question);
+    const auto mildest = MildestTightening(variable, limit, prepared, constraints, question);
     if (mildest) tightenings.push_back(*mildest);
   }
   std::stable_sort(tightenings.begin(), tightenings.end(),

@@ -136,8 +136,9 @@ Interval UncertainWorld::RangeOf(const Expression& expression) const {
 Interval UncertainWorld::TightRangeOf(const Expression& expression) const {
   if (expression.IsConstant()) return {expression.constant(), expression.constant()};
   const algebra::BoundRequest request = {.highest = algebra::Rung::kCentred};
-  return {algebra::BoundBelow(expression, constraints(), request).value,
-          algebra::BoundAbove(expression, constraints(), request).value};
+  const algebra::BothBounds bounds =
+      algebra::PreparedExpression(expression).Both(constraints(), request);
+  return {bounds.inf.value, bounds.sup.value};
 }
 
 std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const {

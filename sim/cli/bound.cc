@@ -90,11 +90,14 @@ Answer AnswerTo(const BoundProblem::Question& question, const BoundProblem& prob
   BoundRequest termwise = request;
   termwise.highest = Rung::kTermwise;
   const Expression& e = question.expression;
+  algebra::PreparedExpression prepared(e);
+  const algebra::BothBounds refined = prepared.Both(problem.constraints, request);
+  const algebra::BothBounds by_terms = prepared.Both(problem.constraints, termwise);
   Answer answer{.question = question,
-                .inf = BoundBelow(e, problem.constraints, request),
-                .sup = BoundAbove(e, problem.constraints, request),
-                .termwise_inf = BoundBelow(e, problem.constraints, termwise),
-                .termwise_sup = BoundAbove(e, problem.constraints, termwise),
+                .inf = refined.inf,
+                .sup = refined.sup,
+                .termwise_inf = by_terms.inf,
+                .termwise_sup = by_terms.sup,
                 .kept_inf = {},
                 .kept_sup = {}};
   if (!keep.empty()) {

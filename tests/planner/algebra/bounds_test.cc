@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bench/workloads/measured_expressions.h"
 #include "bench/workloads/transform_chains.h"
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/sup_inf.h"
@@ -377,6 +378,122 @@ TEST(Bounds, ManyLongTermsTakeFewEvaluations) {
   EXPECT_NEAR(sup.value, at_ones, 1e-6);
   EXPECT_GE(sup.value, at_ones);
   EXPECT_LE(sup.evaluations, 10);
+}
+
+// ---- Prepared expressions ----
+
+void ExpectSame(const Bound& a, const Bound& b) {
+  EXPECT_EQ(a.value, b.value);
+  EXPECT_EQ(a.gap, b.gap);
+  EXPECT_EQ(a.at, b.at);
+  EXPECT_EQ(a.rung, b.rung);
+  EXPECT_EQ(a.evaluations, b.evaluations);
+}
+
+ConstraintSet RandomBox(double widest, RandomStream& random, const ExpressionPool& pool) {
+  ConstraintSet constraints = DeclaredBox(pool);
+  for (Interval& x : constraints.box) {
+    const double low = random.Uniform(-0.5, 0.5);
+    x = {low, low + random.Uniform(0, widest)};
+  }
+  return constraints;
+}
+
+// A question's answer does not depend on the questions before it.
+TEST(PreparedExpression, AnswersAsIfAskedForTheFirstTime) {
+  RandomStream random(19, "prepared");
+  for (const bool is_chain : {true, false}) {
+    ExpressionPool pool;
+    const Expression chain = workloads::PlanarChain(3, workloads::kWideErrors, random, pool);
+    const Expression e = is_chain ? chain : chain * chain;
+    PreparedExpression prepared(e);
+    for (int i = 0; i < 10; ++i) {
+      const ConstraintSet box = RandomBox(0.4, random, pool);
+      const BoundRequest request = {.evaluations = 100};
+      const BothBounds both = prepared.Both(box, request);
+      ExpectSame(both.inf, BoundBelow(e, box, request));
+      ExpectSame(both.sup, BoundAbove(e, box, request));
+      ExpectSame(both.sup, prepared.Above(box, request));
+      ExpectSame(both.inf, prepared.Below(box, request));
+    }
+  }
+}
+
+// What always holds keeps the question from the search for multi-affine forms.
+TEST(PreparedExpression, OfAMultiaffineFormAgreesWithTheLadder) {
+  RandomStream random(23, "agrees");
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE(i);
+    ExpressionPool pool;
+    const bool is_planar = i % 2 == 0;
+    const Expression e =
+        is_planar ? workloads::PlanarChain(1 + i % 3, workloads::kWideErrors, random, pool)
+                  : workloads::SpatialChain(1 + i % 3, workloads::kWideErrors, random, pool);
+    ConstraintSet box = RandomBox(i % 4 < 2 ? 0.3 : 1.2, random, pool);
+    const BothBounds both = PreparedExpression(e).Both(box, {});
+    ExpectHonest(both.sup, 1, e, box);
+    ExpectHonest(both.inf, -1, e, box);
+    EXPECT_LE(both.sup.gap, 1e-6);
+    EXPECT_LE(both.inf.gap, 1e-6);
+    box.inequalities = {{pool.Variable(VariableId(0)), 100}};
+    const Bound sup = BoundAbove(e, box, {.gap = 1e-2, .evaluations = 200});
+    const Bound inf = BoundBelow(e, box, {.gap = 1e-2, .evaluations = 200});
+    EXPECT_LE(both.sup.value, sup.value + 1e-6);
+    EXPECT_GE(both.sup.value, sup.value - sup.gap);
+    EXPECT_GE(both.inf.value, inf.value - 1e-6);
+    EXPECT_LE(both.inf.value, inf.value + inf.gap);
+  }
+}
+
+// Angles of all sizes, whole turns and more; ends that are the same; ends that are far away.
+TEST(PreparedExpression, OfAMultiaffineFormOverAnyBox) {
+  RandomStream random(29, "any box");
+  for (int i = 0; i < 200; ++i) {
+    SCOPED_TRACE(i);
+    ExpressionPool pool;
+    const Expression e = workloads::PlanarChain(2, workloads::kWideErrors, random, pool);
+    ConstraintSet box = DeclaredBox(pool);
+    for (Interval& x : box.box) {
+      const double low = random.Uniform(-1, 1) * (random.Index(4) == 0 ? 1e3 : 4);
+      x = {low, random.Index(4) == 0 ? low : low + random.Uniform(0, 8)};
+    }
+    const BothBounds both = PreparedExpression(e).Both(box, {.gap = 1e-3, .evaluations = 2'000});
+    ExpectHonest(both.sup, 1, e, box);
+    ExpectHonest(both.inf, -1, e, box);
+    for (int sample = 0; sample < 50; ++sample) {
+      std::vector<double> point;
+      for (const Interval& x : box.box) {
+        point.push_back(random.Index(3) == 0 ? x.low : random.Uniform(x.low, x.high));
+      }
+      EXPECT_LE(ValueAt(e, point).low, both.sup.value);
+      EXPECT_GE(ValueAt(e, point).high, both.inf.value);
+    }
+  }
+}
+
+TEST(PreparedExpression, InfiniteBoxesAreLeftToTheLadder) {
+  ExpressionPool pool;
+  const Expression x = pool.Declare("x", {0, kInfinity});
+  const Expression t = pool.Declare("t", {0, 1});
+  const BothBounds both = PreparedExpression(x + Cos(t)).Both(DeclaredBox(pool), {});
+  EXPECT_NEAR(both.inf.value, std::cos(1), 1e-9);
+  EXPECT_EQ(both.sup.value, kInfinity);
+}
+
+TEST(PreparedExpression, HasTheKnownRangesOfMeasuredExpressions) {
+  for (const workloads::MeasuredExpression& measured :
+       workloads::LoadMeasuredExpressions(ASSAY_SOURCE_DIR "/bench/workloads/expressions")) {
+    SCOPED_TRACE(measured.name);
+    const ConstraintSet& box = measured.problem.constraints;
+    const BothBounds both = PreparedExpression(measured.expression()).Both(box, {});
+    EXPECT_NEAR(both.inf.value, measured.range.low, 1e-6);
+    EXPECT_NEAR(both.sup.value, measured.range.high, 1e-6);
+    EXPECT_LE(std::max(both.inf.gap, both.sup.gap), 1e-6);
+    ExpectHonest(both.sup, 1, measured.expression(), box);
+    ExpectHonest(both.inf, -1, measured.expression(), box);
+    const bool cancels = measured.name.starts_with("cancel");
+    EXPECT_TRUE(!cancels || both.inf.splits + both.sup.splits == 0);
+  }
 }
 
 class RandomExpressions : public testing::TestWithParam<Rung> {};

@@ -1,0 +1,119 @@
+#include "bench/peers/boost_interval.h"
+
+#include <boost/numeric/interval.hpp>
+#include <unordered_map>
+#include <vector>
+
+#include "planner/base/check.h"
+
+namespace assay::peers {
+namespace {
+
+using algebra::Expression;
+using algebra::Operator;
+namespace numeric = boost::numeric;
+namespace policies = boost::numeric::interval_lib;
+using Number =
+    numeric::interval<double,
+                      policies::policies<policies::save_state<policies::rounded_transc_std<double>>,
+                                         policies::checking_base<double>>>;
+
+struct Step {
+  Operator op = Operator::kConstant;
+  int exponent = 0;
+  std::vector<std::size_t> operands;
+};
+
+}  // namespace
+
+class BoostInterval::Evaluation {
+ public:
+  Evaluation(const Expression& e, std::span<const Expression> others,
+             const algebra::ConstraintSet& box) {
+    for (const Expression& other : others) Add(other, box);
+    Add(e, box);
+  }
+
+  Interval Range() {
+    for (std::size_t i = 0; i < steps_.size(); ++i) Carry(steps_[i], values_[i]);
+    return {values_.back().lower(), values_.back().upper()};
+  }
+
+ private:
+  // What it is made of, unless it is there already, and at last itself.
+  void Add(const Expression& e, const algebra::ConstraintSet& box) {
+    for (const Expression& node : algebra::NodesOf(e)) {
+      if (!node.IsConstant() && !places_.contains(node.index())) AddNode(node, box);
+    }
+    if (e.IsConstant()) AddConstant(e.constant());
+  }
+
+  void AddNode(const Expression& node, const algebra::ConstraintSet& box) {
+    Step step = {.op = node.op(), .exponent = 0, .operands = {}};
+    Number value = 0;
+    if (node.op() == Operator::kPower) step.exponent = node.exponent();
+    if (node.op() == Operator::kVariable) {
+      const Interval& x = box.box[static_cast<std::size_t>(node.variable().index())];
+      value = Number(x.low, x.high);
+    }
+    for (const Expression& operand : node.operands()) {
+      step.operands.push_back(operand.IsConstant() ? AddConstant(operand.constant())
+                                                   : places_.at(operand.index()));
+    }
+    places_[node.index()] = steps_.size();
+    steps_.push_back(std::move(step));
+    values_.push_back(value);
+  }
+
+  std::size_t AddConstant(double constant) {
+    steps_.emplace_back();
+    values_.emplace_back(constant);
+    return steps_.size() - 1;
+  }
+
+  void Carry(const Step& step, Number& value) const {
+    switch (step.op) {
+      case Operator::kConstant:
+      case Operator::kVariable:
+        return;
+      case Operator::kSum:
+        value = values_[step.operands[0]];
+        for (std::size_t i = 1; i < step.operands.size(); ++i) value += values_[step.operands[i]];
+        return;
+      case Operator::kProduct:
+        value = values_[step.operands[0]];
+        for (std::size_t i = 1; i < step.operands.size(); ++i) value *= values_[step.operands[i]];
+        return;
+      case Operator::kPower:
+        value = numeric::pow(values_[step.operands[0]], step.exponent);
+        return;
+      case Operator::kSin:
+        value = numeric::sin(values_[step.operands[0]]);
+        return;
+      case Operator::kCos:
+        value = numeric::cos(values_[step.operands[0]]);
+        return;
+      case Operator::kQuotient:
+      case Operator::kSqrt:
+      case Operator::kAbs:
+      case Operator::kMin:
+      case Operator::kMax:
+        break;
+    }
+    ASSAY_CHECK(false, "not an operation of chains of transforms");
+  }
+
+  std::vector<Step> steps_;
+  std::vector<Number> values_;
+  std::unordered_map<int, std::size_t> places_;  // of expressions, by index
+};
+
+BoostInterval::BoostInterval(const Expression& e, std::span<const Expression> others,
+                             const algebra::ConstraintSet& box)
+    : evaluation_(std::make_unique<Evaluation>(e, others, box)) {}
+BoostInterval::~BoostInterval() = default;
+BoostInterval::BoostInterval(BoostInterval&&) noexcept = default;
+
+Interval BoostInterval::Range() { return evaluation_->Range(); }
+
+}  // namespace assay::peers

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "planner/algebra/constraint_set.h"
+
+namespace assay::peers {
+
+// Boost.Interval on an expression as it stands, operation by operation, with outward rounding:
+// equal parts are evaluated once, numbers are converted beforehand. Of sums, products, powers,
+// sines and cosines. Others may be evaluated along with it.
+class BoostInterval {
+ public:
+  BoostInterval(const algebra::Expression& e, std::span<const algebra::Expression> others,
+                const algebra::ConstraintSet& box);
+  ~BoostInterval();
+  BoostInterval(BoostInterval&&) noexcept;
+
+  Interval Range();
+
+ private:
+  class Evaluation;
+  std::unique_ptr<Evaluation> evaluation_;
+};
+
+}  // namespace assay::peers
