@@ -140,6 +140,13 @@ Interval UncertainWorld::TightRangeOf(const Expression& expression) const {
           algebra::BoundAbove(expression, constraints(), request).value};
 }
 
+algebra::Glance UncertainWorld::GlanceAbove(const Expression& expression) const {
+  return variables_->first_order.Above(expression, constraints().box);
+}
+algebra::Glance UncertainWorld::GlanceBelow(const Expression& expression) const {
+  return variables_->first_order.Below(expression, constraints().box);
+}
+
 std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const {
   std::set<PartId> parts;
   for (const algebra::VariableId v : algebra::VariablesOf(expression)) {
