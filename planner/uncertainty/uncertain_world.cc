@@ -9,6 +9,7 @@
 #include "planner/algebra/affine_form.h"
 #include "planner/algebra/bounds.h"
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/normal_form.h"
 #include "planner/algebra/simplify.h"
 
 namespace assay::uncertainty {
@@ -28,6 +29,7 @@ std::string UncertainWorld::SymbolName(PartId part) const {
 
 UncertainWorld::UncertainWorld(const domain::Problem& problem, Propagation propagation)
     : problem_(&problem), propagation_(propagation), variables_(std::make_shared<Variables>()) {
+  algebra::KeepNormalForms(variables_->pool);
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {
     const domain::Part& part = problem.parts[p];
     const PartId id(p);
