@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "planner/algebra/intern_table.h"
 #include "planner/base/check.h"
 
 namespace assay::algebra {
@@ -45,16 +46,14 @@ class Compiler {
   }
 
   int NumberOf(const Factor& factor) {
-    const std::size_t index = factor.atom.index();
-    if (index >= numbers_of_atom_.size()) numbers_of_atom_.resize(2 * index + 1);
-    std::vector<int>& numbers = numbers_of_atom_[index];
-    for (int number : numbers) {
-      if (factors_[number].exponent == factor.exponent) return number;
-    }
+    const std::uint64_t hash = MixedHash(factor.exponent, factor.atom.index() + 1);
+    const int known = numbers_.Find(hash, [&](int number) { return factors_[number] == factor; });
+    if (known >= 0) return known;
+    const int number = static_cast<int>(factors_.size());
     factors_.push_back(factor);
     NoteAffineVariables(factor);
-    numbers.push_back(static_cast<int>(factors_.size()) - 1);
-    return numbers.back();
+    numbers_.Insert(hash, number);
+    return number;
   }
 
   // A variable is affine if it occurs only as a factor of its own, to the first power.
@@ -215,11 +214,11 @@ class Compiler {
   std::span<const VariableId> variables_;
   CompiledForm form_;
   std::vector<Factor> factors_;
-  std::vector<std::vector<int>> numbers_of_atom_;  // by its index: in factors_, by exponent
-  std::vector<int> count_of_factor_;               // scratch, all zero between uses
-  std::vector<int> step_of_factor_;                // -1: none yet
-  std::map<int, int> step_of_expression_;          // by Expression::index
-  std::map<int, int> sine_of_;                     // by the step of the angle
+  InternTable numbers_;                    // in factors_
+  std::vector<int> count_of_factor_;       // scratch, all zero between uses
+  std::vector<int> step_of_factor_;        // -1: none yet
+  std::map<int, int> step_of_expression_;  // by Expression::index
+  std::map<int, int> sine_of_;             // by the step of the angle
 };
 
 }  // namespace

@@ -32,6 +32,7 @@ enum class Operator {
 };
 
 class ExpressionPool;
+class KeptNormalForms;  // normal_form.h
 
 // An immutable expression over the bounded variables of a pool: a value, cheap to copy. Equal
 // sub-expressions are stored once in the pool (hash-consing), so that == is structural and takes
@@ -113,13 +114,18 @@ class ExpressionPool {
   std::optional<VariableId> Find(std::string_view name) const;
   int node_count() const;
 
+  // None until KeepNormalForms.
+  KeptNormalForms* kept_normal_forms() const { return kept_normal_forms_.get(); }
+
  private:
   friend class Expression;
+  friend void KeepNormalForms(ExpressionPool& pool);
   friend struct NodeAccess;  // of the operations (expression.cc)
   struct Nodes;
   Expression At(int node) { return {this, node}; }
 
   std::unique_ptr<Nodes> nodes_;
+  std::shared_ptr<KeptNormalForms> kept_normal_forms_;
 };
 
 // The distinct expressions that e is made of, by increasing index: operands before what they stand

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 #include "planner/algebra/interval_arithmetic.h"
@@ -31,17 +32,23 @@ bool IsNumber(const Polynomial& a) { return a.empty() || (a.size() == 1 && a[0].
 
 Interval NumberIn(const Polynomial& a) { return a.empty() ? Interval{} : a[0].coefficient; }
 
-// Rewrites the nodes of one expression, one by one.
+// Rewrites the nodes of expressions, one by one.
 class Expansion {
  public:
   Expansion(ExpressionPool* pool, int most_terms, AtomArguments arguments)
       : pool_(pool), most_terms_(most_terms), arguments_(arguments) {}
 
-  NormalForm Of(const Expression& e) {
-    Polynomial result = Walked(e);
-    algebra_.Sort(result);
-    return FormOf(result);
+  int most_terms() const { return most_terms_; }
+
+  // Of one expression: what it is made of is forgotten on the way.
+  NormalForm Of(const Expression& e) { return Sorted(Walked(e)); }
+
+  // Of one of many: what they are made of is kept.
+  NormalForm OfOneOfMany(const Expression& e) {
+    ExpandAllOf(e);
+    return Sorted(expanded_.at(e.index()));
   }
+  std::size_t kept_terms() const { return kept_terms_; }
 
  private:
   // A part of a product: the expression as it was written, and expanded.
@@ -55,6 +62,41 @@ class Expansion {
     int sign = 1;
   };
 
+  NormalForm Sorted(Polynomial polynomial) const {
+    algebra_.Sort(polynomial);
+    return FormOf(polynomial);
+  }
+
+  // In the order in which they were made, so that atoms are made in the order in which they are for
+  // one expression: it is theirs in the normal form.
+  void ExpandAllOf(const Expression& e) {
+    for (const Expression& node : UnexpandedNodesOf(e)) {
+      const Polynomial& kept = expanded_[node.index()] = ExpandedNode(node);
+      kept_terms_ += kept.size() + 1;
+    }
+  }
+
+  std::vector<Expression> UnexpandedNodesOf(const Expression& e) const {
+    std::vector<Expression> nodes;
+    std::unordered_set<int> met;
+    const auto meet = [&](const Expression& node) {
+      const int index = node.index();
+      if (!expanded_.contains(index) && met.insert(index).second) nodes.push_back(node);
+    };
+    meet(e);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+      for (const Expression& operand : nodes[i].operands()) meet(operand);
+    }
+    std::ranges::sort(nodes, {}, &Expression::index);
+    return nodes;
+  }
+
+  Polynomial ExpandedNode(const Expression& node) {
+    Polynomial result = Expanded(node);
+    if (arguments_ == AtomArguments::kRounded) std::erase_if(result, IsRoundingAlone);
+    return result;
+  }
+
   Polynomial Walked(const Expression& e) {
     const std::vector<Expression> nodes = NodesOf(e);
     std::unordered_map<int, int> uses;  // yet to come
@@ -62,8 +104,7 @@ class Expansion {
       for (const Expression& operand : node.operands()) ++uses[operand.index()];
     }
     for (const Expression& node : nodes) {
-      Polynomial result = Expanded(node);
-      if (arguments_ == AtomArguments::kRounded) std::erase_if(result, IsRoundingAlone);
+      Polynomial result = ExpandedNode(node);
       for (const Expression& operand : node.operands()) {
         if (--uses[operand.index()] == 0) expanded_.erase(operand.index());
       }
@@ -289,9 +330,11 @@ class Expansion {
 
   NormalForm FormOf(const Polynomial& sorted) const {
     NormalForm form;
+    form.terms.reserve(sorted.size());
     for (const auto& [monomial, coefficient] : sorted) {
       NormalForm::Term& term = form.terms.emplace_back();
       term.coefficient = coefficient;
+      term.factors.reserve(algebra_.Factors(monomial).size());
       for (const AtomPower& factor : algebra_.Factors(monomial)) {
         term.factors.push_back({.atom = atoms_.at(factor.atom), .exponent = factor.exponent});
       }
@@ -305,6 +348,7 @@ class Expansion {
   PolynomialAlgebra algebra_;
   std::unordered_map<int, Expression> atoms_;     // by index
   std::unordered_map<int, Polynomial> expanded_;  // by index
+  std::size_t kept_terms_ = 0;
 };
 
 // atom^exponent; a reciprocal's power as one negative power.
@@ -316,10 +360,36 @@ Expression PowerOfAtom(const NormalForm::Factor& factor) {
 
 }  // namespace
 
+class KeptNormalForms {
+ public:
+  NormalForm Of(const Expression& e, int most_terms, AtomArguments arguments) {
+    std::optional<Expansion>& kept = arguments == AtomArguments::kExact ? exact_ : rounded_;
+    const bool is_full = kept && kept->kept_terms() > kMostTerms;
+    if (!kept || is_full || kept->most_terms() != most_terms) {
+      kept.emplace(e.pool(), most_terms, arguments);
+    }
+    return kept->OfOneOfMany(e);
+  }
+
+ private:
+  static constexpr std::size_t kMostTerms = 1'000'000;  // some 30 MB
+
+  std::optional<Expansion> exact_;
+  std::optional<Expansion> rounded_;
+};
+
+void KeepNormalForms(ExpressionPool& pool) {
+  pool.kept_normal_forms_ = std::make_shared<KeptNormalForms>();
+}
+
 NormalForm NormalFormOf(const Expression& e, int most_terms, AtomArguments arguments) {
-  if (!e.IsConstant()) return Expansion(e.pool(), most_terms, arguments).Of(e);
   if (e.IsConstant(0)) return {};
-  return {.terms = {{.coefficient = {e.constant(), e.constant()}, .factors = {}}}};
+  if (e.IsConstant()) {
+    return {.terms = {{.coefficient = {e.constant(), e.constant()}, .factors = {}}}};
+  }
+  KeptNormalForms* const kept = e.pool()->kept_normal_forms();
+  if (kept != nullptr) return kept->Of(e, most_terms, arguments);
+  return Expansion(e.pool(), most_terms, arguments).Of(e);
 }
 
 Expression ToExpression(const NormalForm& form) {

@@ -41,6 +41,11 @@ enum class AtomArguments {
 NormalForm NormalFormOf(const Expression& e, int most_terms = 20'000,
                         AtomArguments arguments = AtomArguments::kExact);
 
+// From now on what the normal forms of the pool's expressions have in common is expanded once and
+// kept, up to a limit: for many expressions that are made of the same ones. The normal forms are
+// the same.
+void KeepNormalForms(ExpressionPool& pool);
+
 // With the coefficients' midpoints; a term whose coefficient holds 0 is rounding alone: left out.
 Expression ToExpression(const NormalForm& form);
 

@@ -22,11 +22,13 @@ constexpr Interval kZero = {0, 0};
 class TermCollector {
  public:
   void Add(int monomial, const Interval& coefficient) {
-    const auto [found, is_new] = places_.try_emplace(monomial, terms_.size());
-    if (is_new) {
+    const std::uint64_t hash = MixedHash(0, static_cast<std::uint64_t>(monomial) + 1);
+    const int known = places_.Find(hash, [&](int i) { return terms_[i].monomial == monomial; });
+    if (known < 0) {
+      places_.Insert(hash, static_cast<int>(terms_.size()));
       terms_.push_back({monomial, coefficient});
     } else {
-      terms_[found->second].coefficient = terms_[found->second].coefficient + coefficient;
+      terms_[known].coefficient = terms_[known].coefficient + coefficient;
     }
   }
 
@@ -39,7 +41,7 @@ class TermCollector {
 
  private:
   Polynomial terms_;
-  std::unordered_map<int, std::size_t> places_;
+  InternTable places_;
 };
 
 std::uint64_t HashOf(std::span<const AtomPower> factors) {
@@ -89,11 +91,10 @@ std::optional<Polynomial> PolynomialAlgebra::Product(const Polynomial& a, const 
   for (const Term& x : a) {
     for (const Term& y : b) {
       const Interval coefficient = x.coefficient * y.coefficient;
-      const Factorization factors = Merged(Factors(x.monomial), Factors(y.monomial));
-      if (!HasReplacedSquare(factors)) {
-        collector.Add(Intern(factors), coefficient);
+      if (const std::optional<int> plain = PlainProduct(x.monomial, y.monomial)) {
+        collector.Add(*plain, coefficient);
       } else {
-        const auto reduced = Reduced(factors, budget);
+        const auto reduced = Reduced(Merged(Factors(x.monomial), Factors(y.monomial)), budget);
         if (!reduced) return std::nullopt;
         for (const Term& term : *reduced) {
           collector.Add(term.monomial, coefficient * term.coefficient);
@@ -130,6 +131,20 @@ int PolynomialAlgebra::Intern(const Factorization& factors) {
   monomials_.push_back(factors);
   table_.Insert(hash, static_cast<int>(monomials_.size()) - 1);
   return static_cast<int>(monomials_.size()) - 1;
+}
+
+std::optional<int> PolynomialAlgebra::PlainProduct(int a, int b) {
+  const std::uint64_t hash =
+      MixedHash(0, static_cast<std::uint64_t>(a) << 32U | static_cast<std::uint32_t>(b));
+  const int known =
+      product_table_.Find(hash, [&](int i) { return products_[i].a == a && products_[i].b == b; });
+  if (known >= 0) return products_[known].product;
+  const Factorization factors = Merged(Factors(a), Factors(b));
+  std::optional<int> product;
+  if (!HasReplacedSquare(factors)) product = Intern(factors);
+  products_.push_back({a, b, product});
+  product_table_.Insert(hash, static_cast<int>(products_.size()) - 1);
+  return product;
 }
 
 PolynomialAlgebra::Factorization PolynomialAlgebra::Merged(std::span<const AtomPower> a,

@@ -64,6 +64,8 @@ class PolynomialAlgebra {
   using Factorization = std::vector<AtomPower>;
 
   int Intern(const Factorization& factors);
+  // The product of two monomials; none if it has a square that is replaced.
+  std::optional<int> PlainProduct(int a, int b);
   static Factorization Merged(std::span<const AtomPower> a, std::span<const AtomPower> b);
   bool HasReplacedSquare(const Factorization& factors) const;
   std::optional<Polynomial> Reduced(const Factorization& factors, Budget& budget);
@@ -72,6 +74,14 @@ class PolynomialAlgebra {
   std::vector<Factorization> monomials_;
   InternTable table_;
   std::unordered_map<int, Square> squares_;
+  // Products of two monomials that were asked for.
+  struct KnownProduct {
+    int a = 0;
+    int b = 0;
+    std::optional<int> product = {};
+  };
+  std::vector<KnownProduct> products_;
+  InternTable product_table_;
 };
 
 }  // namespace assay::algebra

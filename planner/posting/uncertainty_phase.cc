@@ -9,18 +9,22 @@
 #include <tuple>
 
 #include "planner/base/check.h"
+#include "planner/posting/best_known.h"
 #include "planner/posting/combinations.h"
 #include "planner/posting/sensing_resolver.h"
 #include "planner/posting/squeezing_resolver.h"
 #include "planner/posting/verification.h"
+#include "planner/uncertainty/world_tree.h"
 
 namespace assay::posting {
 
 using plan::Resolution;
 using plan::StepId;
 using uncertainty::CertifiedStep;
+using uncertainty::MomentId;
 using uncertainty::UncertainWorld;
 using uncertainty::Unproved;
+using uncertainty::WorldTree;
 
 std::vector<domain::PartId> UnmetGoals::Parts() const {
   std::vector<domain::PartId> parts;
@@ -41,16 +45,11 @@ struct Entry {
   std::vector<Resolution> resolutions = {};
   std::vector<std::string> absorbed = {};  // conditions that a remedy takes care of
   std::optional<plan::Strategy> strategy = {};
-  bool given_up = false;     // its goals cannot all be proved
-  std::size_t unproved = 0;  // goals
-  double violation = 0;      // by how much they fail
+  bool given_up = false;               // its goals cannot all be proved
+  MomentId failed = MomentId::None();  // the moment after it, if they are not
 
   const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
 };
-
-void Propagate(UncertainWorld& world, const Entry& entry) {
-  uncertainty::Propagate(world, entry.action, entry.way());
-}
 
 // How far a step is from being proved; less is better.
 struct Shortfall {
@@ -67,10 +66,11 @@ Shortfall ShortfallOf(const std::vector<Unproved>& unproved) {
   return {unproved.size(), uncertainty::Violation(unproved)};
 }
 
-void Absorb(const Entry& entry, std::vector<Unproved>& unproved) {
+std::vector<Unproved> Unabsorbed(const Entry& entry, std::vector<Unproved> unproved) {
   std::erase_if(unproved, [&](const Unproved& unmet) {
     return std::ranges::count(entry.absorbed, unmet.claim.condition) > 0;
   });
+  return unproved;
 }
 
 // The goal that fails by most, in words.
@@ -90,44 +90,32 @@ struct Candidate {
   Remedy remedy;
 };
 
-bool IsMeasured(const Interval& promise) {
-  return std::isfinite(promise.low) && std::isfinite(promise.high);
-}
-
-bool HoldsZero(const Interval& range) { return range.low <= 0 && range.high >= 0; }
-bool HoldsZero(const domain::PoseError& error) {
-  return HoldsZero(error.x) && HoldsZero(error.y) && HoldsZero(error.z) && HoldsZero(error.theta);
-}
-
-// The problem as the best remedies could make it: x, y and theta of every part known exactly, by
-// squeezing or sensing, and z if a sensor that may be used measures it. Whatever the remedies, this
-// is among what remains possible if all errors may be 0; otherwise nothing is assumed.
-domain::Problem BestKnown(domain::Problem problem) {
-  bool may_be_zero = HoldsZero(problem.gripper_error);
-  bool height_is_measured = false;
-  for (const std::string& name : problem.sensors) {
-    const auto* sensor = problem.workcell->uncertainty_operations().FindSensor(name);
-    ASSAY_CHECK(sensor != nullptr, "the workcell has no sensor '{}'", name);
-    height_is_measured |= IsMeasured(sensor->z);
-    may_be_zero &= HoldsZero(sensor->x) && HoldsZero(sensor->y) && HoldsZero(sensor->z) &&
-                   HoldsZero(sensor->theta);
+// What is known as plan instances are executed, one way and another.
+struct Worlds {
+  Worlds(const domain::Problem& problem, const UncertaintyOptions& options)
+      : possible(problem, options.propagation, options.bound), best_problem(BestKnown(problem)) {
+    if (best_problem) best.emplace(*best_problem, options.propagation, options.bound);
   }
-  for (const domain::Part& part : problem.parts) may_be_zero &= HoldsZero(part.error);
-  if (!may_be_zero) return problem;
-  for (domain::Part& part : problem.parts) {
-    const Interval height = part.error.z;
-    part.error = {};
-    if (!height_is_measured) part.error.z = height;
-  }
-  return problem;
-}
+
+  WorldTree possible;
+  const std::optional<domain::Problem> best_problem;
+  std::optional<WorldTree> best;  // if all is known that remedies could tell
+};
+
+// How an augmented plan instance compares with others, but for the violation; less is better.
+struct Standing {
+  int errors = 0;
+  std::size_t actions = 0;  // of the first phase
+
+  auto operator<=>(const Standing&) const = default;
+};
 
 // Decides only what is proved; the certificates are written for the instance that is kept.
 class Augmentation {
  public:
   Augmentation(const domain::Problem& problem, const plan::Plan& instance,
-               const UncertaintyOptions& options)
-      : problem_(problem), best_known_(BestKnown(problem)), instance_(instance), options_(options) {
+               const UncertaintyOptions& options, Worlds& worlds)
+      : problem_(problem), instance_(instance), options_(options), worlds_(worlds) {
     for (const plan::Sense& look : options.looks) {
       entries_.push_back({.id = StepId(instance.steps.size() + entries_.size()), .action = look});
     }
@@ -141,9 +129,11 @@ class Augmentation {
   std::int64_t combinations() const { return combinations_; }
   int errors() const { return static_cast<int>(std::ranges::count_if(entries_, Fails)); }
   bool IsBetterThan(const Augmentation& other) const {
-    return std::tuple(errors(), instance_.steps.size(), violation()) <
-           std::tuple(other.errors(), other.instance_.steps.size(), other.violation());
+    const Standing mine = standing();
+    const Standing others = other.standing();
+    return mine < others || (mine == others && violation() < other.violation());
   }
+  Standing standing() const { return {errors(), instance_.steps.size()}; }
 
   AugmentedPlanInstance WriteOut() const {
     AugmentedPlanInstance augmented = {
@@ -165,36 +155,46 @@ class Augmentation {
     int step = 0;  // where the mended step is now
   };
 
-  static bool Fails(const Entry& entry) { return entry.unproved > 0; }
+  static bool Fails(const Entry& entry) { return !entry.failed.IsNone(); }
 
   double violation() const {
     double violation = 0;
-    for (const Entry& entry : entries_) violation += entry.violation;
+    for (const Entry& entry : entries_) {
+      if (Fails(entry)) violation += uncertainty::Violation(Told(entry, entry.failed));
+    }
     return violation;
   }
 
   // False if a remedy was inserted, so that all must be decided anew.
   bool DecideInOrder() {
-    UncertainWorld world(problem_, options_.propagation);
+    MomentId moment = worlds_.possible.Beginning();
     for (int i = 0; i < std::ssize(entries_); ++i) {
-      const UncertainWorld before = world;
-      entries_[i].unproved = 0;
-      entries_[i].violation = 0;
-      if (Decide(world, entries_[i], uncertainty::Wanted::kFirstUnproved).empty()) continue;
-      world = before;
-      // What fails is to be told as the certificate will tell it.
-      const std::vector<Unproved> unproved = Certify(world, entries_[i]).unproved;
-      if (unproved.empty()) continue;
-      if (!entries_[i].given_up && Mend(i, unproved)) return false;
-      entries_[i].unproved = unproved.size();
-      entries_[i].violation = uncertainty::Violation(unproved);
+      moment = After(worlds_.possible, moment, entries_[i]);
+      entries_[i].failed = MomentId::None();
+      if (Unabsorbed(entries_[i], worlds_.possible.UnprovedAt(moment)).empty()) continue;
+      if (!entries_[i].given_up && Mend(i, Told(entries_[i], moment))) return false;
+      entries_[i].failed = moment;
     }
     return true;
   }
 
+  static MomentId After(WorldTree& tree, MomentId before, const Entry& entry) {
+    return tree.After(before, entry.action, entry.way());
+  }
+
+  static bool IsProved(WorldTree& tree, MomentId after, const Entry& entry) {
+    if (entry.absorbed.empty()) return tree.IsProved(after);
+    return Unabsorbed(entry, tree.UnprovedAt(after)).empty();
+  }
+
+  // What fails is to be told as the certificate will tell it.
+  std::vector<Unproved> Told(const Entry& entry, MomentId after) const {
+    return Unabsorbed(entry, worlds_.possible.ToldAt(after));
+  }
+
   CertifiedStep Certify(UncertainWorld& world, const Entry& entry) const {
     CertifiedStep step = CertifyStep(world, entry.action, options_.bound, entry.way());
-    Absorb(entry, step.unproved);
+    step.unproved = Unabsorbed(entry, std::move(step.unproved));
     return step;
   }
 
@@ -226,10 +226,10 @@ class Augmentation {
   bool MayBeProved(int step, const std::vector<Candidate>& candidates) const {
     const bool absorbs = std::ranges::any_of(
         candidates, [](const Candidate& c) { return !c.remedy.absorbs.empty(); });
-    if (absorbs) return true;
-    UncertainWorld world(best_known_, options_.propagation);
-    for (int i = 0; i < step; ++i) Propagate(world, entries_[i]);
-    return Decide(world, entries_[step], uncertainty::Wanted::kFirstUnproved).empty();
+    if (absorbs || !worlds_.best) return true;
+    MomentId moment = worlds_.best->Beginning();
+    for (int i = 0; i <= step; ++i) moment = After(*worlds_.best, moment, entries_[i]);
+    return IsProved(*worlds_.best, moment, entries_[step]);
   }
 
   std::optional<Mended> ProvingRemedies(int step, const std::vector<Candidate>& candidates,
@@ -277,10 +277,8 @@ class Augmentation {
     if (std::ranges::none_of(mended.resolutions, disturbs)) return;
     const std::optional<Mended> nearest = NearingRemedies(step, candidates, why);
     if (!nearest) return;
-    UncertainWorld world(problem_, options_.propagation);
-    for (int i = 0; i < nearest->step; ++i) Propagate(world, nearest->entries[i]);
     const Entry& entry = nearest->entries[nearest->step];
-    const std::vector<Unproved> unproved = Certify(world, entry).unproved;
+    const std::vector<Unproved> unproved = Told(entry, MomentAfter(*nearest));
     if (unproved.empty()) return;
     for (Resolution& resolution : mended.resolutions) {
       if (!disturbs(resolution) || resolution.why != why) continue;
@@ -355,44 +353,36 @@ class Augmentation {
   }
 
   bool IsProved(const Mended& mended) const {
-    const auto unproved = UnprovedAfter(mended, uncertainty::Wanted::kFirstUnproved);
-    return unproved && unproved->empty();
+    return IsReached(mended) &&
+           IsProved(worlds_.possible, MomentAfter(mended), mended.entries[mended.step]);
   }
 
+  // None if the mended step is not reached.
   std::optional<Shortfall> ShortfallAfter(const Mended& mended) const {
-    const auto unproved = UnprovedAfter(mended, uncertainty::Wanted::kAllUnproved);
-    if (!unproved) return std::nullopt;
-    return ShortfallOf(*unproved);
+    if (!IsReached(mended)) return std::nullopt;
+    const std::vector<Unproved>& unproved = worlds_.possible.UnprovedAt(MomentAfter(mended));
+    return ShortfallOf(Unabsorbed(mended.entries[mended.step], unproved));
   }
 
-  // Of the mended step; none if another step up to it is not proved and was not given up.
-  std::optional<std::vector<Unproved>> UnprovedAfter(const Mended& mended,
-                                                     uncertainty::Wanted wanted) const {
-    UncertainWorld world(problem_, options_.propagation);
-    const auto first_new = std::ranges::find_if(mended.entries, [&](const Entry& entry) {
-      return entry.id.index() >= static_cast<int>(entries_.size());
-    });
-    const int unchanged =
-        std::min(mended.step, static_cast<int>(first_new - mended.entries.begin()));
+  // Unless a new step up to the mended one, or one after it, is not proved and was not given up.
+  bool IsReached(const Mended& mended) const {
+    MomentId moment = worlds_.possible.Beginning();
+    bool is_changed = false;
     for (int i = 0; i < mended.step; ++i) {
       const Entry& entry = mended.entries[i];
-      if (i < unchanged || entry.given_up) {
-        Propagate(world, entry);
-        continue;
-      }
-      if (!Decide(world, entry, uncertainty::Wanted::kFirstUnproved).empty()) return std::nullopt;
+      moment = After(worlds_.possible, moment, entry);
+      is_changed |= entry.id.index() >= static_cast<int>(entries_.size());
+      if (is_changed && !entry.given_up && !IsProved(worlds_.possible, moment, entry)) return false;
     }
-    return Decide(world, mended.entries[mended.step], wanted);
+    return true;
   }
 
-  std::vector<Unproved> Decide(UncertainWorld& world, const Entry& entry,
-                               uncertainty::Wanted wanted) const {
-    // The search must not stop at what is absorbed.
-    if (!entry.absorbed.empty()) wanted = uncertainty::Wanted::kAllUnproved;
-    std::vector<Unproved> unproved =
-        DecideStep(world, entry.action, options_.bound, wanted, entry.way());
-    Absorb(entry, unproved);
-    return unproved;
+  MomentId MomentAfter(const Mended& mended) const {
+    MomentId moment = worlds_.possible.Beginning();
+    for (int i = 0; i <= mended.step; ++i) {
+      moment = After(worlds_.possible, moment, mended.entries[i]);
+    }
+    return moment;
   }
 
   static void GiveUp(Entry& entry, const std::string& why) {
@@ -429,12 +419,28 @@ class Augmentation {
   }
 
   const domain::Problem& problem_;
-  const domain::Problem best_known_;
   const plan::Plan instance_;
   const UncertaintyOptions& options_;
+  Worlds& worlds_;
   std::vector<Entry> entries_;  // in the order of execution
   std::int64_t combinations_ = 0;
 };
+
+// That no remedies can better.
+Standing LeastStanding(const plan::Plan& instance, const UncertaintyOptions& options,
+                       Worlds& worlds) {
+  Standing least = {.errors = 0, .actions = instance.steps.size()};
+  const auto absorbs = [](const auto& resolver) { return resolver->absorbs(); };
+  if (!worlds.best || std::ranges::any_of(options.resolvers, absorbs)) return least;
+  MomentId moment = worlds.best->Beginning();
+  const auto execute = [&](const plan::Action& action) {
+    moment = worlds.best->After(moment, action, nullptr);
+    if (!worlds.best->IsProved(moment)) ++least.errors;
+  };
+  for (const plan::Sense& look : options.looks) execute(look);
+  for (const StepId id : instance.ExecutionOrder()) execute(instance.step(id).action);
+  return least;
+}
 
 UncertaintyOptions WithDefaults(UncertaintyOptions options) {
   if (options.resolvers.empty()) {
@@ -449,13 +455,15 @@ UncertaintyOptions WithDefaults(UncertaintyOptions options) {
 AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& instance,
                               const UncertaintyOptions& options) {
   const UncertaintyOptions complete = WithDefaults(options);
-  return Augmentation(problem, instance, complete).WriteOut();
+  Worlds worlds(problem, complete);
+  return Augmentation(problem, instance, complete, worlds).WriteOut();
 }
 
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
                                    const UncertaintyOptions& options) {
   ASSAY_CHECK(!planner.accept, "which instance is accepted is for the uncertainty phase to say");
   const UncertaintyOptions complete = WithDefaults(options);
+  Worlds worlds(problem, complete);
   std::unique_ptr<const Augmentation> best;
   std::int64_t instances = 0;
   std::int64_t combinations = 0;
@@ -464,9 +472,11 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const Planner
     if (complete.can_be_executed && !complete.can_be_executed(instance)) {
       return ++instances >= complete.instances;
     }
-    auto augmentation = std::make_unique<const Augmentation>(problem, instance, complete);
-    combinations += augmentation->combinations();
-    if (!best || augmentation->IsBetterThan(*best)) best = std::move(augmentation);
+    if (!best || !(best->standing() < LeastStanding(instance, complete, worlds))) {
+      auto augmentation = std::make_unique<const Augmentation>(problem, instance, complete, worlds);
+      combinations += augmentation->combinations();
+      if (!best || augmentation->IsBetterThan(*best)) best = std::move(augmentation);
+    }
     return best->errors() == 0 || ++instances >= complete.instances;
   };
   plan::PlanResult result = MakePlan(problem, first_phase);

@@ -46,7 +46,8 @@ AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& 
 // Both phases: plan instances of the first phase are augmented one after another until one has no
 // errors; else the one with the fewest, among these the fewest actions of the first phase, and then
 // the smallest violation. Beyond the paper,
-// the first phase is asked for further plans, not only for further instances of one.
+// the first phase is asked for further plans, not only for further instances of one. Instances that
+// could not come first, whatever the remedies, are looked at but not augmented.
 // planner.accept must be empty.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
                                    const UncertaintyOptions& options);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "planner/algebra/glance.h"
 #include "planner/algebra/interval_arithmetic.h"
@@ -20,6 +21,38 @@ using plan::CertifiedPrecondition;
 using plan::Relation;
 
 enum class Effort { kPropagate, kDecideFirst, kDecideAll, kCertify };
+
+Bound BoundOf(const Precondition& precondition, const UncertainWorld& world,
+              algebra::BoundRequest request) {
+  request.limit = precondition.limit;
+  return precondition.relation == Relation::kLess
+             ? BoundAbove(precondition.expression, world.constraints(), request)
+             : BoundBelow(precondition.expression, world.constraints(), request);
+}
+
+CertifiedPrecondition ClaimOf(const Precondition& precondition, const Bound& bound) {
+  const bool less = precondition.relation == Relation::kLess;
+  return {.condition = precondition.condition,
+          .meaning = precondition.meaning,
+          .expression = {},
+          .relation = precondition.relation,
+          .limit = precondition.limit,
+          .bound = bound.value,
+          .margin = less ? precondition.limit - bound.value : bound.value - precondition.limit,
+          .gap = bound.gap,
+          .rung = std::string(algebra::Name(bound.rung))};
+}
+
+// The claim, if what is seen of its expression tells whether it holds.
+std::optional<CertifiedPrecondition> Seen(const Precondition& precondition,
+                                          const algebra::Glance& glance) {
+  const bool less = precondition.relation == Relation::kLess;
+  const double limit = precondition.limit;
+  const bool holds = less ? glance.bound < limit : glance.bound > limit;
+  const bool fails = less ? glance.attained >= limit : glance.attained <= limit;
+  if (!holds && !fails) return std::nullopt;
+  return ClaimOf(precondition, {.value = glance.bound});
+}
 
 class StepCertifier {
  public:
@@ -80,7 +113,7 @@ class StepCertifier {
     Before(mating.fixed);
     if (decides()) {
       Require(MatingPreconditions(world_, assemble.mating, assemble.hold, grasp));
-      if (strategy_ != nullptr) {
+      if (decides() && strategy_ != nullptr) {
         Require(TipPreconditions(world_, assemble.mating, assemble.hold, grasp, *strategy_));
       }
       RequireHandClear({mating.held, mating.fixed}, X_WorldHeld * assemble.hold.X_PartTool,
@@ -103,7 +136,11 @@ class StepCertifier {
 
  private:
   bool certifies() const { return effort_ == Effort::kCertify; }
-  bool decides() const { return effort_ != Effort::kPropagate; }
+  // Whether more is to be known of preconditions.
+  bool decides() const {
+    const bool is_answered = effort_ == Effort::kDecideFirst && !certified_.unproved.empty();
+    return effort_ != Effort::kPropagate && !is_answered;
+  }
 
   template <class... Where>
   void Before(PartId part, const Where&... where) {
@@ -129,34 +166,32 @@ class StepCertifier {
   // `guide`: the part by whose believed pose the hand goes; None where it goes as planned.
   void RequireHandClear(const std::vector<PartId>& handled, const Pose& X_WorldTool, PartId guide,
                         const plan::Hold& hold, const ManipulatorError& draw) {
-    if (world_.propagation() == Propagation::kPaper) return;
+    if (!decides() || world_.propagation() == Propagation::kPaper) return;
     const BeliefShift shift =
         guide.IsNone() ? BeliefShift{} : world_.ShiftAt(guide, X_WorldTool.translation());
     Require(HandClearancePreconditions(world_, handled, X_WorldTool, shift, hold.width, draw));
   }
 
   void Require(const std::vector<Precondition>& preconditions) {
-    const algebra::ConstraintSet& box = world_.constraints();
     for (const Precondition& precondition : preconditions) {
-      CertifiedPrecondition claim =
-          certifies() ? Certified(precondition, box) : Decided(precondition, box);
+      if (!decides()) return;
+      CertifiedPrecondition claim = certifies() ? Certified(precondition) : Decided(precondition);
       if (!claim.holds()) {
-        certified_.unproved.push_back({claim, world_.PartsIn(precondition.expression)});
-        if (effort_ == Effort::kDecideFirst) return;
+        const Expression& expression = precondition.expression;
+        certified_.unproved.push_back({claim, expression, world_.PartsIn(expression)});
       }
       if (certifies()) certified_.certificate.preconditions.push_back(std::move(claim));
     }
   }
 
   // What a glance proves is proved, also where the ladder has stopped before at the wanted gap.
-  CertifiedPrecondition Certified(const Precondition& precondition,
-                                  const algebra::ConstraintSet& box) {
-    Bound bound = BoundOf(precondition, box);
+  CertifiedPrecondition Certified(const Precondition& precondition) {
+    Bound bound = BoundOf(precondition, world_, request_);
     CertifiedPrecondition claim = ClaimOf(precondition, bound);
     if (!claim.holds()) {
-      const CertifiedPrecondition decided = Decided(precondition, box);
-      if (decided.holds()) {
-        bound = {.value = decided.bound,
+      const std::optional<CertifiedPrecondition> seen = AtAGlance(precondition);
+      if (seen && seen->holds()) {
+        bound = {.value = seen->bound,
                  .rung = algebra::Rung::kCentred,
                  .gap = bound.gap,
                  .at = std::move(bound.at)};
@@ -167,42 +202,24 @@ class StepCertifier {
     return claim;
   }
 
-  // A glance answers most questions, if not as tightly. It sees what the centred rung sees: where
-  // less is wanted, it must not tell more than the certificate will.
-  CertifiedPrecondition Decided(const Precondition& precondition,
-                                const algebra::ConstraintSet& box) const {
-    if (request_.highest < algebra::Rung::kCentred) {
-      return ClaimOf(precondition, BoundOf(precondition, box));
-    }
+  CertifiedPrecondition Decided(const Precondition& precondition) const {
+    std::optional<CertifiedPrecondition> seen = AtAGlance(precondition);
+    if (seen) return *std::move(seen);
+    return ClaimOf(precondition, BoundOf(precondition, world_, request_));
+  }
+
+  // Glances answer most questions, if not as tightly. They see what the centred rung sees: where
+  // less is wanted, they must not tell more than the certificate will.
+  std::optional<CertifiedPrecondition> AtAGlance(const Precondition& precondition) const {
+    if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
     const auto& [condition, meaning, expression, relation, limit] = precondition;
     const bool less = relation == Relation::kLess;
-    const algebra::Glance glance =
-        less ? GlanceAbove(expression, box.box, limit) : GlanceBelow(expression, box.box, limit);
-    const bool holds = less ? glance.bound < limit : glance.bound > limit;
-    const bool fails = less ? glance.attained >= limit : glance.attained <= limit;
-    if (holds || fails) return ClaimOf(precondition, {.value = glance.bound});
-    return ClaimOf(precondition, BoundOf(precondition, box));
-  }
-
-  Bound BoundOf(const Precondition& precondition, const algebra::ConstraintSet& box) const {
-    algebra::BoundRequest request = request_;
-    request.limit = precondition.limit;
-    return precondition.relation == Relation::kLess
-               ? BoundAbove(precondition.expression, box, request)
-               : BoundBelow(precondition.expression, box, request);
-  }
-
-  static CertifiedPrecondition ClaimOf(const Precondition& precondition, const Bound& bound) {
-    const bool less = precondition.relation == Relation::kLess;
-    return {.condition = precondition.condition,
-            .meaning = precondition.meaning,
-            .expression = {},
-            .relation = precondition.relation,
-            .limit = precondition.limit,
-            .bound = bound.value,
-            .margin = less ? precondition.limit - bound.value : bound.value - precondition.limit,
-            .gap = bound.gap,
-            .rung = std::string(algebra::Name(bound.rung))};
+    auto seen =
+        Seen(precondition, less ? world_.GlanceAbove(expression) : world_.GlanceBelow(expression));
+    if (seen) return seen;
+    const std::vector<Interval>& box = world_.constraints().box;
+    return Seen(precondition, less ? algebra::GlanceAbove(expression, box, limit)
+                                   : algebra::GlanceBelow(expression, box, limit));
   }
 
   void Detail(const Precondition& precondition, const Bound& bound, CertifiedPrecondition& claim) {
@@ -247,6 +264,17 @@ std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& acti
   StepCertifier certifier(world, effort, request, strategy);
   std::visit(certifier, action);
   return certifier.Take().unproved;
+}
+
+Unproved AsCertified(Unproved unproved, const UncertainWorld& world,
+                     const algebra::BoundRequest& request) {
+  const Precondition precondition = {.condition = unproved.claim.condition,
+                                     .meaning = unproved.claim.meaning,
+                                     .expression = unproved.expression,
+                                     .relation = unproved.claim.relation,
+                                     .limit = unproved.claim.limit};
+  unproved.claim = ClaimOf(precondition, BoundOf(precondition, world, request));
+  return unproved;
 }
 
 void Propagate(UncertainWorld& world, const plan::Action& action, const plan::Strategy* strategy) {

@@ -8,6 +8,7 @@ namespace assay::uncertainty {
 // A precondition that could not be proved.
 struct Unproved {
   plan::CertifiedPrecondition claim;
+  Expression expression;      // of the claim, in the variables of the world it was decided in
   std::vector<PartId> parts;  // whose errors occur in it
 };
 
@@ -28,12 +29,18 @@ CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request,
                           const plan::Strategy* strategy = nullptr);
 
-// The same, only for the answer what is not proved: the claims have no texts and no worst corners.
-// Stops at the first that is not, if that is enough to know: the world is then of no more use.
-enum class Wanted { kAllUnproved, kFirstUnproved };
+// The same, only for the answer what is not proved: the claims have no texts and no worst corners,
+// and their bounds need not be as tight as a certificate's. Looks no further than at the first that
+// is not, if that is enough to know.
+enum class Wanted { kFirstUnproved, kAllUnproved };
 std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& action,
                                  const algebra::BoundRequest& request, Wanted wanted,
                                  const plan::Strategy* strategy = nullptr);
+
+// With the bound that a certificate tells, in a world that goes on from that in which it was
+// decided.
+Unproved AsCertified(Unproved unproved, const UncertainWorld& world,
+                     const algebra::BoundRequest& request);
 
 // The same without looking at preconditions.
 void Propagate(UncertainWorld& world, const plan::Action& action,

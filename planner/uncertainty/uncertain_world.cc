@@ -9,6 +9,7 @@
 #include "planner/algebra/affine_form.h"
 #include "planner/algebra/bounds.h"
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/normal_form.h"
 #include "planner/algebra/simplify.h"
 
 namespace assay::uncertainty {
@@ -28,6 +29,7 @@ std::string UncertainWorld::SymbolName(PartId part) const {
 
 UncertainWorld::UncertainWorld(const domain::Problem& problem, Propagation propagation)
     : problem_(&problem), propagation_(propagation), variables_(std::make_shared<Variables>()) {
+  algebra::KeepNormalForms(variables_->pool);
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {
     const domain::Part& part = problem.parts[p];
     const PartId id(p);
@@ -139,6 +141,13 @@ Interval UncertainWorld::TightRangeOf(const Expression& expression) const {
   const algebra::BothBounds bounds =
       algebra::PreparedExpression(expression).Both(constraints(), request);
   return {bounds.inf.value, bounds.sup.value};
+}
+
+algebra::Glance UncertainWorld::GlanceAbove(const Expression& expression) const {
+  return variables_->first_order.Above(expression, constraints().box);
+}
+algebra::Glance UncertainWorld::GlanceBelow(const Expression& expression) const {
+  return variables_->first_order.Below(expression, constraints().box);
 }
 
 std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const {

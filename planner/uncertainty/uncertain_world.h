@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/algebra/constraint_set.h"
+#include "planner/algebra/first_order.h"
 #include "planner/domain/problem.h"
 #include "planner/plan/certificate.h"
 #include "planner/plan/plan.h"
@@ -70,6 +71,9 @@ class UncertainWorld {
   // and by the ladder of bounds.
   Interval RangeOf(const Expression& expression) const;
   Interval TightRangeOf(const Expression& expression) const;
+  // To first order, for very little work where much has been asked before.
+  algebra::Glance GlanceAbove(const Expression& expression) const;
+  algebra::Glance GlanceBelow(const Expression& expression) const;
   // The parts whose errors occur in the expression, in increasing order.
   std::vector<PartId> PartsIn(const Expression& expression) const;
   // The variables that occur in the expressions, by name and range.
@@ -88,6 +92,7 @@ class UncertainWorld {
     algebra::ConstraintSet declared = {};
     std::vector<PartId> owners = {};  // by VariableId; None: the hand
     std::map<std::string, int> count_by_stem = {};
+    algebra::FirstOrderForms first_order = {};
   };
 
   // `rest`: the new variable's name before the part's.

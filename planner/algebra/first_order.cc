@@ -1,0 +1,188 @@
+#include "planner/algebra/first_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planner/algebra/interval_arithmetic.h"
+
+namespace assay::algebra {
+namespace {
+
+// More than a few operations on doubles can be off by, as a share of what goes into them.
+constexpr double kRounding = 1e-15;
+
+// Not less than a sum of numbers that are not negative, however it was rounded.
+double AtLeast(double sum) { return sum * (1 + 1e-12); }
+
+}  // namespace
+
+Glance FirstOrderForms::Above(const Expression& e, std::span<const Interval> box) {
+  if (e.IsConstant()) return {e.constant(), e.constant()};
+  const Form& form = FormOf(e, box);
+  if (!std::isfinite(form.rest)) return {kInfinity, -kInfinity};
+  const double greatest = form.centre + form.reach;
+  const double off = AtLeast(form.rest + 4 * kRounding * (std::abs(form.centre) + form.reach));
+  return {greatest + off, greatest - off};
+}
+
+Glance FirstOrderForms::Below(const Expression& e, std::span<const Interval> box) {
+  if (e.IsConstant()) return {e.constant(), e.constant()};
+  const Form& form = FormOf(e, box);
+  if (!std::isfinite(form.rest)) return {-kInfinity, kInfinity};
+  const double least = form.centre - form.reach;
+  const double off = AtLeast(form.rest + 4 * kRounding * (std::abs(form.centre) + form.reach));
+  return {least - off, least + off};
+}
+
+const FirstOrderForms::Form& FirstOrderForms::FormOf(const Expression& e,
+                                                     std::span<const Interval> box) {
+  if (e.index() >= static_cast<int>(known_.size())) known_.resize(e.pool()->node_count());
+  open_.assign(1, e);
+  while (!open_.empty()) {
+    const Expression next = open_.back();
+    const std::size_t before = open_.size();
+    for (const Expression& operand : next.operands()) {
+      if (!known_[operand.index()].is_known) open_.push_back(operand);
+    }
+    if (open_.size() > before) continue;
+    open_.pop_back();
+    if (!known_[next.index()].is_known) known_[next.index()] = {true, Made(next, box)};
+  }
+  return known_[e.index()].form;
+}
+
+FirstOrderForms::Form FirstOrderForms::Made(const Expression& e, std::span<const Interval> box) {
+  switch (e.op()) {
+    case Operator::kConstant:
+      return OfNumber(e.constant());
+    case Operator::kVariable:
+      return OfVariable(e.variable().index(), box[e.variable().index()]);
+    case Operator::kSum:
+      return OfSum(e.operands());
+    case Operator::kProduct:
+      return OfProduct(e.operands());
+    case Operator::kPower: {
+      const std::vector<Expression> factors(std::max(e.exponent(), 0), e.operands()[0]);
+      return OfProduct(factors);
+    }
+    case Operator::kSin: {
+      const Form& a = Of(e.operands()[0]);
+      return Wave(a, std::sin(a.centre), std::cos(a.centre));
+    }
+    case Operator::kCos: {
+      const Form& a = Of(e.operands()[0]);
+      return Wave(a, std::cos(a.centre), -std::sin(a.centre));
+    }
+    case Operator::kQuotient:
+    case Operator::kSqrt:
+    case Operator::kAbs:
+    case Operator::kMin:
+    case Operator::kMax:
+      break;
+  }
+  return {.rest = kInfinity};
+}
+
+FirstOrderForms::Form FirstOrderForms::OfNumber(double value) { return {.centre = value}; }
+
+// An end of the interval may lie a rounding away from t = 1 or -1.
+FirstOrderForms::Form FirstOrderForms::OfVariable(int variable, const Interval& range) {
+  const double centre = Midpoint(range);
+  const double radius = std::max(range.high - centre, centre - range.low);
+  if (!std::isfinite(centre) || !std::isfinite(radius)) return {.rest = kInfinity};
+  return {.centre = centre,
+          .rest = kRounding * (std::abs(centre) + radius),
+          .reach = radius,
+          .slopes = {{variable, radius}}};
+}
+
+FirstOrderForms::Form FirstOrderForms::OfSum(std::span<const Expression> terms) const {
+  Form sum = Of(terms[0]);
+  for (const Expression& term : terms.subspan(1)) sum = Sum(sum, Of(term));
+  return sum;
+}
+
+FirstOrderForms::Form FirstOrderForms::OfProduct(std::span<const Expression> factors) const {
+  if (factors.empty()) return {.rest = kInfinity};  // a negative power
+  Form product = Of(factors[0]);
+  for (const Expression& factor : factors.subspan(1)) product = Product(product, Of(factor));
+  return product;
+}
+
+FirstOrderForms::Form FirstOrderForms::Sum(const Form& a, const Form& b) {
+  Form sum = {.centre = a.centre + b.centre};
+  sum.slopes.reserve(a.slopes.size() + b.slopes.size());
+  auto x = a.slopes.begin();
+  auto y = b.slopes.begin();
+  while (x != a.slopes.end() && y != b.slopes.end()) {
+    if (x->variable == y->variable) {
+      sum.slopes.push_back({x->variable, x++->value + y++->value});
+    } else {
+      sum.slopes.push_back(x->variable < y->variable ? *x++ : *y++);
+    }
+  }
+  sum.slopes.insert(sum.slopes.end(), x, a.slopes.end());
+  sum.slopes.insert(sum.slopes.end(), y, b.slopes.end());
+  for (const Slope& slope : sum.slopes) sum.reach += std::abs(slope.value);
+  const double sizes = std::abs(a.centre) + std::abs(b.centre) + a.reach + b.reach;
+  sum.rest = AtLeast(a.rest + b.rest + kRounding * sizes);
+  return sum;
+}
+
+// (a + A + r) * (b + B + s), A and B the linear parts: a*b + a*B + b*A, and for a rest A*B, r and s
+// times what stands beside them. Of A*B, what one variable's slopes do together has one sign.
+FirstOrderForms::Form FirstOrderForms::Product(const Form& a, const Form& b) {
+  Form product = {.centre = a.centre * b.centre};
+  product.slopes.reserve(a.slopes.size() + b.slopes.size());
+  double squares = 0;  // of t, half of what they are multiplied by
+  double squares_size = 0;
+  auto x = a.slopes.begin();
+  auto y = b.slopes.begin();
+  const auto add = [&](int variable, double of_a, double of_b) {
+    const double slope = b.centre * of_a + a.centre * of_b;
+    if (slope != 0) product.slopes.push_back({variable, slope});
+  };
+  while (x != a.slopes.end() || y != b.slopes.end()) {
+    if (y == b.slopes.end() || (x != a.slopes.end() && x->variable < y->variable)) {
+      add(x->variable, x->value, 0);
+      ++x;
+    } else if (x == a.slopes.end() || y->variable < x->variable) {
+      add(y->variable, 0, y->value);
+      ++y;
+    } else {
+      add(x->variable, x->value, y->value);
+      squares += x->value * y->value / 2;
+      squares_size += std::abs(x->value * y->value) / 2;
+      ++x;
+      ++y;
+    }
+  }
+  product.centre += squares;
+  for (const Slope& slope : product.slopes) product.reach += std::abs(slope.value);
+  const double size_a = std::abs(a.centre) + a.reach;
+  const double size_b = std::abs(b.centre) + b.reach;
+  const double second = a.reach * b.reach - squares_size;
+  product.rest = AtLeast(second + a.rest * (size_b + b.rest) + b.rest * size_a +
+                         8 * kRounding * size_a * size_b);
+  return product;
+}
+
+// Of sine and cosine alike, by Taylor's theorem: f(c + d) = f(c) + f'(c) * d - f(x) * d^2 / 2 for
+// an x between c and c + d.
+FirstOrderForms::Form FirstOrderForms::Wave(const Form& a, double value, double slope) {
+  const double farthest = AtLeast(a.reach + a.rest);
+  if (!(farthest < 1)) return {.rest = kInfinity};
+  const double half_square = farthest * farthest / 2;
+  const double low = std::min(0.0, -half_square * std::min(value + farthest, 1.0));
+  const double high = std::max(0.0, half_square * std::min(farthest - value, 1.0));
+  Form wave = {.centre = value + (low + high) / 2, .slopes = a.slopes};
+  for (Slope& s : wave.slopes) {
+    s.value *= slope;
+    wave.reach += std::abs(s.value);
+  }
+  wave.rest = AtLeast((high - low) / 2 + std::abs(slope) * a.rest + 8 * kRounding);
+  return wave;
+}
+
+}  // namespace assay::algebra

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "planner/algebra/expression.h"
+#include "planner/algebra/glance.h"
+
+namespace assay::algebra {
+
+// Expressions over a box to first order: every variable is centre + radius * t with t in [-1, 1],
+// and e is centre + sum of slope * t, but for a rest that stays within bounds (affine arithmetic,
+// Comba and Stolfi 1993, with the variables alone for symbols). The same sum tells from both sides:
+// the greatest value of e is that of the linear part, give or take the rest.
+//
+// Worked out once for each stored expression, so that many that share most of what they are made of
+// cost little more than one. Knows sums, products, positive powers, sines and cosines; of anything
+// else it tells nothing. Rounding is counted in the rest.
+class FirstOrderForms {
+ public:
+  // As Glance tells, without a limit: infinitely far apart where nothing is known. All expressions
+  // are of one pool; the variables' intervals by VariableId, the same whenever it is asked.
+  Glance Above(const Expression& e, std::span<const Interval> box);
+  Glance Below(const Expression& e, std::span<const Interval> box);
+
+ private:
+  struct Slope {
+    int variable = 0;
+    double value = 0;
+  };
+  struct Form {
+    double centre = 0;
+    double rest = 0;                 // infinite: nothing is known
+    double reach = 0;                // of the linear part: the sum of the slopes' sizes
+    std::vector<Slope> slopes = {};  // by increasing variable
+  };
+  struct Known {
+    bool is_known = false;
+    Form form = {};
+  };
+
+  const Form& FormOf(const Expression& e, std::span<const Interval> box);
+  Form Made(const Expression& e, std::span<const Interval> box);
+  const Form& Of(const Expression& operand) const { return known_[operand.index()].form; }
+
+  static Form OfNumber(double value);
+  static Form OfVariable(int variable, const Interval& range);
+  static Form Sum(const Form& a, const Form& b);
+  static Form Product(const Form& a, const Form& b);
+  static Form Wave(const Form& a, double value, double slope);
+  Form OfSum(std::span<const Expression> terms) const;
+  Form OfProduct(std::span<const Expression> factors) const;
+
+  std::vector<Known> known_;      // by Expression::index
+  std::vector<Expression> open_;  // scratch: yet to be worked out
+};
+
+}  // namespace assay::algebra

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "planner/uncertainty/certify.h"
+
+namespace assay::uncertainty {
+
+using MomentId = Id<struct MomentTag>;
+
+// What is known after each sequence of actions from the beginning of a problem, and which goals are
+// not proved on the way: worked out when it is asked for, and once. Plan instances begin alike, and
+// so do they with one remedy and with another.
+class WorldTree {
+ public:
+  // The problem must outlive the tree.
+  WorldTree(const domain::Problem& problem, Propagation propagation,
+            const algebra::BoundRequest& request);
+
+  MomentId Beginning() const { return MomentId(0); }
+  // After one more action; `strategy`: null if it goes straight.
+  MomentId After(MomentId before, const plan::Action& action, const plan::Strategy* strategy);
+
+  const UncertainWorld& WorldAt(MomentId moment);
+  // Of the action that leads to a moment.
+  bool IsProved(MomentId moment);
+  const std::vector<Unproved>& UnprovedAt(MomentId moment);
+  // With the bounds that its certificate tells.
+  const std::vector<Unproved>& ToldAt(MomentId moment);
+
+  int size() const { return static_cast<int>(moments_.size()); }  // moments that were asked for
+
+ private:
+  struct Moment {
+    MomentId before = MomentId::None();
+    plan::Action action = {};
+    std::optional<plan::Strategy> strategy = {};
+    std::vector<MomentId> next = {};
+    std::optional<UncertainWorld> world = {};
+    std::optional<bool> is_proved = {};
+    std::optional<std::vector<Unproved>> unproved = {};
+    std::optional<std::vector<Unproved>> told = {};
+
+    const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
+  };
+
+  Moment& At(MomentId moment) { return moments_[moment.index()]; }
+  std::vector<Unproved> Decide(MomentId moment, Wanted wanted);
+
+  algebra::BoundRequest request_;
+  std::deque<Moment> moments_;  // the beginning first
+};
+
+}  // namespace assay::uncertainty
