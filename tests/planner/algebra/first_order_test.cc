@@ -22,11 +22,11 @@ TEST(FirstOrder, OfALinearExpressionIsExact) {
   const std::vector<Interval> box = DeclaredBox(pool).box;
   FirstOrderForms forms;
   const Glance above = forms.Above(3 * x - 2 * y + 1, box);
-  EXPECT_NEAR(above.bound, 4, 1e-13);
-  EXPECT_NEAR(above.attained, 4, 1e-13);
+  EXPECT_NEAR(above.bound, 4, 1e-12);
+  EXPECT_NEAR(above.attained, 4, 1e-12);
   const Glance below = forms.Below(3 * x - 2 * y + 1, box);
-  EXPECT_NEAR(below.bound, -6, 1e-13);
-  EXPECT_NEAR(below.attained, -6, 1e-13);
+  EXPECT_NEAR(below.bound, -6, 1e-12);
+  EXPECT_NEAR(below.attained, -6, 1e-12);
 }
 
 // What cancels to first order cancels, however it is written.
@@ -47,8 +47,8 @@ TEST(FirstOrder, KnowsThatSquaresAreNotNegative) {
   ExpressionPool pool;
   const Expression x = pool.Declare("x", {-0.5, 0.5});
   FirstOrderForms forms;
-  EXPECT_NEAR(forms.Below(Power(x, 2), DeclaredBox(pool).box).bound, 0, 1e-13);
-  EXPECT_NEAR(forms.Above(Power(x, 2), DeclaredBox(pool).box).bound, 0.25, 1e-13);
+  EXPECT_NEAR(forms.Below(Power(x, 2), DeclaredBox(pool).box).bound, 0, 1e-12);
+  EXPECT_NEAR(forms.Above(Power(x, 2), DeclaredBox(pool).box).bound, 0.25, 1e-12);
 }
 
 TEST(FirstOrder, TellsNothingOfWhatItDoesNotKnow) {

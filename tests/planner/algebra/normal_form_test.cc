@@ -11,6 +11,9 @@
 #include <vector>
 
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/simplify.h"
+#include "planner/algebra/text.h"
+#include "tests/oracle/random_expression.h"
 #include "tests/planner/algebra/random_expression.h"
 
 namespace assay::algebra {
@@ -151,6 +154,29 @@ TEST_F(NormalFormTest, DepthCostsNoStack) {
   Expression deep = x_;
   for (int i = 0; i < 10'000; ++i) deep = Sin(deep) / 2 + y_;
   EXPECT_EQ(NormalFormOf(deep).terms.size(), 2U);
+}
+
+// In a pool that keeps them, many expressions one after another have the normal forms that each has
+// alone, in the same order.
+TEST(KeptNormalForms, AreTheSame) {
+  for (int seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE(seed);
+    ExpressionPool plain;
+    ExpressionPool keeping;
+    KeepNormalForms(keeping);
+    RandomStream random(seed, "kept normal forms");
+    RandomStream same_random(seed, "kept normal forms");
+    const Expression first = oracle::RandomExpressionAndBox(6, random, plain);
+    const Expression same_first = oracle::RandomExpressionAndBox(6, same_random, keeping);
+    const auto expect_same = [&](const Expression& e, const Expression& same) {
+      EXPECT_EQ(Text(Simplify(e)), Text(Simplify(same)));
+      EXPECT_EQ(Text(ToExpression(NormalFormOf(e))), Text(ToExpression(NormalFormOf(same))));
+    };
+    expect_same(first, same_first);
+    expect_same(Power(first, 2), Power(same_first, 2));
+    expect_same(Sin(first) * first, Sin(same_first) * same_first);
+    expect_same(first, same_first);
+  }
 }
 
 }  // namespace
