@@ -25,7 +25,9 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-uncertainty::Unproved About(std::vector<PartId> parts) { return {.claim = {}, .parts = parts}; }
+uncertainty::Unproved About(std::vector<PartId> parts) {
+  return {.claim = {}, .expression = {}, .parts = parts};
+}
 
 // An instance of a scenario, and goals of one of its steps that speak of all parts.
 struct Asked {

@@ -42,8 +42,8 @@ class WorldTreeLaws : public ::testing::TestWithParam<const char*> {
 
 INSTANTIATE_TEST_SUITE_P(Scenarios, WorldTreeLaws,
                          ::testing::Values("uncertain-sensing", "uncertain-known"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& scenario) {
+                           std::string name = scenario.param;
                            std::ranges::replace(name, '-', '_');
                            return name;
                          });

@@ -135,7 +135,7 @@ TEST_F(RendererTest, AFreeCameraSeesWhatACameraOfTheModelSees) {
 }
 
 TEST_F(RendererTest, WithoutEffectsTheShapesAreTheSame) {
-  Renderer renderer(scene.model(), 320, 240, Effects::kNone);
+  Renderer renderer(scene.model(), 320, 240, {.effects = Effects::kNone});
   const mujoco::CameraId camera = scene.model().Camera("close");
   const Image plain = renderer.Render(data, camera);
   EXPECT_TRUE(renderer.Render(data, camera) == plain);
