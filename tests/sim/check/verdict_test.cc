@@ -146,7 +146,7 @@ TEST(TrialOutcomeTest, NamesDiffer) {
   for (int i = 0; i <= static_cast<int>(TrialOutcome::kNotAtRest); ++i) {
     names.insert(Name(static_cast<TrialOutcome>(i)));
   }
-  EXPECT_EQ(names.size(), 12u);
+  EXPECT_EQ(names.size(), 13u);
 }
 
 }  // namespace
