@@ -10,9 +10,8 @@
 namespace assay::bench {
 namespace {
 
-// gnuplot reads "_" and the like as typesetting otherwise.
+// Names are "noenhanced": gnuplot reads "_" and the like as typesetting otherwise.
 constexpr const char* kStyle = R"(set encoding utf8
-set termoption noenhanced
 set grid
 set key outside right top
 )";
@@ -32,7 +31,7 @@ void DrawRatios(std::string& out, const std::vector<Family>& families) {
   }
   out += fmt::format(
       "set terminal svg size 900,{} dynamic background 'white'\nset output 'ratios.svg'\n"
-      "set logscale x\nset xlabel 'time of the best peer over ours'\nset ytics ({})\n"
+      "set logscale x\nset xlabel 'time of the best peer over ours'\nset ytics noenhanced ({})\n"
       "set yrange [0.5:{}.5]\nset arrow from 1, graph 0 to 1, graph 1 nohead dashtype 2\n"
       "plot $ratios using 1:2 with points pointtype 6 notitle\nreset\n",
       140 + 40 * families.size(), fmt::join(labels, ", "), families.size());
@@ -46,7 +45,7 @@ void DrawGrowths(std::string& out, const std::vector<Growth>& growths) {
       out += fmt::format("{:.6g} {:.6g}\n", point.size, point.seconds);
     }
     out += "END\n";
-    curves.push_back(fmt::format("$curve{} with linespoints title '{} ({:.2f})'", i,
+    curves.push_back(fmt::format("$curve{} with linespoints title '{} ({:.2f})' noenhanced", i,
                                  growths[i].name, growths[i].Exponent()));
   }
   out += kStyle;
