@@ -157,7 +157,6 @@ TEST(Mate, AFewTrialsComeToTheSeat) {
   EXPECT_EQ(again.Json()["trials"]["rows"][0], trials["rows"][1]);
 }
 
-// A picture for each motion, one of all of them, the graph, and a page that shows them.
 // Where edges lie on the same rim near each other, the second one takes over what the first one
 // bears; and errors that are covered, but greater than planned for, put them nearer still.
 TEST(Mate, WhatIsKeptIsNotLiftedByTheNextContact) {
@@ -172,6 +171,7 @@ TEST(Mate, WhatIsKeptIsNotLiftedByTheNextContact) {
   }
 }
 
+// A picture for each motion, one of all of them, the graphs, and a page that shows them.
 TEST(Mate, PicturesOfTheContactStates) {
   const Folder folder;
   const std::string pictures = folder / "pictures";
