@@ -191,4 +191,22 @@ ConvexHull HullOf(std::span<const Vector3> points) {
   return Assemble(outlines, points, kept);
 }
 
+ConvexHull HullWith(std::vector<Vector3> vertices, std::vector<std::vector<int>> loops) {
+  for (std::vector<int>& loop : loops) std::ranges::rotate(loop, std::ranges::min_element(loop));
+  std::ranges::sort(loops);
+  ConvexHull hull{.vertices = std::move(vertices), .facets = {}};
+  for (std::vector<int>& loop : loops) {
+    hull.facets.push_back(FacetOf(std::move(loop), hull.vertices));
+  }
+  return hull;
+}
+
+// Bit k of a corner's index is its side along axis k.
+ConvexHull HullOf(const Box& box) {
+  const auto corners = box.Corners();
+  return HullWith(
+      {corners.begin(), corners.end()},
+      {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}});
+}
+
 }  // namespace assay::geometry

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "planner/geometry/box.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::geometry {
@@ -22,5 +23,10 @@ struct ConvexHull {
 // The hull of points that span three dimensions (checked). Vertices and facets come in an order
 // that depends on the points alone. (Qhull: Barber, Dobkin and Huhdanpaa 1996.)
 ConvexHull HullOf(std::span<const Vector3> points);
+
+// The same where it is known which points make the facets, each counter-clockwise seen from
+// outside: without Qhull.
+ConvexHull HullWith(std::vector<Vector3> vertices, std::vector<std::vector<int>> loops);
+ConvexHull HullOf(const Box& box);
 
 }  // namespace assay::geometry

@@ -42,6 +42,24 @@ double SlabWidth(const Vector3& direction, const RoundedHull& a, const RoundedHu
          GreatestAlong(direction, a.vertices());
 }
 
+// Outward, of the facet that sees the most of a point beyond it.
+const Vector3& NormalTowards(const Vector3& p, const ConvexHull& hull) {
+  const auto beyond = [&](const Facet& facet) { return facet.normal.dot(p) - facet.offset; };
+  return std::ranges::max_element(hull.facets, {}, beyond)->normal;
+}
+
+// Some empty slab is at least as wide, which is seen without looking for the nearest points.
+bool IsSeenApart(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB, double width) {
+  const auto is_enough = [&](const Vector3& direction) {
+    return SlabWidth(direction, a, b, X_AB) >= width;
+  };
+  const Vector3 b_center = X_AB * b.center();
+  const Vector3 a_center_B = X_AB.inverse() * a.center();
+  return is_enough((b_center - a.center()).normalized()) ||
+         is_enough(NormalTowards(b_center, a.core())) ||
+         is_enough(-(X_AB.linear() * NormalTowards(a_center_B, b.core())));
+}
+
 // From A's nearest point to B's, in A's frame; zero if the cores overlap. As for boxes
 // (collision.cc), libccd's solver with a fine tolerance is the one that can be relied on.
 Vector3 NearestDifference(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB) {
@@ -57,8 +75,7 @@ Vector3 NearestDifference(const RoundedHull& a, const RoundedHull& b, const Pose
 
 }  // namespace
 
-RoundedHull::RoundedHull(std::span<const Vector3> points, double radius)
-    : core_(HullOf(points)), radius_(radius) {
+RoundedHull::RoundedHull(ConvexHull core, double radius) : core_(std::move(core)), radius_(radius) {
   ASSAY_CHECK(radius >= 0);
   Eigen::AlignedBox3d bounds;
   for (const Vector3& vertex : core_.vertices) bounds.extend(vertex);
@@ -82,8 +99,9 @@ double Volume(const ConvexHull& hull) {
 }
 
 double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
-                  const Pose& X_WorldB) {
+                  const Pose& X_WorldB, double enough) {
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
+  if (IsSeenApart(a, b, X_AB, enough + a.radius() + b.radius())) return enough;
   const Vector3 difference = NearestDifference(a, b, X_AB);
   if (difference.isZero(0)) return 0;
   return std::max(0.0, SlabWidth(difference.normalized(), a, b, X_AB) - a.radius() - b.radius());

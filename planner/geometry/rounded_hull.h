@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -14,7 +15,9 @@ namespace assay::geometry {
 class RoundedHull {
  public:
   // The points must span three dimensions (checked), radius >= 0.
-  explicit RoundedHull(std::span<const Vector3> points, double radius = 0);
+  explicit RoundedHull(std::span<const Vector3> points, double radius = 0)
+      : RoundedHull(HullOf(points), radius) {}
+  explicit RoundedHull(ConvexHull core, double radius = 0);
 
   const ConvexHull& core() const { return core_; }  // without the radius
   const std::vector<Vector3>& vertices() const { return core_.vertices; }
@@ -40,8 +43,8 @@ double Volume(const ConvexHull& hull);
 // A distance that the two surely have, 0 if they overlap or touch. The nearest points are FCL's,
 // but what is told is the width of the slab between the two that is normal to their difference:
 // never more than the distance (up to rounding), whatever FCL answers, and the distance itself
-// where its points are right.
+// where its points are right. From `enough` on, anything that is at least `enough` may be told.
 double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
-                  const Pose& X_WorldB);
+                  const Pose& X_WorldB, double enough = std::numeric_limits<double>::infinity());
 
 }  // namespace assay::geometry

@@ -223,7 +223,7 @@ double CollisionScene::Separation(const BodyPair& pair, const LinkPoses& X_BaseL
       const double gap =
           BallGap(X_BaseA, p.center(), p.ball_radius(), X_BaseB, q.center(), q.ball_radius());
       if (gap >= least) continue;
-      least = std::min(least, geometry::Separation(p, X_BaseA, q, X_BaseB));
+      least = std::min(least, geometry::Separation(p, X_BaseA, q, X_BaseB, least));
       if (least == 0) return 0;
     }
   }

@@ -101,6 +101,22 @@ TEST(HullTest, RandomBoxesHaveSixFacetsOfFourCorners) {
   }
 }
 
+// Without Qhull: vertices, facets and their order are those that Qhull's planes lead to.
+TEST(HullTest, ABoxHasTheHullOfItsCorners) {
+  RandomStream random(kSeed, "corners");
+  for (int i = 0; i < 300; ++i) {
+    const Box box = RandomBox(random, 2, 0.001, 1);
+    const ConvexHull hull = HullOf(box);
+    const ConvexHull of_corners = HullOf(box.Corners());
+    EXPECT_EQ(hull.vertices, of_corners.vertices) << "draw " << i;
+    ASSERT_EQ(hull.facets.size(), of_corners.facets.size()) << "draw " << i;
+    for (std::size_t k = 0; k < hull.facets.size(); ++k) {
+      EXPECT_EQ(hull.facets[k].loop, of_corners.facets[k].loop) << "draw " << i;
+    }
+    ExpectHullOf(hull, box.Corners(), 1e-12);
+  }
+}
+
 TEST(HullTest, PrismsOfRotatedBoxesHaveTheirFacets) {
   RandomStream random(kSeed, "prisms");
   for (int k : {2, 3, 4, 6, 8}) {
@@ -166,7 +182,7 @@ TEST(HullDeathTest, FlatPointsStopTheProgram) {
   const std::vector<Vector3> square = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.2, 0}};
   EXPECT_DEATH(HullOf(square), "three dimensions");
   EXPECT_DEATH(HullOf(std::vector<Vector3>(9, Vector3(1, 2, 3))), "three dimensions");
-  EXPECT_DEATH(HullOf({}), "three dimensions");
+  EXPECT_DEATH(HullOf(std::vector<Vector3>()), "three dimensions");
 }
 
 }  // namespace

@@ -65,6 +65,23 @@ TEST(RoundedHull, NoTwoPointsAreNearerThanTheSeparation) {
   }
 }
 
+// Law: whoever asks whether two bodies are as far apart as `enough` hears the same, seen or
+// measured.
+TEST(RoundedHull, AnythingIsToldFromEnoughOn) {
+  RandomStream random(65, "enough");
+  for (int i = 0; i < 2000; ++i) {
+    const RoundedHull a = HullOfBox(RandomBox(random, 0.3, 0.005, 0.1), random.Uniform(0, 0.02));
+    const RoundedHull b(RandomPoints(random, 12));
+    const Pose X_WorldA = RandomPose(random, 0.3);
+    const Pose X_WorldB = RandomPose(random, 0.3);
+    const double separation = Separation(a, X_WorldA, b, X_WorldB);
+    const double enough = random.Uniform(0, 0.4);
+    const double told = Separation(a, X_WorldA, b, X_WorldB, enough);
+    EXPECT_EQ(std::min(told, enough), std::min(separation, enough)) << i;
+    EXPECT_GE(told, std::min(separation, enough)) << i;
+  }
+}
+
 TEST(RoundedHull, VolumeOfABox) {
   RandomStream random(63, "volume");
   const Box box = RandomBox(random, 0.3, 0.005, 0.1);
