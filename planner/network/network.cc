@@ -7,10 +7,14 @@
 
 #include "planner/base/check.h"
 #include "planner/network/component.h"
+#include "planner/network/lane_search.h"
 #include "planner/network/tree_search.h"
 
 namespace assay::network {
 namespace {
+
+// Wipe-outs of a search that is over before the rows of lanes are made.
+constexpr std::int64_t kShortSearch = 10;
 
 Budget Unlimited() { return Budget(std::numeric_limits<std::int64_t>::max()); }
 
@@ -178,7 +182,9 @@ Outcome Network::LabelComponent(std::span<const int> component, Labeling& found,
 Outcome Network::SearchCore(const std::vector<int>& core, Budget& budget) {
   TreeSearch search(labels_, consistency_, counters_, core, NodeOrder::kConflictWeighted);
   search.Prefer(witness_.labels);
-  return search.Any(budget);
+  if (!FitsLanes(core, labels_)) return search.Any(budget);
+  if (const auto outcome = search.AnyWithin(kShortSearch, budget)) return *outcome;
+  return AnyInLanes(core, labels_, consistency_, witness_.labels, counters_, budget);
 }
 
 void Network::LabelFringe(const Fringe& fringe, Labeling& found) const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/network/forward_checking.h"
 #include "planner/network/tree_search.h"
 
 namespace assay::network {
@@ -28,6 +29,18 @@ std::vector<int> Scope(int node_count, const std::vector<NodeId>& order) {
 ArcConsistency WithoutWeights(ArcConsistency consistency) {
   consistency.ForgetWeights();
   return consistency;
+}
+
+// Networks of many labelings are labeled before arc consistency would be reached. False if it was
+// not decided with a wipe-out for every other node.
+bool DecideByForwardChecking(const Network& network, Budget& budget, FirstLabeling& first) {
+  if (!ForwardChecking::Fits(network.label_store())) return false;
+  ForwardChecking search(network.label_store(), network.arc_consistency(), first.counters);
+  const auto outcome = search.Any(network.node_count() / 2, budget);
+  if (!outcome.has_value()) return false;
+  first.outcome = *outcome;
+  if (outcome == Outcome::kFound) first.labeling = search.labeling();
+  return true;
 }
 
 }  // namespace
@@ -87,13 +100,14 @@ FirstLabeling First(const Network& network, const SearchOptions& options, Budget
     return {outcome, labelings.labeling(), labelings.counters()};
   }
   if (const Labeling* witness = network.witness()) return {Outcome::kFound, *witness, {}};
+  FirstLabeling first;
+  if (DecideByForwardChecking(network, budget, first)) return first;
   Network copy = network;
   copy.ForgetWeights();
   const Counters before = copy.counters();
-  FirstLabeling first;
   first.outcome = copy.Decide(budget);
   if (first.outcome == Outcome::kFound) first.labeling = *copy.witness();
-  first.counters = copy.counters() - before;
+  first.counters = first.counters + copy.counters() - before;
   return first;
 }
 

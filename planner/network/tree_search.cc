@@ -3,13 +3,6 @@
 #include <utility>
 
 namespace assay::network {
-namespace {
-
-constexpr std::int64_t kFirstWipeOutLimit = 200;
-constexpr double kWipeOutLimitGrowth = 2;
-
-}  // namespace
-
 TreeSearch::TreeSearch(LabelStore& labels, ArcConsistency& arcs, Counters& counters,
                        std::vector<int> scope, NodeOrder order)
     : labels_(labels),
@@ -24,10 +17,15 @@ Outcome TreeSearch::Next(Budget& budget) { return *Advance(budget, kUnlimited); 
 Outcome TreeSearch::Any(Budget& budget) {
   auto limit = static_cast<double>(kFirstWipeOutLimit);
   while (true) {
-    if (const auto outcome = Advance(budget, static_cast<std::int64_t>(limit))) return *outcome;
-    Rewind();
+    if (const auto outcome = AnyWithin(static_cast<std::int64_t>(limit), budget)) return *outcome;
     limit *= kWipeOutLimitGrowth;
   }
+}
+
+std::optional<Outcome> TreeSearch::AnyWithin(std::int64_t wipe_out_limit, Budget& budget) {
+  const std::optional<Outcome> outcome = Advance(budget, wipe_out_limit);
+  if (!outcome.has_value()) Rewind();
+  return outcome;
 }
 
 std::optional<Outcome> TreeSearch::Advance(Budget& budget, std::int64_t wipe_out_limit) {

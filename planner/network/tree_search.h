@@ -37,6 +37,12 @@ class TreeSearch {
   // Any labeling of the scope. Starts anew, with the weights learned, when a growing limit of
   // wipe-outs is reached (Walsh 1999).
   Outcome Any(Budget& budget);
+  static constexpr std::int64_t kFirstWipeOutLimit = 200;
+  static constexpr double kWipeOutLimitGrowth = 2;
+
+  // Any labeling of the scope. Empty when the limit of wipe-outs is reached: label sets are then as
+  // at first, but for labels that were refuted.
+  std::optional<Outcome> AnyWithin(std::int64_t wipe_out_limit, Budget& budget);
 
  private:
   struct Decision {
