@@ -8,6 +8,7 @@
 
 #include "planner/network/lane_rows.h"
 #include "planner/network/lanes.h"
+#include "planner/network/open_lanes.h"
 #include "planner/network/tree_search.h"
 
 namespace assay::network {
@@ -20,101 +21,6 @@ int LaneBits(std::span<const int> scope, const LabelStore& labels) {
   Word all = 0;
   for (int node : scope) all |= labels.OneWord(node);
   return std::max(16, static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::bit_width(all)))));
-}
-
-// What OpenNodes is to label sets, for lanes: the weights of the arcs are a matrix, of which rows
-// are added and subtracted.
-class OpenLanes {
- public:
-  OpenLanes(std::span<const int> scope, std::span<const int> lane_of, const ArcConsistency& arcs);
-
-  // Closes what has one label by now.
-  template <class Lane>
-  void Update(const Lane* lanes);
-  int count() const { return count_; }
-  void Reopen(int count);  // as it was when count() was this
-  void Blame(int changed, int revised);
-
-  // The fewest labels, squared, per weight; -1 if no lane is open.
-  template <class Lane>
-  int Heaviest(const Lane* lanes) const;
-
- private:
-  const int* ArcsOf(int lane) const { return &arc_weights_[lane * places_.size()]; }
-  bool IsOpen(int lane) const { return places_[lane] < count_; }
-  void Swap(int place, int other);
-
-  std::vector<int> arc_weights_;  // lanes x lanes
-  std::vector<int> weights_;      // by lane: of the arcs to open lanes
-  std::vector<int> order_;        // all lanes; the open ones first
-  std::vector<int> places_;       // by lane: in order_
-  int count_ = 0;
-};
-
-OpenLanes::OpenLanes(std::span<const int> scope, std::span<const int> lane_of,
-                     const ArcConsistency& arcs)
-    : arc_weights_(scope.size() * scope.size(), 0), weights_(scope.size(), 0) {
-  for (int lane = 0; lane < std::ssize(scope); ++lane) {
-    order_.push_back(lane);
-    places_.push_back(lane);
-    for (const ArcConsistency::Direction& direction : arcs.at(scope[lane])) {
-      const int other = lane_of[direction.revised];
-      if (other == kNoLane) continue;
-      arc_weights_[lane * scope.size() + other] += static_cast<int>(arcs.weight(direction.arc));
-    }
-  }
-  Reopen(static_cast<int>(scope.size()));
-}
-
-template <class Lane>
-void OpenLanes::Update(const Lane* lanes) {
-  for (int place = 0; place < count_;) {
-    const int lane = order_[place];
-    if (!std::has_single_bit(lanes[lane])) {
-      ++place;
-      continue;
-    }
-    Swap(place, --count_);
-    const int* arcs = ArcsOf(lane);
-    for (std::size_t other = 0; other < weights_.size(); ++other) weights_[other] -= arcs[other];
-  }
-}
-
-void OpenLanes::Reopen(int count) {
-  for (; count_ < count; ++count_) {
-    const int* arcs = ArcsOf(order_[count_]);
-    for (std::size_t other = 0; other < weights_.size(); ++other) weights_[other] += arcs[other];
-  }
-}
-
-void OpenLanes::Swap(int place, int other) {
-  std::swap(order_[place], order_[other]);
-  places_[order_[place]] = place;
-  places_[order_[other]] = other;
-}
-
-void OpenLanes::Blame(int changed, int revised) {
-  ++arc_weights_[changed * places_.size() + revised];
-  ++arc_weights_[revised * places_.size() + changed];
-  if (IsOpen(changed)) ++weights_[revised];
-  if (IsOpen(revised)) ++weights_[changed];
-}
-
-template <class Lane>
-int OpenLanes::Heaviest(const Lane* lanes) const {
-  int best = -1;
-  std::int64_t best_square = 0, best_weight = 0;
-  for (int place = 0; place < count_; ++place) {
-    const int lane = order_[place];
-    const std::int64_t count = std::popcount(lanes[lane]), square = count * count;
-    const std::int64_t weight = weights_[lane];
-    if (best < 0 || square * best_weight < best_square * weight) {
-      best = lane;
-      best_square = square;
-      best_weight = weight;
-    }
-  }
-  return best;
 }
 
 template <class Lane>
