@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "planner/contingent/initial_worlds.h"
+#include "planner/contingent/symbolic_check.h"
 
 namespace assay::contingent {
 namespace {
@@ -540,7 +541,11 @@ class Runner {
 }  // namespace
 
 TreeCheck CheckTree(const GroundTask& task, const PlanTree& tree, const TreeCheckOptions& options) {
-  return Runner(task, tree).Run(EnumerateWorlds(task, options.worlds, options.seed));
+  InitialWorlds initial = EnumerateWorlds(task, options.worlds, options.seed);
+  if (!initial.are_all) {
+    if (const std::optional<TreeCheck> check = CheckBySets(task, tree)) return *check;
+  }
+  return Runner(task, tree).Run(std::move(initial));
 }
 
 }  // namespace assay::contingent

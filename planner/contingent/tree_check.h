@@ -10,7 +10,8 @@
 namespace assay::contingent {
 
 struct TreeCheckOptions {
-  // So many initial worlds are run at most; of more, as many are drawn.
+  // So many initial worlds are run at most; of more, as many are drawn, unless they can be run as
+  // sets (symbolic_check.h) and that shows that the tree holds.
   std::int64_t worlds = 200'000;
   std::uint64_t seed = 1;
 };
@@ -19,7 +20,7 @@ struct TreeCheck {
   bool holds = false;
   // If not: what fails, where in the tree, and in which world.
   std::string failure;
-  std::int64_t worlds = 0;        // that were run to a leaf
+  std::int64_t worlds = 0;        // that were run to a leaf; as sets: initial ones
   bool are_all_worlds = true;     // else they were drawn
   std::vector<NodeId> unreached;  // nodes that no world came to
 };

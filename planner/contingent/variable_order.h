@@ -7,7 +7,8 @@
 namespace assay::contingent {
 
 // For each atom its place in an order in which atoms that the initial relations name together are
-// near each other, so that diagrams are small: FORCE (Aloul, Markov and Sakallah 2003).
+// near each other, so that diagrams are small: FORCE (Aloul, Markov and Sakallah 2003). What only
+// effects relate comes behind what they depend on.
 std::vector<int> PlacesOfAtoms(const GroundTask& task);
 
 }  // namespace assay::contingent

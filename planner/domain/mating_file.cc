@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "planner/domain/name.h"
 #include "planner/geometry/collision.h"
 
 namespace assay::domain {
@@ -13,6 +16,7 @@ namespace {
 constexpr double kFeatureOffset = 0.001;        // metres that mating features may be off their axis
 constexpr double kShortestMatingVector = 1e-6;  // metres
 constexpr double kLongestMatingVector = 2;      // metres
+constexpr double kSamePose = 1e-9;              // of two matings that are written twice
 constexpr double kMatingStep = 0.005;           // metres between looks along a mating vector
 
 FeatureNumber ReadFeature(const Value& value, const Part& part) {
@@ -26,6 +30,12 @@ FeatureNumber ReadFeature(const Value& value, const Part& part) {
              fmt::format("{}", fmt::join(known, ", ")));
 }
 
+bool IsSameMating(const Mating& a, const Mating& b) {
+  return a.held == b.held && a.fixed == b.fixed && a.features == b.features &&
+         a.X_FixedHeld.isApprox(b.X_FixedHeld, kSamePose) &&
+         (a.mating_vector - b.mating_vector).norm() < kSamePose;
+}
+
 class MatingFile {
  public:
   MatingFile(const Problem& problem, const Units& units) : problem_(problem), units_(units) {}
@@ -33,7 +43,6 @@ class MatingFile {
   Mating Read(const Value& value) const;
 
  private:
-  PartId ReadPartName(const Value& value) const;
   void ReadFeatures(const Value& features, Mating& mating) const;
   Vector3 ReadMatingVector(const Value& value) const;
   void CheckFits(const Value& value, const Mating& mating) const;
@@ -47,8 +56,8 @@ class MatingFile {
 Mating MatingFile::Read(const Value& value) const {
   value.AllowOnly({"held", "fixed", "features", "pose", "mating_vector"});
   Mating mating;
-  mating.held = ReadPartName(value.At("held"));
-  mating.fixed = ReadPartName(value.At("fixed"));
+  mating.held = ReadPartName(value.At("held"), problem_);
+  mating.fixed = ReadPartName(value.At("fixed"), problem_);
   if (mating.held == mating.fixed) {
     value.At("fixed").Fail(
         fmt::format("part '{}' is to be mated with itself", problem_.part(mating.held).name),
@@ -62,12 +71,6 @@ Mating MatingFile::Read(const Value& value) const {
   CheckFits(value, mating);
   CheckFeaturesMeet(value, mating);
   return mating;
-}
-
-PartId MatingFile::ReadPartName(const Value& value) const {
-  std::vector<std::string> names;
-  for (const Part& part : problem_.parts) names.push_back(part.name);
-  return PartId(value.OneOf(names));
 }
 
 void MatingFile::ReadFeatures(const Value& features, Mating& mating) const {
@@ -137,8 +140,13 @@ void MatingFile::CheckFeaturesMeet(const Value& value, const Mating& mating) con
 
 }  // namespace
 
-Mating ReadMating(const Value& value, const Problem& problem, const Units& units) {
-  return MatingFile(problem, units).Read(value);
+MatingId AddMating(const Value& value, const Units& units, Problem& problem) {
+  Mating mating = MatingFile(problem, units).Read(value);
+  const auto known = std::ranges::find_if(
+      problem.matings, [&](const Mating& other) { return IsSameMating(mating, other); });
+  const MatingId id(static_cast<std::size_t>(known - problem.matings.begin()));
+  if (known == problem.matings.end()) problem.matings.push_back(std::move(mating));
+  return id;
 }
 
 }  // namespace assay::domain

@@ -2,22 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
+#include "planner/domain/name.h"
 
 namespace assay::domain {
 namespace {
 
 using kinematics::JointVector;
-
-std::string ReadName(const Value& key) {
-  const std::string name = key.Text();
-  const bool good = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '-' || c == '_';
-  });
-  if (!good) key.Fail(fmt::format("'{}' cannot name a robot", name), "letters, digits, - and _");
-  return name;
-}
 
 // Reads robots, the paths in whose descriptions start from one folder.
 class RobotFile {
@@ -101,7 +91,7 @@ std::vector<Robot> ReadRobots(const Value& workcell, const Units& units,
   std::vector<Robot> read;
   for (const auto& [key, robot] : robots->Entries()) {
     robot.AllowOnly({"urdf", "base", "home", "acceleration", "gripper"});
-    read.push_back(file.Read(ReadName(key), robot, robot.At("gripper")));
+    read.push_back(file.Read(ReadName(key, "a robot"), robot, robot.At("gripper")));
   }
   if (read.empty()) robots->Fail("no robots", "one or more, by their names");
   return read;

@@ -202,7 +202,8 @@ Execution Declare(CLI::App& command) {
   command.add_flag("--check", options->check,
                    "run the tree in every world that the initial knowledge allows");
   command
-      .add_option("--worlds", options->worlds, "how many worlds to run; of more, as many are drawn")
+      .add_option("--worlds", options->worlds,
+                  "how many worlds to run one by one; of more, all as sets, or as many drawn")
       ->check(CLI::Range(1, 100'000'000))
       ->capture_default_str();
   command.add_option("--tree", options->tree, "check this tree, of --json, instead of planning");

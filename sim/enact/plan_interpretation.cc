@@ -225,8 +225,12 @@ class WentWell : public OfStep {
  private:
   static bool IsTrueAfter(const Truth& truth, const plan::Pickup& pickup) {
     const scene::Scene& scene = truth.scene;
+    const exec::Pose X_PartTool =
+        scene.TruePose(truth.data, pickup.part).inverse() * scene.ToolPose(truth.data);
     return scene.Touching(truth.data, pickup.part, scene.left_finger()) &&
-           scene.Touching(truth.data, pickup.part, scene.right_finger());
+           scene.Touching(truth.data, pickup.part, scene.right_finger()) &&
+           geometry::AngleBetween(X_PartTool.linear(), pickup.hold.X_PartTool.linear()) <
+               kNearlyTurned;
   }
   static bool IsTrueAfter(const Truth& truth, const plan::Putdown& putdown) {
     const exec::Pose X_WorldPart = truth.scene.TruePose(truth.data, putdown.part);

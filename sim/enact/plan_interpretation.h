@@ -20,8 +20,9 @@ struct PlannedWorlds {
 // part has, by the camera; steps of plans are executed, verified and recovered from like anywhere
 // (exec::StepExecution). Predicates, of the present:
 //   pose(part) = p       the part is nearest to that one of the poses that it may have
-//   wentWell(step)       after a pickup: both fingers touch the part; after a putdown or an
-//                        assembly: the part is where the plan has it, within kNear
+//   wentWell(step)       after a pickup: both fingers touch the part, and it is not turned in
+//                        the hand, within kNearlyTurned; after a putdown or an assembly: the part
+//                        is where the plan has it, within kNear
 //   signals(step, e)     what is measured, truly is so
 // and of what is done: nothing is audited.
 Interpretation InterpretationOf(std::shared_ptr<const PlannedWorlds> planned);

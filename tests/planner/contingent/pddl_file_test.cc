@@ -1,12 +1,16 @@
 #include "planner/contingent/pddl_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <array>
 
 #include "planner/contingent/pddl_text.h"
 #include "planner/contingent/pks_text.h"
 #include "planner/contingent/tree_check.h"
 #include "planner/contingent/tree_text.h"
+#include "tests/planner/contingent/mutation.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent {
@@ -109,6 +113,46 @@ TEST(Pddl, ErrorsHaveTheirPlace) {
   EXPECT_THAT(message(kCups, "(define (problem p) (:domain cups) (:init (oneof)) (:goal (won)))"),
               StartsWith("problem.pddl:1:43: no alternatives"));
   EXPECT_THAT(message(std::string(100'000, '('), ""), HasSubstr("nested too deeply"));
+}
+
+constexpr std::array<const char*, 17> kPieces = {
+    "(",         ")",           "(not ",  "(and ",   "(or ",
+    "?c",        "- ",          "(when ", "(oneof ", "(unknown ",
+    ":observe ", ":effect ",    ";",      "cup",     "(forall (?c - cup) ",
+    "(= ?c a)",  ":parameters "};
+
+constexpr int kQuarters = 4;  // of the mutations, to run side by side
+
+class PddlMutations : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Quarters, PddlMutations, testing::Range(0, kQuarters));
+
+// A slip gives a task that can be planned for, or an InputError, nothing else.
+TEST_P(PddlMutations, AreSurvived) {
+  RandomStream random(20261123, fmt::format("pddl mutations/{}", GetParam()));
+  int loaded = 0;
+  const int count = MutationCount() / kQuarters;
+  for (int trial = 0; trial < count; ++trial) {
+    std::string domain = kCups;
+    std::string problem = kThreeCups;
+    std::string& text = random.Index(2) == 0 ? domain : problem;
+    for (int slips = 1 + random.Index(3); slips > 0 && !text.empty(); --slips) {
+      text = Mutated(text, kPieces, random);
+    }
+    const std::string message = MessageOf([&] {
+      const GroundTask task = GroundPddl(domain, problem);
+      const ContingentPlan plan = PlanFor(task, Wanted::kFirst, 300);
+      if (plan.outcome != Outcome::kFound) return;
+      const TreeCheck check = CheckTree(task, plan.tree, {.worlds = 100});
+      EXPECT_TRUE(check.holds) << check.failure;
+    });
+    loaded += message == "no error" ? 1 : 0;
+    const bool tells = message == "no error" || message.starts_with("domain.pddl:") ||
+                       message.starts_with("problem.pddl:");
+    ASSERT_TRUE(tells && !HasFailure())
+        << "trial " << trial << ": " << message << domain << problem;
+  }
+  EXPECT_GT(loaded, count / 50) << "mutations so coarse that they test the lexer alone";
+  EXPECT_LT(loaded, count * 9 / 10);
 }
 
 // What is exported has plans of the same depth.

@@ -13,6 +13,7 @@
 #include "planner/contingent/pks_text.h"
 #include "planner/contingent/tree_check.h"
 #include "planner/contingent/tree_text.h"
+#include "tests/planner/contingent/mutation.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent {
@@ -207,46 +208,12 @@ constexpr std::array<const char*, 24> kPieces = {
     "=>", "?o",       "?x: object", "K(",       "#",      "[",      "=", ">",
     "42", "add(Kf, ", "Kv(",        "forallK(", "object", "number", "-", "\n"};
 
-std::string Mutated(const std::string& text, RandomStream& random) {
-  std::string mutated = text;
-  const int size = static_cast<int>(text.size());
-  const int at = random.Index(size);
-  const int length = std::min(random.Index(12), size - at);
-  const std::string piece = kPieces[random.Index(static_cast<int>(kPieces.size()))];
-  switch (random.Index(5)) {
-    case 0:
-      return mutated.erase(at, length);
-    case 1:
-      return mutated.insert(at, piece);
-    case 2:
-      return mutated.insert(random.Index(size), text.substr(at, length));
-    case 3:
-      return mutated.substr(0, at);
-    default: {  // A word becomes another of the text.
-      constexpr const char* kLetters =
-          "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
-      const std::size_t from = text.find_first_of(kLetters, at);
-      const std::size_t to = text.find_first_of(kLetters, random.Index(size));
-      if (from == std::string::npos || to == std::string::npos) return mutated;
-      const std::size_t from_end = std::min(text.find_first_not_of(kLetters, from), text.size());
-      const std::size_t to_end = std::min(text.find_first_not_of(kLetters, to), text.size());
-      return mutated.replace(from, from_end - from, text.substr(to, to_end - to));
-    }
-  }
-}
-
-int MutationCount() {
-  const char* count = std::getenv("ASSAY_MUTATIONS");
-  return count == nullptr ? 1000 : std::atoi(count);
-}
-
 constexpr int kQuarters = 4;  // of the mutations, to run side by side
 
 class Mutations : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Quarters, Mutations, testing::Range(0, kQuarters));
 
-// A slip gives a task that can be planned for, or an InputError, nothing else. More of them with
-// ASSAY_MUTATIONS=10000.
+// A slip gives a task that can be planned for, or an InputError, nothing else.
 TEST_P(Mutations, AreSurvived) {
   const std::vector<Files> scenarios = AllScenarios();
   RandomStream random(20240601, fmt::format("pks mutations/{}", GetParam()));
@@ -256,7 +223,7 @@ TEST_P(Mutations, AreSurvived) {
     Files files = scenarios[trial % scenarios.size()];
     std::string& text = random.Index(2) == 0 ? files.domain : files.problem;
     for (int slips = 1 + random.Index(3); slips > 0 && !text.empty(); --slips) {
-      text = Mutated(text, random);
+      text = Mutated(text, kPieces, random);
     }
     const std::string message = contingent::MessageOf([&] {
       const GroundTask task = GroundText(files.domain, files.problem);

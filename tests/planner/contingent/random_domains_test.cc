@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
+#include "planner/contingent/initial_worlds.h"
+#include "planner/contingent/symbolic_check.h"
 #include "planner/contingent/tree_check.h"
 #include "planner/contingent/tree_text.h"
 #include "tests/oracle/belief_search.h"
@@ -127,6 +129,43 @@ TEST_P(RandomDomains, TreesHoldInEveryWorld) {
     ExpectHolds(task, least);
     return SizeOf(first.tree).nodes > 1;
   });
+}
+
+// One of the tree's actions is another one, or the cases of a branch change places.
+PlanTree Corrupted(const GroundTask& task, PlanTree tree, RandomStream& random) {
+  PlanNode& node = tree.nodes[random.Index(static_cast<int>(tree.nodes.size()))];
+  if (node.kind == PlanNode::Kind::kAct) {
+    node.action = ActionId(random.Index(static_cast<int>(task.actions.size())));
+  }
+  if (node.kind == PlanNode::Kind::kWhether) std::swap(node.children[0], node.children[1]);
+  return tree;
+}
+
+// Oracle: all worlds, one by one. Sets never say that a wrong tree holds, and of a right one, where
+// they tell at all, that it does, for as many worlds.
+TEST_P(RandomDomains, SetsOfWorldsTellWhatWorldsTell) {
+  RandomStream random(GetParam(), "corrupted trees");
+  int told = 0;
+  int wrong = 0;
+  ForTasks(kTrees / 4, [&](const GroundTask& task) {
+    const ContingentPlan plan = PlanFor(task, Wanted::kFirst);
+    if (plan.outcome != Outcome::kFound || SizeOf(plan.tree).repeats > 0) return false;
+    if (const auto check = CheckBySets(task, plan.tree)) {
+      ++told;
+      EXPECT_EQ(check->unreached, CheckTree(task, plan.tree).unreached);
+      EXPECT_EQ(check->worlds, std::ssize(EnumerateWorlds(task, 1000, 1).worlds));
+    }
+    for (int i = 0; i < 2; ++i) {
+      const PlanTree tree = Corrupted(task, plan.tree, random);
+      const TreeCheck check = CheckTree(task, tree);
+      const bool sets_say_it_holds = CheckBySets(task, tree).has_value();
+      EXPECT_TRUE(check.holds || !sets_say_it_holds) << check.failure;
+      wrong += check.holds ? 0 : 1;
+    }
+    return SizeOf(plan.tree).nodes > 1;
+  });
+  EXPECT_GT(told, kTrees / kQuarters / 8);
+  EXPECT_GT(wrong, kTrees / kQuarters / 8);
 }
 
 TEST_P(RandomDomains, LeastDepthIsTheOracles) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <limits>
 
 #include "tests/oracle/random_pose.h"
@@ -57,13 +58,19 @@ Vector3 RandomVertexOf(const Body& body, RandomStream& random) {
   return hull.vertices()[static_cast<std::size_t>(random.Index(count))];
 }
 
+// More of them with ASSAY_SWEPT_POSTURES=100000.
+int PostureCount() {
+  const char* count = std::getenv("ASSAY_SWEPT_POSTURES");
+  return count == nullptr ? 1000 : std::atoi(count);
+}
+
 // Law: wherever the arm is on its path, its bodies are inside. Vertices are the hardest points.
-void ExpectInside(const SweepAccuracy& accuracy, int postures) {
+void ExpectInside(const SweepAccuracy& accuracy) {
   const CollisionScene scene(Clutter(), PegInTheHand());
   RandomStream random(121, "swept");
   const JointPath path = RandomPath(scene, random, 0.4);
   const std::vector<SweptPiece> pieces = SweptVolume(scene, path, accuracy);
-  for (int i = 0; i < postures; ++i) {
+  for (int i = 0; i < PostureCount(); ++i) {
     const auto motion = static_cast<std::size_t>(random.Index(static_cast<int>(path.size()) - 1));
     const JointVector q = path[motion] + random.Uniform() * (path[motion + 1] - path[motion]);
     const LinkPoses X_BaseLink = scene.arm().LinkPoses(q);
@@ -80,9 +87,9 @@ void ExpectInside(const SweepAccuracy& accuracy, int postures) {
   }
 }
 
-TEST(SweptVolume, HoldsEveryPosture) { ExpectInside({}, 1000); }
+TEST(SweptVolume, HoldsEveryPosture) { ExpectInside({}); }
 TEST(SweptVolume, HoldsEveryPostureOfCoarseSteps) {
-  ExpectInside({.sagitta = 0.05, .added_volume = 0}, 1000);
+  ExpectInside({.sagitta = 0.05, .added_volume = 0});
 }
 
 // Law: no point of a body leaves its chord by more than the bound; where it is the one of a circle,

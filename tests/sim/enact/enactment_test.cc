@@ -10,6 +10,7 @@
 namespace assay::enact {
 namespace {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -102,6 +103,20 @@ TEST(Enactment, WhatIsCarriedAroundAPostSpillsUnlessItIsKeptUpright) {
   EXPECT_EQ(any.outcome, EnactmentOutcome::kSpilled);
   EXPECT_THAT(any.spilled, ElementsAre("can1"));
   EXPECT_THAT(any.collisions, IsEmpty());
+}
+
+// Somebody puts the post into the way when all motions have been looked at without it there.
+TEST(Enactment, AnArmThatRunsIntoSomethingHasFailed) {
+  const KnowledgeScenario scenario = TwoCans({{"at: [650, -142]", "at: [850, -640]"}}, "post");
+  const geometry::Vector3 into_the_way(-0.2, 0.498, 0);
+  HiddenWorld world = kOneFull;
+  world.mishap = Mishap{.action = "transferUpright", .part = PartId(2), .way = into_the_way};
+  const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kCollided) << trial.reason;
+  EXPECT_TRUE(trial.IsFailed());
+  ASSERT_FALSE(trial.collisions.empty());
+  EXPECT_THAT(trial.reason,
+              AllOf(HasSubstr("transferUpright(can1): "), HasSubstr(" touched part/post")));
 }
 
 TEST(Enactment, WhatCannotBeReachedStopsTheWalk) {

@@ -3,8 +3,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "sim/enact/enactment.h"
 #include "sim/enact/leaves.h"
+#include "sim/enact/mishap.h"
 #include "sim/render/renderer.h"
 
 namespace assay::enact {
@@ -64,6 +68,31 @@ TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
     ++executed;
   }
   EXPECT_GT(executed, 0);
+}
+
+// Pads that close on opposite corners of the peg's plate stay wider open than they should, and hold
+// it so: the walk comes to where that is told.
+TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
+  const Interpretation& interpretation = Scenario().interpretation;
+  const PlannedWorlds& planned = *interpretation.planned;
+  const int standing = 1;
+  const auto errors = ErrorsOf(planned, standing);
+  const auto too_wide = std::ranges::find(errors, "error2", &StepError::error);
+  ASSERT_NE(too_wide, errors.end());
+  RandomStream random(1, "mishap");
+  const auto made = MishapFor(planned, standing, *too_wide, random);
+  ASSERT_TRUE(std::holds_alternative<Mishap>(made));
+  const auto& mishap = std::get<Mishap>(made);
+  EXPECT_EQ(mishap.action, too_wide->step);
+  // The plate is 3 inches wide and 1 inch thick; it leans a little.
+  EXPECT_NEAR(std::abs(mishap.turn), std::atan2(1, 3), 0.02);
+
+  const EnactedTrial trial =
+      RunTrial(Scenario(), planned.assembly.tree,
+               {1, {.masses = {}, .colors = {}, .world = standing, .mishap = mishap}}, {.seed = 1});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kOperator) << trial.reason;
+  EXPECT_THAT(trial.reason, testing::HasSubstr("error2"));
+  EXPECT_FALSE(trial.IsFailed());
 }
 
 // A peg that stands is claimed to lie: the audit tells at once.

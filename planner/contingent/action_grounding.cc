@@ -1,0 +1,138 @@
+#include "planner/contingent/action_grounding.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace assay::contingent {
+namespace {
+
+bool HasFunction(const Literal& literal) {
+  return std::any_of(literal.arguments.begin(), literal.arguments.end(),
+                     [](const Term& t) { return t.kind == Term::Kind::kFunction; });
+}
+
+std::size_t LastBound(const Action& action, const Literal& literal) {
+  std::size_t last = 0;
+  for (const Term& term : literal.arguments) {
+    for (std::size_t i = 0; i < action.parameters.size(); ++i) {
+      const bool is_it =
+          term.kind == Term::Kind::kVariable && term.name == action.parameters[i].name;
+      if (is_it) last = std::max(last, i + 1);
+    }
+  }
+  return last;
+}
+
+bool AreBound(const Term& function, const Bindings& bindings) {
+  return std::all_of(function.arguments.begin(), function.arguments.end(), [&](const Term& t) {
+    return t.kind != Term::Kind::kVariable ||
+           std::any_of(bindings.begin(), bindings.end(), [&](const Binding& b) {
+             return b.variable == t.name && b.value.function.IsNone();
+           });
+  });
+}
+
+}  // namespace
+
+void ActionGrounding::AddInstances(const Action& action) {
+  std::vector<EarlyTest> tests;
+  CollectEarlyTests(action, action.precondition, tests);
+  std::stable_sort(tests.begin(), tests.end(), [](const EarlyTest& a, const EarlyTest& b) {
+    return (a.literal->relation == Relation::kExtern) < (b.literal->relation == Relation::kExtern);
+  });
+  Bindings bindings;
+  BindFrom(action, tests, bindings);
+}
+
+void ActionGrounding::CollectEarlyTests(const Action& action, const Query& query,
+                                        std::vector<EarlyTest>& tests) {
+  if (query.kind == Query::Kind::kAnd) {
+    for (const Query& operand : query.operands) CollectEarlyTests(action, operand, tests);
+  }
+  if (query.kind != Query::Kind::kKnown) return;
+  for (const Literal& literal : query.literals) {
+    const bool is_early = literal.relation == Relation::kExtern ||
+                          (literal.relation == Relation::kPredicate &&
+                           !terms_.table().IsChanged(literal.predicate)) ||
+                          (literal.relation == Relation::kEqual && !HasFunction(literal));
+    if (is_early) tests.push_back({&literal, LastBound(action, literal)});
+  }
+}
+
+void ActionGrounding::BindFrom(const Action& action, const std::vector<EarlyTest>& tests,
+                               Bindings& bindings) {
+  terms_.CountBinding(action.place);
+  const bool passes = std::all_of(tests.begin(), tests.end(), [&](const EarlyTest& test) {
+    return test.after != bindings.size() ||
+           !queries_.KnownLiteral(*test.literal, bindings).IsFalse();
+  });
+  if (!passes) {
+    terms_.TakeRefusal();
+    return;
+  }
+  if (bindings.size() == action.parameters.size()) {
+    AddInstance(action, bindings);
+    return;
+  }
+  const TypedName& parameter = action.parameters[bindings.size()];
+  for (const Value& value : CandidatesFor(action, parameter, bindings)) {
+    bindings.push_back({parameter.name, value});
+    BindFrom(action, tests, bindings);
+    bindings.pop_back();
+  }
+}
+
+std::vector<Value> ActionGrounding::CandidatesFor(const Action& action, const TypedName& parameter,
+                                                  const Bindings& bindings) {
+  std::vector<Value> candidates;
+  for (const std::string& constant : terms_.symbols().ConstantsOf(parameter.type)) {
+    candidates.push_back({constant, FunctionId::None()});
+  }
+  AddRunTimeValues(action.precondition, parameter.name, bindings, candidates);
+  return candidates;
+}
+
+// K(parameter = f(a)) in the precondition, where f(a) may come to be known.
+void ActionGrounding::AddRunTimeValues(const Query& query, const std::string& parameter,
+                                       const Bindings& bindings, std::vector<Value>& candidates) {
+  if (query.kind == Query::Kind::kAnd) {
+    for (const Query& operand : query.operands) {
+      AddRunTimeValues(operand, parameter, bindings, candidates);
+    }
+  }
+  if (query.kind != Query::Kind::kKnown) return;
+  for (const Literal& literal : query.literals) {
+    if (literal.relation != Relation::kEqual || !literal.is_positive) continue;
+    const Term& left = literal.arguments[0];
+    const Term& right = literal.arguments[1];
+    const bool is_on_left = left.kind == Term::Kind::kVariable && left.name == parameter;
+    const bool is_on_right = right.kind == Term::Kind::kVariable && right.name == parameter;
+    const Term& other = is_on_left ? right : left;
+    if (is_on_left == is_on_right || other.kind != Term::Kind::kFunction ||
+        terms_.IsNumeric(other) || !terms_.table().IsSensed(other.name) ||
+        !AreBound(other, bindings)) {
+      continue;
+    }
+    const FunctionId function = terms_.FunctionOf(other, bindings);
+    candidates.push_back({terms_.task().functions[function.index()].text, function});
+  }
+}
+
+void ActionGrounding::AddInstance(const Action& action, const Bindings& bindings) {
+  GroundAction instance;
+  instance.name = action.name;
+  for (const Binding& binding : bindings) {
+    instance.arguments.push_back(binding.value.text);
+    instance.run_time_values.push_back(binding.value.function);
+  }
+  instance.precondition = queries_.QueryOf(action.precondition, bindings);
+  if (!instance.precondition.IsFalse()) {
+    for (const Effect& effect : action.effects)
+      effects_.AddEffects(effect, bindings, instance.effects);
+  }
+  if (!terms_.TakeRefusal() && !instance.precondition.IsFalse()) {
+    terms_.task().actions.push_back(std::move(instance));
+  }
+}
+
+}  // namespace assay::contingent

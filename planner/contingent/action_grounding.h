@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/contingent/effect_grounding.h"
+
+namespace assay::contingent {
+
+// The instances of actions whose precondition may hold.
+class ActionGrounding {
+ public:
+  ActionGrounding(TermGrounding& terms, QueryGrounding& queries, EffectGrounding& effects)
+      : terms_(terms), queries_(queries), effects_(effects) {}
+
+  // Adds them to the task.
+  void AddInstances(const Action& action);
+
+ private:
+  // A literal of the precondition that is answered as soon as its variables are bound.
+  struct EarlyTest {
+    const Literal* literal;
+    std::size_t after;  // so many parameters are bound
+  };
+
+  void CollectEarlyTests(const Action& action, const Query& query, std::vector<EarlyTest>& tests);
+  void BindFrom(const Action& action, const std::vector<EarlyTest>& tests, Bindings& bindings);
+  std::vector<Value> CandidatesFor(const Action& action, const TypedName& parameter,
+                                   const Bindings& bindings);
+  void AddRunTimeValues(const Query& query, const std::string& parameter, const Bindings& bindings,
+                        std::vector<Value>& candidates);
+  void AddInstance(const Action& action, const Bindings& bindings);
+
+  TermGrounding& terms_;
+  QueryGrounding& queries_;
+  EffectGrounding& effects_;
+};
+
+}  // namespace assay::contingent

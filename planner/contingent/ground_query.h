@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/contingent/ground_task.h"
+
+namespace assay::contingent {
+
+// Queries without variables, simplified while they are made: what is always true or false is told
+// by GroundQuery::IsTrue and IsFalse.
+GroundQuery ConstantQuery(bool value);
+GroundQuery Negated(GroundQuery operand);
+// kAnd or kOr of the operands, flattened, without what does not matter.
+GroundQuery Joined(GroundQuery::Kind kind, std::vector<GroundQuery> operands);
+GroundQuery Known(GroundLiteral literal);
+GroundQuery BoundKnown(const Bound& bound);
+
+// Whether it asks K of literals alone, so that it can be asked of a world.
+bool AsksOfLiteralsAlone(const GroundQuery& query);
+
+}  // namespace assay::contingent

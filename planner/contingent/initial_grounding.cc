@@ -1,0 +1,127 @@
+#include "planner/contingent/initial_grounding.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace assay::contingent {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr Range kAnything = {.low = -kInfinity, .high = kInfinity};
+
+}  // namespace
+
+void InitialGrounding::Tell() {
+  terms_.Enter(problem_.file);
+  for (const Change& change : problem_.init) {
+    if (change.store == Store::kExclusive) TellUnknown(change);
+    if (change.store == Store::kClosed) terms_.table().Close(change);
+  }
+  for (const Change& change : problem_.init) {
+    if (change.store == Store::kFacts) TellFact(change);
+  }
+}
+
+void InitialGrounding::TellUnknown(const Change& change) {
+  for (const Literal& literal : change.literals) {
+    if (literal.relation == Relation::kPredicate) {
+      terms_.table().Tell(AtomText(literal.predicate, terms_.Constants(literal.arguments, {})),
+                          Knowledge::kUnknown);
+    }
+  }
+}
+
+void InitialGrounding::TellFact(const Change& change) {
+  const Literal& literal = change.literals.front();
+  const auto knowledge = [&](bool is_positive) {
+    if (!change.is_addition) return Knowledge::kUnknown;
+    return is_positive ? Knowledge::kTrue : Knowledge::kFalse;
+  };
+  if (literal.relation == Relation::kPredicate) {
+    terms_.table().Tell(AtomText(literal.predicate, terms_.Constants(literal.arguments, {})),
+                        knowledge(literal.is_positive));
+  } else if (const auto equality = terms_.EqualityOf(literal)) {
+    const GroundFunction& function = terms_.task().functions[equality->first.index()];
+    if (literal.is_positive) {
+      for (const std::string& constant : function.constants) {
+        terms_.table().Tell(function.text + " = " + constant,
+                            knowledge(constant == equality->second));
+      }
+    } else {
+      terms_.table().Tell(function.text + " = " + equality->second, knowledge(false));
+    }
+  }
+}
+
+void InitialGrounding::Ground() {
+  InitialKnowledge& initial = terms_.task().initial;
+  for (const Change& change : problem_.init) Ground(change);
+  initial.known = terms_.table().KnownAtFirst();
+  GroundRanges();
+}
+
+void InitialGrounding::Ground(const Change& change) {
+  InitialKnowledge& initial = terms_.task().initial;
+  if (change.store == Store::kFacts || change.store == Store::kClosed) return;
+  for (const GroundChange& ground : effects_.ChangesOf(change, {})) {
+    if (!change.is_addition) continue;
+    if (change.store == Store::kWhether) initial.sensed.push_back(ground.formula);
+    if (change.store == Store::kValues) initial.values_sensed.push_back(ground.function);
+    if (change.store == Store::kExclusive) AddRelation(ground, change.place);
+  }
+}
+
+// Alternatives that are values of one function are all that it can have.
+void InitialGrounding::AddRelation(const GroundChange& change, Place place) {
+  InitialKnowledge& initial = terms_.task().initial;
+  initial.relations.push_back({change.literals, change.is_inclusive, terms_.PlaceOf(place)});
+  const FunctionId function = terms_.task().function_of_atom[change.literals.front().atom.index()];
+  const bool is_range =
+      !function.IsNone() &&
+      std::all_of(change.literals.begin(), change.literals.end(), [&](const GroundLiteral& l) {
+        return l.is_positive && terms_.task().function_of_atom[l.atom.index()] == function;
+      });
+  if (!is_range) return;
+  for (const AtomId value : terms_.task().functions[function.index()].values) {
+    const bool is_alternative =
+        std::any_of(change.literals.begin(), change.literals.end(),
+                    [&](const GroundLiteral& l) { return l.atom == value; });
+    if (!is_alternative) terms_.table().Tell(terms_.task().atoms[value.index()], Knowledge::kFalse);
+  }
+}
+
+void InitialGrounding::GroundRanges() {
+  terms_.task().initial.ranges.assign(terms_.task().function_of_slot.size(), kAnything);
+  for (const Change& change : problem_.init) {
+    if (change.store != Store::kFacts || !change.is_addition ||
+        change.literals.front().relation == Relation::kPredicate) {
+      continue;
+    }
+    for (const GroundChange& ground : effects_.ChangesOf(change, {}))
+      NarrowRange(ground, change.place);
+  }
+}
+
+Range& InitialGrounding::RangeOf(FunctionId function) {
+  GroundTask& task = terms_.task();
+  task.initial.ranges.resize(task.function_of_slot.size(), kAnything);
+  return task.initial.ranges[task.functions[function.index()].slot];
+}
+
+void InitialGrounding::NarrowRange(const GroundChange& change, Place place) {
+  if (change.kind == GroundChange::Kind::kAssign) {
+    if (!change.sum.functions.empty())
+      terms_.Fail(place, "not a number", "a number or an interval");
+    Range& range = RangeOf(change.function);
+    range = {change.sum.constant.low, change.sum.constant.high, false, false};
+  } else if (change.kind == GroundChange::Kind::kNarrow) {
+    Range& range = RangeOf(change.bound.function);
+    const bool is_upper =
+        change.bound.relation == Relation::kLess || change.bound.relation == Relation::kLessOrEqual;
+    (is_upper ? range.high : range.low) = change.bound.value;
+    (is_upper ? range.excludes_high : range.excludes_low) =
+        change.bound.relation == Relation::kLess || change.bound.relation == Relation::kGreater;
+  }
+}
+
+}  // namespace assay::contingent

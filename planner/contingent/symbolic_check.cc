@@ -1,0 +1,289 @@
+#include "planner/contingent/symbolic_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+#include "planner/contingent/decision_diagram.h"
+#include "planner/contingent/variable_order.h"
+
+namespace assay::contingent {
+namespace {
+
+// Where an effect makes an atom true, makes it false, lets it be either.
+struct Fate {
+  Diagram becomes_true = kEmptySet;
+  Diagram becomes_false = kEmptySet;
+  Diagram becomes_open = kEmptySet;
+
+  // The same in all worlds.
+  bool IsCertain() const {
+    const auto is_somewhere = [](Diagram where) { return where != kEmptySet && where != kAllSets; };
+    return !is_somewhere(becomes_true) && !is_somewhere(becomes_false) &&
+           !is_somewhere(becomes_open);
+  }
+  bool IsOpen() const { return becomes_true == kEmptySet && becomes_false == kEmptySet; }
+};
+
+// What comes to a node: worlds on any way, and what has been sensed on every way.
+struct Arrivals {
+  Diagram worlds = kEmptySet;
+  std::set<FormulaId> sensed;
+};
+
+// Conjunctions of K of literals; that something is not known counts as true (tree_check.h).
+bool IsOfEachWorld(const GroundQuery& query) {
+  if (query.kind == GroundQuery::Kind::kAnd) {
+    return std::ranges::all_of(query.operands, IsOfEachWorld);
+  }
+  return query.kind == GroundQuery::Kind::kKnown || query.kind == GroundQuery::Kind::kNot;
+}
+
+bool IsOfEachWorld(const GroundEffect& effect) {
+  return std::ranges::all_of(effect.changes, [&](const GroundChange& change) {
+    const bool is_of_fact =
+        change.kind == GroundChange::Kind::kSet || change.kind == GroundChange::Kind::kForget;
+    const bool is_of_kw =
+        change.kind == GroundChange::Kind::kSense || change.kind == GroundChange::Kind::kUnsense;
+    return is_of_fact ? effect.is_of_worlds : is_of_kw && effect.condition.IsTrue();
+  });
+}
+
+bool IsOfEachWorld(const GroundTask& task, const PlanTree& tree) {
+  return task.functions.empty() && task.updates.empty() && IsOfEachWorld(task.goal) &&
+         std::ranges::all_of(tree.nodes, [&](const PlanNode& node) {
+           if (node.kind == PlanNode::Kind::kValue || std::ranges::count(node.repeats, true) > 0) {
+             return false;
+           }
+           if (node.kind != PlanNode::Kind::kAct) return true;
+           const GroundAction& action = task.actions[node.action.index()];
+           return IsOfEachWorld(action.precondition) &&
+                  std::ranges::all_of(action.effects, [](const GroundEffect& effect) {
+                    return IsOfEachWorld(effect);
+                  });
+         });
+}
+
+class SymbolicCheck {
+ public:
+  SymbolicCheck(const GroundTask& task, const PlanTree& tree)
+      : task_(task), tree_(tree), places_(PlacesOfAtoms(task)), arrivals_(tree.nodes.size()) {}
+
+  std::optional<TreeCheck> Run() {
+    TreeCheck check;
+    check.holds = true;
+    const Diagram initial = InitialWorlds();
+    check.worlds = static_cast<std::int64_t>(CountOf(initial));
+    Arrive(tree_.root,
+           {Assumed(initial), {task_.initial.sensed.begin(), task_.initial.sensed.end()}});
+    // Children come before their parents.
+    for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
+      if (arrivals_[i].worlds == kEmptySet) {
+        check.unreached.push_back(NodeId(i));
+      } else if (!PassOn(tree_.nodes[i], arrivals_[i])) {
+        return std::nullopt;
+      }
+    }
+    std::ranges::reverse(check.unreached);
+    return check;
+  }
+
+ private:
+  int Variable(AtomId atom) const { return 2 * places_[atom.index()]; }
+  Diagram WorldsWhere(GroundLiteral literal) {
+    return diagrams_.Literal({Variable(literal.atom), literal.is_positive});
+  }
+  Diagram WorldsWhere(const GroundQuery& condition) {
+    if (condition.kind == GroundQuery::Kind::kKnown) return WorldsWhere(condition.literal);
+    const bool is_and = condition.kind == GroundQuery::Kind::kAnd;
+    Diagram where = is_and ? kAllSets : kEmptySet;
+    for (const GroundQuery& operand : condition.operands) {
+      const Diagram there = WorldsWhere(operand);
+      where = is_and ? diagrams_.And(where, there) : diagrams_.Or(where, there);
+    }
+    return where;
+  }
+
+  // ---- Initial worlds
+
+  // By what relations say.
+  Diagram InitialWorlds() {
+    Diagram worlds = kAllSets;
+    for (const InitialRelation& relation : task_.initial.relations) {
+      std::vector<Assignment> literals;
+      for (const GroundLiteral& l : relation.literals) {
+        literals.push_back({Variable(l.atom), l.is_positive});
+      }
+      worlds = diagrams_.And(worlds, relation.is_inclusive ? diagrams_.AtLeastOne(literals)
+                                                           : diagrams_.ExactlyOne(literals));
+    }
+    std::vector<Assignment> known;
+    for (const GroundLiteral& l : task_.initial.known) {
+      known.push_back({Variable(l.atom), l.is_positive});
+    }
+    std::ranges::sort(known, {}, &Assignment::variable);
+    return diagrams_.Restrict(worlds, known);
+  }
+
+  Diagram Assumed(Diagram worlds) {
+    for (const GroundLiteral& l : task_.initial.known) {
+      worlds = diagrams_.And(worlds, WorldsWhere(l));
+    }
+    return worlds;
+  }
+
+  // How many choices for the atoms that relations name and that are not known.
+  double CountOf(Diagram worlds) {
+    std::set<int> open;
+    for (const InitialRelation& relation : task_.initial.relations) {
+      for (const GroundLiteral& l : relation.literals) open.insert(Variable(l.atom));
+    }
+    for (const GroundLiteral& l : task_.initial.known) open.erase(Variable(l.atom));
+    std::unordered_map<Diagram, double> shares = {{kEmptySet, 0}, {kAllSets, 1}};
+    return std::round(std::ldexp(ShareOf(worlds, shares), static_cast<int>(open.size())));
+  }
+
+  // Of all assignments those in the set.
+  double ShareOf(Diagram f, std::unordered_map<Diagram, double>& known) {
+    if (const auto found = known.find(f); found != known.end()) return found->second;
+    const double share = (ShareOf(diagrams_.low(f), known) + ShareOf(diagrams_.high(f), known)) / 2;
+    return known[f] = share;
+  }
+
+  // ---- Walking the tree
+
+  void Arrive(NodeId id, Arrivals more) {
+    Arrivals& arrivals = arrivals_[id.index()];
+    if (more.worlds == kEmptySet) return;
+    if (arrivals.worlds == kEmptySet) {
+      arrivals = std::move(more);
+      return;
+    }
+    arrivals.worlds = diagrams_.Or(arrivals.worlds, more.worlds);
+    std::erase_if(arrivals.sensed, [&](FormulaId f) { return !more.sensed.contains(f); });
+  }
+
+  // False if something that the node asks is not so.
+  bool PassOn(const PlanNode& node, const Arrivals& here) {
+    switch (node.kind) {
+      case PlanNode::Kind::kGoal:
+        return IsKnown(task_.goal, here.worlds);
+      case PlanNode::Kind::kAct: {
+        const GroundAction& action = task_.actions[node.action.index()];
+        if (!IsKnown(action.precondition, here.worlds)) return false;
+        Arrive(node.children.front(), {Image(action, here.worlds), SensedAfter(action, here)});
+        return true;
+      }
+      case PlanNode::Kind::kWhether:
+        return Branch(node, here);
+      case PlanNode::Kind::kValue:
+        break;
+    }
+    return false;
+  }
+
+  bool IsKnown(const GroundQuery& query, Diagram worlds) {
+    if (query.kind == GroundQuery::Kind::kKnown) {
+      return diagrams_.Implies(worlds, WorldsWhere(query.literal));
+    }
+    return query.kind == GroundQuery::Kind::kNot ||
+           std::ranges::all_of(query.operands, [&](const GroundQuery& operand) {
+             return IsKnown(operand, worlds);
+           });
+  }
+
+  bool Branch(const PlanNode& node, const Arrivals& here) {
+    Diagram where = kAllSets;
+    for (const GroundLiteral& l : task_.formulas[node.formula.index()].literals) {
+      where = diagrams_.And(where, WorldsWhere(l));
+    }
+    const Diagram if_true = diagrams_.And(here.worlds, where);
+    const Diagram if_false = diagrams_.And(here.worlds, diagrams_.Not(where));
+    const bool is_open = if_true != kEmptySet && if_false != kEmptySet;
+    if (is_open && !here.sensed.contains(node.formula)) return false;
+    Arrive(node.children[0], {if_true, here.sensed});
+    Arrive(node.children[1], {if_false, here.sensed});
+    return true;
+  }
+
+  // ---- Actions
+
+  std::map<AtomId, Fate> FatesOf(const GroundAction& action) {
+    std::map<AtomId, Fate> fates;
+    for (const GroundEffect& effect : action.effects) {
+      const Diagram where = WorldsWhere(effect.condition);
+      for (const GroundChange& change : effect.changes) {
+        if (change.literal.atom.IsNone()) continue;
+        Fate& fate = fates[change.literal.atom];
+        Diagram& becomes = change.kind == GroundChange::Kind::kForget ? fate.becomes_open
+                           : change.literal.is_positive               ? fate.becomes_true
+                                                                      : fate.becomes_false;
+        becomes = diagrams_.Or(becomes, where);
+      }
+    }
+    return fates;
+  }
+
+  // The worlds after the action. The new values of atoms whose fate depends on the world are, for
+  // the time being, variables of their own.
+  Diagram Image(const GroundAction& action, Diagram worlds) {
+    const std::map<AtomId, Fate> fates = FatesOf(action);
+    std::unordered_map<int, Diagram> renamed;
+    for (const auto& [atom, fate] : fates) {
+      if (fate.IsCertain()) continue;
+      worlds = diagrams_.And(worlds, NewValue(atom, fate));
+      renamed[Variable(atom) + 1] = diagrams_.Literal({Variable(atom), true});
+    }
+    for (const auto& [atom, fate] : fates) worlds = diagrams_.Exists(worlds, Variable(atom));
+    worlds = diagrams_.Compose(worlds, renamed);
+    for (const auto& [atom, fate] : fates) {
+      if (!fate.IsCertain() || fate.IsOpen()) continue;
+      worlds = diagrams_.And(worlds, WorldsWhere({atom, fate.becomes_true == kAllSets}));
+    }
+    return worlds;
+  }
+
+  // What becomes true wins over what becomes false, and both over what is left open.
+  Diagram NewValue(AtomId atom, const Fate& fate) {
+    const Diagram now = diagrams_.Literal({Variable(atom) + 1, true});
+    const Diagram stays = diagrams_.Equal(now, diagrams_.Literal({Variable(atom), true}));
+    const Diagram or_open = diagrams_.IfThenElse(fate.becomes_open, kAllSets, stays);
+    const Diagram or_false = diagrams_.IfThenElse(fate.becomes_false, diagrams_.Not(now), or_open);
+    return diagrams_.IfThenElse(fate.becomes_true, now, or_false);
+  }
+
+  // What was sensed of something that may have changed since is out of date.
+  std::set<FormulaId> SensedAfter(const GroundAction& action, const Arrivals& here) const {
+    std::set<FormulaId> sensed = here.sensed;
+    std::set<FormulaId> now;
+    for (const GroundEffect& effect : action.effects) {
+      for (const GroundChange& change : effect.changes) {
+        if (change.kind == GroundChange::Kind::kSense) now.insert(change.formula);
+        if (change.kind == GroundChange::Kind::kUnsense) sensed.erase(change.formula);
+        std::erase_if(sensed, [&](FormulaId formula) {
+          return std::ranges::count(task_.formulas[formula.index()].literals, change.literal.atom,
+                                    &GroundLiteral::atom) > 0;
+        });
+      }
+    }
+    sensed.merge(now);
+    return sensed;
+  }
+
+  const GroundTask& task_;
+  const PlanTree& tree_;
+  std::vector<int> places_;
+  DecisionDiagrams diagrams_;
+  std::vector<Arrivals> arrivals_;  // by node
+};
+
+}  // namespace
+
+std::optional<TreeCheck> CheckBySets(const GroundTask& task, const PlanTree& tree) {
+  if (!IsOfEachWorld(task, tree)) return std::nullopt;
+  return SymbolicCheck(task, tree).Run();
+}
+
+}  // namespace assay::contingent

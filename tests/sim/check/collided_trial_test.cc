@@ -1,0 +1,34 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "planner/assembly/certified_plan.h"
+#include "planner/domain/problem_file.h"
+#include "sim/check/verdict.h"
+#include "sim/exec/executor.h"
+
+namespace assay::check {
+namespace {
+
+using testing::HasSubstr;
+
+// The plan beside the mast, up, over at safe height and down: the forearm runs into it. The trial
+// has failed, and that comes before what has become of peg and block.
+TEST(CollidedTrial, AForearmThatRunsIntoTheMastHasFailed) {
+  const domain::Problem problem = domain::ReadProblem(
+      Document::Load(ASSAY_SOURCE_DIR "/scenarios/mast.yaml"), ASSAY_SOURCE_DIR "/models");
+  plan::Plan plan = assembly::MakeCertifiedPlan(problem, {}, {}).plan;
+  plan.homing.reset();
+  for (plan::PlannedStep& step : plan.steps) step.travel.reset();
+  const scene::Scene scene(problem, {});
+  mujoco::Data data = scene.Start();
+  const plan::StepId pickup = plan.ExecutionOrder()[1];
+  const exec::Trace trace =
+      exec::Execute(problem, plan, scene, data, {.sample_rate = 0, .last = pickup});
+
+  const Verdict verdict = Judge(problem, trace, {});
+  EXPECT_EQ(verdict.outcome, TrialOutcome::kCollided);
+  EXPECT_THAT(verdict.reason, HasSubstr("arm/forearm touched part/mast"));
+}
+
+}  // namespace
+}  // namespace assay::check
