@@ -1,7 +1,6 @@
 #pragma once
 
 #include <bit>
-#include <utility>
 #include <vector>
 
 #include "planner/network/label_set.h"
