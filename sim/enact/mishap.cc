@@ -53,11 +53,12 @@ class MishapMaker {
 
   std::variant<Mishap, std::string> OfOpening(const plan::Action& action,
                                               const plan::Verification& check) {
+    const auto* pickup = std::get_if<plan::Pickup>(&action);
     if (!IsAbove(check)) {
-      TakeAway();
+      const domain::Part& part = problem_.part(mishap_.part);
+      TakeAway(pickup != nullptr ? pickup->from.X_WorldPart : part.X_WorldPart);
       return mishap_;
     }
-    const auto* pickup = std::get_if<plan::Pickup>(&action);
     if (pickup == nullptr) {
       return fmt::format("{}, and nothing opens pads that have closed", Wanted(check));
     }
@@ -130,7 +131,7 @@ class MishapMaker {
           "by {:.1f} mm",
           Wanted(check), 1e3 * guarded, 1e3 * doubt);
     }
-    TakeAway();
+    TakeAway(problem_.part(mishap_.part).X_WorldPart);
     return mishap_;
   }
 
@@ -142,21 +143,20 @@ class MishapMaker {
   }
 
   // To the first free place on the table around where it is.
-  void TakeAway() {
-    const domain::Part& part = problem_.part(mishap_.part);
-    const double reach = kAway + 2 * Radius(part);
+  void TakeAway(const exec::Pose& X_WorldPart) {
+    const double reach = kAway + 2 * Radius(X_WorldPart);
     constexpr int kDirections = 16;
     const int first = random_.Index(kDirections);
     for (int i = 0; i < kDirections; ++i) {
       mishap_.way = Horizontal(reach, 2 * std::numbers::pi * (first + i) / kDirections);
-      if (IsFree(geometry::Translation(mishap_.way) * part.X_WorldPart)) return;
+      if (IsFree(geometry::Translation(mishap_.way) * X_WorldPart)) return;
     }
   }
 
-  static double Radius(const domain::Part& part) {
+  double Radius(const exec::Pose& X_WorldPart) const {
     double radius = 0;
-    for (const Vector3& vertex : part.model->hull().vertices) {
-      radius = std::max(radius, (part.X_WorldPart.linear() * vertex).head<2>().norm());
+    for (const Vector3& vertex : problem_.part(mishap_.part).model->hull().vertices) {
+      radius = std::max(radius, (X_WorldPart.linear() * vertex).head<2>().norm());
     }
     return radius;
   }
