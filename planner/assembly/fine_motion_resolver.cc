@@ -171,7 +171,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
         .velocity = unmet.problem.mating_errors.velocity};
     const FineMotionErrors errors = finemotion::ErrorsOf(certificate, geometry);
     const FineMotionPlan& plan = PlanFor(assemble.mating, geometry, errors, friction);
-    if (!plan.found) return std::nullopt;
+    if (!plan.found()) return std::nullopt;
     plan::Strategy strategy = StrategyFrom(geometry, plan, certificate, friction);
     const TipBox there = TipBoxAt(unmet, propagation_, uncertainty::WayOf(strategy));
     if (IsWithin(there, box)) {

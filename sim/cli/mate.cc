@@ -165,7 +165,7 @@ void Search(Planning& of) {
   of.json.update(ToJson(of.chain, of.plan));
   of.json["seconds"] = seconds;
   of.text = TextOf(of.geometry, of.plan) + TextOf(of.chain, of.plan);
-  if (of.plan.found) of.code = ExitCode::kDone;
+  if (of.plan.found()) of.code = ExitCode::kDone;
 }
 
 MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const Options& options) {
@@ -203,7 +203,7 @@ void Try(const kinematics::JointVector& near, const Options& options, Planning& 
   of.json["seconds"]["trials"] = trying.Seconds();
   of.text += TextOf(study);
   of.json["trials"] = ToJson(study);
-  if (of.plan.found && study.CoveredFailures() > 0) of.code = ExitCode::kFailed;
+  if (of.plan.found() && study.CoveredFailures() > 0) of.code = ExitCode::kFailed;
 }
 
 void Refuse(const assembly::Unreached& unreached, Planning& of) {

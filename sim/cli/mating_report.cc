@@ -369,7 +369,7 @@ std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionP
     text += fmt::format("of {} intersections, the edge test was compared in {} and misses {}\n",
                         comparison.tests, comparison.compared, comparison.missed);
   }
-  if (!plan.found) {
+  if (!plan.found()) {
     text += fmt::format("no strategy was found that absorbs the errors{}\n", in_the_way);
   }
   return text;
@@ -378,7 +378,7 @@ std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionP
 Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
   Json critical_points = Json::array();
   for (const auto& point : geometry.critical_points) critical_points.push_back(point.travel);
-  Json json = {{"outcome", plan.found ? "plan" : "none"},
+  Json json = {{"outcome", plan.found() ? "plan" : "none"},
                {"critical_points", critical_points},
                {"absorbed", plan.absorbed},
                {"exact_replays", plan.exact_replays},
@@ -389,7 +389,7 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
                  {"missed", plan.comparison.missed}}},
                {"strategy", StrategyJson(plan)},
                {"margins", MarginsJson(plan)}};
-  if (!plan.found && plan.obstacle) json["obstacle"] = ToJson(*plan.obstacle);
+  if (!plan.found() && plan.obstacle) json["obstacle"] = ToJson(*plan.obstacle);
   return json;
 }
 
