@@ -40,7 +40,7 @@ struct StrategyOptions {
   int nodes = 200;        // that a search may expand for each critical point
   // Likewise, where none of them finds anything: to know whether there is anything to be found. 0:
   // neither that is asked nor what is in the way.
-  int thorough_nodes = 1000;
+  int thorough_nodes = 3000;
   int drawn = 32;  // errors that a plan is replayed with, from the box and from its surface
   MeetingTest test = MeetingTest::kExact;
   std::uint64_t seed = 1;

@@ -19,7 +19,7 @@ namespace {
 constexpr double kEnlarged[] = {1, 2};
 // Of the errors, that sequences are searched for, round by round.
 constexpr double kMultiples[] = {0.8, 0.7, 1, 0.5, 0.3, 0.15};
-// Of the errors, that it is asked for where nothing absorbs any part of them: one after another.
+// Of the errors, that it is asked for where too little is absorbed: one after another.
 constexpr double kFewer = 0.7;
 constexpr double kFewest = 0.01;
 constexpr double kLeast = 0.1;  // of what is certain to first order that is looked at exactly
@@ -91,7 +91,8 @@ class StrategySearch {
 
   // As the first round does; what the errors are, decides on how far up starts are, too.
   void SearchForFewerErrors() {
-    for (double share = kFewer; best_.absorbed == 0 && share > kFewest; share *= kFewer)
+    for (double share = kFewer; best_.absorbed < options_.greatest * share && share > kFewest;
+         share *= kFewer)
       SearchOnce({.multiple = kMultiples[0], .enlarged = share});
   }
 
