@@ -190,7 +190,8 @@ const FineMotionPlan& FineMotionResolver::PlanFor(domain::MatingId mating,
       fmt::format("{} {:.17g} {:.17g}", mating.index(), fmt::join(errors.pose, " "), friction);
   const auto [plan, is_new] = plans_.try_emplace(key);
   if (is_new) {
-    plan->second = SearchStrategy(geometry.passage, errors, {.friction = friction});
+    plan->second =
+        SearchStrategy(geometry.passage, errors, {.friction = friction, .thorough_nodes = 0});
   }
   return plan->second;
 }
