@@ -45,7 +45,7 @@ void Search(benchmark::State& state, double multiple) {
   const StrategyOptions options = {.seed = static_cast<std::uint64_t>(state.range(0))};
   FineMotionPlan plan;
   for (auto _ : state) plan = SearchStrategy(passage, errors, options);
-  state.counters["found"] = plan.found ? 1 : 0;
+  state.counters["found"] = plan.found() ? 1 : 0;
   state.counters["absorbed"] = plan.absorbed;
   state.counters["motions"] = static_cast<double>(plan.motions.size());
   state.counters["nodes"] = plan.expanded;
@@ -126,7 +126,7 @@ void Tolerances(benchmark::State& state) {
   const FineMotionErrors errors = WithTolerances(ErrorsOf(1), passage);
   FineMotionPlan plan;
   for (auto _ : state) plan = SearchStrategy(passage, errors, {.seed = 3});
-  state.counters["found"] = plan.found ? 1 : 0;
+  state.counters["found"] = plan.found() ? 1 : 0;
   state.counters["absorbed"] = plan.absorbed;
   state.counters["nodes"] = plan.expanded;
   state.counters["replayed"] = plan.replayed;

@@ -171,7 +171,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
         .velocity = unmet.problem.mating_errors.velocity};
     const FineMotionErrors errors = finemotion::ErrorsOf(certificate, geometry);
     const FineMotionPlan& plan = PlanFor(assemble.mating, geometry, errors, friction);
-    if (!plan.found) return std::nullopt;
+    if (!plan.found()) return std::nullopt;
     plan::Strategy strategy = StrategyFrom(geometry, plan, certificate, friction);
     const TipBox there = TipBoxAt(unmet, propagation_, uncertainty::WayOf(strategy));
     if (IsWithin(there, box)) {
@@ -190,7 +190,8 @@ const FineMotionPlan& FineMotionResolver::PlanFor(domain::MatingId mating,
       fmt::format("{} {:.17g} {:.17g}", mating.index(), fmt::join(errors.pose, " "), friction);
   const auto [plan, is_new] = plans_.try_emplace(key);
   if (is_new) {
-    plan->second = SearchStrategy(geometry.passage, errors, {.friction = friction});
+    plan->second =
+        SearchStrategy(geometry.passage, errors, {.friction = friction, .thorough_nodes = 0});
   }
   return plan->second;
 }

@@ -213,7 +213,10 @@ void ProblemFile::ReadSensing(const Value& root) {
   }
 }
 
+// If none is named, what one does not prove is handed to the next.
 void ProblemFile::ReadResolvers(const Value& root) {
+  problem_.resolvers = {ResolverKind::kSensing, ResolverKind::kSqueezing,
+                        ResolverKind::kFineMotion};
   if (const std::optional<Value> resolvers = root.Find("resolvers")) {
     problem_.resolvers.clear();
     for (const Value& item : resolvers->Items()) {

@@ -99,6 +99,10 @@ Pose Passage::X_StationaryEntryAt(int i) const {
          X_StationaryEntry;
 }
 
+int PointAfter(const Maneuver& maneuver, int critical_point) {
+  return maneuver.kind == Maneuver::Kind::kAdvance ? critical_point + 1 : critical_point;
+}
+
 std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point,
                                       const ContactFinder& finder) {
   std::vector<PrimitiveContact> walls =
@@ -273,7 +277,13 @@ double Maneuvered::LeastScale() const {
   return least;
 }
 
-bool Maneuvering::IsReached(const Belief& belief) const {
+TestComparison Maneuvered::Comparison() const {
+  TestComparison comparison;
+  for (const CertainMotion& motion : motions) comparison += motion.check.comparison;
+  return comparison;
+}
+
+SegmentCheck Maneuvering::CheckReached(const Belief& belief) const {
   const Vector3& in = passage_.mating;
   const Pose& X = belief.X_StationaryMoving;
   double lowest = -kInfinity;
@@ -283,23 +293,26 @@ bool Maneuvering::IsReached(const Belief& belief) const {
   for (const OuterVertex& vertex : passage_.stationary.vertices)
     highest = std::min(highest, vertex.p.dot(in));
   const double way = lowest - highest;
-  if (way <= 0) return true;
+  if (way <= 0) return {.certain = true};
   PoseChange down = PoseChange::Zero();
   down.head<3>() = way * in;
   Belief outside = belief;
   outside.X_StationaryMoving = Displaced(X, -down);
-  return checker_.Check(outside, {down, {}, {}}, Margins::kNone).check.certain;
+  return checker_.Check(outside, {down, {}, {}}, Margins::kNone).check;
 }
 
-bool Maneuvering::IsThrough(const Belief& belief) const {
-  return ToUpright(belief.X_StationaryMoving).norm() < kUprightEnough &&
-         WideDirections(belief) == 0 && ComesThrough(belief);
+SegmentCheck Maneuvering::CheckThrough(const Belief& belief) const {
+  if (ToUpright(belief.X_StationaryMoving).norm() >= kUprightEnough) return {};
+  for (const PrimitiveContact& wall : walls_) {
+    if (!IsWithinPlay(wall, belief)) return {.unwanted = {{KeyOf(wall)}}};
+  }
+  return CheckWayOn(belief);
 }
 
-bool Maneuvering::ComesThrough(const Belief& belief) const {
+SegmentCheck Maneuvering::CheckWayOn(const Belief& belief) const {
   const Pose& X = belief.X_StationaryMoving;
   const double way = WayToNext(belief);
-  if (way <= 0) return true;
+  if (way <= 0) return {.certain = true};
   PoseChange in = PoseChange::Zero();
   in.head<3>() = way * passage_.mating;
   const Belief free{X, belief.errors, {}, belief.tolerances};
@@ -309,14 +322,18 @@ bool Maneuvering::ComesThrough(const Belief& belief) const {
   std::erase_if(nearby.contacts, [&](const PrimitiveContact& contact) {
     return contact.row.head<3>().dot(in.head<3>()) > -kAgainst * way;
   });
-  return guided.Check(nearby, free, command).certain;
+  return guided.Check(nearby, free, command);
+}
+
+bool Maneuvering::IsWithinPlay(const PrimitiveContact& wall, const Belief& belief) const {
+  return ErrorOf(wall.row, belief) <= kRoom * wall.offset;
 }
 
 int Maneuvering::WideDirections(const Belief& belief) const {
   Eigen::MatrixXd basis(kPoseDimensions, kPoseDimensions);
   Eigen::Index count = 0;
   for (const PrimitiveContact& wall : walls_) {
-    if (ErrorOf(wall.row, belief) <= kRoom * wall.offset) continue;
+    if (IsWithinPlay(wall, belief)) continue;
     Eigen::VectorXd row = wall.row.head<kPoseDimensions>();
     row.tail<3>() /= checker_.options().radius;
     for (int pass = 0; pass < 2; ++pass) {
@@ -325,6 +342,14 @@ int Maneuvering::WideDirections(const Belief& belief) const {
     if (row.norm() > 1e-6) basis.col(count++) = row.normalized();
   }
   return static_cast<int>(count);
+}
+
+std::vector<Maneuvering> ManeuveringThrough(const Passage& passage, const MotionChecker& checker,
+                                            double reach) {
+  std::vector<Maneuvering> maneuvering;
+  for (int point = 0; point < passage.critical_points(); ++point)
+    maneuvering.emplace_back(passage, point, checker, reach);
+  return maneuvering;
 }
 
 }  // namespace assay::finemotion

@@ -46,6 +46,9 @@ struct Maneuver {
   ContactKey contact = {};              // of kLetGo
 };
 
+// The critical point that one at `critical_point` leads to.
+int PointAfter(const Maneuver& maneuver, int critical_point);
+
 // Where maneuvers start, and what can be touched there.
 struct Situation {
   Belief belief;
@@ -61,6 +64,7 @@ struct Maneuvered {
 
   // Of what is unwanted in any of the motions, as far as they tell.
   double LeastScale() const;
+  TestComparison Comparison() const;  // of all motions
 };
 
 // Maneuvers at one critical point of a passage. Kept contacts are complied with: a move goes along
@@ -77,9 +81,12 @@ class Maneuvering {
   Situation At(const Belief& belief) const;
   Maneuvered Apply(const Situation& situation, const Maneuver& maneuver, Margins margins) const;
   // Straight along the way in, from outside, the part comes there without touching anything.
-  bool IsReached(const Belief& belief) const;
-  // What strategies end in: upright, within the play, and the way in is free.
-  bool IsThrough(const Belief& belief) const;
+  SegmentCheck CheckReached(const Belief& belief) const;
+  bool IsReached(const Belief& belief) const { return CheckReached(belief).certain; }
+  // What strategies end in: upright, within the play, and the way in is free. Unwanted is a wall
+  // that there are too great errors against, or what stands in the way on.
+  SegmentCheck CheckThrough(const Belief& belief) const;
+  bool IsThrough(const Belief& belief) const { return CheckThrough(belief).certain; }
   // The rotation that is left to the entry's orientation, as a vector.
   Vector3 ToUpright(const Pose& X_StationaryMoving) const;
   // How many independent directions there are in which the errors are greater than the play
@@ -92,7 +99,9 @@ class Maneuvering {
   PoseChange Refined(const Pose& X, const Command& command) const;
   // Straight on along the way in, to shortly before the next critical point or the seat, nothing
   // stands against the part. Walls may be touched: they lead.
-  bool ComesThrough(const Belief& belief) const;
+  SegmentCheck CheckWayOn(const Belief& belief) const;
+  // Errors leave room to it.
+  bool IsWithinPlay(const PrimitiveContact& wall, const Belief& belief) const;
   // Along the way in to the next critical point, or the seat, short of it by what errors may put
   // the part beyond where it is believed to be.
   double WayToNext(const Belief& belief) const;
@@ -108,5 +117,9 @@ class Maneuvering {
   std::vector<PrimitiveContact> walls_;
   std::vector<Vector3> laterals_;
 };
+
+// At each critical point of a passage. `passage` is referred to.
+std::vector<Maneuvering> ManeuveringThrough(const Passage& passage, const MotionChecker& checker,
+                                            double reach);
 
 }  // namespace assay::finemotion

@@ -67,8 +67,8 @@ struct TestComparison {
 struct SegmentCheck {
   // The sequence of contact states is certain: nothing unwanted happens with errors as they are.
   bool certain = false;
-  std::vector<Unwanted> unwanted;
-  Belief after;
+  std::vector<Unwanted> unwanted = {};
+  Belief after = {};
   double longest = 1;  // how many displacements it may take at most
   TestComparison comparison = {};
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -84,6 +85,8 @@ std::string WhyUnproved(const std::vector<Unproved>& unproved) {
                      less ? "SUP" : "INF", scale * worst.bound, less ? "<" : ">",
                      scale * worst.limit, is_angle ? "deg" : "mm");
 }
+
+enum class Absorbing { kNo, kYes };
 
 struct Candidate {
   int resolver = 0;  // index in the options
@@ -199,20 +202,26 @@ class Augmentation {
   }
 
   // Whether remedies were applied. If none prove all the step's goals, the step is given up, and
-  // only what brings them nearest without moving parts is applied.
+  // only what brings them nearest without moving parts is applied. Strategies take long to find,
+  // and are asked for where nothing else proves the goals.
   bool Mend(int step, const std::vector<Unproved>& failed) {
-    const std::vector<Candidate> candidates = Candidates(step, failed);
     const std::string why = WhyUnproved(failed);
     const auto apply = [&](Mended mended) {
       entries_ = std::move(mended.entries);
       return mended.step;
     };
-    if (MayBeProved(step, candidates)) {
-      if (auto mended = ProvingRemedies(step, candidates, why)) {
-        TellWhatFellShort(step, candidates, why, mended->entries[mended->step]);
-        apply(std::move(*mended));
-        return true;
-      }
+    std::vector<Candidate> candidates = Candidates(step, failed, Absorbing::kNo);
+    std::optional<Mended> proving;
+    if (MayBeProved(step)) proving = ProvingRemedies(step, candidates, why, Absorbing::kNo);
+    if (!proving) {
+      std::ranges::move(Candidates(step, failed, Absorbing::kYes), std::back_inserter(candidates));
+      std::ranges::stable_sort(candidates, {}, &Candidate::resolver);
+      proving = ProvingRemedies(step, candidates, why, Absorbing::kYes);
+    }
+    if (proving) {
+      TellWhatFellShort(step, candidates, why, proving->entries[proving->step]);
+      apply(std::move(*proving));
+      return true;
     }
     auto nearer = NearingRemedies(step, candidates, why);
     const bool helps = nearer.has_value();
@@ -223,26 +232,29 @@ class Augmentation {
 
   // Not if the step's goals fail even when all is known that remedies could tell, and none absorbs
   // errors: then trying them one by one is of no use.
-  bool MayBeProved(int step, const std::vector<Candidate>& candidates) const {
-    const bool absorbs = std::ranges::any_of(
-        candidates, [](const Candidate& c) { return !c.remedy.absorbs.empty(); });
-    if (absorbs || !worlds_.best) return true;
+  bool MayBeProved(int step) const {
+    if (!worlds_.best) return true;
     MomentId moment = worlds_.best->Beginning();
     for (int i = 0; i <= step; ++i) moment = After(*worlds_.best, moment, entries_[i]);
     return IsProved(*worlds_.best, moment, entries_[step]);
   }
 
+  // Of the combinations with a candidate that may absorb errors, or of those without.
   std::optional<Mended> ProvingRemedies(int step, const std::vector<Candidate>& candidates,
-                                        const std::string& why) {
+                                        const std::string& why, Absorbing absorbing) {
+    const std::vector<Combinable> items = ItemsOf(candidates);
     std::optional<Mended> proving;
     const auto proves = [&](const std::vector<int>& chosen) {
+      const bool may_absorb = std::ranges::any_of(
+          chosen, [&](int c) { return options_.resolvers[items[c].group]->absorbs(); });
+      if (may_absorb != (absorbing == Absorbing::kYes)) return false;
       ++combinations_;
       Mended mended = With(step, candidates, chosen, why);
       if (!IsProved(mended)) return false;
       proving = std::move(mended);
       return true;
     };
-    VisitCombinations(ItemsOf(candidates), options_.most_remedies, options_.combinations, proves);
+    VisitCombinations(items, options_.most_remedies, options_.combinations, proves);
     return proving;
   }
 
@@ -295,7 +307,9 @@ class Augmentation {
     return items;
   }
 
-  std::vector<Candidate> Candidates(int step, const std::vector<Unproved>& failed) const {
+  // Of the resolvers that may absorb errors, or of the others.
+  std::vector<Candidate> Candidates(int step, const std::vector<Unproved>& failed,
+                                    Absorbing absorbing) const {
     std::vector<plan::Action> actions;
     std::vector<std::optional<plan::Strategy>> strategies;
     for (const Entry& entry : entries_) {
@@ -305,6 +319,7 @@ class Augmentation {
     const UnmetGoals unmet = {problem_, actions, step, failed, std::move(strategies)};
     std::vector<Candidate> candidates;
     for (std::size_t r = 0; r < options_.resolvers.size(); ++r) {
+      if (options_.resolvers[r]->absorbs() != (absorbing == Absorbing::kYes)) continue;
       for (Remedy& remedy : options_.resolvers[r]->Propose(unmet)) {
         candidates.push_back({static_cast<int>(r), std::move(remedy)});
       }

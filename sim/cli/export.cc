@@ -121,6 +121,14 @@ ExitCode ExportPks(const Options& options) {
   return ExitCodeOf(assembly.outcome);
 }
 
+// --dot beside the name of a graph says nothing more.
+void RequireOneThing(const Options& options) {
+  const bool names_graph = options.contacts || options.network;
+  const int things = (options.dot && !names_graph) + options.mjcf + options.network +
+                     options.contacts + options.commands + !options.pddl.empty() + options.pks;
+  if (things != 1) throw UsageError("export: one thing at a time is exported (see --help)");
+}
+
 Execution Declare(CLI::App& command) {
   const auto options = std::make_shared<Options>();
   command
@@ -129,7 +137,9 @@ Execution Declare(CLI::App& command) {
       ->required();
   CLI::Option_group* const what = command.add_option_group("what");
   what->add_flag("--mjcf", options->mjcf, "the scene as a model for MuJoCo");
-  what->add_flag("--dot", options->dot, "the plan's ordering graph for Graphviz");
+  what->add_flag("--dot", options->dot,
+                 "the plan's ordering graph for Graphviz; with --contacts or --network that graph, "
+                 "which they write without it, too");
   what->add_flag("--network", options->network, "the plan's constraint network for Graphviz");
   what->add_flag(
       "--contacts", options->contacts,
@@ -140,11 +150,12 @@ Execution Declare(CLI::App& command) {
   what->add_flag("--pks", options->pks,
                  "what is known while the scenario's plans are executed: looks, verifications and "
                  "recoveries as domain and problem for assay know");
-  what->require_option(1);
+  what->require_option(1, 2);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);
   return [options] {
+    RequireOneThing(*options);
     if (!options->pddl.empty()) return ExportPddl(*options);
     if (options->pks) return ExportPks(*options);
     RequireWritable(options->output);

@@ -35,6 +35,7 @@ using finemotion::MatingGeometry;
 
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMillimetre = 1e-3;
+constexpr int kMostNodes = 1'000'000;
 
 struct Options {
   std::filesystem::path scenario;
@@ -50,6 +51,7 @@ struct Options {
   int jobs = 1;
   std::uint64_t seed = 1;
   std::uint64_t search_seed = 1;
+  int nodes = finemotion::StrategyOptions().thorough_nodes;
   finemotion::MeetingTest intersection = finemotion::MeetingTest::kExact;
   scene::GraspMode grasp = scene::GraspMode::kWeld;
   std::filesystem::path pictures;  // folder
@@ -91,6 +93,7 @@ finemotion::FineMotionErrors ErrorsOf(const domain::MatingErrors& half_widths,
 finemotion::StrategyOptions SearchOptions(const Options& options, const domain::Problem& problem) {
   const double usual = problem.workcell->rules().friction + problem.tolerances.friction;
   return {.friction = options.friction.value_or(usual),
+          .thorough_nodes = options.nodes,
           .test = options.intersection,
           .seed = options.search_seed};
 }
@@ -116,6 +119,7 @@ std::string ReplayCommand(const Options& options) {
   }
   add("seed", options.seed, usual.seed);
   add("search-seed", options.search_seed, usual.search_seed);
+  add("nodes", options.nodes, usual.nodes);
   add("grasp", scene::Name(options.grasp), scene::Name(usual.grasp));
   if (!options.models.empty()) command += fmt::format(" --models {}", options.models.string());
   return command + " --trial ";
@@ -164,8 +168,8 @@ void Search(Planning& of) {
   of.json = ToJson(of.geometry, of.plan);
   of.json.update(ToJson(of.chain, of.plan));
   of.json["seconds"] = seconds;
-  of.text = TextOf(of.geometry, of.plan) + TextOf(of.chain, of.plan);
-  if (of.plan.found) of.code = ExitCode::kDone;
+  of.text = TextOf(of.geometry, of.plan, of.search) + TextOf(of.chain, of.plan);
+  of.code = ExitCodeOf(of.plan.outcome);
 }
 
 MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const Options& options) {
@@ -203,7 +207,7 @@ void Try(const kinematics::JointVector& near, const Options& options, Planning& 
   of.json["seconds"]["trials"] = trying.Seconds();
   of.text += TextOf(study);
   of.json["trials"] = ToJson(study);
-  if (of.plan.found && study.CoveredFailures() > 0) of.code = ExitCode::kFailed;
+  if (of.plan.found() && study.CoveredFailures() > 0) of.code = ExitCode::kFailed;
 }
 
 void Refuse(const assembly::Unreached& unreached, Planning& of) {
@@ -216,8 +220,10 @@ void Refuse(const assembly::Unreached& unreached, Planning& of) {
 void Execute(const Options& options, Planning& of) {
   plan::Hold& hold = of.task.assemble.hold;
   const auto chosen = assembly::ChooseHold(of.task.planned.problem, of.task.assemble, of.strategy);
-  if (const auto* unreached = std::get_if<assembly::Unreached>(&chosen))
-    return Refuse(*unreached, of);
+  if (const auto* unreached = std::get_if<assembly::Unreached>(&chosen)) {
+    if (of.plan.found()) Refuse(*unreached, of);
+    return;
+  }
   const auto& [reaching, start] = std::get<assembly::ReachingHold>(chosen);
   if (reaching.grasp != hold.grasp)
     of.text += fmt::format("held by {}: {} does not reach\n", reaching.grasp, hold.grasp);
@@ -274,6 +280,12 @@ void AddUncertainty(CLI::App& command, Options& options) {
           "often edges differs)")
       ->transform(CLI::CheckedTransformer(Intersections()));
   command.add_option("--search-seed", options.search_seed, "of all that is random in planning")
+      ->capture_default_str();
+  command
+      .add_option("--nodes", options.nodes,
+                  "where no strategy is found: so many nodes at most for each critical point, to "
+                  "look through all sequences of contacts; if that is not enough, exit code 11")
+      ->check(CLI::Range(1, kMostNodes))
       ->capture_default_str();
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "planner/base/check.h"
 #include "sim/check/error_recognition.h"
 #include "sim/cli/table.h"
 
@@ -27,7 +28,7 @@ std::string TextOf(const ContactSet& keys) {
 }
 
 std::string TextOf(const finemotion::Unwanted& unwanted) {
-  return fmt::format("{}{} at {:g} times the errors", unwanted.is_loss ? "loss of " : "",
+  return fmt::format("{}{} at {:.3g} times the errors", unwanted.is_loss ? "loss of " : "",
                      finemotion::Name(unwanted.contact), unwanted.scale);
 }
 
@@ -65,6 +66,31 @@ Json MarginsJson(const FineMotionPlan& plan) {
     }
   }
   return margins;
+}
+
+const char* NameOf(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kFound:
+      return "plan";
+    case Outcome::kNone:
+      return "none";
+    case Outcome::kBudget:
+      return "budget";
+  }
+  ASSAY_CHECK(false, "an outcome that the switch does not know");
+}
+
+// What is in the way, and how much was looked at.
+std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOptions& search) {
+  const std::string in_the_way = plan.obstacle ? "; in the way: " + TextOf(*plan.obstacle) : "";
+  const std::string looked =
+      plan.outcome == Outcome::kNone
+          ? fmt::format("looked through all sequences from {} starts", search.starts)
+          : fmt::format(
+                "not all sequences were looked through with {} nodes for each critical point; "
+                "--nodes raises that",
+                search.thorough_nodes);
+  return fmt::format("{}\n{}\n", in_the_way, looked);
 }
 
 // --- Trials.
@@ -352,11 +378,11 @@ std::vector<report::MatingSubject::Motion> MotionsOf(const FineMotionPlan& plan)
   return motions;
 }
 
-std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
-  const std::string in_the_way = plan.obstacle ? "; in the way: " + TextOf(*plan.obstacle) : "";
+std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan,
+                   const finemotion::StrategyOptions& search) {
   if (plan.motions.empty()) {
-    return fmt::format("{} critical points; no sequence of contacts was found{}\n",
-                       geometry.critical_points.size(), in_the_way);
+    return fmt::format("{} critical points; no sequence of contacts was found{}",
+                       geometry.critical_points.size(), WhyNone(plan, search));
   }
   Table table({{""}, {"ends with"}, {"in contact after it"}, {"first unwanted"}});
   int number = 0;
@@ -369,16 +395,15 @@ std::string TextOf(const finemotion::MatingGeometry& geometry, const FineMotionP
     text += fmt::format("of {} intersections, the edge test was compared in {} and misses {}\n",
                         comparison.tests, comparison.compared, comparison.missed);
   }
-  if (!plan.found) {
-    text += fmt::format("no strategy was found that absorbs the errors{}\n", in_the_way);
-  }
+  if (!plan.found())
+    text += "no strategy was found that absorbs the errors" + WhyNone(plan, search);
   return text;
 }
 
 Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& plan) {
   Json critical_points = Json::array();
   for (const auto& point : geometry.critical_points) critical_points.push_back(point.travel);
-  Json json = {{"outcome", plan.found ? "plan" : "none"},
+  Json json = {{"outcome", NameOf(plan.outcome)},
                {"critical_points", critical_points},
                {"absorbed", plan.absorbed},
                {"exact_replays", plan.exact_replays},
@@ -389,7 +414,7 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
                  {"missed", plan.comparison.missed}}},
                {"strategy", StrategyJson(plan)},
                {"margins", MarginsJson(plan)}};
-  if (!plan.found && plan.obstacle) json["obstacle"] = ToJson(*plan.obstacle);
+  if (!plan.found() && plan.obstacle) json["obstacle"] = ToJson(*plan.obstacle);
   return json;
 }
 

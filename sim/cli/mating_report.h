@@ -14,9 +14,11 @@
 namespace assay::cli {
 
 // What `mate` tells of a plan: for people a table of its motions, numbered from 1, and what is in
-// the way if there is none; for programs the fields of mate.schema.json.
+// the way if there is none; for programs the fields of mate.schema.json. `search`: with which it
+// was searched for.
 std::string TextOf(const finemotion::MatingGeometry& geometry,
-                   const finemotion::FineMotionPlan& plan);
+                   const finemotion::FineMotionPlan& plan,
+                   const finemotion::StrategyOptions& search);
 std::string SummaryOf(
     const finemotion::MatingGeometry& geometry,
     const finemotion::FineMotionPlan& plan);  // a line of it, and the table's rows

@@ -78,7 +78,7 @@ TEST(ProblemFile, ReadsResolvers) {
     return ReadProblem(Document::Parse(kBrick + key, "s.yaml"), ModelsFolder(), overrides)
         .resolvers;
   };
-  EXPECT_THAT(resolvers("", {}), testing::ElementsAre(kSensing, kSqueezing));
+  EXPECT_THAT(resolvers("", {}), testing::ElementsAre(kSensing, kSqueezing, kFineMotion));
   const std::string both = "resolvers: [fine-motion, sensing]\n";
   EXPECT_THAT(resolvers(both, {}), testing::ElementsAre(kSensing, kFineMotion));
   Overrides overrides;

@@ -49,7 +49,7 @@ std::optional<Strategy> StrategyFor(const MatingGeometry& geometry, const Asked&
                                                  .velocity = FineMotionErrors().velocity};
   const FineMotionPlan plan =
       SearchStrategy(geometry.passage, ErrorsOf(certificate, geometry), {.seed = asked.seed});
-  if (!plan.found) return std::nullopt;
+  if (!plan.found()) return std::nullopt;
   Strategy strategy = StrategyOf(geometry, plan);
   strategy.certificate = certificate;
   strategy.certificate.absorbed = plan.absorbed;

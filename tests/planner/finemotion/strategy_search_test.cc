@@ -52,7 +52,7 @@ const FineMotionPlan& WidePlan() {
 
 TEST(SearchStrategy, FindsOneForWideErrors) {
   const FineMotionPlan& plan = WidePlan();
-  EXPECT_TRUE(plan.found);
+  EXPECT_TRUE(plan.found());
   EXPECT_GE(plan.absorbed, 1);
   EXPECT_FALSE(plan.obstacle);
   ASSERT_FALSE(plan.motions.empty());
@@ -95,7 +95,7 @@ TEST(SearchStrategy, FindsNothingForErrorsOfACentimetre) {
   StrategyOptions options = OptionsOf(1);
   options.rounds = 2;
   const FineMotionPlan plan = SearchStrategy(SquarePegInHole(), ErrorsOf(0.01, kDegree), options);
-  EXPECT_FALSE(plan.found);
+  EXPECT_FALSE(plan.found());
   EXPECT_LT(plan.absorbed, 1);
 }
 
@@ -104,7 +104,7 @@ TEST(SearchStrategy, FindsAShortOneForSmallErrors) {
     const double angle = length > 0 ? 0.05 * kDegree : 0;
     const FineMotionPlan plan =
         SearchStrategy(SquarePegInHole(), ErrorsOf(length, angle), OptionsOf(1));
-    EXPECT_TRUE(plan.found) << length;
+    EXPECT_TRUE(plan.found()) << length;
     EXPECT_LE(plan.motions.size(), 6U) << length;
     for (const CertainMotion& motion : plan.motions) EXPECT_TRUE(motion.check.certain);
   }
@@ -115,13 +115,69 @@ TEST(SearchStrategy, NothingUnwantedHappensWithinWhatIsAbsorbed) {
   for (const double length : {0.5e-3, 2e-3}) {
     const FineMotionPlan plan =
         SearchStrategy(SquarePegInHole(), ErrorsOf(length, length / 2e-3 * kDegree), OptionsOf(1));
-    ASSERT_TRUE(plan.found) << length;
+    ASSERT_TRUE(plan.found()) << length;
     for (const CertainMotion& motion : plan.motions) {
       for (const Unwanted& unwanted : motion.check.unwanted)
         EXPECT_GT(unwanted.scale, 0.999 * plan.absorbed)
             << length << ": " << Name(unwanted.contact);
     }
   }
+}
+
+// --- Where there is no strategy for all the errors.
+
+struct TooMuch {
+  FineMotionErrors errors;
+  FineMotionPlan plan;
+};
+
+// So many times the errors that the scenario is for.
+TooMuch TooMuchFor(const std::string& scenario, double times, StrategyOptions options) {
+  const domain::Problem problem =
+      domain::ReadProblem(Document::Load(domain::ScenarioPath(scenario)), domain::ModelsFolder());
+  const MatingGeometry geometry = GeometryOf(problem, problem.matings.front());
+  const FineMotionErrors errors =
+      ErrorsOf(times * problem.mating_errors.displacement, times * problem.mating_errors.rotation);
+  return {errors, SearchStrategy(geometry.passage, errors, options)};
+}
+
+// What can be absorbed is so many millimetres, whatever it is a multiple of. Sequences are found by
+// luck, so that it is not the same millimetres.
+TEST(SearchStrategy, TheObstaclesMarginFallsAsErrorsGrow) {
+  StrategyOptions options = OptionsOf(1);
+  options.rounds = 1;
+  options.thorough_nodes = 1;
+  for (const char* scenario : {"mate-square", "mate-t-slot"}) {
+    double last = 0;
+    for (const double times : {3.0, 6.0}) {
+      const auto [errors, plan] = TooMuchFor(scenario, times, options);
+      ASSERT_FALSE(plan.found()) << scenario << " " << times;
+      ASSERT_TRUE(plan.obstacle) << scenario << " " << times;
+      EXPECT_GT(plan.absorbed, 0) << scenario << " " << times;
+      EXPECT_GT(plan.obstacle->scale, plan.absorbed) << scenario << " " << times;
+      EXPECT_LE(plan.obstacle->scale, 1) << scenario << " " << times;
+      for (const CertainMotion& motion : plan.motions) {
+        for (const Unwanted& unwanted : motion.check.unwanted)
+          EXPECT_GT(unwanted.scale, 0.999 * plan.absorbed) << Name(unwanted.contact);
+      }
+      if (last > 0) {
+        EXPECT_NEAR(plan.obstacle->scale / last, 0.5, 0.2) << scenario;
+      }
+      last = plan.obstacle->scale;
+    }
+  }
+}
+
+TEST(SearchStrategy, ASpentBudgetIsNoProofThatThereIsNone) {
+  StrategyOptions options = OptionsOf(1);
+  options.rounds = 1;
+  EXPECT_EQ(TooMuchFor("mate-square", 3, options).plan.outcome, Outcome::kNone);
+  options.thorough_nodes = 1;
+  EXPECT_EQ(TooMuchFor("mate-square", 3, options).plan.outcome, Outcome::kBudget);
+  options.thorough_nodes = 0;
+  const FineMotionPlan unasked = TooMuchFor("mate-square", 3, options).plan;
+  EXPECT_EQ(unasked.outcome, Outcome::kBudget);
+  EXPECT_EQ(unasked.absorbed, 0);
 }
 
 // --- Parts that are wrong by up to their tolerances.
@@ -145,18 +201,18 @@ TEST(SearchStrategy, TolerancesOfNothingChangeNothing) {
   const FineMotionPlan exact =
       SearchStrategy(SquarePegInHole(), ErrorsOf(0.5e-3, 0.25 * kDegree), OptionsOf(1));
   const FineMotionPlan plan = PlanFor(0);
-  EXPECT_TRUE(exact.found);
-  EXPECT_TRUE(plan.found);
+  EXPECT_TRUE(exact.found());
+  EXPECT_TRUE(plan.found());
   EXPECT_NEAR(plan.absorbed, exact.absorbed, 1e-9);
   EXPECT_EQ(plan.motions.size(), exact.motions.size());
 }
 
-TEST(SearchStrategy, FindsOneForSmallTolerances) { EXPECT_TRUE(PlanFor(0.02e-3).found); }
+TEST(SearchStrategy, FindsOneForSmallTolerances) { EXPECT_TRUE(PlanFor(0.02e-3).found()); }
 
 // The peg may be wider than the hole.
 TEST(SearchStrategy, FindsNothingForTolerancesGreaterThanThePlay) {
   const FineMotionPlan plan = PlanFor(kPlay + 0.05e-3);
-  EXPECT_FALSE(plan.found);
+  EXPECT_FALSE(plan.found());
   EXPECT_LT(plan.absorbed, 1);
 }
 
@@ -389,7 +445,7 @@ TEST_P(ScenarioMatings, AreOneStrategyThroughAllCriticalPointsInExactGeometry) {
   const auto& [geometry, errors, plan] = Mating();
   const Passage& passage = geometry.passage;
   ASSERT_EQ(passage.critical_points(), GetParam().critical_points);
-  ASSERT_TRUE(plan.found);
+  ASSERT_TRUE(plan.found());
   EXPECT_EQ(std::ranges::count(plan.maneuvers, Maneuver::Kind::kAdvance, &Maneuver::kind),
             GetParam().critical_points - 1);
   const Vector3 end = plan.motions.back().X_StationaryAfter.translation();

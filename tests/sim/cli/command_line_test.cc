@@ -102,6 +102,7 @@ TEST_F(WrongCommandLine, PicturesNeedAFolder) { Error({"run", kTwoActions, "--re
 TEST_F(WrongCommandLine, ExportsOneThing) {
   Error({"export", kTwoActions});
   Error({"export", kTwoActions, "--mjcf", "--dot"});
+  Error({"export", kTwoActions, "--network", "--contacts"});
 }
 
 TEST_F(WrongCommandLine, RequestsThatExcludeEachOther) {

@@ -35,6 +35,31 @@ TEST(Mate, WithoutAStrategyThereIsNoPlan) {
   const Ended ended = Assay({"mate", kSquare, "--displacement", "20", "--rotation", "10"});
   EXPECT_EQ(ended.code, 10) << ended.err;
   EXPECT_THAT(ended.out, HasSubstr("; in the way: "));
+  EXPECT_THAT(ended.out, HasSubstr("looked through all sequences"));
+}
+
+// What is in the way comes beyond what is certain, and at a lesser multiple of greater errors.
+TEST(Mate, TheMarginOfTheObstacleIsOneOfTheErrors) {
+  double last = 1;
+  for (const auto& [displacement, rotation] : {std::pair("5", "2.5"), std::pair("10", "5")}) {
+    const Ended ended =
+        Assay({"mate", kSquare, "--displacement", displacement, "--rotation", rotation, "--json"});
+    EXPECT_EQ(ended.code, 10) << ended.err;
+    const nlohmann::json result = ended.Json();
+    EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
+    EXPECT_EQ(result["outcome"], "none");
+    const double margin = result["obstacle"]["scale"];
+    EXPECT_GT(margin, result["absorbed"].get<double>());
+    EXPECT_LT(margin, 0.8 * last);
+    last = margin;
+  }
+}
+
+TEST(Mate, ASpentBudgetIsNoProof) {
+  const Ended ended = Assay({"mate", kSquare, "--displacement", "5", "--nodes", "1"});
+  EXPECT_EQ(ended.code, 11) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("; in the way: "));
+  EXPECT_THAT(ended.out, HasSubstr("--nodes"));
 }
 
 // Each has the errors that it is for.

@@ -53,7 +53,7 @@ TEST(Plan, TableTellsWhatIsProved) {
   EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved. Nothing was inserted.\n"));
 }
 
-// Fine motion is used where it is asked for, and told of.
+// Fine motion is used where looks and squeezes are not enough, and told of.
 TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
   const std::string scenario = kTree / "scenarios/uncertain-fine-motion.yaml";
   const Folder folder;

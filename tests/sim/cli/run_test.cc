@@ -222,6 +222,7 @@ TEST(Export, ContactStatesOfAMating) {
   EXPECT_EQ(graphs[0]["states"].get<int>() + graphs[1]["states"].get<int>(), states);
   EXPECT_EQ(graphs[0]["arcs"].get<int>() + graphs[1]["arcs"].get<int>(), arcs);
   EXPECT_EQ(graphs[0]["goals"], shared);
+  EXPECT_EQ(Assay({"export", square, "--dot", "--contacts"}).out, ended.out);
   EXPECT_EQ(Assay({"export", kTree / "scenarios/uncertain-sensing.yaml", "--contacts"}).code, 0);
 }
 
