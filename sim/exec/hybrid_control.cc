@@ -63,6 +63,7 @@ StrategyEnd HybridControl::Run(const MotionObserver& observer) {
   for (attempt_ = 1;; ++attempt_) {
     Ended error = RunOnce();
     end.ignored = ignored_;
+    in_doubt_ = true;
     if (!error) return end;
     if (attempt_ < law_.attempts && CanBeLeft(error->outcome)) {
       end.recovered.push_back(*std::move(error));
@@ -140,6 +141,7 @@ HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motio
     break;
   }
   if (attempt_ < law_.attempts) return wrong;
+  in_doubt_ = true;
   ignored_.push_back(std::move(wrong));
   return std::nullopt;
 }
@@ -150,7 +152,7 @@ HybridControl::Ended HybridControl::DrawBack() {
   Pose X_FixedStart = strategy_.X_FixedStart;
   const Vector3 start = X_FixedStart.translation();
   arm_.TakeStock();
-  const Vector6 up = law_.sliding_speed * Joined(out, Vector3::Zero());
+  const Vector6 up = law_.contact_speed * Joined(out, Vector3::Zero());
   while (out.dot(arm_.MeasuredTip().translation() - start) < kAbove) {
     if (Ended error = Step({.yielding = up + YieldingAcross(up)})) return error;
     if (arm_.wrench().head<3>().dot(-out) > law_.obstructing_force)
@@ -162,7 +164,8 @@ HybridControl::Ended HybridControl::DrawBack() {
           MoveAlong(WayTo(X_FixedStart, {law_.free_speed, law_.turning_speed}), Pressed({})))
     return error;
   X_FixedStart.translation() = start;
-  return MoveAlong(WayTo(X_FixedStart, {law_.free_speed, law_.turning_speed}), Pressed({}));
+  return MoveAlong(WayTo(X_FixedStart, {law_.contact_speed, law_.contact_turning_speed}),
+                   Pressed({}));
 }
 
 // Against the last motion.
@@ -183,7 +186,7 @@ HybridControl::Way HybridControl::WayTo(const Pose& X_FixedTip, Speed speed) con
 }
 
 HybridControl::Speed HybridControl::SpeedOf(const plan::StrategyMotion& motion) const {
-  if (motion.until) return {law_.contact_speed, law_.contact_turning_speed};
+  if (motion.until || in_doubt_) return {law_.contact_speed, law_.contact_turning_speed};
   const bool is_free = motion.kept.empty() && !motion.slides;
   return {is_free ? law_.free_speed : law_.sliding_speed, law_.turning_speed};
 }
@@ -323,7 +326,7 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
   double stalled = 0;
   while (gone < length + kSeated && stalled < kStalled) {
     const double resistance = std::max(0.0, -direction.dot(arm_.wrench()));
-    const bool near = std::min(gone, length - gone) < law_.seating_length;
+    const bool near = in_doubt_ || std::min(gone, length - gone) < law_.seating_length;
     const double speed = near ? law_.contact_speed : law_.sliding_speed;
     const double share = std::clamp(1 - resistance / law_.pushing_force, 0.0, 1.0);
     const Vector6 yielding = share * speed * direction + YieldingAcross(direction);

@@ -156,6 +156,8 @@ class HybridControl {
   std::map<std::string, Vector3> beside_;  // where contacts are planned, that they are found
   double obstructed_ = 0;                  // seconds, without a break
   std::vector<ErrorState> ignored_;        // StrategyEnd
+  // There was an error state: anything may be hit, so that nothing is faster than to a contact.
+  bool in_doubt_ = false;
   Feeling felt_;
   Feeling first_felt_;  // of the motion's awaited contact; what else is made then comes after it
   int attempt_ = 1;

@@ -305,8 +305,23 @@ plan::Strategy SlideOnly(const Pose& X_HeldTip, const Vector3& beside) {
   return plan.strategy();
 }
 
-// ControlLaw::force_limit is for forces that last; impacts may be twice as much.
-const double kImpact = 2 * ControlLaw().force_limit;
+// The tip's whole face meets the block's front, 10 mm before the way's end.
+TEST_F(MatingTrial, AnImpactIsAsHardAsItIsFast) {
+  const MatingSetting setting = Setting(kNone, kNone);
+  SquareStrategy plan(setting.X_HeldTip);
+  const Pose touching = geometry::Translation(kMouth, 0, kAxis - 0.06);
+  plan.Start(geometry::Translation(0.003, 0, 0) * touching);
+  plan.Go(geometry::Translation(-0.01, 0, 0) * touching);
+  MatingTrialOptions options;
+  options.law.attempts = 1;
+  for (const double speed : {0.0025, 0.005, 0.01}) {
+    options.law.free_speed = speed;
+    const MatingResult result =
+        RunMatingTrial(problem(), scene(), setting, plan.strategy(), options);
+    EXPECT_EQ(result.end.outcome, MatingOutcome::kWrongContact) << result.end.reason;
+    EXPECT_LT(result.greatest_force, options.law.impact * speed);
+  }
+}
 
 TEST_F(MatingTrial, BesideTheHoleItJams) {
   const MatingSetting setting = Setting(kNone, kNone);
@@ -316,7 +331,7 @@ TEST_F(MatingTrial, BesideTheHoleItJams) {
   EXPECT_EQ(result.end.holding, Holding::kObstacle) << "it stands on the face";
   EXPECT_EQ(result.end.recovered.size(), 1U) << "it was drawn back, and tried again";
   EXPECT_GT(Depth(result), 0.06);
-  EXPECT_LT(result.greatest_force, kImpact);
+  EXPECT_LT(result.greatest_force, ControlLaw().GreatestForce());
 }
 
 // A tilted shaft touches both walls where it is in by the play over the tilt. It can hold itself
@@ -333,7 +348,7 @@ TEST_F(MatingTrial, WedgesOnlyWithFriction) {
     once.law.attempts = 1;
     const MatingResult result =
         RunMatingTrial(problem(), rough, setting, SlideOnly(setting.X_HeldTip, kNone), once);
-    EXPECT_LT(result.greatest_force, kImpact);
+    EXPECT_LT(result.greatest_force, ControlLaw().GreatestForce());
     if (result.end.outcome == MatingOutcome::kWedged) {
       EXPECT_EQ(result.end.holding, Holding::kWedge);
     }
@@ -358,6 +373,11 @@ TEST_F(MatingTrial, WithPartsThatOverlapItCannotStart) {
       << "the arm is not as long as that";
 }
 
+bool IsErrorState(MatingOutcome outcome) {
+  return outcome == MatingOutcome::kJammed || outcome == MatingOutcome::kWedged ||
+         outcome == MatingOutcome::kWrongContact || outcome == MatingOutcome::kTimeout;
+}
+
 // Four times the errors that it is for: whatever becomes of it, it is told, and nothing breaks.
 TEST_F(MatingTrial, BeyondItsRangeItEndsInAnErrorState) {
   RandomStream random(5, "beyond the range");
@@ -370,7 +390,9 @@ TEST_F(MatingTrial, BeyondItsRangeItEndsInAnErrorState) {
     d.x() = std::abs(d.x());  // else the parts overlap where it starts
     const MatingResult result = Insert(problem(), scene(), Setting(d, w));
     EXPECT_EQ(result.end.outcome == MatingOutcome::kDone, std::abs(Depth(result)) < 1e-3);
-    EXPECT_LT(result.greatest_force, kImpact);
+    EXPECT_NE(result.end.outcome == MatingOutcome::kDone, IsErrorState(result.end.outcome))
+        << Name(result.end.outcome) << ": " << result.end.reason;
+    EXPECT_LT(result.greatest_force, ControlLaw().GreatestForce());
   }
 }
 
