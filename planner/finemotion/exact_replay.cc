@@ -106,6 +106,17 @@ std::vector<Extent> ExtentsOf(const Features& features, const Pose& X) {
   return extents;
 }
 
+// As great as they may be, their signs drawn.
+Command WithVelocityErrors(Command command, const ExactReplay& replay, RandomStream& random) {
+  const double turn = command.displacement.tail<3>().norm();
+  const double move = command.displacement.head<3>().norm() + replay.radius * turn;
+  for (int k = 0; k < kPoseDimensions; ++k) {
+    const double most = replay.velocity_error * (k < 3 ? move : turn);
+    command.displacement[k] += random.Uniform() < 0.5 ? most : -most;
+  }
+  return command;
+}
+
 }  // namespace
 
 // A contact that may come, and its gap where the part is.
@@ -217,28 +228,26 @@ void ExactPart::Close(std::span<const ContactKey> keys) {
   }
 }
 
-std::size_t MotionsAsPlanned(const ExactReplay& replay, const PoseChange& error,
-                             RandomStream& random) {
+std::optional<Deviation> DeviationOf(const ExactReplay& replay, const PoseChange& error,
+                                     RandomStream& random) {
   Pose believed = replay.X_StationaryStart;
   ExactPart part(replay.passage, Displaced(believed, error), replay.radius);
-  std::size_t motions = 0;
-  for (const CertainMotion& motion : replay.motions) {
-    Command command = motion.command;
-    const PoseChange& way = motion.command.displacement;
-    const double turn = way.tail<3>().norm();
-    const double move = way.head<3>().norm() + replay.radius * turn;
-    for (int k = 0; k < kPoseDimensions; ++k) {
-      const double most = replay.velocity_error * (k < 3 ? move : turn);
-      command.displacement[k] += random.Uniform() < 0.5 ? most : -most;
-    }
+  for (std::size_t i = 0; i < replay.motions.size(); ++i) {
+    const CertainMotion& motion = replay.motions[i];
+    const Command command = WithVelocityErrors(motion.command, replay, random);
     const double most = command.until ? kLonger * motion.check.longest : 1;
-    if (part.Move(command, most, believed.translation()) != command.until) return motions;
-    const auto touches = [&](const ContactKey& kept) { return part.Touches(kept, kLost); };
-    if (!std::ranges::all_of(command.kept, touches)) return motions;
+    const std::optional<ContactKey> made = part.Move(command, most, believed.translation());
+    const auto deviation = [&](const ContactKey& contact, bool is_loss) {
+      return Deviation{error, i, {contact, is_loss}};
+    };
+    if (made != command.until)
+      return made ? deviation(*made, false) : deviation(*command.until, true);
+    for (const ContactKey& kept : command.kept) {
+      if (!part.Touches(kept, kLost)) return deviation(kept, true);
+    }
     believed = motion.X_StationaryAfter;
-    ++motions;
   }
-  return motions;
+  return std::nullopt;
 }
 
 ExactReplays ReplayWithErrors(const ExactReplay& replay, const PoseChange& half_widths, int drawn,
@@ -246,11 +255,9 @@ ExactReplays ReplayWithErrors(const ExactReplay& replay, const PoseChange& half_
   RandomStream random(seed, "errors of exact replays");
   ExactReplays replays;
   for (const PoseChange& error : TrialErrors(half_widths, drawn, random)) {
-    const std::size_t motions = MotionsAsPlanned(replay, error, random);
+    replays.deviation = DeviationOf(replay, error, random);
     ++replays.tried;
-    if (motions == replay.motions.size()) continue;
-    replays.deviation = {error, motions};
-    break;
+    if (replays.deviation) break;
   }
   return replays;
 }

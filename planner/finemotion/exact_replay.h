@@ -49,20 +49,22 @@ struct ExactReplay {
   double velocity_error = 0.0;  // as SegmentModel; its signs are drawn
 };
 
-// How many motions go as planned where the start is displaced by `error`: until another contact
-// comes than the planned one, or a kept one is off its features.
-std::size_t MotionsAsPlanned(const ExactReplay& replay, const PoseChange& error,
-                             RandomStream& random);
+// Where a replay goes otherwise than planned: another contact comes than the planned one, or none,
+// or a kept one is off its features.
+struct Deviation {
+  PoseChange error = PoseChange::Zero();  // the start's
+  std::size_t motion = 0;                 // index
+  Unwanted unwanted = {};                 // what is first; its scale tells nothing
+};
+
+// The first where the start is displaced by `error`; none: all goes as planned.
+std::optional<Deviation> DeviationOf(const ExactReplay& replay, const PoseChange& error,
+                                     RandomStream& random);
 
 // What came of replays with many errors.
 struct ExactReplays {
   int tried = 0;
-  // The first error with which a motion did not go as planned, and that motion's index.
-  struct Deviation {
-    PoseChange error = PoseChange::Zero();
-    std::size_t motion = 0;
-  };
-  std::optional<Deviation> deviation = {};
+  std::optional<Deviation> deviation = {};  // of the first error that has one
 };
 
 // With the trial errors of a box with these half widths (below), until one goes otherwise. The same

@@ -12,6 +12,7 @@
 
 #include "planner/assembly/strategy_reach.h"
 #include "planner/domain/mating_errors_file.h"
+#include "planner/finemotion/likely_errors.h"
 #include "sim/check/margin_ranking.h"
 #include "sim/cli/console.h"
 #include "sim/cli/contact_chain_report.h"
@@ -161,6 +162,7 @@ void Search(Planning& of) {
   of.plan = SearchStrategy(of.geometry.passage, of.errors, of.search);
   seconds["search"] = searching.Seconds();
   of.strategy = StrategyOf(of.geometry, of.plan, of.search);
+  TellLikelyErrors(of.geometry, of.plan, of.errors, of.search, of.strategy);
   of.json = ToJson(of.geometry, of.plan);
   of.json.update(ToJson(of.chain, of.plan));
   of.json["seconds"] = seconds;

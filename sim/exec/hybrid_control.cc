@@ -61,11 +61,13 @@ StrategyEnd HybridControl::Run(const MotionObserver& observer) {
   observer_ = observer;
   StrategyEnd end;
   for (attempt_ = 1;; ++attempt_) {
+    X_TipTool_ = arm_.X_TipTool();
     Ended error = RunOnce();
     end.ignored = ignored_;
     in_doubt_ = true;
     if (!error) return end;
     if (attempt_ < law_.attempts && CanBeLeft(error->outcome)) {
+      LearnFrom(*error);
       end.recovered.push_back(*std::move(error));
       error = DrawBack();
       if (!error) continue;
@@ -137,7 +139,6 @@ HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motio
     const auto unwanted = Recognize(found, motion, felt.wrench);
     if (!unwanted) continue;
     wrong.recognized = Named(*unwanted, felt.time);
-    if (attempt_ < law_.attempts) BelieveUnwanted(motion, *unwanted);
     break;
   }
   if (attempt_ < law_.attempts) return wrong;
@@ -421,9 +422,37 @@ void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vecto
   arm_.Correct(-row.dot(TwistBetween(X_FixedTip, arm_.MeasuredTip())) / row.dot(along) * along);
 }
 
+// That what a motion waits for has not come is its loss, if forces tell of nothing else.
+const plan::UnwantedContact* HybridControl::UnwantedIn(const ErrorState& error) const {
+  const plan::StrategyMotion& motion = strategy_.motions[static_cast<std::size_t>(error.motion)];
+  const auto is_it = [&](const plan::UnwantedContact& unwanted) {
+    if (const auto& recognized = error.recognized)
+      return Planned(unwanted.contact).name == recognized->name &&
+             unwanted.is_loss == recognized->is_loss;
+    return error.outcome == MatingOutcome::kTimeout && unwanted.contact == motion.until;
+  };
+  const auto found = std::ranges::find_if(motion.unwanted, is_it);
+  return found == motion.unwanted.end() ? nullptr : &*found;
+}
+
+void HybridControl::LearnFrom(const ErrorState& error) {
+  const plan::UnwantedContact* unwanted = UnwantedIn(error);
+  if (unwanted == nullptr) return;
+  if (unwanted->likely) BelieveLikely(*unwanted->likely);
+  if (!unwanted->is_loss)
+    BelieveUnwanted(strategy_.motions[static_cast<std::size_t>(error.motion)], *unwanted);
+}
+
+// It is told of the belief that the attempt began with, and has turned with the hand since.
+void HybridControl::BelieveLikely(const plan::TipError& likely) {
+  arm_.Believe(X_TipTool_);
+  const geometry::Matrix3 turn =
+      arm_.MeasuredTip().linear() * strategy_.X_FixedStart.linear().transpose();
+  arm_.Correct(Joined(turn * likely.d, turn * likely.w));
+}
+
 void HybridControl::BelieveUnwanted(const plan::StrategyMotion& motion,
                                     const plan::UnwantedContact& unwanted) {
-  if (unwanted.is_loss) return;
   const PressedContacts touching = Pressed(plan::ContactsInError(motion, unwanted));
   Eigen::VectorXd gaps =
       touching.rows() * TwistBetween(motion.X_FixedTip, arm_.MeasuredTip());  // as believed

@@ -296,6 +296,45 @@ TEST_F(MatingTrial, TheContactThatItRunsIntoIsRecognized) {
   }
 }
 
+// The tip, tilted, with its lowest vertex 3 mm into the hole and as far from both walls. If it is
+// displaced by more than that it stands on the front; by 5 mm, this plan takes for likely.
+plan::Strategy IntoTheCorner(const Pose& X_HeldTip) {
+  const Vector3 tilts = Vector3(0, 16, 8) * kDegree;
+  const double inside = kHalfWidth + kClearance - 0.003;
+  const Pose end = SquareStrategy::VertexAt(tilts, 1, 1, {kMouth - 0.003, inside, kAxis + inside});
+  SquareStrategy plan(X_HeldTip);
+  plan.Start(geometry::Translation(0.006, 0, 0) * end);
+  plan.Contact("vertex on front", Vector3::UnitX(), end.linear() * SquareStrategy::Vertex(1, 1));
+  plan.Go(end);
+  plan::Strategy strategy = plan.strategy();
+  strategy.motions[0].unwanted = {{.contact = 0,
+                                   .scale = 2,
+                                   .gap = -0.003,
+                                   .separation = 1,
+                                   .likely = plan::TipError{{0, 0.005, 0}, kNone}}};
+  strategy.friction = 0.2;
+  return strategy;
+}
+
+// That it stands on the front tells nothing of where the hole is; the plan does.
+TEST_F(MatingTrial, WhatErrorsAreLikelyLeadsOutOfAnErrorState) {
+  const MatingSetting setting = Setting({0.001, 0.0045, 0.001}, kNone);
+  plan::Strategy strategy = IntoTheCorner(setting.X_HeldTip);
+  const MatingResult result = RunMatingTrial(problem(), scene(), setting, strategy);
+  EXPECT_EQ(result.end.outcome, MatingOutcome::kDone) << result.end.reason;
+  ASSERT_EQ(result.end.recovered.size(), 1U);
+  ASSERT_TRUE(result.end.recovered[0].recognized);
+  const Vector3 off = (result.X_FixedHeld * setting.X_HeldTip).translation() -
+                      strategy.motions[0].X_FixedTip.translation();
+  EXPECT_NEAR(off.x(), 0, 2e-4) << "which the front has told";
+  EXPECT_NEAR(off.y(), -0.0005, 3e-4) << "5 mm were likely";
+  EXPECT_NEAR(off.z(), 0.001, 3e-4) << "which nothing tells";
+  strategy.motions[0].unwanted[0].likely.reset();
+  const MatingResult without = RunMatingTrial(problem(), scene(), setting, strategy);
+  EXPECT_EQ(without.end.outcome, MatingOutcome::kWrongContact);
+  EXPECT_EQ(without.end.recovered.size(), 2U) << "in all three attempts";
+}
+
 // Straight along the hole's axis, without feeling for its walls first.
 plan::Strategy SlideOnly(const Pose& X_HeldTip, const Vector3& beside) {
   SquareStrategy plan(X_HeldTip);
@@ -329,7 +368,8 @@ TEST_F(MatingTrial, BesideTheHoleItJams) {
       RunMatingTrial(problem(), scene(), setting, SlideOnly(setting.X_HeldTip, {0, 0, 0.005}));
   EXPECT_EQ(result.end.outcome, MatingOutcome::kJammed) << result.end.reason;
   EXPECT_EQ(result.end.holding, Holding::kObstacle) << "it stands on the face";
-  EXPECT_EQ(result.end.recovered.size(), 1U) << "it was drawn back, and tried again";
+  EXPECT_EQ(std::ssize(result.end.recovered), ControlLaw().attempts - 1)
+      << "it was drawn back, and tried again";
   EXPECT_GT(Depth(result), 0.06);
   EXPECT_LT(result.greatest_force, ControlLaw().GreatestForce());
 }
