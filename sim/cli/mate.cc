@@ -138,6 +138,7 @@ struct Planning {
   finemotion::ContactChain chain = {};
   FineMotionPlan plan = {};
   plan::Strategy strategy = {};  // of the plan
+  std::optional<MatingStudy> study = {};
 
   Json json = {};
   std::string text = {};
@@ -201,11 +202,11 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
 void Try(const kinematics::JointVector& near, const Options& options, Planning& of) {
   if (options.trials == 0 && !options.trial) return;
   const Stopwatch trying;
-  const MatingStudy study = Tried(of, near, options);
+  of.study = Tried(of, near, options);
   of.json["seconds"]["trials"] = trying.Seconds();
-  of.text += TextOf(study);
-  of.json["trials"] = ToJson(study);
-  if (of.plan.found && study.CoveredFailures() > 0) of.code = ExitCode::kFailed;
+  of.text += TextOf(*of.study);
+  of.json["trials"] = ToJson(*of.study);
+  if (of.plan.found && of.study->CoveredFailures() > 0) of.code = ExitCode::kFailed;
 }
 
 void Refuse(const assembly::Unreached& unreached, Planning& of) {
@@ -232,7 +233,7 @@ void Picture(const std::filesystem::path& folder, Planning& of) {
   const PlannedProblem& planned = of.task.planned;
   const std::vector<std::string> files =
       WriteMatingPictures(folder, {planned, planned.problem.mating(of.task.assemble.mating),
-                                   of.geometry, of.chain, of.plan, of.strategy});
+                                   of.geometry, of.chain, of.plan, of.strategy, of.study});
   of.json["pictures"] = files;
   of.text += fmt::format("{}\n", fmt::join(files, "\n"));
 }
