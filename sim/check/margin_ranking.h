@@ -31,7 +31,7 @@ struct MarginRanking {
   // 1000 times; draws without variation are left out. None: too little happened. More draws would
   // be left out than a tail of the interval has, and it would be one of the others alone. Of n
   // trials k of which had anything unwanted in them, a draw misses all with probability (1 -
-  // k/n)^n, about e^-k, and so with contacts: it takes four of each.
+  // k/n)^n, about e^-k, and so with contacts: it takes four of each at least.
   std::optional<Interval> interval = {};
 };
 
