@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "planner/assembly/strategy_reach.h"
+#include "planner/finemotion/likely_errors.h"
 #include "planner/posting/moment.h"
 #include "planner/posting/sensing_resolver.h"
 
@@ -176,6 +177,7 @@ std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& 
     const TipBox there = TipBoxAt(unmet, propagation_, uncertainty::WayOf(strategy));
     if (IsWithin(there, box)) {
       if (!CanBeReached(unmet, assemble, strategy)) return std::nullopt;
+      TellLikelyErrors(geometry, plan, errors, {.friction = friction}, strategy);
       return strategy;
     }
     box = WithSpare({box.d.cwiseMax(there.d), box.w.cwiseMax(there.w)});

@@ -65,6 +65,9 @@ class FormCheck {
       require(std::isfinite(unwanted.gap), fmt::format("the gap of contact {}", contact));
       require(IsAtLeast(0, unwanted.separation) && unwanted.separation <= 1,
               fmt::format("the separation of contact {}", contact));
+      const auto& likely = unwanted.likely;
+      require(!likely || (likely->d.allFinite() && likely->w.allFinite()),
+              fmt::format("the likely error of contact {}", contact));
     }
   }
 

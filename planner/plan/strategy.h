@@ -24,6 +24,12 @@ struct StrategyContact {
   Vector3 at = Vector3::Zero();      // from the tip's origin, metres
 };
 
+// Where the tip is, seen from where it is believed to be at the start, in the fixed part's axes.
+struct TipError {
+  Vector3 d = Vector3::Zero();  // metres
+  Vector3 w = Vector3::Zero();  // rotation vector, radians
+};
+
 // A contact that a motion must not make; or must not lose, if it is kept or waited for. The error
 // state is then that of the contacts that are kept and this one, or of the planned ones but this.
 struct UnwantedContact {
@@ -32,6 +38,7 @@ struct UnwantedContact {
   double scale = 0;       // the least enlargement of all errors, of a ladder, at which it happens
   double gap = 0;         // metres, where the motion leads if there are no errors
   double separation = 0;  // of the error state's force signature from the planned one's, 0 .. 1
+  std::optional<TipError> likely = {};  // mean of the errors that lead to it; none: not known
 };
 
 // One segment of a piecewise-linear trajectory: a contact state to be in, where to go in it, and

@@ -25,11 +25,14 @@ Json ContactToJson(const StrategyContact& contact) {
 }
 
 Json UnwantedToJson(const UnwantedContact& unwanted) {
-  return {{"contact", unwanted.contact},
-          {"is", kHappenings[unwanted.is_loss ? 1 : 0]},
-          {"scale", unwanted.scale},
-          {"gap", unwanted.gap},
-          {"separation", unwanted.separation}};
+  Json json = {{"contact", unwanted.contact},
+               {"is", kHappenings[unwanted.is_loss ? 1 : 0]},
+               {"scale", unwanted.scale},
+               {"gap", unwanted.gap},
+               {"separation", unwanted.separation}};
+  if (const auto& likely = unwanted.likely)
+    json["likely"] = {{"d", VectorToJson(likely->d)}, {"w", VectorToJson(likely->w)}};
+  return json;
 }
 
 Json MotionToJson(const StrategyMotion& motion) {
@@ -75,8 +78,13 @@ int ReadContactIndex(const Value& value, std::size_t contacts) {
   return value.Integer(0, static_cast<int>(contacts) - 1);
 }
 
+TipError ReadTipError(const Value& value) {
+  value.AllowOnly({"d", "w"});
+  return {ReadVector(value.At("d")), ReadVector(value.At("w"))};
+}
+
 UnwantedContact ReadUnwanted(const Value& value, std::size_t contacts) {
-  value.AllowOnly({"contact", "is", "scale", "gap", "separation"});
+  value.AllowOnly({"contact", "is", "scale", "gap", "separation", "likely"});
   const Value separation = value.At("separation");
   UnwantedContact unwanted{.contact = ReadContactIndex(value.At("contact"), contacts),
                            .is_loss = value.At("is").OneOf(kHappenings) == 1,
@@ -85,6 +93,7 @@ UnwantedContact ReadUnwanted(const Value& value, std::size_t contacts) {
                            .separation = ReadAtLeastZero(separation)};
   if (unwanted.separation > 1)
     separation.Fail(fmt::format("{} is above 1", separation.Text()), "0 .. 1");
+  if (const auto likely = value.Find("likely")) unwanted.likely = ReadTipError(*likely);
   return unwanted;
 }
 

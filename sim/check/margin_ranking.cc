@@ -119,7 +119,7 @@ std::optional<Interval> IntervalOf(const std::vector<RankedContact>& contacts,
     if (const auto correlation = CorrelationOf(DrawnAnew(counted, random)))
       drawn.push_back(*correlation);
   }
-  if (drawn.empty()) return std::nullopt;
+  if (static_cast<double>(drawn.size()) < (1 - kTail) * kDraws) return std::nullopt;
   std::ranges::sort(drawn);
   const auto at = [&](double share) {
     return drawn[static_cast<std::size_t>(share * static_cast<double>(drawn.size() - 1))];

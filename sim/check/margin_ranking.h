@@ -28,7 +28,10 @@ struct MarginRanking {
   // not enough variation, as when nothing happened.
   std::optional<double> correlation = {};
   // In which it lies with 95 % confidence: by drawing both trials and contacts anew (Efron 1979),
-  // 1000 times; draws without variation are left out.
+  // 1000 times; draws without variation are left out. None: too little happened. More draws would
+  // be left out than a tail of the interval has, and it would be one of the others alone. Of n
+  // trials k of which had anything unwanted in them, a draw misses all with probability (1 -
+  // k/n)^n, about e^-k, and so with contacts: it takes four of each at least.
   std::optional<Interval> interval = {};
 };
 

@@ -12,6 +12,7 @@
 
 #include "planner/assembly/strategy_reach.h"
 #include "planner/domain/mating_errors_file.h"
+#include "planner/finemotion/likely_errors.h"
 #include "sim/check/margin_ranking.h"
 #include "sim/cli/console.h"
 #include "sim/cli/contact_chain_report.h"
@@ -141,6 +142,7 @@ struct Planning {
   finemotion::ContactChain chain = {};
   FineMotionPlan plan = {};
   plan::Strategy strategy = {};  // of the plan
+  std::optional<MatingStudy> study = {};
 
   Json json = {};
   std::string text = {};
@@ -165,6 +167,7 @@ void Search(Planning& of) {
   of.plan = SearchStrategy(of.geometry.passage, of.errors, of.search);
   seconds["search"] = searching.Seconds();
   of.strategy = StrategyOf(of.geometry, of.plan, of.search);
+  TellLikelyErrors(of.geometry, of.plan, of.errors, of.search, of.strategy);
   of.json = ToJson(of.geometry, of.plan);
   of.json.update(ToJson(of.chain, of.plan));
   of.json["seconds"] = seconds;
@@ -203,11 +206,11 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
 void Try(const kinematics::JointVector& near, const Options& options, Planning& of) {
   if (options.trials == 0 && !options.trial) return;
   const Stopwatch trying;
-  const MatingStudy study = Tried(of, near, options);
+  of.study = Tried(of, near, options);
   of.json["seconds"]["trials"] = trying.Seconds();
-  of.text += TextOf(study);
-  of.json["trials"] = ToJson(study);
-  if (of.plan.found() && study.CoveredFailures() > 0) of.code = ExitCode::kFailed;
+  of.text += TextOf(*of.study);
+  of.json["trials"] = ToJson(*of.study);
+  if (of.plan.found() && of.study->CoveredFailures() > 0) of.code = ExitCode::kFailed;
 }
 
 void Refuse(const assembly::Unreached& unreached, Planning& of) {
@@ -236,7 +239,7 @@ void Picture(const std::filesystem::path& folder, Planning& of) {
   const PlannedProblem& planned = of.task.planned;
   const std::vector<std::string> files =
       WriteMatingPictures(folder, {planned, planned.problem.mating(of.task.assemble.mating),
-                                   of.geometry, of.chain, of.plan, of.strategy});
+                                   of.geometry, of.chain, of.plan, of.strategy, of.study});
   of.json["pictures"] = files;
   of.text += fmt::format("{}\n", fmt::join(files, "\n"));
 }

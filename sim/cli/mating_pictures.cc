@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "sim/cli/contact_pictures.h"
-#include "sim/cli/mating_report.h"
 #include "sim/cli/output_file.h"
 #include "sim/report/contact_graph_picture.h"
 
@@ -51,7 +50,7 @@ std::vector<report::Element> GraphsOf(const finemotion::ContactChain& chain,
 
 std::vector<std::string> WriteMatingPictures(const std::filesystem::path& folder,
                                              const PicturedMating& pictured) {
-  const auto& [planned, mating, geometry, chain, plan, strategy] = pictured;
+  const auto& [planned, mating, geometry, chain, plan, strategy, study] = pictured;
   const scene::Scene scene(planned.problem, planned.simulation.scene);
   std::vector<ContactPicture> states =
       WriteContactPictures(folder, planned.problem, scene, mating, strategy);
@@ -62,6 +61,7 @@ std::vector<std::string> WriteMatingPictures(const std::filesystem::path& folder
                                 .summary = SummaryOf(geometry, plan),
                                 .graphs = GraphsOf(chain, plan),
                                 .motions = MotionsOf(plan)};
+  if (study) subject.trials = TrialsOf(*study);
   int number = 0;
   for (const ContactPicture& picture : states)
     subject.pictures.push_back({picture.caption, ContentsOf(folder / picture.file)});

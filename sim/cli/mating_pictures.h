@@ -1,10 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "planner/finemotion/contact_chain.h"
+#include "sim/cli/mating_report.h"
 #include "sim/cli/planned_problem.h"
 
 namespace assay::cli {
@@ -17,6 +19,7 @@ struct PicturedMating {
   const finemotion::ContactChain& chain;
   const finemotion::FineMotionPlan& plan;  // has motions
   const plan::Strategy& strategy;          // of the plan
+  const std::optional<MatingStudy>& study;
 };
 
 // Writes the contact pictures (see contact_pictures.h), the contact graph of each critical

@@ -97,7 +97,7 @@ std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOption
 
 struct Tally {
   int seated = 0;
-  int recovered = 0;  // at the second attempt
+  int recovered = 0;  // at a later attempt
   int redrawn = 0;
   std::map<std::string, int> ends;
   std::map<std::string, int> holdings;  // of those that got stuck
@@ -124,7 +124,7 @@ std::string TextOf(const char* name, const std::vector<MatedTrial>& trials) {
   for (const auto& [end, count] : tally.ends) ends += fmt::format(", {} {}", end, count);
   for (const auto& [holding, count] : tally.holdings)
     ends += fmt::format(", stuck by {} {}", holding, count);
-  if (tally.recovered > 0) ends += fmt::format(", {} at the second attempt", tally.recovered);
+  if (tally.recovered > 0) ends += fmt::format(", {} at a later attempt", tally.recovered);
   return fmt::format("{}: {} of {} seated{}; at most {:.0f} N\n", name, tally.seated, trials.size(),
                      ends, tally.greatest_force);
 }
@@ -243,11 +243,14 @@ std::string TextOf(const check::MarginRanking& ranking) {
   }
   const auto happened = std::ranges::count_if(
       ranking.contacts, [](const check::RankedContact& contact) { return contact.happened > 0; });
+  const auto& interval = ranking.interval;
+  const std::string within =
+      interval ? fmt::format("95 % in {:.2f} .. {:.2f}", interval->low, interval->high)
+               : "too little happened for an interval";
   return fmt::format(
-      "margins and frequencies of unwanted contacts: rank correlation {:.2f}, 95 % in "
-      "{:.2f} .. {:.2f}, of {} pairs; {} of them ever happened\n",
-      *ranking.correlation, ranking.interval->low, ranking.interval->high, ranking.contacts.size(),
-      happened);
+      "margins and frequencies of unwanted contacts: rank correlation {:.2f}, {}, of {} pairs; {} "
+      "of them ever happened\n",
+      *ranking.correlation, within, ranking.contacts.size(), happened);
 }
 
 Json ToJson(const check::Divergence& divergence) {
@@ -340,10 +343,15 @@ Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
           {"replay", fmt::format("{}{}", study.replay, trial.number)}};
 }
 
+// Of most contacts there is nothing to tell.
+bool IsTold(const check::RankedContact& contact) {
+  return contact.happened > 0 || contact.scale != finemotion::kBeyondLadder;
+}
+
 Json ToJson(const check::MarginRanking& ranking) {
   Json contacts = Json::array();
   for (const check::RankedContact& contact : ranking.contacts) {
-    if (contact.happened == 0 && contact.scale == finemotion::kBeyondLadder) continue;
+    if (!IsTold(contact)) continue;
     Json row = ToJson(contact.event);
     row.update(
         {{"scale", contact.scale}, {"happened", contact.happened}, {"trials", contact.trials}});
@@ -459,6 +467,23 @@ std::string TextOf(const MatingStudy& study) {
   }
   text += TextOf(RecognitionOf(study));
   return text + TextOf(study.ranking) + TextOf("straight", study.straight);
+}
+
+report::MatingSubject::Trials TrialsOf(const MatingStudy& study) {
+  report::MatingSubject::Trials trials{.outcome = TextOf("strategy", study.strategy),
+                                       .ranking = TextOf(study.ranking),
+                                       .contacts = {}};
+  for (const check::RankedContact& contact : study.ranking.contacts) {
+    if (!IsTold(contact)) continue;
+    const auto& [motion, key, is_loss] = contact.event;
+    const bool is_beyond = contact.scale == finemotion::kBeyondLadder;
+    trials.contacts.push_back(
+        {.motion = fmt::format("{}", motion + 1),
+         .contact = fmt::format("{}{}", is_loss ? "loss of " : "", finemotion::Name(key)),
+         .scale = is_beyond ? "more than 4" : fmt::format("{:g}", contact.scale),
+         .happened = fmt::format("{} of {}", contact.happened, contact.trials)});
+  }
+  return trials;
 }
 
 Json ToJson(const MatingStudy& study) {

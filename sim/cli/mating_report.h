@@ -42,6 +42,7 @@ struct MatingStudy {
   int CoveredFailures() const;
 };
 std::string TextOf(const MatingStudy& study);
+report::MatingSubject::Trials TrialsOf(const MatingStudy& study);
 nlohmann::ordered_json ToJson(const MatingStudy& study);
 
 }  // namespace assay::cli

@@ -15,12 +15,16 @@ struct ControlLaw {
   double touching_force = 3;        // on a contact that counts as made, where others are kept
   double first_touching_force = 1;  // where no others are
   double obstructing_force = 15;    // that no contact explains
-  double force_limit = 60;          // at the wrist; impacts may be twice as much
-  double softness = 0.03;           // share of the servos' stiffness
-  double relaxation = 40;           // of forces that are too much, 1/s
-  double seeking_speed = 0.002;     // of a contact that is lost, m/s
-  double yielding_speed = 0.005;    // to a force that is too much, m/s
-  double wrench_filter = 0.002;     // time constants
+  double force_limit = 60;          // at the wrist, of what lasts: then the arm stops
+  // N s/m: how hard an impact is for its speed. What is felt is filtered and the arm is heavy, so
+  // that control does nothing while the force rises, for two or three milliseconds: a mass m that
+  // meets a stiffness k with speed v bears v sqrt(m k) then.
+  double impact = 20e3;
+  double softness = 0.03;         // share of the servos' stiffness
+  double relaxation = 40;         // of forces that are too much, 1/s
+  double seeking_speed = 0.002;   // of a contact that is lost, m/s
+  double yielding_speed = 0.005;  // to a force that is too much, m/s
+  double wrench_filter = 0.002;   // time constants
   double velocity_filter = 0.01;
   double acceleration = 0.3;           // of planned motions, m/s^2
   double turning_acceleration = 2;     // rad/s^2
@@ -31,7 +35,11 @@ struct ControlLaw {
   double settling = 0.1;               // after each motion, at least
   double braking = 0.002;              // when a contact is made
   double slack = 1e-4;                 // that a contact may be farther away than errors explain, m
-  int attempts = 2;                    // at all of the strategy, from error states
+  int attempts = 3;                    // at all of the strategy, from error states
+
+  // Newtons at the wrist that nothing exceeds, however short: an impact at the greatest speed with
+  // which something unplanned can be met, and what is pressed on besides.
+  double GreatestForce() const { return pushing_force + impact * free_speed; }
 };
 
 }  // namespace assay::exec

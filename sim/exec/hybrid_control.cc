@@ -61,10 +61,13 @@ StrategyEnd HybridControl::Run(const MotionObserver& observer) {
   observer_ = observer;
   StrategyEnd end;
   for (attempt_ = 1;; ++attempt_) {
+    X_TipTool_ = arm_.X_TipTool();
     Ended error = RunOnce();
     end.ignored = ignored_;
+    in_doubt_ = true;
     if (!error) return end;
     if (attempt_ < law_.attempts && CanBeLeft(error->outcome)) {
+      LearnFrom(*error);
       end.recovered.push_back(*std::move(error));
       error = DrawBack();
       if (!error) continue;
@@ -136,10 +139,10 @@ HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motio
     const auto unwanted = Recognize(found, motion, felt.wrench);
     if (!unwanted) continue;
     wrong.recognized = Named(*unwanted, felt.time);
-    if (attempt_ < law_.attempts) BelieveUnwanted(motion, *unwanted);
     break;
   }
   if (attempt_ < law_.attempts) return wrong;
+  in_doubt_ = true;
   ignored_.push_back(std::move(wrong));
   return std::nullopt;
 }
@@ -150,7 +153,7 @@ HybridControl::Ended HybridControl::DrawBack() {
   Pose X_FixedStart = strategy_.X_FixedStart;
   const Vector3 start = X_FixedStart.translation();
   arm_.TakeStock();
-  const Vector6 up = law_.sliding_speed * Joined(out, Vector3::Zero());
+  const Vector6 up = law_.contact_speed * Joined(out, Vector3::Zero());
   while (out.dot(arm_.MeasuredTip().translation() - start) < kAbove) {
     if (Ended error = Step({.yielding = up + YieldingAcross(up)})) return error;
     if (arm_.wrench().head<3>().dot(-out) > law_.obstructing_force)
@@ -162,7 +165,8 @@ HybridControl::Ended HybridControl::DrawBack() {
           MoveAlong(WayTo(X_FixedStart, {law_.free_speed, law_.turning_speed}), Pressed({})))
     return error;
   X_FixedStart.translation() = start;
-  return MoveAlong(WayTo(X_FixedStart, {law_.free_speed, law_.turning_speed}), Pressed({}));
+  return MoveAlong(WayTo(X_FixedStart, {law_.contact_speed, law_.contact_turning_speed}),
+                   Pressed({}));
 }
 
 // Against the last motion.
@@ -183,7 +187,7 @@ HybridControl::Way HybridControl::WayTo(const Pose& X_FixedTip, Speed speed) con
 }
 
 HybridControl::Speed HybridControl::SpeedOf(const plan::StrategyMotion& motion) const {
-  if (motion.until) return {law_.contact_speed, law_.contact_turning_speed};
+  if (motion.until || in_doubt_) return {law_.contact_speed, law_.contact_turning_speed};
   const bool is_free = motion.kept.empty() && !motion.slides;
   return {is_free ? law_.free_speed : law_.sliding_speed, law_.turning_speed};
 }
@@ -323,7 +327,7 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
   double stalled = 0;
   while (gone < length + kSeated && stalled < kStalled) {
     const double resistance = std::max(0.0, -direction.dot(arm_.wrench()));
-    const bool near = std::min(gone, length - gone) < law_.seating_length;
+    const bool near = in_doubt_ || std::min(gone, length - gone) < law_.seating_length;
     const double speed = near ? law_.contact_speed : law_.sliding_speed;
     const double share = std::clamp(1 - resistance / law_.pushing_force, 0.0, 1.0);
     const Vector6 yielding = share * speed * direction + YieldingAcross(direction);
@@ -418,9 +422,37 @@ void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vecto
   arm_.Correct(-row.dot(TwistBetween(X_FixedTip, arm_.MeasuredTip())) / row.dot(along) * along);
 }
 
+// That what a motion waits for has not come is its loss, if forces tell of nothing else.
+const plan::UnwantedContact* HybridControl::UnwantedIn(const ErrorState& error) const {
+  const plan::StrategyMotion& motion = strategy_.motions[static_cast<std::size_t>(error.motion)];
+  const auto is_it = [&](const plan::UnwantedContact& unwanted) {
+    if (const auto& recognized = error.recognized)
+      return Planned(unwanted.contact).name == recognized->name &&
+             unwanted.is_loss == recognized->is_loss;
+    return error.outcome == MatingOutcome::kTimeout && unwanted.contact == motion.until;
+  };
+  const auto found = std::ranges::find_if(motion.unwanted, is_it);
+  return found == motion.unwanted.end() ? nullptr : &*found;
+}
+
+void HybridControl::LearnFrom(const ErrorState& error) {
+  const plan::UnwantedContact* unwanted = UnwantedIn(error);
+  if (unwanted == nullptr) return;
+  if (unwanted->likely) BelieveLikely(*unwanted->likely);
+  if (!unwanted->is_loss)
+    BelieveUnwanted(strategy_.motions[static_cast<std::size_t>(error.motion)], *unwanted);
+}
+
+// It is told of the belief that the attempt began with, and has turned with the hand since.
+void HybridControl::BelieveLikely(const plan::TipError& likely) {
+  arm_.Believe(X_TipTool_);
+  const geometry::Matrix3 turn =
+      arm_.MeasuredTip().linear() * strategy_.X_FixedStart.linear().transpose();
+  arm_.Correct(Joined(turn * likely.d, turn * likely.w));
+}
+
 void HybridControl::BelieveUnwanted(const plan::StrategyMotion& motion,
                                     const plan::UnwantedContact& unwanted) {
-  if (unwanted.is_loss) return;
   const PressedContacts touching = Pressed(plan::ContactsInError(motion, unwanted));
   Eigen::VectorXd gaps =
       touching.rows() * TwistBetween(motion.X_FixedTip, arm_.MeasuredTip());  // as believed

@@ -58,9 +58,10 @@ bool LetsGo(const plan::Strategy& strategy, std::size_t motion);
 //
 // After each motion the arm asks whether it feels the contact state that the plan then has
 // (recognition.h). If not, or if it cannot go on, it is in an error state: it draws back and starts
-// again. What contacts have told until then is kept, also an unwanted one that is recognized, so
-// that the next time the errors are smaller. In the last attempt it goes on as long as it can:
-// with parts that touch otherwise than planned it often still comes in.
+// again. What contacts have told until then is kept. An unwanted one that is recognized tells more:
+// the plan knows what errors lead to it, so that their mean is believed, and of the errors near it
+// those with which what touches does. In the last attempt it goes on as long as it can: with parts
+// that touch otherwise than planned it often still comes in.
 class HybridControl {
  public:
   // The part in the execution's hand goes where the strategy leads, seen from `fixed`. The tool
@@ -142,7 +143,11 @@ class HybridControl {
   // after a motion, and so is one that was made on the way `along`.
   void Believe(const PressedContacts& kept, const Pose& X_FixedTip);
   void BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along);
-  // So is an unwanted one that was made instead of what is waited for.
+  // What an error state tells of where the tip is: about where it is when this happens, and that
+  // what touches then does.
+  void LearnFrom(const ErrorState& error);
+  const plan::UnwantedContact* UnwantedIn(const ErrorState& error) const;  // null: none is known
+  void BelieveLikely(const plan::TipError& likely);
   void BelieveUnwanted(const plan::StrategyMotion& motion, const plan::UnwantedContact& unwanted);
 
   ErrorState Error(MatingOutcome outcome, std::string reason) const;
@@ -153,9 +158,12 @@ class HybridControl {
   PartId fixed_;
   SoftArm arm_;
   MotionObserver observer_;
+  Pose X_TipTool_;                         // believed when the attempt began
   std::map<std::string, Vector3> beside_;  // where contacts are planned, that they are found
   double obstructed_ = 0;                  // seconds, without a break
   std::vector<ErrorState> ignored_;        // StrategyEnd
+  // There was an error state: anything may be hit, so that nothing is faster than to a contact.
+  bool in_doubt_ = false;
   Feeling felt_;
   Feeling first_felt_;  // of the motion's awaited contact; what else is made then comes after it
   int attempt_ = 1;

@@ -71,9 +71,12 @@ void SoftArm::Correct(const Vector6& change) {
   Pose X_FixedTip = MeasuredTip();
   X_FixedTip.translation() += change.head<3>();
   X_FixedTip.linear() = Rotation(change.tail<3>()) * X_FixedTip.linear();
-  const Pose X_FixedWorld = X_WorldFixed_.inverse();
-  X_TipTool_ = X_FixedTip.inverse() * X_FixedWorld * execution_.MeasuredTool();
-  X_FixedTip_ = X_FixedWorld * execution_.BelievedTool() * X_TipTool_.inverse();
+  Believe(X_FixedTip.inverse() * X_WorldFixed_.inverse() * execution_.MeasuredTool());
+}
+
+void SoftArm::Believe(const Pose& X_TipTool) {
+  X_TipTool_ = X_TipTool;
+  X_FixedTip_ = X_WorldFixed_.inverse() * execution_.BelievedTool() * X_TipTool_.inverse();
 }
 
 void SoftArm::TakeStock() {

@@ -45,6 +45,9 @@ class SoftArm {
   // The tip is not where it is measured, but displaced by so much from there. Turns are about that
   // point from now on.
   void Correct(const Vector6& change);
+  // Where the tip is in the hand, as believed: the tool seen from it.
+  const Pose& X_TipTool() const { return X_TipTool_; }
+  void Believe(const Pose& X_TipTool);
   // The commanded position is now where the tip is.
   void TakeStock();
   // Jacobian and compliance are those of the arm as it stands now.

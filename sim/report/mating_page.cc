@@ -40,23 +40,40 @@ Element Graphs(std::vector<Element> pictures) {
   return graphs;
 }
 
-Element Motions(const std::vector<MatingSubject::Motion>& motions) {
+using Row = std::vector<std::string>;  // its first entry names it
+
+Element TableOf(const char* caption, const Row& names, const std::vector<Row>& rows) {
   Element frame("div");
   frame.Set("class", "scroll");
   Element& table = frame.Add("table");
-  table.Add("caption").Add("span", "Motions of the strategy");
-  Element& names = table.Add("thead").Add("tr");
-  for (const char* name : {"", "ends with", "in contact after it", "first unwanted"})
-    names.Add("th", name).Set("scope", "col");
+  table.Add("caption").Add("span", caption);
+  Element& head = table.Add("thead").Add("tr");
+  for (const std::string& name : names) head.Add("th", name).Set("scope", "col");
   Element& body = table.Add("tbody");
-  int number = 0;
-  for (const MatingSubject::Motion& motion : motions) {
+  for (const Row& texts : rows) {
     Element& row = body.Add("tr");
-    row.Add("th", fmt::format("{}", ++number)).Set("scope", "row");
-    for (const std::string& text : {motion.ends_with, motion.contacts, motion.unwanted})
-      row.Add("td", text);
+    row.Add("th", texts.front()).Set("scope", "row");
+    for (std::size_t i = 1; i < texts.size(); ++i) row.Add("td", texts[i]);
   }
   return frame;
+}
+
+Element Motions(const std::vector<MatingSubject::Motion>& motions) {
+  std::vector<Row> rows;
+  for (const MatingSubject::Motion& motion : motions) {
+    rows.push_back(
+        {fmt::format("{}", rows.size() + 1), motion.ends_with, motion.contacts, motion.unwanted});
+  }
+  return TableOf("Motions of the strategy",
+                 {"", "ends with", "in contact after it", "first unwanted"}, rows);
+}
+
+Element Ranked(const std::vector<MatingSubject::Trials::Ranked>& contacts) {
+  std::vector<Row> rows;
+  for (const auto& ranked : contacts)
+    rows.push_back({ranked.contact, ranked.motion, ranked.scale, ranked.happened});
+  return TableOf("What must not happen, by its margin",
+                 {"contact", "motion", "times the errors", "happened in trials"}, rows);
 }
 
 Element States(const std::vector<MatingSubject::Picture>& pictures) {
@@ -88,6 +105,12 @@ std::string MatingPage(MatingSubject subject) {
   main.Add("p", "If there are no errors: the held part as lines, crosses where the parts touch.")
       .Set("class", "note");
   main.Add(States(subject.pictures));
+  if (const auto& trials = subject.trials) {
+    main.Add("h2", "What happened in physics");
+    main.Add("p", trials->outcome);
+    main.Add("p", trials->ranking);
+    main.Add(Ranked(trials->contacts));
+  }
   return "<!DOCTYPE html>\n" + page.Markup() + "\n";
 }
 

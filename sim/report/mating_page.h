@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,15 +20,30 @@ struct MatingSubject {
     std::string png;  // the contents of the file
   };
 
+  // What physics says of the plan's margins.
+  struct Trials {
+    // Of a contact that must not happen, within the ladder or one that happened.
+    struct Ranked {
+      std::string motion;
+      std::string contact;
+      std::string scale;  // the least enlargement of the errors at which it happens
+      std::string happened;
+    };
+    std::string outcome;  // a line
+    std::string ranking;  // a line: how well margins and frequencies agree
+    std::vector<Ranked> contacts;
+  };
+
   std::string title;
   std::string summary;               // a line
   std::vector<Element> graphs = {};  // ContactGraphPicture of each critical point
   std::vector<Motion> motions = {};
   std::vector<Picture> pictures = {};  // of contact states
+  std::optional<Trials> trials = {};   // none were made
 };
 
-// One HTML page, complete in itself, as Page: the contact graphs beside the table of motions, and
-// the pictures of the states that these lead to.
+// One HTML page, complete in itself, as Page: the contact graphs beside the table of motions, the
+// pictures of the states that these lead to, and what trials say of the margins.
 std::string MatingPage(MatingSubject subject);
 
 }  // namespace assay::report

@@ -36,22 +36,24 @@ Strategy SomeStrategy(RandomStream& random, double size) {
                     .contacts = {{"vertex 3 on face 1", vector().normalized(), vector()},
                                  {"edge 2 on \"edge 5\"", Vector3::UnitZ(), -vector()}},
                     .motions = {}};
-  strategy.motions = {{.kept = {},
-                       .X_FixedTip = oracle::RandomPose(random, size),
-                       .until = 1,
-                       .beyond = random.Uniform(0, 2),
-                       .slides = false,
-                       .unwanted = {{.contact = 0,
-                                     .is_loss = false,
-                                     .scale = 1.25,
-                                     .gap = random.Uniform(-size, size),
-                                     .separation = random.Uniform()},
-                                    {.contact = 1, .is_loss = true, .scale = 3}}},
-                      {.kept = {1, 0},
-                       .X_FixedTip = oracle::RandomPose(random, size),
-                       .until = {},
-                       .beyond = 0,
-                       .slides = true}};
+  strategy.motions = {
+      {.kept = {},
+       .X_FixedTip = oracle::RandomPose(random, size),
+       .until = 1,
+       .beyond = random.Uniform(0, 2),
+       .slides = false,
+       .unwanted =
+           {{.contact = 0,
+             .is_loss = false,
+             .scale = 1.25,
+             .gap = random.Uniform(-size, size),
+             .separation = random.Uniform()},
+            {.contact = 1, .is_loss = true, .scale = 3, .likely = TipError{vector(), -vector()}}}},
+      {.kept = {1, 0},
+       .X_FixedTip = oracle::RandomPose(random, size),
+       .until = {},
+       .beyond = 0,
+       .slides = true}};
   strategy.friction = random.Uniform(0, 1);
   strategy.length = random.Uniform(0.1, 1) * size;
   strategy.certificate = {.absorbs = {"entry", "tilt"},

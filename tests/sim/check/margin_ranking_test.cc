@@ -59,6 +59,21 @@ TEST(MarginRanking, IsOneWhereTheOrderIsTheSame) {
   EXPECT_NEAR(ranking.interval->high, 1, 1e-12);
 }
 
+// Of many trials as good as a fraction e^-k of the draws has none of k in it.
+TEST(MarginRanking, AnIntervalTakesFourTrialsAndFourContacts) {
+  const auto has_interval = [](int trials, int contacts) {
+    std::vector<ContactEvent> events;
+    for (int i = 0; i < contacts; ++i) events.push_back({i / 4, K(i % 4), false});
+    std::vector<SequenceComparison> study(200, Trial({}));
+    std::fill_n(study.begin(), trials, Trial(events));
+    return Ranked(study).interval.has_value();
+  };
+  EXPECT_FALSE(has_interval(2, 8));
+  EXPECT_FALSE(has_interval(3, 4));
+  EXPECT_TRUE(has_interval(6, 4));
+  EXPECT_FALSE(has_interval(20, 1));
+}
+
 TEST(MarginRanking, IsNegativeWhereThatOfTheGreatestMarginHappens) {
   const MarginRanking ranking = Ranked({Trial({{0, K(3), false}, {1, K(3), false}})});
   EXPECT_LT(*ranking.correlation, 0);

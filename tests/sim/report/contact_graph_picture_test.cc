@@ -166,5 +166,22 @@ TEST(MatingPage, IsWellFormedAndHasAllOfIt) {
   EXPECT_TRUE(page.All("script").empty());
 }
 
+TEST(MatingPage, TellsWhatTrialsSayOfTheMargins) {
+  MatingSubject subject{.title = "peg into block",
+                        .summary = "no motions",
+                        .trials = MatingSubject::Trials{
+                            "9 of 12 seated",
+                            "rank correlation 0.4",
+                            {{"1", "vertex 8 on face 6", "1.5", "2 of 12"},
+                             {"7", "loss of edge 2 on edge 3", "more than 4", "1 of 9"}}}};
+  const Markup page = ReadMarkup(MatingPage(subject));
+  ASSERT_EQ(page.All("h2").size(), 2u);
+  EXPECT_EQ(page.All("h2")[1]->text, "What happened in physics");
+  ASSERT_EQ(page.All("td").size(), 6u);
+  EXPECT_EQ(page.All("td")[2]->text, "2 of 12");
+  subject.trials.reset();
+  EXPECT_EQ(ReadMarkup(MatingPage(subject)).All("h2").size(), 1u);
+}
+
 }  // namespace
 }  // namespace assay::report
