@@ -421,7 +421,7 @@ bool IsErrorState(MatingOutcome outcome) {
 // Four times the errors that it is for: whatever becomes of it, it is told, and nothing breaks.
 TEST_F(MatingTrial, BeyondItsRangeItEndsInAnErrorState) {
   RandomStream random(5, "beyond the range");
-  for (int trial = 0; trial < 3; ++trial) {
+  for (int trial = 0; trial < 2; ++trial) {
     SCOPED_TRACE(testing::Message() << "trial " << trial << " of seed 5");
     Vector3 d;
     Vector3 w;
