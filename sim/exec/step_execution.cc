@@ -1,6 +1,7 @@
 #include "sim/exec/step_execution.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "planner/base/check.h"
 #include "sim/exec/command_file.h"
@@ -47,7 +48,8 @@ StepExecution::StepExecution(const plan::Plan& plan, plan::StepId step, Executio
       sought_(plan::PartOf(execution.problem(), planned_.action)),
       X_WorldSought_(execution.world().PartPose(sought_)),
       axis_(std::visit(AxisOf{execution.problem(), execution.world()}, planned_.action)),
-      commands_(CommandsFor(execution.problem(), execution.world(), plan, step)) {
+      commands_(CommandsFor(execution.problem(), execution.world(), plan, step)),
+      X_WorldTool_(LastTarget(commands_.advance)) {
   execution_.SetStep(step);
   execution_.Handle(HandledParts());
 }
@@ -224,7 +226,27 @@ const plan::Recovery* StepExecution::RecoveryFrom(const std::string& error) cons
 std::vector<Vector3> StepExecution::PlacesFor(const std::string& error) const {
   const plan::Recovery* const recovery = RecoveryFrom(error);
   if (recovery == nullptr || !execution_.options().recovers) return {};
-  return PlacesToTry(*recovery, axis_);
+  std::vector<Vector3> places = PlacesToTry(*recovery, axis_);
+  const double gap = execution_.problem().workcell->rules().part_gap;
+  const double enough = std::min(gap, RoomAt(Vector3::Zero()));
+  std::erase_if(places, [&](const Vector3& offset) { return RoomAt(offset) < enough; });
+  return places;
+}
+
+double StepExecution::RoomAt(const Vector3& offset) const {
+  const domain::Problem& problem = execution_.problem();
+  const kinematics::Gripper& gripper = problem.workcell->gripper();
+  const geometry::CollisionShape hand = problem.workcell->HandShape(gripper.max_opening());
+  const Pose X_WorldTool = geometry::Translation(offset) * X_WorldTool_;
+  const std::vector<PartId> handled = HandledParts();
+  double room = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < execution_.world().part_count(); ++i) {
+    const PartId part(i);
+    if (std::ranges::count(handled, part) > 0) continue;
+    room = std::min(room, geometry::Distance(hand, X_WorldTool, problem.part(part).model->shape(),
+                                             execution_.world().PartPose(part)));
+  }
+  return room;
 }
 
 // A held part that stopped at the rim of a hole is lifted a little, moved sideways, and pushed on

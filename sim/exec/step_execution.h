@@ -52,8 +52,12 @@ class StepExecution {
 
   double Measure(domain::MeasuredQuantity quantity) const;
   const plan::Recovery* RecoveryFrom(const std::string& error) const;  // null: the plan has none
-  // The places that the plan's recovery from the error has; none if there is none.
+  // The places that the plan's recovery from the error has, but for those at which the hand would
+  // come too near to another part; none if there is none.
   std::vector<Vector3> PlacesFor(const std::string& error) const;
+  // How far the hand is from parts that it does not handle, as far as it knows, if it works so far
+  // beside where the plan has it; metres.
+  double RoomAt(const Vector3& offset) const;
   Progress TryAt(const Vector3& offset);
   Progress Withdraw();
   Progress MoveSideways();
@@ -70,6 +74,7 @@ class StepExecution {
   Pose X_WorldSought_;
   Vector3 axis_;
   StepCommands commands_;
+  Pose X_WorldTool_;                          // where the advance ends, before groping
   std::map<std::string, std::size_t> tried_;  // places, by error
 };
 

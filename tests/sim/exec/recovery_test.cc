@@ -202,6 +202,36 @@ TEST_F(Recovering, ASearchInVainCallsTheOperator) {
   EXPECT_TRUE(trace.All<StepEnd>().empty()) << "the step did not end";
 }
 
+// The block stands 5 mm beside the hand, and the peg, which is gone, is looked for 15 mm around.
+TEST_F(Recovering, NoSearchLeadsTheHandIntoAnotherPart) {
+  const PartId block = PartNamed(problem_, "block");
+  const auto& pickup = std::get<plan::Pickup>(plan_.step(kPickup).action);
+  const Pose tool = pickup.from.X_WorldPart * pickup.hold.X_PartTool;
+  const geometry::CollisionShape hand =
+      problem_.workcell->HandShape(problem_.workcell->gripper().max_opening());
+  const geometry::CollisionShape& shape = problem_.part(block).model->shape();
+  Pose& X_WorldBlock = problem_.parts[block.index()].X_WorldPart;
+  const auto room = [&](const Vector3& offset) {
+    return Distance(hand, geometry::Translation(offset) * tool, shape, X_WorldBlock);
+  };
+  const double height = X_WorldBlock.translation().z();
+  X_WorldBlock.translation() = tool.translation() + Vector3(0.4, 0, 0);
+  X_WorldBlock.translation().z() = height;
+  while (room(Vector3::Zero()) > 0.005) X_WorldBlock.translation().x() -= 0.0005;
+  mujoco::Data data = StartOf(problem_, scene(), {});
+  scene().SetPart(data, block, X_WorldBlock);
+  scene().SetPart(data, peg_,
+                  geometry::Translation(Vector3(-0.3, 0, 0)) * scene().TruePose(data, peg_));
+  const Trace trace = Execute(problem_, plan_, scene(), data, {.sample_rate = 0, .last = kPickup});
+  EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kOperatorCalled) << trace.end().reason;
+  const auto recoveries = trace.All<RecoveryRecord>();
+  EXPECT_GT(recoveries.size(), 1u);
+  EXPECT_LT(recoveries.size(), 8u) << "some of the circle's 7 places are in the block";
+  for (const RecoveryRecord* record : recoveries) {
+    EXPECT_GE(room(record->offset), room(Vector3::Zero()) - 1e-9);
+  }
+}
+
 // The gripper was to close on less: something else was grasped.
 TEST_F(Recovering, SomeErrorsCallTheOperatorAtOnce) {
   plan_.verifications[0].expected -= 0.002;
