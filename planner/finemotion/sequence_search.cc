@@ -71,7 +71,7 @@ const Maneuvering& SequenceSearch::ManeuveringAt(int point) const {
 }
 
 bool SequenceSearch::IsGoal(const Node& node) const {
-  return IsLast(node.point) && ManeuveringAt(node.point).IsThrough(node.belief);
+  return node.motions > 0 && IsLast(node.point) && ManeuveringAt(node.point).IsThrough(node.belief);
 }
 
 int SequenceSearch::Budget() const {

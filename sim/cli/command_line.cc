@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <sstream>
 #include <system_error>
@@ -62,7 +63,21 @@ class CommandLine {
     CLI::App* const command = app_.add_subcommand(verb.name, verb.summary);
     command->footer(fmt::format("Example:\n  {}", verb.example));
     Execution execution = verb.declare(*command);
+    RefuseWhatIsNoNumber(*command);
     command->final_callback([this, execution] { execution_ = execution; });
+  }
+
+  // Ranges let NaN through: nothing is less than it.
+  static void RefuseWhatIsNoNumber(CLI::App& command) {
+    for (CLI::Option* const option : command.get_options()) {
+      if (option->get_type_name().find("FLOAT") == std::string::npos) continue;
+      option->check([](const std::string& value) {
+        double number = 0;
+        const bool is_nan = CLI::detail::lexical_cast(value, number) && std::isnan(number);
+        return is_nan ? fmt::format("{} is no number", Quoted(value)) : std::string();
+      });
+    }
+    for (CLI::App* const part : command.get_subcommands({})) RefuseWhatIsNoNumber(*part);
   }
 
   void Parse() {

@@ -64,6 +64,16 @@ TEST(SearchStrategy, FindsOneForWideErrors) {
   EXPECT_LT(std::acos(std::min(1.0, end.linear()(2, 2))), 0.02);
 }
 
+// With 3 mm of play the peg would come in from some starts without being felt for: there is still
+// something to execute.
+TEST(SearchStrategy, HasAMotionWhereThePlayIsGreaterThanTheErrors) {
+  Passage passage = SquarePegInHole();
+  passage.stationary = SquareHoleShape(kHalf + 3e-3, 0.045, 0.07);
+  const FineMotionPlan plan = SearchStrategy(passage, ErrorsOf(2e-3, kDegree), OptionsOf(1));
+  EXPECT_TRUE(plan.found());
+  EXPECT_FALSE(plan.motions.empty());
+}
+
 TEST(SearchStrategy, StartsInFreeSpaceWhateverTheErrors) {
   const Pose& start = WidePlan().X_StationaryStart;
   double lowest = 1;

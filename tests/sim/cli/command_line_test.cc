@@ -89,6 +89,13 @@ TEST_F(WrongCommandLine, ValuesOutOfRange) {
   Error({"list", "robots"});
 }
 
+TEST_F(WrongCommandLine, WhatIsNoNumber) {
+  for (const char* value : {"nan", "-nan", "NaN"}) {
+    EXPECT_THAT(Error({"mate", kTwoActions, "--friction", value}), HasSubstr("no number")) << value;
+    EXPECT_THAT(Error({"run", kTwoActions, "--error-scale", value}), HasSubstr("no number"));
+  }
+}
+
 TEST_F(WrongCommandLine, PictureSizes) {
   for (const char* size : {"640", "0x480", "640x", "x", "640x480x3", "-1x2", "5000x10", "6.4x4"}) {
     EXPECT_THAT(Error({"render", kTwoActions, "-o", "out", "--size", size}),
