@@ -117,15 +117,25 @@ TEST(TrialErrors, AreInTheBoxWithItsCornersAndTheMiddlesOfItsFaces) {
   EXPECT_EQ(middles, 12);
 }
 
-// A cube that goes down onto a floor meets another corner if it is tilted the other way.
-TEST(ReplayWithErrors, TellsTheFirstErrorThatGoesOtherwise) {
-  const Passage passage = CubeOverFloor();
-  const Pose start = Tilted({0, 0, 0.01}, {0.02, 0.04, 0});
-  ExactPart part(passage, start, 0.02);
+// A tilted cube that goes down onto a floor, until its lowest corner meets it.
+struct GoingDown {
+  Passage passage = CubeOverFloor();
+  Pose start = Tilted({0, 0, 0.01}, {0.02, 0.04, 0});
   Command command{Way({0, 0, -0.015}), {}, {}};
-  command.until = part.Move(command, 1, start.translation());
+  Pose end;
+
+  GoingDown() {
+    ExactPart part(passage, start, 0.02);
+    command.until = part.Move(command, 1, start.translation());
+    end = part.X();
+  }
+};
+
+// It meets another corner if it is tilted the other way.
+TEST(ReplayWithErrors, TellsTheFirstErrorThatGoesOtherwise) {
+  const auto [passage, start, command, end] = GoingDown();
   ASSERT_TRUE(command.until);
-  const std::vector<CertainMotion> motions = {{command, part.X(), {}}};
+  const std::vector<CertainMotion> motions = {{command, end, {}}};
   const ExactReplay replay{passage, start, motions};
   PoseChange half = PoseChange::Zero();
   half.tail<3>() << 0.01, 0.02, 0.01;
@@ -144,14 +154,10 @@ TEST(ReplayWithErrors, TellsTheFirstErrorThatGoesOtherwise) {
 
 // Up and away, the floor is never met.
 TEST(ReplayWithErrors, TellsOfAContactThatDoesNotCome) {
-  const Passage passage = CubeOverFloor();
-  const Pose start = Tilted({0, 0, 0.01}, {0.02, 0.04, 0});
-  ExactPart part(passage, start, 0.02);
-  Command command{Way({0, 0, -0.015}), {}, {}};
-  command.until = part.Move(command, 1, start.translation());
+  auto [passage, start, command, end] = GoingDown();
   ASSERT_TRUE(command.until);
   command.displacement = Way({0, 0, 0.015});
-  const std::vector<CertainMotion> motions = {{command, part.X(), {}}};
+  const std::vector<CertainMotion> motions = {{command, end, {}}};
   const auto missed = ReplayWithErrors({passage, start, motions}, PoseChange::Zero(), 0, 1);
   ASSERT_TRUE(missed.deviation);
   EXPECT_TRUE(missed.deviation->unwanted.is_loss);
