@@ -12,6 +12,9 @@
 
 namespace assay::assembly {
 
+// Conditions of assemble that strategies absorb.
+const std::vector<std::string>& AbsorbedConditions();
+
 // Proposes to execute an assemble action whose shaft may miss its hole by fine motion: by a
 // sequence of contacts that is certain in spite of the errors that there may be (Dakin and
 // Popplestone). How great these are is computed from all that the plan does before; if they are too
@@ -21,6 +24,7 @@ class FineMotionResolver : public posting::Resolver {
   explicit FineMotionResolver(uncertainty::Propagation propagation) : propagation_(propagation) {}
 
   std::string_view name() const override { return "fine-motion"; }
+  std::vector<std::string> absorbs() const override { return AbsorbedConditions(); }
   // Only steps are answered whose unmet goals are all of shaft and hole.
   std::vector<posting::Remedy> Propose(const posting::UnmetGoals& unmet) override;
 
@@ -37,9 +41,6 @@ class FineMotionResolver : public posting::Resolver {
   uncertainty::Propagation propagation_;
   std::map<std::string, finemotion::FineMotionPlan> plans_;
 };
-
-// Conditions of assemble that strategies absorb.
-const std::vector<std::string>& AbsorbedConditions();
 
 // The box of errors of the tip in the step, which the strategy or a way to be had one for takes.
 uncertainty::TipBox TipBoxAt(const posting::UnmetGoals& unmet, uncertainty::Propagation propagation,

@@ -1,42 +1,68 @@
 #include "planner/posting/best_known.h"
 
+#include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "planner/base/check.h"
 
 namespace assay::posting {
 namespace {
 
-bool IsMeasured(const Interval& promise) {
-  return std::isfinite(promise.low) && std::isfinite(promise.high);
+using uncertainty::MomentId;
+using uncertainty::Propagation;
+using uncertainty::UncertainWorld;
+using uncertainty::Unproved;
+
+const domain::SensorModel& SensorNamed(const domain::Problem& problem, const std::string& name) {
+  const auto* sensor = problem.workcell->uncertainty_operations().FindSensor(name);
+  ASSAY_CHECK(sensor != nullptr, "the workcell has no sensor '{}'", name);
+  return *sensor;
 }
 
 bool HoldsZero(const Interval& range) { return range.low <= 0 && range.high >= 0; }
-bool HoldsZero(const domain::PoseError& error) {
+template <class Error>
+bool HoldsZero(const Error& error) {
   return HoldsZero(error.x) && HoldsZero(error.y) && HoldsZero(error.z) && HoldsZero(error.theta);
+}
+
+bool MeasuresHeights(const domain::Problem& problem) {
+  return std::ranges::any_of(problem.sensors, [&](const std::string& name) {
+    const Interval& promise = SensorNamed(problem, name).z;
+    return std::isfinite(promise.low) && std::isfinite(promise.high);
+  });
 }
 
 }  // namespace
 
-std::optional<domain::Problem> BestKnown(domain::Problem problem) {
-  bool may_be_zero = HoldsZero(problem.gripper_error);
-  bool height_is_measured = false;
-  for (const std::string& name : problem.sensors) {
-    const auto* sensor = problem.workcell->uncertainty_operations().FindSensor(name);
-    ASSAY_CHECK(sensor != nullptr, "the workcell has no sensor '{}'", name);
-    height_is_measured |= IsMeasured(sensor->z);
-    may_be_zero &= HoldsZero(sensor->x) && HoldsZero(sensor->y) && HoldsZero(sensor->z) &&
-                   HoldsZero(sensor->theta);
+bool BestKnown::Bounds(const domain::Problem& problem, Propagation propagation) {
+  const auto sensor_holds_zero = [&](const std::string& name) {
+    return HoldsZero(SensorNamed(problem, name));
+  };
+  return propagation == Propagation::kSound && HoldsZero(problem.gripper_error) &&
+         std::ranges::all_of(problem.sensors, sensor_holds_zero) &&
+         std::ranges::all_of(problem.parts,
+                             [](const domain::Part& part) { return HoldsZero(part.error); });
+}
+
+BestKnown::BestKnown(const domain::Problem& problem, Propagation propagation,
+                     const algebra::BoundRequest& bound)
+    : worlds_(problem, propagation, bound, [heights = MeasuresHeights(problem)](UncertainWorld& w) {
+        w.TellWherePartsRest(heights);
+      }) {}
+
+MomentId BestKnown::After(MomentId before, const plan::Action& action,
+                          const plan::Strategy* strategy) {
+  return worlds_.After(before, action, strategy);
+}
+
+Shortfall BestKnown::LeastShortfall(MomentId after, const std::vector<std::string>& absorbable) {
+  Shortfall least;
+  for (const Unproved& unproved : worlds_.UnprovedAt(after)) {
+    if (std::ranges::count(absorbable, unproved.claim.condition) > 0) continue;
+    ++least.goals;
+    least.violation += uncertainty::LeastViolation(unproved, worlds_.WorldAt(after));
   }
-  for (const domain::Part& part : problem.parts) may_be_zero &= HoldsZero(part.error);
-  if (!may_be_zero) return std::nullopt;
-  for (domain::Part& part : problem.parts) {
-    const Interval height = part.error.z;
-    part.error = {};
-    if (!height_is_measured) part.error.z = height;
-  }
-  return problem;
+  return least;
 }
 
 }  // namespace assay::posting

@@ -1,14 +1,36 @@
 #pragma once
 
-#include <optional>
+#include <string>
+#include <vector>
 
-#include "planner/domain/problem.h"
+#include "planner/posting/shortfall.h"
+#include "planner/uncertainty/world_tree.h"
 
 namespace assay::posting {
 
-// The problem as the best remedies could make it: x, y and theta of every part known exactly, by
-// squeezing or sensing, and z if a sensor that may be used measures it. Whatever the remedies, this
-// is among what remains possible if all errors may be 0; none otherwise.
-std::optional<domain::Problem> BestKnown(domain::Problem problem);
+// The worlds of a plan instance, had it been told between any two actions all that remedies could
+// tell: x, y and theta of every part that rests, by squeezing or sensing, and z if a sensor that
+// may be used measures it. Whatever remedies are inserted, these worlds are among those that remain
+// possible; so what is not proved in them is not proved by any remedy that does not absorb it.
+class BestKnown {
+ public:
+  // Whether that is so: not where an error promises to be other than 0, nor where errors of
+  // different actions may cancel (paper propagation).
+  static bool Bounds(const domain::Problem& problem, uncertainty::Propagation propagation);
+
+  // The problem must outlive it.
+  BestKnown(const domain::Problem& problem, uncertainty::Propagation propagation,
+            const algebra::BoundRequest& bound);
+
+  uncertainty::MomentId Beginning() const { return worlds_.Beginning(); }
+  uncertainty::MomentId After(uncertainty::MomentId before, const plan::Action& action,
+                              const plan::Strategy* strategy);
+
+  // What the action that leads to a moment falls short by at least, `absorbable` conditions apart.
+  Shortfall LeastShortfall(uncertainty::MomentId after, const std::vector<std::string>& absorbable);
+
+ private:
+  uncertainty::WorldTree worlds_;
+};
 
 }  // namespace assay::posting

@@ -51,9 +51,9 @@ class Resolver {
   // Whether what it inserts may move parts. What does not is also inserted where it proves nothing
   // but brings a step nearer to being proved.
   virtual bool disturbs() const { return true; }
-  // Whether its remedies may absorb conditions. Where none does, a step that fails even when all
-  // is known that remedies could tell fails whatever is tried.
-  virtual bool absorbs() const { return true; }
+  // The conditions that its remedies may absorb. A step that fails in others even when all is known
+  // that remedies could tell fails whatever is tried.
+  virtual std::vector<std::string> absorbs() const { return {}; }
   // Remedies worth trying, alone or together with others for other parts, best first. Operational
   // and geometric preconditions of what they insert hold; uncertainty-reduction preconditions need
   // not.

@@ -11,7 +11,6 @@ class SensingResolver : public Resolver {
  public:
   std::string_view name() const override { return "sensing"; }
   bool disturbs() const override { return false; }
-  bool absorbs() const override { return false; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override;
 };
 

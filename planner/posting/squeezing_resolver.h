@@ -12,7 +12,6 @@ namespace assay::posting {
 class SqueezingResolver : public Resolver {
  public:
   std::string_view name() const override { return "squeezing"; }
-  bool absorbs() const override { return false; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override;
 };
 

@@ -39,11 +39,32 @@ std::vector<domain::PartId> UnmetGoals::Parts() const {
 
 namespace {
 
+// Goals of a step that were not proved as it was then to be executed.
+struct Unmet {
+  MomentId after;
+  std::vector<std::string> absorbed;  // conditions that were taken care of
+
+  bool operator==(const Unmet&) const = default;
+};
+
+// A resolution whose reasons are put in words where the plan is written out.
+struct Measure {
+  std::string resolver;
+  std::vector<StepId> steps = {};  // that it inserted, in the order of execution
+  Unmet because;
+  // That parts are moved is explained: with the best that does without, something is still unmet.
+  struct WithoutMoving {
+    std::string resolver;
+    Unmet still;
+  };
+  std::optional<WithoutMoving> without_moving = {};
+};
+
 // One step of the instance as it is augmented.
 struct Entry {
   StepId id;
   plan::Action action;
-  std::vector<Resolution> resolutions = {};
+  std::vector<Measure> measures = {};
   std::vector<std::string> absorbed = {};  // conditions that a remedy takes care of
   std::optional<plan::Strategy> strategy = {};
   bool given_up = false;               // its goals cannot all be proved
@@ -52,26 +73,16 @@ struct Entry {
   const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
 };
 
-// How far a step is from being proved; less is better.
-struct Shortfall {
-  std::size_t goals = 0;
-  double violation = 0;
-
-  bool IsLessThan(const Shortfall& other) const {
-    constexpr double kRelevant = 1e-5;  // metres and radians: less is not worth an action
-    return goals < other.goals || (goals == other.goals && violation < other.violation - kRelevant);
-  }
-};
-
-Shortfall ShortfallOf(const std::vector<Unproved>& unproved) {
-  return {unproved.size(), uncertainty::Violation(unproved)};
+std::vector<Unproved> WithoutConditions(const std::vector<std::string>& absorbed,
+                                        std::vector<Unproved> unproved) {
+  std::erase_if(unproved, [&](const Unproved& unmet) {
+    return std::ranges::count(absorbed, unmet.claim.condition) > 0;
+  });
+  return unproved;
 }
 
 std::vector<Unproved> Unabsorbed(const Entry& entry, std::vector<Unproved> unproved) {
-  std::erase_if(unproved, [&](const Unproved& unmet) {
-    return std::ranges::count(entry.absorbed, unmet.claim.condition) > 0;
-  });
-  return unproved;
+  return WithoutConditions(entry.absorbed, std::move(unproved));
 }
 
 // The goal that fails by most, in words.
@@ -96,19 +107,30 @@ struct Candidate {
 // What is known as plan instances are executed, one way and another.
 struct Worlds {
   Worlds(const domain::Problem& problem, const UncertaintyOptions& options)
-      : possible(problem, options.propagation, options.bound), best_problem(BestKnown(problem)) {
-    if (best_problem) best.emplace(*best_problem, options.propagation, options.bound);
+      : possible(problem, options.propagation, options.bound) {
+    if (BestKnown::Bounds(problem, options.propagation)) {
+      best.emplace(problem, options.propagation, options.bound);
+    }
   }
 
   WorldTree possible;
-  const std::optional<domain::Problem> best_problem;
-  std::optional<WorldTree> best;  // if all is known that remedies could tell
+  std::optional<BestKnown> best;  // where it bounds what remedies can reach
 };
 
-// How an augmented plan instance compares with others, but for the violation; less is better.
+// Conditions that some remedy may absorb.
+std::vector<std::string> Absorbable(const UncertaintyOptions& options) {
+  std::vector<std::string> conditions;
+  for (const auto& resolver : options.resolvers) {
+    std::ranges::move(resolver->absorbs(), std::back_inserter(conditions));
+  }
+  return conditions;
+}
+
+// How an augmented plan instance compares with others; less is better.
 struct Standing {
   int errors = 0;
   std::size_t actions = 0;  // of the first phase
+  double violation = 0;     // metres and radians
 
   auto operator<=>(const Standing&) const = default;
 };
@@ -131,12 +153,7 @@ class Augmentation {
 
   std::int64_t combinations() const { return combinations_; }
   int errors() const { return static_cast<int>(std::ranges::count_if(entries_, Fails)); }
-  bool IsBetterThan(const Augmentation& other) const {
-    const Standing mine = standing();
-    const Standing others = other.standing();
-    return mine < others || (mine == others && violation() < other.violation());
-  }
-  Standing standing() const { return {errors(), instance_.steps.size()}; }
+  Standing standing() const { return {errors(), instance_.steps.size(), violation()}; }
 
   AugmentedPlanInstance WriteOut() const {
     AugmentedPlanInstance augmented = {
@@ -163,7 +180,7 @@ class Augmentation {
   double violation() const {
     double violation = 0;
     for (const Entry& entry : entries_) {
-      if (Fails(entry)) violation += uncertainty::Violation(Told(entry, entry.failed));
+      if (Fails(entry)) violation += uncertainty::Violation(Told({entry.failed, entry.absorbed}));
     }
     return violation;
   }
@@ -175,7 +192,7 @@ class Augmentation {
       moment = After(worlds_.possible, moment, entries_[i]);
       entries_[i].failed = MomentId::None();
       if (Unabsorbed(entries_[i], worlds_.possible.UnprovedAt(moment)).empty()) continue;
-      if (!entries_[i].given_up && Mend(i, Told(entries_[i], moment))) return false;
+      if (!entries_[i].given_up && Mend(i, {moment, entries_[i].absorbed})) return false;
       entries_[i].failed = moment;
     }
     return true;
@@ -191,8 +208,8 @@ class Augmentation {
   }
 
   // What fails is to be told as the certificate will tell it.
-  std::vector<Unproved> Told(const Entry& entry, MomentId after) const {
-    return Unabsorbed(entry, worlds_.possible.ToldAt(after));
+  std::vector<Unproved> Told(const Unmet& unmet) const {
+    return WithoutConditions(unmet.absorbed, worlds_.possible.ToldAt(unmet.after));
   }
 
   CertifiedStep Certify(UncertainWorld& world, const Entry& entry) const {
@@ -204,52 +221,60 @@ class Augmentation {
   // Whether remedies were applied. If none prove all the step's goals, the step is given up, and
   // only what brings them nearest without moving parts is applied. Strategies take long to find,
   // and are asked for where nothing else proves the goals.
-  bool Mend(int step, const std::vector<Unproved>& failed) {
-    const std::string why = WhyUnproved(failed);
+  bool Mend(int step, const Unmet& unmet) {
     const auto apply = [&](Mended mended) {
       entries_ = std::move(mended.entries);
       return mended.step;
     };
-    std::vector<Candidate> candidates = Candidates(step, failed, Absorbing::kNo);
+    std::vector<Candidate> candidates = Candidates(step, unmet, Absorbing::kNo);
     std::optional<Mended> proving;
-    if (MayBeProved(step)) proving = ProvingRemedies(step, candidates, why, Absorbing::kNo);
-    if (!proving) {
-      std::ranges::move(Candidates(step, failed, Absorbing::kYes), std::back_inserter(candidates));
+    if (MayBeProved(step, {})) proving = ProvingRemedies(step, candidates, unmet, Absorbing::kNo);
+    if (!proving && MayBeProved(step, Absorbable(options_))) {
+      std::ranges::move(Candidates(step, unmet, Absorbing::kYes), std::back_inserter(candidates));
       std::ranges::stable_sort(candidates, {}, &Candidate::resolver);
-      proving = ProvingRemedies(step, candidates, why, Absorbing::kYes);
+      proving = ProvingRemedies(step, candidates, unmet, Absorbing::kYes);
     }
     if (proving) {
-      TellWhatFellShort(step, candidates, why, proving->entries[proving->step]);
+      NoteWhatFellShort(step, candidates, unmet, proving->entries[proving->step]);
       apply(std::move(*proving));
       return true;
     }
-    auto nearer = NearingRemedies(step, candidates, why);
+    auto nearer = NearingRemedies(step, candidates, unmet);
     const bool helps = nearer.has_value();
     if (nearer) step = apply(std::move(*nearer));
-    GiveUp(entries_[step], why);
+    GiveUp(entries_[step], unmet);
     return helps;
   }
 
-  // Not if the step's goals fail even when all is known that remedies could tell, and none absorbs
-  // errors: then trying them one by one is of no use.
-  bool MayBeProved(int step) const {
+  // Not if other goals of the step than those that remedies absorb fail even when all is known that
+  // they could tell: then trying them one by one is of no use.
+  bool MayBeProved(int step, std::vector<std::string> absorbable) const {
     if (!worlds_.best) return true;
     MomentId moment = worlds_.best->Beginning();
-    for (int i = 0; i <= step; ++i) moment = After(*worlds_.best, moment, entries_[i]);
-    return IsProved(*worlds_.best, moment, entries_[step]);
+    for (int i = 0; i <= step; ++i) {
+      const Entry& entry = entries_[i];
+      if (!IsInserted(entry)) moment = worlds_.best->After(moment, entry.action, entry.way());
+    }
+    const std::vector<std::string>& absorbed = entries_[step].absorbed;
+    absorbable.insert(absorbable.end(), absorbed.begin(), absorbed.end());
+    return worlds_.best->LeastShortfall(moment, absorbable).goals == 0;
+  }
+
+  bool IsInserted(const Entry& entry) const {
+    return entry.id.index() >= static_cast<int>(instance_.steps.size());
   }
 
   // Of the combinations with a candidate that may absorb errors, or of those without.
   std::optional<Mended> ProvingRemedies(int step, const std::vector<Candidate>& candidates,
-                                        const std::string& why, Absorbing absorbing) {
+                                        const Unmet& unmet, Absorbing absorbing) {
     const std::vector<Combinable> items = ItemsOf(candidates);
     std::optional<Mended> proving;
     const auto proves = [&](const std::vector<int>& chosen) {
       const bool may_absorb = std::ranges::any_of(
-          chosen, [&](int c) { return options_.resolvers[items[c].group]->absorbs(); });
+          chosen, [&](int c) { return !options_.resolvers[items[c].group]->absorbs().empty(); });
       if (may_absorb != (absorbing == Absorbing::kYes)) return false;
       ++combinations_;
-      Mended mended = With(step, candidates, chosen, why);
+      Mended mended = With(step, candidates, chosen, unmet);
       if (!IsProved(mended)) return false;
       proving = std::move(mended);
       return true;
@@ -259,14 +284,14 @@ class Augmentation {
   }
 
   std::optional<Mended> NearingRemedies(int step, const std::vector<Candidate>& candidates,
-                                        const std::string& why) {
+                                        const Unmet& unmet) {
     std::optional<Mended> nearest;
     std::optional<Shortfall> least = ShortfallAfter({entries_, step});
     std::vector<Combinable> items = ItemsOf(candidates);
     std::erase_if(
         items, [&](const Combinable& item) { return options_.resolvers[item.group]->disturbs(); });
     const auto compare = [&](const std::vector<int>& chosen) {
-      Mended mended = With(step, candidates, chosen, why);
+      Mended mended = With(step, candidates, chosen, unmet);
       const std::optional<Shortfall> shortfall = ShortfallAfter(mended);
       if (!shortfall || !shortfall->IsLessThan(*least)) return false;
       least = shortfall;
@@ -278,24 +303,23 @@ class Augmentation {
   }
 
   // Adds to the reasons for moving parts why it did not do without.
-  void TellWhatFellShort(int step, const std::vector<Candidate>& candidates, const std::string& why,
+  void NoteWhatFellShort(int step, const std::vector<Candidate>& candidates, const Unmet& unmet,
                          Entry& mended) {
-    const auto disturbs = [&](const Resolution& resolution) {
+    const auto disturbs = [&](const Measure& measure) {
       const auto resolver = std::ranges::find(
-          options_.resolvers, resolution.resolver,
+          options_.resolvers, measure.resolver,
           [](const std::shared_ptr<Resolver>& r) { return std::string(r->name()); });
       return resolver != options_.resolvers.end() && (*resolver)->disturbs();
     };
-    if (std::ranges::none_of(mended.resolutions, disturbs)) return;
-    const std::optional<Mended> nearest = NearingRemedies(step, candidates, why);
+    if (std::ranges::none_of(mended.measures, disturbs)) return;
+    const std::optional<Mended> nearest = NearingRemedies(step, candidates, unmet);
     if (!nearest) return;
     const Entry& entry = nearest->entries[nearest->step];
-    const std::vector<Unproved> unproved = Told(entry, MomentAfter(*nearest));
-    if (unproved.empty()) return;
-    for (Resolution& resolution : mended.resolutions) {
-      if (!disturbs(resolution) || resolution.why != why) continue;
-      resolution.why += fmt::format("; after {} still {}", entry.resolutions.back().resolver,
-                                    WhyUnproved(unproved));
+    const MomentId after = MomentAfter(*nearest);
+    if (Unabsorbed(entry, worlds_.possible.UnprovedAt(after)).empty()) return;
+    for (Measure& measure : mended.measures) {
+      if (!disturbs(measure) || measure.because != unmet) continue;
+      measure.without_moving = {entry.measures.back().resolver, {after, entry.absorbed}};
     }
   }
 
@@ -308,18 +332,20 @@ class Augmentation {
   }
 
   // Of the resolvers that may absorb errors, or of the others.
-  std::vector<Candidate> Candidates(int step, const std::vector<Unproved>& failed,
-                                    Absorbing absorbing) const {
+  std::vector<Candidate> Candidates(int step, const Unmet& failed, Absorbing absorbing) const {
     std::vector<plan::Action> actions;
     std::vector<std::optional<plan::Strategy>> strategies;
     for (const Entry& entry : entries_) {
       actions.push_back(entry.action);
       strategies.push_back(entry.strategy);
     }
-    const UnmetGoals unmet = {problem_, actions, step, failed, std::move(strategies)};
+    const UnmetGoals unmet = {
+        problem_, actions, step,
+        WithoutConditions(failed.absorbed, worlds_.possible.UnprovedAt(failed.after)),
+        std::move(strategies)};
     std::vector<Candidate> candidates;
     for (std::size_t r = 0; r < options_.resolvers.size(); ++r) {
-      if (options_.resolvers[r]->absorbs() != (absorbing == Absorbing::kYes)) continue;
+      if (options_.resolvers[r]->absorbs().empty() == (absorbing == Absorbing::kYes)) continue;
       for (Remedy& remedy : options_.resolvers[r]->Propose(unmet)) {
         candidates.push_back({static_cast<int>(r), std::move(remedy)});
       }
@@ -329,7 +355,7 @@ class Augmentation {
 
   // The entries with the chosen remedies for a step applied.
   Mended With(int step, const std::vector<Candidate>& candidates, const std::vector<int>& chosen,
-              const std::string& why) const {
+              const Unmet& unmet) const {
     Mended mended;
     Entry target = entries_[step];
     int next_id = static_cast<int>(entries_.size());
@@ -339,7 +365,7 @@ class Augmentation {
           if (insertion.before != position) continue;
           const StepId id(next_id++);
           mended.entries.push_back({.id = id, .action = insertion.action});
-          Note(target, NameOf(candidates[c]), why).steps.push_back(id);
+          Note(target, NameOf(candidates[c]), unmet).steps.push_back(id);
         }
       }
       if (position == step) mended.step = static_cast<int>(mended.entries.size());
@@ -349,7 +375,7 @@ class Augmentation {
       const Remedy& remedy = candidates[c].remedy;
       target.absorbed.insert(target.absorbed.end(), remedy.absorbs.begin(), remedy.absorbs.end());
       if (remedy.strategy) target.strategy = remedy.strategy;
-      Note(target, NameOf(candidates[c]), why);
+      Note(target, NameOf(candidates[c]), unmet);
     }
     mended.entries[mended.step] = std::move(target);
     return mended;
@@ -359,12 +385,11 @@ class Augmentation {
     return std::string(options_.resolvers[candidate.resolver]->name());
   }
 
-  // The entry's resolution by this resolver, a new one if there is none.
-  static Resolution& Note(Entry& entry, const std::string& resolver, const std::string& why) {
-    const auto known = std::ranges::find(entry.resolutions, resolver, &Resolution::resolver);
-    if (known != entry.resolutions.end()) return *known;
-    return entry.resolutions.emplace_back(
-        Resolution{.resolver = resolver, .steps = {}, .why = why});
+  // The entry's measure by this resolver, a new one if there is none.
+  static Measure& Note(Entry& entry, const std::string& resolver, const Unmet& unmet) {
+    const auto known = std::ranges::find(entry.measures, resolver, &Measure::resolver);
+    if (known != entry.measures.end()) return *known;
+    return entry.measures.emplace_back(Measure{.resolver = resolver, .because = unmet});
   }
 
   bool IsProved(const Mended& mended) const {
@@ -400,16 +425,27 @@ class Augmentation {
     return moment;
   }
 
-  static void GiveUp(Entry& entry, const std::string& why) {
+  static void GiveUp(Entry& entry, const Unmet& unmet) {
     entry.given_up = true;
     entry.strategy.reset();
     entry.absorbed.clear();
-    Note(entry, "verification", why);
+    Note(entry, "verification", unmet);
+  }
+
+  Resolution InWords(const Measure& measure) const {
+    Resolution resolution = {.resolver = measure.resolver,
+                             .steps = measure.steps,
+                             .why = WhyUnproved(Told(measure.because))};
+    if (const auto& less = measure.without_moving) {
+      resolution.why +=
+          fmt::format("; after {} still {}", less->resolver, WhyUnproved(Told(less->still)));
+    }
+    return resolution;
   }
 
   void WriteOut(const Entry& entry, int executed, UncertainWorld& world, plan::Plan& plan) const {
     plan::PlannedStep& step = plan.steps[entry.id.index()];
-    if (entry.id.index() >= static_cast<int>(instance_.steps.size())) {
+    if (IsInserted(entry)) {
       step.name = fmt::format("action_{}", entry.id.index() + 1);
       step.action = entry.action;
       step.inserted = entry.id.index() + 1;
@@ -420,7 +456,9 @@ class Augmentation {
     ASSAY_CHECK(certified.unproved.empty() == !Fails(entry),
                 "'{}' is certified otherwise than it was decided", step.name);
     step.certificate = std::move(certified.certificate);
-    step.certificate.resolutions = entry.resolutions;
+    for (const Measure& measure : entry.measures) {
+      step.certificate.resolutions.push_back(InWords(measure));
+    }
     if (Fails(entry)) AddVerification(problem_, entry.id, step.action, step.certificate, plan);
   }
 
@@ -444,16 +482,16 @@ class Augmentation {
 // That no remedies can better.
 Standing LeastStanding(const plan::Plan& instance, const UncertaintyOptions& options,
                        Worlds& worlds) {
-  Standing least = {.errors = 0, .actions = instance.steps.size()};
-  const auto absorbs = [](const auto& resolver) { return resolver->absorbs(); };
-  if (!worlds.best || std::ranges::any_of(options.resolvers, absorbs)) return least;
+  Standing least = {.actions = instance.steps.size()};
+  if (!worlds.best) return least;
+  const std::vector<std::string> absorbable = Absorbable(options);
   MomentId moment = worlds.best->Beginning();
-  const auto execute = [&](const plan::Action& action) {
-    moment = worlds.best->After(moment, action, nullptr);
-    if (!worlds.best->IsProved(moment)) ++least.errors;
-  };
-  for (const plan::Sense& look : options.looks) execute(look);
-  for (const StepId id : instance.ExecutionOrder()) execute(instance.step(id).action);
+  for (const StepId id : instance.ExecutionOrder()) {
+    moment = worlds.best->After(moment, instance.step(id).action, nullptr);
+    const Shortfall shortfall = worlds.best->LeastShortfall(moment, absorbable);
+    least.errors += shortfall.goals > 0 ? 1 : 0;
+    least.violation += shortfall.violation;
+  }
   return least;
 }
 
@@ -487,10 +525,10 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const Planner
     if (complete.can_be_executed && !complete.can_be_executed(instance)) {
       return ++instances >= complete.instances;
     }
-    if (!best || !(best->standing() < LeastStanding(instance, complete, worlds))) {
+    if (!best || LeastStanding(instance, complete, worlds) < best->standing()) {
       auto augmentation = std::make_unique<const Augmentation>(problem, instance, complete, worlds);
       combinations += augmentation->combinations();
-      if (!best || augmentation->IsBetterThan(*best)) best = std::move(augmentation);
+      if (!best || augmentation->standing() < best->standing()) best = std::move(augmentation);
     }
     return best->errors() == 0 || ++instances >= complete.instances;
   };

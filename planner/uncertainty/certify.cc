@@ -249,6 +249,14 @@ double Violation(const std::vector<Unproved>& unproved) {
   return violation;
 }
 
+double LeastViolation(const Unproved& unproved, const UncertainWorld& world) {
+  const double limit = unproved.claim.limit;
+  const double beyond = unproved.claim.relation == Relation::kLess
+                            ? world.GlanceAbove(unproved.expression).attained - limit
+                            : limit - world.GlanceBelow(unproved.expression).attained;
+  return std::max(0., beyond);
+}
+
 CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request, const plan::Strategy* strategy) {
   StepCertifier certifier(world, Effort::kCertify, request, strategy);

@@ -20,6 +20,10 @@ struct CertifiedStep {
 // The sum of how far the bounds are beyond their limits.
 double Violation(const std::vector<Unproved>& unproved);
 
+// How far the bound of the expression is beyond its limit at least, however tight it is: by the
+// values that a glance finds.
+double LeastViolation(const Unproved& unproved, const UncertainWorld& world);
+
 // Certifies the next action of a plan instance, and takes the world to where it is after it: the
 // action's add and delete lists at the uncertainty-reduction level, of manipulations and of sensing
 // alike. The action's own preconditions are assumed to have held; if it is executed by a strategy,

@@ -131,6 +131,14 @@ void UncertainWorld::SetBelief(PartId part, const BeliefShift& shift,
                      in_world.theta};
 }
 
+void UncertainWorld::TellWherePartsRest(bool with_heights) {
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (PartId(p) == in_hand_) continue;
+    const Expression height = with_heights ? 0 : parts_[p].in_world.displacement[2];
+    SetBelief(PartId(p), {}, {.displacement = {0, 0, height}, .theta = 0});
+  }
+}
+
 Interval UncertainWorld::RangeOf(const Expression& expression) const {
   return algebra::Evaluate(expression, std::span<const Interval>(constraints().box));
 }

@@ -63,6 +63,9 @@ class UncertainWorld {
                   const BeliefShift& shift);
   // The part stays; what is believed of it changes. The error as `resting_in_world` tells it.
   void SetBelief(PartId part, const BeliefShift& shift, const RestingError& in_world);
+  // Every part that rests turns out to be where the plan has it, its height as it may be unless
+  // heights are told, too.
+  void TellWherePartsRest(bool with_heights);
 
   const algebra::ConstraintSet& constraints() const {  // the box of all variables
     return variables_->declared;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "planner/uncertainty/tip_error.h"
 
@@ -51,9 +52,16 @@ bool IsSame(const plan::Strategy* a, const plan::Strategy* b) {
 }  // namespace
 
 WorldTree::WorldTree(const domain::Problem& problem, Propagation propagation,
-                     const algebra::BoundRequest& request)
-    : request_(request) {
-  moments_.push_back({.world = UncertainWorld(problem, propagation)});
+                     const algebra::BoundRequest& request,
+                     std::function<void(UncertainWorld&)> learn)
+    : request_(request), learn_(std::move(learn)) {
+  moments_.emplace_back();
+  Keep(moments_.front(), UncertainWorld(problem, propagation));
+}
+
+void WorldTree::Keep(Moment& moment, UncertainWorld world) {
+  if (learn_) learn_(world);
+  moment.world = std::move(world);
 }
 
 MomentId WorldTree::After(MomentId before, const plan::Action& action,
@@ -75,7 +83,7 @@ const UncertainWorld& WorldTree::WorldAt(MomentId id) {
   if (!At(id).world) {
     UncertainWorld world = WorldAt(At(id).before);
     Propagate(world, At(id).action, At(id).way());
-    At(id).world = std::move(world);
+    Keep(At(id), std::move(world));
   }
   return *At(id).world;
 }
@@ -85,7 +93,7 @@ std::vector<Unproved> WorldTree::Decide(MomentId id, Wanted wanted) {
   Moment& moment = At(id);
   std::vector<Unproved> unproved = DecideStep(world, moment.action, request_, wanted, moment.way());
   moment.is_proved = unproved.empty();
-  if (!moment.world) moment.world = std::move(world);
+  if (!moment.world) Keep(moment, std::move(world));
   return unproved;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -15,9 +16,11 @@ using MomentId = Id<struct MomentTag>;
 // so do they with one remedy and with another.
 class WorldTree {
  public:
-  // The problem must outlive the tree.
+  // The problem must outlive the tree. `learn`: what is found out at the beginning and after each
+  // action, without any action of the plan; empty: nothing.
   WorldTree(const domain::Problem& problem, Propagation propagation,
-            const algebra::BoundRequest& request);
+            const algebra::BoundRequest& request,
+            std::function<void(UncertainWorld&)> learn = {});
 
   MomentId Beginning() const { return MomentId(0); }
   // After one more action; `strategy`: null if it goes straight.
@@ -48,8 +51,10 @@ class WorldTree {
 
   Moment& At(MomentId moment) { return moments_[moment.index()]; }
   std::vector<Unproved> Decide(MomentId moment, Wanted wanted);
+  void Keep(Moment& moment, UncertainWorld world);
 
   algebra::BoundRequest request_;
+  std::function<void(UncertainWorld&)> learn_;
   std::deque<Moment> moments_;  // the beginning first
 };
 

@@ -225,6 +225,7 @@ class Absorbing : public Resolver {
  public:
   explicit Absorbing(std::vector<std::string> conditions) : conditions_(std::move(conditions)) {}
   std::string_view name() const override { return "fine motion"; }
+  std::vector<std::string> absorbs() const override { return conditions_; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override {
     asked_.push_back(unmet.step);
     return {{.part = unmet.Parts().front(), .insertions = {}, .absorbs = conditions_}};
