@@ -495,6 +495,15 @@ Standing LeastStanding(const plan::Plan& instance, const UncertaintyOptions& opt
   return least;
 }
 
+// Whether the instance might come before the best one; `for_violation`: how many that might do so
+// by their violation alone are still to be augmented.
+bool IsWorthAugmenting(const Standing& least, const Standing& best, std::int64_t& for_violation) {
+  if (!(least < best)) return false;
+  const bool may_have_fewer =
+      std::tie(least.errors, least.actions) < std::tie(best.errors, best.actions);
+  return may_have_fewer || for_violation-- > 0;
+}
+
 UncertaintyOptions WithDefaults(UncertaintyOptions options) {
   if (options.resolvers.empty()) {
     options.resolvers = {std::make_shared<SensingResolver>(),
@@ -520,12 +529,14 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const Planner
   std::unique_ptr<const Augmentation> best;
   std::int64_t instances = 0;
   std::int64_t combinations = 0;
+  std::int64_t for_violation = complete.instances_for_violation;
   PlannerOptions first_phase = planner;
   first_phase.accept = [&](const plan::Plan& instance) {
     if (complete.can_be_executed && !complete.can_be_executed(instance)) {
       return ++instances >= complete.instances;
     }
-    if (!best || LeastStanding(instance, complete, worlds) < best->standing()) {
+    if (!best || IsWorthAugmenting(LeastStanding(instance, complete, worlds), best->standing(),
+                                   for_violation)) {
       auto augmentation = std::make_unique<const Augmentation>(problem, instance, complete, worlds);
       combinations += augmentation->combinations();
       if (!best || augmentation->standing() < best->standing()) best = std::move(augmentation);

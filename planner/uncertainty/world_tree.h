@@ -19,8 +19,7 @@ class WorldTree {
   // The problem must outlive the tree. `learn`: what is found out at the beginning and after each
   // action, without any action of the plan; empty: nothing.
   WorldTree(const domain::Problem& problem, Propagation propagation,
-            const algebra::BoundRequest& request,
-            std::function<void(UncertainWorld&)> learn = {});
+            const algebra::BoundRequest& request, std::function<void(UncertainWorld&)> learn = {});
 
   MomentId Beginning() const { return MomentId(0); }
   // After one more action; `strategy`: null if it goes straight.

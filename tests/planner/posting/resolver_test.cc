@@ -241,6 +241,8 @@ class Absorbing : public Resolver {
 class Scanner : public Resolver {
  public:
   std::string_view name() const override { return "scanner"; }
+  // For all that is known of it: it is asked together with those that do absorb.
+  std::vector<std::string> absorbs() const override { return {"entry"}; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override {
     return SensingResolver().Propose(unmet);
   }

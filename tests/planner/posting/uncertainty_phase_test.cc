@@ -29,6 +29,7 @@ using plan::Plan;
 using plan::PlannedStep;
 using plan::StepId;
 using ::testing::Each;
+using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
@@ -532,6 +533,7 @@ TEST_P(AllInstances, HaveNoneBetterThanTheAnswer) {
   const domain::Problem problem = LoadScenario(GetParam());
   UncertaintyOptions options;
   options.instances = 4;
+  options.instances_for_violation = 4;
   options.combinations = 10;
   using Rank = std::tuple<int, std::size_t, double>;
   std::vector<std::pair<Rank, Plan>> augmented;
@@ -559,6 +561,23 @@ TEST(UncertaintyPhase, TheViolationIsTheSumOfWhatIsMissing) {
   }
   EXPECT_GT(missing, 0);
   EXPECT_NEAR(augmented.violation, missing, 1e-9);
+}
+
+// Most errors are what no remedy can reach: then it is not worth augmenting all instances.
+TEST(UncertaintyPhase, AFewInstancesAreAugmentedForTheirViolationAlone) {
+  const domain::Problem problem = LoadScenario("spar-fig13");
+  std::vector<std::int64_t> remedies;
+  std::vector<int> errors;
+  for (const int most : {0, 1, 9}) {
+    UncertaintyOptions options;
+    options.instances_for_violation = most;
+    const plan::PlanResult result = MakeCertifiedPlan(problem, {}, options);
+    remedies.push_back(result.counters.at("remedies"));
+    errors.push_back(result.plan.errors);
+  }
+  EXPECT_LT(remedies[0], remedies[1]);
+  EXPECT_LT(remedies[1], remedies[2]);
+  EXPECT_THAT(errors, ElementsAre(1, 1, 1));
 }
 
 TEST(UncertaintyPhase, NoMoreInstancesAreLookedAtThanTheBudgetSays) {
