@@ -35,19 +35,8 @@ NormalForm Negated(NormalForm form) {
   return form;
 }
 
-// `seen`: the expressions that are known to have none, by index.
-bool MayBeUndefined(const Expression& e, std::vector<bool>& seen) {
-  if (e.pool() == nullptr || seen[e.index()]) return false;
-  seen[e.index()] = true;
-  if (e.op() == Operator::kSqrt || e.op() == Operator::kQuotient) return true;
-  if (e.op() == Operator::kPower && e.exponent() < 0) return true;
-  const auto operands = e.operands();
-  return std::any_of(operands.begin(), operands.end(),
-                     [&](const Expression& operand) { return MayBeUndefined(operand, seen); });
-}
-
 std::optional<CompiledForm> AsWritten(const Expression& e, std::size_t variables) {
-  if (!MayBeUndefined(e)) return std::nullopt;
+  if (!e.MayBeUndefined()) return std::nullopt;
   std::vector<VariableId> all;
   for (std::size_t i = 0; i < variables; ++i) all.emplace_back(i);
   return Compile({{{.coefficient = {1, 1}, .factors = {{.atom = e, .exponent = 1}}}}}, all);
@@ -126,11 +115,6 @@ std::vector<bool> Constrained(std::span<const VariableId> variables,
 }
 
 }  // namespace
-
-bool MayBeUndefined(const Expression& e) {
-  std::vector<bool> seen(e.index() + 1, false);  // operands have smaller indices
-  return MayBeUndefined(e, seen);
-}
 
 Maximization MaximizationOf(const Expression& e, int sign, const ConstraintSet& constraints) {
   return MaximizationOf(e, NormalFormOf(e), sign, constraints);
