@@ -6,10 +6,10 @@
 #include <iterator>
 #include <optional>
 #include <span>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
+#include "planner/algebra/index_map.h"
+#include "planner/algebra/intern_table.h"
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/polynomial.h"
 
@@ -46,7 +46,7 @@ class Expansion {
   // Of one of many: what they are made of is kept.
   NormalForm OfOneOfMany(const Expression& e) {
     ExpandAllOf(e);
-    return Sorted(expanded_.at(e.index()));
+    return Sorted(*expanded_.Find(e.index()));
   }
   std::size_t kept_terms() const { return kept_terms_; }
 
@@ -71,17 +71,21 @@ class Expansion {
   // one expression: it is theirs in the normal form.
   void ExpandAllOf(const Expression& e) {
     for (const Expression& node : UnexpandedNodesOf(e)) {
-      const Polynomial& kept = expanded_[node.index()] = ExpandedNode(node);
-      kept_terms_ += kept.size() + 1;
+      Polynomial expanded = ExpandedNode(node);
+      kept_terms_ += expanded.size() + 1;
+      expanded_[node.index()] = std::move(expanded);
     }
   }
 
   std::vector<Expression> UnexpandedNodesOf(const Expression& e) const {
     std::vector<Expression> nodes;
-    std::unordered_set<int> met;
+    InternTable met;  // in nodes
     const auto meet = [&](const Expression& node) {
-      const int index = node.index();
-      if (!expanded_.contains(index) && met.insert(index).second) nodes.push_back(node);
+      if (expanded_.Find(node.index()) != nullptr) return;
+      const std::uint64_t hash = MixedHash(0, node.index());
+      if (met.Find(hash, [&](int i) { return nodes[i] == node; }) >= 0) return;
+      met.Insert(hash, static_cast<int>(nodes.size()));
+      nodes.push_back(node);
     };
     meet(e);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -99,21 +103,21 @@ class Expansion {
 
   Polynomial Walked(const Expression& e) {
     const std::vector<Expression> nodes = NodesOf(e);
-    std::unordered_map<int, int> uses;  // yet to come
+    IndexMap<int> uses;  // yet to come
     for (const Expression& node : nodes) {
       for (const Expression& operand : node.operands()) ++uses[operand.index()];
     }
     for (const Expression& node : nodes) {
       Polynomial result = ExpandedNode(node);
       for (const Expression& operand : node.operands()) {
-        if (--uses[operand.index()] == 0) expanded_.erase(operand.index());
+        if (--uses[operand.index()] == 0) expanded_[operand.index()] = {};
       }
       expanded_[node.index()] = std::move(result);
     }
     return std::move(expanded_[e.index()]);
   }
 
-  Part PartOf(const Expression& e) { return {.written = e, .expanded = &expanded_.at(e.index())}; }
+  Part PartOf(const Expression& e) { return {.written = e, .expanded = expanded_.Find(e.index())}; }
 
   Polynomial Expanded(const Expression& e) {
     const auto operand = [&](std::size_t i) { return PartOf(e.operands()[i]); };
@@ -176,7 +180,7 @@ class Expansion {
     if (part.expanded->size() != 1) return false;
     const auto factors = algebra_.Factors(part.expanded->front().monomial);
     return std::ranges::any_of(factors, [&](const AtomPower& factor) {
-      const Expression& atom = atoms_.at(factor.atom);
+      const Expression& atom = *atoms_.Find(factor.atom);
       return atom.op() == Operator::kSum || (atom.op() == Operator::kPower && atom.exponent() > 0);
     });
   }
@@ -231,7 +235,7 @@ class Expansion {
   Polynomial ReciprocalOfTerm(const PolynomialAlgebra::Term& term) {
     Polynomial result = algebra_.Constant(kOne / term.coefficient);
     for (const AtomPower& factor : algebra_.Factors(term.monomial)) {
-      const Expression reciprocal = Power(atoms_.at(factor.atom), -1);
+      const Expression reciprocal = Power(*atoms_.Find(factor.atom), -1);
       const Polynomial power = AtomPolynomial(reciprocal, factor.exponent);
       result[0] = algebra_.PlainProduct(result[0], power[0]);
     }
@@ -288,7 +292,7 @@ class Expansion {
   }
 
   Polynomial AtomPolynomial(const Expression& atom, int exponent) {
-    atoms_.try_emplace(atom.index(), atom);
+    atoms_[atom.index()] = atom;
     return algebra_.Atom(atom.index(), exponent);
   }
 
@@ -336,7 +340,7 @@ class Expansion {
       term.coefficient = coefficient;
       term.factors.reserve(algebra_.Factors(monomial).size());
       for (const AtomPower& factor : algebra_.Factors(monomial)) {
-        term.factors.push_back({.atom = atoms_.at(factor.atom), .exponent = factor.exponent});
+        term.factors.push_back({.atom = *atoms_.Find(factor.atom), .exponent = factor.exponent});
       }
     }
     return form;
@@ -346,8 +350,8 @@ class Expansion {
   const int most_terms_;
   const AtomArguments arguments_;
   PolynomialAlgebra algebra_;
-  std::unordered_map<int, Expression> atoms_;     // by index
-  std::unordered_map<int, Polynomial> expanded_;  // by index
+  IndexMap<Expression> atoms_;
+  IndexMap<Polynomial> expanded_;
   std::size_t kept_terms_ = 0;
 };
 
