@@ -405,12 +405,16 @@ int ExpressionPool::node_count() const { return static_cast<int>(nodes_.size());
 
 namespace {
 
+constexpr std::size_t kUsualNodes = 64;  // of an expression, mostly
+
 // The distinct expressions that e, of a pool, is made of: e first, and each before its operands.
 std::vector<Expression> NodesAsMet(const Expression& e) {
   auto& stored = NodeAccess::StorageOf(*e.pool());
   stored.BeginWalk(e.pool()->node_count());
   stored.Meet(e.index());
-  std::vector<Expression> nodes = {e};
+  std::vector<Expression> nodes;
+  nodes.reserve(kUsualNodes);
+  nodes.push_back(e);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (const Expression& operand : nodes[i].operands()) {
       if (stored.Meet(operand.index())) nodes.push_back(operand);
