@@ -198,7 +198,7 @@ std::string_view Name(Rung rung) {
 class PreparedExpression::Ready {
  public:
   explicit Ready(const Expression& e) : e_(e), form_(NormalFormOf(e)) {
-    if (MayBeUndefined(e)) return;
+    if (e.MayBeUndefined()) return;
     if (auto multiaffine = MultiaffineFormOf(form_)) search_.emplace(*std::move(multiaffine));
   }
 

@@ -1,9 +1,9 @@
 #include "planner/algebra/compiled_form.h"
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
+#include "planner/algebra/index_map.h"
 #include "planner/algebra/intern_table.h"
 #include "planner/base/check.h"
 
@@ -20,11 +20,19 @@ class Compiler {
   }
 
   CompiledForm Compile(const NormalForm& form) {
+    std::vector<int> numbers = NumbersOf(form);
     std::vector<Term> terms;
-    for (const NormalForm::Term& term : form.terms) terms.push_back(Numbered(term));
+    terms.reserve(form.terms.size());
+    auto begin = numbers.begin();
+    for (const NormalForm::Term& term : form.terms) {
+      const auto end = begin + std::ssize(term.factors);
+      terms.push_back({term.coefficient, {begin, end}});
+      std::sort(begin, end);
+      begin = end;
+    }
     count_of_factor_.assign(factors_.size(), 0);
     step_of_factor_.assign(factors_.size(), -1);
-    const int value = AddSum(std::move(terms));
+    const int value = AddSum(terms);
     // The value stands last, also where it is a step that others share.
     if (value + 1 != static_cast<int>(form_.steps.size())) {
       AddBinary(Operator::kSum, value, AddConstant({0, 0}));
@@ -35,14 +43,16 @@ class Compiler {
  private:
   struct Term {
     Interval coefficient;
-    std::vector<int> factors;  // numbers in factors_, increasing
+    std::span<int> factors;  // numbers in factors_, increasing
   };
 
-  Term Numbered(const NormalForm::Term& term) {
-    Term numbered{term.coefficient, {}};
-    for (const Factor& factor : term.factors) numbered.factors.push_back(NumberOf(factor));
-    std::sort(numbered.factors.begin(), numbered.factors.end());
-    return numbered;
+  // Of all factors, term by term.
+  std::vector<int> NumbersOf(const NormalForm& form) {
+    std::vector<int> numbers;
+    for (const NormalForm::Term& term : form.terms) {
+      for (const Factor& factor : term.factors) numbers.push_back(NumberOf(factor));
+    }
+    return numbers;
   }
 
   int NumberOf(const Factor& factor) {
@@ -84,14 +94,15 @@ class Compiler {
 
   // Terms that hold the most frequent factor are summed without it and multiplied by it; so on with
   // those that are left, until no two share one.
-  int AddSum(std::vector<Term> terms) {
+  int AddSum(std::span<Term> terms) {
     int sum = -1;
     const auto add = [&](int step) { sum = sum < 0 ? step : AddBinary(Operator::kSum, sum, step); };
     while (terms.size() > 1) {
       const int factor = SharedFactor(terms);
       if (factor < 0) break;
-      std::vector<Term> sharing = ExtractSharing(factor, terms);
-      const int other = AddSum(std::move(sharing));
+      const std::span<Term> sharing = MoveSharingBehind(factor, terms);
+      const int other = AddSum(sharing);
+      terms = terms.first(terms.size() - sharing.size());
       add(AddBinary(Operator::kProduct, AddFactor(factor), other));
     }
     for (const Term& term : terms) add(AddProduct(term));
@@ -99,7 +110,7 @@ class Compiler {
   }
 
   // The factor that most terms hold, the first of several; -1 if none is in two terms.
-  int SharedFactor(const std::vector<Term>& terms) {
+  int SharedFactor(std::span<const Term> terms) {
     int best = -1;
     int best_count = 1;
     for (const Term& term : terms) {
@@ -117,17 +128,26 @@ class Compiler {
     return best;
   }
 
-  // Moves the terms that hold the factor out of `terms`, and the factor out of them.
-  static std::vector<Term> ExtractSharing(int factor, std::vector<Term>& terms) {
-    std::vector<Term> sharing, others;
+  // Moves the terms that hold the factor behind the others, and the factor out of them.
+  static std::span<Term> MoveSharingBehind(int factor, std::span<Term> terms) {
+    const auto stays = [&](Term& term) {
+      const auto at = std::ranges::find(term.factors, factor);
+      if (at == term.factors.end()) return true;
+      std::copy(at + 1, term.factors.end(), at);
+      term.factors = term.factors.first(term.factors.size() - 1);
+      return false;
+    };
+    std::vector<Term> sharing;
+    auto end = terms.begin();
     for (Term& term : terms) {
-      const auto at = std::lower_bound(term.factors.begin(), term.factors.end(), factor);
-      const bool shares = at != term.factors.end() && *at == factor;
-      if (shares) term.factors.erase(at);
-      (shares ? sharing : others).push_back(std::move(term));
+      if (stays(term)) {
+        *end++ = term;
+      } else {
+        sharing.push_back(term);
+      }
     }
-    terms = std::move(others);
-    return sharing;
+    std::ranges::copy(sharing, end);
+    return {end, terms.end()};
   }
 
   int AddProduct(const Term& term) {
@@ -158,8 +178,7 @@ class Compiler {
 
   int AddExpression(const Expression& e) {
     if (e.IsConstant()) return AddConstant({e.constant(), e.constant()});
-    const auto known = step_of_expression_.find(e.index());
-    if (known != step_of_expression_.end()) return known->second;
+    if (const int* known = step_of_expression_.Find(e.index())) return *known;
     const int step = AddNode(e);
     step_of_expression_[e.index()] = step;
     return step;
@@ -202,9 +221,9 @@ class Compiler {
 
   // Sine and cosine stand beside each other: each is the other's derivative.
   int AddSineAndCosine(Operator wanted, int angle) {
-    const auto [at, is_new] = sine_of_.try_emplace(angle, static_cast<int>(form_.steps.size()));
-    const int sine = at->second;
+    const auto [sine, is_new] = sine_of_.Insert(angle);
     if (is_new) {
+      sine = static_cast<int>(form_.steps.size());
       AddBinary(Operator::kSin, angle, sine + 1);
       AddBinary(Operator::kCos, angle, sine);
     }
@@ -214,11 +233,11 @@ class Compiler {
   std::span<const VariableId> variables_;
   CompiledForm form_;
   std::vector<Factor> factors_;
-  InternTable numbers_;                    // in factors_
-  std::vector<int> count_of_factor_;       // scratch, all zero between uses
-  std::vector<int> step_of_factor_;        // -1: none yet
-  std::map<int, int> step_of_expression_;  // by Expression::index
-  std::map<int, int> sine_of_;             // by the step of the angle
+  InternTable numbers_;               // in factors_
+  std::vector<int> count_of_factor_;  // scratch, all zero between uses
+  std::vector<int> step_of_factor_;   // -1: none yet
+  IndexMap<int> step_of_expression_;
+  IndexMap<int> sine_of_;  // by the step of the angle
 };
 
 }  // namespace

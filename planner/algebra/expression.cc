@@ -18,14 +18,7 @@ namespace assay::algebra {
 
 namespace {
 
-struct Node {
-  Operator op = Operator::kConstant;
-  int number = 0;       // the variable's, or the exponent
-  double constant = 0;  // of kConstant
-  std::span<const Expression> operands = {};
-};
-
-std::uint64_t HashOf(const Node& node) {
+std::uint64_t HashOf(const StoredNode& node) {
   std::uint64_t hash =
       MixedHash(static_cast<std::uint64_t>(node.op),
                 static_cast<std::uint64_t>(static_cast<std::uint32_t>(node.number)));
@@ -36,12 +29,18 @@ std::uint64_t HashOf(const Node& node) {
   return hash;
 }
 
-bool AreSame(const Node& a, const Node& b) {
+bool AreSame(const StoredNode& a, const StoredNode& b) {
   const auto have_one_index = [](const Expression& x, const Expression& y) {
     return x.index() == y.index();
   };
   return a.op == b.op && a.number == b.number && a.constant == b.constant &&
          std::ranges::equal(a.operands, b.operands, have_one_index);
+}
+
+bool MayBeUndefined(const StoredNode& node) {
+  if (node.op == Operator::kSqrt || node.op == Operator::kQuotient) return true;
+  if (node.op == Operator::kPower && node.number < 0) return true;
+  return std::ranges::any_of(node.operands, &Expression::MayBeUndefined);
 }
 
 // Lists of operands, which stay where they are.
@@ -64,16 +63,16 @@ class OperandArena {
 
 }  // namespace
 
-struct ExpressionPool::Nodes {
+struct ExpressionPool::Storage {
   struct DeclaredVariable {
     std::string name;
     Interval bounds;
     int node = -1;
   };
 
-  std::vector<Node> nodes;
   InternTable table;
   OperandArena arena;
+  std::vector<Expression> listed;  // scratch: the operands of a sum or product in the making
   std::vector<DeclaredVariable> variables;
   std::map<std::string, VariableId, std::less<>> by_name;
   // Scratch of a walk: the last walk that met each node, and the place that it gave the node.
@@ -81,20 +80,9 @@ struct ExpressionPool::Nodes {
   std::vector<int> place;
   std::uint32_t walk = 0;
 
-  int Intern(const Node& node) {
-    const std::uint64_t hash = HashOf(node);
-    const int known = table.Find(hash, [&](int index) { return AreSame(nodes[index], node); });
-    if (known >= 0) return known;
-    const int index = static_cast<int>(nodes.size());
-    nodes.push_back(node);
-    nodes.back().operands = arena.Keep(node.operands);
-    table.Insert(hash, index);
-    return index;
-  }
-
-  void BeginWalk() {
-    met_by.resize(nodes.size(), walk);
-    place.resize(nodes.size());
+  void BeginWalk(std::size_t node_count) {
+    met_by.resize(node_count, walk);
+    place.resize(node_count);
     if (++walk == 0) {
       std::ranges::fill(met_by, 0);
       walk = 1;
@@ -106,11 +94,25 @@ struct ExpressionPool::Nodes {
 };
 
 struct NodeAccess {
-  static ExpressionPool::Nodes& NodesOf(const ExpressionPool& pool) { return *pool.nodes_; }
+  static ExpressionPool::Storage& StorageOf(const ExpressionPool& pool) { return *pool.storage_; }
+
+  static Expression Intern(ExpressionPool& pool, const StoredNode& node) {
+    ExpressionPool::Storage& storage = *pool.storage_;
+    const std::uint64_t hash = HashOf(node);
+    const auto is_same = [&](int index) { return AreSame(pool.nodes_[index], node); };
+    const int known = storage.table.Find(hash, is_same);
+    if (known >= 0) return pool.At(known);
+    const int index = pool.node_count();
+    pool.nodes_.push_back(node);
+    pool.nodes_.back().operands = storage.arena.Keep(node.operands);
+    pool.nodes_.back().may_be_undefined = MayBeUndefined(node);
+    storage.table.Insert(hash, index);
+    return pool.At(index);
+  }
 
   static Expression Make(ExpressionPool* pool, Operator op, std::span<const Expression> operands,
                          int exponent = 0) {
-    return pool->At(pool->nodes_->Intern({.op = op, .number = exponent, .operands = operands}));
+    return Intern(*pool, {.op = op, .number = exponent, .operands = operands});
   }
 };
 
@@ -159,10 +161,13 @@ constexpr Folding kProductFolding = {
     .rounded = [](double a, double b) { return a * b; },
     .enclosed = [](const Interval& a, const Interval& b) { return a * b; }};
 
-// The operands of a sum or product in the making.
+// The operands of a sum or product in the making, in a pool.
 class OperandList {
  public:
-  OperandList(const Folding& folding, ExpressionPool* pool) : folding_(folding), pool_(pool) {}
+  OperandList(const Folding& folding, ExpressionPool* pool)
+      : folding_(folding), pool_(pool), operands_(NodeAccess::StorageOf(*pool).listed) {
+    operands_.clear();
+  }
 
   void Add(const Expression& e) {
     if (e.op() == folding_.op && e.operands().size() <= Expression::kMostFlattened) {
@@ -203,18 +208,43 @@ class OperandList {
     operands_.insert(operands_.begin() + static_cast<std::ptrdiff_t>(place), Number(value, pool_));
   }
 
-  bool Folds(double a, double b) const {
-    return pool_ == nullptr || IsSingle(folding_.enclosed({a, a}, {b, b}));
-  }
+  bool Folds(double a, double b) const { return IsSingle(folding_.enclosed({a, a}, {b, b})); }
 
   const Folding& folding_;
   ExpressionPool* pool_;
-  std::vector<Expression> operands_;
+  std::vector<Expression>& operands_;
   bool is_absorbed_ = false;
 };
 
+Expression CombinedNumbers(const Folding& folding, std::span<const Expression> numbers) {
+  double value = folding.neutral;
+  for (const Expression& number : numbers) value = folding.rounded(value, number.constant());
+  return Number(value + 0.0, nullptr);  // never -0
+}
+
+// The result, where at most one operand says more than the neutral number, or one absorbs the
+// others: most operands that transforms are made of are 0 and 1.
+std::optional<Expression> CombinedAtOnce(const Folding& folding, ExpressionPool* pool,
+                                         std::span<const Expression> operands) {
+  const Expression* only = nullptr;
+  int speaking = 0;
+  for (const Expression& operand : operands) {
+    if (operand.IsConstant()) {
+      if (folding.op == Operator::kProduct && operand.constant() == 0) return Number(0, pool);
+      if (operand.constant() == folding.neutral) continue;
+    }
+    only = &operand;
+    ++speaking;
+  }
+  if (speaking == 0) return Number(folding.neutral, pool);
+  if (speaking == 1) return InPool(*only, pool);
+  return std::nullopt;
+}
+
 Expression Combined(const Folding& folding, std::span<const Expression> operands) {
   ExpressionPool* const pool = JoinedPool(operands);
+  if (pool == nullptr) return CombinedNumbers(folding, operands);
+  if (const auto result = CombinedAtOnce(folding, pool, operands)) return *result;
   OperandList list(folding, pool);
   for (const Expression& operand : operands) list.Add(operand);
   return list.Finish();
@@ -250,37 +280,6 @@ bool AreNumbers(const Expression& a, const Expression& b) {
 constexpr double kNotReal = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
-
-Operator Expression::op() const {
-  return pool_ == nullptr ? Operator::kConstant : pool_->nodes_->nodes[node_].op;
-}
-
-double Expression::constant() const {
-  if (pool_ == nullptr) return constant_;
-  const Node& node = pool_->nodes_->nodes[node_];
-  ASSAY_CHECK(node.op == Operator::kConstant);
-  return node.constant;
-}
-
-VariableId Expression::variable() const {
-  ASSAY_CHECK(op() == Operator::kVariable);
-  return VariableId(pool_->nodes_->nodes[node_].number);
-}
-
-int Expression::exponent() const {
-  ASSAY_CHECK(op() == Operator::kPower);
-  return pool_->nodes_->nodes[node_].number;
-}
-
-std::span<const Expression> Expression::operands() const {
-  if (pool_ == nullptr) return {};
-  return pool_->nodes_->nodes[node_].operands;
-}
-
-bool Expression::operator==(const Expression& other) const {
-  if (pool_ == other.pool_ && pool_ != nullptr) return node_ == other.node_;
-  return IsConstant() && other.IsConstant() && constant() == other.constant();
-}
 
 Expression operator-(const Expression& a) { return -1 * a; }
 Expression operator+(const Expression& a, const Expression& b) { return Sum(std::array{a, b}); }
@@ -351,7 +350,7 @@ Expression Product(std::span<const Expression> factors) {
   return Combined(kProductFolding, factors);
 }
 
-ExpressionPool::ExpressionPool() : nodes_(std::make_unique<Nodes>()) {}
+ExpressionPool::ExpressionPool() : storage_(std::make_unique<Storage>()) {}
 ExpressionPool::~ExpressionPool() = default;
 
 namespace {
@@ -369,50 +368,67 @@ Expression ExpressionPool::Declare(std::string name, const Interval& bounds) {
   ASSAY_CHECK(IsName(name), "'{}' is not a variable's name", name);
   ASSAY_CHECK(bounds.low <= bounds.high, "bounds of '{}': [{}, {}]", name, bounds.low, bounds.high);
   const VariableId id(variable_count());
-  ASSAY_CHECK(nodes_->by_name.emplace(name, id).second, "'{}' is declared twice", name);
-  const int node = nodes_->Intern({.op = Operator::kVariable, .number = id.index()});
-  nodes_->variables.push_back({.name = std::move(name), .bounds = bounds, .node = node});
-  return At(node);
+  ASSAY_CHECK(storage_->by_name.emplace(name, id).second, "'{}' is declared twice", name);
+  const Expression variable =
+      NodeAccess::Intern(*this, {.op = Operator::kVariable, .number = id.index()});
+  storage_->variables.push_back(
+      {.name = std::move(name), .bounds = bounds, .node = variable.index()});
+  return variable;
 }
 
 Expression ExpressionPool::Variable(VariableId id) {
-  return At(nodes_->variables.at(id.index()).node);
+  return At(storage_->variables.at(id.index()).node);
 }
 
 Expression ExpressionPool::Constant(double value) {
   ASSAY_CHECK(!std::isnan(value), "a number is NaN");
-  return At(nodes_->Intern({.constant = value + 0.0}));  // never -0
+  return NodeAccess::Intern(*this, {.constant = value + 0.0});  // never -0
 }
 
-int ExpressionPool::variable_count() const { return static_cast<int>(nodes_->variables.size()); }
+int ExpressionPool::variable_count() const { return static_cast<int>(storage_->variables.size()); }
 
 const std::string& ExpressionPool::name(VariableId id) const {
-  return nodes_->variables.at(id.index()).name;
+  return storage_->variables.at(id.index()).name;
 }
 
 const Interval& ExpressionPool::bounds(VariableId id) const {
-  return nodes_->variables.at(id.index()).bounds;
+  return storage_->variables.at(id.index()).bounds;
 }
 
 std::optional<VariableId> ExpressionPool::Find(std::string_view name) const {
-  const auto found = nodes_->by_name.find(name);
-  if (found == nodes_->by_name.end()) return std::nullopt;
+  const auto found = storage_->by_name.find(name);
+  if (found == storage_->by_name.end()) return std::nullopt;
   return found->second;
 }
 
-int ExpressionPool::node_count() const { return static_cast<int>(nodes_->nodes.size()); }
+int ExpressionPool::node_count() const { return static_cast<int>(nodes_.size()); }
 
-std::vector<Expression> NodesOf(const Expression& e) {
-  if (e.pool() == nullptr) return {e};
-  auto& stored = NodeAccess::NodesOf(*e.pool());
-  stored.BeginWalk();
+namespace {
+
+constexpr std::size_t kUsualNodes = 64;  // of an expression, mostly
+
+// The distinct expressions that e, of a pool, is made of: e first, and each before its operands.
+std::vector<Expression> NodesAsMet(const Expression& e) {
+  auto& stored = NodeAccess::StorageOf(*e.pool());
+  stored.BeginWalk(e.pool()->node_count());
   stored.Meet(e.index());
-  std::vector<Expression> nodes = {e};
+  std::vector<Expression> nodes;
+  nodes.reserve(kUsualNodes);
+  nodes.push_back(e);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     for (const Expression& operand : nodes[i].operands()) {
       if (stored.Meet(operand.index())) nodes.push_back(operand);
     }
   }
+  return nodes;
+}
+
+}  // namespace
+
+std::vector<Expression> NodesOf(const Expression& e) {
+  if (e.pool() == nullptr) return {e};
+  auto& stored = NodeAccess::StorageOf(*e.pool());
+  std::vector<Expression> nodes = NodesAsMet(e);
   std::ranges::sort(nodes, {}, &Expression::index);
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     stored.place[nodes[i].index()] = static_cast<int>(i);
@@ -428,7 +444,7 @@ template <class Result, class Apply>
 Result ForwardPass(const Expression& e, const Apply& apply) {
   const std::vector<Expression> nodes = NodesOf(e);
   if (e.pool() == nullptr) return apply(e, std::span<const Result>());
-  const auto& stored = NodeAccess::NodesOf(*e.pool());
+  const auto& stored = NodeAccess::StorageOf(*e.pool());
   std::vector<Result> results;
   results.reserve(nodes.size());
   std::vector<Result> operands;
@@ -537,7 +553,8 @@ Expression WithOperands(const Expression& e, std::span<const Expression> operand
 
 std::vector<VariableId> VariablesOf(const Expression& e) {
   std::vector<VariableId> variables;
-  for (const Expression& node : NodesOf(e)) {
+  if (e.pool() == nullptr) return variables;
+  for (const Expression& node : NodesAsMet(e)) {
     if (node.op() == Operator::kVariable) variables.push_back(node.variable());
   }
   std::ranges::sort(variables);

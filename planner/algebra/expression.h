@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "planner/base/check.h"
 #include "planner/base/id.h"
 #include "planner/base/interval.h"
 
@@ -16,7 +18,7 @@ namespace assay::algebra {
 
 using VariableId = Id<struct BoundedVariableTag>;  // a variable of one ExpressionPool
 
-enum class Operator {
+enum class Operator : std::uint8_t {
   kConstant,
   kVariable,
   kSum,       // of two or more
@@ -65,18 +67,31 @@ class Expression {
   // Among the expressions of one pool: its number; operands have smaller ones. -1: a plain number.
   int index() const { return pool_ == nullptr ? -1 : node_; }
 
+  // Whether there are square roots or divisions in it, so that it may have no value somewhere.
+  bool MayBeUndefined() const;
+
   // Numbers are equal if their values are, in a pool or not.
   bool operator==(const Expression& other) const;
 
  private:
   friend class ExpressionPool;
   Expression(ExpressionPool* pool, int node) : pool_(pool), node_(node) {}
+  const struct StoredNode& node() const;
 
   ExpressionPool* pool_ = nullptr;
   union {
     double constant_;  // of a plain number
     int node_;         // of the pool
   };
+};
+
+// What a pool keeps of an expression.
+struct StoredNode {
+  Operator op = Operator::kConstant;
+  bool may_be_undefined = false;
+  int number = 0;       // the variable's, or the exponent
+  double constant = 0;  // of kConstant
+  std::span<const Expression> operands = {};
 };
 
 Expression operator-(const Expression& a);
@@ -121,10 +136,11 @@ class ExpressionPool {
   friend class Expression;
   friend void KeepNormalForms(ExpressionPool& pool);
   friend struct NodeAccess;  // of the operations (expression.cc)
-  struct Nodes;
+  struct Storage;
   Expression At(int node) { return {this, node}; }
 
-  std::unique_ptr<Nodes> nodes_;
+  std::vector<StoredNode> nodes_;     // by Expression::index
+  std::unique_ptr<Storage> storage_;  // what finds them again, and their operands
   std::shared_ptr<KeptNormalForms> kept_normal_forms_;
 };
 
@@ -149,5 +165,41 @@ double Evaluate(const Expression& e, std::span<const double> point);
 // The range over a box (intervals by VariableId) by interval arithmetic on the expression as it
 // stands; contains every value.
 Interval Evaluate(const Expression& e, std::span<const Interval> box);
+
+inline const StoredNode& Expression::node() const { return pool_->nodes_[node_]; }
+
+inline Operator Expression::op() const {
+  return pool_ == nullptr ? Operator::kConstant : node().op;
+}
+
+inline double Expression::constant() const {
+  if (pool_ == nullptr) return constant_;
+  ASSAY_CHECK(node().op == Operator::kConstant);
+  return node().constant;
+}
+
+inline VariableId Expression::variable() const {
+  ASSAY_CHECK(op() == Operator::kVariable);
+  return VariableId(node().number);
+}
+
+inline int Expression::exponent() const {
+  ASSAY_CHECK(op() == Operator::kPower);
+  return node().number;
+}
+
+inline std::span<const Expression> Expression::operands() const {
+  if (pool_ == nullptr) return {};
+  return node().operands;
+}
+
+inline bool Expression::MayBeUndefined() const {
+  return pool_ != nullptr && node().may_be_undefined;
+}
+
+inline bool Expression::operator==(const Expression& other) const {
+  if (pool_ == other.pool_ && pool_ != nullptr) return node_ == other.node_;
+  return IsConstant() && other.IsConstant() && constant() == other.constant();
+}
 
 }  // namespace assay::algebra

@@ -44,7 +44,7 @@ class InternTable {
 
   void Grow() {
     const std::vector<Slot> old = std::move(slots_);
-    slots_.assign(old.empty() ? 64 : 2 * old.size(), {});
+    slots_.assign(old.empty() ? 16 : 2 * old.size(), {});
     for (const Slot& slot : old) {
       if (slot.index >= 0) Place(slot);
     }

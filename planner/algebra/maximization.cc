@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
+#include "planner/algebra/index_map.h"
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/base/check.h"
 
@@ -14,20 +14,19 @@ namespace {
 using Factor = NormalForm::Factor;
 using FactorKeys = std::vector<std::pair<int, int>>;  // the atoms' indices and exponents
 
-void InsertVariables(const Expression& e, std::set<VariableId>& variables) {
-  for (VariableId variable : VariablesOfAtom(e)) variables.insert(variable);
-}
-
-void InsertVariables(const NormalForm& form, std::set<VariableId>& variables) {
-  std::vector<bool> seen;  // by the atom's index
+// Adds the form's variables to others; all in increasing order.
+void InsertVariables(const NormalForm& form, std::vector<VariableId>& variables) {
+  IndexMap<bool> seen;  // of atoms
   for (const NormalForm::Term& term : form.terms) {
     for (const Factor& factor : term.factors) {
-      const std::size_t index = factor.atom.index();
-      if (index >= seen.size()) seen.resize(2 * index + 1, false);
-      if (!seen[index]) InsertVariables(factor.atom, variables);
-      seen[index] = true;
+      if (std::exchange(seen[factor.atom.index()], true)) continue;
+      const std::vector<VariableId> own = VariablesOfAtom(factor.atom);
+      variables.insert(variables.end(), own.begin(), own.end());
     }
   }
+  std::ranges::sort(variables);
+  const auto repeated = std::ranges::unique(variables);
+  variables.erase(repeated.begin(), repeated.end());
 }
 
 NormalForm Negated(NormalForm form) {
@@ -35,19 +34,8 @@ NormalForm Negated(NormalForm form) {
   return form;
 }
 
-// `seen`: the expressions that are known to have none, by index.
-bool MayBeUndefined(const Expression& e, std::vector<bool>& seen) {
-  if (e.pool() == nullptr || seen[e.index()]) return false;
-  seen[e.index()] = true;
-  if (e.op() == Operator::kSqrt || e.op() == Operator::kQuotient) return true;
-  if (e.op() == Operator::kPower && e.exponent() < 0) return true;
-  const auto operands = e.operands();
-  return std::any_of(operands.begin(), operands.end(),
-                     [&](const Expression& operand) { return MayBeUndefined(operand, seen); });
-}
-
 std::optional<CompiledForm> AsWritten(const Expression& e, std::size_t variables) {
-  if (!MayBeUndefined(e)) return std::nullopt;
+  if (!e.MayBeUndefined()) return std::nullopt;
   std::vector<VariableId> all;
   for (std::size_t i = 0; i < variables; ++i) all.emplace_back(i);
   return Compile({{{.coefficient = {1, 1}, .factors = {{.atom = e, .exponent = 1}}}}}, all);
@@ -63,9 +51,9 @@ void CheckBox(const ConstraintSet& constraints, std::span<const VariableId> vari
   }
 }
 
-void FillIn(Maximization& problem, const std::set<VariableId>& variables,
+void FillIn(Maximization& problem, std::vector<VariableId> variables,
             std::span<const Interval> box_by_id) {
-  problem.variables.assign(variables.begin(), variables.end());
+  problem.variables = std::move(variables);
   for (VariableId variable : problem.variables) {
     problem.box.push_back(box_by_id[variable.index()]);
   }
@@ -119,18 +107,15 @@ NormalForm WithFixedAtoms(const NormalForm& form, std::span<const Interval> box_
 }
 
 std::vector<bool> Constrained(std::span<const VariableId> variables,
-                              const std::set<VariableId>& in_inequalities) {
+                              std::span<const VariableId> in_inequalities) {
   std::vector<bool> constrained;
-  for (VariableId variable : variables) constrained.push_back(in_inequalities.contains(variable));
+  for (VariableId variable : variables) {
+    constrained.push_back(std::ranges::binary_search(in_inequalities, variable));
+  }
   return constrained;
 }
 
 }  // namespace
-
-bool MayBeUndefined(const Expression& e) {
-  std::vector<bool> seen(e.index() + 1, false);  // operands have smaller indices
-  return MayBeUndefined(e, seen);
-}
 
 Maximization MaximizationOf(const Expression& e, int sign, const ConstraintSet& constraints) {
   return MaximizationOf(e, NormalFormOf(e), sign, constraints);
@@ -141,19 +126,20 @@ Maximization MaximizationOf(const Expression& e, NormalForm form, int sign,
   Maximization problem;
   problem.form = sign < 0 ? Negated(std::move(form)) : std::move(form);
   std::vector<NormalForm> slacks;
-  std::set<VariableId> in_inequalities;
+  std::vector<VariableId> in_inequalities;
   for (const Inequality& inequality : constraints.inequalities) {
     slacks.push_back(NormalFormOf(inequality.greater - inequality.lesser));
     InsertVariables(slacks.back(), in_inequalities);
   }
-  std::set<VariableId> variables = in_inequalities;
+  std::vector<VariableId> variables = in_inequalities;
   InsertVariables(problem.form, variables);
-  CheckBox(constraints, std::vector<VariableId>(variables.begin(), variables.end()));
-  FillIn(problem, variables, constraints.box);
+  CheckBox(constraints, variables);
+  FillIn(problem, std::move(variables), constraints.box);
   for (const NormalForm& slack : slacks) {
     problem.slacks.push_back(Compile(slack, problem.variables));
   }
   problem.constrained = Constrained(problem.variables, in_inequalities);
+  problem.elsewhere.reserve(constraints.box.size());
   for (const Interval& interval : constraints.box) {
     problem.elsewhere.push_back(Midpoint(interval));
   }
@@ -177,10 +163,10 @@ Maximization Restricted(const Maximization& problem, std::span<const Interval> b
     restricted.elsewhere[id] = Midpoint(box[i]);
   }
   restricted.form = WithFixedAtoms(problem.form, box_by_id);
-  std::set<VariableId> variables;
+  std::vector<VariableId> variables;
   InsertVariables(restricted.form, variables);
-  FillIn(restricted, variables, box_by_id);
-  restricted.constrained.assign(variables.size(), false);
+  FillIn(restricted, std::move(variables), box_by_id);
+  restricted.constrained.assign(restricted.variables.size(), false);
   return restricted;
 }
 

@@ -24,9 +24,6 @@ struct Maximization {
   std::optional<CompiledForm> as_written;
 };
 
-// Whether there are square roots or divisions in e, so that it may have no value somewhere.
-bool MayBeUndefined(const Expression& e);
-
 // Of e (sign = 1) or of -e (sign = -1).
 Maximization MaximizationOf(const Expression& e, int sign, const ConstraintSet& constraints);
 // With the normal form of e, where it is known.

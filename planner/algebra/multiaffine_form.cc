@@ -50,13 +50,13 @@ class Reader {
 
   // False if the term is of another kind.
   bool NoteVariables(const NormalForm::Term& term) {
-    std::vector<VariableId> seen;
+    seen_.clear();
     for (const Factor& factor : term.factors) {
       if (IsWave(factor.atom) && IsRoundingAlone(term)) continue;  // 1 at most, whatever of
       const Expression inner = IsWave(factor.atom) ? factor.atom.operands()[0] : factor.atom;
       if (inner.op() != Operator::kVariable || factor.exponent != 1) return false;
-      if (std::ranges::find(seen, inner.variable()) != seen.end()) return false;
-      seen.push_back(inner.variable());
+      if (std::ranges::find(seen_, inner.variable()) != seen_.end()) return false;
+      seen_.push_back(inner.variable());
       const auto [use, is_new] = uses_.try_emplace(inner.variable(), IsWave(factor.atom));
       if (use->second.is_angle != IsWave(factor.atom)) return false;
       ++use->second.terms;
@@ -142,6 +142,7 @@ class Reader {
 
   const NormalForm& normal_form_;
   MultiaffineForm form_;
+  std::vector<VariableId> seen_;  // scratch: in the term that is read
   std::vector<NestedForm::Term> terms_;
   std::map<VariableId, Use> uses_;
   std::map<VariableId, int> places_;         // in the form's variables

@@ -6,10 +6,10 @@
 #include <iterator>
 #include <optional>
 #include <span>
-#include <unordered_map>
-#include <unordered_set>
 #include <utility>
 
+#include "planner/algebra/index_map.h"
+#include "planner/algebra/intern_table.h"
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/polynomial.h"
 
@@ -32,6 +32,38 @@ bool IsNumber(const Polynomial& a) { return a.empty() || (a.size() == 1 && a[0].
 
 Interval NumberIn(const Polynomial& a) { return a.empty() ? Interval{} : a[0].coefficient; }
 
+// atom^exponent; a reciprocal's power as one negative power.
+Expression PowerOfAtom(const NormalForm::Factor& factor) {
+  const Expression& atom = factor.atom;
+  const bool is_reciprocal = atom.op() == Operator::kPower && atom.exponent() == -1;
+  return is_reciprocal ? Power(atom.operands()[0], -factor.exponent) : Power(atom, factor.exponent);
+}
+
+// Writes the terms of a normal form, one by one, as an expression.
+class SumWriter {
+ public:
+  void BeginTerm(const Interval& coefficient) {
+    EndTerm();
+    factors_.assign(1, IsSingle(coefficient) ? coefficient.low : Midpoint(coefficient));
+    is_rounding_alone_ = !IsSingle(coefficient) && Contains(coefficient, 0);
+  }
+  void Multiply(const NormalForm::Factor& factor) { factors_.push_back(PowerOfAtom(factor)); }
+
+  Expression Finish() {
+    EndTerm();
+    return Sum(terms_);
+  }
+
+ private:
+  void EndTerm() {
+    if (!factors_.empty() && !is_rounding_alone_) terms_.push_back(Product(factors_));
+  }
+
+  std::vector<Expression> terms_;
+  std::vector<Expression> factors_;  // of the present term
+  bool is_rounding_alone_ = false;
+};
+
 // Rewrites the nodes of expressions, one by one.
 class Expansion {
  public:
@@ -41,14 +73,40 @@ class Expansion {
   int most_terms() const { return most_terms_; }
 
   // Of one expression: what it is made of is forgotten on the way.
-  NormalForm Of(const Expression& e) { return Sorted(Walked(e)); }
+  Polynomial Of(const Expression& e) { return Walked(e); }
 
   // Of one of many: what they are made of is kept.
-  NormalForm OfOneOfMany(const Expression& e) {
+  const Polynomial& OfOneOfMany(const Expression& e) {
     ExpandAllOf(e);
-    return Sorted(expanded_.at(e.index()));
+    return *expanded_.Find(e.index());
   }
   std::size_t kept_terms() const { return kept_terms_; }
+
+  NormalForm FormOf(Polynomial a) const {
+    algebra_.Sort(a);
+    NormalForm form;
+    form.terms.reserve(a.size());
+    for (const auto& [monomial, coefficient] : a) {
+      NormalForm::Term& term = form.terms.emplace_back();
+      term.coefficient = coefficient;
+      term.factors.reserve(algebra_.Factors(monomial).size());
+      for (const AtomPower& power : algebra_.Factors(monomial)) {
+        term.factors.push_back(FactorOf(power));
+      }
+    }
+    return form;
+  }
+
+  Expression Written(Polynomial a) const {
+    algebra_.Sort(a);
+    SumWriter writer;
+    for (const auto& [monomial, coefficient] : a) {
+      writer.BeginTerm(coefficient);
+      for (const AtomPower& power : algebra_.Factors(monomial)) writer.Multiply(FactorOf(power));
+    }
+    const Expression e = writer.Finish();
+    return e.pool() == nullptr ? pool_->Constant(e.constant()) : e;
+  }
 
  private:
   // A part of a product: the expression as it was written, and expanded.
@@ -62,26 +120,25 @@ class Expansion {
     int sign = 1;
   };
 
-  NormalForm Sorted(Polynomial polynomial) const {
-    algebra_.Sort(polynomial);
-    return FormOf(polynomial);
-  }
-
   // In the order in which they were made, so that atoms are made in the order in which they are for
   // one expression: it is theirs in the normal form.
   void ExpandAllOf(const Expression& e) {
     for (const Expression& node : UnexpandedNodesOf(e)) {
-      const Polynomial& kept = expanded_[node.index()] = ExpandedNode(node);
-      kept_terms_ += kept.size() + 1;
+      Polynomial expanded = ExpandedNode(node);
+      kept_terms_ += expanded.size() + 1;
+      expanded_[node.index()] = std::move(expanded);
     }
   }
 
   std::vector<Expression> UnexpandedNodesOf(const Expression& e) const {
     std::vector<Expression> nodes;
-    std::unordered_set<int> met;
+    InternTable met;  // in nodes
     const auto meet = [&](const Expression& node) {
-      const int index = node.index();
-      if (!expanded_.contains(index) && met.insert(index).second) nodes.push_back(node);
+      if (expanded_.Find(node.index()) != nullptr) return;
+      const std::uint64_t hash = MixedHash(0, node.index());
+      if (met.Find(hash, [&](int i) { return nodes[i] == node; }) >= 0) return;
+      met.Insert(hash, static_cast<int>(nodes.size()));
+      nodes.push_back(node);
     };
     meet(e);
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -99,21 +156,21 @@ class Expansion {
 
   Polynomial Walked(const Expression& e) {
     const std::vector<Expression> nodes = NodesOf(e);
-    std::unordered_map<int, int> uses;  // yet to come
+    IndexMap<int> uses;  // yet to come
     for (const Expression& node : nodes) {
       for (const Expression& operand : node.operands()) ++uses[operand.index()];
     }
     for (const Expression& node : nodes) {
       Polynomial result = ExpandedNode(node);
       for (const Expression& operand : node.operands()) {
-        if (--uses[operand.index()] == 0) expanded_.erase(operand.index());
+        if (--uses[operand.index()] == 0) expanded_[operand.index()] = {};
       }
       expanded_[node.index()] = std::move(result);
     }
     return std::move(expanded_[e.index()]);
   }
 
-  Part PartOf(const Expression& e) { return {.written = e, .expanded = &expanded_.at(e.index())}; }
+  Part PartOf(const Expression& e) { return {.written = e, .expanded = expanded_.Find(e.index())}; }
 
   Polynomial Expanded(const Expression& e) {
     const auto operand = [&](std::size_t i) { return PartOf(e.operands()[i]); };
@@ -176,7 +233,7 @@ class Expansion {
     if (part.expanded->size() != 1) return false;
     const auto factors = algebra_.Factors(part.expanded->front().monomial);
     return std::ranges::any_of(factors, [&](const AtomPower& factor) {
-      const Expression& atom = atoms_.at(factor.atom);
+      const Expression& atom = *atoms_.Find(factor.atom);
       return atom.op() == Operator::kSum || (atom.op() == Operator::kPower && atom.exponent() > 0);
     });
   }
@@ -231,7 +288,7 @@ class Expansion {
   Polynomial ReciprocalOfTerm(const PolynomialAlgebra::Term& term) {
     Polynomial result = algebra_.Constant(kOne / term.coefficient);
     for (const AtomPower& factor : algebra_.Factors(term.monomial)) {
-      const Expression reciprocal = Power(atoms_.at(factor.atom), -1);
+      const Expression reciprocal = Power(*atoms_.Find(factor.atom), -1);
       const Polynomial power = AtomPolynomial(reciprocal, factor.exponent);
       result[0] = algebra_.PlainProduct(result[0], power[0]);
     }
@@ -288,7 +345,7 @@ class Expansion {
   }
 
   Polynomial AtomPolynomial(const Expression& atom, int exponent) {
-    atoms_.try_emplace(atom.index(), atom);
+    atoms_[atom.index()] = atom;
     return algebra_.Atom(atom.index(), exponent);
   }
 
@@ -322,53 +379,30 @@ class Expansion {
     return {.expression = Written(algebra_.Negated(std::move(sorted))), .sign = -1};
   }
 
-  Expression Written(Polynomial a) const {
-    algebra_.Sort(a);
-    const Expression e = ToExpression(FormOf(a));
-    return e.pool() == nullptr ? pool_->Constant(e.constant()) : e;
-  }
-
-  NormalForm FormOf(const Polynomial& sorted) const {
-    NormalForm form;
-    form.terms.reserve(sorted.size());
-    for (const auto& [monomial, coefficient] : sorted) {
-      NormalForm::Term& term = form.terms.emplace_back();
-      term.coefficient = coefficient;
-      term.factors.reserve(algebra_.Factors(monomial).size());
-      for (const AtomPower& factor : algebra_.Factors(monomial)) {
-        term.factors.push_back({.atom = atoms_.at(factor.atom), .exponent = factor.exponent});
-      }
-    }
-    return form;
+  NormalForm::Factor FactorOf(const AtomPower& power) const {
+    return {.atom = *atoms_.Find(power.atom), .exponent = power.exponent};
   }
 
   ExpressionPool* const pool_;
   const int most_terms_;
   const AtomArguments arguments_;
   PolynomialAlgebra algebra_;
-  std::unordered_map<int, Expression> atoms_;     // by index
-  std::unordered_map<int, Polynomial> expanded_;  // by index
+  IndexMap<Expression> atoms_;
+  IndexMap<Polynomial> expanded_;
   std::size_t kept_terms_ = 0;
 };
-
-// atom^exponent; a reciprocal's power as one negative power.
-Expression PowerOfAtom(const NormalForm::Factor& factor) {
-  const Expression& atom = factor.atom;
-  const bool is_reciprocal = atom.op() == Operator::kPower && atom.exponent() == -1;
-  return is_reciprocal ? Power(atom.operands()[0], -factor.exponent) : Power(atom, factor.exponent);
-}
 
 }  // namespace
 
 class KeptNormalForms {
  public:
-  NormalForm Of(const Expression& e, int most_terms, AtomArguments arguments) {
+  Expansion& ExpansionFor(const Expression& e, int most_terms, AtomArguments arguments) {
     std::optional<Expansion>& kept = arguments == AtomArguments::kExact ? exact_ : rounded_;
     const bool is_full = kept && kept->kept_terms() > kMostTerms;
     if (!kept || is_full || kept->most_terms() != most_terms) {
       kept.emplace(e.pool(), most_terms, arguments);
     }
-    return kept->OfOneOfMany(e);
+    return *kept;
   }
 
  private:
@@ -382,27 +416,47 @@ void KeepNormalForms(ExpressionPool& pool) {
   pool.kept_normal_forms_ = std::make_shared<KeptNormalForms>();
 }
 
+namespace {
+
+// What `read` makes of the expansion of e, and of e expanded.
+template <class Read>
+auto ReadExpanded(const Expression& e, int most_terms, AtomArguments arguments, const Read& read) {
+  if (KeptNormalForms* const kept = e.pool()->kept_normal_forms()) {
+    Expansion& many = kept->ExpansionFor(e, most_terms, arguments);
+    return read(many, many.OfOneOfMany(e));
+  }
+  Expansion one(e.pool(), most_terms, arguments);
+  return read(one, one.Of(e));
+}
+
+}  // namespace
+
 NormalForm NormalFormOf(const Expression& e, int most_terms, AtomArguments arguments) {
   if (e.IsConstant(0)) return {};
   if (e.IsConstant()) {
     return {.terms = {{.coefficient = {e.constant(), e.constant()}, .factors = {}}}};
   }
-  KeptNormalForms* const kept = e.pool()->kept_normal_forms();
-  if (kept != nullptr) return kept->Of(e, most_terms, arguments);
-  return Expansion(e.pool(), most_terms, arguments).Of(e);
+  const auto form_of = [](const Expansion& expansion, const Polynomial& expanded) {
+    return expansion.FormOf(expanded);
+  };
+  return ReadExpanded(e, most_terms, arguments, form_of);
+}
+
+Expression SimplifiedExpression(const Expression& e, int most_terms) {
+  if (e.IsConstant()) return e;
+  const auto written = [](const Expansion& expansion, const Polynomial& expanded) {
+    return expansion.Written(expanded);
+  };
+  return ReadExpanded(e, most_terms, AtomArguments::kRounded, written);
 }
 
 Expression ToExpression(const NormalForm& form) {
-  std::vector<Expression> terms;
-  std::vector<Expression> factors;
+  SumWriter writer;
   for (const NormalForm::Term& term : form.terms) {
-    if (!IsSingle(term.coefficient) && Contains(term.coefficient, 0)) continue;
-    factors.assign(1,
-                   IsSingle(term.coefficient) ? term.coefficient.low : Midpoint(term.coefficient));
-    std::ranges::transform(term.factors, std::back_inserter(factors), &PowerOfAtom);
-    terms.push_back(Product(factors));
+    writer.BeginTerm(term.coefficient);
+    for (const NormalForm::Factor& factor : term.factors) writer.Multiply(factor);
   }
-  return Sum(terms);
+  return writer.Finish();
 }
 
 }  // namespace assay::algebra

@@ -46,6 +46,9 @@ NormalForm NormalFormOf(const Expression& e, int most_terms = 20'000,
 // the same.
 void KeepNormalForms(ExpressionPool& pool);
 
+// ToExpression of the normal form with rounded arguments, without making the form.
+Expression SimplifiedExpression(const Expression& e, int most_terms);
+
 // With the coefficients' midpoints; a term whose coefficient holds 0 is rounding alone: left out.
 Expression ToExpression(const NormalForm& form);
 

@@ -18,32 +18,6 @@ constexpr int kLargestExponent = 1'000'000;
 constexpr Interval kOne = {1, 1};
 constexpr Interval kZero = {0, 0};
 
-// Merges equal monomials.
-class TermCollector {
- public:
-  void Add(int monomial, const Interval& coefficient) {
-    const std::uint64_t hash = MixedHash(0, static_cast<std::uint64_t>(monomial) + 1);
-    const int known = places_.Find(hash, [&](int i) { return terms_[i].monomial == monomial; });
-    if (known < 0) {
-      places_.Insert(hash, static_cast<int>(terms_.size()));
-      terms_.push_back({monomial, coefficient});
-    } else {
-      terms_[known].coefficient = terms_[known].coefficient + coefficient;
-    }
-  }
-
-  std::size_t size() const { return terms_.size(); }
-
-  Polynomial Finish() {
-    std::erase_if(terms_, [](const Term& term) { return term.coefficient == kZero; });
-    return std::move(terms_);
-  }
-
- private:
-  Polynomial terms_;
-  InternTable places_;
-};
-
 std::uint64_t HashOf(std::span<const AtomPower> factors) {
   std::uint64_t hash = factors.size();
   for (const AtomPower& factor : factors) {
@@ -54,6 +28,53 @@ std::uint64_t HashOf(std::span<const AtomPower> factors) {
 }
 
 }  // namespace
+
+// Merges equal monomials.
+class PolynomialAlgebra::TermCollector {
+ public:
+  TermCollector(std::vector<std::vector<int>>& idle_places, std::size_t expected)
+      : idle_places_(idle_places) {
+    terms_.reserve(expected);
+    if (idle_places_.empty()) return;
+    places_ = std::move(idle_places_.back());
+    idle_places_.pop_back();
+  }
+  TermCollector(const TermCollector&) = delete;
+  TermCollector& operator=(const TermCollector&) = delete;
+  ~TermCollector() {
+    ForgetPlaces();
+    idle_places_.push_back(std::move(places_));
+  }
+
+  void Add(int monomial, const Interval& coefficient) {
+    const auto index = static_cast<std::size_t>(monomial);
+    if (index >= places_.size()) places_.resize(2 * index + 1, -1);
+    int& place = places_[index];
+    if (place < 0) {
+      place = static_cast<int>(terms_.size());
+      terms_.push_back({monomial, coefficient});
+    } else {
+      terms_[place].coefficient = terms_[place].coefficient + coefficient;
+    }
+  }
+
+  std::size_t size() const { return terms_.size(); }
+
+  Polynomial Finish() {
+    ForgetPlaces();
+    std::erase_if(terms_, [](const Term& term) { return term.coefficient == kZero; });
+    return std::move(terms_);
+  }
+
+ private:
+  void ForgetPlaces() {
+    for (const Term& term : terms_) places_[term.monomial] = -1;
+  }
+
+  std::vector<std::vector<int>>& idle_places_;
+  std::vector<int> places_;
+  Polynomial terms_;
+};
 
 PolynomialAlgebra::PolynomialAlgebra() { Intern({}); }
 
@@ -70,8 +91,10 @@ void PolynomialAlgebra::ReplaceSquare(int atom, Polynomial base, int power) {
   squares_.try_emplace(atom, Square{.base = std::move(base), .power = power});
 }
 
-Polynomial PolynomialAlgebra::Sum(std::span<const Polynomial* const> terms) const {
-  TermCollector collector;
+Polynomial PolynomialAlgebra::Sum(std::span<const Polynomial* const> terms) {
+  std::size_t most = 0;
+  for (const Polynomial* polynomial : terms) most += polynomial->size();
+  TermCollector collector(idle_places_, most);
   for (const Polynomial* polynomial : terms) {
     for (const Term& term : *polynomial) collector.Add(term.monomial, term.coefficient);
   }
@@ -87,7 +110,7 @@ std::optional<Polynomial> PolynomialAlgebra::Product(const Polynomial& a, const 
                                                      Budget& budget) {
   budget.products -= static_cast<std::int64_t>(a.size()) * static_cast<std::int64_t>(b.size());
   if (budget.products < 0) return std::nullopt;
-  TermCollector collector;
+  TermCollector collector(idle_places_, std::max(a.size(), b.size()));
   for (const Term& x : a) {
     for (const Term& y : b) {
       const Interval coefficient = x.coefficient * y.coefficient;

@@ -45,7 +45,7 @@ class PolynomialAlgebra {
   // From now on atom^2 = base^power; power is 1 or 2, and base knows nothing of the atom.
   void ReplaceSquare(int atom, Polynomial base, int power);
 
-  Polynomial Sum(std::span<const Polynomial* const> terms) const;
+  Polynomial Sum(std::span<const Polynomial* const> terms);
   Polynomial Negated(Polynomial a) const;
   // Nothing if the budget does not suffice.
   std::optional<Polynomial> Product(const Polynomial& a, const Polynomial& b, Budget& budget);
@@ -62,6 +62,7 @@ class PolynomialAlgebra {
     int power = 1;
   };
   using Factorization = std::vector<AtomPower>;
+  class TermCollector;
 
   int Intern(const Factorization& factors);
   // The product of two monomials; none if it has a square that is replaced.
@@ -82,6 +83,9 @@ class PolynomialAlgebra {
   };
   std::vector<KnownProduct> products_;
   InternTable product_table_;
+  // Scratch of sums in the making, one inside another: the places of their terms by monomial, all
+  // -1 between uses.
+  std::vector<std::vector<int>> idle_places_;
 };
 
 }  // namespace assay::algebra

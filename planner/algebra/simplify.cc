@@ -5,9 +5,7 @@
 namespace assay::algebra {
 
 Expression Simplify(const Expression& e, int most_terms) {
-  const Expression simple = ToExpression(NormalFormOf(e, most_terms, AtomArguments::kRounded));
-  if (e.pool() == nullptr || simple.pool() != nullptr) return simple;
-  return e.pool()->Constant(simple.constant());
+  return SimplifiedExpression(e, most_terms);
 }
 
 }  // namespace assay::algebra

@@ -31,6 +31,8 @@ constexpr Function kFunctions[] = {
     {"abs", Operator::kAbs, 1}, {"min", Operator::kMin, 2}, {"max", Operator::kMax, 2},
 };
 
+constexpr int kDeepestNesting = 200;
+
 // Where a piece stands, which decides whether it takes parentheses.
 enum class Place {
   kWhole,        // alone, as an argument or in parentheses
@@ -76,7 +78,8 @@ bool TakesParentheses(const Expression& e, Place place) {
   return false;
 }
 
-// Writes without recursion, so that no depth overflows the stack.
+// Writes what is not nested too deeply by recursion; the rest waits, so that no depth overflows the
+// stack.
 class Writer {
  public:
   std::string Write(const Expression& e) {
@@ -99,9 +102,21 @@ class Writer {
     Place place = Place::kWhole;
   };
 
-  void Put(std::string_view text) { pieces_.push_back({.text = std::string(text)}); }
+  void Put(std::string_view text) {
+    if (pieces_.empty()) {
+      text_ += text;
+    } else {
+      pieces_.push_back({.text = std::string(text)});
+    }
+  }
   void Put(const Expression& e, Place place) {
-    pieces_.push_back({.text = {}, .expression = e, .place = place});
+    if (pieces_.empty() && nesting_ < kDeepestNesting) {
+      ++nesting_;
+      Expand(e, place);
+      --nesting_;
+    } else {
+      pieces_.push_back({.text = {}, .expression = e, .place = place});
+    }
   }
 
   // What was put goes before what waits.
@@ -193,11 +208,11 @@ class Writer {
   }
 
   std::string text_;
+  int nesting_ = 0;
   std::vector<Piece> stack_;   // the next one last
-  std::vector<Piece> pieces_;  // of one expansion, in order
+  std::vector<Piece> pieces_;  // of one expansion, in order: those that wait
 };
 
-constexpr int kDeepestNesting = 200;
 constexpr int kLargestExponent = 100;
 constexpr std::string_view kOperandAllowed = "a number, a variable, a function or a parenthesis";
 

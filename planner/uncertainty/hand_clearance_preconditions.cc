@@ -6,9 +6,9 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <tuple>
 
 #include "planner/algebra/simplify.h"
+#include "planner/base/interval.h"
 #include "planner/domain/part_model.h"
 #include "planner/geometry/box.h"
 #include "planner/uncertainty/precondition.h"
@@ -50,10 +50,15 @@ std::vector<Box> SweptHand(const domain::Workcell& workcell, double width) {
   return swept;
 }
 
-double FarthestAlong(const Vector3& direction, const Corners& points) {
-  double farthest = -std::numeric_limits<double>::infinity();
-  for (const Vector3& p : points) farthest = std::max(farthest, direction.dot(p));
-  return farthest;
+// From where to where the points reach along a direction.
+Interval ReachAlong(const Vector3& direction, const Corners& points) {
+  Interval reach = {std::numeric_limits<double>::infinity(),
+                    -std::numeric_limits<double>::infinity()};
+  for (const Vector3& p : points) {
+    const double along = direction.dot(p);
+    reach = {std::min(reach.low, along), std::max(reach.high, along)};
+  }
+  return reach;
 }
 
 Corners Moved(const Pose& X, Corners points) {
@@ -61,26 +66,49 @@ Corners Moved(const Pose& X, Corners points) {
   return points;
 }
 
-// Normals of planes, one of which separates two boxes that are apart: of their sides, and of planes
-// along an edge of each.
-std::vector<Vector3> Directions(const geometry::Matrix3& a, const geometry::Matrix3& b) {
-  std::vector<Vector3> directions;
-  const auto add = [&](const Vector3& direction) {
-    if (direction.norm() < kParallel) return;
-    directions.push_back(direction.normalized());
-    directions.push_back(-directions.back());
-  };
-  for (int i = 0; i < 3; ++i) {
-    add(a.col(i));
-    add(b.col(i));
-  }
-  for (int i = 0; i < 9; ++i) add(a.col(i / 3).cross(b.col(i % 3)));
-  return directions;
-}
-
 Expression Along(const Vector3& direction, const SymbolicVector& p) {
   return direction.x() * p[0] + direction.y() * p[1] + direction.z() * p[2];
 }
+
+// The plane that leaves the widest gap between two boxes, of those along their sides, and along an
+// edge of each: one of them separates boxes that are apart.
+class WidestGap {
+ public:
+  WidestGap(const Corners& from, const Corners& to) : from_(from), to_(to) {}
+
+  void TrySides(const geometry::Matrix3& a, const geometry::Matrix3& b) {
+    for (int i = 0; i < 3; ++i) {
+      Try(a.col(i));
+      Try(b.col(i));
+    }
+  }
+  void TryEdges(const geometry::Matrix3& a, const geometry::Matrix3& b) {
+    for (int i = 0; i < 9; ++i) Try(a.col(i / 3).cross(b.col(i % 3)));
+  }
+
+  double gap() const { return gap_; }  // negative if there is none
+  const Vector3& direction() const { return direction_; }
+
+ private:
+  void Try(const Vector3& normal) {
+    if (normal.norm() < kParallel) return;
+    const Vector3 direction = normal.normalized();
+    const Interval from = ReachAlong(direction, from_);
+    const Interval to = ReachAlong(direction, to_);
+    Widen(to.low - from.high, direction);
+    Widen(from.low - to.high, -direction);
+  }
+  void Widen(double gap, const Vector3& direction) {
+    if (!(gap > gap_)) return;
+    gap_ = gap;
+    direction_ = direction;
+  }
+
+  const Corners& from_;
+  const Corners& to_;
+  double gap_ = -std::numeric_limits<double>::infinity();
+  Vector3 direction_ = Vector3::UnitZ();
+};
 
 // A box that goes with a frame of which the plan has the pose.
 struct Body {
@@ -148,15 +176,13 @@ class HandConditions {
 
   // By the plane that leaves the widest gap in the plan.
   void RequireApart(const Body& hand, const Body& other, const std::string& name) {
-    Vector3 best = Vector3::UnitZ();
-    double gap = -std::numeric_limits<double>::infinity();
-    for (const Vector3& direction : Directions(hand.axes, other.axes)) {
-      const double between =
-          -FarthestAlong(-direction, other.points) - FarthestAlong(direction, hand.points);
-      if (between > gap) std::tie(gap, best) = std::pair(between, direction);
-    }
     const double reach = hand.shift + other.shift;
-    if (gap > reach) return;  // proved: no error is as great
+    WidestGap widest(hand.points, other.points);
+    widest.TrySides(hand.axes, other.axes);
+    if (widest.gap() > reach) return;  // proved: no error is as great
+    widest.TryEdges(hand.axes, other.axes);
+    if (widest.gap() > reach) return;
+    const Vector3& best = widest.direction();
     for (std::size_t i = 0; i < hand.local.size(); ++i) {
       for (std::size_t j = 0; j < other.local.size(); ++j) {
         if (best.dot(other.points[j] - hand.points[i]) > reach) continue;
