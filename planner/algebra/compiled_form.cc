@@ -129,7 +129,7 @@ class Compiler {
   }
 
   // Moves the terms that hold the factor behind the others, and the factor out of them.
-  static std::span<Term> MoveSharingBehind(int factor, std::span<Term> terms) {
+  std::span<Term> MoveSharingBehind(int factor, std::span<Term> terms) {
     const auto stays = [&](Term& term) {
       const auto at = std::ranges::find(term.factors, factor);
       if (at == term.factors.end()) return true;
@@ -137,16 +137,16 @@ class Compiler {
       term.factors = term.factors.first(term.factors.size() - 1);
       return false;
     };
-    std::vector<Term> sharing;
+    sharing_.clear();
     auto end = terms.begin();
     for (Term& term : terms) {
       if (stays(term)) {
         *end++ = term;
       } else {
-        sharing.push_back(term);
+        sharing_.push_back(term);
       }
     }
-    std::ranges::copy(sharing, end);
+    std::ranges::copy(sharing_, end);
     return {end, terms.end()};
   }
 
@@ -185,8 +185,14 @@ class Compiler {
   }
 
   int AddNode(const Expression& e) {
-    std::vector<int> operands;
-    for (const Expression& operand : e.operands()) operands.push_back(AddExpression(operand));
+    const std::size_t first = operands_.size();
+    for (const Expression& operand : e.operands()) operands_.push_back(AddExpression(operand));
+    const int step = AddOperation(e, std::span<const int>(operands_).subspan(first));
+    operands_.resize(first);
+    return step;
+  }
+
+  int AddOperation(const Expression& e, std::span<const int> operands) {
     switch (e.op()) {
       case Operator::kConstant:
         return AddConstant({e.constant(), e.constant()});
@@ -234,6 +240,8 @@ class Compiler {
   CompiledForm form_;
   std::vector<Factor> factors_;
   InternTable numbers_;               // in factors_
+  std::vector<Term> sharing_;         // scratch of MoveSharingBehind
+  std::vector<int> operands_;         // steps: of the expressions that are being added
   std::vector<int> count_of_factor_;  // scratch, all zero between uses
   std::vector<int> step_of_factor_;   // -1: none yet
   IndexMap<int> step_of_expression_;

@@ -233,14 +233,17 @@ void Derivatives<Number>::PropagateAdjoint(int index) {
   const auto add = [&](int operand, const Number& change) {
     adjoint_[operand] = adjoint_[operand] + change;
   };
+  const auto is_constant = [&](int operand) {
+    return form_.steps[operand].op == Operator::kConstant;
+  };
   if (step.op == Operator::kVariable) {
     gradient_[step.a] = adjoint;
   } else if (step.op == Operator::kSum) {
     add(step.a, adjoint);
     add(step.b, adjoint);
   } else if (step.op == Operator::kProduct) {
-    add(step.a, adjoint * value_[step.b]);
-    add(step.b, adjoint * value_[step.a]);
+    if (!is_constant(step.a)) add(step.a, adjoint * value_[step.b]);
+    if (!is_constant(step.b)) add(step.b, adjoint * value_[step.a]);
   } else if (step.op == Operator::kMin || step.op == Operator::kMax) {
     const Number slope = SlopeByFirst(step.op, value_[step.a], value_[step.b]);
     add(step.a, adjoint * slope);

@@ -16,7 +16,7 @@ class InternTable {
   int Find(std::uint64_t hash, const IsEqual& is_equal) const {
     if (slots_.empty()) return -1;
     for (std::size_t at = hash & mask(); slots_[at].index >= 0; at = (at + 1) & mask()) {
-      if (slots_[at].hash == hash && is_equal(slots_[at].index)) return slots_[at].index;
+      if (slots_[at].hash == Kept(hash) && is_equal(slots_[at].index)) return slots_[at].index;
     }
     return -1;
   }
@@ -24,16 +24,17 @@ class InternTable {
   // Of something that Find did not find.
   void Insert(std::uint64_t hash, int index) {
     if (2 * (count_ + 1) > slots_.size()) Grow();
-    Place({hash, index});
+    Place({Kept(hash), index});
     ++count_;
   }
 
  private:
-  struct Slot {
-    std::uint64_t hash = 0;
+  struct Slot {  // small, because most of the time goes into fetching one
+    std::uint32_t hash = 0;
     int index = -1;
   };
 
+  static std::uint32_t Kept(std::uint64_t hash) { return static_cast<std::uint32_t>(hash); }
   std::size_t mask() const { return slots_.size() - 1; }
 
   void Place(const Slot& slot) {

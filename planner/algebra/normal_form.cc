@@ -205,12 +205,14 @@ class Expansion {
 
   Polynomial SumOf(std::span<const Expression> terms) {
     std::vector<const Polynomial*> expanded;
+    expanded.reserve(terms.size());
     for (const Expression& term : terms) expanded.push_back(PartOf(term).expanded);
     return algebra_.Sum(expanded);
   }
 
   Polynomial ProductOf(std::span<const Expression> factors) {
     std::vector<Part> parts;
+    parts.reserve(factors.size());
     for (const Expression& factor : factors) parts.push_back(PartOf(factor));
     return ProductOf(parts);
   }
@@ -225,7 +227,7 @@ class Expansion {
       result = algebra_.Product(*result, *part.expanded, budget);
       if (!result) return Unexpanded(parts);
     }
-    return *result;
+    return *std::move(result);
   }
 
   // Whether the part is itself a product that was not expanded: then no larger one is.
