@@ -17,22 +17,44 @@ double AtLeast(double sum) { return sum * (1 + 1e-12); }
 
 }  // namespace
 
-Glance FirstOrderForms::Above(const Expression& e, std::span<const Interval> box) {
+Glance FirstOrderForms::Above(const Expression& e, std::span<const Interval> box, double limit) {
   if (e.IsConstant()) return {e.constant(), e.constant()};
   const Form& form = FormOf(e, box);
   if (!std::isfinite(form.rest)) return {kInfinity, -kInfinity};
   const double greatest = form.centre + form.reach;
   const double off = AtLeast(form.rest + 4 * kRounding * (std::abs(form.centre) + form.reach));
-  return {greatest + off, greatest - off};
+  Glance glance = {greatest + off, greatest - off};
+  if (glance.bound >= limit && glance.attained < limit) {
+    glance.attained = std::max(glance.attained, AtCorner(e, 1, box).low);
+  }
+  return glance;
 }
 
-Glance FirstOrderForms::Below(const Expression& e, std::span<const Interval> box) {
+Glance FirstOrderForms::Below(const Expression& e, std::span<const Interval> box, double limit) {
   if (e.IsConstant()) return {e.constant(), e.constant()};
   const Form& form = FormOf(e, box);
   if (!std::isfinite(form.rest)) return {-kInfinity, kInfinity};
   const double least = form.centre - form.reach;
   const double off = AtLeast(form.rest + 4 * kRounding * (std::abs(form.centre) + form.reach));
-  return {least - off, least + off};
+  Glance glance = {least - off, least + off};
+  if (glance.bound <= limit && glance.attained > limit) {
+    glance.attained = std::min(glance.attained, AtCorner(e, -1, box).high);
+  }
+  return glance;
+}
+
+// Where its linear part is greatest (sign = 1), or least.
+Interval FirstOrderForms::AtCorner(const Expression& e, double sign,
+                                   std::span<const Interval> box) const {
+  std::vector<Interval> corner;
+  corner.reserve(box.size());
+  for (const Interval& range : box) corner.push_back({Midpoint(range), Midpoint(range)});
+  for (const Slope& slope : Of(e).slopes) {
+    const Interval& range = box[static_cast<std::size_t>(slope.variable)];
+    const double end = sign * slope.value > 0 ? range.high : range.low;
+    corner[static_cast<std::size_t>(slope.variable)] = {end, end};
+  }
+  return Evaluate(e, corner);
 }
 
 const FirstOrderForms::Form& FirstOrderForms::FormOf(const Expression& e,

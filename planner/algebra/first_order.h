@@ -19,10 +19,11 @@ namespace assay::algebra {
 // else it tells nothing. Rounding is counted in the rest.
 class FirstOrderForms {
  public:
-  // As Glance tells, without a limit: infinitely far apart where nothing is known. All expressions
-  // are of one pool; the variables' intervals by VariableId, the same whenever it is asked.
-  Glance Above(const Expression& e, std::span<const Interval> box);
-  Glance Below(const Expression& e, std::span<const Interval> box);
+  // As GlanceAbove and GlanceBelow: infinitely far apart where nothing is known. Where the limit is
+  // in between, e is evaluated at the corner that the slopes point to. All expressions are of one
+  // pool; the variables' intervals by VariableId, the same whenever it is asked.
+  Glance Above(const Expression& e, std::span<const Interval> box, double limit);
+  Glance Below(const Expression& e, std::span<const Interval> box, double limit);
 
  private:
   struct Slope {
@@ -43,6 +44,7 @@ class FirstOrderForms {
   const Form& FormOf(const Expression& e, std::span<const Interval> box);
   Form Made(const Expression& e, std::span<const Interval> box);
   const Form& Of(const Expression& operand) const { return known_[operand.index()].form; }
+  Interval AtCorner(const Expression& e, double sign, std::span<const Interval> box) const;
 
   static Form OfNumber(double value);
   static Form OfVariable(int variable, const Interval& range);

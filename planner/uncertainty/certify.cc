@@ -214,8 +214,8 @@ class StepCertifier {
     if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
     const auto& [condition, meaning, expression, relation, limit] = precondition;
     const bool less = relation == Relation::kLess;
-    auto seen =
-        Seen(precondition, less ? world_.GlanceAbove(expression) : world_.GlanceBelow(expression));
+    auto seen = Seen(precondition, less ? world_.GlanceAbove(expression, limit)
+                                        : world_.GlanceBelow(expression, limit));
     if (seen) return seen;
     const std::vector<Interval>& box = world_.constraints().box;
     return Seen(precondition, less ? algebra::GlanceAbove(expression, box, limit)
@@ -252,8 +252,8 @@ double Violation(const std::vector<Unproved>& unproved) {
 double LeastViolation(const Unproved& unproved, const UncertainWorld& world) {
   const double limit = unproved.claim.limit;
   const double beyond = unproved.claim.relation == Relation::kLess
-                            ? world.GlanceAbove(unproved.expression).attained - limit
-                            : limit - world.GlanceBelow(unproved.expression).attained;
+                            ? world.GlanceAbove(unproved.expression, limit).attained - limit
+                            : limit - world.GlanceBelow(unproved.expression, limit).attained;
   return std::max(0., beyond);
 }
 

@@ -151,11 +151,11 @@ Interval UncertainWorld::TightRangeOf(const Expression& expression) const {
   return {bounds.inf.value, bounds.sup.value};
 }
 
-algebra::Glance UncertainWorld::GlanceAbove(const Expression& expression) const {
-  return variables_->first_order.Above(expression, constraints().box);
+algebra::Glance UncertainWorld::GlanceAbove(const Expression& expression, double limit) const {
+  return variables_->first_order.Above(expression, constraints().box, limit);
 }
-algebra::Glance UncertainWorld::GlanceBelow(const Expression& expression) const {
-  return variables_->first_order.Below(expression, constraints().box);
+algebra::Glance UncertainWorld::GlanceBelow(const Expression& expression, double limit) const {
+  return variables_->first_order.Below(expression, constraints().box, limit);
 }
 
 std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const {

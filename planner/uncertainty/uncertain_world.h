@@ -75,8 +75,8 @@ class UncertainWorld {
   Interval RangeOf(const Expression& expression) const;
   Interval TightRangeOf(const Expression& expression) const;
   // To first order, for very little work where much has been asked before.
-  algebra::Glance GlanceAbove(const Expression& expression) const;
-  algebra::Glance GlanceBelow(const Expression& expression) const;
+  algebra::Glance GlanceAbove(const Expression& expression, double limit) const;
+  algebra::Glance GlanceBelow(const Expression& expression, double limit) const;
   // The parts whose errors occur in the expression, in increasing order.
   std::vector<PartId> PartsIn(const Expression& expression) const;
   // The variables that occur in the expressions, by name and range.

@@ -21,10 +21,10 @@ TEST(FirstOrder, OfALinearExpressionIsExact) {
   const Expression y = pool.Declare("y", {0, 2});
   const std::vector<Interval> box = DeclaredBox(pool).box;
   FirstOrderForms forms;
-  const Glance above = forms.Above(3 * x - 2 * y + 1, box);
+  const Glance above = forms.Above(3 * x - 2 * y + 1, box, -kInfinity);
   EXPECT_NEAR(above.bound, 4, 1e-12);
   EXPECT_NEAR(above.attained, 4, 1e-12);
-  const Glance below = forms.Below(3 * x - 2 * y + 1, box);
+  const Glance below = forms.Below(3 * x - 2 * y + 1, box, kInfinity);
   EXPECT_NEAR(below.bound, -6, 1e-12);
   EXPECT_NEAR(below.attained, -6, 1e-12);
 }
@@ -37,8 +37,8 @@ TEST(FirstOrder, LeavesOnlyCurvature) {
     const Expression b = pool.Declare("b", {-width, width});
     const Expression e = Sin(a) * Cos(b) + Cos(a) * Sin(b) - a - b;
     FirstOrderForms forms;
-    EXPECT_LT(forms.Above(e, DeclaredBox(pool).box).bound, 8 * width * width);
-    EXPECT_GT(forms.Below(e, DeclaredBox(pool).box).bound, -8 * width * width);
+    EXPECT_LT(forms.Above(e, DeclaredBox(pool).box, -kInfinity).bound, 8 * width * width);
+    EXPECT_GT(forms.Below(e, DeclaredBox(pool).box, kInfinity).bound, -8 * width * width);
   }
 }
 
@@ -47,8 +47,8 @@ TEST(FirstOrder, KnowsThatSquaresAreNotNegative) {
   ExpressionPool pool;
   const Expression x = pool.Declare("x", {-0.5, 0.5});
   FirstOrderForms forms;
-  EXPECT_NEAR(forms.Below(Power(x, 2), DeclaredBox(pool).box).bound, 0, 1e-12);
-  EXPECT_NEAR(forms.Above(Power(x, 2), DeclaredBox(pool).box).bound, 0.25, 1e-12);
+  EXPECT_NEAR(forms.Below(Power(x, 2), DeclaredBox(pool).box, kInfinity).bound, 0, 1e-12);
+  EXPECT_NEAR(forms.Above(Power(x, 2), DeclaredBox(pool).box, -kInfinity).bound, 0.25, 1e-12);
 }
 
 TEST(FirstOrder, TellsNothingOfWhatItDoesNotKnow) {
@@ -56,7 +56,7 @@ TEST(FirstOrder, TellsNothingOfWhatItDoesNotKnow) {
   const Expression x = pool.Declare("x", {1, 2});
   FirstOrderForms forms;
   for (const Expression& e : {Sqrt(x), 1 / x, Abs(x), Power(x, -1), Min(x, 2 * x)}) {
-    const Glance glance = forms.Above(x + e, DeclaredBox(pool).box);
+    const Glance glance = forms.Above(x + e, DeclaredBox(pool).box, -kInfinity);
     EXPECT_EQ(glance.bound, kInfinity);
     EXPECT_EQ(glance.attained, -kInfinity);
   }
@@ -66,14 +66,15 @@ TEST(FirstOrder, TellsNothingOfWhatItDoesNotKnow) {
 TEST(FirstOrder, HoldsForRandomExpressions) {
   RandomStream random(31, "first order");
   int told = 0;
+  int answered = 0;
   for (int i = 0; i < 1000; ++i) {
     SCOPED_TRACE(i);
     ExpressionPool pool;
     const Expression e = oracle::RandomExpressionAndBox(6, random, pool);
     const ConstraintSet box = DeclaredBox(pool);
     FirstOrderForms forms;
-    const Glance above = forms.Above(e, box.box);
-    const Glance below = forms.Below(e, box.box);
+    const Glance above = forms.Above(e, box.box, -kInfinity);
+    const Glance below = forms.Below(e, box.box, kInfinity);
     if (!std::isfinite(above.bound)) continue;
     ++told;
     for (int k = 0; k < 20; ++k) {
@@ -85,8 +86,17 @@ TEST(FirstOrder, HoldsForRandomExpressions) {
     const BoundRequest request = {.evaluations = 1000};
     EXPECT_LE(above.attained, BoundAbove(e, box, request).value);
     EXPECT_GE(below.attained, BoundBelow(e, box, request).value);
+    // A limit in between is a reason to look at a corner: then more is attained, never too much.
+    const double limit = (above.bound + above.attained) / 2;
+    const Glance asked = forms.Above(e, box.box, limit);
+    EXPECT_EQ(asked.bound, above.bound);
+    EXPECT_GE(asked.attained, above.attained);
+    EXPECT_LE(asked.attained, BoundAbove(e, box, request).value);
+    EXPECT_LE(forms.Below(e, box.box, (below.bound + below.attained) / 2).attained, below.attained);
+    answered += asked.attained >= limit ? 1 : 0;
   }
   EXPECT_GT(told, 100);
+  EXPECT_GT(answered, told / 4);
 }
 
 // In whatever order it is asked, of whatever else.
@@ -102,8 +112,8 @@ TEST(FirstOrder, IsTheSameForOneAsForOneOfMany) {
   for (int i = 0; i < 20; ++i) {
     const Expression& e = many[random.Index(static_cast<int>(many.size()))];
     FirstOrderForms alone;
-    EXPECT_EQ(together.Above(e, box).bound, alone.Above(e, box).bound);
-    EXPECT_EQ(together.Below(e, box).attained, alone.Below(e, box).attained);
+    EXPECT_EQ(together.Above(e, box, -kInfinity).bound, alone.Above(e, box, -kInfinity).bound);
+    EXPECT_EQ(together.Below(e, box, kInfinity).attained, alone.Below(e, box, kInfinity).attained);
   }
 }
 
