@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "planner/base/check.h"
 
@@ -15,19 +15,11 @@ using geometry::Matrix3;
 using geometry::Pose;
 using geometry::Vector3;
 using kinematics::Indicators;
-using kinematics::InverseSolution;
-using kinematics::InverseSolutions;
 using kinematics::JointVector;
 
 constexpr double kStep = 0.025;       // metres between looks
 constexpr double kTurnStep = 0.1;     // radians between looks
 constexpr double kLargestTurn = 0.4;  // radians of a joint from one look to the next
-
-const InverseSolution* Find(const InverseSolutions& solutions, const Indicators& indicators) {
-  const auto found = std::ranges::find_if(
-      solutions, [&](const InverseSolution& s) { return s.indicators == indicators; });
-  return found == solutions.end() ? nullptr : found;
-}
 
 Pose PoseOf(const Matrix3& R_WorldTool, const Vector3& p_World) {
   Pose X_WorldTool = geometry::Translation(p_World);
@@ -35,97 +27,78 @@ Pose PoseOf(const Matrix3& R_WorldTool, const Vector3& p_World) {
   return X_WorldTool;
 }
 
-// The configurations in which the arm has come along a path so far, each with its joint values.
-class Configurations {
- public:
-  explicit Configurations(const Workcell& workcell) : workcell_(workcell) {}
-
-  bool empty() const { return size_ == 0; }
-  // At the start of the path; of the one that was the nearest to home there.
-  std::optional<JointVector> start() const {
-    const auto turn = [&](const Configuration& c) { return (c.start - workcell_.home()).norm(); };
-    const auto nearest = std::ranges::min_element(std::span(alive_.data(), size_), {}, turn);
-    return empty() ? std::nullopt : std::optional(nearest->start);
-  }
-
-  void StartAt(const Pose& X_WorldTool) {
-    for (const InverseSolution& s : SolutionsAt(X_WorldTool, workcell_.home())) {
-      if (const auto q = workcell_.arm().NearestInRange(s.q, workcell_.home())) {
-        alive_[size_++] = {s.indicators, *q, *q};
-      }
-    }
-  }
-
-  void MoveTo(const Pose& X_WorldTool) {
-    const InverseSolutions solutions = SolutionsAt(X_WorldTool, alive_[0].q);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (const auto moved = Moved(alive_[i], solutions)) alive_[kept++] = *moved;
-    }
-    size_ = kept;
-  }
-
- private:
-  struct Configuration {
-    Indicators indicators;
-    JointVector q;
-    JointVector start;
-  };
-
-  InverseSolutions SolutionsAt(const Pose& X_WorldTool, const JointVector& reference) const {
-    return workcell_.arm().Inverse(workcell_.FlangeFor(X_WorldTool), reference);
-  }
-
-  std::optional<Configuration> Moved(const Configuration& from,
-                                     const InverseSolutions& solutions) const {
-    const InverseSolution* solution = Find(solutions, from.indicators);
-    if (solution == nullptr) return std::nullopt;
-    const auto q = workcell_.arm().NearestInRange(solution->q, from.q);
-    if (!q || (*q - from.q).cwiseAbs().maxCoeff() > kLargestTurn) return std::nullopt;
-    return Configuration{from.indicators, *q, from.start};
-  }
-
-  const Workcell& workcell_;
-  std::array<Configuration, 8> alive_;
-  std::size_t size_ = 0;
+// One of the arm's eight, where it is on its way.
+struct Configuration {
+  Indicators indicators;
+  JointVector q;
 };
 
-void MoveAlong(const Pose& from, const Pose& to, Configurations& configurations) {
+// The configurations that the arm may be in at the start of a path, those nearest to home first.
+std::vector<Configuration> StartsAt(const Workcell& workcell, const Pose& X_WorldTool) {
+  std::vector<Configuration> starts;
+  const kinematics::Arm& arm = workcell.arm();
+  for (const auto& s : arm.Inverse(workcell.FlangeFor(X_WorldTool), workcell.home())) {
+    if (const auto q = arm.NearestInRange(s.q, workcell.home())) {
+      starts.push_back({s.indicators, *q});
+    }
+  }
+  std::ranges::stable_sort(starts, {},
+                           [&](const Configuration& c) { return (c.q - workcell.home()).norm(); });
+  return starts;
+}
+
+// False if the arm does not get there as it is.
+bool MoveTo(const Workcell& workcell, const Pose& X_WorldTool, Configuration& configuration) {
+  const JointVector& from = configuration.q;
+  const auto solution =
+      workcell.arm().Inverse(workcell.FlangeFor(X_WorldTool), configuration.indicators, from);
+  if (!solution) return false;
+  const auto q = workcell.arm().NearestInRange(*solution, from);
+  if (!q || (*q - from).cwiseAbs().maxCoeff() > kLargestTurn) return false;
+  configuration.q = *q;
+  return true;
+}
+
+bool MoveAlong(const Workcell& workcell, const Pose& from, const Pose& to,
+               Configuration& configuration) {
   const Vector3 line = to.translation() - from.translation();
   const Eigen::AngleAxisd turn(Matrix3(from.linear().transpose() * to.linear()));
   const int steps =
       static_cast<int>(std::ceil(std::max({1.0, line.norm() / kStep, turn.angle() / kTurnStep})));
-  for (int i = 1; i <= steps && !configurations.empty(); ++i) {
+  for (int i = 1; i <= steps; ++i) {
     const double share = static_cast<double>(i) / steps;
-    configurations.MoveTo(
+    const Pose X_WorldTool =
         PoseOf(from.linear() * Eigen::AngleAxisd(share * turn.angle(), turn.axis()),
-               from.translation() + share * line));
+               from.translation() + share * line);
+    if (!MoveTo(workcell, X_WorldTool, configuration)) return false;
   }
+  return true;
 }
 
 }  // namespace
 
 bool CanFollow(const Workcell& workcell, const Matrix3& R_WorldTool,
                std::span<const Vector3> corners) {
-  ASSAY_CHECK(!corners.empty());
-  Configurations configurations(workcell);
-  configurations.StartAt(PoseOf(R_WorldTool, corners[0]));
-  for (std::size_t c = 1; c < corners.size(); ++c) {
-    MoveAlong(PoseOf(R_WorldTool, corners[c - 1]), PoseOf(R_WorldTool, corners[c]), configurations);
-  }
-  return !configurations.empty();
+  std::vector<Pose> X_WorldTools;
+  for (const Vector3& corner : corners) X_WorldTools.push_back(PoseOf(R_WorldTool, corner));
+  return ReachAlong(workcell, X_WorldTools).start.has_value();
 }
 
 PathReach ReachAlong(const Workcell& workcell, std::span<const Pose> X_WorldTools) {
   ASSAY_CHECK(!X_WorldTools.empty());
-  Configurations configurations(workcell);
-  configurations.StartAt(X_WorldTools[0]);
   PathReach reach;
-  while (!configurations.empty()) {
-    if (++reach.reached == X_WorldTools.size()) break;
-    MoveAlong(X_WorldTools[reach.reached - 1], X_WorldTools[reach.reached], configurations);
+  for (const Configuration& start : StartsAt(workcell, X_WorldTools[0])) {
+    Configuration configuration = start;
+    std::size_t reached = 1;
+    while (reached < X_WorldTools.size() &&
+           MoveAlong(workcell, X_WorldTools[reached - 1], X_WorldTools[reached], configuration)) {
+      ++reached;
+    }
+    reach.reached = std::max(reach.reached, reached);
+    if (reached < X_WorldTools.size()) continue;
+    reach.start = start.q;
+    break;
   }
-  reach.start = configurations.start();
   return reach;
 }
 

@@ -67,18 +67,22 @@ class InverseSolver {
         reference_(reference) {}
 
   InverseSolutions Solve() {
-    const double radial2 = center_.x() * center_.x() + center_.y() * center_.y();
-    const double r2 = radial2 - g_.d2 * g_.d2;
-    if (!(r2 >= -kBorder)) return {};
-    r_ = ClampedSqrt(r2);
-    R2_ = r_ * r_ + center_.z() * center_.z();
-    const double forearm2 = g_.a3 * g_.a3 + g_.d4 * g_.d4;
-    along_ = (R2_ + g_.a2 * g_.a2 - forearm2) / (2 * g_.a2);
-    const double e2 = R2_ - along_ * along_;
-    if (!(e2 >= -kBorder)) return {};
-    e_ = ClampedSqrt(e2);
+    if (!MeetShoulder()) return {};
     AddShoulder(-r_);
     if (r_ > 0) AddShoulder(r_);
+    return solutions_;
+  }
+
+  // As far as they are of a shoulder and an elbow.
+  InverseSolutions Solve(Shoulder shoulder, Elbow elbow) {
+    if (!MeetShoulder()) return {};
+    for (const double x : {-r_, r_}) {
+      if (ShoulderOf(x) != shoulder) continue;
+      const Position position = AtShoulder(x);
+      for (const double e : {e_, -e_}) {
+        if (ElbowOf(x, e) == elbow && solutions_.size() == 0) AddElbow(x, e, position);
+      }
+    }
     return solutions_;
   }
 
@@ -94,12 +98,32 @@ class InverseSolver {
     Elbow elbow = Elbow::kAbove;
   };
 
+  // False if the wrist centre is out of reach.
+  bool MeetShoulder() {
+    const double radial2 = center_.x() * center_.x() + center_.y() * center_.y();
+    const double r2 = radial2 - g_.d2 * g_.d2;
+    if (!(r2 >= -kBorder)) return false;
+    r_ = ClampedSqrt(r2);
+    R2_ = r_ * r_ + center_.z() * center_.z();
+    const double forearm2 = g_.a3 * g_.a3 + g_.d4 * g_.d4;
+    along_ = (R2_ + g_.a2 * g_.a2 - forearm2) / (2 * g_.a2);
+    const double e2 = R2_ - along_ * along_;
+    if (!(e2 >= -kBorder)) return false;
+    e_ = ClampedSqrt(e2);
+    return true;
+  }
+
   void AddShoulder(double x) {
+    const Position position = AtShoulder(x);
+    AddElbow(x, e_, position);
+    if (e_ > 0) AddElbow(x, -e_, position);
+  }
+
+  Position AtShoulder(double x) const {
     Position position;
     position.t1 = Waist(x);
     position.q1 = position.t1.Angle();
-    AddElbow(x, e_, position);
-    if (e_ > 0) AddElbow(x, -e_, position);
+    return position;
   }
 
   // In the frame turned by q1 the wrist centre is at (x, d2).
@@ -338,6 +362,14 @@ std::array<Pose, 7> Arm::LinkPoses(const JointVector& q) const {
 
 InverseSolutions Arm::Inverse(const Pose& X_BaseFlange, const JointVector& reference) const {
   return InverseSolver(geometry_, X_BaseFlange, reference).Solve();
+}
+
+std::optional<JointVector> Arm::Inverse(const Pose& X_BaseFlange, const Indicators& indicators,
+                                        const JointVector& reference) const {
+  const InverseSolutions solutions = InverseSolver(geometry_, X_BaseFlange, reference)
+                                         .Solve(indicators.shoulder, indicators.elbow);
+  const auto found = std::ranges::find(solutions, indicators, &InverseSolution::indicators);
+  return found == solutions.end() ? std::nullopt : std::optional(found->q);
 }
 
 Indicators Arm::IndicatorsOf(const JointVector& q) const {

@@ -99,6 +99,9 @@ class Arm {
   // the pose back to better than 1e-9. Solutions that coincide only up to rounding are all given.
   InverseSolutions Inverse(const Pose& X_BaseFlange,
                            const JointVector& reference = JointVector::Zero()) const;
+  // The one of these with the indicators, for a part of the work; none if none has them.
+  std::optional<JointVector> Inverse(const Pose& X_BaseFlange, const Indicators& indicators,
+                                     const JointVector& reference) const;
 
   // ARM = sign(-(d4 s23 + a3 c23 + a2 c2)), ELBOW = ARM sign(d4 c3 - a3 s3), where sign(0) = +1.
   Indicators IndicatorsOf(const JointVector& q) const;

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -314,6 +316,34 @@ TEST(Singular, WristCentreOnAxisTwo) {
   const Pose X = arm.Forward(q);
   const InverseSolutions solutions = arm.Inverse(X, q);
   ExpectAllReproduce(arm, solutions, X);
+}
+
+// Also at singular poses, where two solutions may be one, and out of reach.
+TEST(Inverse, OneAskedForByItsIndicatorsIsOneOfAll) {
+  RandomStream random(8, "one of all");
+  constexpr std::array kPlaces = {0.0, 0.5, 1.0};
+  for (int i = 0; i < 5000; ++i) {
+    JointVector q = RandomJoints(random, kPi);
+    if (i % 3 == 1) q[4] = 0;
+    if (i % 3 == 2) q[2] = std::atan2(Puma().geometry().a3, Puma().geometry().d4);
+    Pose X = Puma().Forward(q);
+    X.translation() *= 1 + kPlaces[static_cast<std::size_t>(random.Index(3))];
+    const JointVector reference = RandomJoints(random, kPi);
+    const InverseSolutions all = Puma().Inverse(X, reference);
+    for (const Shoulder shoulder : {Shoulder::kRight, Shoulder::kLeft}) {
+      for (const Elbow elbow : {Elbow::kAbove, Elbow::kBelow}) {
+        for (const Wrist wrist : {Wrist::kNoFlip, Wrist::kFlip}) {
+          const Indicators indicators = {shoulder, elbow, wrist};
+          const auto known = std::ranges::find(all, indicators, &InverseSolution::indicators);
+          const auto one = Puma().Inverse(X, indicators, reference);
+          ASSERT_EQ(one.has_value(), known != all.end());
+          if (one) {
+            EXPECT_EQ(*one, known->q);
+          }
+        }
+      }
+    }
+  }
 }
 
 TEST(Turns, NearestInRangeIsNearestRepresentative) {
