@@ -127,7 +127,9 @@ ExpressionPool* JoinedPool(ExpressionPool* a, const Expression& b) {
 
 ExpressionPool* JoinedPool(std::span<const Expression> operands) {
   ExpressionPool* pool = nullptr;
-  for (const Expression& operand : operands) pool = JoinedPool(pool, operand);
+  for (const Expression& operand : operands) {
+    if (operand.pool() != pool) pool = JoinedPool(pool, operand);
+  }
   return pool;
 }
 
@@ -226,19 +228,18 @@ Expression CombinedNumbers(const Folding& folding, std::span<const Expression> n
 // others: most operands that transforms are made of are 0 and 1.
 std::optional<Expression> CombinedAtOnce(const Folding& folding, ExpressionPool* pool,
                                          std::span<const Expression> operands) {
-  const Expression* only = nullptr;
+  const Expression* result = &operands.front();
   int speaking = 0;
   for (const Expression& operand : operands) {
     if (operand.IsConstant()) {
-      if (folding.op == Operator::kProduct && operand.constant() == 0) return Number(0, pool);
-      if (operand.constant() == folding.neutral) continue;
+      const double number = operand.constant();
+      if (folding.op == Operator::kProduct && number == 0) return InPool(operand, pool);
+      if (number == folding.neutral) continue;
     }
-    only = &operand;
-    ++speaking;
+    result = &operand;
+    if (++speaking > 1) return std::nullopt;
   }
-  if (speaking == 0) return Number(folding.neutral, pool);
-  if (speaking == 1) return InPool(*only, pool);
-  return std::nullopt;
+  return InPool(*result, pool);
 }
 
 Expression Combined(const Folding& folding, std::span<const Expression> operands) {

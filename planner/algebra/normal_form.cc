@@ -80,6 +80,12 @@ class Expansion {
     ExpandAllOf(e);
     return *expanded_.Find(e.index());
   }
+  // The same written as an expression, which is kept, too.
+  Expression WrittenOneOfMany(const Expression& e) {
+    const auto [written, is_new] = written_.Insert(e.index());
+    if (is_new) written = Written(OfOneOfMany(e));
+    return written;
+  }
   std::size_t kept_terms() const { return kept_terms_; }
 
   NormalForm FormOf(Polynomial a) const {
@@ -391,6 +397,7 @@ class Expansion {
   PolynomialAlgebra algebra_;
   IndexMap<Expression> atoms_;
   IndexMap<Polynomial> expanded_;
+  IndexMap<Expression> written_;
   std::size_t kept_terms_ = 0;
 };
 
@@ -418,38 +425,26 @@ void KeepNormalForms(ExpressionPool& pool) {
   pool.kept_normal_forms_ = std::make_shared<KeptNormalForms>();
 }
 
-namespace {
-
-// What `read` makes of the expansion of e, and of e expanded.
-template <class Read>
-auto ReadExpanded(const Expression& e, int most_terms, AtomArguments arguments, const Read& read) {
-  if (KeptNormalForms* const kept = e.pool()->kept_normal_forms()) {
-    Expansion& many = kept->ExpansionFor(e, most_terms, arguments);
-    return read(many, many.OfOneOfMany(e));
-  }
-  Expansion one(e.pool(), most_terms, arguments);
-  return read(one, one.Of(e));
-}
-
-}  // namespace
-
 NormalForm NormalFormOf(const Expression& e, int most_terms, AtomArguments arguments) {
   if (e.IsConstant(0)) return {};
   if (e.IsConstant()) {
     return {.terms = {{.coefficient = {e.constant(), e.constant()}, .factors = {}}}};
   }
-  const auto form_of = [](const Expansion& expansion, const Polynomial& expanded) {
-    return expansion.FormOf(expanded);
-  };
-  return ReadExpanded(e, most_terms, arguments, form_of);
+  if (KeptNormalForms* const kept = e.pool()->kept_normal_forms()) {
+    Expansion& many = kept->ExpansionFor(e, most_terms, arguments);
+    return many.FormOf(many.OfOneOfMany(e));
+  }
+  Expansion one(e.pool(), most_terms, arguments);
+  return one.FormOf(one.Of(e));
 }
 
 Expression SimplifiedExpression(const Expression& e, int most_terms) {
   if (e.IsConstant()) return e;
-  const auto written = [](const Expansion& expansion, const Polynomial& expanded) {
-    return expansion.Written(expanded);
-  };
-  return ReadExpanded(e, most_terms, AtomArguments::kRounded, written);
+  if (KeptNormalForms* const kept = e.pool()->kept_normal_forms()) {
+    return kept->ExpansionFor(e, most_terms, AtomArguments::kRounded).WrittenOneOfMany(e);
+  }
+  Expansion one(e.pool(), most_terms, AtomArguments::kRounded);
+  return one.Written(one.Of(e));
 }
 
 Expression ToExpression(const NormalForm& form) {

@@ -45,6 +45,14 @@ TEST_F(ExpressionTest, NumbersAreEqualByValue) {
   EXPECT_EQ(Expression(2).pool(), nullptr);
 }
 
+TEST_F(ExpressionTest, RootsAndDivisionsMayBeUndefinedWhereverTheyStand) {
+  EXPECT_TRUE((1 + 2 * Sin(Sqrt(x_))).MayBeUndefined());
+  EXPECT_TRUE(Max(y_, x_ * (1 / y_)).MayBeUndefined());
+  EXPECT_TRUE(Cos(Power(x_, -2)).MayBeUndefined());
+  EXPECT_FALSE((Power(x_, 2) + Abs(Sin(x_ * y_))).MayBeUndefined());
+  EXPECT_FALSE(Expression(2).MayBeUndefined());
+}
+
 TEST_F(ExpressionTest, NeutralAndAbsorbingNumbers) {
   EXPECT_EQ(x_ + 0, x_);
   EXPECT_EQ(0 + x_, x_);
