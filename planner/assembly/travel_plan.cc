@@ -63,6 +63,7 @@ class Walk {
         plan_(plan),
         state_(plan::InitialState(problem)),
         doubts_(problem),
+        arm_(motion::ArmBodies(workcell_.arm())),
         clearance_(kTravelClearance + HandDoubt(problem)),
         left_(plan::HomeTool(workcell_)) {}
 
@@ -97,6 +98,7 @@ class Walk {
     }
     return surroundings;
   }
+  CollisionScene Scene() const { return {problem_, Surroundings(), arm_}; }
   void Do(StepId id) {
     left_ = RouteTo(id).left();
     state_ = plan::StateAfter(problem_, std::move(state_), plan_.step(id).action, id);
@@ -109,6 +111,7 @@ class Walk {
   const plan::Plan& plan_;
   plan::WorldState state_;
   PartDoubts doubts_;
+  const std::vector<motion::Body> arm_;
   double clearance_;
   Pose left_;
 };
@@ -120,7 +123,7 @@ class TravelSearch {
       : walk_(walk),
         workcell_(walk.workcell()),
         surroundings_(walk.Surroundings()),
-        scene_(walk.problem(), surroundings_),
+        scene_(walk.Scene()),
         route_(route),
         from_(from) {}
 

@@ -63,6 +63,20 @@ double LowestPoint(const std::vector<RoundedHull>& hulls) {
   return -GreatestOverVertices(hulls, [](const Vector3& p) { return -p.z(); });
 }
 
+Body BodyOf(std::string name, int link, std::vector<RoundedHull> hulls,
+            const kinematics::RobotModel& robot) {
+  Body body{.name = std::move(name), .link = link, .hulls = std::move(hulls)};
+  body.reach = ReachOf(body, robot);
+  Eigen::AlignedBox3d bounds;
+  for (const RoundedHull& hull : body.hulls) {
+    for (const Vector3& vertex : hull.vertices()) bounds.extend(vertex);
+  }
+  body.center = bounds.center();
+  body.ball_radius =
+      GreatestOverVertices(body.hulls, [&](const Vector3& p) { return (p - body.center).norm(); });
+  return body;
+}
+
 RoundedHull TableHull(const domain::Table& table, const Pose& X_BaseWorld) {
   std::vector<Vector3> corners;
   for (const geometry::Vector2& corner : table.top) {
@@ -79,12 +93,25 @@ double BallGap(const Pose& X_BaseA, const Vector3& a, double a_radius, const Pos
 
 }  // namespace
 
-CollisionScene::CollisionScene(const domain::Problem& problem, const Surroundings& surroundings)
-    : workcell_(problem.workcell) {
+std::vector<Body> ArmBodies(const kinematics::Arm& arm) {
+  std::vector<Body> bodies;
+  const std::vector<kinematics::Link>& links = arm.model().links;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (std::vector<RoundedHull> hulls = HullsOfLink(links[i], Pose::Identity()); !hulls.empty()) {
+      bodies.push_back(BodyOf(links[i].name, static_cast<int>(i), std::move(hulls), arm.model()));
+    }
+  }
+  return bodies;
+}
+
+CollisionScene::CollisionScene(const domain::Problem& problem, const Surroundings& surroundings,
+                               std::vector<Body> arm)
+    : workcell_(problem.workcell),
+      bodies_(std::move(arm)),
+      arm_bodies_(static_cast<int>(bodies_.size())) {
   const auto doubt = [&](PartId part) {
     return surroundings.doubts.empty() ? 0 : surroundings.doubts[part.index()];
   };
-  AddLinks();
   AddGripper(surroundings.opening);
   if (surroundings.held) {
     const domain::Part& part = problem.part(surroundings.held->part);
@@ -104,26 +131,7 @@ CollisionScene::CollisionScene(const domain::Problem& problem, const Surrounding
 }
 
 Body& CollisionScene::Add(std::string name, int link, std::vector<RoundedHull> hulls) {
-  Body body{.name = std::move(name), .link = link, .hulls = std::move(hulls)};
-  body.reach = ReachOf(body, arm().model());
-  Eigen::AlignedBox3d bounds;
-  for (const RoundedHull& hull : body.hulls) {
-    for (const Vector3& vertex : hull.vertices()) bounds.extend(vertex);
-  }
-  body.center = bounds.center();
-  body.ball_radius =
-      GreatestOverVertices(body.hulls, [&](const Vector3& p) { return (p - body.center).norm(); });
-  return bodies_.emplace_back(std::move(body));
-}
-
-void CollisionScene::AddLinks() {
-  const std::vector<kinematics::Link>& links = arm().model().links;
-  for (std::size_t i = 0; i < links.size(); ++i) {
-    if (std::vector<RoundedHull> hulls = HullsOfLink(links[i], Pose::Identity()); !hulls.empty()) {
-      Add(links[i].name, static_cast<int>(i), std::move(hulls));
-    }
-  }
-  arm_bodies_ = static_cast<int>(bodies_.size());
+  return bodies_.emplace_back(BodyOf(std::move(name), link, std::move(hulls), arm().model()));
 }
 
 void CollisionScene::AddGripper(double opening) {

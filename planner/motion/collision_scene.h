@@ -70,17 +70,24 @@ struct Surroundings {
   std::vector<StandingRobot> robots = {};
 };
 
+// The arm's links, each in its own frame. A link's shapes are its URDF's collisions, or its visuals
+// if there are none; round ones are replaced by polyhedra that hold them (cylinders by prisms of 16
+// sides).
+std::vector<Body> ArmBodies(const kinematics::Arm& arm);
+
 // The workcell as bodies: the arm's links, hand, fingers, held part, table, floor (where the arm's
-// base stands), parts, and the workcell's other robots ("forearm of right"). A link's shapes are
-// its URDF's collisions, or its visuals if there are none; round ones are replaced by polyhedra
-// that hold them (cylinders by prisms of 16 sides).
+// base stands), parts, and the workcell's other robots ("forearm of right").
 //
 // Not tested, since they touch or are kept apart by construction: what is fixed to the same link
 // (so the held part against fingers and hand), and links of the arm that one joint connects. Two
 // joints whose axes meet in a point count as one: base and upper arm, forearm and wrist.
 class CollisionScene {
  public:
-  CollisionScene(const domain::Problem& problem, const Surroundings& surroundings);
+  CollisionScene(const domain::Problem& problem, const Surroundings& surroundings)
+      : CollisionScene(problem, surroundings, ArmBodies(problem.workcell->arm())) {}
+  // `arm`: ArmBodies, worked out once for many surroundings.
+  CollisionScene(const domain::Problem& problem, const Surroundings& surroundings,
+                 std::vector<Body> arm);
 
   const domain::Workcell& workcell() const { return *workcell_; }
   const kinematics::Arm& arm() const { return workcell_->arm(); }
@@ -108,7 +115,6 @@ class CollisionScene {
 
  private:
   Body& Add(std::string name, int link, std::vector<RoundedHull> hulls);
-  void AddLinks();
   void AddGripper(double opening);
   void AddStage();
   void AddOtherRobots(const std::vector<StandingRobot>& said);
