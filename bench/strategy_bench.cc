@@ -65,7 +65,9 @@ void Search(benchmark::State& state, double multiple) {
 
 constexpr int kNodes = 20;  // of a search; for the errors and for twice as large ones
 
-StrategyOptions FixedNodes() { return {.rounds = 1, .tries = 0, .nodes = kNodes, .seed = 3}; }
+StrategyOptions FixedNodes() {
+  return {.rounds = 1, .tries = 0, .nodes = kNodes, .thorough_nodes = 0, .seed = 3};
+}
 
 void SearchNodes(const Passage& passage, const FineMotionErrors& errors,
                  const StrategyOptions& options, benchmark::State& state) {
