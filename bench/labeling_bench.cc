@@ -349,7 +349,7 @@ void AddFamily(NetworkFamily family) {
 void AnnounceFamilies() {
   const std::string general =
       "CaDiCaL and Z3 are general, and built at the processor's baseline. Nobody gets more than " +
-      fmt::format("{} s, Z3 {} s", kPeerSeconds, kZ3Seconds);
+      fmt::format("{} s, Z3 {} s of the wall clock", kPeerSeconds, kZ3Seconds);
   bench::Announce(
       "labeling",
       {.measured = "the first labeling, or the proof that there is none, from the contestant's own "

@@ -3,7 +3,8 @@
 #include <z3++.h>
 
 #include <algorithm>
-#include <chrono>
+
+#include "bench/peers/processor_time.h"
 
 namespace assay::peers {
 namespace {
@@ -12,7 +13,6 @@ using network::Arc;
 using network::Label;
 using network::LabelSet;
 using workloads::NetworkWorkload;
-using Clock = std::chrono::steady_clock;
 
 Outcome OutcomeOf(z3::check_result result) {
   switch (result) {
@@ -57,6 +57,7 @@ class Z3Labeling::Solver {
   // What was added is only turned into clauses when a scope is entered or a question is asked.
   void MakeClauses() { solver_.push(); }
 
+  // Z3 counts seconds of the wall clock.
   Outcome Solve(const z3::expr& assumption, double seconds) {
     solver_.set("timeout", static_cast<unsigned>(std::max(1.0, 1e3 * seconds)));
     z3::expr_vector assumptions(context_);
@@ -152,14 +153,13 @@ LabelingAnswer Z3Labeling::First(double seconds) {
 
 std::vector<Outcome> Z3Labeling::PostArcByArc(const NetworkWorkload& workload, Encoding encoding,
                                               double seconds) {
-  const Clock::time_point start = Clock::now();
+  const double end = ProcessorSeconds() + seconds;
   std::vector<Outcome> outcomes;
   Solver solver(workload.nodes, encoding);
   for (const Arc& arc : workload.arcs) {
     const z3::expr posted = solver.AddSwitch();
     solver.AddArc(arc, posted);
-    const std::chrono::duration<double> used = Clock::now() - start;
-    const Outcome outcome = solver.Solve(posted, seconds - used.count());
+    const Outcome outcome = solver.Solve(posted, end - ProcessorSeconds());
     if (outcome == Outcome::kBudget) return outcomes;
     outcomes.push_back(outcome);
     solver.AddFact(outcome == Outcome::kFound ? posted : !posted);
