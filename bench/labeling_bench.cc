@@ -1,4 +1,4 @@
-// Our labeling engine beside Gecode and CaDiCaL, on the same networks in one run:
+// Our labeling engine beside Gecode, CaDiCaL and Z3, on the same networks in one run:
 //   labeling/NETWORK/CONTESTANT   the first labeling, or the proof that there is none
 //   counting/NETWORK/CONTESTANT   the number of labelings
 //   posting/NETWORK/CONTESTANT    arcs posted one by one, each with a complete answer whether a
@@ -6,10 +6,10 @@
 //
 // What is measured, of labeling and counting: from a network that the contestant holds in its own
 // form to the answer. Ours is searched; Gecode's tables, which cannot be taken apart from their
-// propagation, are posted and searched; CaDiCaL's clauses are solved. Reading files, drawing random
-// networks, and making arcs, tables and clauses of them is excluded; "assay:built" has a network
-// built of nodes and arcs, too. Of posting everything is counted but the making of relations and
-// tables.
+// propagation, are posted and searched; CaDiCaL's and Z3's clauses are solved. Reading files,
+// drawing random networks, and making arcs, tables and clauses of them is excluded; "assay:built"
+// has a network built of nodes and arcs, too. Of posting everything is counted but the making of
+// relations and tables.
 //
 // A contestant's answer is compared with ours before its time counts.
 
@@ -31,6 +31,9 @@
 #ifdef ASSAY_PEER_GECODE_LABELING
 #include "bench/peers/gecode_labeling.h"
 #endif
+#ifdef ASSAY_PEER_Z3_LABELING
+#include "bench/peers/z3_labeling.h"
+#endif
 #include "bench/harness/contest.h"
 #include "bench/peers/labeling_answer.h"
 #include "bench/workloads/networks.h"
@@ -44,7 +47,14 @@ using workloads::NetworkFamily;
 using workloads::NetworkWorkload;
 
 constexpr std::uint64_t kSeed = 1;
-constexpr double kPeerSeconds = 10;  // for one question, and for all questions of one trace
+
+// What a peer gets for one question, and for all questions of one trace.
+constexpr double kPeerSeconds = 10;
+constexpr double kZ3Seconds = 2;  // the slowest peer: longer answers would be most of a pass
+
+// That a solver of clauses is timed for in a pass, at least. Making the clauses, while no clock
+// runs, takes up to a hundred times as long as solving them.
+constexpr double kSolverSeconds = 1e-3;
 
 // A network, drawn or read when it is first needed, and our answers about it.
 class Instance {
@@ -80,6 +90,7 @@ class Instance {
 struct Contestant {
   std::string name;
   std::function<void(benchmark::State&, Instance&)> measure;
+  double least_seconds = bench::kAsAsked;
 };
 using Contestants = std::vector<Contestant>;
 
@@ -157,7 +168,7 @@ void Post(benchmark::State& state, Instance& instance) {
 // ---- Peers ------------------------------------------------------------------------------------
 
 void Conclude(benchmark::State& state, Verdict verdict) {
-  state.counters["timeout"] = verdict == Verdict::kTimeIsUp;
+  state.counters[bench::kTimeout] = verdict == Verdict::kTimeIsUp;
   if (verdict == Verdict::kDiffers) state.SkipWithError("its answer is not ours");
 }
 
@@ -213,48 +224,63 @@ Contestants GecodeCounts() { return {}; }
 Contestants GecodePosts() { return {}; }
 #endif
 
-#ifdef ASSAY_PEER_CADICAL_LABELING
-using peers::CadicalLabeling;
-
 // A solver answers once. Clauses are given to a new one while the clock stands still; stopping and
 // starting it costs less than a microsecond.
-void MeasureCadical(benchmark::State& state, Instance& instance,
-                    CadicalLabeling::Encoding encoding) {
-  std::optional<CadicalLabeling> cadical;
+template <class Solver>
+void MeasureSolver(benchmark::State& state, Instance& instance, typename Solver::Encoding encoding,
+                   double seconds) {
+  std::optional<Solver> solver;
   peers::LabelingAnswer answer;
   for (auto _ : state) {
     state.PauseTiming();
-    cadical.emplace(instance.workload(), encoding);
+    solver.emplace(instance.workload(), encoding);
     state.ResumeTiming();
-    answer = cadical->First(kPeerSeconds);
+    answer = solver->First(seconds);
   }
   Conclude(state, Judge(instance, answer));
 }
 
-template <class MeasureEncoding>
-Contestants Cadical(const MeasureEncoding& measure) {
+// A solver of clauses: one contestant for each of its encodings.
+template <class Solver>
+Contestants SolverLabels(double seconds) {
   Contestants contestants;
-  for (const CadicalLabeling::Encoding encoding : CadicalLabeling::kEncodings) {
-    contestants.push_back(
-        {std::string(CadicalLabeling::Name(encoding)),
-         [=](benchmark::State& state, Instance& instance) { measure(state, instance, encoding); }});
+  for (const auto encoding : Solver::kEncodings) {
+    contestants.push_back({std::string(Solver::Name(encoding)),
+                           [=](benchmark::State& state, Instance& instance) {
+                             MeasureSolver<Solver>(state, instance, encoding, seconds);
+                           },
+                           kSolverSeconds});
   }
   return contestants;
 }
 
-Contestants CadicalLabels() { return Cadical(MeasureCadical); }
-
-Contestants CadicalPosts() {
-  return Cadical(
-      [](benchmark::State& state, Instance& instance, CadicalLabeling::Encoding encoding) {
-        Measure(state, instance, [&] {
-          return CadicalLabeling::PostArcByArc(instance.workload(), encoding, kPeerSeconds);
-        });
-      });
+template <class Solver>
+Contestants SolverPosts(double seconds) {
+  Contestants contestants;
+  for (const auto encoding : Solver::kEncodings) {
+    contestants.push_back(
+        {std::string(Solver::Name(encoding)), [=](benchmark::State& state, Instance& instance) {
+           Measure(state, instance,
+                   [&] { return Solver::PostArcByArc(instance.workload(), encoding, seconds); });
+         }});
+  }
+  return contestants;
 }
+
+#ifdef ASSAY_PEER_CADICAL_LABELING
+Contestants CadicalLabels() { return SolverLabels<peers::CadicalLabeling>(kPeerSeconds); }
+Contestants CadicalPosts() { return SolverPosts<peers::CadicalLabeling>(kPeerSeconds); }
 #else
 Contestants CadicalLabels() { return {}; }
 Contestants CadicalPosts() { return {}; }
+#endif
+
+#ifdef ASSAY_PEER_Z3_LABELING
+Contestants Z3Labels() { return SolverLabels<peers::Z3Labeling>(kZ3Seconds); }
+Contestants Z3Posts() { return SolverPosts<peers::Z3Labeling>(kZ3Seconds); }
+#else
+Contestants Z3Labels() { return {}; }
+Contestants Z3Posts() { return {}; }
 #endif
 
 // ---- What is measured on what -------------------------------------------------------------------
@@ -270,8 +296,10 @@ Contestants Beside(Contestant ours, std::initializer_list<Contestants> peers) {
 void Add(std::string_view family, const std::string& name,
          const std::shared_ptr<Instance>& instance, const Contestants& contestants) {
   for (const Contestant& contestant : contestants) {
-    bench::AddContestant(family, name, contestant.name,
-                         [=](benchmark::State& state) { contestant.measure(state, *instance); });
+    bench::AddContestant(
+        family, name, contestant.name,
+        [=](benchmark::State& state) { contestant.measure(state, *instance); },
+        contestant.least_seconds);
   }
 }
 
@@ -283,12 +311,13 @@ void AddInstance(const std::string& name, Asked asked, std::function<NetworkWork
   const auto instance = std::make_shared<Instance>(std::move(make));
   Add("labeling", name, instance,
       Beside({"assay", Label},
-             {{{"assay:built", BuildAndLabel}}, GecodeLabels(), CadicalLabels()}));
+             {{{"assay:built", BuildAndLabel}}, GecodeLabels(), CadicalLabels(), Z3Labels()}));
   if (asked.counted) {
     Add("counting", name, instance, Beside({"assay", CountAll}, {GecodeCounts()}));
   }
   if (asked.posted) {
-    Add("posting", name, instance, Beside({"assay", Post}, {GecodePosts(), CadicalPosts()}));
+    Add("posting", name, instance,
+        Beside({"assay", Post}, {GecodePosts(), CadicalPosts(), Z3Posts()}));
   }
 }
 
@@ -318,15 +347,17 @@ void AddFamily(NetworkFamily family) {
 }
 
 void AnnounceFamilies() {
-  const std::string cadical = "CaDiCaL is general, and built at the processor's baseline.";
+  const std::string general =
+      "CaDiCaL and Z3 are general, and built at the processor's baseline. Nobody gets more than " +
+      fmt::format("{} s, Z3 {} s of the wall clock", kPeerSeconds, kZ3Seconds);
   bench::Announce(
       "labeling",
       {.measured = "the first labeling, or the proof that there is none, from the contestant's own "
                    "form of the network: ours is searched, Gecode's tables posted and "
-                   "searched, CaDiCaL's clauses solved",
+                   "searched, CaDiCaL's and Z3's clauses solved",
        .unfair = "Gecode's posting cannot be told from its first propagation, so that it counts; "
                  "assay:built builds our network each time, too. " +
-                 cadical,
+                 general,
        .against = "gecode",
        .at_least = 20,
        .never_below = 1 / 1.1});
@@ -339,21 +370,26 @@ void AnnounceFamilies() {
       "posting",
       {.measured = "a whole trace: arcs come one by one, each is answered completely, and taken "
                    "back where no labeling is left",
-       .unfair = "Gecode clones a space with what was accepted and searches it anew; CaDiCaL keeps "
-                 "what it learned. Its clauses count, as our arcs do. " +
-                 cadical,
+       .unfair = "Gecode clones a space with what was accepted and searches it anew; CaDiCaL "
+                 "and Z3 keep what they learned. Their clauses count, as our arcs do. " +
+                 general,
        .against = "gecode",
        .at_least = 50,
        .never_below = 1});
 }
 
 void AnnounceMissing() {
-  for ([[maybe_unused]] const char* family : {"labeling", "counting", "posting"}) {
 #ifndef ASSAY_PEER_GECODE_LABELING
+  for (const char* family : {"labeling", "counting", "posting"}) {
     bench::AddMissing(family, "gecode", "libgecode-dev");
+  }
 #endif
+  for ([[maybe_unused]] const char* family : {"labeling", "posting"}) {
 #ifndef ASSAY_PEER_CADICAL_LABELING
     bench::AddMissing(family, "cadical", "libcadical-dev");
+#endif
+#ifndef ASSAY_PEER_Z3_LABELING
+    bench::AddMissing(family, "z3", "libz3-dev");
 #endif
   }
 }

@@ -20,7 +20,7 @@ while (($#)); do
 done
 
 cmake --preset release >/dev/null
-cmake --build --preset release
+cmake --build --preset release --target bench/all
 results=$build/results
 rm -rf "$results"
 mkdir -p "$results" "$plots"

@@ -22,9 +22,10 @@ void Announce(std::string_view family, const Terms& terms) {
 }
 
 void AddContestant(std::string_view family, std::string_view instance, std::string_view contestant,
-                   std::function<void(benchmark::State&)> work) {
-  benchmark::RegisterBenchmark(fmt::format("{}/{}/{}", family, instance, contestant).c_str(),
-                               std::move(work));
+                   std::function<void(benchmark::State&)> work, double least_seconds) {
+  benchmark::internal::Benchmark* added = benchmark::RegisterBenchmark(
+      fmt::format("{}/{}/{}", family, instance, contestant).c_str(), std::move(work));
+  if (least_seconds != kAsAsked) added->MinTime(least_seconds);
 }
 
 void AddMissing(std::string_view family, std::string_view contestant, std::string_view package) {

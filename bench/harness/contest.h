@@ -23,15 +23,21 @@ struct Terms {
 // counts; "assay:variant" is shown, but compared with nothing.
 inline constexpr std::string_view kOurs = "assay";
 
+inline constexpr const char* kTimeout = "timeout";
+
+inline constexpr double kAsAsked = 0;  // by --benchmark_min_time
+
 // Once for a family, before any of its contestants.
 void Announce(std::string_view family, const Terms& terms);
 
 // Registers `work` as the benchmark "family/instance/contestant". Contestants of one instance are
 // added one after another, ours first, so that passes over the program time them in turn. `work`
-// holds the contestant's answer against ours before it times anything, and skips with an error if
-// they differ.
+// holds the contestant's answer against ours before its time counts, and skips with an error if
+// they differ. Who is not done when the time that it gets is up sets the counter kTimeout: what it
+// took until then counts as if it had answered, and is marked. `least_seconds` is what it is
+// repeated for in each pass, to be told where most of its time is not measured.
 void AddContestant(std::string_view family, std::string_view instance, std::string_view contestant,
-                   std::function<void(benchmark::State&)> work);
+                   std::function<void(benchmark::State&)> work, double least_seconds = kAsAsked);
 
 // Instead of a contestant that this machine does not have: the report says so.
 void AddMissing(std::string_view family, std::string_view contestant, std::string_view package);

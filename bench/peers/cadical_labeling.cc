@@ -2,8 +2,9 @@
 
 #include <cadical.hpp>
 
-#include <chrono>
 #include <initializer_list>
+
+#include "bench/peers/processor_time.h"
 
 namespace assay::peers {
 namespace {
@@ -13,19 +14,16 @@ using network::Label;
 using network::LabelSet;
 using network::Relation;
 using workloads::NetworkWorkload;
-using Clock = std::chrono::steady_clock;
 
 constexpr int kSatisfiable = 10, kUnsatisfiable = 20;  // of CaDiCaL::Solver::solve
 
 class Deadline : public CaDiCaL::Terminator {
  public:
-  explicit Deadline(double seconds)
-      : end_(Clock::now() +
-             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))) {}
-  bool terminate() override { return Clock::now() >= end_; }
+  explicit Deadline(double seconds) : end_(ProcessorSeconds() + seconds) {}
+  bool terminate() override { return ProcessorSeconds() >= end_; }
 
  private:
-  Clock::time_point end_;
+  double end_;
 };
 
 Outcome OutcomeOf(int status) {
@@ -157,15 +155,14 @@ LabelingAnswer CadicalLabeling::First(double seconds) {
 
 std::vector<Outcome> CadicalLabeling::PostArcByArc(const NetworkWorkload& workload,
                                                    Encoding encoding, double seconds) {
-  const Clock::time_point start = Clock::now();
+  const double end = ProcessorSeconds() + seconds;
   std::vector<Outcome> outcomes;
   Solver solver(workload.nodes, encoding);
   for (const Arc& arc : workload.arcs) {
     const int posted = solver.AddSwitch();
     solver.AddArc(arc, posted);
     solver.Assume(posted);
-    const std::chrono::duration<double> used = Clock::now() - start;
-    const Outcome outcome = solver.Solve(seconds - used.count());
+    const Outcome outcome = solver.Solve(end - ProcessorSeconds());
     if (outcome == Outcome::kBudget) return outcomes;
     outcomes.push_back(outcome);
     solver.AddUnit(outcome == Outcome::kFound ? posted : -posted);

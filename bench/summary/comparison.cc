@@ -164,6 +164,11 @@ class Register {
 
 }  // namespace
 
+bool PeerTime::TimeWasUp() const {
+  const auto timeout = series.counters.find(kTimeout);
+  return timeout != series.counters.end() && timeout->second != 0;
+}
+
 const PeerTime* Contest::Best() const {
   const auto best = std::ranges::min_element(
       peers, {}, [](const PeerTime& peer) { return peer.series.Median(); });

@@ -21,6 +21,9 @@ struct PeerTime {
   std::string variant;  // if there are several
   Series series;
   Ratio ratio;
+
+  // It had not answered by then: time and ratio are the least that they can be.
+  bool TimeWasUp() const;
 };
 
 // One piece of work, done by us and by others.

@@ -16,12 +16,12 @@ bool IsNumber(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-// Of "12" and "sides:12"; what Google Benchmark was told, and seeds, are no sizes.
+// Of "12" and "sides:12"; seeds are no sizes.
 std::optional<double> SizeIn(const std::string& argument) {
   const std::size_t colon = argument.find(':');
   const std::string number = colon == std::string::npos ? argument : argument.substr(colon + 1);
   const std::string name = argument.substr(0, argument.size() - number.size());
-  if (!IsNumber(number) || name == "iterations:" || name == "seed:") return std::nullopt;
+  if (!IsNumber(number) || name == "seed:") return std::nullopt;
   return std::stod(number);
 }
 

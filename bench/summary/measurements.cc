@@ -43,6 +43,12 @@ std::map<std::string, double> CountersOf(const Json& entry) {
   return counters;
 }
 
+// Google Benchmark appends what it was told of a benchmark's length.
+std::string NameOf(const Json& entry) {
+  const std::string name = entry.at("name");
+  return name.substr(0, std::min(name.find("/iterations:"), name.find("/min_time:")));
+}
+
 class Reader {
  public:
   void Add(const Json& file) {
@@ -50,7 +56,7 @@ class Reader {
       measurements_.context[key] = value.is_string() ? value.get<std::string>() : value.dump();
     }
     for (const Json& entry : file.at("benchmarks")) {
-      if (entry.at("run_type") == "iteration") Add(entry, SeriesOf(entry.at("name")));
+      if (entry.at("run_type") == "iteration") Add(entry, SeriesOf(NameOf(entry)));
     }
   }
   Measurements Take() { return std::move(measurements_); }

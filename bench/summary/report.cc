@@ -98,10 +98,12 @@ std::string Counter(const Series& series, const std::string& name) {
   return at == series.counters.end() ? "" : fmt::format("{:.4g}", at->second);
 }
 
+std::string AtLeast(const PeerTime& peer) { return peer.TimeWasUp() ? "> " : ""; }
+
 std::string PeerCell(const PeerTime* peer) {
   if (peer == nullptr) return "";
   const std::string variant = peer->variant.empty() ? "" : " " + peer->variant;
-  return fmt::format("{}{}", Time(peer->series.Median()), variant);
+  return fmt::format("{}{}{}", AtLeast(*peer), Time(peer->series.Median()), variant);
 }
 
 std::string VariantCell(const Contest& contest, const std::string& variant) {
@@ -136,7 +138,7 @@ void Instances(std::string& out, const Family& family) {
     for (const std::string& variant : variants) row.push_back(VariantCell(contest, variant));
     for (const std::string& peer : peers) row.push_back(PeerCell(contest.Find(peer)));
     const PeerTime* best = contest.Best();
-    row.push_back(best != nullptr ? Text(best->ratio) : "");
+    row.push_back(best != nullptr ? AtLeast(*best) + Text(best->ratio) : "");
     for (const std::string& name : counters) row.push_back(Counter(contest.ours, name));
     out += Row(row);
   }
@@ -215,7 +217,8 @@ std::string Report(const Measurements& measurements) {
   std::string out =
       "# Benchmarks\n\nMade by `bench/run.sh`. Medians of processor time over passes in which all "
       "contestants take turns, single thread. A contestant's answer is held against ours before "
-      "its time counts.\n\n";
+      "its time counts. Who had not answered when its time was up counts as if it had answered "
+      "then, marked \">\".\n\n";
   if (!families.empty()) Headline(out, families);
   if (!families.empty()) out += "## Instances\n\n";
   for (const Family& family : families) Section(out, family);

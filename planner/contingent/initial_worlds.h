@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct World {
   std::vector<double> numbers;  // of numeric functions, by slot
 
   bool operator==(const World&) const = default;
+  auto operator<=>(const World&) const = default;
 };
 
 struct InitialWorlds {

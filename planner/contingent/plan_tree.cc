@@ -4,10 +4,8 @@
 #include <utility>
 
 namespace assay::contingent {
-namespace {
 
-// The nodes below the root, children before parents but for repeats.
-std::vector<NodeId> PostOrder(const PlanTree& tree) {
+std::vector<NodeId> ChildrenFirst(const PlanTree& tree) {
   std::vector<NodeId> order;
   std::vector<char> is_seen(tree.nodes.size(), 0);
   std::vector<std::pair<NodeId, std::size_t>> path = {{tree.root, 0}};
@@ -26,8 +24,6 @@ std::vector<NodeId> PostOrder(const PlanTree& tree) {
   return order;
 }
 
-}  // namespace
-
 TreeSize SizeOf(const PlanTree& tree) {
   struct Below {
     int depth = 0;
@@ -36,7 +32,7 @@ TreeSize SizeOf(const PlanTree& tree) {
   };
   std::vector<Below> below(tree.nodes.size());
   TreeSize size;
-  for (const NodeId id : PostOrder(tree)) {
+  for (const NodeId id : ChildrenFirst(tree)) {
     const PlanNode& node = tree.node(id);
     Below& here = below[id.index()];
     const bool acts = node.kind == PlanNode::Kind::kAct;
@@ -63,7 +59,7 @@ TreeSize SizeOf(const PlanTree& tree) {
 PlanTree Trimmed(const PlanTree& tree) {
   PlanTree trimmed;
   std::vector<NodeId> renumbered(tree.nodes.size());
-  const std::vector<NodeId> order = PostOrder(tree);
+  const std::vector<NodeId> order = ChildrenFirst(tree);
   for (std::size_t i = 0; i < order.size(); ++i) renumbered[order[i].index()] = NodeId(i);
   for (const NodeId id : order) {
     trimmed.nodes.push_back(tree.node(id));

@@ -35,8 +35,7 @@ struct PlanNode {
   bool operator==(const PlanNode&) const = default;
 };
 
-// A contingent plan: a tree whose equal sub-plans are one node. Without repeats its nodes are in an
-// order in which children come before their parents.
+// A contingent plan: a tree whose equal sub-plans are one node. Nodes are in any order.
 struct PlanTree {
   std::vector<PlanNode> nodes;
   NodeId root;
@@ -54,6 +53,9 @@ struct TreeSize {
   int repeats = 0;
 };
 TreeSize SizeOf(const PlanTree& tree);
+
+// The nodes that the root leads to, children before parents but for repeats.
+std::vector<NodeId> ChildrenFirst(const PlanTree& tree);
 
 // The nodes that the root leads to, renumbered.
 PlanTree Trimmed(const PlanTree& tree);

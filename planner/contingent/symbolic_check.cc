@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 #include <set>
 #include <unordered_map>
 
@@ -78,15 +79,14 @@ class SymbolicCheck {
     check.worlds = static_cast<std::int64_t>(CountOf(initial));
     Arrive(tree_.root,
            {Assumed(initial), {task_.initial.sensed.begin(), task_.initial.sensed.end()}});
-    // Children come before their parents.
-    for (std::size_t i = tree_.nodes.size(); i-- > 0;) {
-      if (arrivals_[i].worlds == kEmptySet) {
-        check.unreached.push_back(NodeId(i));
-      } else if (!PassOn(tree_.nodes[i], arrivals_[i])) {
-        return std::nullopt;
-      }
+    for (const NodeId id : std::views::reverse(ChildrenFirst(tree_))) {
+      const Arrivals& arrivals = arrivals_[id.index()];
+      if (arrivals.worlds == kEmptySet) continue;
+      if (!PassOn(tree_.node(id), arrivals)) return std::nullopt;
     }
-    std::ranges::reverse(check.unreached);
+    for (std::size_t i = 0; i < arrivals_.size(); ++i) {
+      if (arrivals_[i].worlds == kEmptySet) check.unreached.push_back(NodeId(i));
+    }
     return check;
   }
 

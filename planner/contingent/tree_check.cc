@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <set>
 #include <utility>
@@ -16,6 +17,11 @@ namespace assay::contingent {
 namespace {
 
 using Worlds = std::vector<World>;
+
+// What a wrong tree may take: worlds on one way, unless more are there to begin with, and worlds in
+// which one repeat is followed from one world.
+constexpr std::size_t kMostWorlds = 1'000'000;
+constexpr std::size_t kMostReturns = 100'000;
 
 // The worlds that one history leads to, and what has been sensed on it.
 struct History {
@@ -52,6 +58,7 @@ class Runner {
     check.are_all_worlds = initial.are_all;
     History history;
     history.worlds = std::move(initial.worlds);
+    most_worlds_ = std::max(kMostWorlds, 4 * history.worlds.size());
     history.sensed.insert(task_.initial.sensed.begin(), task_.initial.sensed.end());
     for (const FunctionId function : task_.initial.values_sensed) {
       history.values_sensed[function] = 0;
@@ -99,10 +106,16 @@ class Runner {
   // ---- Walking the tree
 
   void RunFrom(NodeId id, History history) {
+    const std::size_t heads_above = heads_.size();
+    Walk(id, std::move(history));
+    heads_.resize(heads_above);
+  }
+
+  void Walk(NodeId id, History history) {
     while (failure_.empty() && !history.worlds.empty()) {
       const PlanNode& node = tree_.node(id);
       is_reached_[id.index()] = true;
-      if (attempt_ == nullptr && IsRepeated(id)) heads_.emplace_back(id, history.worlds);
+      if (attempt_ == nullptr && IsRepeated(id)) heads_.emplace_back(id, history);
       switch (node.kind) {
         case PlanNode::Kind::kGoal:
           if (!IsKnown(task_.goal, history)) Fail("the goal is not known", history);
@@ -194,36 +207,91 @@ class Runner {
   }
 
   // The worlds come back to where they, or worlds that they are cases of, began; and each of them
-  // can go on to the goal.
+  // can go on to the goal. Where less has been sensed than then, that must be enough, too.
   void Return(NodeId head, const History& history) {
     if (attempt_ != nullptr) {
-      for (const World& world : history.worlds) attempt_->Return(head, world, history);
+      for (const World& world : history.worlds) Follow(head, world, history);
       return;
     }
-    const auto entry = std::find_if(heads_.rbegin(), heads_.rend(),
-                                    [&](const auto& begun) { return begun.first == head; });
-    if (entry == heads_.rend()) return Fail("a repeat that never began", history);
-    const Worlds begun = entry->second;
+    const History* entry = Begun(head);
+    if (entry == nullptr) return Fail("a repeat that never began", history);
+    const History begun = *entry;
     for (const World& world : history.worlds) {
-      if (!IsCovered(world, begun))
+      if (!IsCovered(world, begun.worlds))
         return Fail("a repeat begins in another world", history, &world);
       if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
     }
+    if (!HasSensed(history, begun)) BeginAgain(head, begun, history);
+  }
+
+  // The history that last came to the head of a repeat, on the way to here; null if none has.
+  const History* Begun(NodeId head) const {
+    const auto entry = std::find_if(heads_.rbegin(), heads_.rend(),
+                                    [&](const auto& begun) { return begun.first == head; });
+    return entry == heads_.rend() ? nullptr : &entry->second;
+  }
+
+  static bool HasSensed(const History& history, const History& begun) {
+    return std::ranges::includes(history.sensed, begun.sensed) &&
+           std::ranges::all_of(begun.values_sensed, [&](const auto& value) {
+             const auto known = history.values_sensed.find(value.first);
+             return known != history.values_sensed.end() && known->second <= value.second;
+           });
+  }
+
+  // With what has been sensed both times. It gets less each time, so that this ends.
+  void BeginAgain(NodeId head, const History& begun, const History& history) {
+    History both = begun;
+    both.steps = history.steps;
+    std::erase_if(both.sensed, [&](FormulaId f) { return !history.sensed.contains(f); });
+    std::erase_if(both.values_sensed,
+                  [&](const auto& value) { return !history.values_sensed.contains(value.first); });
+    for (auto& [function, error] : both.values_sensed) {
+      error = std::max(error, history.values_sensed.at(function));
+    }
+    const std::int64_t worlds = worlds_;  // these have been counted
+    RunFrom(head, std::move(both));
+    worlds_ = worlds;
   }
 
   // Whether a world that is back at the head of a repeat comes to the goal some time, for some
   // outcomes of what is open: by going round, in this world alone, until it has been everywhere.
   bool CanEnd(NodeId head, const World& world, const History& history) {
-    Attempt attempt;
-    attempt.Return(head, world, history);
+    Attempt attempt = {.steps = history.steps};
     attempt_ = &attempt;
-    for (std::size_t next = 0; next < attempt.returned.size(); ++next) {
-      if (attempt.has_ended || !failure_.empty()) break;
-      const auto [at, alone] = attempt.returned[next];
+    Follow(head, world, history);
+    while (!attempt.has_ended && failure_.empty() && !attempt.to_follow.empty()) {
+      const auto [at, alone] = std::move(attempt.to_follow.front());
+      attempt.to_follow.pop_front();
       RunFrom(at, alone);
     }
     attempt_ = nullptr;
     return attempt.has_ended;
+  }
+
+  // Numbers of which nothing is known at first do not tell worlds apart: any other is as good, and
+  // they may change on each round.
+  void Follow(NodeId head, const World& world, const History& history) {
+    if (const History* begun = Begun(head); begun && !IsCovered(world, begun->worlds)) {
+      return Fail("a repeat begins in another world", history, &world);
+    }
+    World without_open = world;
+    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
+      if (IsOpen(slot)) without_open.numbers[slot] = 0;
+    }
+    if (!attempt_->returned.emplace(head, std::move(without_open)).second) return;
+    if (attempt_->returned.size() > kMostReturns) {
+      return Fail(fmt::format("a repeat through more than {} worlds", kMostReturns), history);
+    }
+    History alone = history;
+    alone.worlds = {world};
+    alone.steps = attempt_->steps;
+    attempt_->to_follow.emplace_back(head, std::move(alone));
+  }
+
+  bool IsOpen(std::size_t slot) const {
+    const Range& range = task_.initial.ranges[slot];
+    return std::isinf(range.low) && std::isinf(range.high);
   }
 
   // Numbers of which nothing is known at first are not compared: any other is as good.
@@ -232,15 +300,13 @@ class Runner {
       if (of.atoms[a] != Truth::kEither && of.atoms[a] != world.atoms[a]) return false;
     }
     for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
-      const Range& range = task_.initial.ranges[slot];
-      const bool is_open = std::isinf(range.low) && std::isinf(range.high);
-      if (!is_open && world.numbers[slot] != of.numbers[slot]) return false;
+      if (!IsOpen(slot) && world.numbers[slot] != of.numbers[slot]) return false;
     }
     return true;
   }
 
   // Whether the world, or both of its cases by some atom, and so on, are cases of the worlds.
-  bool IsCovered(const World& world, const Worlds& by) const {
+  bool IsCovered(const World& world, const Worlds& by) {
     if (std::any_of(by.begin(), by.end(), [&](const World& w) { return IsCaseOf(world, w); })) {
       return true;
     }
@@ -324,9 +390,15 @@ class Runner {
     return most->numbers[slot] - least->numbers[slot] <= 2 * query.within.value_or(0);
   }
 
+  bool HasTooMany(const Worlds& worlds) {
+    if (worlds.size() <= most_worlds_) return false;
+    if (failure_.empty()) failure_ = fmt::format("more than {} worlds on one way", most_worlds_);
+    return true;
+  }
+
   // Two worlds for each that leaves the atom open.
-  void SplitBy(AtomId atom, Worlds& worlds) const {
-    for (std::size_t i = 0, count = worlds.size(); i < count; ++i) {
+  void SplitBy(AtomId atom, Worlds& worlds) {
+    for (std::size_t i = 0, count = worlds.size(); i < count && !HasTooMany(worlds); ++i) {
       if (worlds[i].atoms[atom.index()] != Truth::kEither) continue;
       World other = worlds[i];
       other.atoms[atom.index()] = Truth::kFalse;
@@ -387,7 +459,7 @@ class Runner {
     }
   }
 
-  void SplitByAll(const GroundQuery& condition, Worlds& worlds) const {
+  void SplitByAll(const GroundQuery& condition, Worlds& worlds) {
     if (condition.kind == GroundQuery::Kind::kKnown) SplitBy(condition.literal.atom, worlds);
     for (const GroundQuery& operand : condition.operands) SplitByAll(operand, worlds);
   }
@@ -422,9 +494,10 @@ class Runner {
   }
 
   void ChangeWorlds(const std::vector<GroundEffect>& effects, const std::vector<bool>& happens,
-                    Worlds& worlds) const {
+                    Worlds& worlds) {
     Worlds changed;
     for (const World& world : worlds) {
+      if (HasTooMany(changed)) break;
       Worlds now = {world};
       // What becomes true wins over what becomes false.
       for (const int pass : {0, 1, 2}) {
@@ -447,7 +520,7 @@ class Runner {
     return change.kind == GroundChange::Kind::kSet && !change.literal.is_positive ? 1 : 2;
   }
 
-  void Change(const GroundChange& change, const World& before, Worlds& now) const {
+  void Change(const GroundChange& change, const World& before, Worlds& now) {
     switch (change.kind) {
       case GroundChange::Kind::kSet:
         for (World& world : now) {
@@ -515,17 +588,10 @@ class Runner {
 
   // Going round a repeat in one world.
   struct Attempt {
-    std::vector<std::pair<NodeId, History>> returned;  // to the heads of repeats, in one world each
-    bool has_ended = false;                            // at the goal
-
-    void Return(NodeId head, const World& world, const History& history) {
-      const bool was_there = std::any_of(returned.begin(), returned.end(), [&](const auto& before) {
-        return before.first == head && before.second.worlds.front() == world;
-      });
-      if (was_there) return;
-      returned.emplace_back(head, history);
-      returned.back().second.worlds = {world};
-    }
+    std::vector<std::string> steps;                    // before it: rounds are not told
+    std::set<std::pair<NodeId, World>> returned = {};  // to the heads of repeats
+    std::deque<std::pair<NodeId, History>> to_follow = {};
+    bool has_ended = false;  // at the goal
   };
 
   const GroundTask& task_;
@@ -533,7 +599,8 @@ class Runner {
   Attempt* attempt_ = nullptr;
   std::vector<bool> is_reached_;
   std::set<NodeId> repeated_;
-  std::vector<std::pair<NodeId, Worlds>> heads_;  // of repeats, on the way to here
+  std::vector<std::pair<NodeId, History>> heads_;  // of repeats, on the way to here
+  std::size_t most_worlds_ = kMostWorlds;
   std::int64_t worlds_ = 0;
   std::string failure_;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -65,6 +66,7 @@ class Reader {
     tree.root = Number(json.At("root"));
     for (const Value& node : nodes) tree.nodes.push_back(ReadNode(node));
     RequireEnd(tree, nodes);
+    RequireThatRepeatsGoBack(tree, nodes);
     return tree;
   }
 
@@ -133,9 +135,13 @@ class Reader {
     if (!repeats) return;
     node.repeats.resize(node.children.size(), false);
     for (const Value& number : repeats->Items()) {
-      const auto child = std::find(node.children.begin(), node.children.end(), Number(number));
-      if (child == node.children.end()) number.Fail("not a child of this node", "its children");
-      node.repeats[child - node.children.begin()] = true;
+      const NodeId head = Number(number);
+      if (std::ranges::count(node.children, head) == 0) {
+        number.Fail("not a child of this node", "its children");
+      }
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        if (node.children[i] == head) node.repeats[i] = true;
+      }
     }
   }
 
@@ -163,6 +169,47 @@ class Reader {
     }
   }
 
+  // Whatever way leads to a node that repeats, it has come by where the repeat begins: that cut
+  // out, the root does not lead to the node.
+  static void RequireThatRepeatsGoBack(const PlanTree& tree, const std::vector<Value>& places) {
+    std::set<NodeId> heads;
+    for (const PlanNode& node : tree.nodes) {
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        if (node.Repeats(i)) heads.insert(node.children[i]);
+      }
+    }
+    for (const NodeId head : heads) {
+      for (const NodeId reached : ReachedWithout(head, tree)) {
+        const PlanNode& node = tree.node(reached);
+        for (std::size_t i = 0; i < node.children.size(); ++i) {
+          if (!node.Repeats(i) || node.children[i] != head) continue;
+          places[reached.index()].Fail(
+              fmt::format("a repeat of node {}, which is not above on every way", head.index()),
+              "repeats of nodes above");
+        }
+      }
+    }
+  }
+
+  static std::vector<NodeId> ReachedWithout(NodeId cut, const PlanTree& tree) {
+    std::vector<bool> is_reached(tree.nodes.size(), false);
+    is_reached[cut.index()] = true;
+    std::vector<NodeId> reached;
+    const auto reach = [&](NodeId id) {
+      if (is_reached[id.index()]) return;
+      is_reached[id.index()] = true;
+      reached.push_back(id);
+    };
+    reach(tree.root);
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      const PlanNode& node = tree.node(reached[next]);
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        if (!node.Repeats(i)) reach(node.children[i]);
+      }
+    }
+    return reached;
+  }
+
   const GroundTask& task_;
   int count_ = 0;
 };
@@ -173,8 +220,11 @@ Json ToJson(const GroundTask& task, const PlanTree& tree) {
   Json nodes = Json::array();
   for (const PlanNode& node : tree.nodes) {
     Json json = ToJson(task, node);
+    std::set<NodeId> heads;
     for (std::size_t i = 0; i < node.children.size(); ++i) {
-      if (node.Repeats(i)) json["repeats"].push_back(node.children[i].index());
+      if (node.Repeats(i) && heads.insert(node.children[i]).second) {
+        json["repeats"].push_back(node.children[i].index());
+      }
     }
     nodes.push_back(std::move(json));
   }

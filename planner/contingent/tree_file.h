@@ -18,8 +18,8 @@ namespace assay::contingent {
 nlohmann::ordered_json ToJson(const GroundTask& task, const PlanTree& tree);
 
 // Reads a tree back. Throws InputError with the place of what does not fit the format or the task:
-// unknown actions, formulas and functions, and nodes that lead back to themselves without
-// "repeats".
+// unknown actions, formulas and functions, nodes that lead back to themselves without "repeats",
+// and repeats of nodes that are not above.
 PlanTree ReadTree(const Value& tree, const GroundTask& task);
 
 }  // namespace assay::contingent

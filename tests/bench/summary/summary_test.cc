@@ -83,7 +83,7 @@ TEST(Growth, FindsTheExponentOfAPowerLaw) {
     measurements.series.push_back(
         Of("plan/n" + std::to_string(size) + "/assay", {1e-3 * size * size}, {{"size", size}}));
   }
-  for (const char* not_a_size : {"Draw/seed:1", "Draw/seed:2", "Draw/seed:3", "A/iterations:1"}) {
+  for (const char* not_a_size : {"Draw/seed:1", "Draw/seed:2", "Draw/seed:3"}) {
     measurements.series.push_back(Of(not_a_size, {1}));
   }
   const std::vector<Growth> growths = Growths(measurements);
@@ -109,6 +109,16 @@ TEST(Report, HoldsTimesAgainstTheirLimits) {
   EXPECT_THAT(report, HasSubstr("| Plan/fig16 | 25 ms | at most 20 ms: **missed** |"));
 }
 
+TEST(Report, MarksPeersWhoseTimeWasUp) {
+  const Measurements measurements = {
+      .context = {},
+      .series = {Of("labeling/a/assay", {0.01}), Of("labeling/a/z3", {2}, {{"timeout", 1}}),
+                 Of("labeling/b/assay", {0.01}), Of("labeling/b/z3", {1}, {{"timeout", 0}})}};
+  const std::string report = Report(measurements);
+  EXPECT_THAT(report, HasSubstr("| a | 10 ms | > 2 s | > 200 (200 to 200) |"));
+  EXPECT_THAT(report, HasSubstr("| b | 10 ms | 1 s | 100 (100 to 100) |"));
+}
+
 TEST(PlotScript, DrawsWhatThereIs) {
   EXPECT_THAT(PlotScript(TwoInstances()), HasSubstr("set output 'ratios.svg'"));
   EXPECT_THAT(PlotScript(TwoInstances()), testing::Not(HasSubstr("growth.svg")));
@@ -124,19 +134,21 @@ TEST(Measurements, ReadsWhatGoogleBenchmarkWrites) {
   const auto pass = [](const std::string& name, const std::string& time) {
     return Write(name, R"({"context": {"host_name": "h", "num_cpus": 2, "caches": []},
       "benchmarks": [
-        {"name": "A/b/assay", "run_type": "iteration", "iterations": 7, "real_time": 9,
+        {"name": "A/b/assay/min_time:0.001", "run_type": "iteration", "iterations": 7, "real_time": 9,
          "cpu_time": )" + time +
                            R"(, "time_unit": "us", "nodes": 12},
-        {"name": "A/b/peer", "run_type": "iteration", "error_occurred": true,
+        {"name": "A/b/peer/iterations:3", "run_type": "iteration", "error_occurred": true,
          "error_message": "answers differ"},
         {"name": "A_mean", "run_type": "aggregate", "cpu_time": 1, "time_unit": "us"}]})");
   };
   const Measurements measurements = Read({pass("pass1.json", "2"), pass("pass2.json", "4")});
   ASSERT_THAT(measurements.series, SizeIs(2));
+  EXPECT_EQ(measurements.series[0].name, "A/b/assay");
   EXPECT_THAT(measurements.series[0].seconds,
               ElementsAre(DoubleNear(2e-6, 1e-18), DoubleNear(4e-6, 1e-18)));
   EXPECT_EQ(measurements.series[0].counters.at("nodes"), 12);
   EXPECT_EQ(measurements.series[0].counters.size(), 1u);
+  EXPECT_EQ(measurements.series[1].name, "A/b/peer");
   EXPECT_EQ(measurements.series[1].skipped, "answers differ");
   EXPECT_EQ(measurements.context.at("num_cpus"), "2");
 }

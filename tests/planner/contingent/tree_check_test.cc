@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent {
@@ -142,6 +144,88 @@ TEST_F(Lamp, ARepeatMustBeAbleToEnd) {
   tree_.nodes[branch.index()].children[1] = look;  // looking lights no lamp
   tree_.nodes[branch.index()].repeats = {false, true};
   EXPECT_FALSE(Check().holds);
+}
+
+PlanNode ActOf(const GroundTask& task, const std::string& name, int then) {
+  const auto action = std::ranges::find(task.actions, name, &GroundAction::name);
+  PlanNode node;
+  node.kind = PlanNode::Kind::kAct;
+  node.action = ActionId(static_cast<int>(action - task.actions.begin()));
+  node.children = {NodeId(then)};
+  return node;
+}
+
+PlanNode BranchOf(const GroundTask& task, const std::string& formula, int if_true, int if_false) {
+  const auto is_asked = [&](const Formula& f) { return TextOf(task, f) == formula; };
+  const auto asked = std::ranges::find_if(task.formulas, is_asked);
+  PlanNode node;
+  node.kind = PlanNode::Kind::kWhether;
+  node.formula = FormulaId(static_cast<int>(asked - task.formulas.begin()));
+  node.children = {NodeId(if_true), NodeId(if_false)};
+  return node;
+}
+
+PlanNode Repeating(PlanNode node, std::size_t child) {
+  node.repeats.resize(node.children.size(), false);
+  node.repeats[child] = true;
+  return node;
+}
+
+// Looks are counted, from what `init` says.
+GroundTask Counting(const std::string& init) {
+  return GroundText(
+      "domain count predicates: lit, broken functions: looks: number\n"
+      "action look effects: add(Kw, lit), add(Kf, looks = looks + [1, 1])\n"
+      "action flicker effects: del(Kf, lit), add(Kw, lit)\n",
+      "problem count domain count init: " + init + " goal: K(lit)");
+}
+
+// Rounds that never end, each with a number that was not there before.
+TEST(Repeats, ThatCountForEverAreTold) {
+  const GroundTask task = Counting("add(Kf, !broken)");
+  const PlanTree tree = {
+      .nodes = {ActOf(task, "look", 1), Repeating(BranchOf(task, "lit", 2, 0), 1), PlanNode{}},
+      .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("a repeat without end after look()"));
+}
+
+// The first outcome goes back as it came; the second, in which it counts, is met on its way.
+TEST(Repeats, ThatCountElsewhereAreTold) {
+  const GroundTask task = Counting("add(Kf, looks = 0)");
+  const PlanTree tree = {
+      .nodes = {ActOf(task, "flicker", 1), Repeating(BranchOf(task, "lit", 0, 2), 0),
+                Repeating(ActOf(task, "look", 0), 0)},
+      .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("a repeat begins in another world"));
+}
+
+// Where the lamp was pressed it has to be looked at again, though each world is one that the repeat
+// began with.
+TEST(Repeats, MustHaveSensedWhatIsAskedBelow) {
+  const GroundTask task = GroundText(
+      "domain lamp predicates: lit, bell\n"
+      "action look effects: add(Kw, lit)\n"
+      "action press effects: K(lit) => add(Kf, !lit); K(!lit) => add(Kf, lit)\n"
+      "action ring effects: del(Kf, bell), add(Kw, bell)\n",
+      "problem lamp domain lamp init: add(Kf, !bell) goal: K(lit)");
+  PlanTree tree = {
+      .nodes = {ActOf(task, "look", 1), ActOf(task, "ring", 2), BranchOf(task, "bell", 3, 5),
+                BranchOf(task, "lit", 4, 7), PlanNode{}, Repeating(ActOf(task, "press", 1), 0),
+                Repeating(ActOf(task, "look", 1), 0), ActOf(task, "press", 4)},
+      .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(task, tree).failure,
+              HasSubstr("a branch on lit, which has not been sensed, after look()"));
+  tree.nodes[5] = ActOf(task, "press", 6);
+  EXPECT_EQ(CheckTree(task, tree).failure, "");
+}
+
+// Worlds as sets, where they are more than may be run: whatever the order of the nodes.
+TEST(Worlds, AsSetsGoFromTheRootDown) {
+  const GroundTask task = GroundScenario("bomb-in-the-toilet", "four-packages");
+  const PlanTree tree = {.nodes = {ActOf(task, "dunk", 1), PlanNode{}}, .root = NodeId(0)};
+  const TreeCheck check = CheckTree(task, tree, {.worlds = 1});
+  EXPECT_FALSE(check.holds);
+  EXPECT_THAT(check.failure, HasSubstr("the goal is not known"));
 }
 
 // More worlds than may be run: as many are drawn.

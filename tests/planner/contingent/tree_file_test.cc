@@ -1,0 +1,74 @@
+#include "planner/contingent/tree_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "planner/contingent/tree_check.h"
+#include "planner/contingent/tree_text.h"
+#include "tests/planner/contingent/tasks.h"
+
+namespace assay::contingent {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::ordered_json;
+
+PlanTree Read(const Json& json, const GroundTask& task) {
+  return ReadTree(Document::Parse(json.dump(), "tree.json").root(), task);
+}
+
+TEST(TreeFile, RepeatsAreReadBack) {
+  const GroundTask task = GroundScenario("slippery-grasp", "hold-the-cup");
+  PlanTree tree = PlanFor(task, Wanted::kFirst).tree;
+  EXPECT_EQ(Read(ToJson(task, tree), task).nodes, tree.nodes);
+  for (PlanNode& node : tree.nodes) {  // both outcomes go back to the same node
+    if (node.repeats.empty()) continue;
+    node.children[0] = node.children[1];
+    node.repeats = {true, true};
+  }
+  EXPECT_EQ(Read(ToJson(task, tree), task).nodes, tree.nodes);
+}
+
+TEST(TreeFile, RepeatsGoBackToNodesAbove) {
+  const GroundTask task = GroundScenario("slippery-grasp", "hold-the-cup");
+  const Json look = {{"name", "tryToGrasp"}, {"arguments", {"cup"}}};
+  const Json branch = {{"branch", "holding(cup)"}, {"true", 2}, {"false", 0}, {"repeats", {0, 2}}};
+  const Json tree = {{"format", "assay-tree/1"},
+                     {"root", 0},
+                     {"nodes", {{{"act", look}, {"then", 1}}, branch, {{"goal", true}}}}};
+  EXPECT_THAT(MessageOf([&] { Read(tree, task); }),
+              HasSubstr("a repeat of node 2, which is not above on every way"));
+}
+
+// Each child of each node of a plan leads elsewhere, marked as a repeat or not: such a file is
+// refused, or its tree is checked to the end and told.
+TEST(TreeFile, ChildrenThatLeadElsewhereAreTold) {
+  for (const auto& [domain, problem] :
+       {std::pair("slippery-grasp", "hold-the-cup"), std::pair("pouring", "half-full-jug"),
+        std::pair("opening-a-safe", "safe-by-trial")}) {
+    const GroundTask task = GroundScenario(domain, problem);
+    const PlanTree right = PlanFor(task, Wanted::kFirst).tree;
+    for (std::size_t n = 0; n < right.nodes.size(); ++n) {
+      for (std::size_t child = 0; child < right.nodes[n].children.size(); ++child) {
+        for (std::size_t to = 0; to < 2 * right.nodes.size(); ++to) {
+          PlanTree wrong = right;
+          PlanNode& node = wrong.nodes[n];
+          node.children[child] = NodeId(to / 2);
+          node.repeats.resize(node.children.size(), false);
+          node.repeats[child] = to % 2 == 1;
+          try {
+            const PlanTree read = Read(ToJson(task, wrong), task);
+            EXPECT_EQ(CheckTree(task, read).holds, CheckTree(task, read).failure.empty());
+            EXPECT_FALSE(TextOf(task, read, Sharing::kOnce).empty());
+          } catch (const InputError&) {
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace assay::contingent
