@@ -46,13 +46,30 @@ bool BestKnown::Bounds(const domain::Problem& problem, Propagation propagation) 
 
 BestKnown::BestKnown(const domain::Problem& problem, Propagation propagation,
                      const algebra::BoundRequest& bound)
-    : worlds_(problem, propagation, bound, [heights = MeasuresHeights(problem)](UncertainWorld& w) {
+    : problem_(problem),
+      worlds_(problem, propagation, bound, [heights = MeasuresHeights(problem)](UncertainWorld& w) {
         w.TellWherePartsRest(heights);
       }) {}
 
 MomentId BestKnown::After(MomentId before, const plan::Action& action,
                           const plan::Strategy* strategy) {
-  return worlds_.After(before, action, strategy);
+  return worlds_.After(FirstAlike(before), action, strategy);
+}
+
+MomentId BestKnown::FirstAlike(MomentId moment) {
+  const UncertainWorld& world = worlds_.WorldAt(moment);
+  if (!world.in_hand().IsNone()) return moment;
+  const auto is_alike = [&](MomentId other) {
+    const UncertainWorld& known = worlds_.WorldAt(other);
+    for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+      const domain::PartId part(p);
+      if (known.X_WorldPart(part).matrix() != world.X_WorldPart(part).matrix()) return false;
+    }
+    return true;
+  };
+  const auto known = std::ranges::find_if(with_empty_hand_, is_alike);
+  if (known != with_empty_hand_.end()) return *known;
+  return with_empty_hand_.emplace_back(moment);
 }
 
 Shortfall BestKnown::LeastShortfall(MomentId after, const std::vector<std::string>& absorbable) {

@@ -30,7 +30,13 @@ class BestKnown {
   Shortfall LeastShortfall(uncertainty::MomentId after, const std::vector<std::string>& absorbable);
 
  private:
+  // The first moment that was met at which no more was to be known: with an empty hand, what is
+  // told of all parts is all that matters of what was done.
+  uncertainty::MomentId FirstAlike(uncertainty::MomentId moment);
+
+  const domain::Problem& problem_;
   uncertainty::WorldTree worlds_;
+  std::vector<uncertainty::MomentId> with_empty_hand_;  // no two alike
 };
 
 }  // namespace assay::posting
