@@ -53,7 +53,12 @@ void ForceSensing(benchmark::State& state) {
   });
   if (state.range(0) == 10) state.counters["at_most_ms"] = 10;
 }
-BENCHMARK(ForceSensing)->RangeMultiplier(2)->Range(2, 64)->Arg(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(ForceSensing)
+    ->ArgName("cans")
+    ->RangeMultiplier(2)
+    ->Range(2, 64)
+    ->Arg(10)
+    ->Unit(benchmark::kMillisecond);
 
 // What PO-PRP, the strongest planner that could be built, took on another machine of this kind:
 // seconds of its search alone, and state-action pairs of its policy; 0: it refuses the problem, or

@@ -119,12 +119,18 @@ void Time(benchmark::State& state, Test test, Cases kind) {
 }
 
 void Tolerances(benchmark::internal::Benchmark* benchmark) {
-  benchmark->DenseRange(0, 10, 2)->DenseRange(20, 100, 20)->Unit(benchmark::kMicrosecond);
+  benchmark->ArgName("tolerances")
+      ->DenseRange(0, 10, 2)
+      ->DenseRange(20, 100, 20)
+      ->Unit(benchmark::kMicrosecond);
 }
 
 // Exponential in the tolerances: once, as far as the paper says that it is practical.
 void FewTolerances(benchmark::internal::Benchmark* benchmark) {
-  benchmark->DenseRange(0, 10, 2)->Iterations(1)->Unit(benchmark::kMicrosecond);
+  benchmark->ArgName("tolerances")
+      ->DenseRange(0, 10, 2)
+      ->Iterations(1)
+      ->Unit(benchmark::kMicrosecond);
 }
 
 BENCHMARK_CAPTURE(Time, nearest_point_still, MeetByNearestPoint, Cases::kStill)->Apply(Tolerances);

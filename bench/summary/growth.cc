@@ -9,6 +9,7 @@ namespace {
 
 struct SizedName {
   std::string name;
+  std::string of;
   double size = 0;
 };
 
@@ -31,11 +32,13 @@ std::optional<SizedName> SizedNameOf(const Series& series) {
   if (last == std::string::npos) return std::nullopt;
   const std::string end = series.name.substr(last + 1);
   if (const std::optional<double> size = SizeIn(end)) {
-    return SizedName{series.name.substr(0, last), *size};
+    const std::size_t colon = end.find(':');
+    return SizedName{series.name.substr(0, last),
+                     colon == std::string::npos ? "" : end.substr(0, colon), *size};
   }
   const auto counted = series.counters.find("size");
   if (counted == series.counters.end()) return std::nullopt;
-  return SizedName{series.name.substr(0, series.name.find('/')) + "/" + end, counted->second};
+  return SizedName{series.name.substr(0, series.name.find('/')) + "/" + end, "", counted->second};
 }
 
 // Points of one size as one: their mean in logarithms.
@@ -75,8 +78,13 @@ std::vector<Growth> Growths(const Measurements& measurements) {
   for (const Series& series : measurements.series) {
     const std::optional<SizedName> sized = SizedNameOf(series);
     if (!sized || sized->size <= 0 || series.seconds.empty()) continue;
-    auto known = std::ranges::find(growths, sized->name, &Growth::name);
-    if (known == growths.end()) known = growths.insert(known, {.name = sized->name, .points = {}});
+    auto known = std::ranges::find_if(growths, [&](const Growth& growth) {
+      return growth.program == series.program && growth.name == sized->name;
+    });
+    if (known == growths.end()) {
+      known = growths.insert(
+          known, {.program = series.program, .name = sized->name, .of = sized->of, .points = {}});
+    }
     known->points.push_back({sized->size, series.Median()});
   }
   for (Growth& growth : growths) Merge(growth.points);

@@ -14,7 +14,9 @@ struct Growth {
     double size = 0;
     double seconds = 0;
   };
+  std::string program;        // as of Series
   std::string name;           // without the size
+  std::string of;             // what the size is of: "tolerances"; empty if it is not said
   std::vector<Point> points;  // by size
 
   // Of the power law that is nearest in logarithms: time grows as size to this power.

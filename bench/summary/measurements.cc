@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "planner/base/input_error.h"
 
@@ -49,22 +50,29 @@ std::string NameOf(const Json& entry) {
   return name.substr(0, std::min(name.find("/iterations:"), name.find("/min_time:")));
 }
 
+std::string ProgramOf(const Json& context) {
+  const std::string file =
+      std::filesystem::path(context.value("executable", "")).filename().string();
+  return file.substr(0, file.find("_bench"));
+}
+
 class Reader {
  public:
   void Add(const Json& file) {
     for (const auto& [key, value] : file.at("context").items()) {
       measurements_.context[key] = value.is_string() ? value.get<std::string>() : value.dump();
     }
+    const std::string program = ProgramOf(file.at("context"));
     for (const Json& entry : file.at("benchmarks")) {
-      if (entry.at("run_type") == "iteration") Add(entry, SeriesOf(NameOf(entry)));
+      if (entry.at("run_type") == "iteration") Add(entry, SeriesOf(program, NameOf(entry)));
     }
   }
   Measurements Take() { return std::move(measurements_); }
 
  private:
-  Series& SeriesOf(const std::string& name) {
-    const auto [at, is_new] = index_.try_emplace(name, measurements_.series.size());
-    if (is_new) measurements_.series.push_back({.name = name});
+  Series& SeriesOf(const std::string& program, const std::string& name) {
+    const auto [at, is_new] = index_.try_emplace({program, name}, measurements_.series.size());
+    if (is_new) measurements_.series.push_back({.name = name, .program = program});
     return measurements_.series[at->second];
   }
 
@@ -78,7 +86,7 @@ class Reader {
   }
 
   Measurements measurements_;
-  std::map<std::string, std::size_t> index_;
+  std::map<std::pair<std::string, std::string>, std::size_t> index_;
 };
 
 }  // namespace

@@ -13,6 +13,7 @@ struct Series {
   std::vector<double> seconds = {};             // processor time of an iteration, one of each pass
   std::map<std::string, double> counters = {};  // of the first pass
   std::string skipped = {};                     // why there are no times
+  std::string program = {};                     // "strategy", of strategy_bench
 
   double Median() const;  // of the times; infinite if there are none
 };

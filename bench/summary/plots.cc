@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <utility>
 #include <vector>
 
 #include "bench/summary/comparison.h"
@@ -13,7 +14,7 @@ namespace {
 // Names are "noenhanced": gnuplot reads "_" and the like as typesetting otherwise.
 constexpr const char* kStyle = R"(set encoding utf8
 set grid
-set key outside right top
+set key outside right top spacing 1.4
 )";
 
 // One row of dots for each family: an instance's ratio to its best peer.
@@ -37,23 +38,34 @@ void DrawRatios(std::string& out, const std::vector<Family>& families) {
       140 + 40 * families.size(), fmt::join(labels, ", "), families.size());
 }
 
+// A panel for each program: sizes of different programs have nothing to do with each other.
 void DrawGrowths(std::string& out, const std::vector<Growth>& growths) {
-  std::vector<std::string> curves;
+  std::vector<std::pair<std::string, std::vector<std::string>>> panels;
   for (std::size_t i = 0; i < growths.size(); ++i) {
     out += fmt::format("$curve{} << END\n", i);
     for (const Growth::Point& point : growths[i].points) {
       out += fmt::format("{:.6g} {:.6g}\n", point.size, point.seconds);
     }
     out += "END\n";
-    curves.push_back(fmt::format("$curve{} with linespoints title '{} ({:.2f})' noenhanced", i,
-                                 growths[i].name, growths[i].Exponent()));
+    if (panels.empty() || panels.back().first != growths[i].program) {
+      panels.push_back({growths[i].program, {}});
+    }
+    const std::string of = growths[i].of.empty() ? "" : ", " + growths[i].of;
+    panels.back().second.push_back(
+        fmt::format("$curve{} with linespoints title '{}{} ({:.2f})' noenhanced", i,
+                    growths[i].name, of, growths[i].Exponent()));
   }
   out += kStyle;
   out += fmt::format(
-      "set terminal svg size 1100,{} dynamic background 'white'\nset output 'growth.svg'\n"
+      "set terminal svg size 1000,{0} dynamic background 'white'\nset output 'growth.svg'\n"
       "set logscale xy\nset xlabel 'size'\nset ylabel 'seconds'\nset format y '10^{{%L}}'\n"
-      "plot {}\n",
-      500 + 12 * growths.size(), fmt::join(curves, ", \\\n  "));
+      "set multiplot layout {1},1\n",
+      320 * panels.size(), panels.size());
+  for (const auto& [program, curves] : panels) {
+    out +=
+        fmt::format("set title '{}' noenhanced\nplot {}\n", program, fmt::join(curves, ", \\\n  "));
+  }
+  out += "unset multiplot\n";
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -162,21 +163,70 @@ void GrowthSection(std::string& out, const Measurements& measurements) {
   const std::vector<Growth> growths = Growths(measurements);
   if (growths.empty()) return;
   out += "## Growth\n\nTimes grow as the size to this power (least squares in logarithms).\n\n";
-  out += Heading({"work", "sizes", "least", "greatest", "exponent"});
+  out += Heading({"program", "work", "size", "from", "to", "least", "greatest", "exponent"});
   for (const Growth& growth : growths) {
     const Growth::Point& first = growth.points.front();
     const Growth::Point& last = growth.points.back();
-    out += Row({growth.name, fmt::format("{:g} to {:g}", first.size, last.size),
-                Time(first.seconds), Time(last.seconds), fmt::format("{:.2f}", growth.Exponent())});
+    out += Row({growth.program, growth.name, growth.of, fmt::format("{:g}", first.size),
+                fmt::format("{:g}", last.size), Time(first.seconds), Time(last.seconds),
+                fmt::format("{:.2f}", growth.Exponent())});
   }
   out += "\n![growth](plots/growth.svg)\n\n";
 }
 
-std::string Limit(const Series& series) {
+std::optional<double> LimitOf(const Series& series) {
   const auto limit = series.counters.find("at_most_ms");
-  if (limit == series.counters.end()) return "";
-  const bool holds = series.Median() <= limit->second * 1e-3;
-  return fmt::format("at most {}: {}", Time(limit->second * 1e-3), holds ? "holds" : "**missed**");
+  if (limit == series.counters.end()) return std::nullopt;
+  return limit->second * 1e-3;
+}
+
+std::string Limit(const Series& series) {
+  const std::optional<double> limit = LimitOf(series);
+  if (!limit) return "";
+  return fmt::format("at most {}: {}", Time(*limit),
+                     series.Median() <= *limit ? "holds" : "**missed**");
+}
+
+// Of the benchmarks of one name with one limit the slowest.
+struct LimitedWork {
+  std::string program;
+  std::string work;
+  double limit = 0;
+  int benchmarks = 0;
+  int held = 0;
+  const Series* slowest = nullptr;
+};
+
+std::vector<LimitedWork> LimitedWorks(const Measurements& measurements) {
+  std::vector<LimitedWork> works;
+  for (const Series& series : measurements.series) {
+    const std::optional<double> limit = LimitOf(series);
+    if (!limit) continue;
+    const std::string work = series.name.substr(0, series.name.find('/'));
+    auto known = std::ranges::find_if(works, [&](const LimitedWork& w) {
+      return w.program == series.program && w.work == work && w.limit == *limit;
+    });
+    if (known == works.end()) known = works.insert(known, {series.program, work, *limit});
+    ++known->benchmarks;
+    known->held += series.Median() <= *limit ? 1 : 0;
+    if (!known->slowest || series.Median() > known->slowest->Median()) known->slowest = &series;
+  }
+  return works;
+}
+
+void LimitSection(std::string& out, const Measurements& measurements) {
+  const std::vector<LimitedWork> works = LimitedWorks(measurements);
+  if (works.empty()) return;
+  out += "## Times that are wanted\n\n";
+  out += Heading({"program", "work", "at most", "benchmarks", "slowest", "its time", ""});
+  for (const LimitedWork& work : works) {
+    out += Row({work.program, work.work, Time(work.limit), fmt::format("{}", work.benchmarks),
+                work.slowest->name, Time(work.slowest->Median()),
+                work.held == work.benchmarks
+                    ? "holds"
+                    : fmt::format("**missed** by {}", work.benchmarks - work.held)});
+  }
+  out += "\n";
 }
 
 std::string CountersText(const Series& series) {
@@ -191,9 +241,18 @@ void AloneSection(std::string& out, const Measurements& measurements,
                   const std::vector<Family>& families) {
   std::set<std::string> in_families;
   for (const Family& family : families) in_families.insert(family.name);
-  out += "## Without a peer\n\n" + Heading({"work", "time", "wanted", "counters"});
+  out += "## Without a peer\n\n";
+  std::string program;
+  bool is_first = true;
   for (const Series& series : measurements.series) {
     if (in_families.contains(series.name.substr(0, series.name.find('/')))) continue;
+    if (is_first || series.program != program) {
+      if (!is_first) out += "\n";
+      if (!series.program.empty()) out += fmt::format("### {}\n\n", series.program);
+      out += Heading({"work", "time", "wanted", "counters"});
+    }
+    is_first = false;
+    program = series.program;
     const std::string time =
         series.seconds.empty() ? "without a time: " + series.skipped : Time(series.Median());
     out += Row({series.name, time, Limit(series), CountersText(series)});
@@ -220,6 +279,7 @@ std::string Report(const Measurements& measurements) {
       "its time counts. Who had not answered when its time was up counts as if it had answered "
       "then, marked \">\".\n\n";
   if (!families.empty()) Headline(out, families);
+  LimitSection(out, measurements);
   if (!families.empty()) out += "## Instances\n\n";
   for (const Family& family : families) Section(out, family);
   GrowthSection(out, measurements);

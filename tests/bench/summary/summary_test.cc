@@ -89,6 +89,7 @@ TEST(Growth, FindsTheExponentOfAPowerLaw) {
   const std::vector<Growth> growths = Growths(measurements);
   ASSERT_THAT(growths, SizeIs(2));
   EXPECT_NEAR(growths[0].Exponent(), 1.5, 1e-9);
+  EXPECT_EQ(growths[0].of, "sides");
   EXPECT_EQ(growths[1].name, "plan/assay");
   EXPECT_NEAR(growths[1].Exponent(), 2, 1e-9);
 }
@@ -107,6 +108,7 @@ TEST(Report, HoldsTimesAgainstTheirLimits) {
   const std::string report = Report(measurements);
   EXPECT_THAT(report, HasSubstr("| Plan/fig13 | 5 ms | at most 20 ms: holds |"));
   EXPECT_THAT(report, HasSubstr("| Plan/fig16 | 25 ms | at most 20 ms: **missed** |"));
+  EXPECT_THAT(report, HasSubstr("| Plan | 20 ms | 2 | Plan/fig16 | 25 ms | **missed** by 1 |"));
 }
 
 TEST(Report, MarksPeersWhoseTimeWasUp) {
@@ -132,11 +134,14 @@ std::filesystem::path Write(const std::string& name, const std::string& text) {
 
 TEST(Measurements, ReadsWhatGoogleBenchmarkWrites) {
   const auto pass = [](const std::string& name, const std::string& time) {
-    return Write(name, R"({"context": {"host_name": "h", "num_cpus": 2, "caches": []},
+    return Write(
+        name,
+        R"({"context": {"host_name": "h", "executable": "bench/a_bench", "num_cpus": 2, "caches": []},
       "benchmarks": [
         {"name": "A/b/assay/min_time:0.001", "run_type": "iteration", "iterations": 7, "real_time": 9,
-         "cpu_time": )" + time +
-                           R"(, "time_unit": "us", "nodes": 12},
+         "cpu_time": )" +
+            time +
+            R"(, "time_unit": "us", "nodes": 12},
         {"name": "A/b/peer/iterations:3", "run_type": "iteration", "error_occurred": true,
          "error_message": "answers differ"},
         {"name": "A_mean", "run_type": "aggregate", "cpu_time": 1, "time_unit": "us"}]})");
@@ -144,6 +149,7 @@ TEST(Measurements, ReadsWhatGoogleBenchmarkWrites) {
   const Measurements measurements = Read({pass("pass1.json", "2"), pass("pass2.json", "4")});
   ASSERT_THAT(measurements.series, SizeIs(2));
   EXPECT_EQ(measurements.series[0].name, "A/b/assay");
+  EXPECT_EQ(measurements.series[0].program, "a");
   EXPECT_THAT(measurements.series[0].seconds,
               ElementsAre(DoubleNear(2e-6, 1e-18), DoubleNear(4e-6, 1e-18)));
   EXPECT_EQ(measurements.series[0].counters.at("nodes"), 12);
