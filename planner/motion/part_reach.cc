@@ -2,17 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <span>
 #include <variant>
 
 #include "planner/domain/reachability.h"
 #include "planner/domain/tool_path.h"
 #include "planner/motion/path_search.h"
+#include "planner/motion/straight_line.h"
+#include "planner/motion/swept_volume.h"
 
 namespace assay::motion {
 namespace {
 
 constexpr MotionRules kWay = {.clearance = 0.01};    // metres
 constexpr MotionRules kWork = {.clearance = 0.001};  // where hand and fingers come near the table
+constexpr SweepAccuracy kVolume = {.sagitta = 0.0005};
+constexpr double kWayStep = 0.02;  // metres
 
 // The tool where it grasps, where its retreat along its own axis ends, and over that at the safe
 // height.
@@ -24,6 +30,18 @@ std::array<Pose, 3> WayOut(const domain::Workcell& workcell, const Pose& X_World
   return {X_WorldTool, retreated, above};
 }
 
+// From the posture on, over the poses, straight; none if the arm does not follow.
+std::optional<JointPath> Along(const domain::Workcell& workcell, const JointVector& from,
+                               std::span<const Pose> way) {
+  JointPath path = {from};
+  for (const Pose& X_WorldTool : way) {
+    const LineResult line = FollowLine(workcell, path.back(), X_WorldTool.translation(), kWayStep);
+    if (!line.path) return std::nullopt;
+    path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
+  }
+  return path;
+}
+
 }  // namespace
 
 bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart) {
@@ -32,11 +50,14 @@ bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const 
   const domain::Grasp& chosen = (*problem.part(part).grasps)[grasp.index()];
   std::array<Pose, 3> way = WayOut(workcell, X_WorldPart * chosen.X_PartTool);
   const domain::PathReach from_grasp = ReachAlong(workcell, way);
+  if (!from_grasp.start) return false;
+  const auto out = Along(workcell, *from_grasp.start, std::span(way).subspan(1));
   std::ranges::reverse(way);
   const domain::PathReach from_above = ReachAlong(workcell, way);
-  if (!from_grasp.start || !from_above.start) return false;
+  if (!out || !from_above.start) return false;
   const CollisionScene scene(problem, {.opening = workcell.gripper().max_opening()});
   if (MotionCheck(scene, kWork).FindObstruction(*from_grasp.start, *from_grasp.start)) return false;
+  if (InTheWay(scene, SweptVolume(scene, *out, kVolume), kWork.clearance)) return false;
   const PathResult path =
       FindPath(scene, {.from = workcell.home(), .to = *from_above.start, .rules = kWay});
   return std::holds_alternative<JointPath>(path);

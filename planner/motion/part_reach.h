@@ -9,8 +9,9 @@ using domain::GraspId;
 
 // Whether the robot that acts can take the part by this grasp where it stands alone, at
 // X_WorldPart, and put it down there: the arm goes the straight ways of pickup and putdown
-// (domain::IsReachableAt), and at their ends neither arm nor hand touches table, floor, itself or
-// another robot at its home, to which a path from its own home leads (FindPath).
+// (domain::IsReachableAt); the volume of the way up from the grasp (SweptVolume) stays clear of
+// table, floor and other robots at their homes; at the grasp the arm does not touch itself; and a
+// path from its own home leads to where the way begins (FindPath).
 bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart);
 
 // The same by any grasp: the first by which it can, None if there is none. This is the extern

@@ -116,4 +116,22 @@ std::vector<SweptPiece> SweptVolume(const CollisionScene& scene, const JointPath
   return pieces;
 }
 
+std::optional<BodyPair> InTheWay(const CollisionScene& scene, const std::vector<SweptPiece>& pieces,
+                                 double clearance) {
+  const Pose& X_WorldBase = scene.workcell().X_WorldBase();
+  for (const BodyPair& pair : scene.pairs()) {
+    const Body& standing = scene.body(pair.first);
+    if (standing.link > 0) continue;
+    for (const SweptPiece& piece : pieces) {
+      if (piece.body != pair.second) continue;
+      const auto is_near = [&](const RoundedHull& hull) {
+        return geometry::Separation(piece.hull, Pose::Identity(), hull, X_WorldBase, clearance) <
+               clearance;
+      };
+      if (std::ranges::any_of(standing.hulls, is_near)) return pair;
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace assay::motion

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "planner/motion/collision_scene.h"
@@ -27,6 +28,12 @@ struct SweepAccuracy {
 // added.
 std::vector<SweptPiece> SweptVolume(const CollisionScene& scene, const JointPath& path,
                                     const SweepAccuracy& accuracy);
+
+// The first piece that comes within `clearance` (metres) of a body that stands and that its own
+// body must not touch, and the two; none if what moves stays clear of all that stands. Pieces are
+// never smaller than what they hold, so that this is proved, and their being in the way is not.
+std::optional<BodyPair> InTheWay(const CollisionScene& scene, const std::vector<SweptPiece>& pieces,
+                                 double clearance);
 
 // How far a point of the body can be from its chord, at the same share of the way, on a motion
 // straight in joint space that turns the joints by so much (radians, >= 0); metres.

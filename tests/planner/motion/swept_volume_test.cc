@@ -198,5 +198,36 @@ TEST(SweptVolume, ClearOfThePartsMeansFree) {
   EXPECT_GT(clear, 0);
 }
 
+// Law: where the volume is clear, so is every posture; and what it tells of stands, and moves.
+TEST(SweptVolume, WhatIsClearOfAVolumeIsClearOfEveryPostureInIt) {
+  const CollisionScene scene(Clutter(), PartsAtTheStart());
+  RandomStream random(122, "clear of a volume");
+  constexpr double kClearance = 0.01;
+  int clear = 0;
+  int in_the_way = 0;
+  for (int i = 0; i < 60; ++i) {
+    const JointPath path = RandomPath(scene, random, 0.15);
+    const auto pair = InTheWay(scene, SweptVolume(scene, path, {}), kClearance);
+    if (pair) {
+      ++in_the_way;
+      EXPECT_EQ(scene.body(pair->first).link, 0);
+      EXPECT_GT(scene.body(pair->second).link, 0);
+      continue;
+    }
+    ++clear;
+    for (int look = 0; look < 100; ++look) {
+      const auto motion = static_cast<std::size_t>(random.Index(static_cast<int>(path.size()) - 1));
+      const JointVector q = path[motion] + random.Uniform() * (path[motion + 1] - path[motion]);
+      const LinkPoses X_BaseLink = scene.arm().LinkPoses(q);
+      for (const BodyPair& each : scene.pairs()) {
+        if (scene.body(each.first).link > 0) continue;
+        EXPECT_GE(scene.Separation(each, X_BaseLink, kClearance), kClearance);
+      }
+    }
+  }
+  EXPECT_GT(clear, 5);
+  EXPECT_GT(in_the_way, 5);
+}
+
 }  // namespace
 }  // namespace assay::motion

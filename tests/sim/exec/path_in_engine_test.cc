@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -47,8 +48,43 @@ class PathInEngine : public testing::TestWithParam<Case> {
         surroundings_(SurroundingsOf(problem_)),
         paths_(problem_, surroundings_),
         engine_(problem_, {}),
-        data_(engine_.Start()) {
+        data_(engine_.Start()),
+        own_arm_too_(WithTheArmItself(*data_.own_model()), mj_deleteModel) {
     engine_.SetGripper(data_, surroundings_.opening);
+  }
+
+  // The scene, with contacts of what moves with itself: its geoms touch those of one bit more.
+  static mjModel* WithTheArmItself(const mjModel& model) {
+    constexpr int kItself = 1 << 30;
+    mjModel* watching = mj_copyModel(nullptr, &model);
+    for (int geom = 0; geom < model.ngeom; ++geom) {
+      const std::string body = mj_id2name(&model, mjOBJ_BODY, model.geom_bodyid[geom]);
+      if (!Moves(body) || (model.geom_contype[geom] | model.geom_conaffinity[geom]) == 0) continue;
+      watching->geom_contype[geom] |= kItself;
+      watching->geom_conaffinity[geom] |= kItself;
+    }
+    return watching;
+  }
+
+  static bool Moves(const std::string& body) {
+    return body.starts_with("arm/") || body.starts_with("gripper/") ||
+           (GetParam().holds_the_peg && body == "part/peg");
+  }
+
+  // "arm/forearm", "gripper/finger_left", "part/peg" as the planner calls them.
+  static std::string PlannersName(const std::string& body) {
+    const std::string name = body.substr(body.find('/') + 1);
+    return name.starts_with("finger") ? "fingers" : name;
+  }
+
+  // Whether the planner keeps the two apart, both of what moves: not what one joint connects.
+  bool MustNotTouch(const std::string& a, const std::string& b) const {
+    return std::ranges::any_of(paths_.pairs(), [&](const motion::BodyPair& pair) {
+      const std::string& first = paths_.body(pair.first).name;
+      const std::string& second = paths_.body(pair.second).name;
+      return (first == PlannersName(a) && second == PlannersName(b)) ||
+             (first == PlannersName(b) && second == PlannersName(a));
+    });
   }
 
   static motion::Surroundings SurroundingsOf(const domain::Problem& problem) {
@@ -98,17 +134,13 @@ class PathInEngine : public testing::TestWithParam<Case> {
     if (const auto& held = surroundings_.held) {
       Put(held->part, motion::ToolAt(*problem_.workcell, q) * held->X_PartTool.inverse());
     }
-    mj_kinematics(data_.own_model(), data_.get());
-    mj_comPos(data_.own_model(), data_.get());
-    mj_collision(data_.own_model(), data_.get());
-    const std::string peg = surroundings_.held ? "part/peg" : "-";
+    mj_kinematics(own_arm_too_.get(), data_.get());
+    mj_comPos(own_arm_too_.get(), data_.get());
+    mj_collision(own_arm_too_.get(), data_.get());
     for (const mujoco::Contact& contact : mujoco::Contacts(data_)) {
       const std::string a = data_.model().Name(contact.body_a);
       const std::string b = data_.model().Name(contact.body_b);
-      const auto moves = [&](const std::string& name) {
-        return name.starts_with("arm/") || name.starts_with("gripper/") || name == peg;
-      };
-      if (moves(a) != moves(b)) return a + " " + b;
+      if (Moves(a) != Moves(b) || (Moves(a) && MustNotTouch(a, b))) return a + " " + b;
     }
     return {};
   }
@@ -135,6 +167,7 @@ class PathInEngine : public testing::TestWithParam<Case> {
   CollisionScene paths_;
   scene::Scene engine_;
   mujoco::Data data_;
+  std::unique_ptr<mjModel, void (*)(mjModel*)> own_arm_too_;
 };
 
 TEST_P(PathInEngine, TouchesNothing) {
@@ -174,6 +207,21 @@ TEST_P(PathInEngine, TheEngineSeesWhatIsTouched) {
     if (!workcell.arm().InRange(s.q)) continue;
     EXPECT_NE(Touching(s.q), "");
   }
+}
+
+// And with the elbow bent as far as no path may, it meets itself.
+TEST_P(PathInEngine, TheEngineSeesTheArmTouchItself) {
+  RandomStream random(7, "arm touches itself");
+  int seen = 0;
+  for (int i = 0; i < 3000; ++i) {
+    JointVector q;
+    for (int j = 0; j < 6; ++j) q[j] = random.Uniform(-M_PI, M_PI);
+    const std::string touching = Touching(q);
+    const auto space = touching.find(' ');
+    if (space == std::string::npos) continue;
+    seen += Moves(touching.substr(0, space)) && Moves(touching.substr(space + 1)) ? 1 : 0;
+  }
+  EXPECT_GT(seen, 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, PathInEngine,
