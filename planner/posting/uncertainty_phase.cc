@@ -180,7 +180,9 @@ class Augmentation {
   double violation() const {
     double violation = 0;
     for (const Entry& entry : entries_) {
-      if (Fails(entry)) violation += uncertainty::Violation(Told({entry.failed, entry.absorbed}));
+      if (!Fails(entry)) continue;
+      violation +=
+          ShortfallOf(Unabsorbed(entry, worlds_.possible.UnprovedAt(entry.failed))).violation;
     }
     return violation;
   }
