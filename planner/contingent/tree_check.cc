@@ -59,9 +59,8 @@ class Runner {
 
   void Fail(const std::string& what, const History& history, const World* world = nullptr) {
     if (HasFailed()) return;
-    failure_ = fmt::format(
-        "{} after {}", what,
-        history.steps.empty() ? "no step" : fmt::format("{}", fmt::join(history.steps, "; ")));
+    failure_ = fmt::format("{} after {}", what,
+                           steps_.empty() ? "no step" : fmt::format("{}", fmt::join(steps_, "; ")));
     if (world == nullptr && !history.worlds.empty()) world = &history.worlds.front();
     if (world != nullptr) failure_ += fmt::format(", in the world with {}", TextOf(*world));
   }
@@ -81,14 +80,46 @@ class Runner {
 
   // ---- Walking the tree
 
+  // Where worlds go on, and what has been on the way to there.
+  struct Way {
+    NodeId to;
+    History history;
+    std::string outcome = {};  // of the branch that leads there
+    bool is_repeat = false;    // back to a node above
+    bool is_counted = false;   // as its worlds have come this way before
+    std::size_t steps_above = 0;
+    std::size_t heads_above = 0;
+  };
+
+  // Depth first, without recursion: trees are as deep as files are long.
   void RunFrom(NodeId id, History history) {
-    const std::size_t heads_above = heads_.size();
-    Walk(id, std::move(history));
-    heads_.resize(heads_above);
+    const std::size_t others = ways_.size();
+    const std::size_t steps_above = steps_.size();
+    GoOn({.to = id, .history = std::move(history)});
+    while (ways_.size() > others && !HasFailed()) {
+      Way way = std::move(ways_.back());
+      ways_.pop_back();
+      steps_.resize(way.steps_above);
+      heads_.resize(way.heads_above);
+      if (!way.outcome.empty()) steps_.push_back(way.outcome);
+      if (way.is_repeat) {
+        Return(way.to, way);
+      } else {
+        Walk(std::move(way));
+      }
+    }
+    steps_.resize(steps_above);
   }
 
-  void Walk(NodeId id, History history) {
-    while (!HasFailed() && !history.worlds.empty()) {
+  void GoOn(Way way) {
+    way.steps_above = steps_.size();
+    way.heads_above = heads_.size();
+    ways_.push_back(std::move(way));
+  }
+
+  void Walk(Way way) {
+    History& history = way.history;
+    for (NodeId id = way.to; !HasFailed() && !history.worlds.empty();) {
       const PlanNode& node = tree_.node(id);
       is_reached_[id.index()] = true;
       if (attempt_ == nullptr && IsRepeated(id)) heads_.emplace_back(id, history);
@@ -97,19 +128,18 @@ class Runner {
           if (!progression_.IsKnown(task_.goal, history)) Fail("the goal is not known", history);
           if (attempt_ != nullptr) {
             attempt_->has_ended = true;
-          } else {
+          } else if (!way.is_counted) {
             worlds_ += static_cast<std::int64_t>(history.worlds.size());
           }
           return;
         case PlanNode::Kind::kAct:
           Execute(task_.actions[node.action.index()], history);
-          if (node.Repeats(0)) return Return(node.children.front(), history);
+          if (node.Repeats(0)) return Return(node.children.front(), way);
           id = node.children.front();
           break;
         case PlanNode::Kind::kWhether:
         case PlanNode::Kind::kValue:
-          Branch(node, std::move(history));
-          return;
+          return Branch(node, way);
       }
     }
   }
@@ -122,12 +152,13 @@ class Runner {
           fmt::format("the precondition of {} is not known", assay::contingent::TextOf(action)),
           history);
     }
-    history.steps.push_back(assay::contingent::TextOf(action));
+    steps_.push_back(assay::contingent::TextOf(action));
     progression_.Apply(action.effects, history);
     progression_.Update(history);
   }
 
-  void Branch(const PlanNode& node, History history) {
+  void Branch(const PlanNode& node, Way& way) {
+    History& history = way.history;
     const auto cases = CasesOf(node);
     for (std::size_t i = 0; i < cases.size(); ++i) {
       for (const GroundLiteral& literal : cases[i])
@@ -140,17 +171,16 @@ class Runner {
       parts[part].push_back(world);
     }
     if (!IsAsked(node, history, parts)) return;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-      if (parts[i].empty() || HasFailed()) continue;
+    for (std::size_t i = parts.size(); i-- > 0;) {  // the last that is put there is the next to run
+      if (parts[i].empty()) continue;
       History next = history;
       next.worlds = std::move(parts[i]);
-      next.steps.push_back(fmt::format("outcome {} of {}", i + 1, QuestionOf(node)));
       progression_.Update(next);
-      if (node.Repeats(i)) {
-        Return(node.children[i], next);
-      } else {
-        RunFrom(node.children[i], std::move(next));
-      }
+      GoOn({.to = node.children[i],
+            .history = std::move(next),
+            .outcome = fmt::format("outcome {} of {}", i + 1, QuestionOf(node)),
+            .is_repeat = node.Repeats(i),
+            .is_counted = way.is_counted});
     }
   }
 
@@ -196,7 +226,8 @@ class Runner {
 
   // The worlds come back to where they, or worlds that they are cases of, began; and each of them
   // can go on to the goal. Where less has been sensed than then, that must be enough, too.
-  void Return(NodeId head, const History& history) {
+  void Return(NodeId head, const Way& way) {
+    const History& history = way.history;
     if (attempt_ != nullptr) {
       for (const World& world : history.worlds) Follow(head, world, history);
       return;
@@ -230,22 +261,19 @@ class Runner {
   // With what has been sensed both times. It gets less each time, so that this ends.
   void BeginAgain(NodeId head, const History& begun, const History& history) {
     History both = begun;
-    both.steps = history.steps;
     std::erase_if(both.sensed, [&](FormulaId f) { return !history.sensed.contains(f); });
     std::erase_if(both.values_sensed,
                   [&](const auto& value) { return !history.values_sensed.contains(value.first); });
     for (auto& [function, error] : both.values_sensed) {
       error = std::max(error, history.values_sensed.at(function));
     }
-    const std::int64_t worlds = worlds_;  // these have been counted
-    RunFrom(head, std::move(both));
-    worlds_ = worlds;
+    GoOn({.to = head, .history = std::move(both), .is_counted = true});
   }
 
   // Whether a world that is back at the head of a repeat comes to the goal some time, for some
   // outcomes of what is open: by going round, in this world alone, until it has been everywhere.
   bool CanEnd(NodeId head, const World& world, const History& history) {
-    Attempt attempt = {.steps = history.steps};
+    Attempt attempt;
     attempt_ = &attempt;
     Follow(head, world, history);
     while (!attempt.has_ended && !HasFailed() && !attempt.to_follow.empty()) {
@@ -273,7 +301,6 @@ class Runner {
     }
     History alone = history;
     alone.worlds = {world};
-    alone.steps = attempt_->steps;
     attempt_->to_follow.emplace_back(head, std::move(alone));
   }
 
@@ -314,7 +341,6 @@ class Runner {
 
   // Going round a repeat in one world.
   struct Attempt {
-    std::vector<std::string> steps;                    // before it: rounds are not told
     std::set<std::pair<NodeId, World>> returned = {};  // to the heads of repeats
     std::deque<std::pair<NodeId, History>> to_follow = {};
     bool has_ended = false;  // at the goal
@@ -325,6 +351,8 @@ class Runner {
   WorldProgression progression_;
   std::size_t most_worlds_;
   Attempt* attempt_ = nullptr;
+  std::vector<Way> ways_;           // that are open, the next one last
+  std::vector<std::string> steps_;  // on the way to here
   std::vector<bool> is_reached_;
   std::set<NodeId> repeated_;
   std::vector<std::pair<NodeId, History>> heads_;  // of repeats, on the way to here

@@ -2,7 +2,6 @@
 
 #include <map>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "planner/contingent/ground_task.h"
@@ -17,7 +16,6 @@ struct History {
   Worlds worlds;
   std::set<FormulaId> sensed;
   std::map<FunctionId, double> values_sensed;  // with their errors
-  std::vector<std::string> steps;
 };
 
 // What is true in worlds, what is known in all worlds of a history, and how actions change them
