@@ -27,6 +27,7 @@ std::vector<NodeId> ChildrenFirst(const PlanTree& tree) {
 TreeSize SizeOf(const PlanTree& tree) {
   struct Below {
     int depth = 0;
+    int nesting = 0;
     double leaves = 0;
     double branch_points = 0;
   };
@@ -37,11 +38,13 @@ TreeSize SizeOf(const PlanTree& tree) {
     Below& here = below[id.index()];
     const bool acts = node.kind == PlanNode::Kind::kAct;
     if (node.kind == PlanNode::Kind::kGoal) here.leaves = 1;
-    if (node.children.size() > 1) here.branch_points = 1;
+    const bool branches = node.children.size() > 1;
+    here.branch_points = branches ? 1 : 0;
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       if (node.Repeats(i)) continue;
       const Below& child = below[node.children[i].index()];
       here.depth = std::max(here.depth, child.depth + (acts ? 1 : 0));
+      here.nesting = std::max(here.nesting, child.nesting + (branches ? 1 : 0));
       here.leaves += child.leaves;
       here.branch_points += child.branch_points;
     }
@@ -51,6 +54,7 @@ TreeSize SizeOf(const PlanTree& tree) {
   }
   const Below& root = below[tree.root.index()];
   size.depth = root.depth;
+  size.nesting = root.nesting;
   size.leaves = root.leaves;
   size.branch_points = root.branch_points;
   return size;

@@ -45,7 +45,8 @@ struct PlanTree {
 
 // Of the tree as it unfolds, each repeat once.
 struct TreeSize {
-  int depth = 0;  // actions on the longest way to a leaf
+  int depth = 0;    // actions on the longest way to a leaf
+  int nesting = 0;  // branch points on the way with most of them
   double leaves = 0;
   double branch_points = 0;
   int actions = 0;  // nodes that act, shared ones once

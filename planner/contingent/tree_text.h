@@ -19,6 +19,7 @@ enum class Sharing {
 //   branch !isSpillable(can1)
 //     transfer(can1)
 //     1: ungrasp(can1)
+// Not for trees whose branches are nested many thousand deep (SizeOf), as indents would be as long.
 std::string TextOf(const GroundTask& task, const PlanTree& tree, Sharing sharing);
 
 // What an outcome of a branch says: "isSpillable(can1)", "!isSpillable(can1)", "f(a) = b".

@@ -32,6 +32,7 @@ using contingent::TreeCheck;
 using contingent::TreeSize;
 
 constexpr double kMostUnfolded = 10'000;  // leaves
+constexpr int kDeepestTold = 1'000;       // branches in each other
 
 struct Options {
   std::filesystem::path domain;
@@ -162,8 +163,11 @@ std::string PlanText(const Answer& answer, const Options& options) {
                                  size.leaves, kMostUnfolded));
   }
   std::string text =
-      TextOf(answer.task, plan.tree,
-             options.unfold ? contingent::Sharing::kUnfolded : contingent::Sharing::kOnce);
+      size.nesting > kDeepestTold
+          ? fmt::format("The tree has {} branches in each other; as text at most {} are told.\n",
+                        size.nesting, kDeepestTold)
+          : TextOf(answer.task, plan.tree,
+                   options.unfold ? contingent::Sharing::kUnfolded : contingent::Sharing::kOnce);
   text += fmt::format(
       "depth {}, {} leaves, {} branch points, {} actions in {} nodes; {}; {} knowledge states\n",
       size.depth, size.leaves, size.branch_points, size.actions, size.nodes,

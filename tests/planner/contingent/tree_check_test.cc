@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "planner/contingent/symbolic_check.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent {
@@ -68,6 +69,42 @@ TEST_F(Lamp, ARightTreeHolds) {
   EXPECT_EQ(check.worlds, 2);
   EXPECT_TRUE(check.are_all_worlds);
   EXPECT_THAT(check.unreached, IsEmpty());
+}
+
+// As deep as a file can make a tree: one by one and as sets, no stack is as deep.
+TEST_F(Lamp, LongPlansAreRun) {
+  NodeId next = Goal();
+  next = Act("look", Branch(next, Act("press", next)));
+  for (int i = 0; i < 200'000; ++i) next = Act("look", next);
+  const TreeCheck check = Check();
+  EXPECT_TRUE(check.holds) << check.failure;
+  EXPECT_EQ(check.worlds, 2);
+  EXPECT_TRUE(CheckBySets(task_, tree_)->holds);
+  EXPECT_EQ(SizeOf(tree_).depth, 200'002);
+}
+
+TEST_F(Lamp, BranchesInEachOtherAreRun) {
+  const NodeId goal = Goal();
+  const NodeId press = Act("press", goal);
+  NodeId next = goal;
+  for (int i = 0; i < 100'000; ++i) next = Branch(next, press);
+  Act("look", next);
+  const TreeCheck check = Check();
+  EXPECT_TRUE(check.holds) << check.failure;
+  EXPECT_EQ(check.worlds, 2);
+  EXPECT_TRUE(CheckBySets(task_, tree_)->holds);
+  EXPECT_EQ(SizeOf(tree_).nesting, 100'000);
+}
+
+// At each of them the lamp is lit, and shaken again, or not, and pressed.
+TEST_F(Lamp, BranchesThatTellWorldsApartInEachOtherAreRun) {
+  const NodeId goal = Goal();
+  const NodeId press = Act("press", goal);
+  NodeId next = Act("look", Branch(goal, press));
+  for (int i = 0; i < 30'000; ++i) next = Act("look", Branch(Act("shake", next), press));
+  const TreeCheck check = Check();
+  EXPECT_TRUE(check.holds) << check.failure;
+  EXPECT_EQ(check.worlds, 30'002);
 }
 
 TEST_F(Lamp, TheGoalMustBeKnownAtLeaves) {

@@ -1,0 +1,272 @@
+#include "planner/contingent/world_progression.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace assay::contingent {
+namespace {
+
+bool Compare(double value, Relation relation, double with) {
+  switch (relation) {
+    case Relation::kLess:
+      return value < with;
+    case Relation::kLessOrEqual:
+      return value <= with;
+    case Relation::kGreater:
+      return value > with;
+    case Relation::kGreaterOrEqual:
+      return value >= with;
+    case Relation::kPredicate:
+    case Relation::kExtern:
+    case Relation::kEqual:
+      break;
+  }
+  return value == with;
+}
+
+int PassOf(const GroundChange& change) {
+  if (change.kind == GroundChange::Kind::kForget) return 0;
+  return change.kind == GroundChange::Kind::kSet && !change.literal.is_positive ? 1 : 2;
+}
+
+}  // namespace
+
+bool WorldProgression::IsTrue(GroundLiteral literal, const World& world) {
+  return world.atoms[literal.atom.index()] == (literal.is_positive ? Truth::kTrue : Truth::kFalse);
+}
+
+bool WorldProgression::IsTrue(const Bound& bound, const World& world) const {
+  return Compare(world.numbers[task_.functions[bound.function.index()].slot], bound.relation,
+                 bound.value);
+}
+
+bool WorldProgression::IsTrue(const Formula& formula, const World& world) const {
+  if (formula.bound) return IsTrue(*formula.bound, world);
+  return std::all_of(formula.literals.begin(), formula.literals.end(),
+                     [&](const GroundLiteral& l) { return IsTrue(l, world); });
+}
+
+// Of a condition that asks K of literals alone: whether they hold in this world.
+bool WorldProgression::IsTrue(const GroundQuery& condition, const World& world) const {
+  const auto is_true = [&](const GroundQuery& operand) { return IsTrue(operand, world); };
+  const auto& operands = condition.operands;
+  if (condition.kind == GroundQuery::Kind::kKnown) return IsTrue(condition.literal, world);
+  if (condition.kind == GroundQuery::Kind::kAnd) {
+    return std::all_of(operands.begin(), operands.end(), is_true);
+  }
+  return std::any_of(operands.begin(), operands.end(), is_true);
+}
+
+bool WorldProgression::IsKnown(const GroundQuery& query, const History& history) const {
+  const auto is_known = [&](const GroundQuery& operand) { return IsKnown(operand, history); };
+  const auto in_all = [&](const auto& what) {
+    return std::all_of(history.worlds.begin(), history.worlds.end(),
+                       [&](const World& world) { return IsTrue(what, world); });
+  };
+  switch (query.kind) {
+    case GroundQuery::Kind::kAnd:
+      return std::all_of(query.operands.begin(), query.operands.end(), is_known);
+    case GroundQuery::Kind::kOr:
+      return std::any_of(query.operands.begin(), query.operands.end(), is_known);
+    case GroundQuery::Kind::kNot:
+      return true;
+    case GroundQuery::Kind::kKnown:
+      return in_all(query.literal);
+    case GroundQuery::Kind::kBoundKnown:
+      return in_all(query.bound);
+    case GroundQuery::Kind::kSensed:
+      return history.sensed.contains(query.formula);
+    case GroundQuery::Kind::kValueSensed:
+      return IsValueKnown(query, history);
+  }
+  return false;
+}
+
+bool WorldProgression::IsValueKnown(const GroundQuery& query, const History& history) const {
+  const auto sensed = history.values_sensed.find(query.function);
+  const bool is_sensed = sensed != history.values_sensed.end();
+  if (is_sensed && (!query.within || sensed->second <= *query.within)) return true;
+  const int slot = task_.functions[query.function.index()].slot;
+  if (slot < 0) return false;
+  const auto [least, most] = std::minmax_element(
+      history.worlds.begin(), history.worlds.end(),
+      [&](const World& a, const World& b) { return a.numbers[slot] < b.numbers[slot]; });
+  return most->numbers[slot] - least->numbers[slot] <= 2 * query.within.value_or(0);
+}
+
+bool WorldProgression::HasTooMany(const Worlds& worlds) {
+  if (worlds.size() <= most_worlds_) return false;
+  has_made_too_many_ = true;
+  return true;
+}
+
+void WorldProgression::SplitBy(AtomId atom, Worlds& worlds) {
+  for (std::size_t i = 0, count = worlds.size(); i < count && !HasTooMany(worlds); ++i) {
+    if (worlds[i].atoms[atom.index()] != Truth::kEither) continue;
+    World other = worlds[i];
+    other.atoms[atom.index()] = Truth::kFalse;
+    worlds[i].atoms[atom.index()] = Truth::kTrue;
+    MakeOnlyValue(atom, worlds[i]);
+    worlds.push_back(std::move(other));
+  }
+}
+
+void WorldProgression::MakeOnlyValue(AtomId atom, World& world) const {
+  const FunctionId function = task_.function_of_atom[atom.index()];
+  if (function.IsNone()) return;
+  for (const AtomId value : task_.functions[function.index()].values) {
+    if (value != atom) world.atoms[value.index()] = Truth::kFalse;
+  }
+}
+
+void WorldProgression::Apply(const std::vector<GroundEffect>& effects, History& history) {
+  for (const GroundEffect& effect : effects) {
+    if (effect.is_of_worlds) SplitByAll(effect.condition, history.worlds);
+  }
+  std::vector<bool> happens_in_all;
+  for (const GroundEffect& effect : effects) {
+    happens_in_all.push_back(IsKnown(effect.condition, history));
+  }
+  std::map<FunctionId, double> sensed_values;
+  std::set<FormulaId> sensed;
+  for (std::size_t e = 0; e < effects.size(); ++e) {
+    if (!happens_in_all[e]) continue;
+    for (const GroundChange& change : effects[e].changes) {
+      if (change.kind == GroundChange::Kind::kSense) sensed.insert(change.formula);
+      if (change.kind == GroundChange::Kind::kSenseValue) {
+        const auto [sensed_value, is_new] =
+            sensed_values.try_emplace(change.function, change.error);
+        sensed_value->second = std::min(sensed_value->second, change.error);
+      }
+    }
+  }
+  ForgetSensed(effects, happens_in_all, history);
+  ChangeWorlds(effects, happens_in_all, history.worlds);
+  history.sensed.merge(sensed);
+  for (const auto& [function, error] : sensed_values) {
+    const auto [known, is_new] = history.values_sensed.try_emplace(function, error);
+    known->second = std::min(known->second, error);
+  }
+}
+
+void WorldProgression::SplitByAll(const GroundQuery& condition, Worlds& worlds) {
+  if (condition.kind == GroundQuery::Kind::kKnown) SplitBy(condition.literal.atom, worlds);
+  for (const GroundQuery& operand : condition.operands) SplitByAll(operand, worlds);
+}
+
+// What was sensed of something that may have changed since is out of date.
+void WorldProgression::ForgetSensed(const std::vector<GroundEffect>& effects,
+                                    const std::vector<bool>& happens, History& history) const {
+  for (std::size_t e = 0; e < effects.size(); ++e) {
+    if (!happens[e] && !effects[e].is_of_worlds) continue;
+    for (const GroundChange& change : effects[e].changes) ForgetSensed(change, history);
+  }
+}
+
+void WorldProgression::ForgetSensed(const GroundChange& change, History& history) const {
+  if (change.kind == GroundChange::Kind::kUnsense) history.sensed.erase(change.formula);
+  if (change.kind == GroundChange::Kind::kUnsenseValue) {
+    history.values_sensed.erase(change.function);
+  }
+  const bool is_of_number = change.kind == GroundChange::Kind::kAssign ||
+                            change.kind == GroundChange::Kind::kForgetNumber;
+  const AtomId atom = change.literal.atom;
+  if (atom.IsNone() && !is_of_number) return;
+  const FunctionId function = is_of_number ? change.function : task_.function_of_atom[atom.index()];
+  history.values_sensed.erase(function);
+  std::erase_if(history.sensed, [&](FormulaId formula) {
+    const Formula& f = task_.formulas[formula.index()];
+    return (f.bound && f.bound->function == function) ||
+           std::any_of(f.literals.begin(), f.literals.end(),
+                       [&](const GroundLiteral& l) { return l.atom == atom; });
+  });
+}
+
+void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
+                                    const std::vector<bool>& happens, Worlds& worlds) {
+  Worlds changed;
+  for (const World& world : worlds) {
+    if (HasTooMany(changed)) break;
+    Worlds now = {world};
+    // What becomes true wins over what becomes false.
+    for (const int pass : {0, 1, 2}) {
+      for (std::size_t e = 0; e < effects.size(); ++e) {
+        const bool applies =
+            effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : happens[e];
+        if (!applies) continue;
+        for (const GroundChange& change : effects[e].changes) {
+          if (PassOf(change) == pass) Change(change, world, now);
+        }
+      }
+    }
+    std::move(now.begin(), now.end(), std::back_inserter(changed));
+  }
+  worlds = std::move(changed);
+}
+
+void WorldProgression::Change(const GroundChange& change, const World& before, Worlds& now) {
+  switch (change.kind) {
+    case GroundChange::Kind::kSet:
+      for (World& world : now) {
+        world.atoms[change.literal.atom.index()] =
+            change.literal.is_positive ? Truth::kTrue : Truth::kFalse;
+      }
+      return;
+    case GroundChange::Kind::kForget:
+      for (World& world : now) world.atoms[change.literal.atom.index()] = Truth::kEither;
+      return;
+    case GroundChange::Kind::kAssign:
+      return Assign(change, before, now);
+    case GroundChange::Kind::kNarrow:
+      std::erase_if(now, [&](const World& world) { return !IsTrue(change.bound, world); });
+      return;
+    case GroundChange::Kind::kRelate:
+      for (const GroundLiteral& l : change.literals) SplitBy(l.atom, now);
+      std::erase_if(now, [&](const World& world) {
+        const auto holding =
+            std::count_if(change.literals.begin(), change.literals.end(),
+                          [&](const GroundLiteral& l) { return IsTrue(l, world); });
+        return holding == 0 || (holding > 1 && !change.is_inclusive);
+      });
+      return;
+    case GroundChange::Kind::kSense:
+    case GroundChange::Kind::kUnsense:
+    case GroundChange::Kind::kSenseValue:
+    case GroundChange::Kind::kUnsenseValue:
+    case GroundChange::Kind::kForgetNumber:
+      return;
+  }
+}
+
+void WorldProgression::Assign(const GroundChange& change, const World& before, Worlds& now) const {
+  const int slot = task_.functions[change.function.index()].slot;
+  double value = 0;
+  for (const auto& [function, sign] : change.sum.functions) {
+    value += sign * before.numbers[task_.functions[function.index()].slot];
+  }
+  const Interval& constant = change.sum.constant;
+  Worlds all;
+  for (const double added :
+       std::set<double>{constant.low, constant.low / 2 + constant.high / 2, constant.high}) {
+    for (const World& world : now) {
+      all.push_back(world);
+      all.back().numbers[slot] = value + added;
+    }
+  }
+  now = std::move(all);
+}
+
+void WorldProgression::Update(History& history) {
+  for (std::size_t round = 0; round <= task_.atoms.size() && !task_.updates.empty(); ++round) {
+    const Worlds before = history.worlds;
+    for (const GroundEffect& update : task_.updates) {
+      if (!IsKnown(update.condition, history)) continue;
+      GroundEffect always = update;
+      always.condition = {};
+      Apply({always}, history);
+    }
+    if (history.worlds == before) return;
+  }
+}
+
+}  // namespace assay::contingent

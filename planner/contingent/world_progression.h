@@ -1,0 +1,64 @@
+#pragma once
+
+#include <map>
+#include <set>
+#include <vector>
+
+#include "planner/contingent/ground_task.h"
+#include "planner/contingent/initial_worlds.h"
+
+namespace assay::contingent {
+
+using Worlds = std::vector<World>;
+
+// The worlds that one history leads to, and what has been sensed on it.
+struct History {
+  Worlds worlds;
+  std::set<FormulaId> sensed;
+  std::map<FunctionId, double> values_sensed;  // with their errors
+};
+
+// What is true in worlds, what is known in all worlds of a history, and how actions change them
+// (progression, world by world). Naive by purpose: the checker of plan trees relies on it
+// (tree_check.h).
+class WorldProgression {
+ public:
+  // Where there would be more than `most_worlds` in a history, not all are made.
+  WorldProgression(const GroundTask& task, std::size_t most_worlds)
+      : task_(task), most_worlds_(most_worlds) {}
+
+  bool HasMadeTooMany() const { return has_made_too_many_; }
+
+  static bool IsTrue(GroundLiteral literal, const World& world);
+  bool IsTrue(const Formula& formula, const World& world) const;
+  bool IsKnown(const GroundQuery& query, const History& history) const;
+
+  // Two worlds for each that leaves the atom open.
+  void SplitBy(AtomId atom, Worlds& worlds);
+
+  // Effects that happen at once.
+  void Apply(const std::vector<GroundEffect>& effects, History& history);
+  // Update rules, until nothing changes.
+  void Update(History& history);
+
+ private:
+  bool IsTrue(const Bound& bound, const World& world) const;
+  bool IsTrue(const GroundQuery& condition, const World& world) const;
+  bool IsValueKnown(const GroundQuery& query, const History& history) const;
+  bool HasTooMany(const Worlds& worlds);
+  void SplitByAll(const GroundQuery& condition, Worlds& worlds);
+  void MakeOnlyValue(AtomId atom, World& world) const;
+  void ForgetSensed(const std::vector<GroundEffect>& effects, const std::vector<bool>& happens,
+                    History& history) const;
+  void ForgetSensed(const GroundChange& change, History& history) const;
+  void ChangeWorlds(const std::vector<GroundEffect>& effects, const std::vector<bool>& happens,
+                    Worlds& worlds);
+  void Change(const GroundChange& change, const World& before, Worlds& now);
+  void Assign(const GroundChange& change, const World& before, Worlds& now) const;
+
+  const GroundTask& task_;
+  std::size_t most_worlds_;
+  bool has_made_too_many_ = false;
+};
+
+}  // namespace assay::contingent
