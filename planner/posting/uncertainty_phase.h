@@ -18,7 +18,7 @@ struct UncertaintyOptions {
   int most_remedies = 3;            // at once, for one step
   std::int64_t combinations = 100;  // of remedies, tried for one step
   std::int64_t instances = 10;      // plan instances looked at, of all plans of the first phase
-  std::int64_t instances_for_violation = 2;  // of these, augmented for a smaller violation alone
+  std::int64_t instances_for_violation = 1;  // of these, augmented for a smaller violation alone
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
   std::vector<plan::Sense> looks =
       {};  // with which every plan begins, whether it needs them or not
