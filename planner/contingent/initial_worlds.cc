@@ -11,6 +11,10 @@
 namespace assay::contingent {
 namespace {
 
+// To be beside a bound, and farther than any.
+constexpr double kBeside = 1e-6;
+constexpr double kFar = 1e9;
+
 using Choice = std::vector<Truth>;  // of the atoms of a group
 
 // Atoms that relations name together, directly or by others, with all ways to choose them.
@@ -39,7 +43,7 @@ class Enumerator {
     RandomStream random(seed, "worlds");
     const auto worlds = static_cast<std::int64_t>(std::min(count, static_cast<double>(limit_)));
     for (std::int64_t w = 0; w < worlds; ++w) {
-      World world{known_, {}};
+      World world{.atoms = known_, .numbers = {}};
       std::int64_t rest = w;
       for (const Group& group : groups_) {
         const auto size = static_cast<std::int64_t>(group.choices.size());
@@ -126,42 +130,22 @@ class Enumerator {
     return holding + open >= 1 && (relation.is_inclusive || holding <= 1);
   }
 
-  static void Put(const Group& group, std::int64_t choice, World& world) {
+  void Put(const Group& group, std::int64_t choice, World& world) const {
     for (std::size_t i = 0; i < group.atoms.size(); ++i) {
-      world.atoms[group.atoms[i]] = group.choices[choice][i];
-    }
-  }
-
-  // Values at which comparisons can differ.
-  std::vector<double> ValuesOf(std::size_t slot) const {
-    const Range& range = task_.initial.ranges[slot];
-    std::set<double> marks;
-    for (const double end : {range.low, range.high}) {
-      if (std::isfinite(end)) marks.insert(end);
-    }
-    for (const Formula& formula : task_.formulas) {
-      if (formula.bound &&
-          task_.functions[formula.bound->function.index()].slot == static_cast<int>(slot)) {
-        marks.insert(formula.bound->value);
+      const int atom = group.atoms[i];
+      world.atoms[atom] = group.choices[choice][i];
+      const FunctionId function = task_.function_of_atom[atom];
+      if (function.IsNone() || world.atoms[atom] != Truth::kTrue) continue;
+      for (const AtomId value : task_.functions[function.index()].values) {
+        if (value.index() != atom) world.atoms[value.index()] = Truth::kFalse;
       }
     }
-    if (marks.empty()) marks.insert(0);
-    std::set<double> values = marks;
-    for (auto mark = marks.begin(); std::next(mark) != marks.end(); ++mark) {
-      values.insert((*mark + *std::next(mark)) / 2);
-    }
-    values.insert(*marks.begin() - 1);
-    values.insert(*marks.rbegin() + 1);
-    std::erase_if(values, [&](double v) {
-      return v < range.low || v > range.high || (v == range.low && range.excludes_low) ||
-             (v == range.high && range.excludes_high);
-    });
-    return {values.begin(), values.end()};
   }
 
   void AddNumbers(InitialWorlds& result, RandomStream& random) const {
     for (std::size_t slot = 0; slot < task_.initial.ranges.size(); ++slot) {
-      const std::vector<double> values = ValuesOf(slot);
+      const std::vector<double> values =
+          ValuesIn(task_.initial.ranges[slot], static_cast<int>(slot), task_);
       const auto count = static_cast<int>(values.size());
       if (static_cast<std::int64_t>(result.worlds.size()) * count > limit_) {
         result.are_all = false;
@@ -187,7 +171,57 @@ class Enumerator {
   bool is_complete_ = true;
 };
 
+void AddMark(const Bound& bound, int slot, const GroundTask& task, std::set<double>& marks) {
+  if (task.functions[bound.function.index()].slot == slot) marks.insert(bound.value);
+}
+
+void AddMarks(const GroundQuery& query, int slot, const GroundTask& task, std::set<double>& marks) {
+  if (query.kind == GroundQuery::Kind::kBoundKnown) AddMark(query.bound, slot, task, marks);
+  for (const GroundQuery& operand : query.operands) AddMarks(operand, slot, task, marks);
+}
+
+void AddMarks(const std::vector<GroundEffect>& effects, int slot, const GroundTask& task,
+              std::set<double>& marks) {
+  for (const GroundEffect& effect : effects) {
+    AddMarks(effect.condition, slot, task, marks);
+    for (const GroundChange& change : effect.changes) {
+      if (!change.bound.function.IsNone()) AddMark(change.bound, slot, task, marks);
+    }
+  }
+}
+
+// The numbers that the task compares the function with.
+std::set<double> MarksOf(int slot, const GroundTask& task) {
+  std::set<double> marks;
+  for (const Formula& formula : task.formulas) {
+    if (formula.bound) AddMark(*formula.bound, slot, task, marks);
+  }
+  for (const GroundAction& action : task.actions) {
+    AddMarks(action.precondition, slot, task, marks);
+    AddMarks(action.effects, slot, task, marks);
+  }
+  AddMarks(task.updates, slot, task, marks);
+  AddMarks(task.goal, slot, task, marks);
+  return marks;
+}
+
 }  // namespace
+
+std::vector<double> ValuesIn(const Range& range, int slot, const GroundTask& task) {
+  std::set<double> marks = MarksOf(slot, task);
+  marks.insert(std::isfinite(range.low) ? range.low : -kFar);
+  marks.insert(std::isfinite(range.high) ? range.high : kFar);
+  std::set<double> values;
+  for (auto mark = marks.begin(); mark != marks.end(); ++mark) {
+    values.insert({*mark - kBeside, *mark, *mark + kBeside});
+    if (std::next(mark) != marks.end()) values.insert((*mark + *std::next(mark)) / 2);
+  }
+  std::erase_if(values, [&](double v) {
+    return v < range.low || v > range.high || (v == range.low && range.excludes_low) ||
+           (v == range.high && range.excludes_high);
+  });
+  return {values.begin(), values.end()};
+}
 
 InitialWorlds EnumerateWorlds(const GroundTask& task, std::int64_t limit, std::uint64_t seed) {
   return Enumerator(task, limit).Run(seed);

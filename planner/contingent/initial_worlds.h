@@ -14,6 +14,9 @@ enum class Truth : std::int8_t { kFalse, kTrue, kEither };
 struct World {
   std::vector<Truth> atoms;
   std::vector<double> numbers;  // of numeric functions, by slot
+  // Where the checker asks what one world of a history comes to: this one, or one of the others,
+  // which are there for what is known.
+  bool is_followed = true;
 
   bool operator==(const World&) const = default;
   auto operator<=>(const World&) const = default;
@@ -24,8 +27,12 @@ struct InitialWorlds {
   bool are_all = true;  // else they were drawn
 };
 
+// Numbers of a range by which all comparisons of the task with the function of this slot can be
+// told apart, and about as wide as the range; none if it is empty.
+std::vector<double> ValuesIn(const Range& range, int slot, const GroundTask& task);
+
 // The worlds that the initial knowledge allows, by enumeration. Atoms that no relation names are
-// kEither. More than `limit`: as many, drawn.
+// kEither. More than `limit`: as many, drawn. None if the knowledge contradicts itself.
 InitialWorlds EnumerateWorlds(const GroundTask& task, std::int64_t limit, std::uint64_t seed);
 
 }  // namespace assay::contingent

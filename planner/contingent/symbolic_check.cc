@@ -28,19 +28,15 @@ struct Fate {
   bool IsOpen() const { return becomes_true == kEmptySet && becomes_false == kEmptySet; }
 };
 
-// What comes to a node: worlds on any way, and what has been sensed on every way.
+// What comes to a node: worlds on any way, what has been sensed on every way and on any, and the
+// atoms that are open on every way: with each world the way has the one that differs in this atom
+// alone.
 struct Arrivals {
   Diagram worlds = kEmptySet;
   std::set<FormulaId> sensed;
+  std::set<FormulaId> sensed_somewhere;
+  std::set<AtomId> open;
 };
-
-// Conjunctions of K of literals; that something is not known counts as true (tree_check.h).
-bool IsOfEachWorld(const GroundQuery& query) {
-  if (query.kind == GroundQuery::Kind::kAnd) {
-    return std::ranges::all_of(query.operands, IsOfEachWorld);
-  }
-  return query.kind == GroundQuery::Kind::kKnown || query.kind == GroundQuery::Kind::kNot;
-}
 
 bool IsOfEachWorld(const GroundEffect& effect) {
   return std::ranges::all_of(effect.changes, [&](const GroundChange& change) {
@@ -53,17 +49,15 @@ bool IsOfEachWorld(const GroundEffect& effect) {
 }
 
 bool IsOfEachWorld(const GroundTask& task, const PlanTree& tree) {
-  return task.functions.empty() && task.updates.empty() && IsOfEachWorld(task.goal) &&
+  return task.functions.empty() && task.updates.empty() &&
          std::ranges::all_of(tree.nodes, [&](const PlanNode& node) {
            if (node.kind == PlanNode::Kind::kValue || std::ranges::count(node.repeats, true) > 0) {
              return false;
            }
            if (node.kind != PlanNode::Kind::kAct) return true;
-           const GroundAction& action = task.actions[node.action.index()];
-           return IsOfEachWorld(action.precondition) &&
-                  std::ranges::all_of(action.effects, [](const GroundEffect& effect) {
-                    return IsOfEachWorld(effect);
-                  });
+           return std::ranges::all_of(
+               task.actions[node.action.index()].effects,
+               [](const GroundEffect& effect) { return IsOfEachWorld(effect); });
          });
 }
 
@@ -76,9 +70,10 @@ class SymbolicCheck {
     TreeCheck check;
     check.holds = true;
     const Diagram initial = InitialWorlds();
+    if (initial == kEmptySet) return std::nullopt;
     check.worlds = static_cast<std::int64_t>(CountOf(initial));
-    Arrive(tree_.root,
-           {Assumed(initial), {task_.initial.sensed.begin(), task_.initial.sensed.end()}});
+    const std::set<FormulaId> sensed(task_.initial.sensed.begin(), task_.initial.sensed.end());
+    Arrive(tree_.root, {Assumed(initial), sensed, sensed, OpenAtoms(initial)});
     for (const NodeId id : std::views::reverse(ChildrenFirst(tree_))) {
       const Arrivals& arrivals = arrivals_[id.index()];
       if (arrivals.worlds == kEmptySet) continue;
@@ -134,6 +129,17 @@ class SymbolicCheck {
     return worlds;
   }
 
+  // Those that nothing is said of.
+  std::set<AtomId> OpenAtoms(Diagram initial) {
+    const std::vector<int>& said = diagrams_.Support(initial);
+    std::set<AtomId> open;
+    for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
+      if (!std::ranges::binary_search(said, Variable(AtomId(a)))) open.insert(AtomId(a));
+    }
+    for (const GroundLiteral& l : task_.initial.known) open.erase(l.atom);
+    return open;
+  }
+
   // How many choices for the atoms that relations name and that are not known.
   double CountOf(Diagram worlds) {
     std::set<int> open;
@@ -163,17 +169,19 @@ class SymbolicCheck {
     }
     arrivals.worlds = diagrams_.Or(arrivals.worlds, more.worlds);
     std::erase_if(arrivals.sensed, [&](FormulaId f) { return !more.sensed.contains(f); });
+    arrivals.sensed_somewhere.merge(more.sensed_somewhere);
+    std::erase_if(arrivals.open, [&](AtomId a) { return !more.open.contains(a); });
   }
 
   // False if something that the node asks is not so.
   bool PassOn(const PlanNode& node, const Arrivals& here) {
     switch (node.kind) {
       case PlanNode::Kind::kGoal:
-        return IsKnown(task_.goal, here.worlds);
+        return SurelyHolds(task_.goal, here);
       case PlanNode::Kind::kAct: {
         const GroundAction& action = task_.actions[node.action.index()];
-        if (!IsKnown(action.precondition, here.worlds)) return false;
-        Arrive(node.children.front(), {Image(action, here.worlds), SensedAfter(action, here)});
+        if (!SurelyHolds(action.precondition, here)) return false;
+        Arrive(node.children.front(), After(action, here));
         return true;
       }
       case PlanNode::Kind::kWhether:
@@ -184,14 +192,48 @@ class SymbolicCheck {
     return false;
   }
 
-  bool IsKnown(const GroundQuery& query, Diagram worlds) {
-    if (query.kind == GroundQuery::Kind::kKnown) {
-      return diagrams_.Implies(worlds, WorldsWhere(query.literal));
+  // On every way.
+  bool SurelyHolds(const GroundQuery& query, const Arrivals& here) {
+    const auto holds = [&](const GroundQuery& operand) { return SurelyHolds(operand, here); };
+    switch (query.kind) {
+      case GroundQuery::Kind::kAnd:
+        return std::ranges::all_of(query.operands, holds);
+      case GroundQuery::Kind::kOr:
+        return std::ranges::any_of(query.operands, holds);
+      case GroundQuery::Kind::kNot:
+        return SurelyFails(query.operands.front(), here);
+      case GroundQuery::Kind::kKnown:
+        return diagrams_.Implies(here.worlds, WorldsWhere(query.literal));
+      case GroundQuery::Kind::kSensed:
+        return here.sensed.contains(query.formula);
+      case GroundQuery::Kind::kBoundKnown:
+      case GroundQuery::Kind::kValueSensed:
+        break;
     }
-    return query.kind == GroundQuery::Kind::kNot ||
-           std::ranges::all_of(query.operands, [&](const GroundQuery& operand) {
-             return IsKnown(operand, worlds);
-           });
+    return false;
+  }
+
+  // On every way. Worlds of different ways are in one set: that some have the literal and some have
+  // not does not tell that none of the ways knows it.
+  bool SurelyFails(const GroundQuery& query, const Arrivals& here) {
+    const auto fails = [&](const GroundQuery& operand) { return SurelyFails(operand, here); };
+    switch (query.kind) {
+      case GroundQuery::Kind::kAnd:
+        return std::ranges::any_of(query.operands, fails);
+      case GroundQuery::Kind::kOr:
+        return std::ranges::all_of(query.operands, fails);
+      case GroundQuery::Kind::kNot:
+        return SurelyHolds(query.operands.front(), here);
+      case GroundQuery::Kind::kKnown:
+        return here.open.contains(query.literal.atom) ||
+               diagrams_.And(here.worlds, WorldsWhere(query.literal)) == kEmptySet;
+      case GroundQuery::Kind::kSensed:
+        return !here.sensed_somewhere.contains(query.formula);
+      case GroundQuery::Kind::kBoundKnown:
+      case GroundQuery::Kind::kValueSensed:
+        break;
+    }
+    return false;
   }
 
   bool Branch(const PlanNode& node, const Arrivals& here) {
@@ -203,8 +245,14 @@ class SymbolicCheck {
     const Diagram if_false = diagrams_.And(here.worlds, diagrams_.Not(where));
     const bool is_open = if_true != kEmptySet && if_false != kEmptySet;
     if (is_open && !here.sensed.contains(node.formula)) return false;
-    Arrive(node.children[0], {if_true, here.sensed});
-    Arrive(node.children[1], {if_false, here.sensed});
+    Arrivals next = here;
+    for (const GroundLiteral& l : task_.formulas[node.formula.index()].literals) {
+      next.open.erase(l.atom);
+    }
+    next.worlds = if_true;
+    Arrive(node.children[0], next);
+    next.worlds = if_false;
+    Arrive(node.children[1], next);
     return true;
   }
 
@@ -254,22 +302,53 @@ class SymbolicCheck {
     return diagrams_.IfThenElse(fate.becomes_true, now, or_false);
   }
 
-  // What was sensed of something that may have changed since is out of date.
-  std::set<FormulaId> SensedAfter(const GroundAction& action, const Arrivals& here) const {
-    std::set<FormulaId> sensed = here.sensed;
+  // What was sensed of something that may have changed is not surely of use, and what was sensed of
+  // something that may not have changed may be.
+  Arrivals After(const GroundAction& action, const Arrivals& here) {
+    Arrivals next = here;
+    next.worlds = Image(action, here.worlds);
     std::set<FormulaId> now;
     for (const GroundEffect& effect : action.effects) {
       for (const GroundChange& change : effect.changes) {
         if (change.kind == GroundChange::Kind::kSense) now.insert(change.formula);
-        if (change.kind == GroundChange::Kind::kUnsense) sensed.erase(change.formula);
-        std::erase_if(sensed, [&](FormulaId formula) {
-          return std::ranges::count(task_.formulas[formula.index()].literals, change.literal.atom,
-                                    &GroundLiteral::atom) > 0;
-        });
+        Unsense(change, next.sensed);
+        if (effect.condition.IsTrue()) Unsense(change, next.sensed_somewhere);
       }
     }
-    sensed.merge(now);
-    return sensed;
+    next.sensed.insert(now.begin(), now.end());
+    next.sensed_somewhere.merge(now);
+    next.open = OpenAfter(action, here);
+    return next;
+  }
+
+  void Unsense(const GroundChange& change, std::set<FormulaId>& sensed) const {
+    if (change.kind == GroundChange::Kind::kUnsense) sensed.erase(change.formula);
+    std::erase_if(sensed, [&](FormulaId formula) {
+      return std::ranges::count(task_.formulas[formula.index()].literals, change.literal.atom,
+                                &GroundLiteral::atom) > 0;
+    });
+  }
+
+  // What no effect reads or writes stays open; what is forgotten, and nothing else, becomes so.
+  std::set<AtomId> OpenAfter(const GroundAction& action, const Arrivals& here) const {
+    std::set<AtomId> open = here.open;
+    std::set<AtomId> closed;
+    for (const GroundEffect& effect : action.effects) {
+      AddAtoms(effect.condition, closed);
+      for (const GroundChange& change : effect.changes) {
+        if (change.literal.atom.IsNone()) continue;
+        const bool is_surely_forgotten =
+            change.kind == GroundChange::Kind::kForget && effect.condition.IsTrue();
+        (is_surely_forgotten ? open : closed).insert(change.literal.atom);
+      }
+    }
+    for (const AtomId atom : closed) open.erase(atom);
+    return open;
+  }
+
+  static void AddAtoms(const GroundQuery& query, std::set<AtomId>& atoms) {
+    if (query.kind == GroundQuery::Kind::kKnown) atoms.insert(query.literal.atom);
+    for (const GroundQuery& operand : query.operands) AddAtoms(operand, atoms);
   }
 
   const GroundTask& task_;

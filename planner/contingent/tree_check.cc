@@ -20,11 +20,36 @@ namespace {
 // which one repeat is followed from one world.
 constexpr std::size_t kMostWorlds = 1'000'000;
 constexpr std::size_t kMostReturns = 100'000;
+// Of knowledge with which one tree's repeats begin again.
+constexpr std::size_t kMostBeginnings = 1'000;
+
+bool HasNegation(const GroundQuery& query) {
+  return query.kind == GroundQuery::Kind::kNot || std::ranges::any_of(query.operands, HasNegation);
+}
+
+// Knowing more never hurts: nothing is asked not to be known, and nothing is changed for being
+// known.
+bool IsMonotone(const GroundTask& task) {
+  const auto is_by_knowledge = [](const GroundEffect& effect) {
+    return !effect.is_of_worlds && !effect.condition.IsTrue();
+  };
+  return !HasNegation(task.goal) &&
+         std::ranges::all_of(
+             task.updates, [](const GroundEffect& update) { return update.condition.IsTrue(); }) &&
+         std::ranges::none_of(task.actions, [&](const GroundAction& action) {
+           return HasNegation(action.precondition) ||
+                  std::ranges::any_of(action.effects, is_by_knowledge);
+         });
+}
 
 class Runner {
  public:
-  Runner(const GroundTask& task, const PlanTree& tree, std::size_t most_worlds)
-      : task_(task), tree_(tree), progression_(task, most_worlds), most_worlds_(most_worlds) {}
+  Runner(const GroundTask& task, const PlanTree& tree, bool are_all_worlds, std::size_t most_worlds)
+      : task_(task),
+        tree_(tree),
+        is_monotone_(IsMonotone(task)),
+        progression_(task, are_all_worlds, most_worlds),
+        most_worlds_(most_worlds) {}
 
   TreeCheck Run(InitialWorlds initial) {
     TreeCheck check;
@@ -42,11 +67,10 @@ class Runner {
       }
     }
     progression_.Update(history);
+    if (history.worlds.empty()) Fail("the initial knowledge allows no world", history);
     RunFrom(tree_.root, std::move(history));
     check.holds = !HasFailed();
-    check.failure = failure_.empty() && progression_.HasMadeTooMany()
-                        ? fmt::format("more than {} worlds on one way", most_worlds_)
-                        : failure_;
+    check.failure = Failure();
     check.worlds = worlds_;
     for (std::size_t i = 0; i < is_reached_.size(); ++i) {
       if (!is_reached_[i]) check.unreached.push_back(NodeId(i));
@@ -55,7 +79,19 @@ class Runner {
   }
 
  private:
-  bool HasFailed() const { return !failure_.empty() || progression_.HasMadeTooMany(); }
+  bool HasFailed() const {
+    return !failure_.empty() || progression_.HasMadeTooMany() || progression_.CouldNotTell();
+  }
+
+  std::string Failure() const {
+    if (!failure_.empty()) return failure_;
+    if (progression_.HasMadeTooMany()) {
+      return fmt::format("more than {} worlds on one way", most_worlds_);
+    }
+    return progression_.CouldNotTell() ? "an effect asks that something is not known, which worlds "
+                                         "that are drawn cannot tell"
+                                       : "";
+  }
 
   void Fail(const std::string& what, const History& history, const World* world = nullptr) {
     if (HasFailed()) return;
@@ -119,13 +155,13 @@ class Runner {
 
   void Walk(Way way) {
     History& history = way.history;
-    for (NodeId id = way.to; !HasFailed() && !history.worlds.empty();) {
+    for (NodeId id = way.to; !HasFailed() && IsFollowed(history);) {
       const PlanNode& node = tree_.node(id);
       is_reached_[id.index()] = true;
-      if (attempt_ == nullptr && IsRepeated(id)) heads_.emplace_back(id, history);
+      if (attempt_ == nullptr && IsRepeated(id)) Begin(id, history);
       switch (node.kind) {
         case PlanNode::Kind::kGoal:
-          if (!progression_.IsKnown(task_.goal, history)) Fail("the goal is not known", history);
+          if (!Holds(task_.goal, history)) Fail("the goal is not known", history);
           if (attempt_ != nullptr) {
             attempt_->has_ended = true;
           } else if (!way.is_counted) {
@@ -144,10 +180,18 @@ class Runner {
     }
   }
 
+  static bool IsFollowed(const History& history) {
+    return std::ranges::any_of(history.worlds, &World::is_followed);
+  }
+
   bool IsRepeated(NodeId id) const { return repeated_.contains(id); }
 
+  bool Holds(const GroundQuery& query, const History& history) const {
+    return progression_.Ask(query, history) != Answer::kNo;
+  }
+
   void Execute(const GroundAction& action, History& history) {
-    if (!progression_.IsKnown(action.precondition, history)) {
+    if (!Holds(action.precondition, history)) {
       return Fail(
           fmt::format("the precondition of {} is not known", assay::contingent::TextOf(action)),
           history);
@@ -155,6 +199,9 @@ class Runner {
     steps_.push_back(assay::contingent::TextOf(action));
     progression_.Apply(action.effects, history);
     progression_.Update(history);
+    if (attempt_ == nullptr && history.worlds.empty()) {
+      Fail("what is known contradicts itself", history);
+    }
   }
 
   void Branch(const PlanNode& node, Way& way) {
@@ -176,6 +223,7 @@ class Runner {
       History next = history;
       next.worlds = std::move(parts[i]);
       progression_.Update(next);
+      if (next.worlds.empty()) return Fail("what is known contradicts itself", next);
       GoOn({.to = node.children[i],
             .history = std::move(next),
             .outcome = fmt::format("outcome {} of {}", i + 1, QuestionOf(node)),
@@ -224,23 +272,56 @@ class Runner {
     return !HasFailed();
   }
 
-  // The worlds come back to where they, or worlds that they are cases of, began; and each of them
-  // can go on to the goal. Where less has been sensed than then, that must be enough, too.
   void Return(NodeId head, const Way& way) {
     const History& history = way.history;
     if (attempt_ != nullptr) {
-      for (const World& world : history.worlds) Follow(head, world, history);
+      for (const World& world : history.worlds) {
+        if (world.is_followed) Follow(head, world, history);
+      }
       return;
     }
-    const History* entry = Begun(head);
-    if (entry == nullptr) return Fail("a repeat that never began", history);
-    const History begun = *entry;
+    const History* begun = Begun(head);
+    if (begun == nullptr) return Fail("a repeat that never began", history);
+    is_monotone_ ? ReturnToWorlds(head, History(*begun), history) : ReturnKnowing(head, history);
+  }
+
+  // The worlds come back to where they, or worlds that they are cases of, began; and each of them
+  // can go on to the goal. Where less has been sensed than then, that must be enough, too.
+  void ReturnToWorlds(NodeId head, const History& begun, const History& history) {
     for (const World& world : history.worlds) {
       if (!IsCovered(world, begun.worlds))
         return Fail("a repeat begins in another world", history, &world);
       if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
     }
     if (!HasSensed(history, begun)) BeginAgain(head, begun, history);
+  }
+
+  // Where knowing more may hurt, the repeat begins again with each knowledge that comes back to it.
+  void ReturnKnowing(NodeId head, const History& history) {
+    for (const World& world : history.worlds) {
+      if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
+    }
+    if (!beginnings_.emplace(head, ToCompare(history)).second) return;
+    if (beginnings_.size() > kMostBeginnings) {
+      return Fail(
+          fmt::format("a repeat that begins with more than {} kinds of knowledge", kMostBeginnings),
+          history);
+    }
+    GoOn({.to = head, .history = history, .is_counted = true});
+  }
+
+  void Begin(NodeId head, const History& history) {
+    heads_.emplace_back(head, history);
+    if (!is_monotone_) beginnings_.emplace(head, ToCompare(history));
+  }
+
+  // Numbers of which nothing is known at first do not tell worlds apart.
+  History ToCompare(History history) const {
+    for (World& world : history.worlds) world = WithoutOpen(std::move(world));
+    std::sort(history.worlds.begin(), history.worlds.end());
+    history.worlds.erase(std::unique(history.worlds.begin(), history.worlds.end()),
+                         history.worlds.end());
+    return history;
   }
 
   // The history that last came to the head of a repeat, on the way to here; null if none has.
@@ -271,7 +352,8 @@ class Runner {
   }
 
   // Whether a world that is back at the head of a repeat comes to the goal some time, for some
-  // outcomes of what is open: by going round, in this world alone, until it has been everywhere.
+  // outcomes of what is open: by going round in this world until it has been everywhere. Others are
+  // looked at where it matters that it is not known to be this one.
   bool CanEnd(NodeId head, const World& world, const History& history) {
     Attempt attempt;
     attempt_ = &attempt;
@@ -285,23 +367,33 @@ class Runner {
     return attempt.has_ended;
   }
 
-  // Numbers of which nothing is known at first do not tell worlds apart: any other is as good, and
-  // they may change on each round.
+  // Numbers of which nothing is known at first may change on each round.
   void Follow(NodeId head, const World& world, const History& history) {
-    if (const History* begun = Begun(head); begun && !IsCovered(world, begun->worlds)) {
+    const History* begun = Begun(head);
+    if (is_monotone_ && begun != nullptr && !IsCovered(world, begun->worlds)) {
       return Fail("a repeat begins in another world", history, &world);
     }
-    World without_open = world;
-    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
-      if (IsOpen(slot)) without_open.numbers[slot] = 0;
+    History alone = history;
+    if (is_monotone_) alone.worlds = {world};
+    for (World& other : alone.worlds) other.is_followed = other == world;
+    History seen = ToCompare(alone);
+    if (is_monotone_) {
+      seen.sensed.clear();
+      seen.values_sensed.clear();
     }
-    if (!attempt_->returned.emplace(head, std::move(without_open)).second) return;
+    if (!attempt_->returned.emplace(head, std::move(seen)).second) return;
     if (attempt_->returned.size() > kMostReturns) {
       return Fail(fmt::format("a repeat through more than {} worlds", kMostReturns), history);
     }
     History alone = history;
-    alone.worlds = {world};
     attempt_->to_follow.emplace_back(head, std::move(alone));
+  }
+
+  World WithoutOpen(World world) const {
+    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
+      if (IsOpen(slot)) world.numbers[slot] = 0;
+    }
+    return world;
   }
 
   bool IsOpen(std::size_t slot) const {
@@ -341,13 +433,14 @@ class Runner {
 
   // Going round a repeat in one world.
   struct Attempt {
-    std::set<std::pair<NodeId, World>> returned = {};  // to the heads of repeats
+    std::set<std::pair<NodeId, History>> returned = {};  // to the heads of repeats
     std::deque<std::pair<NodeId, History>> to_follow = {};
     bool has_ended = false;  // at the goal
   };
 
   const GroundTask& task_;
   const PlanTree& tree_;
+  bool is_monotone_;
   WorldProgression progression_;
   std::size_t most_worlds_;
   Attempt* attempt_ = nullptr;
@@ -355,7 +448,8 @@ class Runner {
   std::vector<std::string> steps_;  // on the way to here
   std::vector<bool> is_reached_;
   std::set<NodeId> repeated_;
-  std::vector<std::pair<NodeId, History>> heads_;  // of repeats, on the way to here
+  std::vector<std::pair<NodeId, History>> heads_;    // of repeats, on the way to here
+  std::set<std::pair<NodeId, History>> beginnings_;  // where knowing more may hurt
   std::int64_t worlds_ = 0;
   std::string failure_;
 };
@@ -368,7 +462,7 @@ TreeCheck CheckTree(const GroundTask& task, const PlanTree& tree, const TreeChec
     if (const std::optional<TreeCheck> check = CheckBySets(task, tree)) return *check;
   }
   const std::size_t most_worlds = std::max(kMostWorlds, 4 * initial.worlds.size());
-  return Runner(task, tree, most_worlds).Run(std::move(initial));
+  return Runner(task, tree, initial.are_all, most_worlds).Run(std::move(initial));
 }
 
 }  // namespace assay::contingent

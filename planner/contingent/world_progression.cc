@@ -1,6 +1,8 @@
 #include "planner/contingent/world_progression.h"
 
 #include <algorithm>
+#include <limits>
+#include <ranges>
 #include <utility>
 
 namespace assay::contingent {
@@ -22,6 +24,18 @@ bool Compare(double value, Relation relation, double with) {
       break;
   }
   return value == with;
+}
+
+Answer Least(const auto& answers) {
+  Answer least = Answer::kYes;
+  for (const Answer answer : answers) least = std::min(least, answer);
+  return least;
+}
+
+Answer Greatest(const auto& answers) {
+  Answer greatest = Answer::kNo;
+  for (const Answer answer : answers) greatest = std::max(greatest, answer);
+  return greatest;
 }
 
 int PassOf(const GroundChange& change) {
@@ -57,29 +71,38 @@ bool WorldProgression::IsTrue(const GroundQuery& condition, const World& world) 
   return std::any_of(operands.begin(), operands.end(), is_true);
 }
 
-bool WorldProgression::IsKnown(const GroundQuery& query, const History& history) const {
-  const auto is_known = [&](const GroundQuery& operand) { return IsKnown(operand, history); };
+Answer WorldProgression::Ask(const GroundQuery& query, const History& history) const {
+  const auto asked = [&](const GroundQuery& operand) { return Ask(operand, history); };
+  const auto told = [](bool holds) { return holds ? Answer::kYes : Answer::kNo; };
   const auto in_all = [&](const auto& what) {
     return std::all_of(history.worlds.begin(), history.worlds.end(),
                        [&](const World& world) { return IsTrue(what, world); });
   };
   switch (query.kind) {
     case GroundQuery::Kind::kAnd:
-      return std::all_of(query.operands.begin(), query.operands.end(), is_known);
+      return Least(query.operands | std::views::transform(asked));
     case GroundQuery::Kind::kOr:
-      return std::any_of(query.operands.begin(), query.operands.end(), is_known);
+      return Greatest(query.operands | std::views::transform(asked));
     case GroundQuery::Kind::kNot:
-      return true;
+      switch (asked(query.operands.front())) {
+        case Answer::kNo:
+          return Answer::kYes;
+        case Answer::kCannotTell:
+          return Answer::kCannotTell;
+        case Answer::kYes:
+          return are_all_worlds_ ? Answer::kNo : Answer::kCannotTell;
+      }
+      break;
     case GroundQuery::Kind::kKnown:
-      return in_all(query.literal);
+      return told(in_all(query.literal));
     case GroundQuery::Kind::kBoundKnown:
-      return in_all(query.bound);
+      return told(in_all(query.bound));
     case GroundQuery::Kind::kSensed:
-      return history.sensed.contains(query.formula);
+      return told(history.sensed.contains(query.formula));
     case GroundQuery::Kind::kValueSensed:
-      return IsValueKnown(query, history);
+      return told(IsValueKnown(query, history));
   }
-  return false;
+  return Answer::kNo;
 }
 
 bool WorldProgression::IsValueKnown(const GroundQuery& query, const History& history) const {
@@ -124,8 +147,10 @@ void WorldProgression::Apply(const std::vector<GroundEffect>& effects, History& 
     if (effect.is_of_worlds) SplitByAll(effect.condition, history.worlds);
   }
   std::vector<bool> happens_in_all;
+  std::vector<bool> may_happen;
   for (const GroundEffect& effect : effects) {
-    happens_in_all.push_back(IsKnown(effect.condition, history));
+    happens_in_all.push_back(Happens(effect, history));
+    may_happen.push_back(happens_in_all.back() || MayHappen(effect, history.worlds));
   }
   std::map<FunctionId, double> sensed_values;
   std::set<FormulaId> sensed;
@@ -140,13 +165,26 @@ void WorldProgression::Apply(const std::vector<GroundEffect>& effects, History& 
       }
     }
   }
-  ForgetSensed(effects, happens_in_all, history);
+  ForgetSensed(effects, may_happen, history);
   ChangeWorlds(effects, happens_in_all, history.worlds);
   history.sensed.merge(sensed);
   for (const auto& [function, error] : sensed_values) {
     const auto [known, is_new] = history.values_sensed.try_emplace(function, error);
     known->second = std::min(known->second, error);
   }
+}
+
+// To whoever executes the plan: its condition is known to hold.
+bool WorldProgression::Happens(const GroundEffect& effect, const History& history) {
+  const Answer answer = Ask(effect.condition, history);
+  could_not_tell_ |= answer == Answer::kCannotTell;
+  return answer == Answer::kYes;
+}
+
+bool WorldProgression::MayHappen(const GroundEffect& effect, const Worlds& worlds) const {
+  return effect.is_of_worlds && std::any_of(worlds.begin(), worlds.end(), [&](const World& world) {
+           return IsTrue(effect.condition, world);
+         });
 }
 
 void WorldProgression::SplitByAll(const GroundQuery& condition, Worlds& worlds) {
@@ -156,9 +194,9 @@ void WorldProgression::SplitByAll(const GroundQuery& condition, Worlds& worlds) 
 
 // What was sensed of something that may have changed since is out of date.
 void WorldProgression::ForgetSensed(const std::vector<GroundEffect>& effects,
-                                    const std::vector<bool>& happens, History& history) const {
+                                    const std::vector<bool>& may_happen, History& history) const {
   for (std::size_t e = 0; e < effects.size(); ++e) {
-    if (!happens[e] && !effects[e].is_of_worlds) continue;
+    if (!may_happen[e]) continue;
     for (const GroundChange& change : effects[e].changes) ForgetSensed(change, history);
   }
 }
@@ -233,9 +271,23 @@ void WorldProgression::Change(const GroundChange& change, const World& before, W
     case GroundChange::Kind::kUnsense:
     case GroundChange::Kind::kSenseValue:
     case GroundChange::Kind::kUnsenseValue:
-    case GroundChange::Kind::kForgetNumber:
       return;
+    case GroundChange::Kind::kForgetNumber:
+      return ForgetNumber(change.function, now);
   }
+}
+
+void WorldProgression::ForgetNumber(FunctionId function, Worlds& now) const {
+  const int slot = task_.functions[function.index()].slot;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Worlds all;
+  for (const double value : ValuesIn({-kInfinity, kInfinity}, slot, task_)) {
+    for (const World& world : now) {
+      all.push_back(world);
+      all.back().numbers[slot] = value;
+    }
+  }
+  now = std::move(all);
 }
 
 void WorldProgression::Assign(const GroundChange& change, const World& before, Worlds& now) const {
@@ -258,14 +310,14 @@ void WorldProgression::Assign(const GroundChange& change, const World& before, W
 
 void WorldProgression::Update(History& history) {
   for (std::size_t round = 0; round <= task_.atoms.size() && !task_.updates.empty(); ++round) {
-    const Worlds before = history.worlds;
+    const History before = history;
     for (const GroundEffect& update : task_.updates) {
-      if (!IsKnown(update.condition, history)) continue;
+      if (!Happens(update, history)) continue;
       GroundEffect always = update;
       always.condition = {};
       Apply({always}, history);
     }
-    if (history.worlds == before) return;
+    if (history == before) return;
   }
 }
 

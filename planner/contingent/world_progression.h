@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <set>
 #include <vector>
@@ -16,7 +17,14 @@ struct History {
   Worlds worlds;
   std::set<FormulaId> sensed;
   std::map<FunctionId, double> values_sensed;  // with their errors
+
+  bool operator==(const History&) const = default;
+  auto operator<=>(const History&) const = default;
 };
+
+// Whether a query holds after a history. Worlds that were drawn show that something is not known,
+// by one where it is false; where it is true in all of them, they cannot tell that it is not known.
+enum class Answer : std::int8_t { kNo, kCannotTell, kYes };
 
 // What is true in worlds, what is known in all worlds of a history, and how actions change them
 // (progression, world by world). Naive by purpose: the checker of plan trees relies on it
@@ -24,14 +32,16 @@ struct History {
 class WorldProgression {
  public:
   // Where there would be more than `most_worlds` in a history, not all are made.
-  WorldProgression(const GroundTask& task, std::size_t most_worlds)
-      : task_(task), most_worlds_(most_worlds) {}
+  WorldProgression(const GroundTask& task, bool are_all_worlds, std::size_t most_worlds)
+      : task_(task), are_all_worlds_(are_all_worlds), most_worlds_(most_worlds) {}
 
   bool HasMadeTooMany() const { return has_made_too_many_; }
+  // Whether there was an effect of which drawn worlds cannot tell that it happens.
+  bool CouldNotTell() const { return could_not_tell_; }
 
   static bool IsTrue(GroundLiteral literal, const World& world);
   bool IsTrue(const Formula& formula, const World& world) const;
-  bool IsKnown(const GroundQuery& query, const History& history) const;
+  Answer Ask(const GroundQuery& query, const History& history) const;
 
   // Two worlds for each that leaves the atom open.
   void SplitBy(AtomId atom, Worlds& worlds);
@@ -45,20 +55,25 @@ class WorldProgression {
   bool IsTrue(const Bound& bound, const World& world) const;
   bool IsTrue(const GroundQuery& condition, const World& world) const;
   bool IsValueKnown(const GroundQuery& query, const History& history) const;
+  bool Happens(const GroundEffect& effect, const History& history);
+  bool MayHappen(const GroundEffect& effect, const Worlds& worlds) const;
   bool HasTooMany(const Worlds& worlds);
   void SplitByAll(const GroundQuery& condition, Worlds& worlds);
   void MakeOnlyValue(AtomId atom, World& world) const;
-  void ForgetSensed(const std::vector<GroundEffect>& effects, const std::vector<bool>& happens,
+  void ForgetSensed(const std::vector<GroundEffect>& effects, const std::vector<bool>& may_happen,
                     History& history) const;
   void ForgetSensed(const GroundChange& change, History& history) const;
   void ChangeWorlds(const std::vector<GroundEffect>& effects, const std::vector<bool>& happens,
                     Worlds& worlds);
   void Change(const GroundChange& change, const World& before, Worlds& now);
   void Assign(const GroundChange& change, const World& before, Worlds& now) const;
+  void ForgetNumber(FunctionId function, Worlds& now) const;
 
   const GroundTask& task_;
+  bool are_all_worlds_;
   std::size_t most_worlds_;
   bool has_made_too_many_ = false;
+  bool could_not_tell_ = false;
 };
 
 }  // namespace assay::contingent

@@ -1,20 +1,20 @@
 #pragma once
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
 #include <utility>
-#include <vector>
 
 #include "planner/contingent/ground_task.h"
 
 namespace assay::oracle {
 
 // Contingent planning the long way: beliefs are sets of worlds, one by one, and trees are looked
-// for with one action more each time. To be trusted for a few atoms without functions, effects
-// whose conditions are K of literals, sensing of single atoms, and deletions that are
-// unconditional.
+// for with one action more each time. To be trusted for a few atoms without functions and update
+// rules, effects whose conditions are of worlds or of what is known, sensing of single atoms, and
+// deletions that are unconditional.
 class BeliefSearch {
  public:
   explicit BeliefSearch(const contingent::GroundTask& task) : task_(task) {}
@@ -31,6 +31,7 @@ class BeliefSearch {
   using World = unsigned;  // a bit for each atom
   using Belief = std::set<World>;
   using Query = contingent::GroundQuery;
+  using Sensed = std::set<contingent::FormulaId>;
 
   static bool Is(World world, contingent::GroundLiteral l) {
     return ((world >> l.atom.index() & 1U) != 0) == l.is_positive;
@@ -60,8 +61,9 @@ class BeliefSearch {
                : std::any_of(operands.begin(), operands.end(), is_true);
   }
 
-  static bool IsKnown(const Query& query, const Belief& belief) {
-    const auto is_known = [&](const Query& operand) { return IsKnown(operand, belief); };
+  // `sensed`: what has been sensed and not yet told by a branch.
+  static bool IsKnown(const Query& query, const Belief& belief, const Sensed& sensed = {}) {
+    const auto is_known = [&](const Query& operand) { return IsKnown(operand, belief, sensed); };
     const auto& operands = query.operands;
     switch (query.kind) {
       case Query::Kind::kKnown:
@@ -69,6 +71,8 @@ class BeliefSearch {
                            [&](World world) { return Is(world, query.literal); });
       case Query::Kind::kNot:
         return !is_known(operands.front());
+      case Query::Kind::kSensed:
+        return sensed.contains(query.formula);
       case Query::Kind::kAnd:
         return std::all_of(operands.begin(), operands.end(), is_known);
       default:
@@ -82,7 +86,9 @@ class BeliefSearch {
       std::set<World> now = {world};
       for (const bool value : {false, true}) {
         for (const contingent::GroundEffect& effect : action.effects) {
-          if (!IsTrue(effect.condition, world)) continue;
+          const bool happens = effect.is_of_worlds ? IsTrue(effect.condition, world)
+                                                   : IsKnown(effect.condition, belief);
+          if (!happens) continue;
           for (const contingent::GroundChange& change : effect.changes) {
             now = Changed(now, change, value);
           }
@@ -111,25 +117,28 @@ class BeliefSearch {
     return changed;
   }
 
-  // The beliefs that sensing leads to.
-  std::vector<Belief> Outcomes(const contingent::GroundAction& action, const Belief& belief) const {
-    std::vector<Belief> outcomes = {After(action, belief)};
+  static Sensed SensedBy(const contingent::GroundAction& action, const Belief& belief) {
+    Sensed sensed;
     for (const contingent::GroundEffect& effect : action.effects) {
+      if (!IsKnown(effect.condition, belief)) continue;
       for (const contingent::GroundChange& change : effect.changes) {
-        if (change.kind != contingent::GroundChange::Kind::kSense) continue;
-        const auto& sensed = task_.formulas[change.formula.index()].literals.front();
-        std::vector<Belief> parts;
-        for (const Belief& outcome : outcomes) {
-          Belief part[2];
-          for (const World world : outcome) part[Is(world, sensed) ? 1 : 0].insert(world);
-          for (Belief& p : part) {
-            if (!p.empty()) parts.push_back(std::move(p));
-          }
-        }
-        outcomes = std::move(parts);
+        if (change.kind == contingent::GroundChange::Kind::kSense) sensed.insert(change.formula);
       }
     }
-    return outcomes;
+    return sensed;
+  }
+
+  // Unless the goal holds before, branches tell what has been sensed, one by one.
+  bool CanSolveSensed(const Belief& belief, Sensed sensed, int depth) {
+    if (sensed.empty()) return CanSolve(belief, depth);
+    if (IsKnown(task_.goal, belief, sensed)) return true;
+    const auto& asked = task_.formulas[sensed.begin()->index()].literals.front();
+    sensed.erase(sensed.begin());
+    Belief parts[2];
+    for (const World world : belief) parts[Is(world, asked) ? 1 : 0].insert(world);
+    return std::all_of(std::begin(parts), std::end(parts), [&](const Belief& part) {
+      return part.empty() || CanSolveSensed(part, sensed, depth);
+    });
   }
 
   bool CanSolve(const Belief& belief, int depth) {
@@ -139,9 +148,7 @@ class BeliefSearch {
     if (!is_new) return entry->second;
     for (const contingent::GroundAction& action : task_.actions) {
       if (!IsKnown(action.precondition, belief)) continue;
-      const std::vector<Belief> outcomes = Outcomes(action, belief);
-      if (std::all_of(outcomes.begin(), outcomes.end(),
-                      [&](const Belief& o) { return CanSolve(o, depth - 1); })) {
+      if (CanSolveSensed(After(action, belief), SensedBy(action, belief), depth - 1)) {
         return entry->second = true;
       }
     }

@@ -228,12 +228,14 @@ TEST_P(Mutations, AreSurvived) {
     const std::string message = contingent::MessageOf([&] {
       const GroundTask task = GroundText(files.domain, files.problem);
       const ContingentPlan plan = PlanFor(task, Wanted::kFirst, 300);
-      if (plan.outcome == Outcome::kFound) CheckTree(task, plan.tree, {.worlds = 100});
+      if (plan.outcome != Outcome::kFound) return;
+      const TreeCheck check = CheckTree(task, plan.tree, {.worlds = 100});
+      EXPECT_TRUE(check.holds) << check.failure;
     });
     loaded += message == "no error" ? 1 : 0;
     const bool tells = message == "no error" || message.starts_with("domain.pks:") ||
                        message.starts_with("problem.pks:");
-    ASSERT_TRUE(tells) << "trial " << trial << ": " << message << "\n"
+    ASSERT_TRUE(tells && !HasFailure()) << "trial " << trial << ": " << message << "\n"
                        << files.domain << files.problem;
   }
   EXPECT_GT(loaded, count / 50) << "mutations so coarse that they test the lexer alone";

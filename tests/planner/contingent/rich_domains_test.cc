@@ -25,8 +25,13 @@ std::string RandomKnown(RandomStream& random) {
                        "K(n > 2)", "K(n <= 3)"});
 }
 
+std::string RandomNegation(RandomStream& random) {
+  const std::string sensed = Pick(random, {"!Kw(p)", "!Kw(q)", "!Kv(f)", "!Kv(n)", "!Kw(n > 2)"});
+  return random.Index(2) == 0 ? sensed : "!" + RandomKnown(random);
+}
+
 std::string RandomQuery(RandomStream& random) {
-  const std::string first = RandomKnown(random);
+  const std::string first = random.Index(3) == 0 ? RandomNegation(random) : RandomKnown(random);
   switch (random.Index(4)) {
     case 0:
       return first + " & " + RandomKnown(random);
@@ -42,9 +47,11 @@ std::string RandomFact(RandomStream& random) {
 }
 
 std::string RandomEffect(RandomStream& random) {
-  switch (random.Index(8)) {
+  switch (random.Index(9)) {
     case 0:
       return RandomFact(random);
+    case 8:
+      return RandomNegation(random) + " => " + RandomFact(random);
     case 1:
       return Pick(random, {"K(q) => ", "K(!r) => ", "K(f = a) => ", "K(s) => "}) +
              RandomFact(random);
@@ -75,7 +82,16 @@ std::string RandomDomain(RandomStream& random) {
     if (random.Index(2) == 0) text += "; " + RandomEffect(random);
     text += "\n";
   }
-  if (random.Index(3) == 0) text += "updates: K(p) & K(s) => add(Kf, t); K(!p) => add(Kf, !t)\n";
+  switch (random.Index(4)) {
+    case 0:
+      text += "updates: K(p) & K(s) => add(Kf, t); K(!p) => add(Kf, !t)\n";
+      break;
+    case 1:
+      text += fmt::format("updates: {} => add(Kf, t)\n", RandomNegation(random));
+      break;
+    default:
+      break;
+  }
   return text;
 }
 
