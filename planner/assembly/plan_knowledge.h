@@ -56,10 +56,6 @@ struct PlanKnowledge {
 std::vector<domain::OpenPose> PosesThatMatter(const std::vector<domain::Problem>& worlds,
                                               const std::vector<int>& of_plan);
 
-// The looks with which a plan begins. At the knowledge level they are no steps of their own: it is
-// by them that it becomes known which plan works.
-std::vector<plan::StepId> FirstLooks(const plan::Plan& plan);
-
 // The worlds are of one scenario (domain::ReadWorlds), and every one has at most one plan.
 PlanKnowledge KnowledgeOf(const std::vector<domain::Problem>& worlds,
                           const std::vector<PlanOfWorlds>& plans);
