@@ -103,9 +103,10 @@ class KnowledgeText {
   std::string Domain() const {
     return fmt::format(
         "# What is known while plans for the scenario {0} are executed.\n"
-        "domain {0}\n\n"
+        "domain assembly\n\n"
         "types: part, pose, step, error\n"
-        "predicates: done(step), wentWell(step), signals(step, error), operatorCalled\n"
+        "predicates: done(step), moved(part), wentWell(step), signals(step, error), "
+        "operatorCalled\n"
         "functions: pose(part): pose, dx(part): number, dy(part): number, theta(part): number\n"
         "constants: {1}\n{2}",
         first_.name, Constants(), actions_text_);
@@ -114,7 +115,7 @@ class KnowledgeText {
   // A person who takes over is an end, too.
   std::string Problem() const {
     return fmt::format(
-        "problem {0}\ndomain {0}\n\ninit: {1}\ngoal: {2} |\n      K(operatorCalled)\n", first_.name,
+        "problem assembly\ndomain assembly\n\ninit: {}\ngoal: {} |\n      K(operatorCalled)\n",
         fmt::join(init_, ",\n      "), fmt::join(goals_, " |\n      "));
   }
 
@@ -145,14 +146,17 @@ class KnowledgeText {
     for (const std::string& sensor : first_.sensors) AddLook(part.name, open.part, sensor);
   }
 
+  // As long as the part is where it was and the look tells anything.
   void AddLook(const std::string& part, PartId id, const std::string& sensor) {
+    std::vector<std::string> told = {fmt::format("Kv(pose({}))", part)};
     std::string effects = fmt::format("add(Kv, pose({}))", part);
     for (const auto& [function, half_width] : PromisesOf(sensor)) {
+      told.push_back(fmt::format("Kv({}({}) within {})", function, part, half_width));
       effects += fmt::format(", add(Kv, {}({}) within {})", function, part, half_width);
     }
     AddAction(fmt::format("look-{}-{}", part, sensor),
               {.kind = Kind::kLook, .part = id, .sensor = sensor},
-              fmt::format("!Kv(pose({}))", part), effects);
+              fmt::format("!({}) & !K(moved({}))", Both(told), part), effects);
   }
 
   // What is known is known of the present: of a step that the next one has gone beyond, and of a
@@ -169,7 +173,7 @@ class KnowledgeText {
       const KnowledgeAction meaning = {
           .kind = Kind::kStep, .plan = index, .step = id, .name = step};
       AddAction(step, meaning, fmt::format("{} & !K(done({}))", ready, step),
-                fmt::format("add(Kf, done({})){}{}", step, past, ForgottenPose(plan.step(id))));
+                fmt::format("add(Kf, done({})){}{}", step, past, LeftPose(plan.step(id))));
       ready = fmt::format("K(done({}))", step);
       past.clear();
       const std::vector<std::string> errors = ErrorsAfter(plan, id);
@@ -181,11 +185,11 @@ class KnowledgeText {
     goals_.push_back(ready);
   }
 
-  std::string ForgottenPose(const plan::PlannedStep& step) const {
+  std::string LeftPose(const plan::PlannedStep& step) const {
     const auto* pickup = std::get_if<plan::Pickup>(&step.action);
     if (pickup == nullptr || !IsOpen(first_, pickup->part)) return {};
     const std::string& part = first_.part(pickup->part).name;
-    std::string effects;
+    std::string effects = fmt::format(", add(Kf, moved({}))", part);
     for (const std::string& name : OpenPoseOf(first_, pickup->part).names) {
       effects += fmt::format(", del(Kf, pose({}) = {})", part, name);
     }

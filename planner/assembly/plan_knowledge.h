@@ -43,7 +43,9 @@ struct KnowledgeAction {
 //   dx, dy, theta (part)       numeric: the intervals of the part's error variables of SUP/INF; a
 //                              look narrows them to what the sensor promises, and plans that were
 //                              certified with that require it
-// and for each verified step wentWell(step) and signals(step, error).
+//   moved(part)                it was picked up: neither is known any more, nor told by a look
+// Looks at other parts, and later ones, are steps of their plans. For each step there is
+// done(step), and for each verified step wentWell(step) and signals(step, error).
 struct PlanKnowledge {
   std::string domain;   // .pks
   std::string problem;  // .pks
