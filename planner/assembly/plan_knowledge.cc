@@ -75,6 +75,22 @@ bool Matters(const std::vector<domain::Problem>& worlds, const std::vector<int>&
   return false;
 }
 
+bool IsOpen(const domain::Problem& world, PartId part) {
+  return std::ranges::count(world.open_poses, part, &domain::OpenPose::part) > 0;
+}
+
+// Of the looks with which a plan begins, those at parts whose pose is open. At the knowledge level
+// they are no steps of the plan: it is by them that it becomes known which plan works.
+std::vector<plan::StepId> LooksAtOpenPoses(const domain::Problem& world, const plan::Plan& plan) {
+  std::vector<plan::StepId> looks;
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    const auto* sense = std::get_if<plan::Sense>(&plan.step(id).action);
+    if (sense == nullptr) break;
+    if (IsOpen(world, sense->part)) looks.push_back(id);
+  }
+  return looks;
+}
+
 // Writes domain and problem.
 class KnowledgeText {
  public:
@@ -87,9 +103,10 @@ class KnowledgeText {
   std::string Domain() const {
     return fmt::format(
         "# What is known while plans for the scenario {0} are executed.\n"
-        "domain {0}\n\n"
+        "domain assembly\n\n"
         "types: part, pose, step, error\n"
-        "predicates: done(step), wentWell(step), signals(step, error), operatorCalled\n"
+        "predicates: done(step), moved(part), wentWell(step), signals(step, error), "
+        "operatorCalled\n"
         "functions: pose(part): pose, dx(part): number, dy(part): number, theta(part): number\n"
         "constants: {1}\n{2}",
         first_.name, Constants(), actions_text_);
@@ -98,7 +115,7 @@ class KnowledgeText {
   // A person who takes over is an end, too.
   std::string Problem() const {
     return fmt::format(
-        "problem {0}\ndomain {0}\n\ninit: {1}\ngoal: {2} |\n      K(operatorCalled)\n", first_.name,
+        "problem assembly\ndomain assembly\n\ninit: {}\ngoal: {} |\n      K(operatorCalled)\n",
         fmt::join(init_, ",\n      "), fmt::join(goals_, " |\n      "));
   }
 
@@ -129,30 +146,34 @@ class KnowledgeText {
     for (const std::string& sensor : first_.sensors) AddLook(part.name, open.part, sensor);
   }
 
+  // As long as the part is where it was and the look tells anything.
   void AddLook(const std::string& part, PartId id, const std::string& sensor) {
+    std::vector<std::string> told = {fmt::format("Kv(pose({}))", part)};
     std::string effects = fmt::format("add(Kv, pose({}))", part);
     for (const auto& [function, half_width] : PromisesOf(sensor)) {
+      told.push_back(fmt::format("Kv({}({}) within {})", function, part, half_width));
       effects += fmt::format(", add(Kv, {}({}) within {})", function, part, half_width);
     }
     AddAction(fmt::format("look-{}-{}", part, sensor),
               {.kind = Kind::kLook, .part = id, .sensor = sensor},
-              fmt::format("!Kv(pose({}))", part), effects);
+              fmt::format("!({}) & !K(moved({}))", Both(told), part), effects);
   }
 
   // What is known is known of the present: of a step that the next one has gone beyond, and of a
-  // pose from which the part was taken, nothing is claimed any more.
+  // pose from which the part was taken and its errors, nothing is claimed any more.
   void AddPlan(int index) {
     const plan::Plan& plan = plans_[index].plan;
     std::string ready = Both(Requirements(index));
     std::string past;
-    const std::size_t looks = FirstLooks(plan).size();
-    for (const plan::StepId id : plan.ExecutionOrder() | std::views::drop(looks)) {
+    const std::vector<plan::StepId> looks = LooksAtOpenPoses(first_, plan);
+    for (const plan::StepId id : plan.ExecutionOrder()) {
+      if (std::ranges::count(looks, id) > 0) continue;
       const std::string step = fmt::format("plan{}-{}", index + 1, plan.step(id).name);
       constants_["step"].insert(step);
       const KnowledgeAction meaning = {
           .kind = Kind::kStep, .plan = index, .step = id, .name = step};
       AddAction(step, meaning, fmt::format("{} & !K(done({}))", ready, step),
-                fmt::format("add(Kf, done({})){}{}", step, past, ForgottenPose(plan.step(id))));
+                fmt::format("add(Kf, done({})){}{}", step, past, LeftPose(plan.step(id))));
       ready = fmt::format("K(done({}))", step);
       past.clear();
       const std::vector<std::string> errors = ErrorsAfter(plan, id);
@@ -164,15 +185,16 @@ class KnowledgeText {
     goals_.push_back(ready);
   }
 
-  std::string ForgottenPose(const plan::PlannedStep& step) const {
+  std::string LeftPose(const plan::PlannedStep& step) const {
     const auto* pickup = std::get_if<plan::Pickup>(&step.action);
-    if (pickup == nullptr) return {};
-    std::string effects;
-    for (const domain::OpenPose& open : first_.open_poses) {
-      if (open.part != pickup->part) continue;
-      for (const std::string& name : open.names) {
-        effects += fmt::format(", del(Kf, pose({}) = {})", first_.part(open.part).name, name);
-      }
+    if (pickup == nullptr || !IsOpen(first_, pickup->part)) return {};
+    const std::string& part = first_.part(pickup->part).name;
+    std::string effects = fmt::format(", add(Kf, moved({}))", part);
+    for (const std::string& name : OpenPoseOf(first_, pickup->part).names) {
+      effects += fmt::format(", del(Kf, pose({}) = {})", part, name);
+    }
+    for (const char* function : kErrorFunctions) {
+      effects += fmt::format(", del(Kf, {}({}) = 0)", function, part);
     }
     return effects;
   }
@@ -242,7 +264,7 @@ class KnowledgeText {
     }
     if (!matter.empty()) requirements.push_back(fmt::format("({})", fmt::join(cases, " | ")));
     const plan::Plan& plan = plans_[index].plan;
-    for (const plan::StepId id : FirstLooks(plan)) {
+    for (const plan::StepId id : LooksAtOpenPoses(first_, plan)) {
       AddPrecision(std::get<plan::Sense>(plan.step(id).action), requirements);
     }
     return requirements;
@@ -295,15 +317,6 @@ std::vector<domain::OpenPose> PosesThatMatter(const std::vector<domain::Problem>
   std::erase_if(matter,
                 [&](const domain::OpenPose& open) { return !Matters(worlds, of_plan, open.part); });
   return matter;
-}
-
-std::vector<plan::StepId> FirstLooks(const plan::Plan& plan) {
-  std::vector<plan::StepId> looks;
-  for (const plan::StepId id : plan.ExecutionOrder()) {
-    if (!std::holds_alternative<plan::Sense>(plan.step(id).action)) break;
-    looks.push_back(id);
-  }
-  return looks;
 }
 
 PlanKnowledge KnowledgeOf(const std::vector<domain::Problem>& worlds,

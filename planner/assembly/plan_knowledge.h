@@ -43,7 +43,9 @@ struct KnowledgeAction {
 //   dx, dy, theta (part)       numeric: the intervals of the part's error variables of SUP/INF; a
 //                              look narrows them to what the sensor promises, and plans that were
 //                              certified with that require it
-// and for each verified step wentWell(step) and signals(step, error).
+//   moved(part)                it was picked up: neither is known any more, nor told by a look
+// Looks at other parts, and later ones, are steps of their plans. For each step there is
+// done(step), and for each verified step wentWell(step) and signals(step, error).
 struct PlanKnowledge {
   std::string domain;   // .pks
   std::string problem;  // .pks
@@ -55,10 +57,6 @@ struct PlanKnowledge {
 // choice leads to one of them.
 std::vector<domain::OpenPose> PosesThatMatter(const std::vector<domain::Problem>& worlds,
                                               const std::vector<int>& of_plan);
-
-// The looks with which a plan begins. At the knowledge level they are no steps of their own: it is
-// by them that it becomes known which plan works.
-std::vector<plan::StepId> FirstLooks(const plan::Plan& plan);
 
 // The worlds are of one scenario (domain::ReadWorlds), and every one has at most one plan.
 PlanKnowledge KnowledgeOf(const std::vector<domain::Problem>& worlds,

@@ -294,6 +294,7 @@ Interpretation InterpretationOf(Planned planned) {
   interpretation.meanings["wentWell"] = std::make_unique<WentWell>(planned);
   interpretation.meanings["signals"] = std::make_unique<Signals>(planned);
   interpretation.meanings["done"] = nullptr;
+  interpretation.meanings["moved"] = nullptr;
   interpretation.meanings["operatorCalled"] = nullptr;
   interpretation.planned = std::move(planned);
   return interpretation;
