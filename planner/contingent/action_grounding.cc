@@ -1,10 +1,14 @@
 #include "planner/contingent/action_grounding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
 
 namespace assay::contingent {
 namespace {
+
+constexpr std::size_t kMostActions = 100'000;
 
 bool HasFunction(const Literal& literal) {
   return std::any_of(literal.arguments.begin(), literal.arguments.end(),
@@ -40,8 +44,27 @@ void ActionGrounding::AddInstances(const Action& action) {
   std::stable_sort(tests.begin(), tests.end(), [](const EarlyTest& a, const EarlyTest& b) {
     return (a.literal->relation == Relation::kExtern) < (b.literal->relation == Relation::kExtern);
   });
+  RequireFew(action, tests);
   Bindings bindings;
-  BindFrom(action, tests, bindings);
+  BindFrom(action, tests, bindings, [&] { AddInstance(action, bindings); });
+}
+
+void ActionGrounding::RequireFew(const Action& action, const std::vector<EarlyTest>& tests) {
+  double ways = 1;
+  for (const TypedName& parameter : action.parameters) {
+    ways *= static_cast<double>(terms_.symbols().ConstantsOf(parameter.type).size());
+  }
+  std::size_t count = terms_.task().actions.size();
+  if (static_cast<double>(count) + ways <= kMostActions) return;
+  Bindings bindings;
+  BindFrom(action, tests, bindings, [&] {
+    if (++count <= kMostActions) return;
+    terms_.Fail(action.place,
+                fmt::format("action '{}' has {:.15g} instances, too many of which what is known at "
+                            "first does not rule out",
+                            action.name, ways),
+                fmt::format("{} ground actions in all", kMostActions));
+  });
 }
 
 void ActionGrounding::CollectEarlyTests(const Action& action, const Query& query,
@@ -60,7 +83,7 @@ void ActionGrounding::CollectEarlyTests(const Action& action, const Query& query
 }
 
 void ActionGrounding::BindFrom(const Action& action, const std::vector<EarlyTest>& tests,
-                               Bindings& bindings) {
+                               Bindings& bindings, const std::function<void()>& use) {
   terms_.CountBinding(action.place);
   const bool passes = std::all_of(tests.begin(), tests.end(), [&](const EarlyTest& test) {
     return test.after != bindings.size() ||
@@ -71,13 +94,13 @@ void ActionGrounding::BindFrom(const Action& action, const std::vector<EarlyTest
     return;
   }
   if (bindings.size() == action.parameters.size()) {
-    AddInstance(action, bindings);
+    use();
     return;
   }
   const TypedName& parameter = action.parameters[bindings.size()];
   for (const Value& value : CandidatesFor(action, parameter, bindings)) {
     bindings.push_back({parameter.name, value});
-    BindFrom(action, tests, bindings);
+    BindFrom(action, tests, bindings, use);
     bindings.pop_back();
   }
 }
@@ -121,6 +144,7 @@ void ActionGrounding::AddRunTimeValues(const Query& query, const std::string& pa
 void ActionGrounding::AddInstance(const Action& action, const Bindings& bindings) {
   GroundAction instance;
   instance.name = action.name;
+  instance.place = action.place;
   for (const Binding& binding : bindings) {
     instance.arguments.push_back(binding.value.text);
     instance.run_time_values.push_back(binding.value.function);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,7 @@ class ActionGrounding {
   ActionGrounding(TermGrounding& terms, QueryGrounding& queries, EffectGrounding& effects)
       : terms_(terms), queries_(queries), effects_(effects) {}
 
-  // Adds them to the task.
+  // Adds them to the task. Throws InputError at an action that has too many.
   void AddInstances(const Action& action);
 
  private:
@@ -24,7 +25,11 @@ class ActionGrounding {
   };
 
   void CollectEarlyTests(const Action& action, const Query& query, std::vector<EarlyTest>& tests);
-  void BindFrom(const Action& action, const std::vector<EarlyTest>& tests, Bindings& bindings);
+  // Throws InputError if there are too many that pass the tests: each of them takes memory.
+  void RequireFew(const Action& action, const std::vector<EarlyTest>& tests);
+  // Calls `use` with each way to bind the parameters, from these on, that passes the tests.
+  void BindFrom(const Action& action, const std::vector<EarlyTest>& tests, Bindings& bindings,
+                const std::function<void()>& use);
   std::vector<Value> CandidatesFor(const Action& action, const TypedName& parameter,
                                    const Bindings& bindings);
   void AddRunTimeValues(const Query& query, const std::string& parameter, const Bindings& bindings,

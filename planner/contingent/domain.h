@@ -132,6 +132,7 @@ struct Problem {
   std::string file;
   std::string name;
   std::string domain;
+  Place domain_place;  // where the problem names it
   std::vector<TypedName> objects;
   std::vector<Literal> extern_facts;  // what externs say that no procedure is given for
   std::vector<Change> init;

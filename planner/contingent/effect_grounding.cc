@@ -11,7 +11,7 @@ void EffectGrounding::AddEffects(const Effect& effect, Bindings bindings,
   terms_.ForEachBinding(effect.variables, bindings, 0, [&] {
     const GroundQuery condition = queries_.QueryOf(effect.condition, bindings);
     if (condition.IsFalse()) return;
-    GroundEffect ground{condition, AsksOfLiteralsAlone(condition), {}};
+    GroundEffect ground{condition, AsksOfLiteralsAlone(condition), {}, effect.place};
     for (const Change& change : effect.changes) {
       for (GroundChange& made : ChangesOf(change, bindings)) {
         ground.changes.push_back(std::move(made));
@@ -52,9 +52,6 @@ std::vector<GroundChange> EffectGrounding::FactChanges(const Change& change,
   }
   const bool is_left = literal.arguments[0].kind == Term::Kind::kFunction;
   const Term& function = literal.arguments[is_left ? 0 : 1];
-  if (function.kind != Term::Kind::kFunction) {
-    terms_.Fail(literal.place, "no function", "f(...) = constant");
-  }
   if (terms_.IsNumeric(function)) return NumberChanges(change, literal, bindings);
   return ValueChanges(change, terms_.FunctionOf(function, bindings),
                       terms_.ValueOf(literal.arguments[is_left ? 1 : 0], bindings), literal);

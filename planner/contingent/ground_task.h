@@ -118,6 +118,7 @@ struct GroundEffect {
   // condition is true, the changes happen", whether that is known or not.
   bool is_of_worlds = false;
   std::vector<GroundChange> changes;
+  Place place = {};  // in the domain's file
 };
 
 struct GroundAction {
@@ -126,6 +127,7 @@ struct GroundAction {
   std::vector<FunctionId> run_time_values = {};  // by argument; none for constants
   GroundQuery precondition;
   std::vector<GroundEffect> effects;
+  Place place = {};  // in the domain's file
 };
 
 // Exactly one, or at least one, of the literals holds.
@@ -151,6 +153,7 @@ struct InitialKnowledge {
 };
 
 struct GroundTask {
+  std::string domain_file;
   std::vector<std::string> atoms;            // their texts
   std::vector<GroundAtom> ground_atoms;      // the same, in pieces
   std::vector<FunctionId> function_of_atom;  // f of f(a) = b; none for predicates
@@ -161,6 +164,7 @@ struct GroundTask {
   std::vector<GroundEffect> updates;
   InitialKnowledge initial;
   GroundQuery goal;
+  FilePlace goal_place;
 };
 
 // "isSpillable(can1)", "!p & q", "weight(can1) > 2".

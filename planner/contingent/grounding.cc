@@ -12,6 +12,7 @@ GroundTask Ground(Domain domain, Problem problem, Externs& externs) {
   CheckTypes(domain, problem, symbols);
   externs.AddFacts(problem);
   GroundTask task;
+  task.domain_file = domain.file;
   AtomTable table(domain, problem, symbols, task);
   TermGrounding terms(symbols, table, task);
   QueryGrounding queries(terms, externs);
@@ -25,6 +26,7 @@ GroundTask Ground(Domain domain, Problem problem, Externs& externs) {
   for (const Effect& update : domain.updates) effects.AddEffects(update, {}, task.updates);
   terms.Enter(problem.file);
   task.goal = queries.QueryOf(problem.goal, {});
+  task.goal_place = terms.PlaceOf(problem.goal.place);
   initial.Ground();
   return task;
 }

@@ -1,5 +1,7 @@
 #include "planner/contingent/initial_grounding.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -38,19 +40,44 @@ void InitialGrounding::TellFact(const Change& change) {
     return is_positive ? Knowledge::kTrue : Knowledge::kFalse;
   };
   if (literal.relation == Relation::kPredicate) {
-    terms_.table().Tell(AtomText(literal.predicate, terms_.Constants(literal.arguments, {})),
-                        knowledge(literal.is_positive));
+    TellAtom(AtomText(literal.predicate, terms_.Constants(literal.arguments, {})),
+             knowledge(literal.is_positive), change.place);
   } else if (const auto equality = terms_.EqualityOf(literal)) {
     const GroundFunction& function = terms_.task().functions[equality->first.index()];
     if (literal.is_positive) {
       for (const std::string& constant : function.constants) {
-        terms_.table().Tell(function.text + " = " + constant,
-                            knowledge(constant == equality->second));
+        TellAtom(function.text + " = " + constant, knowledge(constant == equality->second),
+                 change.place);
       }
     } else {
-      terms_.table().Tell(function.text + " = " + equality->second, knowledge(false));
+      TellAtom(function.text + " = " + equality->second, knowledge(false), change.place);
     }
+    RequireValue(equality->first, change.place);
   }
+}
+
+void InitialGrounding::TellAtom(const std::string& atom, Knowledge knowledge, Place place) {
+  const auto [told, is_new] = told_.try_emplace(atom, knowledge);
+  const bool contradicts = told->second != knowledge && told->second != Knowledge::kUnknown &&
+                           knowledge != Knowledge::kUnknown;
+  if (contradicts) FailContradiction(place, fmt::format("{} is known to be true and false", atom));
+  told->second = knowledge;
+  terms_.table().Tell(atom, knowledge);
+}
+
+void InitialGrounding::RequireValue(FunctionId id, Place place) const {
+  const GroundFunction& function = terms_.task().functions[id.index()];
+  const bool has_value = std::any_of(
+      function.constants.begin(), function.constants.end(), [&](const std::string& constant) {
+        const auto told = told_.find(function.text + " = " + constant);
+        return told == told_.end() || told->second != Knowledge::kFalse;
+      });
+  if (!has_value) FailContradiction(place, fmt::format("no value is left for {}", function.text));
+}
+
+void InitialGrounding::FailContradiction(Place place, const std::string& what) const {
+  terms_.Fail(place, "this contradicts what is known: " + what,
+              "what can hold together with the rest of init");
 }
 
 void InitialGrounding::Ground() {
@@ -112,15 +139,31 @@ void InitialGrounding::NarrowRange(const GroundChange& change, Place place) {
   if (change.kind == GroundChange::Kind::kAssign) {
     if (!change.sum.functions.empty())
       terms_.Fail(place, "not a number", "a number or an interval");
-    Range& range = RangeOf(change.function);
-    range = {change.sum.constant.low, change.sum.constant.high, false, false};
+    NarrowRange({change.function, Relation::kGreaterOrEqual, change.sum.constant.low}, place);
+    NarrowRange({change.function, Relation::kLessOrEqual, change.sum.constant.high}, place);
   } else if (change.kind == GroundChange::Kind::kNarrow) {
-    Range& range = RangeOf(change.bound.function);
-    const bool is_upper =
-        change.bound.relation == Relation::kLess || change.bound.relation == Relation::kLessOrEqual;
-    (is_upper ? range.high : range.low) = change.bound.value;
-    (is_upper ? range.excludes_high : range.excludes_low) =
-        change.bound.relation == Relation::kLess || change.bound.relation == Relation::kGreater;
+    NarrowRange(change.bound, place);
+  }
+}
+
+void InitialGrounding::NarrowRange(const Bound& bound, Place place) {
+  Range& range = RangeOf(bound.function);
+  const bool excludes = bound.relation == Relation::kLess || bound.relation == Relation::kGreater;
+  const bool is_upper =
+      bound.relation == Relation::kLess || bound.relation == Relation::kLessOrEqual;
+  double& end = is_upper ? range.high : range.low;
+  bool& excludes_end = is_upper ? range.excludes_high : range.excludes_low;
+  if (bound.value == end) {
+    excludes_end |= excludes;
+  } else if (is_upper ? bound.value < end : bound.value > end) {
+    end = bound.value;
+    excludes_end = excludes;
+  }
+  const bool is_empty = range.low > range.high ||
+                        (range.low == range.high && (range.excludes_low || range.excludes_high));
+  if (is_empty) {
+    FailContradiction(place, fmt::format("no number is left for {}",
+                                         terms_.task().functions[bound.function.index()].text));
   }
 }
 

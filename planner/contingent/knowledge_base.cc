@@ -1,5 +1,7 @@
 #include "planner/contingent/knowledge_base.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -11,6 +13,9 @@
 
 namespace assay::contingent {
 namespace {
+
+// Of update rules, and one more for each atom. Rules that only add to Kf are at rest before that.
+constexpr std::size_t kMostRounds = 1000;
 
 bool IsUpper(Relation relation) {
   return relation == Relation::kLess || relation == Relation::kLessOrEqual;
@@ -348,22 +353,33 @@ void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
 }
 
 bool KnowledgeBase::ApplyUpdates(KnowledgeState& state) {
-  // Each round makes a change of Kf that no round before has made, or is the last; a rule that
-  // undoes another's change would go on for ever, which the limit ends.
-  const std::size_t rounds = task_.updates.empty() ? 0 : task_.atoms.size() + 1;
-  for (std::size_t round = 0; round < rounds; ++round) {
-    const KnowledgeState before = state;
+  // A rule that undoes another's change within a round is not at rest either, though the round ends
+  // as it began.
+  bool is_at_rest = task_.updates.empty();
+  for (std::size_t round = 0; !is_at_rest; ++round) {
+    is_at_rest = true;
     for (const GroundEffect& update : task_.updates) {
       if (!Holds(update.condition, state)) continue;
       Changes changes;
       for (const GroundChange& change : update.changes) changes.certain.push_back(&change);
-      const KnowledgeState now = state;
-      if (!Apply(changes, now, state)) return false;
+      const KnowledgeState before = state;
+      if (!Apply(changes, before, state)) return false;
+      Canonicalize(state);
+      if (state == before) continue;
+      is_at_rest = false;
+      if (round == kMostRounds + task_.atoms.size()) FailRestless(update, round);
     }
-    Canonicalize(state);
-    if (state == before) break;
   }
   return true;
+}
+
+void KnowledgeBase::FailRestless(const GroundEffect& update, std::size_t rounds) const {
+  throw InputError(
+      {task_.domain_file, update.place.line, update.place.column},
+      fmt::format("update rules do not come to rest: this one changes what is known after {} "
+                  "rounds of all of them",
+                  rounds),
+      "rules that do not undo what others do");
 }
 
 void KnowledgeBase::Canonicalize(KnowledgeState& state) const {

@@ -22,7 +22,8 @@ class KnowledgeBase {
   DecisionDiagrams& diagrams() { return diagrams_; }
 
   // Throws InputError, with the place of an alternative that cannot hold, if init contradicts
-  // itself.
+  // itself. This and all that makes other states throws it at an update rule, if the rules do not
+  // come to rest.
   KnowledgeState Initial();
 
   bool Holds(const GroundQuery& query, const KnowledgeState& state) const;
@@ -85,6 +86,7 @@ class KnowledgeBase {
   void Apply(const GroundChange& change, const KnowledgeState& before, KnowledgeState& state);
   void ApplyPossible(const std::map<AtomId, Possible>& possible, KnowledgeState& state);
   bool ApplyUpdates(KnowledgeState& state);
+  [[noreturn]] void FailRestless(const GroundEffect& update, std::size_t rounds) const;
   void Canonicalize(KnowledgeState& state) const;
 
   void Set(KnowledgeState& state, GroundLiteral literal);

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -41,6 +43,7 @@ class Reader {
     problem.domain = domain.name;
     for (const Symbol& predicate : domain.predicates) problem.init.push_back(Closed(predicate));
     for (const SExpression& section : Rest(whole, 2)) ReadProblemSection(section, problem);
+    if (!has_goal_) Fail(whole, "a problem without a goal", "(:goal CONDITION)");
     return problem;
   }
 
@@ -77,6 +80,13 @@ class Reader {
 
   // ---- Sections
 
+  void RequireOnce(bool was_there, const SExpression& section) const {
+    if (was_there) {
+      const std::string& name = section.is_list ? section.items[0].word : section.word;
+      Fail(section, fmt::format("{} a second time", name), fmt::format("one {}", name));
+    }
+  }
+
   void ReadDomainSection(const SExpression& section, Domain& domain) {
     if (section.BeginsWith(":requirements")) return;
     if (section.BeginsWith(":types")) {
@@ -84,6 +94,7 @@ class Reader {
         if (type.name != kRootType) domain.types.push_back(std::move(type));
       }
     } else if (section.BeginsWith(":constants")) {
+      RequireOnce(!domain.constants.empty(), section);
       domain.constants = TypedNames(Rest(section, 1));
     } else if (section.BeginsWith(":predicates")) {
       for (const SExpression& predicate : Rest(section, 1)) {
@@ -107,10 +118,13 @@ class Reader {
       return;
     }
     if (section.BeginsWith(":objects")) {
+      RequireOnce(!problem.objects.empty(), section);
       problem.objects = TypedNames(Rest(section, 1));
     } else if (section.BeginsWith(":init")) {
       for (const SExpression& fact : Rest(section, 1)) ReadInit(fact, problem);
     } else if (section.BeginsWith(":goal")) {
+      RequireOnce(has_goal_, section);
+      has_goal_ = true;
       problem.goal = Condition(Only(section), true);
     } else {
       Fail(section, "unknown section", ":domain, :objects, :init and :goal");
@@ -138,11 +152,13 @@ class Reader {
     Action action;
     if (section.items.size() < 2) Fail(section, "an action without a name", "(:action NAME ...)");
     action.name = Word(section.items[1], "a name");
-    action.place = section.place;
+    action.place = section.items[1].place;
+    std::set<std::string> keys;
     for (std::size_t i = 2; i < section.items.size(); i += 2) {
       const SExpression& key = section.items[i];
       if (i + 1 == section.items.size()) Fail(key, "nothing follows", "its value");
       const SExpression& value = section.items[i + 1];
+      RequireOnce(!keys.insert(Word(key, "a key")).second, key);
       if (key.Is(":parameters")) {
         action.parameters = TypedNames(value.items);
       } else if (key.Is(":precondition")) {
@@ -153,7 +169,8 @@ class Reader {
         if (!always.changes.empty()) action.effects.insert(action.effects.begin(), always);
       } else if (key.Is(":observe")) {
         Effect sensing;
-        sensing.changes.push_back(MakeChange(Store::kWhether, {ReadLiteral(value)}, value));
+        sensing.changes.push_back(
+            MakeChange(Store::kWhether, {ReadLiteral(value, "one atom")}, value));
         action.effects.push_back(std::move(sensing));
       } else {
         Fail(key, "unknown key", ":parameters, :precondition, :effect and :observe");
@@ -192,26 +209,38 @@ class Reader {
     if (fact.BeginsWith("and")) {
       for (const SExpression& item : Rest(fact, 1)) ReadInit(item, problem);
     } else if (fact.BeginsWith("unknown")) {
-      Change change = MakeChange(Store::kFacts, {ReadLiteral(Only(fact))}, fact);
+      Change change = MakeChange(Store::kFacts, {ReadLiteral(Only(fact), "an atom")}, fact);
       change.is_addition = false;
       problem.init.push_back(std::move(change));
     } else if (fact.BeginsWith("oneof") || fact.BeginsWith("or")) {
       std::vector<Literal> literals;
-      for (const SExpression& item : Rest(fact, 1)) literals.push_back(ReadLiteral(item));
+      for (const SExpression& item : Rest(fact, 1)) {
+        literals.push_back(ReadLiteral(item, "literals"));
+      }
       if (literals.empty()) Fail(fact, "no alternatives", "one literal or more");
       Change change = MakeChange(Store::kExclusive, std::move(literals), fact);
       change.is_inclusive = fact.BeginsWith("or");
       problem.init.push_back(std::move(change));
     } else {
-      problem.init.push_back(MakeChange(Store::kFacts, {ReadLiteral(fact)}, fact));
+      problem.init.push_back(MakeChange(
+          Store::kFacts, {ReadLiteral(fact, "literals, and, unknown, oneof and or")}, fact));
     }
   }
 
   // ---- Conditions and effects
 
-  Literal ReadLiteral(const SExpression& e) const {
+  // Of PDDL, but not of the fragment, or not wherever one likes.
+  static bool IsKeyword(const std::string& word) {
+    static constexpr std::array kWords = {
+        "and",   "or",     "oneof",    "unknown",  "when",     "forall",       "exists",
+        "imply", "assign", "increase", "decrease", "scale-up", "probabilistic"};
+    return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+  }
+
+  // `allowed` is what may stand there.
+  Literal ReadLiteral(const SExpression& e, const std::string& allowed) const {
     if (e.BeginsWith("not")) {
-      Literal literal = ReadLiteral(Only(e));
+      Literal literal = ReadLiteral(Only(e), allowed);
       literal.is_positive = !literal.is_positive;
       return literal;
     }
@@ -219,6 +248,10 @@ class Reader {
     Literal literal;
     literal.place = e.place;
     literal.predicate = Word(e.items[0], "a predicate");
+    if (IsKeyword(literal.predicate)) {
+      Fail(e, fmt::format("'{}' is not in the fragment that is read here", literal.predicate),
+           allowed);
+    }
     if (literal.predicate == "=") literal.relation = Relation::kEqual;
     for (const SExpression& item : Rest(e, 1)) {
       Term term;
@@ -250,7 +283,7 @@ class Reader {
       return query;
     }
     query.kind = Query::Kind::kKnown;
-    query.literals.push_back(ReadLiteral(e));
+    query.literals.push_back(ReadLiteral(e, "literals, and, or and not"));
     query.literals.front().is_positive = is_positive;
     return query;
   }
@@ -268,11 +301,12 @@ class Reader {
       ReadEffect(e.items[2], conditional, others);
       others.push_back(std::move(conditional));
     } else {
-      now.changes.push_back(MakeChange(Store::kFacts, {ReadLiteral(e)}, e));
+      now.changes.push_back(MakeChange(Store::kFacts, {ReadLiteral(e, "literals, and, when")}, e));
     }
   }
 
   const std::string& file_;
+  bool has_goal_ = false;
 };
 
 }  // namespace

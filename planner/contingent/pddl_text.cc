@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <optional>
 #include <set>
+#include <utility>
 
 namespace assay::contingent {
 namespace {
@@ -26,14 +29,18 @@ std::string NameOf(const std::string& text) {
 
 class Writer {
  public:
-  Writer(const GroundTask& task, const std::string& name, const FilePlace& place)
-      : task_(task), name_(NameOf(name)), place_(place) {
+  Writer(const GroundTask& task, const std::string& name)
+      : task_(task), name_(NameOf(name)), tells_false_(task.atoms.size(), false) {
     std::set<std::string> taken;
     for (const std::string& atom : task.atoms) atoms_.push_back(Unique(NameOf(atom), taken));
+    FindWhereFalseTells();
   }
 
   PddlFiles Write() {
-    if (!task_.updates.empty()) Fail("update rules");
+    for (const GroundEffect& update : task_.updates) {
+      Enter(update.place);
+      Fail("update rules");
+    }
     return {WriteDomain(), WriteProblem()};
   }
 
@@ -41,6 +48,34 @@ class Writer {
   [[noreturn]] void Fail(const std::string& what) const {
     throw InputError(place_, fmt::format("PDDL has no {}", what),
                      "facts, functions of objects, Kw of single atoms and Kx");
+  }
+
+  void Enter(Place place) { place_ = {task_.domain_file, place.line, place.column}; }
+
+  // Atoms of which it makes a difference whether they are false or unknown.
+  void FindWhereFalseTells() {
+    for (const Formula& formula : task_.formulas) {
+      for (const GroundLiteral& literal : formula.literals) Mark(literal);
+    }
+    for (const GroundAction& action : task_.actions) {
+      ForEachLiteral(action.precondition, [&](const GroundLiteral& literal) {
+        if (!literal.is_positive) Mark(literal);
+      });
+      for (const GroundEffect& effect : action.effects) {
+        ForEachLiteral(effect.condition, [&](const GroundLiteral& literal) { Mark(literal); });
+      }
+    }
+    ForEachLiteral(task_.goal, [&](const GroundLiteral& literal) {
+      if (!literal.is_positive) Mark(literal);
+    });
+  }
+
+  void Mark(const GroundLiteral& literal) { tells_false_[literal.atom.index()] = true; }
+
+  static void ForEachLiteral(const GroundQuery& query,
+                             const std::function<void(const GroundLiteral&)>& use) {
+    if (query.kind == GroundQuery::Kind::kKnown) use(query.literal);
+    for (const GroundQuery& operand : query.operands) ForEachLiteral(operand, use);
   }
 
   static std::string Unique(const std::string& name, std::set<std::string>& taken) {
@@ -54,16 +89,15 @@ class Writer {
     return literal.is_positive ? atom : fmt::format("(not {})", atom);
   }
 
-  // Not known, sensed: what PDDL does not ask is left out.
   std::string QueryText(const GroundQuery& query) const {
     switch (query.kind) {
       case GroundQuery::Kind::kKnown:
         return LiteralText(query.literal);
       case GroundQuery::Kind::kNot:
-        return "(and)";
+        Fail("queries of what is not known");
       case GroundQuery::Kind::kSensed:
       case GroundQuery::Kind::kValueSensed:
-        return "";
+        Fail("Kw and Kv in queries");
       case GroundQuery::Kind::kBoundKnown:
         Fail("intervals");
       case GroundQuery::Kind::kAnd:
@@ -72,13 +106,32 @@ class Writer {
     }
     std::string text = query.kind == GroundQuery::Kind::kAnd ? "(and" : "(or";
     for (const GroundQuery& operand : query.operands) {
-      const std::string of_operand = QueryText(operand);
-      if (!of_operand.empty() && of_operand != "(and)") text += fmt::format(" {}", of_operand);
+      text += fmt::format(" {}", QueryText(operand));
     }
     return text + ")";
   }
 
-  std::string WriteDomain() const {
+  // Without what asks that something is not known.
+  static GroundQuery WhatIsAskedOfWorlds(const GroundQuery& query) {
+    if (query.kind == GroundQuery::Kind::kNot) return {};
+    if (query.kind != GroundQuery::Kind::kAnd) return query;
+    GroundQuery asked;
+    for (const GroundQuery& operand : query.operands) {
+      GroundQuery of_operand = WhatIsAskedOfWorlds(operand);
+      if (!of_operand.IsTrue()) asked.operands.push_back(std::move(of_operand));
+    }
+    return asked;
+  }
+
+  static bool OnlySenses(const GroundAction& action) {
+    return std::all_of(action.effects.begin(), action.effects.end(), [](const GroundEffect& e) {
+      return std::all_of(e.changes.begin(), e.changes.end(), [](const GroundChange& c) {
+        return c.kind == GroundChange::Kind::kSense;
+      });
+    });
+  }
+
+  std::string WriteDomain() {
     std::string text = fmt::format("(define (domain {})\n (:predicates", name_);
     for (const std::string& atom : atoms_) text += fmt::format(" ({})", atom);
     text += ")\n";
@@ -87,12 +140,14 @@ class Writer {
     return text + ")\n";
   }
 
-  std::string ActionText(const GroundAction& action, std::set<std::string>& taken) const {
+  std::string ActionText(const GroundAction& action, std::set<std::string>& taken) {
+    Enter(action.place);
     for (const FunctionId value : action.run_time_values) {
       if (!value.IsNone()) Fail("run-time variables");
     }
     std::string text = fmt::format(" (:action {}\n", Unique(NameOf(TextOf(action)), taken));
-    const std::string precondition = QueryText(action.precondition);
+    const std::string precondition = QueryText(
+        OnlySenses(action) ? WhatIsAskedOfWorlds(action.precondition) : action.precondition);
     if (precondition != "(and)") text += fmt::format("  :precondition {}\n", precondition);
     std::string effects;
     for (const GroundEffect& effect : action.effects) effects += EffectText(effect);
@@ -109,6 +164,10 @@ class Writer {
       if (change.kind == GroundChange::Kind::kSet)
         changes += fmt::format(" {}", LiteralText(change.literal));
       if (change.kind == GroundChange::Kind::kForget) {
+        if (tells_false_[change.literal.atom.index()]) {
+          Fail(fmt::format("del(Kf, {}), of which it matters whether it is false or unknown",
+                           TextOf(task_, {change.literal.atom, true})));
+        }
         changes += fmt::format(" {}", LiteralText({change.literal.atom, false}));
       }
       if (change.kind == GroundChange::Kind::kRelate) Fail("Kx in effects");
@@ -129,6 +188,7 @@ class Writer {
       for (const GroundChange& change : effect.changes) {
         if (change.kind != GroundChange::Kind::kSense) continue;
         const Formula& formula = task_.formulas[change.formula.index()];
+        if (!effect.condition.IsTrue()) Fail("conditions of sensing");
         if (sensed) Fail("actions that sense several things");
         if (formula.bound || formula.literals.size() > 1) Fail("Kw of conjunctions or intervals");
         sensed = formula.literals.front();
@@ -137,7 +197,11 @@ class Writer {
     return sensed;
   }
 
-  std::string WriteProblem() const {
+  std::string WriteProblem() {
+    place_ = task_.goal_place;
+    const bool is_sensed_at_first =
+        !task_.initial.sensed.empty() || !task_.initial.values_sensed.empty();
+    if (is_sensed_at_first) Fail("Kw and Kv in init");
     std::string text = fmt::format("(define (problem {}) (:domain {})\n (:init\n", name_, name_);
     std::vector<bool> is_told(task_.atoms.size(), false);
     for (const GroundLiteral& literal : task_.initial.known) {
@@ -158,14 +222,15 @@ class Writer {
 
   const GroundTask& task_;
   std::string name_;
-  FilePlace place_;
+  FilePlace place_;                 // of what is being written
   std::vector<std::string> atoms_;  // their names
+  std::vector<bool> tells_false_;   // by atom
 };
 
 }  // namespace
 
-PddlFiles ToPddl(const GroundTask& task, const std::string& name, const FilePlace& place) {
-  return Writer(task, name, place).Write();
+PddlFiles ToPddl(const GroundTask& task, const std::string& name) {
+  return Writer(task, name).Write();
 }
 
 }  // namespace assay::contingent

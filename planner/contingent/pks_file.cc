@@ -27,7 +27,7 @@ class Parser {
   Domain ReadDomain() {
     Domain domain;
     domain.file = file_;
-    domain.name = TitleAfter("domain");
+    domain.name = TitleAfter("domain").text;
     while (Peek().kind != Token::Kind::kEnd) ReadDomainSection(domain);
     return domain;
   }
@@ -35,11 +35,12 @@ class Parser {
   Problem ReadProblem() {
     Problem problem;
     problem.file = file_;
-    problem.name = TitleAfter("problem");
-    problem.domain = TitleAfter("domain");
-    bool has_goal = false;
-    while (Peek().kind != Token::Kind::kEnd) has_goal |= ReadProblemSection(problem);
-    if (!has_goal) FailAtNext("a goal");
+    problem.name = TitleAfter("problem").text;
+    const Token domain = TitleAfter("domain");
+    problem.domain = domain.text;
+    problem.domain_place = domain.place;
+    while (Peek().kind != Token::Kind::kEnd) ReadProblemSection(problem);
+    if (!has_goal_) FailAtNext("a goal");
     return problem;
   }
 
@@ -103,9 +104,18 @@ class Parser {
 
   // ---- Sections
 
-  std::string TitleAfter(const std::string& keyword) {
+  Token TitleAfter(const std::string& keyword) {
     if (!TakeWordIf(keyword)) FailAtNext(fmt::format("'{} NAME'", keyword));
-    return ExpectName("a name").text;
+    return ExpectName("a name");
+  }
+
+  // Marks that the section was there; fails at it if it was there before.
+  void RequireOnce(bool& was_there, const Token& section) const {
+    if (was_there) {
+      Fail(section.place, fmt::format("'{}:' a second time", section.text),
+           fmt::format("one {}:", section.text));
+    }
+    was_there = true;
   }
 
   void ReadDomainSection(Domain& domain) {
@@ -135,7 +145,7 @@ class Parser {
     }
   }
 
-  bool ReadProblemSection(Problem& problem) {
+  void ReadProblemSection(Problem& problem) {
     static const std::string kSections = "objects:, externs:, init: or goal:";
     const Token section = Peek().kind == Token::Kind::kName && Peek(1).Is(":") ? Take() : Token{};
     if (section.text.empty()) FailAtNext(kSections);
@@ -147,12 +157,11 @@ class Parser {
     } else if (section.text == "init") {
       if (!BeginsSection()) Append(problem.init, Changes());
     } else if (section.text == "goal") {
+      RequireOnce(has_goal_, section);
       problem.goal = ReadQuery();
-      return true;
     } else {
       Fail(section.place, fmt::format("unknown section '{}'", section.text), kSections);
     }
-    return false;
   }
 
   std::vector<Literal> ExternFacts() {
@@ -248,8 +257,12 @@ class Parser {
       action.parameters = TypedNames(true);
       Expect(")");
     }
+    bool has_precondition = false;
+    bool has_effects = false;
     while (Peek(1).Is(":") && (Peek().IsName("preconds") || Peek().IsName("effects"))) {
-      const bool is_precondition = Take().text == "preconds";
+      const Token section = Take();
+      const bool is_precondition = section.text == "preconds";
+      RequireOnce(is_precondition ? has_precondition : has_effects, section);
       Expect(":");
       if (is_precondition) {
         if (!BeginsSection()) action.precondition = ReadQuery();
@@ -558,6 +571,7 @@ class Parser {
   std::vector<Token> tokens_;
   std::size_t at_ = 0;
   int depth_ = 0;
+  bool has_goal_ = false;
   bool was_comma_ = false;  // before what is next, in a list of changes
 };
 

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <set>
+
 #include "planner/base/document.h"
 
 namespace assay::contingent {
@@ -30,6 +32,15 @@ SymbolTable::SymbolTable(const Domain& domain, const Problem& problem) {
   DeclareSymbols(domain.file, domain.externs, externs_);
   DeclareConstants(domain.file, domain.constants);
   DeclareConstants(problem.file, problem.objects);
+  RequireOwnNames(domain);
+}
+
+// Of actions: in a plan the name tells which is meant.
+void SymbolTable::RequireOwnNames(const Domain& domain) {
+  std::set<std::string> names;
+  for (const Action& action : domain.actions) {
+    if (!names.insert(action.name).second) FailTwice(domain.file, action.name, action.place);
+  }
 }
 
 void SymbolTable::DeclareTypes(const Domain& domain) {

@@ -42,6 +42,7 @@ class SymbolTable {
   void DeclareSymbols(const std::string& file, const std::vector<Symbol>& symbols,
                       std::map<std::string, const Symbol*>& to);
   void DeclareConstants(const std::string& file, const std::vector<TypedName>& constants);
+  static void RequireOwnNames(const Domain& domain);
   void RequireType(const std::string& file, const std::string& type, Place place) const;
 
   std::map<std::string, std::string> parents_;  // of types

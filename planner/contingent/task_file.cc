@@ -22,7 +22,9 @@ Task LoadTask(const std::filesystem::path& domain, const std::filesystem::path& 
   task.domain = ReadPksDomain(TextOfFile(domain), domain.string());
   task.problem = ReadPksProblem(TextOfFile(problem), problem.string());
   if (task.problem.domain != task.domain.name) {
-    throw InputError({problem.string()}, fmt::format("a problem of '{}'", task.problem.domain),
+    const Place place = task.problem.domain_place;
+    throw InputError({problem.string(), place.line, place.column},
+                     fmt::format("a problem of '{}'", task.problem.domain),
                      fmt::format("problems of '{}'", task.domain.name));
   }
   return task;

@@ -97,6 +97,13 @@ class Checker {
   Scope Extended(const Scope& outer, const std::vector<TypedName>& variables) const {
     Scope scope = outer;
     for (const TypedName& variable : variables) {
+      const bool is_twice =
+          std::any_of(scope.begin() + static_cast<std::ptrdiff_t>(outer.size()), scope.end(),
+                      [&](const TypedName& before) { return before.name == variable.name; });
+      if (is_twice) {
+        Fail(variable.place, fmt::format("'?{}' is declared twice", variable.name),
+             "a name of its own for each");
+      }
       if (!variable.type.empty() && !symbols_.HasType(variable.type)) {
         FailUnknown(variable.place, "type", variable.type, symbols_.TypeNames());
       }
@@ -134,6 +141,7 @@ class Checker {
     if (literal.relation == Relation::kExtern) {
       Fail(literal.place, "an extern cannot be changed", "a literal about the world");
     }
+    RequireFunction(literal);
     if (!change.is_addition && IsNumeric(literal) && literal.relation != Relation::kEqual) {
       Fail(literal.place, "a comparison cannot be deleted", "del(Kf, f = ...)");
     }
@@ -143,6 +151,17 @@ class Checker {
     CheckLiteral(literal, scope);
     if (literal.relation == Relation::kExtern || IsNumeric(literal)) {
       Fail(literal.place, "not a literal about objects", "predicates and f(...) = object");
+    }
+    RequireFunction(literal);
+  }
+
+  // That two names are equal is no fact that could change.
+  void RequireFunction(const Literal& literal) const {
+    const bool has_function =
+        std::any_of(literal.arguments.begin(), literal.arguments.end(),
+                    [](const Term& t) { return t.kind == Term::Kind::kFunction; });
+    if (literal.relation == Relation::kEqual && !has_function) {
+      Fail(literal.place, "no function", "f(...) = constant");
     }
   }
 
@@ -212,6 +231,27 @@ class Checker {
     if (is_numeric && !literal.is_positive && literal.relation == Relation::kEqual) {
       Fail(literal.place, "an interval has no !=", "=, <, <=, > and >=");
     }
+    if (!is_numeric) CheckSides(left, left_type, right, right_type);
+  }
+
+  // A function's value is compared with a name, of a type that it may have.
+  void CheckSides(const Term& left, const std::string& left_type, const Term& right,
+                  const std::string& right_type) const {
+    const bool is_left = left.kind == Term::Kind::kFunction;
+    if (is_left && right.kind == Term::Kind::kFunction) {
+      Fail(right.place, fmt::format("'{}' is a function, as is the other side", right.name),
+           "a constant or a ?variable on one side");
+    }
+    if (symbols_.IsA(left_type, right_type) || symbols_.IsA(right_type, left_type)) return;
+    const bool is_declared = is_left || right.kind == Term::Kind::kFunction;
+    const Term& side = is_left || !is_declared ? right : left;
+    const Term& other = &side == &left ? right : left;
+    Fail(side.place,
+         fmt::format("'{}{}' is of type '{}'", side.kind == Term::Kind::kVariable ? "?" : "",
+                     side.name, &side == &left ? left_type : right_type),
+         fmt::format("'{}', as {}", &side == &left ? right_type : left_type,
+                     is_declared ? fmt::format("'{}' is declared", other.name)
+                                 : std::string("the other side")));
   }
 
   void CheckValue(Term& term, bool has_error, const Scope& scope) {

@@ -95,8 +95,7 @@ ExitCode ExportPddl(const Options& options) {
   const contingent::Task task = contingent::LoadTask(options.input, options.pddl);
   contingent::Externs externs;
   const contingent::PddlFiles files =
-      contingent::ToPddl(contingent::Ground(task.domain, task.problem, externs), task.problem.name,
-                         {options.input.string()});
+      contingent::ToPddl(contingent::Ground(task.domain, task.problem, externs), task.problem.name);
   if (options.output.empty()) {
     Print(files.domain + files.problem);
   } else {

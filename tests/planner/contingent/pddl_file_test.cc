@@ -16,6 +16,7 @@
 namespace assay::contingent {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -113,6 +114,35 @@ TEST(Pddl, ErrorsHaveTheirPlace) {
   EXPECT_THAT(message(kCups, "(define (problem p) (:domain cups) (:init (oneof)) (:goal (won)))"),
               StartsWith("problem.pddl:1:43: no alternatives"));
   EXPECT_THAT(message(std::string(100'000, '('), ""), HasSubstr("nested too deeply"));
+  EXPECT_THAT(message(kCups, "(define (problem p) (:domain cups) (:init))"),
+              StartsWith("problem.pddl:1:1: a problem without a goal; allowed: (:goal CONDITION)"));
+  EXPECT_THAT(message(kCups, "(define (problem p) (:goal (won)) (:goal (lost)))"),
+              StartsWith("problem.pddl:1:35: :goal a second time; allowed: one :goal"));
+}
+
+// One action of a domain, and what is told of it.
+TEST(Pddl, ErrorsInActions) {
+  const auto message = [](const std::string& action) {
+    return MessageOf([&] {
+      GroundPddl("(define (domain d) (:types t) (:predicates (p) (q ?x - t))\n" + action + ")",
+                 "(define (problem x) (:domain d) (:init) (:goal (p)))");
+    });
+  };
+  EXPECT_EQ(message("(:action a :effect (p))"), "no error");
+  EXPECT_EQ(message("(:action a :effect (forall (?x - t) (q ?x)))"),
+            "domain.pddl:2:20: 'forall' is not in the fragment that is read here; allowed: "
+            "literals, and, when");
+  EXPECT_THAT(message("(:action a :effect (when (p) (or (p) (q ?x))))"),
+              StartsWith("domain.pddl:2:30: 'or' is not in the fragment that is read here"));
+  EXPECT_THAT(message("(:action a :precondition (exists (?x - t) (q ?x)) :effect (p))"),
+              StartsWith("domain.pddl:2:26: 'exists' is not in the fragment that is read here; "
+                         "allowed: literals, and, or and not"));
+  EXPECT_THAT(message("(:action a :parameters (?x - t ?x - t) :effect (q ?x))"),
+              StartsWith("domain.pddl:2:32: '?x' is declared twice"));
+  EXPECT_THAT(message("(:action a :effect (p)) (:action a :effect (not (p)))"),
+              StartsWith("domain.pddl:2:34: 'a' is declared twice"));
+  EXPECT_THAT(message("(:action a :precondition (p) :precondition (not (p)) :effect (p))"),
+              StartsWith("domain.pddl:2:30: :precondition a second time"));
 }
 
 constexpr std::array<const char*, 17> kPieces = {
@@ -163,7 +193,7 @@ TEST(PddlText, ExportedTasksArePlannedTheSame) {
         std::pair("unix", "find-a-file")}) {
     SCOPED_TRACE(problem);
     const GroundTask task = GroundScenario(domain, problem);
-    const PddlFiles files = ToPddl(task, problem, {"x.pks"});
+    const PddlFiles files = ToPddl(task, problem);
     const GroundTask read = GroundPddl(files.domain, files.problem);
     EXPECT_EQ(SizeOf(PlanFor(read, Wanted::kLeastDepth).tree).depth,
               SizeOf(PlanFor(task, Wanted::kLeastDepth).tree).depth);
@@ -171,13 +201,36 @@ TEST(PddlText, ExportedTasksArePlannedTheSame) {
 }
 
 TEST(PddlText, WhatPddlDoesNotHaveIsNamed) {
-  EXPECT_EQ(
-      MessageOf([] { ToPddl(GroundScenario("pouring", "half-full-jug"), "p", {"x.pks"}); }),
-      "x.pks: PDDL has no intervals; allowed: facts, functions of objects, Kw of single atoms "
-      "and Kx");
-  EXPECT_THAT(
-      MessageOf([] { ToPddl(GroundScenario("opening-a-safe", "safe-with-note"), "p", {"x.pks"}); }),
-      HasSubstr("PDDL has no"));
+  EXPECT_THAT(MessageOf([] { ToPddl(GroundScenario("pouring", "half-full-jug"), "p"); }),
+              EndsWith("/pouring.pks:8:8: PDDL has no intervals; allowed: facts, functions of "
+                       "objects, Kw of single atoms and Kx"));
+  EXPECT_THAT(MessageOf([] { ToPddl(GroundScenario("opening-a-safe", "safe-with-note"), "p"); }),
+              HasSubstr("PDDL has no"));
+}
+
+// What would mean something else in PDDL is refused: a cup that may be held or not after a try.
+TEST(PddlText, WhatWouldMeanSomethingElseIsRefused) {
+  EXPECT_THAT(MessageOf([] { ToPddl(GroundScenario("slippery-grasp", "hold-the-cup"), "p"); }),
+              HasSubstr("slippery-grasp.pks:7:8: PDDL has no del(Kf, holding(cup)), of which it "
+                        "matters whether it is false or unknown"));
+  const auto message = [](const std::string& action, const std::string& goal) {
+    return MessageOf([&] {
+      ToPddl(GroundText("domain d predicates: p, q\naction a effects: " + action,
+                        "problem x domain d goal: " + goal),
+             "p");
+    });
+  };
+  EXPECT_EQ(message("add(Kf, p), del(Kf, q)", "K(p)"), "no error");
+  EXPECT_THAT(message("add(Kf, p), del(Kf, q)", "K(p) & K(!q)"),
+              StartsWith("domain.pks:2:8: PDDL has no del(Kf, q)"));
+  EXPECT_THAT(message("K(q) => add(Kf, p), del(Kf, q)", "K(p)"),
+              StartsWith("domain.pks:2:8: PDDL has no del(Kf, q)"));
+  EXPECT_THAT(message("!K(q) => add(Kf, p)", "K(p)"),
+              StartsWith("domain.pks:2:8: PDDL has no queries of what is not known"));
+  EXPECT_THAT(message("add(Kf, q)", "!K(p)"),
+              StartsWith("problem.pks:1:26: PDDL has no queries of what is not known"));
+  EXPECT_THAT(message("add(Kw, q)", "Kw(q)"),
+              StartsWith("problem.pks:1:26: PDDL has no Kw and Kv in queries"));
 }
 
 }  // namespace

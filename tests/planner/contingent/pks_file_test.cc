@@ -19,6 +19,7 @@
 namespace assay::contingent {
 namespace {
 
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
@@ -122,7 +123,38 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"K(at(?t) = sink)", "Kv(weight(?t) within -1)",
              "domain.pks:8:34: an error of -1; allowed: 0 or more"},
         Slip{"add(Kf, clean(?t))", "add(Kf, weight(?t) = [3, 2])",
-             "domain.pks:9:34: the interval [3, 2] is empty"}));
+             "domain.pks:9:34: the interval [3, 2] is empty"},
+        Slip{"action wash(?t: thing)", "action wash(?t: thing, ?t: thing)",
+             "domain.pks:7:24: '?t' is declared twice; allowed: a name of its own for each"},
+        Slip{"action wash(?t: thing)", "action wash() action wash(?t: thing)",
+             "domain.pks:7:22: 'wash' is declared twice; allowed: a name of its own for each"},
+        Slip{"  effects:", "  preconds: true\n  effects:",
+             "domain.pks:9:3: 'preconds:' a second time; allowed: one preconds:"},
+        Slip{"  preconds:", "  effects: add(Kf, idle)\n  preconds:",
+             "domain.pks:10:3: 'effects:' a second time; allowed: one effects:"}));
+
+// at(?t) is a place, ?t a thing: they are never equal.
+INSTANTIATE_TEST_SUITE_P(
+    OfTypes, Slips,
+    testing::Values(
+        Slip{"at(?t) = sink", "at(?t) = ?t",
+             "domain.pks:8:24: '?t' is of type 'thing'; allowed: 'place', as 'at' is declared"},
+        Slip{"at(?t) = sink", "at(?t) != ?t", "domain.pks:8:25: '?t' is of type 'thing'; allowed"},
+        Slip{"at(?t) = sink", "?t = at(?t)", "domain.pks:8:15: '?t' is of type 'thing'; allowed"},
+        Slip{"at(?t) = sink", "?t = sink",
+             "domain.pks:8:20: 'sink' is of type 'place'; allowed: 'thing', as the other side"},
+        Slip{"K(at(?t) = sink)", "Kw(at(?t) = ?t)", "domain.pks:8:25: '?t' is of type 'thing'"},
+        Slip{"add(Kf, clean(?t))", "add(Kf, at(?t) = ?t)",
+             "domain.pks:9:29: '?t' is of type 'thing'; allowed: 'place', as 'at' is declared"},
+        Slip{"add(Kf, clean(?t))", "add(Kw, at(?t) = ?t)",
+             "domain.pks:9:29: '?t' is of type 'thing'"},
+        Slip{"add(Kf, clean(?t))", "add(Kx, at(?t) = sink | at(?t) = ?t)",
+             "domain.pks:9:45: '?t' is of type 'thing'"},
+        Slip{"add(Kf, clean(?t))", "add(Kf, sink = sink)",
+             "domain.pks:9:20: no function; allowed: f(...) = constant"},
+        Slip{"at(?t) = sink", "at(?t) = at(?t)",
+             "domain.pks:8:24: 'at' is a function, as is the other side; allowed: a constant or a "
+             "?variable on one side"}));
 
 TEST_P(Slips, AreToldWithTheirPlace) {
   EXPECT_THAT(MessageOf(Replaced(kDomain, GetParam().from, GetParam().to), kProblem),
@@ -136,6 +168,121 @@ TEST(PksFile, SlipsInProblems) {
               StartsWith("problem.pks:5:1: the file ends here; allowed: a goal"));
   EXPECT_THAT(MessageOf(kDomain, Replaced(kProblem, "clean(c)", "clean(d)")),
               StartsWith("problem.pks:5:15: unknown constant 'd'"));
+  EXPECT_THAT(MessageOf(kDomain, Replaced(kProblem, "at(c) = sink", "at(c) = c")),
+              StartsWith("problem.pks:4:23: 'c' is of type 'cup'; allowed: 'place', as 'at'"));
+  EXPECT_THAT(MessageOf(kDomain, Replaced(kProblem, "goal:", "goal: true\ngoal:")),
+              StartsWith("problem.pks:6:1: 'goal:' a second time; allowed: one goal:"));
+}
+
+TEST(PksFile, AProblemOfAnotherDomainIsToldWithItsPlace) {
+  const std::string folder = ASSAY_SOURCE_DIR "/scenarios/know/";
+  EXPECT_THAT(
+      contingent::MessageOf([&] { LoadTask(folder + "unix.pks", folder + "one-bottle.pks"); }),
+      EndsWith("one-bottle.pks:4:8: a problem of 'visual-sensing'; allowed: problems of "
+               "'unix'"));
+}
+
+// ---- Contradictions
+
+// What init says, and where it is told that this cannot be; "" where it can.
+struct Init {
+  const char* init;
+  const char* message;
+};
+
+class Contradictions : public testing::TestWithParam<Init> {};
+
+INSTANTIATE_TEST_SUITE_P(
+    InInit, Contradictions,
+    testing::Values(
+        Init{"add(Kf, idle), add(Kf, idle)", ""},
+        Init{"add(Kf, idle), add(Kf, !idle)",
+             "4:22: this contradicts what is known: idle is known to be true and false; allowed: "
+             "what can hold together with the rest of init"},
+        Init{"add(Kf, at(c) = sink), add(Kf, at(c) = shelf)",
+             "4:30: this contradicts what is known: at(c) = sink is known to be true and false"},
+        Init{"add(Kf, at(c) = sink), add(Kf, at(c) != sink)", "4:30: this contradicts"},
+        Init{"add(Kf, at(c) != sink), add(Kf, at(c) = sink)", "4:31: this contradicts"},
+        Init{"add(Kf, at(c) = sink), add(Kf, at(c) != shelf)", ""},
+        Init{"add(Kf, at(c) != sink), add(Kf, at(c) != shelf)",
+             "4:31: this contradicts what is known: no value is left for at(c)"},
+        Init{"add(Kx, at(c) = sink | at(c) = shelf), add(Kf, at(c) = shelf)", ""},
+        Init{"add(Kf, weight(c) > 3), add(Kf, weight(c) < 2)",
+             "4:31: this contradicts what is known: no number is left for weight(c)"},
+        Init{"add(Kf, weight(c) > 3), add(Kf, weight(c) <= 3)", "4:31: this contradicts"},
+        Init{"add(Kf, weight(c) >= 3), add(Kf, weight(c) <= 3)", ""},
+        Init{"add(Kf, weight(c) = [2, 3]), add(Kf, weight(c) > 4)", "4:36: this contradicts"},
+        Init{"add(Kf, weight(c) > 4), add(Kf, weight(c) = [2, 3])", "4:31: this contradicts"},
+        Init{"add(Kf, weight(c) = [2, 3]), add(Kf, weight(c) = [4, 5])", "4:36: this contradicts"},
+        Init{"add(Kf, weight(c) = [2, 3]), add(Kf, weight(c) = [3, 5])", ""}));
+
+TEST_P(Contradictions, AreToldWithTheirPlace) {
+  const std::string domain = Replaced(kDomain, "sink: place", "sink, shelf: place");
+  const std::string problem = fmt::format(
+      "problem test\ndomain test\nobjects: c: cup\ninit: {}\ngoal: true\n", GetParam().init);
+  const std::string message = MessageOf(domain, problem);
+  if (*GetParam().message == '\0') {
+    EXPECT_EQ(message, "no error");
+  } else {
+    EXPECT_THAT(message, StartsWith(fmt::format("problem.pks:{}", GetParam().message)));
+  }
+}
+
+// What init says of a number, said in two ways, is what both allow.
+TEST(Init, IntervalsAreMet) {
+  const std::string problem =
+      "problem test domain test objects: c: cup\n"
+      "init: add(Kf, weight(c) < 5), add(Kf, weight(c) = [2, 4]), add(Kf, weight(c) < 7)\n"
+      "goal: K(weight(c) <= 4) & K(weight(c) >= 2)";
+  const GroundTask task = GroundText(kDomain, problem);
+  ASSERT_EQ(task.initial.ranges.size(), 1);
+  EXPECT_EQ(task.initial.ranges.front(), (Range{.low = 2, .high = 4}));
+}
+
+// ---- Limits
+
+// 20^8 = 25,600,000,000 instances: told before one is made.
+TEST(Grounding, TooManyInstancesAreCounted) {
+  std::string domain =
+      "domain d\ntypes: t\npredicates: g, r(t, t)\n"
+      "action a(?a, ?b, ?c, ?d, ?e, ?f, ?h, ?i: t)\n"
+      "  preconds: K(r(?a, ?b)) & K(r(?h, ?i))\n  effects: add(Kf, g)";
+  std::string problem = "problem p domain d objects: o0";
+  for (int i = 1; i < 20; ++i) problem += fmt::format(", o{}", i);
+  problem += ": t init: {} goal: K(g)";
+  EXPECT_EQ(MessageOf(domain, Replaced(problem, "{}", "")),
+            "domain.pks:4:8: action 'a' has 25600000000 instances, too many of which what is "
+            "known at first does not rule out; allowed: 100000 ground actions in all");
+  // Those that are ruled out do not count: of four of the parameters one way is left each.
+  domain = Replaced(domain, "K(r(?h, ?i))", "K(r(?c, ?d)) & K(r(?e, ?f)) & K(r(?h, ?i))");
+  EXPECT_EQ(MessageOf(domain, Replaced(problem, "{}", "add(LCW, r(?x, ?y)), add(Kf, r(o1, o2))")),
+            "no error");
+}
+
+// ---- Update rules
+
+// Rules that undo each other have no state to come to; that one of them stops the other is fine.
+TEST(Updates, ThatDoNotComeToRestAreTold) {
+  const auto message = [](const std::string& updates, const std::string& init) {
+    return contingent::MessageOf([&] {
+      const GroundTask task = GroundText(
+          "domain d predicates: p, q functions: n: number action a effects: add(Kf, q)\n"
+          "updates: " +
+              updates,
+          "problem x domain d init: " + init + " goal: K(q)");
+      PlanFor(task, Wanted::kFirst);
+    });
+  };
+  EXPECT_THAT(message("K(p) => add(Kf, !p);\nK(!p) => add(Kf, p)", "add(Kf, p)"),
+              StartsWith("domain.pks:2:10: update rules do not come to rest"));
+  EXPECT_THAT(message("K(p) => add(Kf, !p);\nK(!p) => add(Kf, p)", "add(Kf, !p)"),
+              HasSubstr("allowed: rules that do not undo what others do"));
+  EXPECT_THAT(message("K(q) & K(p) => add(Kf, !p);\nK(q) & K(!p) => add(Kf, p)", "add(Kf, p)"),
+              StartsWith("domain.pks:2:10: update rules do not come to rest"));
+  EXPECT_THAT(message("true => add(Kf, n = n + 1)", "add(Kf, n = 0)"),
+              StartsWith("domain.pks:2:10: update rules do not come to rest"));
+  EXPECT_EQ(message("K(p) => add(Kf, !p); K(p) => add(Kf, q)", "add(Kf, p)"), "no error");
+  EXPECT_EQ(message("K(n < 9) => add(Kf, n = n + 1)", "add(Kf, n = 0)"), "no error");
 }
 
 // Whereever a file is cut, the end of what is left is told.
