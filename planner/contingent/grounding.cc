@@ -7,7 +7,7 @@
 
 namespace assay::contingent {
 
-GroundTask Ground(Domain domain, Problem problem, Externs& externs) {
+GroundTask Ground(Domain domain, Problem problem, Externs& externs, KnownFacts facts) {
   const SymbolTable symbols(domain, problem);
   CheckTypes(domain, problem, symbols);
   externs.AddFacts(problem);
@@ -25,6 +25,7 @@ GroundTask Ground(Domain domain, Problem problem, Externs& externs) {
   for (const Effect& update : domain.updates) effects.AddEffects(update, {}, task.updates);
   terms.Enter(problem.file);
   task.goal = queries.QueryOf(problem.goal, {});
+  if (facts == KnownFacts::kAll) table.AddKnown();
   initial.Ground();
   return task;
 }
