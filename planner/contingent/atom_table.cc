@@ -127,6 +127,30 @@ bool AtomTable::Matches(const Change& closed, const Key& key) const {
   });
 }
 
+std::vector<std::vector<std::string>> AtomTable::ArgumentsOf(const Symbol& predicate) const {
+  std::vector<std::vector<std::string>> all = {{}};
+  for (const TypedName& parameter : predicate.parameters) {
+    std::vector<std::vector<std::string>> longer;
+    for (const std::vector<std::string>& arguments : all) {
+      for (const std::string& constant : symbols_.ConstantsOf(parameter.type)) {
+        longer.push_back(arguments);
+        longer.back().push_back(constant);
+      }
+    }
+    all = std::move(longer);
+  }
+  return all;
+}
+
+void AtomTable::AddKnown() {
+  for (const std::string& name : symbols_.PredicateNames()) {
+    for (const std::vector<std::string>& arguments : ArgumentsOf(*symbols_.FindPredicate(name))) {
+      const Knowledge knowledge = AtFirst(AtomText(name, arguments), {name, arguments});
+      if (knowledge != Knowledge::kUnknown) Atom(name, arguments);
+    }
+  }
+}
+
 std::vector<GroundLiteral> AtomTable::KnownAtFirst() const {
   std::vector<GroundLiteral> known;
   for (std::size_t i = 0; i < keys_.size(); ++i) {

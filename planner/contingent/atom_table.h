@@ -40,6 +40,8 @@ class AtomTable {
     closed_[change.literals.front().predicate].push_back(&change);
   }
 
+  // Every predicate's instance of which init says whether it is true becomes an atom.
+  void AddKnown();
   // What is known at first of the atoms so far.
   std::vector<GroundLiteral> KnownAtFirst() const;
 
@@ -50,6 +52,8 @@ class AtomTable {
   };
 
   void FindChanged(const Effect& effect);
+  // One constant of each parameter's type.
+  std::vector<std::vector<std::string>> ArgumentsOf(const Symbol& predicate) const;
   Knowledge AtFirst(const std::string& text, const Key& key) const;
   bool IsClosed(const Key& key) const;
   bool Matches(const Change& closed, const Key& key) const;

@@ -7,7 +7,7 @@
 
 namespace assay::contingent {
 
-GroundTask Ground(Domain domain, Problem problem, Externs& externs) {
+GroundTask Ground(Domain domain, Problem problem, Externs& externs, KnownFacts facts) {
   const SymbolTable symbols(domain, problem);
   CheckTypes(domain, problem, symbols);
   externs.AddFacts(problem);
@@ -27,6 +27,7 @@ GroundTask Ground(Domain domain, Problem problem, Externs& externs) {
   terms.Enter(problem.file);
   task.goal = queries.QueryOf(problem.goal, {});
   task.goal_place = terms.PlaceOf(problem.goal.place);
+  if (facts == KnownFacts::kAll) table.AddKnown();
   initial.Ground();
   return task;
 }

@@ -6,6 +6,12 @@
 
 namespace assay::contingent {
 
+// Which of the facts that are known at first become atoms.
+enum class KnownFacts {
+  kAsked,  // those that queries and changes are about
+  kAll,    // also those that nothing asks or changes, so that the knowledge base has all of init
+};
+
 // The task without variables. Queries of what is known from the first and never changes are
 // answered, externs are asked, and actions whose precondition cannot hold are left out.
 //
@@ -15,6 +21,7 @@ namespace assay::contingent {
 // alone.
 //
 // Checks types first (type_check.h). Throws InputError where domain or problem are wrong.
-GroundTask Ground(Domain domain, Problem problem, Externs& externs);
+GroundTask Ground(Domain domain, Problem problem, Externs& externs,
+                  KnownFacts facts = KnownFacts::kAsked);
 
 }  // namespace assay::contingent

@@ -32,7 +32,8 @@ class KnowledgeFile {
     contingent::Externs externs;
     if (const auto bound = map_.Find("externs")) BindExterns(*bound, externs);
     if (const auto colors = map_.Find("colors")) ReadColors(*colors);
-    read_.task = contingent::Ground(task.domain, task.problem, externs);
+    read_.task =
+        contingent::Ground(task.domain, task.problem, externs, contingent::KnownFacts::kAll);
     ReadActions(map_.At("actions"));
     ReadPredicates(map_.At("predicates"));
     if (const auto hidden = map_.Find("hidden")) {

@@ -69,6 +69,17 @@ TEST(Enactment, SensingThatErrsIsToldByTheAudit) {
   EXPECT_THAT(trial.reason, HasSubstr("isSpillable(can1) is claimed to be false and is true"));
 }
 
+// The plan needs no weighing of can1, and never asks whether it is spillable.
+TEST(Enactment, AnInitThatIsNotTrueIsToldByTheAudit) {
+  const KnowledgeScenario scenario = TwoCans(WithInit("add(Kf, !isSpillable(can1))"));
+  const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_TRUE(trial.is_goal_true);
+  ASSERT_EQ(trial.walk.false_claims.size(), 1u);
+  EXPECT_EQ(trial.walk.false_claims.front().step, 0);
+  EXPECT_THAT(trial.reason, HasSubstr("isSpillable(can1) is claimed to be false and is true"));
+}
+
 TEST(Enactment, ASpilledCanIsCaught) {
   KnowledgeScenario scenario = TwoCans();
   scenario.interpretation.spill->beyond = 1e-5;  // brimful: no way is as smooth as that

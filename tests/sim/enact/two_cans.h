@@ -43,6 +43,23 @@ inline KnowledgeScenario TwoCans(const Replacements& replacements = {},
   return Load(file, kRoot / "models");
 }
 
+// The problem's file is another one.
+inline Replacements WithProblem(const std::string& text) {
+  const std::filesystem::path file = ScratchFile("problem.pks");
+  std::ofstream(file) << text;
+  return {{kRoot / "scenarios/know/two-cans.pks", file}};
+}
+
+// The same, of which more is known at first.
+inline Replacements WithInit(const std::string& changes) {
+  std::ostringstream text;
+  text << std::ifstream(kRoot / "scenarios/know/two-cans.pks").rdbuf();
+  std::string problem = text.str();
+  const std::size_t init = problem.find("init:");
+  ASSAY_CHECK(init != std::string::npos);
+  return WithProblem(problem.insert(init + 5, " " + changes + ","));
+}
+
 inline contingent::PlanTree TreeOf(const KnowledgeScenario& scenario) {
   Budget budget(100'000);
   return MakePlan(scenario.interpretation.task, contingent::Wanted::kFirst, budget).tree;
