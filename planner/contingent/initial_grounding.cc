@@ -121,6 +121,11 @@ void InitialGrounding::NarrowRange(const GroundChange& change, Place place) {
     (is_upper ? range.high : range.low) = change.bound.value;
     (is_upper ? range.excludes_high : range.excludes_low) =
         change.bound.relation == Relation::kLess || change.bound.relation == Relation::kGreater;
+    const bool is_empty = range.low > range.high ||
+                          (range.low == range.high && (range.excludes_low || range.excludes_high));
+    if (is_empty) {
+      terms_.Fail(place, "this contradicts what is known", "bounds that can hold together");
+    }
   }
 }
 

@@ -385,7 +385,6 @@ class Runner {
     if (attempt_->returned.size() > kMostReturns) {
       return Fail(fmt::format("a repeat through more than {} worlds", kMostReturns), history);
     }
-    History alone = history;
     attempt_->to_follow.emplace_back(head, std::move(alone));
   }
 
