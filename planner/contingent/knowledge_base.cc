@@ -32,6 +32,34 @@ bool SurelyHolds(const Bound& bound, const Range& range) {
   return IsUpper(bound.relation) ? end < bound.value : end > bound.value;
 }
 
+bool CanHold(const Range& range) {
+  return range.low < range.high ||
+         (range.low == range.high && !range.excludes_low && !range.excludes_high);
+}
+
+// What becomes true wins over what becomes false, as in PDDL; what is sensed is sensed after all
+// that.
+int RankOf(const GroundChange& change) {
+  switch (change.kind) {
+    case GroundChange::Kind::kForget:
+      return 0;
+    case GroundChange::Kind::kSet:
+      return change.literal.is_positive ? 2 : 1;
+    case GroundChange::Kind::kUnsense:
+    case GroundChange::Kind::kUnsenseValue:
+    case GroundChange::Kind::kAssign:
+    case GroundChange::Kind::kNarrow:
+    case GroundChange::Kind::kForgetNumber:
+      return 3;
+    case GroundChange::Kind::kSense:
+    case GroundChange::Kind::kSenseValue:
+      return 4;
+    case GroundChange::Kind::kRelate:
+      return 5;  // and can fail
+  }
+  return 0;
+}
+
 Bound Negation(Bound bound) {
   switch (bound.relation) {
     case Relation::kLess:
@@ -253,20 +281,15 @@ bool KnowledgeBase::Apply(const Changes& changes, const KnowledgeState& before,
                           KnowledgeState& state) {
   if (!changes.possible.empty()) ApplyPossible(changes.possible, state);
   for (const FunctionId function : changes.unsettled) ForgetNumber(state, function);
-  // What becomes true wins over what becomes false, as in PDDL; what is sensed is sensed after all
-  // that.
-  const auto rank = [](const GroundChange& change) {
-    if (change.kind == GroundChange::Kind::kForget) return 0;
-    if (change.kind == GroundChange::Kind::kSet) return change.literal.is_positive ? 2 : 1;
-    return change.kind == GroundChange::Kind::kRelate ? 4 : 3;
-  };
-  for (int now = 0; now < 4; ++now) {
+  for (const int now : {0, 1, 2, 3, 4}) {
     for (const GroundChange* change : changes.certain) {
-      if (rank(*change) == now) Apply(*change, before, state);
+      if (RankOf(*change) == now) Apply(*change, before, state);
     }
   }
   return std::all_of(changes.certain.begin(), changes.certain.end(), [&](const GroundChange* c) {
-    return rank(*c) != 4 || Relate(state, c->literals, c->is_inclusive);
+    if (c->kind == GroundChange::Kind::kNarrow)
+      return CanHold(state.ranges[task_.functions[c->bound.function.index()].slot]);
+    return c->kind != GroundChange::Kind::kRelate || Relate(state, c->literals, c->is_inclusive);
   });
 }
 

@@ -28,8 +28,8 @@ class KnowledgeBase {
 
   bool Holds(const GroundQuery& query, const KnowledgeState& state) const;
 
-  // After an action whose precondition holds, and the update rules. None if an effect on Kx
-  // contradicts what is known.
+  // After an action whose precondition holds, and the update rules. None if an effect on Kx or
+  // on bounds contradicts what is known.
   std::optional<KnowledgeState> After(const GroundAction& action, const KnowledgeState& state);
 
   // A formula of Kw that branches now: it has one undetermined literal, all others are known to be
@@ -81,7 +81,7 @@ class KnowledgeBase {
   Changes ChangesOf(const std::vector<GroundEffect>& effects, const KnowledgeState& state);
   // What an effect may do whose condition is undetermined, true in the worlds `where`.
   void AddPossible(const GroundChange& change, Diagram where, Changes& changes);
-  // False if a relation contradicts what is known.
+  // False if a relation or a bound contradicts what is known.
   bool Apply(const Changes& changes, const KnowledgeState& before, KnowledgeState& state);
   void Apply(const GroundChange& change, const KnowledgeState& before, KnowledgeState& state);
   void ApplyPossible(const std::map<AtomId, Possible>& possible, KnowledgeState& state);

@@ -15,8 +15,8 @@ namespace assay::contingent {
 //
 // None if that does not show that the tree holds, or if there is something else in task or tree:
 // functions, update rules, repeats, Kx as an effect, sensing under a condition, effects by what is
-// known or not known. Shares with the planner the diagrams and their order, which cannot make a wrong set,
-// and no inference.
+// known or not known. Shares with the planner the diagrams and their order, which cannot make a
+// wrong set, and no inference.
 std::optional<TreeCheck> CheckBySets(const GroundTask& task, const PlanTree& tree);
 
 }  // namespace assay::contingent

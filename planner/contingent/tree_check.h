@@ -27,13 +27,21 @@ struct TreeCheck {
 
 // Runs a plan tree in every world that the initial knowledge allows. Shares nothing with the
 // planner but the ground task: a world says of every atom whether it is true, what is known is what
-// is true in all worlds with the same history, and sensing tells them apart. In each: the
-// preconditions of actions are known when they are executed, branches ask what has been sensed, and
-// the goal is known at the leaves. What init and actions leave open (an atom that nothing is said
-// of, one that is forgotten) is both, as soon as it matters. A repeat must come back to worlds that
-// it began with. Numeric functions take the ends of their intervals, the bounds that are asked, and
-// values between. That something is not known restricts when a plan looks, not what happens: it
-// counts as true.
+// is true in all worlds with the same history, and branches tell histories apart. In each: the
+// preconditions of actions hold when they are executed, branches ask what has been sensed, and the
+// goal holds at the leaves. What init and actions leave open (an atom that nothing is said of, one
+// that is forgotten) is both, as soon as it matters. A repeat must come back to worlds that it
+// began with; where knowing more may hurt, it is run again with all knowledge that comes back.
+// Numeric functions take the ends of their intervals, the bounds that are asked, and values between
+// and beside. Knowledge that allows no world holds nothing: not at first, nor after a step.
+//
+// !K(l) holds if l is false in some world with the same history; !Kw and !Kv, if besides it has not
+// been sensed. What has been sensed becomes known where the tree branches on it, not before. A
+// knowledge base may know less than is true in all these worlds (it forgets how what is deleted
+// under a condition hangs together with the condition, and intervals with one another): a tree that
+// relies on its not knowing that is rejected, and an effect under such a condition does not happen.
+// Worlds that are drawn can show that something is not known, never that it is: preconditions and
+// goals that ask it pass where all drawn worlds agree, effects and update rules that do fail.
 TreeCheck CheckTree(const GroundTask& task, const PlanTree& tree,
                     const TreeCheckOptions& options = {});
 

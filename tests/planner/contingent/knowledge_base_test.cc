@@ -391,6 +391,21 @@ TEST(Intervals, SensorsErr) {
   EXPECT_EQ(holds(), "0001");
 }
 
+TEST(Intervals, AreSensedAfterTheyAreChanged) {
+  Mind mind("add(Kf, weight(a) = [2, 4])",
+            "action pour effects: add(Kv, weight(a)), add(Kf, weight(a) = weight(a) + 1)\n",
+            {"Kv(weight(a))"});
+  mind.Do("pour");
+  EXPECT_TRUE(mind.Holds("Kv(weight(a))"));
+}
+
+TEST(Intervals, ContradictionsAreNamed) {
+  EXPECT_THAT(MessageOf([] { Mind mind("add(Kf, weight(a) > 3), add(Kf, weight(a) < 3)"); }),
+              HasSubstr("this contradicts what is known; allowed: bounds that can hold together"));
+  EXPECT_EQ(MessageOf([] { Mind mind("add(Kf, weight(a) >= 3), add(Kf, weight(a) <= 3)"); }),
+            "no error");
+}
+
 // Equal knowledge is equal data, whatever way led to it.
 TEST(States, AreCanonical) {
   const std::string actions =

@@ -383,7 +383,7 @@ TEST_P(Mutations, AreSurvived) {
     const bool tells = message == "no error" || message.starts_with("domain.pks:") ||
                        message.starts_with("problem.pks:");
     ASSERT_TRUE(tells && !HasFailure()) << "trial " << trial << ": " << message << "\n"
-                       << files.domain << files.problem;
+                                        << files.domain << files.problem;
   }
   EXPECT_GT(loaded, count / 50) << "mutations so coarse that they test the lexer alone";
   EXPECT_LT(loaded, count * 9 / 10);

@@ -1,11 +1,15 @@
 #include "planner/contingent/tree_check.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
+#include "planner/contingent/initial_worlds.h"
 #include "planner/contingent/symbolic_check.h"
+#include "planner/contingent/world_progression.h"
 #include "tests/planner/contingent/tasks.h"
 
 namespace assay::contingent {
@@ -254,6 +258,147 @@ TEST(Repeats, MustHaveSensedWhatIsAskedBelow) {
               HasSubstr("a branch on lit, which has not been sensed, after look()"));
   tree.nodes[5] = ActOf(task, "press", 6);
   EXPECT_EQ(CheckTree(task, tree).failure, "");
+}
+
+// ---- What is not known
+
+constexpr const char* kBell =
+    "domain bell predicates: p, q, g, ok\n"
+    "action look effects: add(Kw, p)\n"
+    "action guess preconds: !Kw(p) effects: add(Kf, g)\n"
+    "action doubt effects: !K(p) => add(Kf, g)\n"
+    "action note effects: !Kw(p) => add(Kf, !ok); add(Kf, g)\n"
+    "action kick effects: del(Kf, q), add(Kw, q)\n"
+    "action lose effects: add(Kf, !p)\n";
+
+GroundTask Bell(const std::string& init, const std::string& goal) {
+  return GroundText(kBell, "problem bell domain bell init: " + init + " goal: " + goal);
+}
+
+TEST(NotKnown, EffectsDoNotHappenWhereItIsKnown) {
+  GroundTask task = Bell("add(Kf, p), add(Kf, !g)", "K(g)");
+  const PlanTree doubt = {.nodes = {ActOf(task, "doubt", 1), PlanNode{}}, .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(task, doubt).failure, HasSubstr("the goal is not known after doubt()"));
+  task = Bell("add(Kf, !g)", "K(g)");
+  EXPECT_EQ(CheckTree(task, doubt).failure, "");
+  task = Bell("add(Kf, p), add(Kf, g)", "K(g)");
+  EXPECT_EQ(CheckTree(task, doubt).failure, "");
+}
+
+TEST(NotKnown, IsAskedAfterBranches) {
+  const GroundTask task = Bell("add(Kf, ok), add(Kf, !g)", "K(g) & K(ok)");
+  const PlanTree after = {.nodes = {ActOf(task, "look", 1), BranchOf(task, "p", 2, 2),
+                                    ActOf(task, "note", 3), PlanNode{}},
+                          .root = NodeId(0)};
+  EXPECT_EQ(CheckTree(task, after).failure, "");
+  const PlanTree before = {.nodes = {ActOf(task, "note", 1), PlanNode{}}, .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(task, before).failure, HasSubstr("the goal is not known after note()"));
+}
+
+TEST(NotKnown, IsAskedByPreconditions) {
+  const GroundTask task = Bell("add(Kf, !g)", "K(g)");
+  const PlanTree known = {.nodes = {ActOf(task, "look", 1), BranchOf(task, "p", 2, 2),
+                                    ActOf(task, "guess", 3), PlanNode{}},
+                          .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(task, known).failure,
+              HasSubstr("the precondition of guess() is not known after look()"));
+  const PlanTree guessed = {.nodes = {ActOf(task, "guess", 1), PlanNode{}}, .root = NodeId(0)};
+  EXPECT_EQ(CheckTree(task, guessed).failure, "");
+}
+
+TEST(NotKnown, IsAskedByGoals) {
+  const PlanTree nothing = {.nodes = {PlanNode{}}, .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(Bell("add(Kf, p), add(Kf, !g)", "!K(p) & K(!g)"), nothing).failure,
+              HasSubstr("the goal is not known after no step"));
+  EXPECT_EQ(CheckTree(Bell("add(Kf, !g)", "!K(p) & K(!g)"), nothing).failure, "");
+}
+
+TEST(NotKnown, IsAskedByUpdateRules) {
+  const auto task = [](const std::string& init) {
+    return GroundText(
+        "domain rule predicates: p, ok action wait effects: add(Kf, ok)\n"
+        "updates: !K(p) => add(Kf, !ok)",
+        "problem rule domain rule init: " + init + " goal: K(ok)");
+  };
+  const PlanTree tree = {.nodes = {ActOf(task("add(Kf, p)"), "wait", 1), PlanNode{}},
+                         .root = NodeId(0)};
+  EXPECT_EQ(CheckTree(task("add(Kf, p)"), tree).failure, "");
+  EXPECT_FALSE(CheckTree(task("add(Kf, ok)"), tree).holds);
+}
+
+// Once it has been looked at, it is known also when the repeat begins again.
+TEST(NotKnown, IsAskedAgainByRepeats) {
+  const GroundTask task = Bell("add(Kf, !g)", "K(q)");
+  PlanTree tree = {
+      .nodes = {ActOf(task, "guess", 1), ActOf(task, "look", 2), BranchOf(task, "p", 3, 3),
+                ActOf(task, "kick", 4), Repeating(BranchOf(task, "q", 5, 0), 1), PlanNode{}},
+      .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("the precondition of guess() is not known"));
+  tree.nodes[4] = Repeating(BranchOf(task, "q", 5, 3), 1);
+  EXPECT_EQ(CheckTree(task, tree).failure, "");
+}
+
+// One world of many comes back to the repeat: that it is this one is not known.
+TEST(NotKnown, IsAskedOfAllWorldsThatGoRound) {
+  const GroundTask task = Bell("add(Kf, !g)", "K(q)");
+  const PlanTree tree = {.nodes = {ActOf(task, "guess", 1), ActOf(task, "kick", 2),
+                                   Repeating(BranchOf(task, "q", 3, 0), 1), PlanNode{}},
+                         .root = NodeId(0)};
+  EXPECT_EQ(CheckTree(task, tree).failure, "");
+}
+
+// The drawn worlds differ in p; those after a branch may all have something that others have not.
+TEST(NotKnown, IsNotToldByDrawnWorlds) {
+  const GroundTask task =
+      GroundText("domain draw predicates: p, q, r, g action doubt effects: !K(p) => add(Kf, g)",
+                 "problem draw domain draw init: add(Kx, p | q | r) goal: K(g)");
+  const PlanTree tree = {.nodes = {ActOf(task, "doubt", 1), PlanNode{}}, .root = NodeId(0)};
+  EXPECT_TRUE(CheckTree(task, tree).holds);
+  const auto drawn_p = [&](std::uint64_t seed) {
+    const World world = EnumerateWorlds(task, 1, seed).worlds.front();
+    return WorldProgression::IsTrue(task.initial.relations.front().literals.front(), world);
+  };
+  std::uint64_t seed = 1;
+  while (!drawn_p(seed)) ++seed;
+  EXPECT_THAT(CheckTree(task, tree, {.worlds = 1, .seed = seed}).failure,
+              HasSubstr("worlds that are drawn cannot tell"));
+}
+
+// 2^20 worlds, by where each can is; whether it is full, nothing tells before it is weighed.
+TEST(NotKnown, IsToldBySets) {
+  std::string cans = "can0";
+  std::string init = "add(Kx, here(can0) | there(can0))";
+  for (int i = 1; i < 20; ++i) {
+    cans += fmt::format(", can{}", i);
+    init += fmt::format(", add(Kx, here(can{0}) | there(can{0}))", i);
+  }
+  const GroundTask task = GroundText(
+      "domain cans types: can predicates: full(can), told(can), here(can), there(can)\n"
+      "action weigh(?c: can) preconds: !Kw(full(?c)) effects: add(Kw, full(?c)), add(Kf, told(?c))",
+      "problem cans domain cans objects: " + cans + ": can init: " + init +
+          " goal: forallK(?c: can) K(told(?c))");
+  PlanTree tree = PlanFor(task, Wanted::kFirst).tree;
+  const TreeCheck check = CheckTree(task, tree);
+  EXPECT_EQ(check.failure, "");
+  EXPECT_TRUE(check.are_all_worlds);
+  EXPECT_EQ(check.worlds, 1 << 20);
+  // The same can is weighed again and again.
+  for (PlanNode& node : tree.nodes) {
+    if (node.kind == PlanNode::Kind::kAct) node.action = tree.node(tree.root).action;
+  }
+  EXPECT_FALSE(CheckBySets(task, tree).has_value());
+}
+
+TEST(NoWorld, HoldsNothing) {
+  GroundTask task = GroundText(
+      "domain n functions: n: number predicates: g action a effects: add(Kf, n <= 1), add(Kf, g)",
+      "problem n domain n init: add(Kf, n = [2, 3]) goal: K(g)");
+  const PlanTree tree = {.nodes = {ActOf(task, "a", 1), PlanNode{}}, .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(task, tree).failure,
+              HasSubstr("what is known contradicts itself after a()"));
+  EXPECT_EQ(PlanFor(task, Wanted::kFirst).outcome, Outcome::kNone);
+  task.initial.ranges.front() = {.low = 3, .high = 2};
+  EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("the initial knowledge allows no world"));
 }
 
 // Worlds as sets, where they are more than may be run: whatever the order of the nodes.
