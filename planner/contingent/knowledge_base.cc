@@ -10,46 +10,7 @@
 #include "planner/contingent/variable_order.h"
 
 namespace assay::contingent {
-namespace {
-
-bool IsUpper(Relation relation) {
-  return relation == Relation::kLess || relation == Relation::kLessOrEqual;
-}
-
-bool IsStrict(Relation relation) {
-  return relation == Relation::kLess || relation == Relation::kGreater;
-}
-
-bool SurelyHolds(const Bound& bound, const Range& range) {
-  const double end = IsUpper(bound.relation) ? range.high : range.low;
-  const bool excludes = IsUpper(bound.relation) ? range.excludes_high : range.excludes_low;
-  if (end == bound.value) return excludes || !IsStrict(bound.relation);
-  return IsUpper(bound.relation) ? end < bound.value : end > bound.value;
-}
-
-Bound Negation(Bound bound) {
-  switch (bound.relation) {
-    case Relation::kLess:
-      bound.relation = Relation::kGreaterOrEqual;
-      break;
-    case Relation::kLessOrEqual:
-      bound.relation = Relation::kGreater;
-      break;
-    case Relation::kGreater:
-      bound.relation = Relation::kLessOrEqual;
-      break;
-    case Relation::kGreaterOrEqual:
-      bound.relation = Relation::kLess;
-      break;
-    case Relation::kPredicate:
-    case Relation::kExtern:
-    case Relation::kEqual:
-      break;
-  }
-  return bound;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 KnowledgeBase::KnowledgeBase(const GroundTask& task)
     : task_(task),
