@@ -66,6 +66,8 @@ FunctionId AtomTable::Function(const std::string& name, const std::vector<std::s
   const FunctionId id = entry->second;
   GroundFunction function;
   function.text = text;
+  function.symbol = name;
+  function.arguments = arguments;
   const std::string& range = symbols_.FindFunction(name)->range;
   if (range == kNumberType) {
     function.slot = static_cast<int>(task_.function_of_slot.size());

@@ -3,7 +3,45 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+
 namespace assay::contingent {
+bool IsUpper(Relation relation) {
+  return relation == Relation::kLess || relation == Relation::kLessOrEqual;
+}
+
+bool IsStrict(Relation relation) {
+  return relation == Relation::kLess || relation == Relation::kGreater;
+}
+
+bool SurelyHolds(const Bound& bound, const Range& range) {
+  const double end = IsUpper(bound.relation) ? range.high : range.low;
+  const bool excludes = IsUpper(bound.relation) ? range.excludes_high : range.excludes_low;
+  if (end == bound.value) return excludes || !IsStrict(bound.relation);
+  return IsUpper(bound.relation) ? end < bound.value : end > bound.value;
+}
+
+Bound Negation(Bound bound) {
+  switch (bound.relation) {
+    case Relation::kLess:
+      bound.relation = Relation::kGreaterOrEqual;
+      break;
+    case Relation::kLessOrEqual:
+      bound.relation = Relation::kGreater;
+      break;
+    case Relation::kGreater:
+      bound.relation = Relation::kLessOrEqual;
+      break;
+    case Relation::kGreaterOrEqual:
+      bound.relation = Relation::kLess;
+      break;
+    case Relation::kPredicate:
+    case Relation::kExtern:
+    case Relation::kEqual:
+      break;
+  }
+  return bound;
+}
 
 std::string_view TextOf(Relation relation) {
   switch (relation) {
@@ -35,6 +73,23 @@ std::string TextOf(const GroundTask& task, const Formula& formula) {
   }
   std::vector<std::string> texts;
   for (const GroundLiteral& literal : formula.literals) texts.push_back(TextOf(task, literal));
+  return fmt::format("{}", fmt::join(texts, " & "));
+}
+
+std::string TextOf(const GroundFunction& function, const Range& range) {
+  const bool is_open = range.excludes_low || range.excludes_high;
+  if (!is_open && std::isfinite(range.low) && std::isfinite(range.high)) {
+    return fmt::format("{} = [{}, {}]", function.text, range.low, range.high);
+  }
+  std::vector<std::string> texts;
+  if (std::isfinite(range.low)) {
+    texts.push_back(
+        fmt::format("{} {} {}", function.text, range.excludes_low ? ">" : ">=", range.low));
+  }
+  if (std::isfinite(range.high)) {
+    texts.push_back(
+        fmt::format("{} {} {}", function.text, range.excludes_high ? "<" : "<=", range.high));
+  }
   return fmt::format("{}", fmt::join(texts, " & "));
 }
 

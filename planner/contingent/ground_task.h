@@ -43,6 +43,12 @@ struct Bound {
   bool operator==(const Bound&) const = default;
 };
 
+bool IsUpper(Relation relation);   // < or <=
+bool IsStrict(Relation relation);  // < or >
+// Of every number in the range.
+bool SurelyHolds(const Bound& bound, const Range& range);
+Bound Negation(Bound bound);
+
 // A conjunction of literals, or one bound.
 struct Formula {
   std::vector<GroundLiteral> literals;
@@ -55,6 +61,8 @@ struct Formula {
 // its interval.
 struct GroundFunction {
   std::string text;
+  std::string symbol;
+  std::vector<std::string> arguments;
   std::vector<AtomId> values;
   std::vector<std::string> constants;  // of the values
   int slot = -1;                       // of the interval; -1 unless numeric
@@ -170,6 +178,8 @@ struct GroundTask {
 // "isSpillable(can1)", "!p & q", "weight(can1) > 2".
 std::string TextOf(const GroundTask& task, const GroundLiteral& literal);
 std::string TextOf(const GroundTask& task, const Formula& formula);
+// "weight(can1) = [0.2, 0.4]"; "weight(can1) > 0.2" where it has one end or excludes it.
+std::string TextOf(const GroundFunction& function, const Range& range);
 std::string TextOf(const GroundAction& action);
 std::string_view TextOf(Relation relation);
 

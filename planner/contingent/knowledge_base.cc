@@ -17,21 +17,6 @@ namespace {
 // Of update rules, and one more for each atom. Rules that only add to Kf are at rest before that.
 constexpr std::size_t kMostRounds = 1000;
 
-bool IsUpper(Relation relation) {
-  return relation == Relation::kLess || relation == Relation::kLessOrEqual;
-}
-
-bool IsStrict(Relation relation) {
-  return relation == Relation::kLess || relation == Relation::kGreater;
-}
-
-bool SurelyHolds(const Bound& bound, const Range& range) {
-  const double end = IsUpper(bound.relation) ? range.high : range.low;
-  const bool excludes = IsUpper(bound.relation) ? range.excludes_high : range.excludes_low;
-  if (end == bound.value) return excludes || !IsStrict(bound.relation);
-  return IsUpper(bound.relation) ? end < bound.value : end > bound.value;
-}
-
 bool CanHold(const Range& range) {
   return range.low < range.high ||
          (range.low == range.high && !range.excludes_low && !range.excludes_high);
@@ -58,28 +43,6 @@ int RankOf(const GroundChange& change) {
       return 5;  // and can fail
   }
   return 0;
-}
-
-Bound Negation(Bound bound) {
-  switch (bound.relation) {
-    case Relation::kLess:
-      bound.relation = Relation::kGreaterOrEqual;
-      break;
-    case Relation::kLessOrEqual:
-      bound.relation = Relation::kGreater;
-      break;
-    case Relation::kGreater:
-      bound.relation = Relation::kLessOrEqual;
-      break;
-    case Relation::kGreaterOrEqual:
-      bound.relation = Relation::kLess;
-      break;
-    case Relation::kPredicate:
-    case Relation::kExtern:
-    case Relation::kEqual:
-      break;
-  }
-  return bound;
 }
 
 }  // namespace

@@ -143,6 +143,7 @@ Json ToJson(const EnactedTrial& trial) {
                                     {"atom", claim.atom},
                                     {"claimed", claim.claimed},
                                     {"true", claim.is_true}});
+    if (!claim.truth.empty()) json["false_claims"].back()["truth"] = claim.truth;
   }
   return json;
 }

@@ -12,7 +12,7 @@
 #include "sim/cli/models_folder.h"
 #include "sim/cli/table.h"
 #include "sim/cli/verb.h"
-#include "sim/enact/meaning.h"
+#include "sim/enact/quantity.h"
 #include "sim/enact/skill.h"
 
 namespace assay::cli {
@@ -112,7 +112,11 @@ Entries ListWords(const Words& words) {
 }
 
 Entries ListSkills(const fs::path&) { return ListWords(enact::SkillWords()); }
-Entries ListMeanings(const fs::path&) { return ListWords(enact::MeaningWords()); }
+Entries ListMeanings(const fs::path&) {
+  Entries entries = ListWords(enact::MeaningWords());
+  for (Entry& quantity : ListWords(enact::QuantityWords())) entries.push_back(std::move(quantity));
+  return entries;
+}
 
 struct Kind {
   const char* name;

@@ -1,15 +1,63 @@
 #include "sim/enact/audit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 
 namespace assay::enact {
 
 using contingent::AtomId;
+using contingent::FunctionId;
 using contingent::GroundQuery;
+using contingent::KnowledgeBase;
+using contingent::KnowledgeState;
 
-std::vector<FalseClaim> Audit::FalseClaims(const contingent::KnowledgeBase& knowledge,
-                                           const contingent::KnowledgeState& state,
-                                           const Truth& truth, int step) const {
+namespace {
+
+constexpr double kRounding = 1e-9;
+
+bool Contains(const contingent::Range& range, double value) {
+  return value >= range.low - kRounding && value <= range.high + kRounding;
+}
+
+std::string HowItIs(double value) { return fmt::format("it is {:.3f}", value); }
+
+// Empty: it was read, and no further off than this.
+std::string WrongReading(const std::optional<Reading>& reading, double value, double error) {
+  if (!reading) return "nothing has told it";
+  if (std::abs(reading->value - value) <= error + kRounding) return {};
+  return fmt::format("it was read as {:.3f} and is {:.3f}", reading->value, value);
+}
+
+}  // namespace
+
+std::vector<FalseClaim> Audit::FalseClaims(const KnowledgeBase& knowledge,
+                                           const KnowledgeState& state, const Truth& truth,
+                                           const Readings& readings, int step) const {
+  std::vector<FalseClaim> found = FalseAtoms(knowledge, state, truth, step);
+  const contingent::GroundTask& task = interpretation_.task;
+  for (std::size_t slot = 0; slot < state.ranges.size(); ++slot) {
+    const FunctionId id = task.function_of_slot[slot];
+    const contingent::GroundFunction& function = task.functions[id.index()];
+    const contingent::Range& range = state.ranges[slot];
+    const Quantity* const quantity = interpretation_.QuantityOf(id);
+    if (quantity == nullptr) continue;
+    const double value = TrueValue(id, truth);
+    if (!Contains(range, value))
+      found.push_back({step, TextOf(function, range), true, false, HowItIs(value)});
+    if (!knowledge.layout().IsSensed(state, id)) continue;
+    const auto reading = quantity->Told(readings, RolesOf(problem_, function.arguments));
+    const std::string wrong = WrongReading(reading, value, range.error);
+    const std::string text = fmt::format("Kv({} within {})", function.text, range.error);
+    if (!wrong.empty()) found.push_back({step, text, true, false, wrong});
+  }
+  return found;
+}
+
+std::vector<FalseClaim> Audit::FalseAtoms(const KnowledgeBase& knowledge,
+                                          const KnowledgeState& state, const Truth& truth,
+                                          int step) const {
   std::vector<FalseClaim> found;
   for (std::size_t i = 0; i < interpretation_.task.atoms.size(); ++i) {
     const AtomId atom(i);
@@ -30,6 +78,11 @@ bool Audit::IsTrue(AtomId atom, const Truth& truth) const {
   return interpretation_.MeaningOf(atom)->IsTrue(truth, RolesOf(problem_, ground.arguments));
 }
 
+double Audit::TrueValue(FunctionId function, const Truth& truth) const {
+  const auto& arguments = interpretation_.task.functions[function.index()].arguments;
+  return interpretation_.QuantityOf(function)->TrueValue(truth, RolesOf(problem_, arguments));
+}
+
 bool Audit::Holds(const GroundQuery& query, const Truth& truth) const {
   const auto holds = [&](const GroundQuery& operand) { return Holds(operand, truth); };
   switch (query.kind) {
@@ -43,6 +96,8 @@ bool Audit::Holds(const GroundQuery& query, const Truth& truth) const {
       return interpretation_.MeaningOf(query.literal.atom) == nullptr ||
              IsTrue(query.literal.atom, truth) == query.literal.is_positive;
     case GroundQuery::Kind::kBoundKnown:
+      return interpretation_.QuantityOf(query.bound.function) == nullptr ||
+             enact::Holds(query.bound, TrueValue(query.bound.function, truth));
     case GroundQuery::Kind::kSensed:
     case GroundQuery::Kind::kValueSensed:
       return true;

@@ -14,10 +14,12 @@ struct FalseClaim {
   std::string atom;
   bool claimed = false;
   bool is_true = false;
+  std::string truth = {};  // of numbers, in words
 };
 
 // What a knowledge state claims to know, against the simulator: every atom with a meaning that is
-// known to be true or known to be false.
+// known to be true or known to be false; the interval of every numeric function that is a quantity
+// of the workcell; and if its value counts as sensed, that it has been read, within the error.
 class Audit {
  public:
   // Keep references.
@@ -26,14 +28,19 @@ class Audit {
 
   std::vector<FalseClaim> FalseClaims(const contingent::KnowledgeBase& knowledge,
                                       const contingent::KnowledgeState& state, const Truth& truth,
-                                      int step) const;
+                                      const Readings& readings, int step) const;
 
   // The goal with what is true in place of what is known. What it asks of knowledge alone, Kw and
-  // Kv, counts as met.
+  // Kv, counts as met: that is the walk's business (TreeWalk).
   bool IsGoalTrue(const Truth& truth) const;
 
  private:
+  std::vector<FalseClaim> FalseAtoms(const contingent::KnowledgeBase& knowledge,
+                                     const contingent::KnowledgeState& state, const Truth& truth,
+                                     int step) const;
   bool IsTrue(contingent::AtomId atom, const Truth& truth) const;
+  // Of one that is a quantity of the workcell.
+  double TrueValue(contingent::FunctionId function, const Truth& truth) const;
   bool Holds(const contingent::GroundQuery& query, const Truth& truth) const;
 
   const Interpretation& interpretation_;

@@ -174,8 +174,8 @@ class Trial {
   }
 
   static std::string ReasonOf(const FalseClaim& claim) {
-    return fmt::format("after step {} {} is claimed to be {} and is {}", claim.step, claim.atom,
-                       claim.claimed, claim.is_true);
+    return fmt::format("after step {} {} is claimed to be {} and is {}{}{}", claim.step, claim.atom,
+                       claim.claimed, claim.is_true, claim.truth.empty() ? "" : ": ", claim.truth);
   }
 
   // The action in which it happened is told.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 
 #include "planner/contingent/grounding.h"
@@ -27,7 +28,10 @@ class KnowledgeFile {
         contingent::LoadTask(Beside(map_.At("domain")), Beside(map_.At("problem")));
     for (const contingent::Action& action : task.domain.actions) actions_.push_back(action.name);
     for (const contingent::Symbol& p : task.domain.predicates) predicates_.push_back(p.name);
-    for (const contingent::Symbol& f : task.domain.functions) predicates_.push_back(f.name);
+    for (const contingent::Symbol& f : task.domain.functions) {
+      predicates_.push_back(f.name);
+      if (f.range == contingent::kNumberType) numbers_.insert(f.name);
+    }
     for (const contingent::Symbol& e : task.domain.externs) externs_.push_back(e.name);
     contingent::Externs externs;
     if (const auto bound = map_.Find("externs")) BindExterns(*bound, externs);
@@ -123,18 +127,47 @@ class KnowledgeFile {
       name.OneOf(predicates_);
       const bool is_new = places.emplace(name.Text(), entry).second;
       if (!is_new) name.Fail(fmt::format("'{}' is given twice", name.Text()), "once");
-      read_.meanings[name.Text()] = ReadMeaning(entry, {problem_, read_.colors});
+      if (numbers_.contains(name.Text())) {
+        read_.quantities[name.Text()] = ReadQuantity(entry);
+      } else {
+        read_.meanings[name.Text()] = ReadMeaning(entry, {problem_, read_.colors});
+      }
     }
     for (const contingent::GroundAtom& atom : read_.task.ground_atoms) {
-      const auto place = places.find(atom.symbol);
-      if (place == places.end()) {
-        map.Fail(fmt::format("the domain's '{}' has no meaning", atom.symbol),
-                 atom.symbol + ": {is: ...}");
-      }
-      const Meaning* meaning = read_.meanings[atom.symbol].get();
-      if (meaning == nullptr) continue;
-      RequireRoles(place->second, atom.symbol, atom.arguments,
-                   meaning->Lacks(RolesOf(problem_, atom.arguments)));
+      const Value& place = MeaningAt(map, places, atom.symbol);
+      RequireMeaning(place, read_.meanings[atom.symbol].get(), atom.symbol, atom.arguments);
+    }
+    for (const contingent::FunctionId id : read_.task.function_of_slot) {
+      const contingent::GroundFunction& function = read_.task.functions[id.index()];
+      const Value& place = MeaningAt(map, places, function.symbol);
+      RequireMeaning(place, read_.QuantityOf(id), function.symbol, function.arguments);
+    }
+    RequireSensible(places);
+  }
+
+  static const Value& MeaningAt(const Value& map, const std::map<std::string, Value>& places,
+                                const std::string& symbol) {
+    const auto place = places.find(symbol);
+    if (place == places.end()) {
+      map.Fail(fmt::format("the domain's '{}' has no meaning", symbol), symbol + ": {is: ...}");
+    }
+    return place->second;
+  }
+
+  void RequireMeaning(const Value& place, const auto* meaning, const std::string& symbol,
+                      const std::vector<std::string>& arguments) const {
+    if (meaning == nullptr) return;
+    RequireRoles(place, symbol, arguments, meaning->Lacks(RolesOf(problem_, arguments)));
+  }
+
+  // Branches on numbers are answered by readings of what these are.
+  void RequireSensible(const std::map<std::string, Value>& places) const {
+    for (const contingent::Formula& formula : read_.task.formulas) {
+      if (!formula.bound || read_.QuantityOf(formula.bound->function) != nullptr) continue;
+      const std::string& symbol = read_.task.functions[formula.bound->function.index()].symbol;
+      places.at(symbol).Fail(fmt::format("no sensor tells whether {}: '{}' is internal",
+                                         TextOf(read_.task, formula), symbol),
+                             "a quantity of the workcell");
     }
   }
 
@@ -163,6 +196,7 @@ class KnowledgeFile {
   domain::Units units_;
   std::vector<std::string> actions_;
   std::vector<std::string> predicates_;
+  std::set<std::string> numbers_;  // numeric functions; they are among the predicates
   std::vector<std::string> externs_;
   Interpretation read_;
 };
@@ -191,6 +225,11 @@ int Interpretation::WorldCount() const {
 
 const Meaning* Interpretation::MeaningOf(contingent::AtomId atom) const {
   return meanings.at(task.ground_atoms[atom.index()].symbol).get();
+}
+
+const Quantity* Interpretation::QuantityOf(contingent::FunctionId function) const {
+  const auto found = quantities.find(task.functions[function.index()].symbol);
+  return found == quantities.end() ? nullptr : found->second.get();
 }
 
 bool Interpretation::CanSpill(const Truth& truth, PartId part) const {

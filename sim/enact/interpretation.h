@@ -9,6 +9,7 @@
 #include "planner/contingent/ground_task.h"
 #include "sim/enact/hidden_world.h"
 #include "sim/enact/meaning.h"
+#include "sim/enact/quantity.h"
 #include "sim/enact/skill.h"
 #include "sim/scenario/scenario.h"
 
@@ -27,10 +28,12 @@ struct PlannedWorlds;
 // is, what each predicate means. Symbols are the names of parts and tables.
 struct Interpretation {
   contingent::GroundTask task;
-  std::map<std::string, std::unique_ptr<const Skill>> skills;      // by action
-  std::map<std::string, std::unique_ptr<const Meaning>> meanings;  // by predicate or function;
-                                                                   // null: internal
-  std::vector<sense::NamedColor> colors;                           // that can be told
+  std::map<std::string, std::unique_ptr<const Skill>> skills;         // by action
+  std::map<std::string, std::unique_ptr<const Meaning>> meanings;     // by predicate or function;
+                                                                      // null: internal
+  std::map<std::string, std::unique_ptr<const Quantity>> quantities;  // by numeric function; the
+                                                                      // same
+  std::vector<sense::NamedColor> colors;                              // that can be told
   HiddenParts hidden;
   std::optional<Spill> spill;
   // Of plans of assemblies (plan_interpretation.h); else null.
@@ -39,6 +42,8 @@ struct Interpretation {
   int WorldCount() const;  // of the scenario: 1 unless poses are open
   // Of an atom; null if it is internal.
   const Meaning* MeaningOf(contingent::AtomId atom) const;
+  // Of a numeric function; null if it is internal.
+  const Quantity* QuantityOf(contingent::FunctionId function) const;
   // A part of which the predicate `spill` is true, in the simulator.
   bool CanSpill(const Truth& truth, PartId part) const;
 };

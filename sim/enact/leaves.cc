@@ -57,19 +57,27 @@ class LeafSearch {
 
   void Branch(NodeId id, std::size_t child, const KnowledgeState& state, Leaf way) {
     const PlanNode& node = tree_.node(id);
-    GroundLiteral literal;
     KnowledgeState learned;
     if (node.kind == PlanNode::Kind::kWhether) {
-      literal = knowledge_.UndeterminedLiteral(node.formula, state);
-      if (child == 1) literal.is_positive = !literal.is_positive;
+      Say(node.formula, child == 0, state, way);
       learned = knowledge_.Learned(state, node.formula, child == 0);
     } else {
-      literal = {node.values[child], true};
-      learned = knowledge_.Learned(state, literal);
+      way.literals.push_back({node.values[child], true});
+      learned = knowledge_.Learned(state, way.literals.back());
     }
     way.branches.push_back({id, child, OutcomeText(task_, node, child)});
-    way.literals.push_back(literal);
     GoOn(node, child, learned, way);
+  }
+
+  void Say(contingent::FormulaId formula, bool value, const KnowledgeState& state,
+           Leaf& way) const {
+    if (const auto& bound = task_.formulas[formula.index()].bound) {
+      way.bounds.push_back(value ? *bound : Negation(*bound));
+      return;
+    }
+    GroundLiteral literal = knowledge_.UndeterminedLiteral(formula, state);
+    literal.is_positive = literal.is_positive == value;
+    way.literals.push_back(literal);
   }
 
   const contingent::GroundTask& task_;
@@ -136,12 +144,26 @@ class WorldSearch {
   }
 
   bool IsRefuted() {
-    const auto refuted = std::ranges::find_if(
-        leaf_.literals, [&](const GroundLiteral& literal) { return IsRefuted(literal); });
-    if (refuted == leaf_.literals.end()) return false;
-    const std::string& atom = interpretation_.task.atoms[refuted->atom.index()];
-    refuted_ = (refuted->is_positive ? "" : "!") + atom;
-    return true;
+    const contingent::GroundTask& task = interpretation_.task;
+    for (const GroundLiteral& literal : leaf_.literals) {
+      if (!IsRefuted(literal)) continue;
+      refuted_ = TextOf(task, literal);
+      return true;
+    }
+    for (const contingent::Bound& bound : leaf_.bounds) {
+      if (!IsRefuted(bound)) continue;
+      refuted_ = TextOf(task, contingent::Formula{{}, bound});
+      return true;
+    }
+    return false;
+  }
+
+  bool IsRefuted(const contingent::Bound& bound) const {
+    const Quantity* const quantity = interpretation_.QuantityOf(bound.function);
+    if (quantity == nullptr) return false;
+    const auto& arguments = interpretation_.task.functions[bound.function.index()].arguments;
+    const auto value = quantity->ValueIn(world_, RolesOf(problem_, arguments));
+    return value && !Holds(bound, *value);
   }
 
   bool IsRefuted(const GroundLiteral& literal) const {

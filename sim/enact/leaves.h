@@ -16,6 +16,7 @@ namespace assay::enact {
 struct Leaf {
   std::vector<TakenBranch> branches;
   std::vector<contingent::GroundLiteral> literals;
+  std::vector<contingent::Bound> bounds;
   bool is_repeat = false;
 
   // "isSpillable(can1), !isSpillable(can2)"; "always"; with ", and again" where it repeats

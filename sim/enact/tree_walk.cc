@@ -10,6 +10,7 @@
 namespace assay::enact {
 
 using contingent::AtomId;
+using contingent::FormulaId;
 using contingent::GroundAction;
 using contingent::NodeId;
 using contingent::PlanNode;
@@ -56,7 +57,8 @@ Walk TreeWalk::Go() {
     const PlanNode& node = tree_.node(*at);
     switch (node.kind) {
       case PlanNode::Kind::kGoal:
-        return std::move(walk_);
+        at = Arrive();
+        break;
       case PlanNode::Kind::kAct:
         at = Act(node);
         break;
@@ -69,6 +71,24 @@ Walk TreeWalk::Go() {
     }
   }
   return std::move(walk_);
+}
+
+// A plan may end with something sensed: then sensors must have told it, if the goal needs it.
+std::optional<NodeId> TreeWalk::Arrive() {
+  std::vector<FormulaId> not_told;
+  for (std::size_t i = 0; i < interpretation_.task.formulas.size(); ++i) {
+    const FormulaId formula(i);
+    if (!knowledge_.layout().IsSensed(state_, formula)) continue;
+    if (const auto told = SensedWhether(formula)) {
+      state_ = knowledge_.Learned(state_, formula, *told);
+    } else {
+      knowledge_.layout().SetSensed(state_, formula, false);
+      not_told.push_back(formula);
+    }
+  }
+  AuditNow();
+  if (knowledge_.Holds(interpretation_.task.goal, state_)) return std::nullopt;
+  return NotTold(not_told.front());
 }
 
 std::optional<NodeId> TreeWalk::Act(const PlanNode& node) {
@@ -114,9 +134,31 @@ std::optional<bool> TreeWalk::Told(AtomId atom) const {
   return meaning->Told(situation_.readings, RolesOf(situation_.problem(), arguments));
 }
 
-std::optional<bool> TreeWalk::SensedWhether(AtomId atom) {
+std::optional<bool> TreeWalk::Told(const contingent::Bound& bound) const {
+  const Quantity* const quantity = interpretation_.QuantityOf(bound.function);
+  if (quantity == nullptr) return std::nullopt;
+  const auto& arguments = interpretation_.task.functions[bound.function.index()].arguments;
+  const auto reading =
+      quantity->Told(situation_.readings, RolesOf(situation_.problem(), arguments));
+  return reading ? enact::Told(bound, *reading) : std::nullopt;
+}
+
+std::optional<bool> TreeWalk::Told(FormulaId id) const {
+  const contingent::Formula& formula = interpretation_.task.formulas[id.index()];
+  if (formula.bound) return Told(*formula.bound);
+  bool are_all_told = true;
+  for (const contingent::GroundLiteral& literal : formula.literals) {
+    if (knowledge_.layout().IsKnown(state_, literal)) continue;
+    const std::optional<bool> told = Told(literal.atom);
+    if (told && *told != literal.is_positive) return false;
+    are_all_told &= told.has_value();
+  }
+  return are_all_told ? std::optional(true) : std::nullopt;
+}
+
+std::optional<bool> TreeWalk::SensedWhether(FormulaId formula) {
   for (int times = 1;; ++times) {
-    const std::optional<bool> told = Told(atom);
+    const std::optional<bool> told = Told(formula);
     if (told || times == kMostSensings || last_.IsNone()) return told;
     const GroundAction& last = interpretation_.task.actions[last_.index()];
     if (!IsSensing(last) || Do(last)) return std::nullopt;
@@ -127,18 +169,19 @@ bool TreeWalk::IsFlipped() { return options_.random->Uniform() < options_.sensin
 
 std::optional<NodeId> TreeWalk::Whether(NodeId id) {
   const PlanNode& node = tree_.node(id);
-  const auto literal = knowledge_.UndeterminedLiteral(node.formula, state_);
-  const auto told = literal.atom.IsNone() ? std::nullopt : SensedWhether(literal.atom);
-  if (!told) {
-    return End(WalkEnd::kUncertain,
-               fmt::format("the sensors do not tell whether {}",
-                           TextOf(interpretation_.task,
-                                  interpretation_.task.formulas[node.formula.index()])));
-  }
+  const std::optional<bool> told = SensedWhether(node.formula);
+  if (!told) return NotTold(node.formula);
   const bool is_flipped = IsFlipped();
-  const bool value = (*told == literal.is_positive) != is_flipped;
+  const bool value = *told != is_flipped;
   state_ = knowledge_.Learned(state_, node.formula, value);
   return Take(id, value ? 0 : 1, is_flipped);
+}
+
+std::optional<NodeId> TreeWalk::NotTold(FormulaId formula) {
+  return End(
+      WalkEnd::kUncertain,
+      fmt::format("the sensors do not tell whether {}",
+                  TextOf(interpretation_.task, interpretation_.task.formulas[formula.index()])));
 }
 
 std::optional<NodeId> TreeWalk::ByValue(NodeId id) {
@@ -172,7 +215,8 @@ void TreeWalk::AuditNow() {
   exec::Execution& execution = situation_.execution();
   const Truth truth{situation_.problem(), execution.scene(), execution.data()};
   const int step = static_cast<int>(walk_.steps.size());
-  for (FalseClaim& claim : audit_.FalseClaims(knowledge_, state_, truth, step)) {
+  for (FalseClaim& claim :
+       audit_.FalseClaims(knowledge_, state_, truth, situation_.readings, step)) {
     const auto is_same = [&](const FalseClaim& other) {
       return other.atom == claim.atom && other.claimed == claim.claimed;
     };

@@ -60,13 +60,17 @@ class TreeWalk {
 
  private:
   // One node; none: the walk ends here.
+  std::optional<contingent::NodeId> Arrive();
   std::optional<contingent::NodeId> Act(const contingent::PlanNode& node);
   std::optional<contingent::NodeId> Whether(contingent::NodeId id);
   std::optional<contingent::NodeId> ByValue(contingent::NodeId id);
   exec::Progress Do(const contingent::GroundAction& action);
   std::optional<bool> Told(contingent::AtomId atom) const;
+  std::optional<bool> Told(const contingent::Bound& bound) const;
+  std::optional<bool> Told(contingent::FormulaId formula) const;
   // The same; as long as it is open, the last action, if it senses, is done again.
-  std::optional<bool> SensedWhether(contingent::AtomId atom);
+  std::optional<bool> SensedWhether(contingent::FormulaId formula);
+  std::optional<contingent::NodeId> NotTold(contingent::FormulaId formula);
   bool IsFlipped();
   std::optional<contingent::NodeId> Take(contingent::NodeId id, std::size_t child, bool is_flipped);
   std::optional<contingent::NodeId> End(WalkEnd end, const std::string& reason);

@@ -22,7 +22,7 @@ class AuditOfTwoCans : public testing::Test {
       : scenario_(TwoCans(replacements)) {}
 
   std::vector<FalseClaim> FalseClaims() {
-    return audit_.FalseClaims(knowledge_, state_, truth_, 0);
+    return audit_.FalseClaims(knowledge_, state_, truth_, readings_, 0);
   }
   void Move(PartId can, const Pose& X_WorldCan) { scene_.SetPart(data_, can, X_WorldCan); }
   Pose Now(PartId can) const { return scene_.TruePose(data_, can); }
@@ -33,6 +33,7 @@ class AuditOfTwoCans : public testing::Test {
   mujoco::Data data_ = scene_.Start();
   const Truth truth_{problem_, scene_, data_};
   const Audit audit_{scenario_.interpretation, problem_};
+  Readings readings_;
   contingent::KnowledgeBase knowledge_{scenario_.interpretation.task};
   contingent::KnowledgeState state_ = knowledge_.Initial();
 };

@@ -1,0 +1,35 @@
+#include "sim/enact/quantity.h"
+
+namespace assay::enact {
+namespace {
+
+class Mass : public Quantity {
+ public:
+  std::string Lacks(const Roles& roles) const override { return roles.part.IsNone() ? "part" : ""; }
+  double TrueValue(const Truth& truth, const Roles& roles) const override {
+    return truth.scene.TrueMass(roles.part);
+  }
+  std::optional<Reading> Told(const Readings& readings, const Roles& roles) const override {
+    const auto found = readings.masses.find(roles.part);
+    if (found == readings.masses.end()) return std::nullopt;
+    return found->second;
+  }
+  std::optional<double> ValueIn(const HiddenWorld& world, const Roles& roles) const override {
+    const auto found = world.masses.find(roles.part);
+    if (found == world.masses.end()) return std::nullopt;
+    return found->second;
+  }
+};
+
+}  // namespace
+
+const QuantityWord kMass = {
+    .name = "mass",
+    .summary = "of a numeric function: the part's mass, kg; told by weighing",
+    .read = [](const Value& map) -> std::unique_ptr<const Quantity> {
+      map.AllowOnly({"is"});
+      return std::make_unique<Mass>();
+    },
+};
+
+}  // namespace assay::enact
