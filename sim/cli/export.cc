@@ -107,7 +107,7 @@ ExitCode ExportPddl(const Options& options) {
 
 // Likewise NAME-domain.pks and NAME-problem.pks: what `assay know` would plan with.
 ExitCode ExportPks(const Options& options) {
-  const std::vector<domain::Problem> worlds = LoadWorlds(options.input, options.models);
+  const std::vector<domain::Problem> worlds = LoadWorldsToPlan(options.input, options.models);
   const assembly::ContingentAssembly assembly = assembly::MakeContingentPlan(worlds, {}, {});
   if (assembly.knowledge.domain.empty()) {
     Print(Text(worlds, assembly));

@@ -164,7 +164,8 @@ ExitCode ExecuteTree(const std::vector<domain::Problem>& worlds, const Options& 
 // One where no pose is open, and where the input is a plan file.
 std::vector<domain::Problem> WorldsIn(const Options& options) {
   if (IsPlanFile(Document::Load(options.input))) return {};
-  return LoadWorlds(options.input, options.models, {.resolvers = ResolversFrom(options.resolvers)});
+  return LoadWorldsToPlan(options.input, options.models,
+                          {.resolvers = ResolversFrom(options.resolvers)});
 }
 
 ExitCode Execute(const Options& options) {

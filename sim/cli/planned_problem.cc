@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "planner/assembly/plan_check.h"
 #include "planner/assembly/certified_plan.h"
+#include "planner/assembly/plan_check.h"
 #include "planner/plan/plan_file.h"
 #include "sim/cli/certificate_check.h"
 #include "sim/cli/progress.h"
@@ -26,6 +26,13 @@ std::vector<plan::Flaw> ClaimFlaws(const PlannedProblem& planned) {
   return CertificateFlaws(planned.problem, planned.result.plan, planned.file());
 }
 
+void RequireGoal(const fs::path& file, const domain::Problem& problem) {
+  if (!problem.goals.empty()) return;
+  throw InputError({.file = file.string()},
+                   "the goal is one of knowledge, which `assay enact` plans for",
+                   "a scenario with a key `goal`");
+}
+
 }  // namespace
 
 scenario::Scenario LoadScenario(const fs::path& file, const fs::path& models,
@@ -40,6 +47,13 @@ std::vector<domain::Problem> LoadWorlds(const fs::path& file, const fs::path& mo
   if (models.empty()) Document::Load(file);
   return scenario::LoadWorlds(file, models.empty() ? scenario::FindModels(file) : models,
                               overrides);
+}
+
+std::vector<domain::Problem> LoadWorldsToPlan(const fs::path& file, const fs::path& models,
+                                              const scenario::Overrides& overrides) {
+  std::vector<domain::Problem> worlds = LoadWorlds(file, models, overrides);
+  RequireGoal(file, worlds.front());
+  return worlds;
 }
 
 PlannedProblem LoadPlan(const Document& plan_file, const fs::path& file, const fs::path& models) {
@@ -60,11 +74,7 @@ PlannedProblem MakePlan(const fs::path& file, const fs::path& models,
                         const posting::UncertaintyOptions& uncertainty,
                         const scenario::Overrides& overrides) {
   scenario::Scenario scenario = LoadScenario(file, models, overrides);
-  if (scenario.problem.goals.empty()) {
-    throw InputError({.file = file.string()},
-                     "the goal is one of knowledge, which `assay enact` plans for",
-                     "a scenario with a key `goal`");
-  }
+  RequireGoal(file, scenario.problem);
   plan::PlanResult result = PlanWithProgress(scenario.problem, planner, uncertainty);
   return {file.string(), std::move(scenario.problem), std::move(scenario.simulation),
           std::move(result)};

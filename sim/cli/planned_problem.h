@@ -34,6 +34,11 @@ std::vector<domain::Problem> LoadWorlds(const std::filesystem::path& file,
                                         const std::filesystem::path& models,
                                         const scenario::Overrides& overrides = {});
 
+// The same, of a scenario that says what is to be assembled.
+std::vector<domain::Problem> LoadWorldsToPlan(const std::filesystem::path& file,
+                                              const std::filesystem::path& models,
+                                              const scenario::Overrides& overrides = {});
+
 // A plan file, with the problem in the scenario that it names: a path from the working directory
 // or, if there is no such file, from the plan file's folder.
 PlannedProblem LoadPlan(const Document& plan_file, const std::filesystem::path& file,

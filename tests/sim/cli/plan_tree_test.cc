@@ -45,6 +45,24 @@ TEST(PlanTree, WhatIsKnownIsWrittenForKnow) {
                                HasSubstr("check: holds in all of the worlds")));
 }
 
+// Figure 15 of Spar begins with looks at parts of known pose: steps like others.
+TEST(PlanTree, FirstLooksAtKnownPosesAreSteps) {
+  const Ended ended = Assay({"plan", kTree / "scenarios/spar-fig15.yaml", "--tree"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(StartsWith("sense("), HasSubstr("\npickup(peg, "),
+                               HasSubstr("recover from error4\n    go to 1")));
+}
+
+TEST(PlanTree, AGoalOfKnowledgeHasNone) {
+  const std::string cans = kTree / "scenarios/two-cans.yaml";
+  for (const auto& command : {std::vector<std::string>{"plan", cans, "--tree"},
+                              std::vector<std::string>{"export", cans, "--pks"}}) {
+    const Ended ended = Assay(command);
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_THAT(ended.err, HasSubstr("a scenario with a key `goal`"));
+  }
+}
+
 TEST(PlanTree, VerbsAboutOneWorldRefuseOpenPoses) {
   const Ended ended = Assay({"run", kFallenPeg});
   EXPECT_EQ(ended.code, 3);
