@@ -22,23 +22,31 @@ constexpr std::size_t kMostWorlds = 1'000'000;
 constexpr std::size_t kMostReturns = 100'000;
 // Of knowledge with which one tree's repeats begin again.
 constexpr std::size_t kMostBeginnings = 1'000;
+// Of worlds of which each is followed among the others.
+constexpr std::size_t kMostFollowed = 2'000;
 
 bool HasNegation(const GroundQuery& query) {
   return query.kind == GroundQuery::Kind::kNot || std::ranges::any_of(query.operands, HasNegation);
 }
 
-// Knowing more never hurts: nothing is asked not to be known, and nothing is changed for being
-// known.
-bool IsMonotone(const GroundTask& task) {
+// Whether something happens because it is known or not known, so that what happens in a world
+// depends on the others.
+bool HappensByKnowledge(const GroundTask& task) {
   const auto is_by_knowledge = [](const GroundEffect& effect) {
     return !effect.is_of_worlds && !effect.condition.IsTrue();
   };
-  return !HasNegation(task.goal) &&
-         std::ranges::all_of(
-             task.updates, [](const GroundEffect& update) { return update.condition.IsTrue(); }) &&
-         std::ranges::none_of(task.actions, [&](const GroundAction& action) {
-           return HasNegation(action.precondition) ||
-                  std::ranges::any_of(action.effects, is_by_knowledge);
+  return !std::ranges::all_of(task.updates, [](const GroundEffect& update) {
+    return update.condition.IsTrue();
+  }) || std::ranges::any_of(task.actions, [&](const GroundAction& action) {
+    return std::ranges::any_of(action.effects, is_by_knowledge);
+  });
+}
+
+// Knowing more never hurts: nothing is asked not to be known, either.
+bool IsMonotone(const GroundTask& task) {
+  return !HappensByKnowledge(task) && !HasNegation(task.goal) &&
+         std::ranges::none_of(task.actions, [](const GroundAction& action) {
+           return HasNegation(action.precondition);
          });
 }
 
@@ -48,6 +56,7 @@ class Runner {
       : task_(task),
         tree_(tree),
         is_monotone_(IsMonotone(task)),
+        happens_by_knowledge_(HappensByKnowledge(task)),
         progression_(task, are_all_worlds, most_worlds),
         most_worlds_(most_worlds) {}
 
@@ -161,13 +170,7 @@ class Runner {
       if (attempt_ == nullptr && IsRepeated(id)) Begin(id, history);
       switch (node.kind) {
         case PlanNode::Kind::kGoal:
-          if (!Holds(task_.goal, history)) Fail("the goal is not known", history);
-          if (attempt_ != nullptr) {
-            attempt_->has_ended = true;
-          } else if (!way.is_counted) {
-            worlds_ += static_cast<std::int64_t>(history.worlds.size());
-          }
-          return;
+          return End(way);
         case PlanNode::Kind::kAct:
           Execute(task_.actions[node.action.index()], history);
           if (node.Repeats(0)) return Return(node.children.front(), way);
@@ -178,6 +181,15 @@ class Runner {
           return Branch(node, way);
       }
     }
+  }
+
+  void End(const Way& way) {
+    if (attempt_ != nullptr) {
+      attempt_->has_ended = true;
+      return;
+    }
+    if (!Holds(task_.goal, way.history)) Fail("the goal is not known", way.history);
+    if (!way.is_counted) worlds_ += static_cast<std::int64_t>(way.history.worlds.size());
   }
 
   static bool IsFollowed(const History& history) {
@@ -191,7 +203,8 @@ class Runner {
   }
 
   void Execute(const GroundAction& action, History& history) {
-    if (!Holds(action.precondition, history)) {
+    // What one world may do alone has been asked of all worlds with its history.
+    if (attempt_ == nullptr && !Holds(action.precondition, history)) {
       return Fail(
           fmt::format("the precondition of {} is not known", assay::contingent::TextOf(action)),
           history);
@@ -298,6 +311,12 @@ class Runner {
 
   // Where knowing more may hurt, the repeat begins again with each knowledge that comes back to it.
   void ReturnKnowing(NodeId head, const History& history) {
+    if (happens_by_knowledge_ && history.worlds.size() > kMostFollowed) {
+      return Fail(fmt::format("a repeat of more than {} worlds, where what happens depends on what "
+                              "is known,",
+                              kMostFollowed),
+                  history);
+    }
     for (const World& world : history.worlds) {
       if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
     }
@@ -374,7 +393,7 @@ class Runner {
       return Fail("a repeat begins in another world", history, &world);
     }
     History alone = history;
-    if (is_monotone_) alone.worlds = {world};
+    if (!happens_by_knowledge_) alone.worlds = {world};
     for (World& other : alone.worlds) other.is_followed = other == world;
     History seen = ToCompare(alone);
     if (is_monotone_) {
@@ -440,6 +459,7 @@ class Runner {
   const GroundTask& task_;
   const PlanTree& tree_;
   bool is_monotone_;
+  bool happens_by_knowledge_;
   WorldProgression progression_;
   std::size_t most_worlds_;
   Attempt* attempt_ = nullptr;
