@@ -27,9 +27,11 @@ enum class Wanted {
   kLeastDepth,  // looks at all states that are near enough: for small problems
 };
 
-// Plans at the knowledge level (Petrick and Bacchus 2002). The budget is in looks at a
-// knowledge state. kNone
-// is a proof: of all states that can be reached none leads surely to the goal, not even by repeats.
+// Plans at the knowledge level (Petrick and Bacchus 2002). The budget is in looks at a knowledge
+// state. kNone is a proof that no tree without repeats leads surely to the goal, whatever states it
+// goes through, nor one with repeats of the kind that is looked for: where what a repeated branch
+// asks of is open in every world anew (exhaustive_tree.h). Throws InputError if init contradicts
+// itself, and if update rules do not come to rest (knowledge_base.h).
 ContingentPlan MakePlan(const GroundTask& task, Wanted wanted, Budget& budget);
 
 }  // namespace assay::contingent

@@ -9,8 +9,9 @@
 namespace assay::contingent {
 namespace {
 
-// Ways to bind variables that are looked at, so that no file keeps the program busy for hours.
+// So that no file keeps the program busy for hours, or takes all memory.
 constexpr std::int64_t kMostBindings = 20'000'000;
+constexpr double kMostInstances = 1'000'000;
 
 Relation Complement(Relation relation) {
   switch (relation) {
@@ -111,21 +112,35 @@ Bound TermGrounding::BoundOf(const Literal& literal, const Bindings& bindings) {
 
 void TermGrounding::ForEachBinding(const std::vector<TypedName>& variables, Bindings& bindings,
                                    std::size_t from, const std::function<void()>& use) {
+  if (from == 0 && !variables.empty()) CountInstances(variables);
   if (from == variables.size()) {
     use();
     return;
   }
   for (const std::string& constant : symbols_.ConstantsOf(variables[from].type)) {
-    CountBinding(variables[from].place);
     bindings.push_back({variables[from].name, {constant, FunctionId::None()}});
     ForEachBinding(variables, bindings, from + 1, use);
     bindings.pop_back();
   }
 }
 
+void TermGrounding::CountInstances(const std::vector<TypedName>& variables) {
+  double ways = 1;
+  for (const TypedName& variable : variables) {
+    ways *= static_cast<double>(symbols_.ConstantsOf(variable.type).size());
+  }
+  instances_ += ways;
+  if (instances_ > kMostInstances) {
+    Fail(variables.front().place,
+         fmt::format("{:.15g} instances, with those before {:.15g}", ways, instances_),
+         fmt::format("{} of all effects and queries with variables", kMostInstances));
+  }
+}
+
 void TermGrounding::CountBinding(Place place) {
   if (++bindings_ > kMostBindings) {
-    Fail(place, "too many ways to bind variables", fmt::format("{}", kMostBindings));
+    Fail(place, "too many ways to bind the parameters of this action and those before it",
+         fmt::format("{} that what is known at first rules out, or does not", kMostBindings));
   }
 }
 

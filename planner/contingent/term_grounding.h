@@ -54,9 +54,11 @@ class TermGrounding {
   Bound BoundOf(const Literal& literal, const Bindings& bindings);
 
   // Calls `use` with the bindings and each way to bind the variables, from this one on, as well.
+  // Throws InputError, before the first, if there are too many of them: each takes memory.
   void ForEachBinding(const std::vector<TypedName>& variables, Bindings& bindings, std::size_t from,
                       const std::function<void()>& use);
-  // Throws InputError when there have been too many.
+  // Counts a way to bind an action's parameters that is tried. Throws InputError when there have
+  // been too many.
   void CountBinding(Place place);
 
   // A run-time variable stands where none may: what is being grounded with it is left out.
@@ -66,11 +68,14 @@ class TermGrounding {
   bool TakeRefusal() { return std::exchange(is_refused_, false); }
 
  private:
+  void CountInstances(const std::vector<TypedName>& variables);
+
   const SymbolTable& symbols_;
   AtomTable& table_;
   GroundTask& task_;
   const std::string* file_ = nullptr;
-  std::int64_t bindings_ = 0;  // that have been looked at
+  std::int64_t bindings_ = 0;  // of parameters, that have been tried
+  double instances_ = 0;       // of effects and queries with variables
   bool is_refused_ = false;
 };
 

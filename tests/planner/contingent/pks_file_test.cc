@@ -259,6 +259,19 @@ TEST(Grounding, TooManyInstancesAreCounted) {
             "no error");
 }
 
+// 10^7 instances of an effect, of a query: told before one is made.
+TEST(Grounding, TooManyInstancesOfVariablesAreCounted) {
+  const std::string problem = "problem p domain d objects: a, b, c, d, e, f, g, h, i, j: t goal: ";
+  const std::string domain = "domain d types: t predicates: p(t)\naction a effects:\n";
+  EXPECT_EQ(
+      MessageOf(domain + "forall (?a, ?b, ?c, ?d, ?e, ?f, ?g: t) add(Kf, p(?a))", problem + "true"),
+      "domain.pks:3:9: 10000000 instances, with those before 10000000; allowed: 1000000 of "
+      "all effects and queries with variables");
+  EXPECT_THAT(MessageOf(domain + "forall (?a: t) add(Kf, p(?a))",
+                        problem + "\nexistsK(?a, ?b, ?c, ?d, ?e, ?f, ?g: t) K(p(?a))"),
+              StartsWith("problem.pks:2:9: 10000000 instances, with those before 10000010"));
+}
+
 // ---- Update rules
 
 // Rules that undo each other have no state to come to; that one of them stops the other is fine.
