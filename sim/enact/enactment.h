@@ -20,7 +20,7 @@ enum class EnactmentOutcome {
   kOperator,    // a person was called
   kUncertain,   // sensing left a branch open
   kEndless,     // the walk came to no leaf
-  kCollided,    // an arm touched something, or a hand what it does not handle
+  kCollided,    // an arm touched something, a hand what it does not handle, a held part anything
   kSpilled,     // a part was tilted further than it may be
   kFallen,      // at the end a part does not rest as it did at the start
   kMissed,      // the goal is not true

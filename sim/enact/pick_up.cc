@@ -30,6 +30,7 @@ std::vector<domain::GraspId> MostUprightFirst(const domain::Part& part, const Po
 
 class PickUp : public Skill {
  public:
+  exec::HeldTouches HeldMayTouch() const override { return exec::HeldTouches::kTables; }
   exec::Progress Do(const Roles& roles, Situation& situation) const override {
     const std::optional<plan::Hold> hold = ChooseHold(roles.part, situation);
     if (!hold) {

@@ -48,6 +48,7 @@ class PlanSkill : public Skill {
       : planned_(std::move(planned)), action_(action) {}
 
   std::string Lacks(const Roles&) const override { return {}; }
+  exec::HeldTouches HeldMayTouch() const override { return exec::HeldTouches::kAnything; }
 
  protected:
   const PlannedWorlds& planned() const { return *planned_; }

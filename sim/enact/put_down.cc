@@ -42,6 +42,7 @@ std::vector<Vector2> SpotsOf(const domain::Place& place) {
 
 class PutDown : public Skill {
  public:
+  exec::HeldTouches HeldMayTouch() const override { return exec::HeldTouches::kTables; }
   exec::Progress Do(const Roles& roles, Situation& situation) const override {
     exec::Execution& execution = situation.execution();
     const exec::WorldModel& world = execution.world();

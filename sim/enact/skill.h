@@ -41,6 +41,8 @@ class Skill {
 
   // What it lacks to be done with these arguments; empty: nothing.
   virtual std::string Lacks(const Roles& roles) const { return roles.part.IsNone() ? "part" : ""; }
+  // What a part in the hand may touch meanwhile.
+  virtual exec::HeldTouches HeldMayTouch() const { return exec::HeldTouches::kNothing; }
   // Does it, by what is believed and felt alone.
   virtual exec::Progress Do(const Roles& roles, Situation& situation) const = 0;
 };

@@ -113,15 +113,16 @@ std::optional<NodeId> TreeWalk::Act(const PlanNode& node) {
 exec::Progress TreeWalk::Do(const GroundAction& action) {
   const Roles roles = RolesOf(situation_.problem(), action.arguments);
   const std::string text = TextOf(action);
+  const Skill& skill = *interpretation_.skills.at(action.name);
   exec::Progress failure = situation_.crew.TakeOver(roles.robot);
   exec::Execution& execution = situation_.execution();
   if (!roles.part.IsNone()) {  // steps of plans say themselves what they handle
     std::vector<PartId> handled = situation_.crew.Held();
     handled.push_back(roles.part);
-    execution.Handle(std::move(handled));
+    execution.Handle(std::move(handled), skill.HeldMayTouch());
   }
   execution.SetHandError(HandError(situation_.problem().gripper_error, *options_.random));
-  if (!failure) failure = interpretation_.skills.at(action.name)->Do(roles, situation_);
+  if (!failure) failure = skill.Do(roles, situation_);
   if (failure) failure->reason = text + ": " + failure->reason;
   walk_.steps.push_back({text, execution.data().time()});
   return failure;

@@ -233,7 +233,7 @@ void Execution::SampleIfDue() {
 }
 
 void Execution::RecordCollisions() {
-  for (const Collision& collision : collisions_.Look(data_)) {
+  for (const Collision& collision : collisions_.Look(data_, world_.held())) {
     trace_.events.push_back(CollisionRecord{data_.time(), data_.model().Name(collision.robot),
                                             data_.model().Name(collision.other)});
   }

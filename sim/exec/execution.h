@@ -80,7 +80,9 @@ class Execution {
   // Where the hand truly goes when it is told to go to X_WorldTool.
   Pose Erring(const Pose& X_WorldTool) const { return X_WorldTool * hand_error_; }
   // From now on the hand may touch these parts and no others (CollisionWatch).
-  void Handle(std::vector<PartId> parts) { collisions_.Handle(std::move(parts)); }
+  void Handle(std::vector<PartId> parts, HeldTouches held = HeldTouches::kAnything) {
+    collisions_.Handle(std::move(parts), held);
+  }
   void SetStep(plan::StepId step) { step_ = step; }
   plan::StepId step() const { return step_; }
 

@@ -142,7 +142,7 @@ struct RestRecord {
 // A robot touched what it was not to touch (CollisionWatch): names of bodies, each pair once.
 struct CollisionRecord {
   double time = 0;
-  std::string robot;  // "arm/forearm"
+  std::string robot;  // "arm/forearm"; "part/can1", which it holds
   std::string other;  // "part/brick"
 };
 

@@ -130,6 +130,18 @@ TEST(Enactment, AnArmThatRunsIntoSomethingHasFailed) {
               AllOf(HasSubstr("transferUpright(can1): "), HasSubstr(" touched part/post")));
 }
 
+// Somebody puts the other can to where this one is put down, in the middle of the second table.
+TEST(Enactment, AHeldPartThatRunsIntoAnotherHasFailed) {
+  const KnowledgeScenario scenario = TwoCans();
+  HiddenWorld world = kOneFull;
+  world.mishap = Mishap{.action = "ungrasp", .part = PartId(1), .way = {-0.03, 0.85, 0}};
+  const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
+  EXPECT_TRUE(trial.IsFailed());
+  ASSERT_FALSE(trial.collisions.empty());
+  EXPECT_EQ(trial.collisions.front().robot, "part/can1");
+  EXPECT_EQ(trial.collisions.front().other, "part/can2");
+}
+
 TEST(Enactment, WhatCannotBeReachedStopsTheWalk) {
   const KnowledgeScenario scenario = TwoCans({
       {"at: [550, -300]", "at: [860, -650]"},

@@ -56,5 +56,28 @@ TEST_F(CollisionWatchTest, AHandTouchesWhatItHandlesAndNothingElse) {
   EXPECT_THAT(Names(watch_.Look(data_)), testing::Contains("gripper/finger_left part/block"));
 }
 
+// The block lies on the table, and the peg is put into it. What a held part touches when it is
+// taken is where it comes from; in the next action it may touch that no more.
+TEST_F(CollisionWatchTest, AHeldPartTouchesWhereItIsTakenFromAndNothingElse) {
+  watch_.Handle({kBlock}, HeldTouches::kNothing);
+  EXPECT_THAT(watch_.Look(data_), IsEmpty());
+  EXPECT_THAT(watch_.Look(data_, kBlock), IsEmpty());
+  EXPECT_THAT(watch_.Look(data_, kBlock), IsEmpty());
+  scene_.SetPart(data_, kPeg, data_.BodyPose(scene_.Body(kBlock)));
+  const auto is_of_peg = [](const std::string& pair) { return pair.find("peg") != pair.npos; };
+  EXPECT_THAT(Names(watch_.Look(data_, kBlock)), testing::ElementsAre(testing::Truly(is_of_peg)));
+  watch_.Handle({kBlock}, HeldTouches::kTables);
+  EXPECT_THAT(watch_.Look(data_, kBlock), IsEmpty());
+  watch_.Handle({kBlock}, HeldTouches::kNothing);
+  EXPECT_THAT(Names(watch_.Look(data_, kBlock)), SizeIs(1));  // the table
+}
+
+// Steps of plans slide parts into each other.
+TEST_F(CollisionWatchTest, AHeldPartMayTouchAnythingIfNothingElseIsSaid) {
+  EXPECT_THAT(watch_.Look(data_, kPeg), IsEmpty());
+  scene_.SetPart(data_, kPeg, data_.BodyPose(scene_.Body(kBlock)));
+  EXPECT_THAT(watch_.Look(data_, kPeg), IsEmpty());
+}
+
 }  // namespace
 }  // namespace assay::exec
