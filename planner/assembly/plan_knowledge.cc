@@ -138,6 +138,7 @@ class KnowledgeText {
       alternatives.push_back(fmt::format("pose({}) = {}", part.name, name));
     }
     init_.push_back(fmt::format("add(Kx, {})", fmt::join(alternatives, " | ")));
+    init_.push_back(fmt::format("add(Kf, !moved({}))", part.name));
     const auto errors = Coordinates(part.error);
     for (std::size_t i = 0; i < errors.size(); ++i) {
       init_.push_back(
@@ -146,17 +147,15 @@ class KnowledgeText {
     for (const std::string& sensor : first_.sensors) AddLook(part.name, open.part, sensor);
   }
 
-  // As long as the part is where it was and the look tells anything.
+  // As long as the part is where it was.
   void AddLook(const std::string& part, PartId id, const std::string& sensor) {
-    std::vector<std::string> told = {fmt::format("Kv(pose({}))", part)};
     std::string effects = fmt::format("add(Kv, pose({}))", part);
     for (const auto& [function, half_width] : PromisesOf(sensor)) {
-      told.push_back(fmt::format("Kv({}({}) within {})", function, part, half_width));
       effects += fmt::format(", add(Kv, {}({}) within {})", function, part, half_width);
     }
     AddAction(fmt::format("look-{}-{}", part, sensor),
               {.kind = Kind::kLook, .part = id, .sensor = sensor},
-              fmt::format("!({}) & !K(moved({}))", Both(told), part), effects);
+              fmt::format("K(!moved({}))", part), effects);
   }
 
   // What is known is known of the present: of a step that the next one has gone beyond, and of a
@@ -170,9 +169,10 @@ class KnowledgeText {
       if (std::ranges::count(looks, id) > 0) continue;
       const std::string step = fmt::format("plan{}-{}", index + 1, plan.step(id).name);
       constants_["step"].insert(step);
+      init_.push_back(fmt::format("add(Kf, !done({}))", step));
       const KnowledgeAction meaning = {
           .kind = Kind::kStep, .plan = index, .step = id, .name = step};
-      AddAction(step, meaning, fmt::format("{} & !K(done({}))", ready, step),
+      AddAction(step, meaning, fmt::format("{} & K(!done({}))", ready, step),
                 fmt::format("add(Kf, done({})){}{}", step, past, LeftPose(plan.step(id))));
       ready = fmt::format("K(done({}))", step);
       past.clear();
@@ -204,16 +204,14 @@ class KnowledgeText {
   void AddVerification(const std::string& step, const KnowledgeAction& meaning,
                        const std::vector<std::string>& errors) {
     constants_["error"].insert(errors.begin(), errors.end());
-    AddAction("verify-" + step, WithKind(Kind::kVerify, meaning),
-              fmt::format("K(done({0})) & !Kw(wentWell({0}))", step),
+    AddAction("verify-" + step, WithKind(Kind::kVerify, meaning), fmt::format("K(done({}))", step),
               fmt::format("add(Kw, wentWell({}))", step));
     std::string so_far = fmt::format("K(!wentWell({}))", step);
     for (const std::string& error : errors) {
       std::string signalled = so_far;
       if (error != errors.back()) {
         AddAction(fmt::format("diagnose-{}-{}", step, error),
-                  WithKind(Kind::kDiagnose, meaning, error),
-                  fmt::format("{} & !Kw(signals({}, {}))", so_far, step, error),
+                  WithKind(Kind::kDiagnose, meaning, error), so_far,
                   fmt::format("add(Kw, signals({}, {}))", step, error));
         signalled += fmt::format(" & K(signals({}, {}))", step, error);
         so_far += fmt::format(" & K(!signals({}, {}))", step, error);

@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <limits>
 #include <ranges>
+#include <set>
 #include <utility>
 
 namespace assay::contingent {
 namespace {
+
+// Stands for a number that was forgotten, until it may be any.
+constexpr double kForgotten = std::numeric_limits<double>::infinity();
 
 bool Compare(double value, Relation relation, double with) {
   switch (relation) {
@@ -239,6 +243,9 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
     }
     std::move(now.begin(), now.end(), std::back_inserter(changed));
   }
+  for (int slot = 0; slot < std::ssize(task_.function_of_slot); ++slot) {
+    OpenForgotten(slot, changed);
+  }
   worlds = std::move(changed);
 }
 
@@ -256,6 +263,7 @@ void WorldProgression::Change(const GroundChange& change, const World& before, W
     case GroundChange::Kind::kAssign:
       return Assign(change, before, now);
     case GroundChange::Kind::kNarrow:
+      OpenForgotten(task_.functions[change.bound.function.index()].slot, now);
       std::erase_if(now, [&](const World& world) { return !IsTrue(change.bound, world); });
       return;
     case GroundChange::Kind::kRelate:
@@ -273,21 +281,26 @@ void WorldProgression::Change(const GroundChange& change, const World& before, W
     case GroundChange::Kind::kUnsenseValue:
       return;
     case GroundChange::Kind::kForgetNumber:
-      return ForgetNumber(change.function, now);
+      for (World& world : now) {
+        world.numbers[task_.functions[change.function.index()].slot] = kForgotten;
+      }
+      return;
   }
 }
 
-void WorldProgression::ForgetNumber(FunctionId function, Worlds& now) const {
-  const int slot = task_.functions[function.index()].slot;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Worlds all;
-  for (const double value : ValuesIn({-kInfinity, kInfinity}, slot, task_)) {
-    for (const World& world : now) {
-      all.push_back(world);
-      all.back().numbers[slot] = value;
+// Worlds that differ in nothing but what the number was are one before it may be any.
+void WorldProgression::OpenForgotten(int slot, Worlds& worlds) const {
+  const auto is_kept = [&](const World& world) { return world.numbers[slot] != kForgotten; };
+  const auto forgotten = std::partition(worlds.begin(), worlds.end(), is_kept);
+  if (forgotten == worlds.end()) return;
+  const std::set<World> different(forgotten, worlds.end());
+  worlds.erase(forgotten, worlds.end());
+  for (const double value : ValuesIn({-kForgotten, kForgotten}, slot, task_)) {
+    for (const World& world : different) {
+      worlds.push_back(world);
+      worlds.back().numbers[slot] = value;
     }
   }
-  now = std::move(all);
 }
 
 void WorldProgression::Assign(const GroundChange& change, const World& before, Worlds& now) const {

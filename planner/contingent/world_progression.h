@@ -67,7 +67,7 @@ class WorldProgression {
                     Worlds& worlds);
   void Change(const GroundChange& change, const World& before, Worlds& now);
   void Assign(const GroundChange& change, const World& before, Worlds& now) const;
-  void ForgetNumber(FunctionId function, Worlds& now) const;
+  void OpenForgotten(int slot, Worlds& worlds) const;
 
   const GroundTask& task_;
   bool are_all_worlds_;
