@@ -15,17 +15,6 @@ using plan::Plan;
 using uncertainty::MomentId;
 using uncertainty::Propagation;
 
-std::vector<Plan> Instances(const domain::Problem& problem, std::size_t most) {
-  std::vector<Plan> instances;
-  PlannerOptions options;
-  options.accept = [&](const Plan& instance) {
-    instances.push_back(instance);
-    return instances.size() >= most;
-  };
-  MakePlan(problem, options);
-  return instances;
-}
-
 struct Least {
   int errors = 0;
   double violation = 0;

@@ -33,6 +33,18 @@ inline plan::Plan FirstInstance(const domain::Problem& problem) {
   return MakePlan(problem, {}).plan;
 }
 
+// The first ones, at most so many.
+inline std::vector<plan::Plan> Instances(const domain::Problem& problem, std::size_t most) {
+  std::vector<plan::Plan> instances;
+  PlannerOptions options;
+  options.accept = [&](const plan::Plan& instance) {
+    instances.push_back(instance);
+    return instances.size() >= most;
+  };
+  MakePlan(problem, options);
+  return instances;
+}
+
 // In the order of execution.
 inline std::vector<plan::Action> ActionsOf(const plan::Plan& plan) {
   std::vector<plan::Action> actions;

@@ -507,17 +507,6 @@ TEST(UncertaintyPhase, RemediesAreTriedForErrorsThatAreNotAboutZero) {
 
 // Instances, plans and budgets.
 
-std::vector<Plan> Instances(const domain::Problem& problem, std::size_t most) {
-  std::vector<Plan> instances;
-  PlannerOptions options;
-  options.accept = [&](const Plan& instance) {
-    instances.push_back(instance);
-    return instances.size() >= most;
-  };
-  MakePlan(problem, options);
-  return instances;
-}
-
 // The paper counts unmet goals; among instances with as many, the shorter plan and then the total
 // violation decide.
 class AllInstances : public ::testing::TestWithParam<const char*> {};

@@ -209,7 +209,7 @@ TEST_P(PathInEngine, TheEngineSeesWhatIsTouched) {
   }
 }
 
-// And with the elbow bent as far as no path may, it meets itself.
+// And the arm where it meets itself, as in some of many postures drawn without regard to that.
 TEST_P(PathInEngine, TheEngineSeesTheArmTouchItself) {
   RandomStream random(7, "arm touches itself");
   int seen = 0;
