@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -156,8 +157,8 @@ struct InitialKnowledge {
   std::vector<GroundLiteral> known;
   std::vector<InitialRelation> relations;
   std::vector<FormulaId> sensed;
-  std::vector<FunctionId> values_sensed;
-  std::vector<Range> ranges;  // by slot
+  std::map<FunctionId, double> values_sensed;  // with their errors
+  std::vector<Range> ranges;                   // by slot
 };
 
 struct GroundTask {

@@ -93,7 +93,10 @@ void InitialGrounding::Ground(const Change& change) {
   for (const GroundChange& ground : effects_.ChangesOf(change, {})) {
     if (!change.is_addition) continue;
     if (change.store == Store::kWhether) initial.sensed.push_back(ground.formula);
-    if (change.store == Store::kValues) initial.values_sensed.push_back(ground.function);
+    if (change.store == Store::kValues) {
+      const auto [value, is_new] = initial.values_sensed.try_emplace(ground.function, ground.error);
+      value->second = std::min(value->second, ground.error);
+    }
     if (change.store == Store::kExclusive) AddRelation(ground, change.place);
   }
 }

@@ -73,7 +73,7 @@ KnowledgeState KnowledgeBase::Initial() {
     }
   }
   for (const FormulaId formula : task_.initial.sensed) layout_.SetSensed(state, formula, true);
-  for (const FunctionId f : task_.initial.values_sensed) layout_.SetSensed(state, f, true);
+  for (const auto& [f, error] : task_.initial.values_sensed) SenseValue(state, f, error);
   ApplyUpdates(state);
   Canonicalize(state);
   return state;
@@ -268,7 +268,7 @@ void KnowledgeBase::Apply(const GroundChange& change, const KnowledgeState& befo
     case GroundChange::Kind::kUnsense:
       return layout_.SetSensed(state, change.formula, false);
     case GroundChange::Kind::kSenseValue:
-      return SenseValue(state, change);
+      return SenseValue(state, change.function, change.error);
     case GroundChange::Kind::kUnsenseValue:
       return layout_.SetSensed(state, change.function, false);
     case GroundChange::Kind::kRelate:
@@ -284,14 +284,13 @@ void KnowledgeBase::Apply(const GroundChange& change, const KnowledgeState& befo
   }
 }
 
-void KnowledgeBase::SenseValue(KnowledgeState& state, const GroundChange& change) const {
-  const int slot = task_.functions[change.function.index()].slot;
+void KnowledgeBase::SenseValue(KnowledgeState& state, FunctionId function, double error) const {
+  const int slot = task_.functions[function.index()].slot;
   if (slot >= 0) {
-    double& error = state.ranges[slot].error;
-    const bool is_sensed = layout_.IsSensed(state, change.function);
-    error = is_sensed ? std::min(error, change.error) : change.error;
+    double& known = state.ranges[slot].error;
+    known = layout_.IsSensed(state, function) ? std::min(known, error) : error;
   }
-  layout_.SetSensed(state, change.function, true);
+  layout_.SetSensed(state, function, true);
 }
 
 Range KnowledgeBase::SumOf(const GroundSum& sum, const KnowledgeState& state) const {

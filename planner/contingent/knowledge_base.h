@@ -91,7 +91,7 @@ class KnowledgeBase {
 
   void Set(KnowledgeState& state, GroundLiteral literal);
   void Forget(KnowledgeState& state, AtomId atom);
-  void SenseValue(KnowledgeState& state, const GroundChange& change) const;
+  void SenseValue(KnowledgeState& state, FunctionId function, double error) const;
   void ForgetNumber(KnowledgeState& state, FunctionId function) const;
   void Unrelate(KnowledgeState& state, AtomId atom);
   void UnsenseWith(KnowledgeState& state, AtomId atom);

@@ -66,9 +66,7 @@ class Runner {
     History history;
     history.worlds = std::move(initial.worlds);
     history.sensed.insert(task_.initial.sensed.begin(), task_.initial.sensed.end());
-    for (const FunctionId function : task_.initial.values_sensed) {
-      history.values_sensed[function] = 0;
-    }
+    history.values_sensed = task_.initial.values_sensed;
     is_reached_.assign(tree_.nodes.size(), false);
     for (const PlanNode& node : tree_.nodes) {
       for (std::size_t i = 0; i < node.children.size(); ++i) {

@@ -391,6 +391,26 @@ TEST(Intervals, SensorsErr) {
   EXPECT_EQ(holds(), "0001");
 }
 
+// By init as by actions; of several sensors the best one counts.
+TEST(Intervals, WhatIsSensedAtFirstErrsAsAfterAnAction) {
+  const std::string interval = "add(Kf, weight(a) = [2, 4])";
+  const std::string actions =
+      "action guess effects: add(Kv, weight(a) within 0.5)\n"
+      "action weigh effects: add(Kv, weight(a) within 0.1)\n";
+  const std::vector<std::string> questions = {"Kv(weight(a) within 0.1)",
+                                              "Kv(weight(a) within 0.5)"};
+  Mind mind(interval, actions, questions);
+  mind.Do("guess");
+  const std::string guessed = interval + ", add(Kv, weight(a) within 0.5)";
+  EXPECT_EQ(Mind(guessed, actions, questions).state(), mind.state());
+  mind.Do("weigh");
+  for (const char* weighed : {", add(Kv, weight(a) within 0.1)",
+                              ", add(Kv, weight(a) within 0.2), "
+                              "add(Kv, weight(a) within 0.1)"}) {
+    EXPECT_EQ(Mind(guessed + weighed, actions, questions).state(), mind.state());
+  }
+}
+
 TEST(Intervals, AreSensedAfterTheyAreChanged) {
   Mind mind("add(Kf, weight(a) = [2, 4])",
             "action pour effects: add(Kv, weight(a)), add(Kf, weight(a) = weight(a) + 1)\n",

@@ -401,6 +401,21 @@ TEST(NoWorld, HoldsNothing) {
   EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("the initial knowledge allows no world"));
 }
 
+// To the planner and to the checker: no finer than the sensor that told it.
+TEST(ValuesSensedAtFirst, AreKnownWithinTheirErrors) {
+  const PlanTree nothing = {.nodes = {PlanNode{}}, .root = NodeId(0)};
+  const auto task = [](const std::string& goal) {
+    return GroundText(
+        "domain n functions: n: number action wait effects: add(Kf, n = n)",
+        "problem n domain n init: add(Kf, n = [0, 3]), add(Kv, n within 0.5) goal: " + goal);
+  };
+  EXPECT_EQ(CheckTree(task("Kv(n within 0.5)"), nothing).failure, "");
+  EXPECT_THAT(CheckTree(task("Kv(n within 0.1)"), nothing).failure,
+              HasSubstr("the goal is not known after no step"));
+  EXPECT_EQ(PlanFor(task("Kv(n within 0.5)"), Wanted::kFirst).outcome, Outcome::kFound);
+  EXPECT_EQ(PlanFor(task("Kv(n within 0.1)"), Wanted::kFirst).outcome, Outcome::kNone);
+}
+
 // Worlds as sets, where they are more than may be run: whatever the order of the nodes.
 TEST(Worlds, AsSetsGoFromTheRootDown) {
   const GroundTask task = GroundScenario("bomb-in-the-toilet", "four-packages");

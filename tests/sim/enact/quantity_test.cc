@@ -106,8 +106,7 @@ TEST(Quantity, AnIntervalWithoutTheTrueValueIsAFalseClaim) {
 }
 
 TEST(Quantity, ASensedValueIsReadWithinItsErrorOrAFalseClaim) {
-  AtFirst at_first("add(Kv, weight(can1))");
-  at_first.state.ranges.front().error = 0.05;  // as after a sensing action
+  AtFirst at_first("add(Kv, weight(can1) within 0.05)");
   const auto read = [](double mass) {
     Readings readings;
     readings.masses[PartId(0)] = {.value = mass, .error = 0.05};
