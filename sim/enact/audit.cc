@@ -1,9 +1,11 @@
 #include "sim/enact/audit.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace assay::enact {
 
@@ -32,11 +34,43 @@ std::string WrongReading(const std::optional<Reading>& reading, double value, do
 
 }  // namespace
 
-std::vector<FalseClaim> Audit::FalseClaims(const KnowledgeBase& knowledge,
-                                           const KnowledgeState& state, const Truth& truth,
-                                           const Readings& readings, int step) const {
+std::vector<FalseClaim> Audit::FalseClaims(KnowledgeBase& knowledge, const KnowledgeState& state,
+                                           const Truth& truth, const Readings& readings,
+                                           int step) const {
   std::vector<FalseClaim> found = FalseAtoms(knowledge, state, truth, step);
+  std::ranges::move(FalseRelations(knowledge, state, truth, step), std::back_inserter(found));
+  std::ranges::move(FalseNumbers(knowledge, state, truth, readings, step),
+                    std::back_inserter(found));
+  return found;
+}
+
+std::vector<FalseClaim> Audit::FalseRelations(KnowledgeBase& knowledge, const KnowledgeState& state,
+                                              const Truth& truth, int step) const {
   const contingent::GroundTask& task = interpretation_.task;
+  std::vector<FalseClaim> found;
+  for (const contingent::Diagram relation : state.relations) {
+    std::vector<contingent::Assignment> truths;
+    std::vector<std::string> atoms;
+    std::vector<std::string> literals;
+    for (const int variable : knowledge.diagrams().Support(relation)) {
+      const AtomId atom = knowledge.AtomOf(variable);
+      if (interpretation_.MeaningOf(atom) == nullptr) continue;
+      truths.push_back({variable, IsTrue(atom, truth)});
+      atoms.push_back(task.atoms[atom.index()]);
+      literals.push_back(TextOf(task, contingent::GroundLiteral{atom, truths.back().value}));
+    }
+    if (knowledge.diagrams().Restrict(relation, truths) != contingent::kEmptySet) continue;
+    found.push_back({step, fmt::format("Kx of {}", fmt::join(atoms, ", ")), true, false,
+                     fmt::format("{}", fmt::join(literals, " & "))});
+  }
+  return found;
+}
+
+std::vector<FalseClaim> Audit::FalseNumbers(const KnowledgeBase& knowledge,
+                                            const KnowledgeState& state, const Truth& truth,
+                                            const Readings& readings, int step) const {
+  const contingent::GroundTask& task = interpretation_.task;
+  std::vector<FalseClaim> found;
   for (std::size_t slot = 0; slot < state.ranges.size(); ++slot) {
     const FunctionId id = task.function_of_slot[slot];
     const contingent::GroundFunction& function = task.functions[id.index()];

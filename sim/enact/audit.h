@@ -14,19 +14,20 @@ struct FalseClaim {
   std::string atom;
   bool claimed = false;
   bool is_true = false;
-  std::string truth = {};  // of numbers, in words
+  std::string truth = {};  // of numbers and relations, in words
 };
 
 // What a knowledge state claims to know, against the simulator: every atom with a meaning that is
-// known to be true or known to be false; the interval of every numeric function that is a quantity
-// of the workcell; and if its value counts as sensed, that it has been read, within the error.
+// known to be true or known to be false; every relation of Kx, in which atoms without a meaning may
+// be either; the interval of every numeric function that is a quantity of the workcell; and if its
+// value counts as sensed, that it has been read, within the error.
 class Audit {
  public:
   // Keep references.
   Audit(const Interpretation& interpretation, const domain::Problem& problem)
       : interpretation_(interpretation), problem_(problem) {}
 
-  std::vector<FalseClaim> FalseClaims(const contingent::KnowledgeBase& knowledge,
+  std::vector<FalseClaim> FalseClaims(contingent::KnowledgeBase& knowledge,
                                       const contingent::KnowledgeState& state, const Truth& truth,
                                       const Readings& readings, int step) const;
 
@@ -38,6 +39,12 @@ class Audit {
   std::vector<FalseClaim> FalseAtoms(const contingent::KnowledgeBase& knowledge,
                                      const contingent::KnowledgeState& state, const Truth& truth,
                                      int step) const;
+  std::vector<FalseClaim> FalseRelations(contingent::KnowledgeBase& knowledge,
+                                         const contingent::KnowledgeState& state,
+                                         const Truth& truth, int step) const;
+  std::vector<FalseClaim> FalseNumbers(const contingent::KnowledgeBase& knowledge,
+                                       const contingent::KnowledgeState& state, const Truth& truth,
+                                       const Readings& readings, int step) const;
   bool IsTrue(contingent::AtomId atom, const Truth& truth) const;
   // Of one that is a quantity of the workcell.
   double TrueValue(contingent::FunctionId function, const Truth& truth) const;

@@ -93,6 +93,42 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair("add(LCW, isSpillable(?o))", 2),
                     std::pair("add(LCW, isSpillable(?o)), add(Kf, isSpillable(can2))", 1)));
 
+// A relation of unknown atoms, of which some may have no meaning in the workcell.
+struct Related {
+  const char* alternatives;
+  const char* truth;  // where it does not hold
+  const char* meaning_of_grasped = "{is: held}";
+};
+
+class AuditOfRelations : public AuditOfTwoCans, public testing::WithParamInterface<Related> {
+ protected:
+  AuditOfRelations() : AuditOfTwoCans(Scenario(GetParam())) {}
+  static Replacements Scenario(const Related& related) {
+    Replacements scenario = WithInit(std::string("add(Kx, ") + related.alternatives + ")");
+    scenario.emplace_back("{is: held}", related.meaning_of_grasped);
+    return scenario;
+  }
+};
+
+// Both cans are spillable, none is held.
+TEST_P(AuditOfRelations, AreHeldAgainstTheSimulator) {
+  const std::string truth = GetParam().truth;
+  const std::vector<FalseClaim> claims = FalseClaims();
+  ASSERT_EQ(claims.size(), truth.empty() ? 0u : 1u);
+  if (truth.empty()) return;
+  EXPECT_THAT(claims.front().atom, testing::StartsWith("Kx of "));
+  EXPECT_EQ(claims.front().truth, truth);
+}
+INSTANTIATE_TEST_SUITE_P(OfCans, AuditOfRelations,
+                         testing::Values(Related{"isSpillable(can1) | !isSpillable(can2)", ""},
+                                         Related{"isSpillable(can1) | isSpillable(can2)",
+                                                 "isSpillable(can1) & isSpillable(can2)"},
+                                         Related{"some(isSpillable(can1) | isSpillable(can2))", ""},
+                                         Related{"some(!isSpillable(can1) | isGrasped(can1))",
+                                                 "!isGrasped(can1) & isSpillable(can1)"},
+                                         Related{"some(!isSpillable(can1) | isGrasped(can1))", "",
+                                                 "{is: internal}"}));
+
 TEST_F(AuditOfTwoCans, TheGreatestTiltIsKept) {
   TiltWatch watch(scene_, data_);
   EXPECT_EQ(watch.greatest(PartId(0)), 0);
