@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "planner/base/check.h"
 #include "planner/contingent/tree_text.h"
@@ -11,6 +12,7 @@ namespace assay::enact {
 
 using contingent::AtomId;
 using contingent::FormulaId;
+using contingent::FunctionId;
 using contingent::GroundAction;
 using contingent::NodeId;
 using contingent::PlanNode;
@@ -73,9 +75,18 @@ Walk TreeWalk::Go() {
   return std::move(walk_);
 }
 
-// A plan may end with something sensed: then sensors must have told it, if the goal needs it.
+// A plan may end with something sensed: then sensors must have told it, if the goal needs it; and
+// what they told is claimed.
 std::optional<NodeId> TreeWalk::Arrive() {
-  std::vector<FormulaId> not_told;
+  std::vector<std::string> not_told = LearnSensedFormulas();
+  std::ranges::move(LearnSensedValues(), std::back_inserter(not_told));
+  AuditNow();
+  if (knowledge_.Holds(interpretation_.task.goal, state_)) return std::nullopt;
+  return NotTold(not_told.front());
+}
+
+std::vector<std::string> TreeWalk::LearnSensedFormulas() {
+  std::vector<std::string> not_told;
   for (std::size_t i = 0; i < interpretation_.task.formulas.size(); ++i) {
     const FormulaId formula(i);
     if (!knowledge_.layout().IsSensed(state_, formula)) continue;
@@ -83,12 +94,28 @@ std::optional<NodeId> TreeWalk::Arrive() {
       state_ = knowledge_.Learned(state_, formula, *told);
     } else {
       knowledge_.layout().SetSensed(state_, formula, false);
-      not_told.push_back(formula);
+      not_told.push_back(WordsOf(formula));
     }
   }
-  AuditNow();
-  if (knowledge_.Holds(interpretation_.task.goal, state_)) return std::nullopt;
-  return NotTold(not_told.front());
+  return not_told;
+}
+
+// Those of symbols: a number that was read is its own interval, which every audit asks.
+std::vector<std::string> TreeWalk::LearnSensedValues() {
+  std::vector<std::string> not_told;
+  for (std::size_t i = 0; i < interpretation_.task.functions.size(); ++i) {
+    const FunctionId function(i);
+    const bool is_number = interpretation_.task.functions[i].slot >= 0;
+    if (is_number || !knowledge_.layout().IsSensed(state_, function)) continue;
+    const std::vector<AtomId> values = knowledge_.PossibleValues(function, state_);
+    if (const auto told = ToldValue(values)) {
+      state_ = knowledge_.Learned(state_, {values[*told], true});
+    } else {
+      knowledge_.layout().SetSensed(state_, function, false);
+      not_told.push_back(WordsOf(function));
+    }
+  }
+  return not_told;
 }
 
 std::optional<NodeId> TreeWalk::Act(const PlanNode& node) {
@@ -171,32 +198,41 @@ bool TreeWalk::IsFlipped() { return options_.random->Uniform() < options_.sensin
 std::optional<NodeId> TreeWalk::Whether(NodeId id) {
   const PlanNode& node = tree_.node(id);
   const std::optional<bool> told = SensedWhether(node.formula);
-  if (!told) return NotTold(node.formula);
+  if (!told) return NotTold(WordsOf(node.formula));
   const bool is_flipped = IsFlipped();
   const bool value = *told != is_flipped;
   state_ = knowledge_.Learned(state_, node.formula, value);
   return Take(id, value ? 0 : 1, is_flipped);
 }
 
-std::optional<NodeId> TreeWalk::NotTold(FormulaId formula) {
-  return End(
-      WalkEnd::kUncertain,
-      fmt::format("the sensors do not tell whether {}",
-                  TextOf(interpretation_.task, interpretation_.task.formulas[formula.index()])));
+std::string TreeWalk::WordsOf(FormulaId formula) const {
+  const contingent::GroundTask& task = interpretation_.task;
+  return fmt::format("whether {}", TextOf(task, task.formulas[formula.index()]));
+}
+
+const std::string& TreeWalk::WordsOf(FunctionId function) const {
+  return interpretation_.task.functions[function.index()].text;
+}
+
+std::optional<NodeId> TreeWalk::NotTold(const std::string& what) {
+  return End(WalkEnd::kUncertain, fmt::format("the sensors do not tell {}", what));
+}
+
+std::optional<std::size_t> TreeWalk::ToldValue(const std::vector<AtomId>& values) const {
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (Told(values[i]) == std::optional(true)) return i;
+  }
+  return std::nullopt;
 }
 
 std::optional<NodeId> TreeWalk::ByValue(NodeId id) {
   const PlanNode& node = tree_.node(id);
-  for (std::size_t child = 0; child < node.values.size(); ++child) {
-    if (Told(node.values[child]) != std::optional(true)) continue;
-    const bool is_flipped = node.values.size() > 1 && IsFlipped();
-    if (is_flipped) child = (child + 1) % node.values.size();
-    state_ = knowledge_.Learned(state_, {node.values[child], true});
-    return Take(id, child, is_flipped);
-  }
-  return End(WalkEnd::kUncertain,
-             fmt::format("the sensors do not tell {}",
-                         interpretation_.task.functions[node.function.index()].text));
+  const std::optional<std::size_t> told = ToldValue(node.values);
+  if (!told) return NotTold(WordsOf(node.function));
+  const bool is_flipped = node.values.size() > 1 && IsFlipped();
+  const std::size_t child = is_flipped ? (*told + 1) % node.values.size() : *told;
+  state_ = knowledge_.Learned(state_, {node.values[child], true});
+  return Take(id, child, is_flipped);
 }
 
 std::optional<NodeId> TreeWalk::Take(NodeId id, std::size_t child, bool is_flipped) {

@@ -70,7 +70,14 @@ class TreeWalk {
   std::optional<bool> Told(contingent::FormulaId formula) const;
   // The same; as long as it is open, the last action, if it senses, is done again.
   std::optional<bool> SensedWhether(contingent::FormulaId formula);
-  std::optional<contingent::NodeId> NotTold(contingent::FormulaId formula);
+  // The place of the value that is told; none: nothing tells which of them it is.
+  std::optional<std::size_t> ToldValue(const std::vector<contingent::AtomId>& values) const;
+  // What counts as sensed becomes known as sensors tell it. What they do not tell, in words.
+  std::vector<std::string> LearnSensedFormulas();
+  std::vector<std::string> LearnSensedValues();
+  std::string WordsOf(contingent::FormulaId formula) const;
+  const std::string& WordsOf(contingent::FunctionId function) const;
+  std::optional<contingent::NodeId> NotTold(const std::string& what);
   bool IsFlipped();
   std::optional<contingent::NodeId> Take(contingent::NodeId id, std::size_t child, bool is_flipped);
   std::optional<contingent::NodeId> End(WalkEnd end, const std::string& reason);

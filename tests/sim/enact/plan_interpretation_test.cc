@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "planner/contingent/contingent_planner.h"
+#include "planner/contingent/ground_query.h"
 #include "sim/enact/enactment.h"
 #include "sim/enact/leaves.h"
 #include "sim/enact/mishap.h"
@@ -93,6 +96,57 @@ TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
   EXPECT_EQ(trial.outcome, EnactmentOutcome::kOperator) << trial.reason;
   EXPECT_THAT(trial.reason, testing::HasSubstr("error2"));
   EXPECT_FALSE(trial.IsFailed());
+}
+
+// A sensor that says of the peg what it is told to say; nothing if that is empty.
+class Says : public Skill {
+ public:
+  explicit Says(std::string pose) : pose_(std::move(pose)) {}
+
+  exec::Progress Do(const Roles&, Situation& situation) const override {
+    situation.readings.poses.clear();
+    const PartId peg = RolesOf(situation.problem(), std::array<std::string, 1>{"peg"}).part;
+    if (!pose_.empty()) situation.readings.poses[peg] = pose_;
+    return std::nullopt;
+  }
+
+ private:
+  std::string pose_;
+};
+
+// A plan that ends when the pose is known: nothing branches on what the look tells.
+EnactedTrial LookAtStandingPeg(const KnowledgeScenario& of, const std::string& said) {
+  KnowledgeScenario scenario{of.scenario, InterpretationOf(of.interpretation.planned)};
+  contingent::GroundTask& task = scenario.interpretation.task;
+  const auto pose =
+      std::ranges::find(task.functions, "pose(peg)", &contingent::GroundFunction::text);
+  const contingent::FunctionId function(static_cast<int>(pose - task.functions.begin()));
+  std::vector<contingent::GroundQuery> ways(1);
+  ways.front().kind = contingent::GroundQuery::Kind::kValueSensed;
+  ways.front().function = function;
+  for (const contingent::AtomId value : pose->values) {
+    ways.push_back(contingent::Known({value, true}));
+  }
+  task.goal = contingent::Joined(contingent::GroundQuery::Kind::kOr, std::move(ways));
+  Budget budget(1'000);
+  const contingent::ContingentPlan plan = MakePlan(task, contingent::Wanted::kFirst, budget);
+  const contingent::PlanNode& look = plan.tree.node(plan.tree.root);
+  EXPECT_EQ(contingent::SizeOf(plan.tree).nodes, 2);
+  scenario.interpretation.skills[task.actions[look.action.index()].name] =
+      std::make_unique<Says>(said);
+  return RunTrial(scenario, plan.tree, {1, {.masses = {}, .colors = {}, .world = 1}}, {.seed = 1});
+}
+
+TEST_F(FallenPeg, AValueThatTheGoalTakesForSensedIsAudited) {
+  const EnactedTrial right = LookAtStandingPeg(Scenario(), "standing");
+  EXPECT_EQ(right.walk.end, WalkEnd::kGoal);
+  EXPECT_THAT(right.walk.false_claims, IsEmpty());
+  const EnactedTrial wrong = LookAtStandingPeg(Scenario(), "lying");
+  EXPECT_EQ(wrong.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_THAT(wrong.reason, testing::HasSubstr("after step 1 pose(peg) = lying is claimed"));
+  const EnactedTrial silent = LookAtStandingPeg(Scenario(), "");
+  EXPECT_EQ(silent.outcome, EnactmentOutcome::kUncertain);
+  EXPECT_EQ(silent.reason, "the sensors do not tell pose(peg)");
 }
 
 // A peg that stands is claimed to lie: the audit tells at once.
