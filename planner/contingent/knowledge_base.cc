@@ -66,17 +66,28 @@ KnowledgeState KnowledgeBase::Initial() {
   state.bits.assign(layout_.size(), 0);
   state.ranges = task_.initial.ranges;
   for (const GroundLiteral& literal : task_.initial.known) layout_.SetKnown(state, literal);
-  for (const InitialRelation& relation : task_.initial.relations) {
-    if (!Relate(state, relation.literals, relation.is_inclusive)) {
-      throw InputError(relation.place, "this contradicts what is known",
-                       "alternatives that can hold together with the rest of init");
-    }
+  if (const InitialRelation* wrong = RelateAll(state, task_.initial.relations)) {
+    throw InputError(wrong->place, "this contradicts what is known",
+                     "alternatives that can hold together with the rest of init");
   }
   for (const FormulaId formula : task_.initial.sensed) layout_.SetSensed(state, formula, true);
   for (const auto& [f, error] : task_.initial.values_sensed) SenseValue(state, f, error);
-  ApplyUpdates(state);
+  // Nothing has been done yet: what rules tell now is of the same moment as init.
+  if (const GroundEffect* wrong = ApplyUpdates(state, task_.initial.relations)) {
+    throw InputError({task_.domain_file, wrong->place.line, wrong->place.column},
+                     "this update rule contradicts what is known at first",
+                     "rules that can hold together with init");
+  }
   Canonicalize(state);
   return state;
+}
+
+const InitialRelation* KnowledgeBase::RelateAll(KnowledgeState& state,
+                                                const std::vector<InitialRelation>& relations) {
+  const auto wrong = std::ranges::find_if(relations, [&](const InitialRelation& relation) {
+    return !Relate(state, relation.literals, relation.is_inclusive);
+  });
+  return wrong == relations.end() ? nullptr : &*wrong;
 }
 
 // ---- Queries
@@ -181,7 +192,7 @@ std::optional<KnowledgeState> KnowledgeBase::After(const GroundAction& action,
                                                    const KnowledgeState& state) {
   KnowledgeState next = state;
   if (!Apply(ChangesOf(action.effects, state), state, next)) return std::nullopt;
-  if (!ApplyUpdates(next)) return std::nullopt;
+  if (ApplyUpdates(next) != nullptr) return std::nullopt;
   Canonicalize(next);
   return next;
 }
@@ -337,10 +348,14 @@ void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
   ASSAY_CHECK(can_hold, "an effect left no world");
 }
 
-bool KnowledgeBase::ApplyUpdates(KnowledgeState& state) {
+const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
+                                                const std::vector<InitialRelation>& lasting) {
   // A rule that undoes another's change within a round is not at rest either, though the round ends
   // as it began.
   bool is_at_rest = task_.updates.empty();
+  const auto contradicts_lasting = [&](KnowledgeState copy) {
+    return RelateAll(copy, lasting) != nullptr;
+  };
   for (std::size_t round = 0; !is_at_rest; ++round) {
     is_at_rest = true;
     for (const GroundEffect& update : task_.updates) {
@@ -348,14 +363,15 @@ bool KnowledgeBase::ApplyUpdates(KnowledgeState& state) {
       Changes changes;
       for (const GroundChange& change : update.changes) changes.certain.push_back(&change);
       const KnowledgeState before = state;
-      if (!Apply(changes, before, state)) return false;
+      if (!Apply(changes, before, state)) return &update;
+      if (!lasting.empty() && contradicts_lasting(state)) return &update;
       Canonicalize(state);
       if (state == before) continue;
       is_at_rest = false;
       if (round == kMostRounds + task_.atoms.size()) FailRestless(update, round);
     }
   }
-  return true;
+  return nullptr;
 }
 
 void KnowledgeBase::FailRestless(const GroundEffect& update, std::size_t rounds) const {

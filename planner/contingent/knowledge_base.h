@@ -22,8 +22,8 @@ class KnowledgeBase {
   DecisionDiagrams& diagrams() { return diagrams_; }
 
   // Throws InputError, with the place of an alternative that cannot hold, if init contradicts
-  // itself. This and all that makes other states throws it at an update rule, if the rules do not
-  // come to rest.
+  // itself, and with that of an update rule that leaves no alternative of init, or no number. This
+  // and all that makes other states throws it at an update rule, if the rules do not come to rest.
   KnowledgeState Initial();
 
   bool Holds(const GroundQuery& query, const KnowledgeState& state) const;
@@ -85,8 +85,14 @@ class KnowledgeBase {
   bool Apply(const Changes& changes, const KnowledgeState& before, KnowledgeState& state);
   void Apply(const GroundChange& change, const KnowledgeState& before, KnowledgeState& state);
   void ApplyPossible(const std::map<AtomId, Possible>& possible, KnowledgeState& state);
-  bool ApplyUpdates(KnowledgeState& state);
+  // The rule after which a relation or a bound contradicts what is known, or which leaves no
+  // alternative of the relations that last; null: there is none.
+  const GroundEffect* ApplyUpdates(KnowledgeState& state,
+                                   const std::vector<InitialRelation>& lasting = {});
   [[noreturn]] void FailRestless(const GroundEffect& update, std::size_t rounds) const;
+  // The first of the relations that contradicts what is known or those before; null: none does.
+  const InitialRelation* RelateAll(KnowledgeState& state,
+                                   const std::vector<InitialRelation>& relations);
   void Canonicalize(KnowledgeState& state) const;
 
   void Set(KnowledgeState& state, GroundLiteral literal);

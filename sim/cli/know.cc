@@ -9,6 +9,7 @@
 
 #include "planner/contingent/contingent_planner.h"
 #include "planner/contingent/grounding.h"
+#include "planner/contingent/knowledge_base.h"
 #include "planner/contingent/task_file.h"
 #include "planner/contingent/tree_check.h"
 #include "planner/contingent/tree_file.h"
@@ -83,6 +84,7 @@ std::string Word(Outcome outcome) {
 
 // The tree of a file, of its own or as --json has written it.
 ContingentPlan LoadTree(const std::filesystem::path& file, const GroundTask& task) {
+  contingent::KnowledgeBase(task).Initial();  // tells what contradicts init, as planning does
   const Document document = Document::Load(file);
   const std::optional<Value> inner = document.root().Find("tree");
   ContingentPlan plan;

@@ -426,6 +426,40 @@ TEST(Intervals, ContradictionsAreNamed) {
             "no error");
 }
 
+TEST(Updates, ContradictionsAtFirstAreToldWithThePlaceOfTheRule) {
+  const auto message = [](const std::string& rule, const std::string& init) {
+    return MessageOf(
+        [&] { Mind mind("add(Kf, p(a)), " + init, "updates: true => add(Kf, r);\n" + rule); });
+  };
+  const std::string told = "domain.pks:5:1: this update rule contradicts what is known at first";
+  const std::string neither = "K(p(a)) => add(Kf, !q(a)), add(Kf, !q(b))";
+  EXPECT_THAT(message(neither, "add(Kx, q(a) | q(b))"), HasSubstr(told));
+  EXPECT_THAT(message(neither, "add(Kx, some(q(a) | q(b)))"), HasSubstr(told));
+  EXPECT_EQ(message(neither, "add(Kx, q(a) | q(b) | q(c))"), "no error");
+  EXPECT_EQ(message(neither, "add(Kx, p(b) | p(c))"), "no error");
+  const std::string both = "K(p(a)) => add(Kf, q(a)), add(Kf, q(b))";
+  EXPECT_THAT(message(both, "add(Kx, q(a) | q(b))"), HasSubstr(told));
+  EXPECT_EQ(message(both, "add(Kx, some(q(a) | q(b)))"), "no error");
+  // Only together: q(b) would have to hold.
+  EXPECT_THAT(message("K(p(a)) => add(Kf, !q(a)), add(Kf, !q(c))",
+                      "add(Kx, q(a) | q(b)), add(Kx, q(b) | q(c)), add(Kx, some(!q(b) | q(c)))"),
+              HasSubstr(told));
+  EXPECT_THAT(message("K(p(a)) => add(Kx, q(a) | q(b))", "add(Kf, !q(a)), add(Kf, !q(b))"),
+              HasSubstr(told));
+  EXPECT_THAT(message("K(p(a)) => add(Kf, weight(a) > 3)", "add(Kf, weight(a) = 2)"),
+              HasSubstr(told));
+}
+
+// What holds at first need not later: then a rule changes it.
+TEST(Updates, MayChangeAlternativesLater) {
+  Mind mind("add(Kx, q(a) | q(b))",
+            "action act effects: add(Kf, p(a))\n"
+            "updates: K(p(a)) => add(Kf, !q(a)), add(Kf, !q(b))",
+            {"K(!q(a)) & K(!q(b))"});
+  mind.Do("act");
+  EXPECT_TRUE(mind.Holds("K(!q(a)) & K(!q(b))"));
+}
+
 // Equal knowledge is equal data, whatever way led to it.
 TEST(States, AreCanonical) {
   const std::string actions =
