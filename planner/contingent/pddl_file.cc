@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "planner/base/document.h"
 #include "planner/contingent/s_expression.h"
 
 namespace assay::contingent {
@@ -42,7 +43,13 @@ class Reader {
     problem.name = TitleOf(whole, "problem");
     problem.domain = domain.name;
     for (const Symbol& predicate : domain.predicates) problem.init.push_back(Closed(predicate));
-    for (const SExpression& section : Rest(whole, 2)) ReadProblemSection(section, problem);
+    for (const SExpression& section : Rest(whole, 2)) {
+      if (section.BeginsWith(":domain")) {
+        RequireDomain(Only(section), domain);
+      } else {
+        ReadProblemSection(section, problem);
+      }
+    }
     if (!has_goal_) Fail(whole, "a problem without a goal", "(:goal CONDITION)");
     return problem;
   }
@@ -112,11 +119,17 @@ class Reader {
     }
   }
 
-  void ReadProblemSection(const SExpression& section, Problem& problem) {
-    if (section.BeginsWith(":domain") || section.BeginsWith(":hidden") ||
-        section.BeginsWith(":requirements")) {
-      return;
+  // Some published problems have a slip in the name ("logistics_conf", of logistics_cont).
+  void RequireDomain(const SExpression& name, const Domain& domain) const {
+    const std::string& named = Word(name, "a name");
+    if (NearestName(named, {domain.name}).empty()) {
+      Fail(name, fmt::format("a problem of '{}'", named),
+           fmt::format("problems of '{}'", domain.name));
     }
+  }
+
+  void ReadProblemSection(const SExpression& section, Problem& problem) {
+    if (section.BeginsWith(":hidden") || section.BeginsWith(":requirements")) return;
     if (section.BeginsWith(":objects")) {
       RequireOnce(!problem.objects.empty(), section);
       problem.objects = TypedNames(Rest(section, 1));

@@ -16,7 +16,8 @@ namespace assay::contingent {
 // case-sensitive. The result reads as a .pks domain: conditions become K of literals, effects
 // add(Kf, ...). Throw InputError with file, line and column.
 Domain ReadPddlDomain(const std::string& text, const std::string& file);
-// The problem needs the domain's predicates, to close the world.
+// The problem needs the domain's predicates, to close the world. It may name the domain with a slip
+// (NearestName), but no other.
 Problem ReadPddlProblem(const std::string& text, const std::string& file, const Domain& domain);
 
 }  // namespace assay::contingent

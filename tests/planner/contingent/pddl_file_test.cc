@@ -101,6 +101,18 @@ TEST(Pddl, PrintsAsPks) {
   EXPECT_EQ(SizeOf(PlanFor(task, Wanted::kLeastDepth).tree).depth, 3);
 }
 
+TEST(Pddl, AProblemOfAnotherDomainIsToldWithItsPlace) {
+  const auto message = [](const std::string& name) {
+    return MessageOf([&] {
+      GroundPddl(kCups, "(define (problem p)\n (:domain " + name + ") (:init) (:goal (won)))");
+    });
+  };
+  EXPECT_EQ(message("mugs"), "problem.pddl:2:11: a problem of 'mugs'; allowed: problems of 'cups'");
+  EXPECT_THAT(message("(cups)"), StartsWith("problem.pddl:2:11: a list; allowed: a name"));
+  EXPECT_EQ(message("CUPS"), "no error");
+  EXPECT_EQ(message("cupz"), "no error");  // a slip, as in published problems
+}
+
 TEST(Pddl, ErrorsHaveTheirPlace) {
   const auto message = [](const std::string& domain, const std::string& problem) {
     return MessageOf([&] { GroundPddl(domain, problem); });
