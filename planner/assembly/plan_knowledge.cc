@@ -12,6 +12,8 @@
 #include "planner/base/check.h"
 #include "planner/contingent/grounding.h"
 #include "planner/contingent/pks_file.h"
+#include "planner/contingent/pks_lexer.h"
+#include "planner/contingent/spelling.h"
 
 namespace assay::assembly {
 namespace {
@@ -96,6 +98,7 @@ class KnowledgeText {
  public:
   KnowledgeText(const std::vector<domain::Problem>& worlds, const std::vector<PlanOfWorlds>& plans)
       : first_(worlds.front()), worlds_(worlds), plans_(plans) {
+    TakeNames();
     for (const domain::OpenPose& open : first_.open_poses) AddLooks(open);
     for (std::size_t p = 0; p < plans.size(); ++p) AddPlan(static_cast<int>(p));
   }
@@ -120,13 +123,44 @@ class KnowledgeText {
   }
 
   std::map<std::string, KnowledgeAction> Actions() { return std::move(actions_); }
+  std::map<std::string, std::string> Errors() { return std::move(errors_); }
 
  private:
+  // Sensors and errors may have any names; constants and actions may not.
   void AddAction(const std::string& name, KnowledgeAction action, const std::string& precondition,
                  const std::string& effects) {
+    const std::string spelled = contingent::Unique(contingent::Spelled(name), action_names_);
     actions_text_ +=
-        fmt::format("\naction {}\n  preconds: {}\n  effects: {}\n", name, precondition, effects);
-    actions_.emplace(name, std::move(action));
+        fmt::format("\naction {}\n  preconds: {}\n  effects: {}\n", spelled, precondition, effects);
+    actions_.emplace(spelled, std::move(action));
+  }
+
+  const std::string& ConstantOf(const std::string& error) {
+    const auto known =
+        std::ranges::find_if(errors_, [&](const auto& named) { return named.second == error; });
+    if (known != errors_.end()) return known->first;
+    const std::string constant = contingent::Unique(contingent::Spelled(error), constant_names_);
+    return errors_.emplace(constant, error).first->first;
+  }
+
+  // All that a constant of another kind is, and that none can be.
+  void TakeNames() {
+    constant_names_.insert(contingent::kPksSections.begin(), contingent::kPksSections.end());
+    constant_names_.insert("pose");
+    constant_names_.insert(std::begin(kErrorFunctions), std::end(kErrorFunctions));
+    for (const domain::OpenPose& open : first_.open_poses) {
+      constant_names_.insert(first_.part(open.part).name);
+      constant_names_.insert(open.names.begin(), open.names.end());
+    }
+    for (std::size_t p = 0; p < plans_.size(); ++p) {
+      for (const plan::StepId id : plans_[p].plan.ExecutionOrder()) {
+        constant_names_.insert(StepName(static_cast<int>(p), id));
+      }
+    }
+  }
+
+  std::string StepName(int plan, plan::StepId step) const {
+    return fmt::format("plan{}-{}", plan + 1, plans_[plan].plan.step(step).name);
   }
 
   void AddLooks(const domain::OpenPose& open) {
@@ -167,7 +201,7 @@ class KnowledgeText {
     const std::vector<plan::StepId> looks = LooksAtOpenPoses(first_, plan);
     for (const plan::StepId id : plan.ExecutionOrder()) {
       if (std::ranges::count(looks, id) > 0) continue;
-      const std::string step = fmt::format("plan{}-{}", index + 1, plan.step(id).name);
+      const std::string step = StepName(index, id);
       constants_["step"].insert(step);
       init_.push_back(fmt::format("add(Kf, !done({}))", step));
       const KnowledgeAction meaning = {
@@ -203,7 +237,7 @@ class KnowledgeText {
   // after another, the last known by elimination. A recovery leaves all of this as open as before.
   void AddVerification(const std::string& step, const KnowledgeAction& meaning,
                        const std::vector<std::string>& errors) {
-    constants_["error"].insert(errors.begin(), errors.end());
+    for (const std::string& error : errors) constants_["error"].insert(ConstantOf(error));
     AddAction("verify-" + step, WithKind(Kind::kVerify, meaning), fmt::format("K(done({}))", step),
               fmt::format("add(Kw, wentWell({}))", step));
     std::string so_far = fmt::format("K(!wentWell({}))", step);
@@ -212,9 +246,9 @@ class KnowledgeText {
       if (error != errors.back()) {
         AddAction(fmt::format("diagnose-{}-{}", step, error),
                   WithKind(Kind::kDiagnose, meaning, error), so_far,
-                  fmt::format("add(Kw, signals({}, {}))", step, error));
-        signalled += fmt::format(" & K(signals({}, {}))", step, error);
-        so_far += fmt::format(" & K(!signals({}, {}))", step, error);
+                  fmt::format("add(Kw, signals({}, {}))", step, ConstantOf(error)));
+        signalled += fmt::format(" & K(signals({}, {}))", step, ConstantOf(error));
+        so_far += fmt::format(" & K(!signals({}, {}))", step, ConstantOf(error));
       }
       AddRecovery(step, meaning, error, signalled, ForgetOutcome(step, errors));
     }
@@ -235,12 +269,11 @@ class KnowledgeText {
     return action;
   }
 
-  static std::string ForgetOutcome(const std::string& step,
-                                   const std::vector<std::string>& errors) {
+  std::string ForgetOutcome(const std::string& step, const std::vector<std::string>& errors) {
     std::string effects = fmt::format("del(Kf, wentWell({}))", step);
     for (const std::string& error : errors) {
       if (error == errors.back()) break;
-      effects += fmt::format(", del(Kf, signals({}, {}))", step, error);
+      effects += fmt::format(", del(Kf, signals({}, {}))", step, ConstantOf(error));
     }
     return effects;
   }
@@ -305,6 +338,9 @@ class KnowledgeText {
   std::vector<std::string> init_;
   std::vector<std::string> goals_;
   std::map<std::string, KnowledgeAction> actions_;
+  std::map<std::string, std::string> errors_;  // by their constants
+  std::set<std::string> constant_names_;       // that are taken
+  std::set<std::string> action_names_;
 };
 
 }  // namespace
@@ -330,6 +366,7 @@ PlanKnowledge KnowledgeOf(const std::vector<domain::Problem>& worlds,
       contingent::ReadPksDomain(knowledge.domain, name + "-domain.pks"),
       contingent::ReadPksProblem(knowledge.problem, name + "-problem.pks"), externs);
   knowledge.actions = text.Actions();
+  knowledge.errors = text.Errors();
   return knowledge;
 }
 

@@ -51,6 +51,8 @@ struct PlanKnowledge {
   std::string problem;  // .pks
   contingent::GroundTask task;
   std::map<std::string, KnowledgeAction> actions;  // by the names of the task's
+  // The workcell's names of errors, which may be any text, by those of the task's constants.
+  std::map<std::string, std::string> errors;
 };
 
 // The open poses on which it depends whether a plan for these worlds works: of the others, every

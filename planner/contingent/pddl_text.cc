@@ -8,22 +8,15 @@
 #include <set>
 #include <utility>
 
+#include "planner/contingent/spelling.h"
+
 namespace assay::contingent {
 namespace {
 
-// "at(cup) = table" becomes at-cup-table.
+// PDDL does not tell capitals from small letters.
 std::string NameOf(const std::string& text) {
-  std::string name;
-  for (const char c : text) {
-    const bool is_word = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') ||
-                         ('0' <= c && c <= '9') || c == '_' || c == '-';
-    if (is_word) {
-      name += 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    } else if (!name.empty() && name.back() != '-') {
-      name += '-';
-    }
-  }
-  while (name.ends_with('-')) name.pop_back();
+  std::string name = Spelled(text);
+  for (char& c : name) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
   return name;
 }
 
@@ -76,12 +69,6 @@ class Writer {
                              const std::function<void(const GroundLiteral&)>& use) {
     if (query.kind == GroundQuery::Kind::kKnown) use(query.literal);
     for (const GroundQuery& operand : query.operands) ForEachLiteral(operand, use);
-  }
-
-  static std::string Unique(const std::string& name, std::set<std::string>& taken) {
-    std::string unique = name;
-    for (int n = 2; !taken.insert(unique).second; ++n) unique = fmt::format("{}-{}", name, n);
-    return unique;
   }
 
   std::string LiteralText(const GroundLiteral& literal) const {

@@ -210,11 +210,7 @@ class Parser {
   }
 
   bool IsSectionName() const {
-    for (const char* name : {"types", "predicates", "functions", "externs", "constants", "updates",
-                             "objects", "init", "goal", "preconds", "effects"}) {
-      if (Peek().IsName(name)) return true;
-    }
-    return false;
+    return Peek().kind == Token::Kind::kName && std::ranges::count(kPksSections, Peek().text) > 0;
   }
 
   std::vector<Symbol> Symbols(bool are_functions) {

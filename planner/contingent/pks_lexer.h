@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,12 @@ struct Token {
   bool Is(std::string_view sign) const { return kind == Kind::kSign && text == sign; }
   bool IsName(std::string_view name) const { return kind == Kind::kName && text == name; }
 };
+
+// What sections and parts of actions begin with, before a colon. In a list of names one of these
+// can not be the last one before its type.
+inline constexpr std::array<std::string_view, 11> kPksSections = {
+    "types",   "predicates", "functions", "externs",  "constants", "updates",
+    "objects", "init",       "goal",      "preconds", "effects"};
 
 // The tokens of a .pks text, the last one kEnd. A name is letters, digits, _ and, between two of
 // these, -; a comment goes from # to the end of its line. Throws InputError at other characters.

@@ -141,7 +141,7 @@ Value InitialPosesFile::ChosenPose(const Value& pose, PartId part) {
 }
 
 // Plan trees have open poses and their parts as constants (planner/assembly/plan_knowledge.h),
-// beside the workcell's errors and functions of their own.
+// beside the workcell's errors and functions of their own; their files have sections.
 void InitialPosesFile::RequireConstant(const Value& place, const std::string& name,
                                        std::string_view what) const {
   const bool is_word = std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
@@ -150,7 +150,9 @@ void InitialPosesFile::RequireConstant(const Value& place, const std::string& na
     place.Fail(fmt::format("'{}' cannot name {}", name, what),
                "a letter, then letters, digits, _ and single - between them");
   }
-  std::vector<std::string> taken = {"pose", "dx", "dy", "theta"};
+  std::vector<std::string> taken = {"pose",       "dx",        "dy",       "theta",     "types",
+                                    "predicates", "functions", "externs",  "constants", "updates",
+                                    "objects",    "init",      "preconds", "effects",   "goal"};
   for (const auto& verification : problem_.workcell->uncertainty_operations().verifications) {
     taken.insert(taken.end(), {verification.below, verification.above});
   }

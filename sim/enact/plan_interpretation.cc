@@ -196,6 +196,10 @@ class OfStep : public Meaning {
     return planned_->assembly.plans[ActionOf(roles).plan].plan;
   }
   plan::StepId StepOf(const Roles& roles) const { return ActionOf(roles).step; }
+  // As the workcell names it.
+  const std::string& ErrorOf(const Roles& roles) const {
+    return planned_->assembly.knowledge.errors.at(roles.symbols.back());
+  }
 
  private:
   const KnowledgeAction& ActionOf(const Roles& roles) const {
@@ -254,18 +258,18 @@ class Signals : public OfStep {
     return std::ranges::any_of(PlanOf(roles).verifications, [&](const auto& check) {
       if (check.step != StepOf(roles)) return false;
       const double off = Measured(truth, check.quantity) - check.expected;
-      return (off < -check.tolerance && check.below == roles.symbols.back()) ||
-             (off > check.tolerance && check.above == roles.symbols.back());
+      return (off < -check.tolerance && check.below == ErrorOf(roles)) ||
+             (off > check.tolerance && check.above == ErrorOf(roles));
     });
   }
   std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.errors.find(roles.symbols.front());
     if (found == readings.errors.end()) return std::nullopt;
-    return found->second == roles.symbols.back();
+    return found->second == ErrorOf(roles);
   }
   std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
     return world.mishap && world.mishap->action == roles.symbols.front() &&
-           world.mishap->error == roles.symbols.back();
+           world.mishap->error == ErrorOf(roles);
   }
 
  private:

@@ -1,17 +1,23 @@
 #include "planner/assembly/contingent_assembly.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/contingent/grounding.h"
 #include "planner/contingent/knowledge_base.h"
 #include "planner/contingent/pks_file.h"
 #include "planner/contingent/tree_check.h"
+#include "planner/contingent/tree_file.h"
 #include "tests/planner/posting/scenarios.h"
+#include "tests/scratch_file.h"
 
 namespace assay::assembly {
 namespace {
@@ -242,6 +248,56 @@ TEST(ContingentAssembly, TheKnowledgeOfAScenarioOfAnyNameIsReadBackFromItsText) 
   const contingent::Domain domain = contingent::ReadPksDomain(knowledge.domain, "d.pks");
   EXPECT_EQ(domain.actions.size(), knowledge.actions.size());
   EXPECT_EQ(contingent::ReadPksProblem(knowledge.problem, "p.pks").domain, domain.name);
+}
+
+// Texts that stand for a text of the workcell's or the scenario's file.
+using Names = std::vector<std::pair<std::string, std::string>>;
+
+std::string Renamed(const std::filesystem::path& file, const Names& names) {
+  std::ostringstream read;
+  read << std::ifstream(file).rdbuf();
+  std::string text = read.str();
+  for (const auto& [from, to] : names) {
+    for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) {
+      text.replace(at, from.size(), to);
+    }
+  }
+  return text;
+}
+
+// The fallen peg in a workcell that has other names.
+std::vector<domain::Problem> FallenPegWith(const Names& names) {
+  const std::filesystem::path root = ASSAY_SOURCE_DIR;
+  const std::filesystem::path models = ScratchFile("models");
+  std::filesystem::copy(root / "models", models, std::filesystem::copy_options::recursive);
+  const std::filesystem::path workcell = "workcells/puma762-table/workcell.yaml";
+  const std::string changed = Renamed(root / "models" / workcell, names);
+  std::ofstream(models / workcell) << changed;
+  const std::string scenario = Renamed(root / "scenarios/fallen-peg.yaml", names);
+  return domain::ReadWorlds(Document::Parse(scenario, "scenario.yaml"), models, {});
+}
+
+// What no .pks file can spell, and what means something else there: a section, a step; two that are
+// spelled alike.
+TEST(ContingentAssembly, SensorsAndErrorsMayHaveAnyNames) {
+  const Names names = {{"overhead-camera", "\"camera no. 1 (\u00fcber dem Tisch)\""},
+                       {"error1", "\"goal\""},
+                       {"error2", "\"plan1-action_1\""},
+                       {"error3", "\"2nd try?\""},
+                       {"error4", "\"-- 2nd try\""}};
+  const ContingentAssembly assembly = MakeContingentPlan(FallenPegWith(names), {}, {});
+  ASSERT_EQ(assembly.outcome, Outcome::kFound);
+  const contingent::GroundTask task = ReadBack(assembly.knowledge);
+  EXPECT_EQ(task.actions.size(), assembly.knowledge.actions.size());
+  EXPECT_TRUE(contingent::CheckTree(task, assembly.tree, {.worlds = 8}).holds);
+  const std::string json = contingent::ToJson(task, assembly.tree).dump();
+  EXPECT_EQ(contingent::ReadTree(Document::Parse(json, "tree.json").root(), task).nodes,
+            assembly.tree.nodes);
+  std::set<std::string> errors;
+  for (const auto& [constant, error] : assembly.knowledge.errors) errors.insert(error);
+  EXPECT_THAT(errors, testing::IsSubsetOf({"goal", "plan1-action_1", "2nd try?", "-- 2nd try"}));
+  EXPECT_EQ(errors.size(), assembly.knowledge.errors.size());
+  EXPECT_EQ(errors.size(), 4U);
 }
 
 }  // namespace

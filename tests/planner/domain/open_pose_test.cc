@@ -67,7 +67,8 @@ TEST(OpenPose, EveryWorldMustBeRight) {
 
 // What names them in plan trees is refused in the scenario, and not in a file that nobody wrote.
 TEST(OpenPose, NamesAreThoseOfPlanTrees) {
-  for (const std::string name : {"7", "2nd", "a--b", "on-", "dx", "theta", "error3"}) {
+  for (const std::string name :
+       {"7", "2nd", "a--b", "on-", "dx", "theta", "error3", "types", "goal"}) {
     EXPECT_THAT(ErrorOf(TextWith(kHere, "{one-of: {" + name +
                                             ": {stable: upright, at: [0.8, 0]}, "
                                             "b: {stable: upright, at: [0.8, 0.3]}}}")),
