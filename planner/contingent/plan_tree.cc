@@ -1,6 +1,7 @@
 #include "planner/contingent/plan_tree.h"
 
 #include <algorithm>
+#include <ranges>
 #include <utility>
 
 namespace assay::contingent {
@@ -58,6 +59,33 @@ TreeSize SizeOf(const PlanTree& tree) {
   size.leaves = root.leaves;
   size.branch_points = root.branch_points;
   return size;
+}
+
+// Strongly connected components, by the algorithm of Kosaraju and Sharir: against the arcs, in the
+// reverse order of a search's ends.
+std::vector<LoopId> LoopsOf(const PlanTree& tree) {
+  const std::vector<NodeId> order = ChildrenFirst(tree);
+  std::vector<std::vector<NodeId>> parents(tree.nodes.size());
+  for (const NodeId id : order) {
+    for (const NodeId child : tree.node(id).children) parents[child.index()].push_back(id);
+  }
+  std::vector<LoopId> loops(tree.nodes.size());
+  int count = 0;
+  for (const NodeId last : std::views::reverse(order)) {
+    std::vector<NodeId> open;
+    const auto join = [&](NodeId id) {
+      if (!loops[id.index()].IsNone()) return;
+      loops[id.index()] = LoopId(count);
+      open.push_back(id);
+    };
+    for (join(last); !open.empty();) {
+      const NodeId id = open.back();
+      open.pop_back();
+      for (const NodeId parent : parents[id.index()]) join(parent);
+    }
+    ++count;
+  }
+  return loops;
 }
 
 PlanTree Trimmed(const PlanTree& tree) {

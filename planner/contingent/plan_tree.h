@@ -10,6 +10,7 @@
 namespace assay::contingent {
 
 using NodeId = Id<struct PlanNodeTag>;
+using LoopId = Id<struct LoopTag>;  // nodes that repeats lead round
 
 // One step of a contingent plan, and where it goes on.
 struct PlanNode {
@@ -57,6 +58,10 @@ TreeSize SizeOf(const PlanTree& tree);
 
 // The nodes that the root leads to, children before parents but for repeats.
 std::vector<NodeId> ChildrenFirst(const PlanTree& tree);
+
+// By node a number that it has in common with those to which it leads and which lead back to it;
+// none of those that the root does not lead to.
+std::vector<LoopId> LoopsOf(const PlanTree& tree);
 
 // The nodes that the root leads to, renumbered.
 PlanTree Trimmed(const PlanTree& tree);

@@ -55,6 +55,7 @@ class Runner {
   Runner(const GroundTask& task, const PlanTree& tree, bool are_all_worlds, std::size_t most_worlds)
       : task_(task),
         tree_(tree),
+        loops_(LoopsOf(tree)),
         is_monotone_(IsMonotone(task)),
         happens_by_knowledge_(HappensByKnowledge(task)),
         progression_(task, are_all_worlds, most_worlds),
@@ -166,6 +167,10 @@ class Runner {
       const PlanNode& node = tree_.node(id);
       is_reached_[id.index()] = true;
       if (attempt_ == nullptr && IsRepeated(id)) Begin(id, history);
+      if (attempt_ != nullptr && loops_[id.index()] != attempt_->loop) {
+        attempt_->has_ended = true;
+        return;
+      }
       switch (node.kind) {
         case PlanNode::Kind::kGoal:
           return End(way);
@@ -370,9 +375,12 @@ class Runner {
 
   // Whether a world that is back at the head of a repeat comes to the goal some time, for some
   // outcomes of what is open: by going round in this world until it has been everywhere. Others are
-  // looked at where it matters that it is not known to be this one.
+  // looked at where it matters that it is not known to be this one. It is followed until it is out
+  // of the loop: there come the worlds that began the repeat, too, of which it is a case, or the
+  // repeat begins again with it, and these are run to the end. So each repeat of a row is gone
+  // round by itself.
   bool CanEnd(NodeId head, const World& world, const History& history) {
-    Attempt attempt;
+    Attempt attempt{.loop = loops_[head.index()]};
     attempt_ = &attempt;
     Follow(head, world, history);
     while (!attempt.has_ended && !HasFailed() && !attempt.to_follow.empty()) {
@@ -449,13 +457,15 @@ class Runner {
 
   // Going round a repeat in one world.
   struct Attempt {
+    LoopId loop;
     std::set<std::pair<NodeId, History>> returned = {};  // to the heads of repeats
     std::deque<std::pair<NodeId, History>> to_follow = {};
-    bool has_ended = false;  // at the goal
+    bool has_ended = false;  // at the goal, or outside of the loop
   };
 
   const GroundTask& task_;
   const PlanTree& tree_;
+  std::vector<LoopId> loops_;  // by node
   bool is_monotone_;
   bool happens_by_knowledge_;
   WorldProgression progression_;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <utility>
@@ -145,22 +146,32 @@ class Reader {
     }
   }
 
-  // Every way ends, or comes to a repeat: nodes are taken off from the ends.
-  static void RequireEnd(const PlanTree& tree, const std::vector<Value>& places) {
-    std::vector<std::vector<std::size_t>> parents(tree.nodes.size());
-    std::vector<int> open(tree.nodes.size(), 0);
-    std::vector<std::size_t> ended;
+  // By node, where it is come to from; repeats do not count.
+  static std::vector<std::vector<NodeId>> ParentsOf(const PlanTree& tree) {
+    std::vector<std::vector<NodeId>> parents(tree.nodes.size());
     for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
       for (std::size_t i = 0; i < tree.nodes[n].children.size(); ++i) {
-        if (tree.nodes[n].Repeats(i)) continue;
-        parents[tree.nodes[n].children[i].index()].push_back(n);
-        ++open[n];
+        if (!tree.nodes[n].Repeats(i))
+          parents[tree.nodes[n].children[i].index()].push_back(NodeId(n));
       }
-      if (open[n] == 0) ended.push_back(n);
+    }
+    return parents;
+  }
+
+  // Every way ends, or comes to a repeat: nodes are taken off from the ends.
+  static void RequireEnd(const PlanTree& tree, const std::vector<Value>& places) {
+    const std::vector<std::vector<NodeId>> parents = ParentsOf(tree);
+    std::vector<int> open(tree.nodes.size(), 0);
+    for (const std::vector<NodeId>& of_node : parents) {
+      for (const NodeId parent : of_node) ++open[parent.index()];
+    }
+    std::vector<NodeId> ended;
+    for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+      if (open[n] == 0) ended.push_back(NodeId(n));
     }
     for (std::size_t next = 0; next < ended.size(); ++next) {
-      for (const std::size_t parent : parents[ended[next]]) {
-        if (--open[parent] == 0) ended.push_back(parent);
+      for (const NodeId parent : parents[ended[next].index()]) {
+        if (--open[parent.index()] == 0) ended.push_back(parent);
       }
     }
     const auto endless = std::find_if(open.begin(), open.end(), [](int left) { return left > 0; });
@@ -169,45 +180,35 @@ class Reader {
     }
   }
 
-  // Whatever way leads to a node that repeats, it has come by where the repeat begins: that cut
-  // out, the root does not lead to the node.
+  // Whatever way leads to a node that repeats, it has come by where the repeat begins: from the
+  // node back to there, which are the nodes of the repeat, the root is not come by.
   static void RequireThatRepeatsGoBack(const PlanTree& tree, const std::vector<Value>& places) {
-    std::set<NodeId> heads;
-    for (const PlanNode& node : tree.nodes) {
-      for (std::size_t i = 0; i < node.children.size(); ++i) {
-        if (node.Repeats(i)) heads.insert(node.children[i]);
+    std::map<NodeId, std::vector<NodeId>> ends;  // by where the repeat begins
+    for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+      for (std::size_t i = 0; i < tree.nodes[n].children.size(); ++i) {
+        if (tree.nodes[n].Repeats(i)) ends[tree.nodes[n].children[i]].push_back(NodeId(n));
       }
     }
-    for (const NodeId head : heads) {
-      for (const NodeId reached : ReachedWithout(head, tree)) {
-        const PlanNode& node = tree.node(reached);
-        for (std::size_t i = 0; i < node.children.size(); ++i) {
-          if (!node.Repeats(i) || node.children[i] != head) continue;
-          places[reached.index()].Fail(
-              fmt::format("a repeat of node {}, which is not above on every way", head.index()),
-              "repeats of nodes above");
+    const std::vector<std::vector<NodeId>> parents = ParentsOf(tree);
+    std::vector<NodeId> repeated_from(tree.nodes.size());  // by node: the last such beginning
+    for (const auto& [head, of_head] : ends) {
+      for (const NodeId end : of_head) {
+        std::vector<NodeId> open = {end};
+        while (!open.empty()) {
+          const NodeId id = open.back();
+          open.pop_back();
+          if (id == head || std::exchange(repeated_from[id.index()], head) == head) continue;
+          if (id == tree.root) FailNotAbove(head, places[end.index()]);
+          const std::vector<NodeId>& before = parents[id.index()];
+          open.insert(open.end(), before.begin(), before.end());
         }
       }
     }
   }
 
-  static std::vector<NodeId> ReachedWithout(NodeId cut, const PlanTree& tree) {
-    std::vector<bool> is_reached(tree.nodes.size(), false);
-    is_reached[cut.index()] = true;
-    std::vector<NodeId> reached;
-    const auto reach = [&](NodeId id) {
-      if (is_reached[id.index()]) return;
-      is_reached[id.index()] = true;
-      reached.push_back(id);
-    };
-    reach(tree.root);
-    for (std::size_t next = 0; next < reached.size(); ++next) {
-      const PlanNode& node = tree.node(reached[next]);
-      for (std::size_t i = 0; i < node.children.size(); ++i) {
-        if (!node.Repeats(i)) reach(node.children[i]);
-      }
-    }
-    return reached;
+  [[noreturn]] static void FailNotAbove(NodeId head, const Value& place) {
+    place.Fail(fmt::format("a repeat of node {}, which is not above on every way", head.index()),
+               "repeats of nodes above");
   }
 
   const GroundTask& task_;

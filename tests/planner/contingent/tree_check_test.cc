@@ -164,6 +164,39 @@ TEST_F(Lamp, ARepeatThatCanEndHolds) {
   EXPECT_EQ(SizeOf(tree_).repeats, 1);
 }
 
+// Each is tried until the lamp is lit, and shaken for the next; as many as a file can have.
+TEST_F(Lamp, RepeatsOneAfterAnotherAreRun) {
+  NodeId next = Goal();
+  for (int i = 0; i < 20'000; ++i) {
+    const NodeId branch = Branch(i == 0 ? next : Act("shake", next), next);
+    next = Act("kick", branch);
+    tree_.nodes[branch.index()].children[1] = next;
+    tree_.nodes[branch.index()].repeats = {false, true};
+  }
+  const TreeCheck check = Check();
+  EXPECT_TRUE(check.holds) << check.failure;
+  EXPECT_EQ(SizeOf(tree_).repeats, 20'000);
+  // The first of them, the last to be added, now looks only, and lights no lamp.
+  tree_.nodes[tree_.root.index()].action = Action("look");
+  EXPECT_THAT(Check().failure, HasSubstr("a repeat without end after look(); outcome 2 of lit"));
+}
+
+// Two of them in each other, and one behind: the nodes of a loop lead to each other.
+TEST_F(Lamp, LoopsAreWhatRepeatsLeadRound) {
+  const NodeId goal = Goal();
+  const NodeId behind = Branch(goal, goal);
+  tree_.nodes[behind.index()].children[1] = behind;
+  const NodeId inner = Branch(behind, goal);
+  const NodeId outer = Act("look", inner);
+  const NodeId root = Act("shake", outer);
+  tree_.nodes[inner.index()].children = {behind, outer};
+  const std::vector<LoopId> loops = LoopsOf(tree_);
+  EXPECT_EQ(loops[inner.index()], loops[outer.index()]);
+  for (const NodeId alone : {goal, behind, root}) {
+    EXPECT_EQ(std::ranges::count(loops, loops[alone.index()]), 1);
+  }
+}
+
 TEST_F(Lamp, ARepeatMustBeginAgainWhereItBegan) {
   const NodeId goal = Goal();
   const NodeId branch = Branch(goal, goal);

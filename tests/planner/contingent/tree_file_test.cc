@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "planner/base/random.h"
 #include "planner/contingent/tree_check.h"
 #include "planner/contingent/tree_text.h"
 #include "tests/planner/contingent/tasks.h"
@@ -40,6 +41,55 @@ TEST(TreeFile, RepeatsGoBackToNodesAbove) {
                      {"nodes", {{{"act", look}, {"then", 1}}, branch, {{"goal", true}}}}};
   EXPECT_THAT(MessageOf([&] { Read(tree, task); }),
               HasSubstr("a repeat of node 2, which is not above on every way"));
+}
+
+// Whether a node is come to from the root by children that are no repeats, not by way of another.
+bool IsReached(const PlanTree& tree, NodeId from, NodeId to, NodeId without) {
+  if (from == without) return false;
+  if (from == to) return true;
+  const PlanNode& node = tree.node(from);
+  for (std::size_t i = 0; i < node.children.size(); ++i) {
+    if (!node.Repeats(i) && IsReached(tree, node.children[i], to, without)) return true;
+  }
+  return false;
+}
+
+bool DoAllRepeatsGoBack(const PlanTree& tree) {
+  for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
+    for (std::size_t i = 0; i < tree.nodes[n].children.size(); ++i) {
+      const bool repeats = tree.nodes[n].Repeats(i);
+      if (repeats && IsReached(tree, tree.root, NodeId(n), tree.nodes[n].children[i])) return false;
+    }
+  }
+  return true;
+}
+
+TEST(TreeFile, RepeatsGoBackOnEveryWay) {
+  const GroundTask task = GroundScenario("slippery-grasp", "hold-the-cup");
+  int refused = 0;
+  int read = 0;
+  for (int trial = 0; trial < 2'000; ++trial) {
+    RandomStream random(trial, "repeats");
+    const int count = 2 + random.Index(7);
+    PlanTree tree = {.nodes = std::vector<PlanNode>(count), .root = NodeId(0)};
+    for (int n = 0; n + 1 < count; ++n) {
+      PlanNode& node = tree.nodes[n];
+      node.kind = PlanNode::Kind::kWhether;
+      node.formula = FormulaId(0);
+      for (int child = 0; child < 2; ++child) {
+        const bool repeats = random.Index(4) == 0;
+        node.children.push_back(
+            NodeId(repeats ? random.Index(count - 1) : n + 1 + random.Index(count - 1 - n)));
+        node.repeats.push_back(repeats);
+      }
+      // One number in the file: both or none.
+      if (node.children[0] == node.children[1]) node.repeats[0] = node.repeats[1];
+    }
+    const std::string message = MessageOf([&] { Read(ToJson(task, tree), task); });
+    ASSERT_EQ(message == "no error", DoAllRepeatsGoBack(tree)) << message;
+    ++(message == "no error" ? read : refused);
+  }
+  EXPECT_GT(std::min(read, refused), 200);
 }
 
 // Each child of each node of a plan leads elsewhere, marked as a repeat or not: such a file is
