@@ -15,6 +15,13 @@ constexpr double kRounding = 1e-15;
 // Not less than a sum of numbers that are not negative, however it was rounded.
 double AtLeast(double sum) { return sum * (1 + 1e-12); }
 
+Interval ValueAt(const Expression& e, std::span<const double> point) {
+  std::vector<Interval> thin;
+  thin.reserve(point.size());
+  for (const double x : point) thin.push_back({x, x});
+  return Evaluate(e, thin);
+}
+
 }  // namespace
 
 Glance FirstOrderForms::Above(const Expression& e, std::span<const Interval> box, double limit) {
@@ -25,7 +32,7 @@ Glance FirstOrderForms::Above(const Expression& e, std::span<const Interval> box
   const double off = AtLeast(form.rest + 4 * kRounding * (std::abs(form.centre) + form.reach));
   Glance glance = {greatest + off, greatest - off};
   if (glance.bound >= limit && glance.attained < limit) {
-    glance.attained = std::max(glance.attained, AtCorner(e, 1, box).low);
+    glance.attained = std::max(glance.attained, ValueAt(e, Corner(e, 1, box)).low);
   }
   return glance;
 }
@@ -38,23 +45,69 @@ Glance FirstOrderForms::Below(const Expression& e, std::span<const Interval> box
   const double off = AtLeast(form.rest + 4 * kRounding * (std::abs(form.centre) + form.reach));
   Glance glance = {least - off, least + off};
   if (glance.bound <= limit && glance.attained > limit) {
-    glance.attained = std::min(glance.attained, AtCorner(e, -1, box).high);
+    glance.attained = std::min(glance.attained, ValueAt(e, Corner(e, -1, box)).high);
   }
   return glance;
 }
 
-// Where its linear part is greatest (sign = 1), or least.
-Interval FirstOrderForms::AtCorner(const Expression& e, double sign,
-                                   std::span<const Interval> box) const {
-  std::vector<Interval> corner;
+Bound FirstOrderForms::BoundAbove(const Expression& e, std::span<const Interval> box) {
+  Bound bound = {.value = Above(e, box, -kInfinity).bound, .rung = Rung::kCentred};
+  bound.gap = kInfinity;
+  if (!std::isfinite(bound.value)) return bound;
+  bound.at = Corner(e, 1, box);
+  bound.gap = std::max(0.0, RoundedUp(bound.value - ValueAt(e, bound.at).low));
+  return bound;
+}
+
+Bound FirstOrderForms::BoundBelow(const Expression& e, std::span<const Interval> box) {
+  Bound bound = {.value = Below(e, box, kInfinity).bound, .rung = Rung::kCentred};
+  bound.gap = kInfinity;
+  if (!std::isfinite(bound.value)) return bound;
+  bound.at = Corner(e, -1, box);
+  bound.gap = std::max(0.0, RoundedUp(ValueAt(e, bound.at).high - bound.value));
+  return bound;
+}
+
+std::optional<AffineForm> FirstOrderForms::Affine(const Expression& e,
+                                                  std::span<const Interval> box,
+                                                  double negligible) {
+  if (e.IsConstant()) return AffineForm{0, {e.constant(), e.constant()}};
+  const Form form = FormOf(e, box);
+  if (!std::isfinite(form.rest)) return std::nullopt;
+  AffineForm affine = {.linear = 0, .rest = {}};
+  double middle = form.centre;  // of the rest
+  double half = form.rest;
+  double sizes = std::abs(form.centre) + form.reach;
+  for (const auto& [variable, slope] : form.slopes) {
+    if (std::abs(slope) <= negligible * form.reach) {
+      half += std::abs(slope);
+      continue;
+    }
+    const Form x = OfVariable(variable, box[static_cast<std::size_t>(variable)]);
+    const double multiple = slope / x.reach;
+    affine.linear = affine.linear + multiple * e.pool()->Variable(VariableId(variable));
+    middle -= multiple * x.centre;
+    half += std::abs(multiple) * x.rest;
+    sizes += std::abs(multiple * x.centre);
+  }
+  half = AtLeast(half + 8 * kRounding * sizes);
+  affine.rest = {middle - half, middle + half};
+  return affine;
+}
+
+// Where its linear part is greatest (sign = 1), or least; all else in the middle.
+std::vector<double> FirstOrderForms::Corner(const Expression& e, double sign,
+                                            std::span<const Interval> box) const {
+  std::vector<double> corner;
   corner.reserve(box.size());
-  for (const Interval& range : box) corner.push_back({Midpoint(range), Midpoint(range)});
+  for (const Interval& range : box) corner.push_back(Midpoint(range));
+  if (e.IsConstant()) return corner;
   for (const Slope& slope : Of(e).slopes) {
     const Interval& range = box[static_cast<std::size_t>(slope.variable)];
-    const double end = sign * slope.value > 0 ? range.high : range.low;
-    corner[static_cast<std::size_t>(slope.variable)] = {end, end};
+    corner[static_cast<std::size_t>(slope.variable)] =
+        sign * slope.value > 0 ? range.high : range.low;
   }
-  return Evaluate(e, corner);
+  return corner;
 }
 
 const FirstOrderForms::Form& FirstOrderForms::FormOf(const Expression& e,

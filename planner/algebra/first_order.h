@@ -1,9 +1,11 @@
 #pragma once
 
-#include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "planner/algebra/affine_form.h"
+#include "planner/algebra/bounds.h"
 #include "planner/algebra/expression.h"
 #include "planner/algebra/glance.h"
 
@@ -25,6 +27,14 @@ class FirstOrderForms {
   Glance Above(const Expression& e, std::span<const Interval> box, double limit);
   Glance Below(const Expression& e, std::span<const Interval> box, double limit);
 
+  // With the corner that the slopes point to, from which the gap is measured.
+  Bound BoundAbove(const Expression& e, std::span<const Interval> box);
+  Bound BoundBelow(const Expression& e, std::span<const Interval> box);
+
+  // As AffineFormOf, whose rest is tighter and takes longer; none where nothing is known.
+  std::optional<AffineForm> Affine(const Expression& e, std::span<const Interval> box,
+                                   double negligible);
+
  private:
   struct Slope {
     int variable = 0;
@@ -44,7 +54,7 @@ class FirstOrderForms {
   const Form& FormOf(const Expression& e, std::span<const Interval> box);
   Form Made(const Expression& e, std::span<const Interval> box);
   const Form& Of(const Expression& operand) const { return known_[operand.index()].form; }
-  Interval AtCorner(const Expression& e, double sign, std::span<const Interval> box) const;
+  std::vector<double> Corner(const Expression& e, double sign, std::span<const Interval> box) const;
 
   static Form OfNumber(double value);
   static Form OfVariable(int variable, const Interval& range);
