@@ -108,15 +108,8 @@ const std::vector<Unproved>& WorldTree::UnprovedAt(MomentId id) {
   return *At(id).unproved;
 }
 
-const std::vector<Unproved>& WorldTree::ToldAt(MomentId id) {
-  Moment& moment = At(id);
-  if (!moment.told) {
-    moment.told.emplace();
-    for (const Unproved& unproved : UnprovedAt(id)) {
-      moment.told->push_back(AsCertified(unproved, *moment.world, request_));
-    }
-  }
-  return *moment.told;
+Unproved WorldTree::Told(MomentId moment, const Unproved& unproved) {
+  return AsCertified(unproved, WorldAt(moment), request_);
 }
 
 }  // namespace assay::uncertainty

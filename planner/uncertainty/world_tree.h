@@ -29,8 +29,8 @@ class WorldTree {
   // Of the action that leads to a moment.
   bool IsProved(MomentId moment);
   const std::vector<Unproved>& UnprovedAt(MomentId moment);
-  // With the bounds that its certificate tells.
-  const std::vector<Unproved>& ToldAt(MomentId moment);
+  // One of these, with the bound that the action's certificate tells.
+  Unproved Told(MomentId moment, const Unproved& unproved);
 
   int size() const { return static_cast<int>(moments_.size()); }  // moments that were asked for
 
@@ -43,7 +43,6 @@ class WorldTree {
     std::optional<UncertainWorld> world = {};
     std::optional<bool> is_proved = {};
     std::optional<std::vector<Unproved>> unproved = {};
-    std::optional<std::vector<Unproved>> told = {};
 
     const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
   };
