@@ -88,23 +88,14 @@ const UncertainWorld& WorldTree::WorldAt(MomentId id) {
   return *At(id).world;
 }
 
-std::vector<Unproved> WorldTree::Decide(MomentId id, Wanted wanted) {
-  UncertainWorld world = WorldAt(At(id).before);
-  Moment& moment = At(id);
-  std::vector<Unproved> unproved = DecideStep(world, moment.action, request_, wanted, moment.way());
-  moment.is_proved = unproved.empty();
-  if (!moment.world) Keep(moment, std::move(world));
-  return unproved;
-}
-
-bool WorldTree::IsProved(MomentId moment) {
-  if (!At(moment).is_proved) Decide(moment, Wanted::kFirstUnproved);
-  return *At(moment).is_proved;
-}
-
 const std::vector<Unproved>& WorldTree::UnprovedAt(MomentId id) {
-  if (At(id).is_proved == true) At(id).unproved.emplace();
-  if (!At(id).unproved) At(id).unproved = Decide(id, Wanted::kAllUnproved);
+  if (!At(id).unproved) {
+    UncertainWorld world = WorldAt(At(id).before);
+    Moment& moment = At(id);
+    moment.unproved =
+        DecideStep(world, moment.action, request_, Wanted::kAllUnproved, moment.way());
+    if (!moment.world) Keep(moment, std::move(world));
+  }
   return *At(id).unproved;
 }
 
