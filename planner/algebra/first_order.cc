@@ -172,9 +172,41 @@ FirstOrderForms::Form FirstOrderForms::OfVariable(int variable, const Interval& 
           .slopes = {{variable, radius}}};
 }
 
-FirstOrderForms::Form FirstOrderForms::OfSum(std::span<const Expression> terms) const {
-  Form sum = Of(terms[0]);
-  for (const Expression& term : terms.subspan(1)) sum = Sum(sum, Of(term));
+void FirstOrderForms::Slopes::Add(int variable, double slope) {
+  if (variable >= std::ssize(total_)) total_.resize(variable + 1, kNone);
+  double& total = total_[variable];
+  if (std::isnan(total)) {
+    variables_.push_back(variable);
+    total = slope;
+  } else {
+    total += slope;
+  }
+}
+
+std::vector<FirstOrderForms::Slope> FirstOrderForms::Slopes::Take() {
+  std::ranges::sort(variables_);
+  std::vector<Slope> slopes;
+  slopes.reserve(variables_.size());
+  for (const int variable : variables_) {
+    slopes.push_back({variable, std::exchange(total_[variable], kNone)});
+  }
+  variables_.clear();
+  return slopes;
+}
+
+FirstOrderForms::Form FirstOrderForms::OfSum(std::span<const Expression> terms) {
+  Form sum;
+  double sizes = 0;
+  for (const Expression& term : terms) {
+    const Form& form = Of(term);
+    sum.centre += form.centre;
+    sum.rest += form.rest;
+    sizes += std::abs(form.centre) + form.reach;
+    for (const auto& [variable, slope] : form.slopes) total_.Add(variable, slope);
+  }
+  sum.slopes = total_.Take();
+  for (const Slope& slope : sum.slopes) sum.reach += std::abs(slope.value);
+  sum.rest = AtLeast(sum.rest + kRounding * static_cast<double>(terms.size()) * sizes);
   return sum;
 }
 
@@ -183,26 +215,6 @@ FirstOrderForms::Form FirstOrderForms::OfProduct(std::span<const Expression> fac
   Form product = Of(factors[0]);
   for (const Expression& factor : factors.subspan(1)) product = Product(product, Of(factor));
   return product;
-}
-
-FirstOrderForms::Form FirstOrderForms::Sum(const Form& a, const Form& b) {
-  Form sum = {.centre = a.centre + b.centre};
-  sum.slopes.reserve(a.slopes.size() + b.slopes.size());
-  auto x = a.slopes.begin();
-  auto y = b.slopes.begin();
-  while (x != a.slopes.end() && y != b.slopes.end()) {
-    if (x->variable == y->variable) {
-      sum.slopes.push_back({x->variable, x++->value + y++->value});
-    } else {
-      sum.slopes.push_back(x->variable < y->variable ? *x++ : *y++);
-    }
-  }
-  sum.slopes.insert(sum.slopes.end(), x, a.slopes.end());
-  sum.slopes.insert(sum.slopes.end(), y, b.slopes.end());
-  for (const Slope& slope : sum.slopes) sum.reach += std::abs(slope.value);
-  const double sizes = std::abs(a.centre) + std::abs(b.centre) + a.reach + b.reach;
-  sum.rest = AtLeast(a.rest + b.rest + kRounding * sizes);
-  return sum;
 }
 
 // (a + A + r) * (b + B + s), A and B the linear parts: a*b + a*B + b*A, and for a rest A*B, r and s

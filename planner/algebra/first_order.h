@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -46,6 +47,17 @@ class FirstOrderForms {
     double reach = 0;                // of the linear part: the sum of the slopes' sizes
     std::vector<Slope> slopes = {};  // by increasing variable
   };
+  // Sums of slopes, by variable.
+  class Slopes {
+   public:
+    void Add(int variable, double slope);
+    std::vector<Slope> Take();  // by increasing variable; leaves none
+
+   private:
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> total_;
+    std::vector<int> variables_;  // that have a slope
+  };
   struct Known {
     bool is_known = false;
     Form form = {};
@@ -58,14 +70,14 @@ class FirstOrderForms {
 
   static Form OfNumber(double value);
   static Form OfVariable(int variable, const Interval& range);
-  static Form Sum(const Form& a, const Form& b);
   static Form Product(const Form& a, const Form& b);
   static Form Wave(const Form& a, double value, double slope);
-  Form OfSum(std::span<const Expression> terms) const;
+  Form OfSum(std::span<const Expression> terms);
   Form OfProduct(std::span<const Expression> factors) const;
 
   std::vector<Known> known_;      // by Expression::index
   std::vector<Expression> open_;  // scratch: yet to be worked out
+  Slopes total_;                  // scratch
 };
 
 }  // namespace assay::algebra

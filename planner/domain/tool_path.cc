@@ -17,7 +17,7 @@ using geometry::Vector3;
 using kinematics::Indicators;
 using kinematics::JointVector;
 
-constexpr double kStep = 0.025;       // metres between looks
+constexpr double kStep = 0.05;        // metres between looks
 constexpr double kTurnStep = 0.1;     // radians between looks
 constexpr double kLargestTurn = 0.4;  // radians of a joint from one look to the next
 
