@@ -15,6 +15,13 @@ constexpr double kRounding = 1e-15;
 // Not less than a sum of numbers that are not negative, however it was rounded.
 double AtLeast(double sum) { return sum * (1 + 1e-12); }
 
+Interval ValueAt(const Expression& e, std::span<const double> point) {
+  std::vector<Interval> thin;
+  thin.reserve(point.size());
+  for (const double x : point) thin.push_back({x, x});
+  return Evaluate(e, thin);
+}
+
 }  // namespace
 
 Glance FirstOrderForms::Above(const Expression& e, std::span<const Interval> box, double limit) {
@@ -25,7 +32,7 @@ Glance FirstOrderForms::Above(const Expression& e, std::span<const Interval> box
   const double off = AtLeast(form.rest + 4 * kRounding * (std::abs(form.centre) + form.reach));
   Glance glance = {greatest + off, greatest - off};
   if (glance.bound >= limit && glance.attained < limit) {
-    glance.attained = std::max(glance.attained, AtCorner(e, 1, box).low);
+    glance.attained = std::max(glance.attained, ValueAt(e, Corner(e, 1, box)).low);
   }
   return glance;
 }
@@ -38,23 +45,69 @@ Glance FirstOrderForms::Below(const Expression& e, std::span<const Interval> box
   const double off = AtLeast(form.rest + 4 * kRounding * (std::abs(form.centre) + form.reach));
   Glance glance = {least - off, least + off};
   if (glance.bound <= limit && glance.attained > limit) {
-    glance.attained = std::min(glance.attained, AtCorner(e, -1, box).high);
+    glance.attained = std::min(glance.attained, ValueAt(e, Corner(e, -1, box)).high);
   }
   return glance;
 }
 
-// Where its linear part is greatest (sign = 1), or least.
-Interval FirstOrderForms::AtCorner(const Expression& e, double sign,
-                                   std::span<const Interval> box) const {
-  std::vector<Interval> corner;
+Bound FirstOrderForms::BoundAbove(const Expression& e, std::span<const Interval> box) {
+  Bound bound = {.value = Above(e, box, -kInfinity).bound, .rung = Rung::kCentred};
+  bound.gap = kInfinity;
+  if (!std::isfinite(bound.value)) return bound;
+  bound.at = Corner(e, 1, box);
+  bound.gap = std::max(0.0, RoundedUp(bound.value - ValueAt(e, bound.at).low));
+  return bound;
+}
+
+Bound FirstOrderForms::BoundBelow(const Expression& e, std::span<const Interval> box) {
+  Bound bound = {.value = Below(e, box, kInfinity).bound, .rung = Rung::kCentred};
+  bound.gap = kInfinity;
+  if (!std::isfinite(bound.value)) return bound;
+  bound.at = Corner(e, -1, box);
+  bound.gap = std::max(0.0, RoundedUp(ValueAt(e, bound.at).high - bound.value));
+  return bound;
+}
+
+std::optional<AffineForm> FirstOrderForms::Affine(const Expression& e,
+                                                  std::span<const Interval> box,
+                                                  double negligible) {
+  if (e.IsConstant()) return AffineForm{0, {e.constant(), e.constant()}};
+  const Form form = FormOf(e, box);
+  if (!std::isfinite(form.rest)) return std::nullopt;
+  AffineForm affine = {.linear = 0, .rest = {}};
+  double middle = form.centre;  // of the rest
+  double half = form.rest;
+  double sizes = std::abs(form.centre) + form.reach;
+  for (const auto& [variable, slope] : form.slopes) {
+    if (std::abs(slope) <= negligible * form.reach) {
+      half += std::abs(slope);
+      continue;
+    }
+    const Form x = OfVariable(variable, box[static_cast<std::size_t>(variable)]);
+    const double multiple = slope / x.reach;
+    affine.linear = affine.linear + multiple * e.pool()->Variable(VariableId(variable));
+    middle -= multiple * x.centre;
+    half += std::abs(multiple) * x.rest;
+    sizes += std::abs(multiple * x.centre);
+  }
+  half = AtLeast(half + 8 * kRounding * sizes);
+  affine.rest = {middle - half, middle + half};
+  return affine;
+}
+
+// Where its linear part is greatest (sign = 1), or least; all else in the middle.
+std::vector<double> FirstOrderForms::Corner(const Expression& e, double sign,
+                                            std::span<const Interval> box) const {
+  std::vector<double> corner;
   corner.reserve(box.size());
-  for (const Interval& range : box) corner.push_back({Midpoint(range), Midpoint(range)});
+  for (const Interval& range : box) corner.push_back(Midpoint(range));
+  if (e.IsConstant()) return corner;
   for (const Slope& slope : Of(e).slopes) {
     const Interval& range = box[static_cast<std::size_t>(slope.variable)];
-    const double end = sign * slope.value > 0 ? range.high : range.low;
-    corner[static_cast<std::size_t>(slope.variable)] = {end, end};
+    corner[static_cast<std::size_t>(slope.variable)] =
+        sign * slope.value > 0 ? range.high : range.low;
   }
-  return Evaluate(e, corner);
+  return corner;
 }
 
 const FirstOrderForms::Form& FirstOrderForms::FormOf(const Expression& e,
@@ -119,9 +172,41 @@ FirstOrderForms::Form FirstOrderForms::OfVariable(int variable, const Interval& 
           .slopes = {{variable, radius}}};
 }
 
-FirstOrderForms::Form FirstOrderForms::OfSum(std::span<const Expression> terms) const {
-  Form sum = Of(terms[0]);
-  for (const Expression& term : terms.subspan(1)) sum = Sum(sum, Of(term));
+void FirstOrderForms::Slopes::Add(int variable, double slope) {
+  if (variable >= std::ssize(total_)) total_.resize(variable + 1, kNone);
+  double& total = total_[variable];
+  if (std::isnan(total)) {
+    variables_.push_back(variable);
+    total = slope;
+  } else {
+    total += slope;
+  }
+}
+
+std::vector<FirstOrderForms::Slope> FirstOrderForms::Slopes::Take() {
+  std::ranges::sort(variables_);
+  std::vector<Slope> slopes;
+  slopes.reserve(variables_.size());
+  for (const int variable : variables_) {
+    slopes.push_back({variable, std::exchange(total_[variable], kNone)});
+  }
+  variables_.clear();
+  return slopes;
+}
+
+FirstOrderForms::Form FirstOrderForms::OfSum(std::span<const Expression> terms) {
+  Form sum;
+  double sizes = 0;
+  for (const Expression& term : terms) {
+    const Form& form = Of(term);
+    sum.centre += form.centre;
+    sum.rest += form.rest;
+    sizes += std::abs(form.centre) + form.reach;
+    for (const auto& [variable, slope] : form.slopes) total_.Add(variable, slope);
+  }
+  sum.slopes = total_.Take();
+  for (const Slope& slope : sum.slopes) sum.reach += std::abs(slope.value);
+  sum.rest = AtLeast(sum.rest + kRounding * static_cast<double>(terms.size()) * sizes);
   return sum;
 }
 
@@ -130,26 +215,6 @@ FirstOrderForms::Form FirstOrderForms::OfProduct(std::span<const Expression> fac
   Form product = Of(factors[0]);
   for (const Expression& factor : factors.subspan(1)) product = Product(product, Of(factor));
   return product;
-}
-
-FirstOrderForms::Form FirstOrderForms::Sum(const Form& a, const Form& b) {
-  Form sum = {.centre = a.centre + b.centre};
-  sum.slopes.reserve(a.slopes.size() + b.slopes.size());
-  auto x = a.slopes.begin();
-  auto y = b.slopes.begin();
-  while (x != a.slopes.end() && y != b.slopes.end()) {
-    if (x->variable == y->variable) {
-      sum.slopes.push_back({x->variable, x++->value + y++->value});
-    } else {
-      sum.slopes.push_back(x->variable < y->variable ? *x++ : *y++);
-    }
-  }
-  sum.slopes.insert(sum.slopes.end(), x, a.slopes.end());
-  sum.slopes.insert(sum.slopes.end(), y, b.slopes.end());
-  for (const Slope& slope : sum.slopes) sum.reach += std::abs(slope.value);
-  const double sizes = std::abs(a.centre) + std::abs(b.centre) + a.reach + b.reach;
-  sum.rest = AtLeast(a.rest + b.rest + kRounding * sizes);
-  return sum;
 }
 
 // (a + A + r) * (b + B + s), A and B the linear parts: a*b + a*B + b*A, and for a rest A*B, r and s

@@ -1,9 +1,12 @@
 #pragma once
 
-#include <cstddef>
+#include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "planner/algebra/affine_form.h"
+#include "planner/algebra/bounds.h"
 #include "planner/algebra/expression.h"
 #include "planner/algebra/glance.h"
 
@@ -25,6 +28,14 @@ class FirstOrderForms {
   Glance Above(const Expression& e, std::span<const Interval> box, double limit);
   Glance Below(const Expression& e, std::span<const Interval> box, double limit);
 
+  // With the corner that the slopes point to, from which the gap is measured.
+  Bound BoundAbove(const Expression& e, std::span<const Interval> box);
+  Bound BoundBelow(const Expression& e, std::span<const Interval> box);
+
+  // As AffineFormOf, whose rest is tighter and takes longer; none where nothing is known.
+  std::optional<AffineForm> Affine(const Expression& e, std::span<const Interval> box,
+                                   double negligible);
+
  private:
   struct Slope {
     int variable = 0;
@@ -36,6 +47,17 @@ class FirstOrderForms {
     double reach = 0;                // of the linear part: the sum of the slopes' sizes
     std::vector<Slope> slopes = {};  // by increasing variable
   };
+  // Sums of slopes, by variable.
+  class Slopes {
+   public:
+    void Add(int variable, double slope);
+    std::vector<Slope> Take();  // by increasing variable; leaves none
+
+   private:
+    static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::vector<double> total_;
+    std::vector<int> variables_;  // that have a slope
+  };
   struct Known {
     bool is_known = false;
     Form form = {};
@@ -44,18 +66,18 @@ class FirstOrderForms {
   const Form& FormOf(const Expression& e, std::span<const Interval> box);
   Form Made(const Expression& e, std::span<const Interval> box);
   const Form& Of(const Expression& operand) const { return known_[operand.index()].form; }
-  Interval AtCorner(const Expression& e, double sign, std::span<const Interval> box) const;
+  std::vector<double> Corner(const Expression& e, double sign, std::span<const Interval> box) const;
 
   static Form OfNumber(double value);
   static Form OfVariable(int variable, const Interval& range);
-  static Form Sum(const Form& a, const Form& b);
   static Form Product(const Form& a, const Form& b);
   static Form Wave(const Form& a, double value, double slope);
-  Form OfSum(std::span<const Expression> terms) const;
+  Form OfSum(std::span<const Expression> terms);
   Form OfProduct(std::span<const Expression> factors) const;
 
   std::vector<Known> known_;      // by Expression::index
   std::vector<Expression> open_;  // scratch: yet to be worked out
+  Slopes total_;                  // scratch
 };
 
 }  // namespace assay::algebra

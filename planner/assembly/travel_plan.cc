@@ -28,7 +28,7 @@ using motion::Obstruction;
 using plan::StepId;
 using plan::ToolRoute;
 
-constexpr double kLineStep = 0.01;          // metres between postures that are looked at on lines
+constexpr double kLineStep = 0.02;          // metres between postures that are looked at on lines
 constexpr double kFurthestClearance = 0.1;  // that is told of a path, metres
 constexpr double kAccuracy = 5e-4;          // of what is told, metres
 constexpr double kSameOrientation = 1e-9;

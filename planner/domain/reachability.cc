@@ -129,20 +129,31 @@ Vector3 Raised(const Workcell& workcell, const Vector3& p_World) {
   return {p_World.x(), p_World.y(), std::max(p_World.z(), workcell.rules().safe_height)};
 }
 
-// The ways of pickup, down, in and up again; putdown goes the same ways backwards.
+bool IsStraightAbove(const Vector3& high, const Vector3& low) {
+  return high.z() >= low.z() && (high - low).head<2>().norm() < kRounding;
+}
+
+// The ways of pickup, down, in and up again; putdown goes the same ways backwards. Straight above
+// the grasp, the way up is the way down.
 bool ReachesGrasp(const Workcell& workcell, const Pose& X_WorldTool) {
   const Vector3 grasp = X_WorldTool.translation();
   const Vector3 retreated = grasp + Retreat(workcell, X_WorldTool);
-  return CanFollow(
-      workcell, X_WorldTool.linear(),
-      std::array{Raised(workcell, retreated), retreated, grasp, Raised(workcell, grasp)});
+  const std::array corners = {Raised(workcell, retreated), retreated, grasp,
+                              Raised(workcell, grasp)};
+  const std::size_t needed = IsStraightAbove(retreated, grasp) ? 3 : 4;
+  return CanFollow(workcell, X_WorldTool.linear(), std::span(corners).first(needed));
 }
 
-// The ways of assemble: down to where the mating starts, along the mating vector, back and up.
+// The ways of assemble: down to where the mating starts, along the mating vector, back and up,
+// unless all are on one line.
 bool ReachesMating(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& vector_World) {
   const Vector3 mated = X_WorldTool.translation();
   const Vector3 start = mated - vector_World;
   const Vector3 retreated = mated + Retreat(workcell, X_WorldTool);
+  if (IsStraightAbove(start, mated) && IsStraightAbove(retreated, mated)) {
+    const Vector3& higher = start.z() > retreated.z() ? start : retreated;
+    return CanFollow(workcell, X_WorldTool.linear(), std::array{Raised(workcell, higher), mated});
+  }
   return CanFollow(
       workcell, X_WorldTool.linear(),
       std::array{Raised(workcell, start), start, mated, retreated, Raised(workcell, retreated)});

@@ -17,9 +17,10 @@ using geometry::Vector3;
 using kinematics::Indicators;
 using kinematics::JointVector;
 
-constexpr double kStep = 0.025;       // metres between looks
+constexpr double kStep = 0.05;        // metres between looks
 constexpr double kTurnStep = 0.1;     // radians between looks
 constexpr double kLargestTurn = 0.4;  // radians of a joint from one look to the next
+constexpr int kHalvings = 1;          // of a step in which a joint turns farther
 
 Pose PoseOf(const Matrix3& R_WorldTool, const Vector3& p_World) {
   Pose X_WorldTool = geometry::Translation(p_World);
@@ -59,21 +60,44 @@ bool MoveTo(const Workcell& workcell, const Pose& X_WorldTool, Configuration& co
   return true;
 }
 
-bool MoveAlong(const Workcell& workcell, const Pose& from, const Pose& to,
-               Configuration& configuration) {
-  const Vector3 line = to.translation() - from.translation();
-  const Eigen::AngleAxisd turn(Matrix3(from.linear().transpose() * to.linear()));
-  const int steps =
-      static_cast<int>(std::ceil(std::max({1.0, line.norm() / kStep, turn.angle() / kTurnStep})));
-  for (int i = 1; i <= steps; ++i) {
-    const double share = static_cast<double>(i) / steps;
-    const Pose X_WorldTool =
-        PoseOf(from.linear() * Eigen::AngleAxisd(share * turn.angle(), turn.axis()),
-               from.translation() + share * line);
-    if (!MoveTo(workcell, X_WorldTool, configuration)) return false;
+// From pose to pose of the tool, its origin on a straight line.
+class Leg {
+ public:
+  Leg(const Workcell& workcell, const Pose& from, const Pose& to)
+      : workcell_(workcell),
+        from_(from),
+        line_(to.translation() - from.translation()),
+        turn_(Matrix3(from.linear().transpose() * to.linear())) {}
+
+  bool Follow(Configuration& configuration) const {
+    const double looks = std::max({1.0, line_.norm() / kStep, turn_.angle() / kTurnStep});
+    const int steps = static_cast<int>(std::ceil(looks));
+    for (int i = 0; i < steps; ++i) {
+      const double now = static_cast<double>(i) / steps;
+      const double next = static_cast<double>(i + 1) / steps;
+      if (!Step(now, next, kHalvings, configuration)) return false;
+    }
+    return true;
   }
-  return true;
-}
+
+ private:
+  bool Step(double now, double next, int halvings, Configuration& configuration) const {
+    if (MoveTo(workcell_, PoseAt(next), configuration)) return true;
+    if (halvings == 0) return false;
+    const double middle = (now + next) / 2;
+    return Step(now, middle, halvings - 1, configuration) &&
+           Step(middle, next, halvings - 1, configuration);
+  }
+  Pose PoseAt(double share) const {
+    return PoseOf(from_.linear() * Eigen::AngleAxisd(share * turn_.angle(), turn_.axis()),
+                  from_.translation() + share * line_);
+  }
+
+  const Workcell& workcell_;
+  const Pose& from_;
+  Vector3 line_;
+  Eigen::AngleAxisd turn_;
+};
 
 }  // namespace
 
@@ -91,7 +115,7 @@ PathReach ReachAlong(const Workcell& workcell, std::span<const Pose> X_WorldTool
     Configuration configuration = start;
     std::size_t reached = 1;
     while (reached < X_WorldTools.size() &&
-           MoveAlong(workcell, X_WorldTools[reached - 1], X_WorldTools[reached], configuration)) {
+           Leg(workcell, X_WorldTools[reached - 1], X_WorldTools[reached]).Follow(configuration)) {
       ++reached;
     }
     reach.reached = std::max(reach.reached, reached);

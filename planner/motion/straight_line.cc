@@ -9,13 +9,16 @@ namespace {
 using kinematics::Indicators;
 using kinematics::InverseSolution;
 
-constexpr double kGreatestTurn = 0.2;      // radians of a joint in one step
+constexpr double kGreatestTurn = 0.2;      // radians of a joint in a step of a centimetre or less
+constexpr double kCentimetre = 0.01;       // metres; in longer steps joints turn more
 constexpr double kSameJointValues = 1e-6;  // radians
 
 class LineFollower {
  public:
-  LineFollower(const domain::Workcell& workcell, const Pose& X_WorldTool)
-      : workcell_(workcell), X_WorldTool_(X_WorldTool) {}
+  LineFollower(const domain::Workcell& workcell, const Pose& X_WorldTool, double step)
+      : workcell_(workcell),
+        X_WorldTool_(X_WorldTool),
+        greatest_turn_(kGreatestTurn * std::max(1.0, step / kCentimetre)) {}
 
   // The configuration that the arm is in: of the closed form's solutions the one that is there.
   std::optional<Indicators> ConfigurationAt(const JointVector& q) const {
@@ -31,7 +34,7 @@ class LineFollower {
     for (const InverseSolution& s : SolutionsAt(p_World, q)) {
       if (s.indicators != configuration) continue;
       const auto nearest = workcell_.arm().NearestInRange(s.q, q);
-      if (nearest && (*nearest - q).cwiseAbs().maxCoeff() < kGreatestTurn) return nearest;
+      if (nearest && (*nearest - q).cwiseAbs().maxCoeff() < greatest_turn_) return nearest;
     }
     return std::nullopt;
   }
@@ -45,6 +48,7 @@ class LineFollower {
 
   const domain::Workcell& workcell_;
   Pose X_WorldTool_;
+  double greatest_turn_;
 };
 
 }  // namespace
@@ -68,7 +72,7 @@ LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from,
                       double step) {
   const Pose X_WorldTool = ToolAt(workcell, from);
   const Vector3 start = X_WorldTool.translation();
-  const LineFollower follower(workcell, X_WorldTool);
+  const LineFollower follower(workcell, X_WorldTool, step);
   const std::optional<Indicators> configuration = follower.ConfigurationAt(from);
   if (!configuration) return {std::nullopt, start};
   const double length = (end - start).norm();

@@ -85,16 +85,13 @@ std::vector<Unproved> Unabsorbed(const Entry& entry, std::vector<Unproved> unpro
   return WithoutConditions(entry.absorbed, std::move(unproved));
 }
 
-// The goal that fails by most, in words.
-std::string WhyUnproved(const std::vector<Unproved>& unproved) {
-  const auto margin = [](const Unproved& unmet) { return unmet.claim.margin; };
-  const plan::CertifiedPrecondition& worst = std::ranges::min_element(unproved, {}, margin)->claim;
-  const bool less = worst.relation == plan::Relation::kLess;
-  const bool is_angle = worst.condition == "tilt" || worst.condition == "tip turn";
+std::string WhyUnproved(const plan::CertifiedPrecondition& claim) {
+  const bool less = claim.relation == plan::Relation::kLess;
+  const bool is_angle = claim.condition == "tilt" || claim.condition == "tip turn";
   const double scale = is_angle ? 180 / std::numbers::pi : 1000;
-  return fmt::format("not proved that {}: {} {:.4g}, must be {} {:.4g} {}", worst.meaning,
-                     less ? "SUP" : "INF", scale * worst.bound, less ? "<" : ">",
-                     scale * worst.limit, is_angle ? "deg" : "mm");
+  return fmt::format("not proved that {}: {} {:.4g}, must be {} {:.4g} {}", claim.meaning,
+                     less ? "SUP" : "INF", scale * claim.bound, less ? "<" : ">",
+                     scale * claim.limit, is_angle ? "deg" : "mm");
 }
 
 enum class Absorbing { kNo, kYes };
@@ -209,9 +206,13 @@ class Augmentation {
     return Unabsorbed(entry, tree.UnprovedAt(after)).empty();
   }
 
-  // What fails is to be told as the certificate will tell it.
-  std::vector<Unproved> Told(const Unmet& unmet) const {
-    return WithoutConditions(unmet.absorbed, worlds_.possible.ToldAt(unmet.after));
+  // The goal that fails by most, as the certificate will tell it.
+  std::string Why(const Unmet& unmet) const {
+    const std::vector<Unproved> unproved =
+        WithoutConditions(unmet.absorbed, worlds_.possible.UnprovedAt(unmet.after));
+    const auto margin = [](const Unproved& goal) { return goal.claim.margin; };
+    const Unproved& worst = *std::ranges::min_element(unproved, {}, margin);
+    return WhyUnproved(worlds_.possible.Told(unmet.after, worst).claim);
   }
 
   CertifiedStep Certify(UncertainWorld& world, const Entry& entry) const {
@@ -435,12 +436,10 @@ class Augmentation {
   }
 
   Resolution InWords(const Measure& measure) const {
-    Resolution resolution = {.resolver = measure.resolver,
-                             .steps = measure.steps,
-                             .why = WhyUnproved(Told(measure.because))};
+    Resolution resolution = {
+        .resolver = measure.resolver, .steps = measure.steps, .why = Why(measure.because)};
     if (const auto& less = measure.without_moving) {
-      resolution.why +=
-          fmt::format("; after {} still {}", less->resolver, WhyUnproved(Told(less->still)));
+      resolution.why += fmt::format("; after {} still {}", less->resolver, Why(less->still));
     }
     return resolution;
   }

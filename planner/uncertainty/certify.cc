@@ -186,6 +186,9 @@ class StepCertifier {
 
   // What a glance proves is proved, also where the ladder has stopped before at the wanted gap.
   CertifiedPrecondition Certified(const Precondition& precondition) {
+    if (std::optional<CertifiedPrecondition> claim = ProvedToFirstOrder(precondition)) {
+      return *std::move(claim);
+    }
     Bound bound = BoundOf(precondition, world_, request_);
     CertifiedPrecondition claim = ClaimOf(precondition, bound);
     if (!claim.holds()) {
@@ -198,6 +201,18 @@ class StepCertifier {
         claim = ClaimOf(precondition, bound);
       }
     }
+    Detail(precondition, bound, claim);
+    return claim;
+  }
+
+  // Mostly: then the ladder is not climbed, whose first rungs, where it stops, are looser.
+  std::optional<CertifiedPrecondition> ProvedToFirstOrder(const Precondition& precondition) {
+    if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
+    const bool less = precondition.relation == Relation::kLess;
+    const Bound bound = less ? world_.FirstOrderAbove(precondition.expression)
+                             : world_.FirstOrderBelow(precondition.expression);
+    CertifiedPrecondition claim = ClaimOf(precondition, bound);
+    if (!claim.holds()) return std::nullopt;
     Detail(precondition, bound, claim);
     return claim;
   }

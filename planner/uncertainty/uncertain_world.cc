@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "planner/algebra/affine_form.h"
@@ -76,8 +77,10 @@ Expression UncertainWorld::DrawTableHeight(PartId part) {
 Expression UncertainWorld::Condensed(const Expression& e, const char* rest, PartId part) {
   if (propagation_ == Propagation::kPaper || algebra::NodesOf(e).size() <= kMostNodes) return e;
   using algebra::operator+;
-  const algebra::AffineForm form = algebra::AffineFormOf(e, constraints().box, kNegligible);
-  return form.linear + DeclareOfPart(rest, form.rest, part);
+  std::optional<algebra::AffineForm> form =
+      variables_->first_order.Affine(e, constraints().box, kNegligible);
+  if (!form) form = algebra::AffineFormOf(e, constraints().box, kNegligible);
+  return form->linear + DeclareOfPart(rest, form->rest, part);
 }
 
 RestingError UncertainWorld::Condensed(const RestingError& error, PartId part) {
@@ -145,10 +148,14 @@ Interval UncertainWorld::RangeOf(const Expression& expression) const {
 
 Interval UncertainWorld::TightRangeOf(const Expression& expression) const {
   if (expression.IsConstant()) return {expression.constant(), expression.constant()};
-  const algebra::BoundRequest request = {.highest = algebra::Rung::kCentred};
-  const algebra::BothBounds bounds =
-      algebra::PreparedExpression(expression).Both(constraints(), request);
-  return {bounds.inf.value, bounds.sup.value};
+  const auto [known, is_new] = variables_->tight_ranges.try_emplace(expression.index());
+  if (is_new) {
+    const algebra::BoundRequest request = {.highest = algebra::Rung::kCentred};
+    const algebra::BothBounds bounds =
+        algebra::PreparedExpression(expression).Both(constraints(), request);
+    known->second = {bounds.inf.value, bounds.sup.value};
+  }
+  return known->second;
 }
 
 algebra::Glance UncertainWorld::GlanceAbove(const Expression& expression, double limit) const {
@@ -156,6 +163,13 @@ algebra::Glance UncertainWorld::GlanceAbove(const Expression& expression, double
 }
 algebra::Glance UncertainWorld::GlanceBelow(const Expression& expression, double limit) const {
   return variables_->first_order.Below(expression, constraints().box, limit);
+}
+
+algebra::Bound UncertainWorld::FirstOrderAbove(const Expression& expression) const {
+  return variables_->first_order.BoundAbove(expression, constraints().box);
+}
+algebra::Bound UncertainWorld::FirstOrderBelow(const Expression& expression) const {
+  return variables_->first_order.BoundBelow(expression, constraints().box);
 }
 
 std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const {

@@ -77,6 +77,8 @@ class UncertainWorld {
   // To first order, for very little work where much has been asked before.
   algebra::Glance GlanceAbove(const Expression& expression, double limit) const;
   algebra::Glance GlanceBelow(const Expression& expression, double limit) const;
+  algebra::Bound FirstOrderAbove(const Expression& expression) const;
+  algebra::Bound FirstOrderBelow(const Expression& expression) const;
   // The parts whose errors occur in the expression, in increasing order.
   std::vector<PartId> PartsIn(const Expression& expression) const;
   // The variables that occur in the expressions, by name and range.
@@ -96,6 +98,7 @@ class UncertainWorld {
     std::vector<PartId> owners = {};  // by VariableId; None: the hand
     std::map<std::string, int> count_by_stem = {};
     algebra::FirstOrderForms first_order = {};
+    std::map<int, Interval> tight_ranges = {};  // by Expression::index
   };
 
   // `rest`: the new variable's name before the part's.

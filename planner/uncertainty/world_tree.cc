@@ -88,35 +88,19 @@ const UncertainWorld& WorldTree::WorldAt(MomentId id) {
   return *At(id).world;
 }
 
-std::vector<Unproved> WorldTree::Decide(MomentId id, Wanted wanted) {
-  UncertainWorld world = WorldAt(At(id).before);
-  Moment& moment = At(id);
-  std::vector<Unproved> unproved = DecideStep(world, moment.action, request_, wanted, moment.way());
-  moment.is_proved = unproved.empty();
-  if (!moment.world) Keep(moment, std::move(world));
-  return unproved;
-}
-
-bool WorldTree::IsProved(MomentId moment) {
-  if (!At(moment).is_proved) Decide(moment, Wanted::kFirstUnproved);
-  return *At(moment).is_proved;
-}
-
 const std::vector<Unproved>& WorldTree::UnprovedAt(MomentId id) {
-  if (At(id).is_proved == true) At(id).unproved.emplace();
-  if (!At(id).unproved) At(id).unproved = Decide(id, Wanted::kAllUnproved);
+  if (!At(id).unproved) {
+    UncertainWorld world = WorldAt(At(id).before);
+    Moment& moment = At(id);
+    moment.unproved =
+        DecideStep(world, moment.action, request_, Wanted::kAllUnproved, moment.way());
+    if (!moment.world) Keep(moment, std::move(world));
+  }
   return *At(id).unproved;
 }
 
-const std::vector<Unproved>& WorldTree::ToldAt(MomentId id) {
-  Moment& moment = At(id);
-  if (!moment.told) {
-    moment.told.emplace();
-    for (const Unproved& unproved : UnprovedAt(id)) {
-      moment.told->push_back(AsCertified(unproved, *moment.world, request_));
-    }
-  }
-  return *moment.told;
+Unproved WorldTree::Told(MomentId moment, const Unproved& unproved) {
+  return AsCertified(unproved, WorldAt(moment), request_);
 }
 
 }  // namespace assay::uncertainty

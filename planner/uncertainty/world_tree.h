@@ -26,11 +26,12 @@ class WorldTree {
   MomentId After(MomentId before, const plan::Action& action, const plan::Strategy* strategy);
 
   const UncertainWorld& WorldAt(MomentId moment);
-  // Of the action that leads to a moment.
-  bool IsProved(MomentId moment);
+  // Of the action that leads to a moment. All that is unproved is found at once: who asks whether
+  // something is, mostly asks what, next.
   const std::vector<Unproved>& UnprovedAt(MomentId moment);
-  // With the bounds that its certificate tells.
-  const std::vector<Unproved>& ToldAt(MomentId moment);
+  bool IsProved(MomentId moment) { return UnprovedAt(moment).empty(); }
+  // One of these, with the bound that the action's certificate tells.
+  Unproved Told(MomentId moment, const Unproved& unproved);
 
   int size() const { return static_cast<int>(moments_.size()); }  // moments that were asked for
 
@@ -41,15 +42,12 @@ class WorldTree {
     std::optional<plan::Strategy> strategy = {};
     std::vector<MomentId> next = {};
     std::optional<UncertainWorld> world = {};
-    std::optional<bool> is_proved = {};
     std::optional<std::vector<Unproved>> unproved = {};
-    std::optional<std::vector<Unproved>> told = {};
 
     const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
   };
 
   Moment& At(MomentId moment) { return moments_[moment.index()]; }
-  std::vector<Unproved> Decide(MomentId moment, Wanted wanted);
   void Keep(Moment& moment, UncertainWorld world);
 
   algebra::BoundRequest request_;
