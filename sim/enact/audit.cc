@@ -124,14 +124,13 @@ bool Audit::Holds(const GroundQuery& query, const Truth& truth) const {
       return std::ranges::all_of(query.operands, holds);
     case GroundQuery::Kind::kOr:
       return std::ranges::any_of(query.operands, holds);
-    case GroundQuery::Kind::kNot:
-      return std::ranges::none_of(query.operands, holds);
     case GroundQuery::Kind::kKnown:
       return interpretation_.MeaningOf(query.literal.atom) == nullptr ||
              IsTrue(query.literal.atom, truth) == query.literal.is_positive;
     case GroundQuery::Kind::kBoundKnown:
       return interpretation_.QuantityOf(query.bound.function) == nullptr ||
              enact::Holds(query.bound, TrueValue(query.bound.function, truth));
+    case GroundQuery::Kind::kNot:
     case GroundQuery::Kind::kSensed:
     case GroundQuery::Kind::kValueSensed:
       return true;

@@ -31,8 +31,8 @@ class Audit {
                                       const contingent::KnowledgeState& state, const Truth& truth,
                                       const Readings& readings, int step) const;
 
-  // The goal with what is true in place of what is known. What it asks of knowledge alone, Kw and
-  // Kv, counts as met: that is the walk's business (TreeWalk).
+  // The goal with what is true in place of what is known. What it asks of knowledge alone, Kw, Kv
+  // and that something is not known, counts as met: that is the walk's business (TreeWalk).
   bool IsGoalTrue(const Truth& truth) const;
 
  private:

@@ -14,6 +14,7 @@ using contingent::AtomId;
 using contingent::FormulaId;
 using contingent::FunctionId;
 using contingent::GroundAction;
+using contingent::KnowledgeState;
 using contingent::NodeId;
 using contingent::PlanNode;
 
@@ -76,16 +77,20 @@ Walk TreeWalk::Go() {
 }
 
 // A plan may end with something sensed: then sensors must have told it, if the goal needs it; and
-// what they told is claimed.
+// what they told is claimed. A goal may also ask that something is sensed and not known: then it
+// holds until that is learned.
 std::optional<NodeId> TreeWalk::Arrive() {
-  std::vector<std::string> not_told = LearnSensedFormulas();
-  std::ranges::move(LearnSensedValues(), std::back_inserter(not_told));
+  KnowledgeState sensed = state_;
+  std::vector<std::string> not_told = LearnSensedFormulas(sensed);
+  std::ranges::move(LearnSensedValues(sensed), std::back_inserter(not_told));
   AuditNow();
-  if (knowledge_.Holds(interpretation_.task.goal, state_)) return std::nullopt;
+  const contingent::GroundQuery& goal = interpretation_.task.goal;
+  if (knowledge_.Holds(goal, sensed) || knowledge_.Holds(goal, state_)) return std::nullopt;
+  ASSAY_CHECK(!not_told.empty(), "the plan ends where its goal does not hold");
   return NotTold(not_told.front());
 }
 
-std::vector<std::string> TreeWalk::LearnSensedFormulas() {
+std::vector<std::string> TreeWalk::LearnSensedFormulas(KnowledgeState& sensed) {
   std::vector<std::string> not_told;
   for (std::size_t i = 0; i < interpretation_.task.formulas.size(); ++i) {
     const FormulaId formula(i);
@@ -94,6 +99,7 @@ std::vector<std::string> TreeWalk::LearnSensedFormulas() {
       state_ = knowledge_.Learned(state_, formula, *told);
     } else {
       knowledge_.layout().SetSensed(state_, formula, false);
+      knowledge_.layout().SetSensed(sensed, formula, false);
       not_told.push_back(WordsOf(formula));
     }
   }
@@ -101,7 +107,7 @@ std::vector<std::string> TreeWalk::LearnSensedFormulas() {
 }
 
 // Those of symbols: a number that was read is its own interval, which every audit asks.
-std::vector<std::string> TreeWalk::LearnSensedValues() {
+std::vector<std::string> TreeWalk::LearnSensedValues(KnowledgeState& sensed) {
   std::vector<std::string> not_told;
   for (std::size_t i = 0; i < interpretation_.task.functions.size(); ++i) {
     const FunctionId function(i);
@@ -112,6 +118,7 @@ std::vector<std::string> TreeWalk::LearnSensedValues() {
       state_ = knowledge_.Learned(state_, {values[*told], true});
     } else {
       knowledge_.layout().SetSensed(state_, function, false);
+      knowledge_.layout().SetSensed(sensed, function, false);
       not_told.push_back(WordsOf(function));
     }
   }

@@ -72,9 +72,10 @@ class TreeWalk {
   std::optional<bool> SensedWhether(contingent::FormulaId formula);
   // The place of the value that is told; none: nothing tells which of them it is.
   std::optional<std::size_t> ToldValue(const std::vector<contingent::AtomId>& values) const;
-  // What counts as sensed becomes known as sensors tell it. What they do not tell, in words.
-  std::vector<std::string> LearnSensedFormulas();
-  std::vector<std::string> LearnSensedValues();
+  // What counts as sensed becomes known as sensors tell it. What they do not tell, in words; it no
+  // longer counts as sensed, in `sensed` neither, which otherwise stays as it is.
+  std::vector<std::string> LearnSensedFormulas(contingent::KnowledgeState& sensed);
+  std::vector<std::string> LearnSensedValues(contingent::KnowledgeState& sensed);
   std::string WordsOf(contingent::FormulaId formula) const;
   const std::string& WordsOf(contingent::FunctionId function) const;
   std::optional<contingent::NodeId> NotTold(const std::string& what);

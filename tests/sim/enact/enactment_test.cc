@@ -100,6 +100,18 @@ TEST(Enactment, WhatTheSensorLeavesOpenIsSaid) {
   EXPECT_THAT(trial.walk.false_claims, IsEmpty());
 }
 
+// Between sensing and branch it is sensed, and not yet known.
+TEST(Enactment, AGoalMayAskThatWhatIsSensedIsNotKnown) {
+  const KnowledgeScenario scenario =
+      TwoCans(WithGoal("Kw(isSpillable(can1)) & !K(isSpillable(can1)) & !K(!isSpillable(can1))"));
+  for (const HiddenWorld& world : {kOneFull, kBothFull}) {
+    const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
+    EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
+    ASSERT_EQ(trial.walk.steps.size(), 2u);
+    EXPECT_EQ(trial.walk.steps.back().action, "senseWeight(can1)");
+  }
+}
+
 // A post stands where the straight way would lead: what goes around it upright does not spill, and
 // what just goes around it does.
 TEST(Enactment, WhatIsCarriedAroundAPostSpillsUnlessItIsKeptUpright) {

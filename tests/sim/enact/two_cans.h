@@ -60,6 +60,16 @@ inline Replacements WithInit(const std::string& changes) {
   return WithProblem(problem.insert(init + 5, " " + changes + ","));
 }
 
+// The same, with another goal.
+inline Replacements WithGoal(const std::string& goal) {
+  std::ostringstream text;
+  text << std::ifstream(kRoot / "scenarios/know/two-cans.pks").rdbuf();
+  const std::string problem = text.str();
+  const std::size_t at = problem.find("goal:");
+  ASSAY_CHECK(at != std::string::npos);
+  return WithProblem(problem.substr(0, at) + "goal: " + goal + "\n");
+}
+
 inline contingent::PlanTree TreeOf(const KnowledgeScenario& scenario) {
   Budget budget(100'000);
   return MakePlan(scenario.interpretation.task, contingent::Wanted::kFirst, budget).tree;
