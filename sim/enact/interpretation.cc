@@ -188,7 +188,19 @@ class KnowledgeFile {
       predicate.Fail(fmt::format("'{}' has no meaning in the workcell", predicate.Text()),
                      "a predicate with one");
     }
+    RequireMeaningOfParts(predicate);
     read_.spill = {predicate.Text(), domain::ReadWithin(map.At("beyond"), units_.angle, kTilts)};
+  }
+
+  // What spills is asked of each part, with nothing beside it.
+  void RequireMeaningOfParts(const Value& predicate) const {
+    const Meaning& meaning = *read_.meanings.at(predicate.Text());
+    for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+      const std::string lacking = meaning.Lacks({.part = PartId(i)});
+      if (lacking.empty()) continue;
+      predicate.Fail(fmt::format("'{}' needs a {} beside the part", predicate.Text(), lacking),
+                     "a predicate that means something of a part alone");
+    }
   }
 
   Value map_;

@@ -77,6 +77,38 @@ TEST(Interpretation, WrongFilesAreRefusedWithPlaceAndRemedy) {
   }
 }
 
+// Whether a part is over a table depends on which one, unless the meaning names it.
+TEST(Interpretation, WhatSpillsIsAskedOfAPartAlone) {
+  const auto error_of = [](const std::string& meaning) {
+    const std::string domain = ScratchFile("placed.pks");
+    std::ofstream(domain) << "domain placed\ntypes: object, place\n"
+                             "predicates: isGrasped(object), isOn(object, place)\n"
+                             "action grasp(?o: object)\n  preconds: K(!isGrasped(?o))\n"
+                             "  effects: add(Kf, isGrasped(?o))\n";
+    const std::string problem = ScratchFile("placed-problem.pks");
+    std::ofstream(problem) << "problem p\ndomain placed\n"
+                              "objects: can1: object, second-table: place\n"
+                              "init: add(LCW, isGrasped(?o)), add(LCW, isOn(?o, ?p))\n"
+                              "goal: K(isGrasped(can1)) & K(!isOn(can1, second-table))\n";
+    const std::string text = TwoCansText();
+    const std::string scenario = ScratchFile("placed.yaml");
+    std::ofstream(scenario) << text.substr(0, text.find("knowledge:"))
+                            << "knowledge:\n  domain: " << domain << "\n  problem: " << problem
+                            << "\n  actions: {grasp: {skill: pick-up}}\n  predicates:\n"
+                               "    isGrasped: {is: held}\n    isOn: "
+                            << meaning << "\n  spills: {if: isOn, beyond: 10}\n";
+    try {
+      Load(scenario, kRoot / "models");
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string("no error");
+  };
+  EXPECT_THAT(error_of("{is: over}"), AllOf(HasSubstr("placed.yaml:"), HasSubstr(":16: "),
+                                            HasSubstr("'isOn' needs a table beside the part")));
+  EXPECT_EQ(error_of("{is: over, place: second-table}"), "no error");
+}
+
 TEST(Interpretation, TheDomainMustBeThere) {
   EXPECT_THAT(ErrorOf({{"force-sensing.pks", "force.pks"}}), HasSubstr("there is no file"));
 }
