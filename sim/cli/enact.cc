@@ -123,7 +123,7 @@ class Enacting {
       return enact::DrawnWorld(scenario_.interpretation.hidden,
                                scenario_.interpretation.WorldCount(), random);
     const std::size_t leaf = reachable_[static_cast<std::size_t>(number - 1) % reachable_.size()];
-    return *WorldFor(leaf, random);
+    return WorldFor(leaf, random).value();
   }
 
   EnactedTrial Run(int number, bool is_pictured) const {

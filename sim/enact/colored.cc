@@ -18,10 +18,8 @@ class Colored : public Meaning {
     if (found == readings.colors.end()) return std::nullopt;
     return found->second == color_;
   }
-  std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
-    const auto found = world.colors.find(roles.part);
-    if (found == world.colors.end()) return std::nullopt;
-    return found->second == color_;
+  void Narrow(HiddenKinds& kinds, bool wanted) const override {
+    std::erase_if(kinds.colors, [&](sense::ColorId kind) { return (kind == color_) != wanted; });
   }
 
  private:

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 
 #include "planner/domain/units.h"
 #include "sim/enact/meaning.h"
@@ -21,10 +22,10 @@ class Heavier : public Meaning {
     if (std::abs(value - mass_) <= error) return std::nullopt;
     return value > mass_;
   }
-  std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
-    const auto found = world.masses.find(roles.part);
-    if (found == world.masses.end()) return std::nullopt;
-    return found->second > mass_;
+  void Narrow(HiddenKinds& kinds, bool wanted) const override {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    const Interval heavier = {std::nextafter(mass_, kInfinity), kInfinity};
+    KeepMasses(wanted ? heavier : Interval{0, mass_}, kinds);
   }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace assay::enact {
@@ -63,6 +64,13 @@ HiddenParts ReadHiddenParts(const Value& map, const domain::Problem& problem,
     kinds->second = ReadKinds(entry, colors);
   }
   return parts;
+}
+
+void KeepMasses(const Interval& within, HiddenKinds& kinds) {
+  for (Interval& range : kinds.masses) {
+    range = {std::max(range.low, within.low), std::min(range.high, within.high)};
+  }
+  std::erase_if(kinds.masses, [](const Interval& range) { return range.low > range.high; });
 }
 
 sense::ColorId ReadColorName(const Value& name, const std::vector<sense::NamedColor>& colors) {

@@ -42,6 +42,8 @@ struct HiddenWorld {
 struct HiddenKinds {
   std::vector<Interval> masses;        // the range of each kind, kg
   std::vector<sense::ColorId> colors;  // of each kind
+
+  bool operator==(const HiddenKinds&) const = default;
 };
 
 // The worlds that there may be.
@@ -51,6 +53,9 @@ using HiddenParts = std::map<PartId, HiddenKinds>;
 // InputError.
 HiddenParts ReadHiddenParts(const Value& map, const domain::Problem& problem,
                             const std::vector<sense::NamedColor>& colors);
+
+// Keeps of the ranges of masses what is within the interval.
+void KeepMasses(const Interval& within, HiddenKinds& kinds);
 
 // Which of the colours the file names. Throws InputError.
 sense::ColorId ReadColorName(const Value& name, const std::vector<sense::NamedColor>& colors);

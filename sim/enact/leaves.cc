@@ -20,8 +20,6 @@ using contingent::PlanNode;
 
 namespace {
 
-constexpr int kMostDraws = 1000;  // of what is hidden in one part
-
 // Goes through the tree with what is known on the way.
 class LeafSearch {
  public:
@@ -87,22 +85,26 @@ class LeafSearch {
   std::vector<Leaf> leaves_;
 };
 
-// What a leaf asks of different parts is independent, so that each is drawn by itself.
+// What a leaf asks of parts narrows what they may be; of that, what is hidden is drawn.
 class WorldSearch {
  public:
   WorldSearch(const Leaf& leaf, const Interpretation& interpretation,
               const domain::Problem& problem, RandomStream& random)
-      : leaf_(leaf), interpretation_(interpretation), problem_(problem), random_(random) {}
+      : leaf_(leaf), interpretation_(interpretation), problem_(problem), random_(random) {
+    for (std::size_t i = 0; i < problem.parts.size(); ++i) kinds_.push_back(KindsOf(PartId(i)));
+    asked_.resize(kinds_.size());
+  }
 
   std::variant<HiddenWorld, std::string> Find() {
     if (!ChooseWorld()) {
       return no_mishap_.empty() ? "in no world of the scenario " + refuted_ : no_mishap_;
     }
-    for (const auto& [part, kinds] : interpretation_.hidden) {
-      if (!Draw(part, kinds)) {
-        return fmt::format("nothing that {} may hide makes {}", problem_.part(part).name, refuted_);
-      }
+    for (const GroundLiteral& literal : leaf_.literals) Narrow(literal);
+    for (const contingent::Bound& bound : leaf_.bounds) Narrow(bound);
+    for (std::size_t i = 0; i < kinds_.size(); ++i) {
+      if (kinds_[i].masses.empty() || kinds_[i].colors.empty()) return Refutation(PartId(i));
     }
+    DrawHidden();
     return std::move(world_);
   }
 
@@ -135,35 +137,63 @@ class WorldSearch {
     return false;
   }
 
-  bool Draw(PartId part, const HiddenKinds& kinds) {
-    for (int draws = 0; draws < kMostDraws; ++draws) {
+  // What is not hidden is known: the mass is that of the model, and the colour is none that is
+  // told.
+  HiddenKinds KindsOf(PartId part) const {
+    const auto hidden = interpretation_.hidden.find(part);
+    HiddenKinds kinds = hidden == interpretation_.hidden.end() ? HiddenKinds{} : hidden->second;
+    const double mass = problem_.part(part).model->mass().mass;
+    if (kinds.masses.empty()) kinds.masses = {{mass, mass}};
+    if (kinds.colors.empty()) kinds.colors = {sense::ColorId::None()};
+    return kinds;
+  }
+
+  void Narrow(const GroundLiteral& literal) {
+    const Meaning* const meaning = interpretation_.MeaningOf(literal.atom);
+    if (meaning == nullptr) return;
+    const PartId part = PartOf(interpretation_.task.ground_atoms[literal.atom.index()].arguments);
+    if (part.IsNone()) return;
+    const HiddenKinds before = kinds_[part.index()];
+    meaning->Narrow(kinds_[part.index()], literal.is_positive);
+    if (kinds_[part.index()] == before) return;
+    asked_[part.index()].push_back(TextOf(interpretation_.task, literal));
+  }
+
+  void Narrow(const contingent::Bound& bound) {
+    const Quantity* const quantity = interpretation_.QuantityOf(bound.function);
+    if (quantity == nullptr) return;
+    const PartId part = PartOf(interpretation_.task.functions[bound.function.index()].arguments);
+    quantity->Narrow(kinds_[part.index()], WhereHolds(bound));
+    asked_[part.index()].push_back(TextOf(interpretation_.task, contingent::Formula{{}, bound}));
+  }
+
+  std::string Refutation(PartId part) const {
+    const bool is_hidden = interpretation_.hidden.contains(part);
+    return fmt::format("nothing that {} {} makes {}", problem_.part(part).name,
+                       is_hidden ? "may hide" : "is known to be",
+                       fmt::join(asked_[part.index()], " & "));
+  }
+
+  PartId PartOf(const std::vector<std::string>& arguments) const {
+    return RolesOf(problem_, arguments).part;
+  }
+
+  void DrawHidden() {
+    for (const auto& [part, hidden] : interpretation_.hidden) {
+      HiddenKinds kinds = kinds_[part.index()];
+      if (hidden.masses.empty()) kinds.masses.clear();
+      if (hidden.colors.empty()) kinds.colors.clear();
       DrawPart(part, kinds, random_, world_);
-      if (!IsRefuted()) return true;
     }
-    return false;
   }
 
   bool IsRefuted() {
-    const contingent::GroundTask& task = interpretation_.task;
     for (const GroundLiteral& literal : leaf_.literals) {
       if (!IsRefuted(literal)) continue;
-      refuted_ = TextOf(task, literal);
-      return true;
-    }
-    for (const contingent::Bound& bound : leaf_.bounds) {
-      if (!IsRefuted(bound)) continue;
-      refuted_ = TextOf(task, contingent::Formula{{}, bound});
+      refuted_ = TextOf(interpretation_.task, literal);
       return true;
     }
     return false;
-  }
-
-  bool IsRefuted(const contingent::Bound& bound) const {
-    const Quantity* const quantity = interpretation_.QuantityOf(bound.function);
-    if (quantity == nullptr) return false;
-    const auto& arguments = interpretation_.task.functions[bound.function.index()].arguments;
-    const auto value = quantity->ValueIn(world_, RolesOf(problem_, arguments));
-    return value && !Holds(bound, *value);
   }
 
   bool IsRefuted(const GroundLiteral& literal) const {
@@ -178,6 +208,8 @@ class WorldSearch {
   const Interpretation& interpretation_;
   const domain::Problem& problem_;
   RandomStream& random_;
+  std::vector<HiddenKinds> kinds_;               // that each part may be
+  std::vector<std::vector<std::string>> asked_;  // of each part, and narrows it
   HiddenWorld world_;
   std::string refuted_;    // of what the leaf asks, the last
   std::string no_mishap_;  // why one that is needed cannot be

@@ -14,10 +14,8 @@ class Mass : public Quantity {
     if (found == readings.masses.end()) return std::nullopt;
     return found->second;
   }
-  std::optional<double> ValueIn(const HiddenWorld& world, const Roles& roles) const override {
-    const auto found = world.masses.find(roles.part);
-    if (found == world.masses.end()) return std::nullopt;
-    return found->second;
+  void Narrow(HiddenKinds& kinds, const Interval& within) const override {
+    KeepMasses(within, kinds);
   }
 };
 

@@ -38,10 +38,13 @@ class Meaning {
   virtual bool IsTrue(const Truth& truth, const Roles& roles) const = 0;
   // By what sensors have told; none: that is too little, or the sensor's error leaves it open.
   virtual std::optional<bool> Told(const Readings&, const Roles&) const { return std::nullopt; }
-  // Of a world before it is run; none: it depends on what is done.
+  // Of the scenario's world and the mishap, before it is run; none: it depends on other things.
   virtual std::optional<bool> IsTrueIn(const HiddenWorld&, const Roles&) const {
     return std::nullopt;
   }
+  // Keeps of what the part may be that of which it is true, or false, as wanted; all of it, if that
+  // does not matter.
+  virtual void Narrow(HiddenKinds&, bool /*wanted*/) const {}
 };
 
 struct MeaningContext {

@@ -1,6 +1,9 @@
 #include "sim/enact/quantity.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <vector>
 
 namespace assay::enact {
@@ -21,6 +24,13 @@ std::unique_ptr<const Quantity> ReadQuantity(const Value& map) {
 
 bool Holds(const contingent::Bound& bound, double value) {
   return SurelyHolds(bound, {.low = value, .high = value});
+}
+
+Interval WhereHolds(const contingent::Bound& bound) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double far = IsUpper(bound.relation) ? -kInfinity : kInfinity;
+  const double end = IsStrict(bound.relation) ? std::nextafter(bound.value, far) : bound.value;
+  return {std::min(end, far), std::max(end, far)};
 }
 
 std::optional<bool> Told(const contingent::Bound& bound, const Reading& reading) {

@@ -15,8 +15,8 @@ class Quantity {
   virtual double TrueValue(const Truth& truth, const Roles& roles) const = 0;
   // By what sensors have told; none: they have told nothing of it.
   virtual std::optional<Reading> Told(const Readings& readings, const Roles& roles) const = 0;
-  // Of a world before it is run; none: it is not hidden.
-  virtual std::optional<double> ValueIn(const HiddenWorld& world, const Roles& roles) const = 0;
+  // Keeps of what the part may be that of which it is within the interval.
+  virtual void Narrow(HiddenKinds& kinds, const Interval& within) const = 0;
 };
 
 // One word of `predicates: {FUNCTION: {is: WORD}}`, a file each.
@@ -34,6 +34,8 @@ std::span<const QuantityWord* const> QuantityWords();
 std::unique_ptr<const Quantity> ReadQuantity(const Value& map);
 
 bool Holds(const contingent::Bound& bound, double value);
+// The numbers for which it holds.
+Interval WhereHolds(const contingent::Bound& bound);
 // By a reading; none: its error leaves it open.
 std::optional<bool> Told(const contingent::Bound& bound, const Reading& reading);
 

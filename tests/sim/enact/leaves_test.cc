@@ -50,6 +50,44 @@ TEST(Leaves, WorldsThatLeadThere) {
   }
 }
 
+// A kind that reaches only just over the threshold: 1 in 10,000 of its masses do.
+TEST(Leaves, RareWorldsAreDrawnFromWhatTheLeafAsks) {
+  const KnowledgeScenario scenario =
+      TwoCans({{"can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}", "can1: {mass: [[0.06, 0.25002]]}"}});
+  RandomStream random(1, "worlds");
+  for (const Leaf& leaf : LeavesOf(scenario.interpretation.task, TreeOf(scenario), 100)) {
+    const auto world = WorldFor(leaf, scenario.interpretation, scenario.scenario.problem, random);
+    ASSERT_TRUE(world) << leaf.Text();
+    const double mass = world->masses.at(PartId(0));
+    EXPECT_GE(mass, 0.06);
+    EXPECT_LE(mass, 0.25002);
+    EXPECT_EQ(mass > 0.25, leaf.Text().starts_with("isSpillable(can1)")) << mass;
+  }
+}
+
+std::vector<std::string> WhyNoWorldLeadsThere(const KnowledgeScenario& scenario) {
+  std::vector<std::string> whys;
+  RandomStream random(1, "worlds");
+  for (const Leaf& leaf : LeavesOf(scenario.interpretation.task, TreeOf(scenario), 100)) {
+    const auto found = FindWorld(leaf, scenario.interpretation, scenario.scenario.problem, random);
+    const auto* why = std::get_if<std::string>(&found);
+    whys.push_back(why != nullptr ? *why : "");
+  }
+  return whys;
+}
+
+// A can weighs 0.25 kg and more by its model; a bottle has none of the colours that are told.
+TEST(Leaves, WhatIsNotHiddenIsKnown) {
+  KnowledgeScenario cans = TwoCans();
+  cans.interpretation.hidden.erase(PartId(1));
+  const char* const kLight = "nothing that can2 is known to be makes !isSpillable(can2)";
+  EXPECT_THAT(WhyNoWorldLeadsThere(cans), ElementsAre("", kLight, "", kLight));
+  KnowledgeScenario bottle = Load(kRoot / "scenarios/bottles.yaml", kRoot / "models");
+  bottle.interpretation.hidden.clear();
+  EXPECT_THAT(WhyNoWorldLeadsThere(bottle),
+              ElementsAre("nothing that bottle is known to be makes isEmptyBottle(bottle)", ""));
+}
+
 TEST(Leaves, ThatNoWorldLeadsTo) {
   const KnowledgeScenario scenario =
       TwoCans({{"can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}", "can1: {mass: [[0.06, 0.12]]}"}});

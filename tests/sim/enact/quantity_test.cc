@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "planner/base/input_error.h"
 #include "sim/enact/audit.h"
 #include "sim/enact/enactment.h"
@@ -90,6 +92,17 @@ TEST(Quantity, ABoundIsToldUnlessItIsWithinTheError) {
     EXPECT_EQ(Told(below, {value, 0.03}), is_above ? std::optional(!*is_above) : std::nullopt);
     EXPECT_EQ(Holds(above, value), value > 0.25);
     EXPECT_EQ(Holds(below, value), value <= 0.25);
+  }
+}
+
+TEST(Quantity, ABoundHoldsWhereItIsSaidTo) {
+  for (const Relation relation :
+       {Relation::kLess, Relation::kLessOrEqual, Relation::kGreater, Relation::kGreaterOrEqual}) {
+    const contingent::Bound bound = {.function = {}, .relation = relation, .value = 0.25};
+    const Interval where = WhereHolds(bound);
+    for (const double value : {0.1, std::nextafter(0.25, 0), 0.25, std::nextafter(0.25, 1), 0.4}) {
+      EXPECT_EQ(value >= where.low && value <= where.high, Holds(bound, value)) << value;
+    }
   }
 }
 
