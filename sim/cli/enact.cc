@@ -213,8 +213,10 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::IsMember({"drawn", "all"}))
       ->capture_default_str();
   command
-      .add_option("--sensing-errors", options->sensing_errors,
-                  "with this probability what is sensed at a branch is made wrong")
+      .add_option(
+          "--sensing-errors", options->sensing_errors,
+          "with this probability what is sensed is made wrong: what a branch or the goal asks, "
+          "and numbers that are read")
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--pictures", options->pictures,
                      "folder for pictures of the first trial: its start and the end of each step");

@@ -21,10 +21,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-bool IsFlipped(const EnactedTrial& trial) {
-  return std::ranges::any_of(trial.walk.branches, &enact::TakenBranch::is_flipped);
-}
-
 // Of trials.
 struct Tally {
   int trials = 0;
@@ -72,7 +68,7 @@ std::string ReplayCommand(const EnactmentStudy& study, int number) {
 
 int CountFlipped(const EnactmentStudy& study, bool is_audited) {
   return static_cast<int>(std::ranges::count_if(study.trials, [&](const EnactedTrial& trial) {
-    return IsFlipped(trial) && (!is_audited || !trial.walk.false_claims.empty());
+    return trial.walk.is_flipped && (!is_audited || !trial.walk.false_claims.empty());
   }));
 }
 

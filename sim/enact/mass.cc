@@ -14,6 +14,9 @@ class Mass : public Quantity {
     if (found == readings.masses.end()) return std::nullopt;
     return found->second;
   }
+  void Shift(Readings& readings, const Roles& roles, double by) const override {
+    readings.masses.at(roles.part).value += by;
+  }
   void Narrow(HiddenKinds& kinds, const Interval& within) const override {
     KeepMasses(within, kinds);
   }

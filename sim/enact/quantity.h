@@ -15,6 +15,8 @@ class Quantity {
   virtual double TrueValue(const Truth& truth, const Roles& roles) const = 0;
   // By what sensors have told; none: they have told nothing of it.
   virtual std::optional<Reading> Told(const Readings& readings, const Roles& roles) const = 0;
+  // Moves what they have told by so much.
+  virtual void Shift(Readings& readings, const Roles& roles, double by) const = 0;
   // Keeps of what the part may be that of which it is within the interval.
   virtual void Narrow(HiddenKinds& kinds, const Interval& within) const = 0;
 };

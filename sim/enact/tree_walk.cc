@@ -96,7 +96,7 @@ std::vector<std::string> TreeWalk::LearnSensedFormulas(KnowledgeState& sensed) {
     const FormulaId formula(i);
     if (!knowledge_.layout().IsSensed(state_, formula)) continue;
     if (const auto told = SensedWhether(formula)) {
-      state_ = knowledge_.Learned(state_, formula, *told);
+      state_ = knowledge_.Learned(state_, formula, *told != IsFlipped());
     } else {
       knowledge_.layout().SetSensed(state_, formula, false);
       knowledge_.layout().SetSensed(sensed, formula, false);
@@ -115,7 +115,9 @@ std::vector<std::string> TreeWalk::LearnSensedValues(KnowledgeState& sensed) {
     if (is_number || !knowledge_.layout().IsSensed(state_, function)) continue;
     const std::vector<AtomId> values = knowledge_.PossibleValues(function, state_);
     if (const auto told = ToldValue(values)) {
-      state_ = knowledge_.Learned(state_, {values[*told], true});
+      const bool is_flipped = values.size() > 1 && IsFlipped();
+      const std::size_t value = is_flipped ? Flipped(*told, values.size()) : *told;
+      state_ = knowledge_.Learned(state_, {values[value], true});
     } else {
       knowledge_.layout().SetSensed(state_, function, false);
       knowledge_.layout().SetSensed(sensed, function, false);
@@ -157,7 +159,11 @@ exec::Progress TreeWalk::Do(const GroundAction& action) {
   }
   execution.SetHandError(HandError(situation_.problem().gripper_error, *options_.random));
   if (!failure) failure = skill.Do(roles, situation_);
-  if (failure) failure->reason = text + ": " + failure->reason;
+  if (failure) {
+    failure->reason = text + ": " + failure->reason;
+  } else {
+    FlipReadings(action);
+  }
   walk_.steps.push_back({text, execution.data().time()});
   return failure;
 }
@@ -200,7 +206,26 @@ std::optional<bool> TreeWalk::SensedWhether(FormulaId formula) {
   }
 }
 
-bool TreeWalk::IsFlipped() { return options_.random->Uniform() < options_.sensing_errors; }
+bool TreeWalk::IsFlipped() {
+  const bool is_flipped = options_.random->Uniform() < options_.sensing_errors;
+  walk_.is_flipped |= is_flipped;
+  return is_flipped;
+}
+
+void TreeWalk::FlipReadings(const GroundAction& action) {
+  for (const contingent::GroundEffect& effect : action.effects) {
+    for (const contingent::GroundChange& change : effect.changes) {
+      if (change.kind != contingent::GroundChange::Kind::kSenseValue) continue;
+      const Quantity* const quantity = interpretation_.QuantityOf(change.function);
+      if (quantity == nullptr) continue;
+      const auto& arguments = interpretation_.task.functions[change.function.index()].arguments;
+      const Roles roles = RolesOf(situation_.problem(), arguments);
+      const auto reading = quantity->Told(situation_.readings, roles);
+      if (!reading || !IsFlipped()) continue;
+      quantity->Shift(situation_.readings, roles, 2 * (reading->error + change.error));
+    }
+  }
+}
 
 std::optional<NodeId> TreeWalk::Whether(NodeId id) {
   const PlanNode& node = tree_.node(id);
@@ -237,7 +262,7 @@ std::optional<NodeId> TreeWalk::ByValue(NodeId id) {
   const std::optional<std::size_t> told = ToldValue(node.values);
   if (!told) return NotTold(WordsOf(node.function));
   const bool is_flipped = node.values.size() > 1 && IsFlipped();
-  const std::size_t child = is_flipped ? (*told + 1) % node.values.size() : *told;
+  const std::size_t child = is_flipped ? Flipped(*told, node.values.size()) : *told;
   state_ = knowledge_.Learned(state_, {node.values[child], true});
   return Take(id, child, is_flipped);
 }

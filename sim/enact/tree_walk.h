@@ -37,6 +37,7 @@ struct Walk {
   std::vector<WalkedStep> steps = {};
   std::vector<TakenBranch> branches = {};
   std::vector<FalseClaim> false_claims = {};  // the first of each
+  bool is_flipped = false;                    // something that was sensed has been made wrong
   WalkEnd end = WalkEnd::kGoal;
   std::string reason = {};  // of another end
 };
@@ -79,7 +80,11 @@ class TreeWalk {
   std::string WordsOf(contingent::FormulaId formula) const;
   const std::string& WordsOf(contingent::FunctionId function) const;
   std::optional<contingent::NodeId> NotTold(const std::string& what);
+  // Whether what is sensed now is to be wrong.
   bool IsFlipped();
+  // A number that the action has read becomes further off than its claim allows.
+  void FlipReadings(const contingent::GroundAction& action);
+  std::size_t Flipped(std::size_t value, std::size_t count) const { return (value + 1) % count; }
   std::optional<contingent::NodeId> Take(contingent::NodeId id, std::size_t child, bool is_flipped);
   std::optional<contingent::NodeId> End(WalkEnd end, const std::string& reason);
   void AuditNow();

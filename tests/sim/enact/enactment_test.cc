@@ -112,6 +112,19 @@ TEST(Enactment, AGoalMayAskThatWhatIsSensedIsNotKnown) {
   }
 }
 
+// The goal asks it, and no branch.
+TEST(Enactment, WhatTheGoalAsksOfSensingIsMadeWrongToo) {
+  const KnowledgeScenario scenario = TwoCans(WithGoal("Kw(isSpillable(can1))"));
+  for (const double errors : {0.0, 1.0}) {
+    const EnactedTrial trial =
+        RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {.sensing_errors = errors});
+    EXPECT_EQ(trial.walk.is_flipped, errors > 0);
+    std::vector<std::string> atoms;
+    for (const FalseClaim& claim : trial.walk.false_claims) atoms.push_back(claim.atom);
+    EXPECT_EQ(atoms, std::vector<std::string>(errors > 0 ? 1 : 0, "isSpillable(can1)"));
+  }
+}
+
 // A post stands where the straight way would lead: what goes around it upright does not spill, and
 // what just goes around it does.
 TEST(Enactment, WhatIsCarriedAroundAPostSpillsUnlessItIsKeptUpright) {

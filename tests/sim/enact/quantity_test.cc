@@ -43,9 +43,10 @@ action ungrasp(?o: object)
 const std::string kMoved = "K(isRemoved(can1)) & K(!isGrasped(can1))";
 
 KnowledgeScenario Weighing(const std::string& init, const std::string& goal,
-                           const Replacements& more = {}) {
+                           const Replacements& more = {},
+                           const std::string& domain_text = kDomain) {
   const std::filesystem::path domain = ScratchFile("weighing.pks");
-  std::ofstream(domain) << kDomain;
+  std::ofstream(domain) << domain_text;
   Replacements replacements = WithProblem(
       "problem p\ndomain weighing\nobjects: can1: object\n"
       "init: add(Kf, handEmpty), add(LCW, isGrasped(?o)), add(LCW, isRemoved(?o)), " +
@@ -190,6 +191,26 @@ TEST(Quantity, WhatTheGoalTakesForSensedMustHaveBeenTold) {
   const EnactedTrial blind = Enact(Weighing(init, goal, {{"error: 0.3", "error: 20"}}), 0.42);
   EXPECT_EQ(blind.outcome, EnactmentOutcome::kUncertain);
   EXPECT_THAT(blind.reason, HasSubstr("do not tell whether weight(can1) > 0.25"));
+}
+
+// Nothing branches on what is read.
+TEST(Quantity, AReadingThatIsMadeWrongIsToldByTheAudit) {
+  const std::string text = kDomain;
+  const std::size_t begin = text.find("action senseWeight");
+  const std::size_t end = text.find("action transferUpright");
+  const std::string domain = text.substr(0, begin) +
+                             "action senseWeight(?o: object)\n"
+                             "  preconds: K(isGrasped(?o))\n"
+                             "  effects: add(Kv, weight(?o) within 0.05)\n" +
+                             text.substr(end);
+  const KnowledgeScenario scenario =
+      Weighing("add(Kf, weight(can1) = [0, 1])", "Kv(weight(can1) within 0.05)", {}, domain);
+  EXPECT_EQ(Enact(scenario, 0.42).outcome, EnactmentOutcome::kReached);
+  const EnactedTrial wrong = RunTrial(scenario, TreeOf(scenario),
+                                      {1, {.masses = {{PartId(0), 0.42}}}}, {.sensing_errors = 1});
+  EXPECT_TRUE(wrong.walk.is_flipped);
+  EXPECT_EQ(wrong.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_THAT(wrong.reason, HasSubstr("Kv(weight(can1) within 0.05)"));
 }
 
 TEST(Quantity, ANumberThatIsSensedNeedsAMeaning) {
