@@ -419,7 +419,7 @@ TEST(NotKnown, IsToldBySets) {
   for (PlanNode& node : tree.nodes) {
     if (node.kind == PlanNode::Kind::kAct) node.action = tree.node(tree.root).action;
   }
-  EXPECT_FALSE(CheckBySets(task, tree).has_value());
+  EXPECT_FALSE(CheckBySets(task, tree)->holds);
 }
 
 TEST(NoWorld, HoldsNothing) {
@@ -456,6 +456,27 @@ TEST(Worlds, AsSetsGoFromTheRootDown) {
   const TreeCheck check = CheckTree(task, tree, {.worlds = 1});
   EXPECT_FALSE(check.holds);
   EXPECT_THAT(check.failure, HasSubstr("the goal is not known"));
+}
+
+// What is wrong in one world of 2^30 is told, which those that are drawn are not likely to.
+TEST(Worlds, AsSetsRefuteWhatIsWrongInOne) {
+  std::string init = "add(Kf, !out)";
+  for (int i = 0; i < 30; ++i) init += fmt::format(", add(Kx, left(l{0}) | right(l{0}))", i);
+  std::string lamps = "l0";
+  for (int i = 1; i < 30; ++i) lamps += fmt::format(", l{}", i);
+  std::string all = "K(left(l0))";
+  for (int i = 1; i < 30; ++i) all += fmt::format(" & K(left(l{}))", i);
+  const GroundTask task = GroundText("domain lamps types: lamp constants: " + lamps +
+                                         ": lamp predicates: left(lamp), right(lamp), out\n"
+                                         "action press effects: " +
+                                         all + " => add(Kf, out)",
+                                     "problem lamps domain lamps init: " + init + " goal: K(!out)");
+  const PlanTree tree = {.nodes = {ActOf(task, "press", 1), PlanNode{}}, .root = NodeId(0)};
+  const TreeCheck check = CheckTree(task, tree, {.worlds = 1000});
+  EXPECT_FALSE(check.holds);
+  EXPECT_TRUE(check.are_all_worlds);
+  EXPECT_THAT(check.failure, HasSubstr("the goal is not known on some way of the tree, in the "
+                                       "world with left(l0), left(l1), "));
 }
 
 // More worlds than may be run: as many are drawn.
