@@ -22,8 +22,8 @@ bool CanHold(const Range& range) {
          (range.low == range.high && !range.excludes_low && !range.excludes_high);
 }
 
-// What becomes true wins over what becomes false, as in PDDL; what is sensed is sensed after all
-// that.
+// What becomes true wins over what becomes false, as in PDDL; what is told and what is sensed is so
+// after all that.
 int RankOf(const GroundChange& change) {
   switch (change.kind) {
     case GroundChange::Kind::kForget:
@@ -33,9 +33,9 @@ int RankOf(const GroundChange& change) {
     case GroundChange::Kind::kUnsense:
     case GroundChange::Kind::kUnsenseValue:
     case GroundChange::Kind::kAssign:
-    case GroundChange::Kind::kNarrow:
     case GroundChange::Kind::kForgetNumber:
       return 3;
+    case GroundChange::Kind::kNarrow:
     case GroundChange::Kind::kSense:
     case GroundChange::Kind::kSenseValue:
       return 4;

@@ -42,8 +42,14 @@ Answer Greatest(const auto& answers) {
   return greatest;
 }
 
+// What becomes true wins over what becomes false; what is told is told of what is then.
+constexpr int kPasses = 4;
+
 int PassOf(const GroundChange& change) {
   if (change.kind == GroundChange::Kind::kForget) return 0;
+  if (change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow) {
+    return 3;
+  }
   return change.kind == GroundChange::Kind::kSet && !change.literal.is_positive ? 1 : 2;
 }
 
@@ -230,8 +236,7 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
   for (const World& world : worlds) {
     if (HasTooMany(changed)) break;
     Worlds now = {world};
-    // What becomes true wins over what becomes false.
-    for (const int pass : {0, 1, 2}) {
+    for (int pass = 0; pass < kPasses; ++pass) {
       for (std::size_t e = 0; e < effects.size(); ++e) {
         const bool applies =
             effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : happens[e];
