@@ -45,6 +45,13 @@ Answer Greatest(const auto& answers) {
 // What becomes true wins over what becomes false; what is told is told of what is then.
 constexpr int kPasses = 4;
 
+// Different ways to the same sum.
+void MergeEqual(Worlds& worlds) {
+  std::ranges::sort(worlds);
+  const auto equal = std::ranges::unique(worlds);
+  worlds.erase(equal.begin(), equal.end());
+}
+
 int PassOf(const GroundChange& change) {
   if (change.kind == GroundChange::Kind::kForget) return 0;
   if (change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow) {
@@ -251,6 +258,7 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
   for (int slot = 0; slot < std::ssize(task_.function_of_slot); ++slot) {
     OpenForgotten(slot, changed);
   }
+  if (changed.size() > worlds.size()) MergeEqual(changed);
   worlds = std::move(changed);
 }
 

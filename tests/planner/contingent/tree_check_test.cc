@@ -479,6 +479,18 @@ TEST(Worlds, AsSetsRefuteWhatIsWrongInOne) {
                                        "world with left(l0), left(l1), "));
 }
 
+// From 0, twenty times 1, 1.5 or 2 more: 3^20 ways to the 41 multiples of 0.5 from 20 to 40.
+TEST(Worlds, ThatAreEqualAreOne) {
+  const GroundTask task = GroundText(
+      "domain pour functions: level: number action pour effects: add(Kf, level = level + [1, 2])",
+      "problem pour domain pour init: add(Kf, level = 0) goal: K(level >= 20) & K(level <= 40)");
+  PlanTree tree = {.nodes = {PlanNode{}}, .root = NodeId(20)};
+  for (int i = 0; i < 20; ++i) tree.nodes.push_back(ActOf(task, "pour", i));
+  const TreeCheck check = CheckTree(task, tree);
+  EXPECT_EQ(check.failure, "");
+  EXPECT_EQ(check.worlds, 41);
+}
+
 // More worlds than may be run: as many are drawn.
 TEST(Worlds, AreDrawnIfTheyAreTooMany) {
   const GroundTask task = GroundScenario("unix", "find-a-file");
