@@ -15,8 +15,6 @@ namespace assay::contingent {
 namespace {
 
 // Of update rules, and one more for each atom. Rules that only add to Kf are at rest before that.
-constexpr std::size_t kMostRounds = 1000;
-
 bool CanHold(const Range& range) {
   return range.low < range.high ||
          (range.low == range.high && !range.excludes_low && !range.excludes_high);
@@ -368,7 +366,7 @@ const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
       Canonicalize(state);
       if (state == before) continue;
       is_at_rest = false;
-      if (round == kMostRounds + task_.atoms.size()) FailRestless(update, round);
+      if (round == MostRoundsOf(task_)) FailRestless(update, round);
     }
   }
   return nullptr;

@@ -335,7 +335,8 @@ void WorldProgression::Assign(const GroundChange& change, const World& before, W
 }
 
 void WorldProgression::Update(History& history) {
-  for (std::size_t round = 0; round <= task_.atoms.size() && !task_.updates.empty(); ++round) {
+  if (task_.updates.empty()) return;
+  for (std::size_t round = 0; round <= MostRoundsOf(task_) && !has_made_too_many_; ++round) {
     const History before = history;
     for (const GroundEffect& update : task_.updates) {
       if (!Happens(update, history)) continue;
@@ -345,6 +346,7 @@ void WorldProgression::Update(History& history) {
     }
     if (history == before) return;
   }
+  is_restless_ |= !has_made_too_many_;
 }
 
 }  // namespace assay::contingent

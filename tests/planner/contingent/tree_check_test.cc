@@ -491,6 +491,29 @@ TEST(Worlds, ThatAreEqualAreOne) {
   EXPECT_EQ(check.worlds, 41);
 }
 
+// More rounds of them than the task has atoms, and for ever: to planner and checker.
+TEST(UpdateRules, CountUntilTheyRest) {
+  const auto task = [](const std::string& rule) {
+    return GroundText(
+        "domain count predicates: done functions: f: number\n"
+        "action go preconds: K(f >= 100) effects: add(Kf, done)\n"
+        "action start effects: add(Kf, f = 0)\n"
+        "updates: " +
+            rule + " => add(Kf, f = f + 1)",
+        "problem count domain count init: add(Kf, !done), add(Kf, f = -1) goal: K(done)");
+  };
+  const GroundTask counting = task("K(f >= 0) & K(f < 100)");
+  const PlanTree tree = {
+      .nodes = {ActOf(counting, "start", 1), ActOf(counting, "go", 2), PlanNode{}},
+      .root = NodeId(0)};
+  EXPECT_EQ(CheckTree(counting, tree).failure, "");
+  EXPECT_EQ(SizeOf(PlanFor(counting, Wanted::kLeastDepth).tree).depth, 2);
+  const GroundTask restless = task("K(f >= 0)");
+  EXPECT_THAT(CheckTree(restless, tree).failure, HasSubstr("update rules do not come to rest"));
+  EXPECT_THAT(MessageOf([&] { PlanFor(restless, Wanted::kLeastDepth); }),
+              HasSubstr("update rules do not come to rest"));
+}
+
 // More worlds than may be run: as many are drawn.
 TEST(Worlds, AreDrawnIfTheyAreTooMany) {
   const GroundTask task = GroundScenario("unix", "find-a-file");
