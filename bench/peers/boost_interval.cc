@@ -13,10 +13,17 @@ using algebra::Expression;
 using algebra::Operator;
 namespace numeric = boost::numeric;
 namespace policies = boost::numeric::interval_lib;
-using Number =
-    numeric::interval<double,
-                      policies::policies<policies::save_state<policies::rounded_transc_std<double>>,
-                                         policies::checking_base<double>>>;
+template <class Rounding>
+using IntervalRounding = numeric::interval<
+    double, policies::policies<policies::save_state<Rounding>, policies::checking_base<double>>>;
+using ByDefault = IntervalRounding<policies::rounded_transc_std<double>>;
+using Opposite =
+    IntervalRounding<policies::rounded_transc_opp<double, policies::rounded_arith_opp<double>>>;
+using SetOnce = policies::unprotect<Opposite>::type;
+
+struct NoGuard {
+  NoGuard() {}
+};
 
 struct Step {
   Operator op = Operator::kConstant;
@@ -28,13 +35,22 @@ struct Step {
 
 class BoostInterval::Evaluation {
  public:
-  Evaluation(const Expression& e, std::span<const Expression> others,
-             const algebra::ConstraintSet& box) {
+  virtual ~Evaluation() = default;
+  virtual Interval Range() = 0;
+};
+
+// `Guard`: has the processor round as the numbers want it, while there is one.
+template <class Number, class Guard>
+class BoostInterval::EvaluationIn : public Evaluation {
+ public:
+  EvaluationIn(const Expression& e, std::span<const Expression> others,
+               const algebra::ConstraintSet& box) {
     for (const Expression& other : others) Add(other, box);
     Add(e, box);
   }
 
-  Interval Range() {
+  Interval Range() override {
+    const Guard guard;
     for (std::size_t i = 0; i < steps_.size(); ++i) Carry(steps_[i], values_[i]);
     return {values_.back().lower(), values_.back().upper()};
   }
@@ -109,8 +125,14 @@ class BoostInterval::Evaluation {
 };
 
 BoostInterval::BoostInterval(const Expression& e, std::span<const Expression> others,
-                             const algebra::ConstraintSet& box)
-    : evaluation_(std::make_unique<Evaluation>(e, others, box)) {}
+                             const algebra::ConstraintSet& box, Rounding rounding) {
+  if (rounding == Rounding::kSetOnce) {
+    evaluation_ =
+        std::make_unique<EvaluationIn<SetOnce, Opposite::traits_type::rounding>>(e, others, box);
+  } else {
+    evaluation_ = std::make_unique<EvaluationIn<ByDefault, NoGuard>>(e, others, box);
+  }
+}
 BoostInterval::~BoostInterval() = default;
 BoostInterval::BoostInterval(BoostInterval&&) noexcept = default;
 

@@ -12,8 +12,12 @@ namespace assay::peers {
 // sines and cosines. Others may be evaluated along with it.
 class BoostInterval {
  public:
+  enum class Rounding {
+    kByDefault,  // the library's policy: the processor's mode is set for every operation
+    kSetOnce,    // for an evaluation as a whole, upward; lower ends are rounded as their opposites
+  };
   BoostInterval(const algebra::Expression& e, std::span<const algebra::Expression> others,
-                const algebra::ConstraintSet& box);
+                const algebra::ConstraintSet& box, Rounding rounding = Rounding::kByDefault);
   ~BoostInterval();
   BoostInterval(BoostInterval&&) noexcept;
 
@@ -21,6 +25,8 @@ class BoostInterval {
 
  private:
   class Evaluation;
+  template <class Number, class Guard>
+  class EvaluationIn;
   std::unique_ptr<Evaluation> evaluation_;
 };
 

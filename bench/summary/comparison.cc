@@ -175,6 +175,12 @@ const PeerTime* Contest::Best() const {
   return best == peers.end() ? nullptr : &*best;
 }
 
+const Series* Contest::FindVariant(const std::string& variant) const {
+  const auto at = std::ranges::find_if(
+      variants, [&](const Series& series) { return series.name.ends_with(":" + variant); });
+  return at == variants.end() ? nullptr : &*at;
+}
+
 const PeerTime* Contest::Find(const std::string& peer) const {
   const auto at = std::ranges::find(peers, peer, &PeerTime::peer);
   return at == peers.end() ? nullptr : &*at;
@@ -195,6 +201,28 @@ std::vector<double> Ratios(const Family& family, const std::string& peer) {
   for (const Contest& contest : family.contests) {
     const PeerTime* time = peer.empty() ? contest.Best() : contest.Find(peer);
     if (time != nullptr) ratios.push_back(time->ratio.median);
+  }
+  return ratios;
+}
+
+std::vector<std::string> Variants(const Family& family) {
+  std::set<std::string> names;
+  for (const Contest& contest : family.contests) {
+    for (const Series& series : contest.variants) {
+      names.insert(series.name.substr(series.name.rfind(':') + 1));
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
+std::vector<double> VariantRatios(const Family& family, const std::string& variant,
+                                  const std::string& peer) {
+  std::vector<double> ratios;
+  for (const Contest& contest : family.contests) {
+    const PeerTime* of = peer.empty() ? contest.Best() : contest.Find(peer);
+    const Series* ours = contest.FindVariant(variant);
+    if (of == nullptr || ours == nullptr) continue;
+    ratios.push_back(of->series.Median() / ours->Median());
   }
   return ratios;
 }

@@ -30,11 +30,12 @@ struct PeerTime {
 struct Contest {
   std::string instance;
   Series ours;
-  std::vector<Series> variants;  // of ours, compared with nothing
+  std::vector<Series> variants;  // of ours, as by the name after the colon
   std::vector<PeerTime> peers;   // by name
 
-  const PeerTime* Best() const;                         // null without peers
-  const PeerTime* Find(const std::string& peer) const;  // null if it has no time
+  const PeerTime* Best() const;                                 // null without peers
+  const PeerTime* Find(const std::string& peer) const;          // null if it has no time
+  const Series* FindVariant(const std::string& variant) const;  // likewise
 };
 
 // Contests over work of one kind.
@@ -58,6 +59,13 @@ double GeometricMean(const std::vector<double>& values);
 
 // Of all instances that it has a time in. `peer` empty: of the best of each instance.
 std::vector<double> Ratios(const Family& family, const std::string& peer);
+
+// The same of a variant of ours.
+std::vector<double> VariantRatios(const Family& family, const std::string& variant,
+                                  const std::string& peer);
+
+// Those of ours that have a time in some instance, by name.
+std::vector<std::string> Variants(const Family& family);
 
 // All that have a time in some instance, by name.
 std::vector<std::string> Peers(const Family& family);

@@ -26,7 +26,14 @@ std::optional<double> SizeIn(const std::string& argument) {
   return std::stod(number);
 }
 
-// A contestant's size is a counter, since its name tells whose it is: "family/contestant".
+// "model-b-07": of the instances of a kind, what they have in common.
+std::string KindOf(std::string instance) {
+  instance.resize(instance.find_last_not_of("0123456789") + 1);
+  while (instance.ends_with('-')) instance.pop_back();
+  return instance;
+}
+
+// A contestant's size is a counter, since its name tells whose it is: "family/kind/contestant".
 std::optional<SizedName> SizedNameOf(const Series& series) {
   const std::size_t last = series.name.rfind('/');
   if (last == std::string::npos) return std::nullopt;
@@ -38,7 +45,7 @@ std::optional<SizedName> SizedNameOf(const Series& series) {
   }
   const auto counted = series.counters.find("size");
   if (counted == series.counters.end()) return std::nullopt;
-  return SizedName{series.name.substr(0, series.name.find('/')) + "/" + end, "", counted->second};
+  return SizedName{KindOf(series.name.substr(0, last)) + "/" + end, "", counted->second};
 }
 
 // Points of one size as one: their mean in logarithms.

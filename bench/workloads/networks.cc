@@ -249,6 +249,13 @@ NetworkWorkload RandomThreatenedPlan(const ThreatenedPlanModel& model, RandomStr
   return ThreatenedPlanBuilder(model, random).Build();
 }
 
+NetworkWorkload CrowdedPlan(int index, std::uint64_t seed) {
+  RandomStream random(seed, fmt::format("crowded-{}", index));
+  return RandomPlanNetwork(
+      {.parts = 3 + index % 8, .steps = 3 + index % 2, .interference = 0.3 + 0.1 * (index % 5)},
+      random);
+}
+
 NetworkWorkload RandomRbNetwork(const ModelRb& model, RandomStream& random) {
   return RbNetworkBuilder(model, random).Build();
 }

@@ -90,6 +90,10 @@ struct ThreatenedPlanModel {
 };
 NetworkWorkload RandomThreatenedPlan(const ThreatenedPlanModel& model, RandomStream& random);
 
+// Plans of 3 to 10 parts, the more of whose poses interfere the higher the index modulo 5: arcs
+// that come one by one are the more often refused.
+NetworkWorkload CrowdedPlan(int index, std::uint64_t seed);
+
 // The networks that benchmarks measure: those of bench/workloads/networks, and of each family of
 // the generators 30 of growing size, drawn from the seed.
 enum class NetworkFamily { kModelB, kModelRb, kPlan, kTree, kGrid };

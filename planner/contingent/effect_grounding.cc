@@ -57,13 +57,21 @@ std::vector<GroundChange> EffectGrounding::FactChanges(const Change& change,
                       terms_.ValueOf(literal.arguments[is_left ? 1 : 0], bindings), literal);
 }
 
-// A function has one value: the others become false with it, and unknown with it.
+// A function has one value: the others become false with it, and unknown with it. Its value at run
+// time, whichever that is, can be forgotten.
 std::vector<GroundChange> EffectGrounding::ValueChanges(const Change& change, FunctionId id,
                                                         const Value& value,
                                                         const Literal& literal) {
   std::vector<GroundChange> changes;
-  if (!value.function.IsNone()) {
+  const bool is_of_run_time = !value.function.IsNone();
+  if (is_of_run_time && (value.function != id || change.is_addition)) {
     terms_.Refuse();
+    return changes;
+  }
+  if (is_of_run_time) {
+    for (const AtomId atom : terms_.task().functions[id.index()].values) {
+      changes.push_back({.kind = GroundChange::Kind::kForget, .literal = {atom, true}});
+    }
     return changes;
   }
   const AtomId atom = terms_.table().Value(id, value.text);

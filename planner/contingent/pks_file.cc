@@ -8,7 +8,6 @@
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <sstream>
 #include <utility>
 
 #include "planner/contingent/pks_lexer.h"
@@ -583,11 +582,10 @@ Problem ReadPksProblem(const std::string& text, const std::string& file) {
 
 std::string TextOfFile(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) {
+  if (!stream || std::filesystem::is_directory(file)) {
     throw InputError({file.string()}, "cannot be read", "a file with text");
   }
-  return text.str();
+  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace assay::contingent

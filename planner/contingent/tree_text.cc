@@ -44,10 +44,11 @@ class Writer {
         if (entry->second > 0 && is_written_[id]) return Line(indent, GoTo(id));
         if (entry->second == 0) entry->second = ++last_number_;
         is_written_[id] = true;
-        number = fmt::format("{}: ", entry->second);
+        number = fmt::format("{}:", entry->second);
       }
       if (node.kind == PlanNode::Kind::kGoal) return;
       if (node.kind != PlanNode::Kind::kAct) return WriteBranches(node, indent, number);
+      if (!number.empty()) number += ' ';
       Line(indent, number + TextOf(task_.actions[node.action.index()]));
       if (node.Repeats(0)) return Line(indent, GoTo(node.children.front()));
       id = node.children.front();

@@ -18,6 +18,13 @@ std::uint64_t Product(std::uint64_t a, std::uint64_t b) {
   return b != 0 && a > kManyLabelings / b ? kManyLabelings : a * b;
 }
 
+// A node of a tree.
+struct Hung {
+  int node = 0;
+  int above = -1;                                     // what it hangs from, as place in a list
+  const ArcConsistency::Direction* by_arc = nullptr;  // from there to here
+};
+
 class LabelingCounter {
  public:
   LabelingCounter(const Network& network, Budget& budget)
@@ -35,8 +42,11 @@ class LabelingCounter {
   std::optional<std::uint64_t> CountByBranching(const std::vector<int>& component);
   bool IsTree(const std::vector<int>& component) const;
   std::uint64_t CountTree(int root) const;
-  // For each label of `node`, the labelings of the tree that hangs from it, away from `parent`.
-  std::vector<std::uint64_t> CountBelow(int node, int parent) const;
+  std::vector<Hung> HungFrom(int root) const;
+  // For each label of the node above, the labelings of what hangs there; `below`: for each label of
+  // the node itself.
+  std::vector<std::uint64_t> CountsAbove(const Hung& hung, int above,
+                                         const std::vector<std::uint64_t>& below) const;
 
   LabelStore labels_;
   ArcConsistency arcs_;
@@ -97,29 +107,49 @@ bool LabelingCounter::IsTree(const std::vector<int>& component) const {
   return ends == 2 * (component.size() - 1);
 }
 
+// From the leaves up; no recursion, for long paths.
 std::uint64_t LabelingCounter::CountTree(int root) const {
-  const std::vector<std::uint64_t> counts = CountBelow(root, -1);
+  const std::vector<Hung> tree = HungFrom(root);
+  std::vector<std::vector<std::uint64_t>> counts;
+  for (const Hung& hung : tree) counts.emplace_back(labels_.size(hung.node), 1);
+  for (std::size_t i = tree.size() - 1; i > 0; --i) {
+    std::vector<std::uint64_t>& above = counts[tree[i].above];
+    const auto factors = CountsAbove(tree[i], tree[tree[i].above].node, counts[i]);
+    for (std::size_t label = 0; label < above.size(); ++label) {
+      above[label] = Product(above[label], factors[label]);
+    }
+    counts[i] = {};
+  }
   std::uint64_t sum = 0;
-  for (Label label : labels_.Labels(root)) sum = Sum(sum, counts[label]);
+  for (Label label : labels_.Labels(root)) sum = Sum(sum, counts[0][label]);
   return sum;
 }
 
-std::vector<std::uint64_t> LabelingCounter::CountBelow(int node, int parent) const {
-  std::vector<std::uint64_t> counts(labels_.size(node), 1);
-  for (const ArcConsistency::Direction& direction : arcs_.at(node)) {
-    const int child = direction.revised;
-    if (child == parent || labels_.count(child) <= 1) continue;
-    const std::vector<std::uint64_t> below = CountBelow(child, node);
-    const LabelSet child_labels = labels_.Labels(child);
-    const auto words = std::ssize(child_labels.words());
-    for (Label label : labels_.Labels(node)) {
-      LabelSet supported = LabelSet::OfWords(
-          labels_.size(child), {direction.supported + label * words, child_labels.words().size()});
-      supported.intersect(child_labels);
-      std::uint64_t sum = 0;
-      for (Label child_label : supported) sum = Sum(sum, below[child_label]);
-      counts[label] = Product(counts[label], sum);
+// Every node after what it hangs from.
+std::vector<Hung> LabelingCounter::HungFrom(int root) const {
+  std::vector<Hung> tree = {{.node = root}};
+  for (std::size_t i = 0; i < tree.size(); ++i) {
+    const int parent = tree[i].above < 0 ? -1 : tree[tree[i].above].node;
+    for (const ArcConsistency::Direction& direction : arcs_.at(tree[i].node)) {
+      const int child = direction.revised;
+      if (child == parent || labels_.count(child) <= 1) continue;
+      tree.push_back({child, static_cast<int>(i), &direction});
     }
+  }
+  return tree;
+}
+
+std::vector<std::uint64_t> LabelingCounter::CountsAbove(
+    const Hung& hung, int above, const std::vector<std::uint64_t>& below) const {
+  std::vector<std::uint64_t> counts(labels_.size(above), 0);
+  const LabelSet hung_labels = labels_.Labels(hung.node);
+  const auto words = std::ssize(hung_labels.words());
+  for (Label label : labels_.Labels(above)) {
+    LabelSet supported =
+        LabelSet::OfWords(labels_.size(hung.node),
+                          {hung.by_arc->supported + label * words, hung_labels.words().size()});
+    supported.intersect(hung_labels);
+    for (Label hung_label : supported) counts[label] = Sum(counts[label], below[hung_label]);
   }
   return counts;
 }

@@ -186,6 +186,18 @@ TEST(Bounds, HigherRungsAreNeverLooser) {
   }
 }
 
+// Rounding errors of the greatest value do not loosen the least one.
+TEST(Bounds, LargeNumbersAreBoundedToTheGapWhereTheyAreSmall) {
+  ExpressionPool pool;
+  const Expression x = pool.Declare("x", {0, 1e6});
+  const Expression y = pool.Declare("y", {0, 1e6});
+  const Expression t = pool.Declare("t", {-0.1, 0.1});
+  const Bound least = BoundBelow(x * y * Cos(t), DeclaredBox(pool), {.gap = 1e-6});
+  EXPECT_GE(least.value, -1e-6);
+  EXPECT_LE(least.value, 0);
+  EXPECT_LE(least.gap, 1e-6);
+}
+
 TEST(Bounds, ANumberHasItselfForBounds) {
   ExpressionPool pool;
   EXPECT_EQ(Range(2.5, DeclaredBox(pool)), (Interval{2.5, 2.5}));

@@ -71,6 +71,29 @@ TEST_P(PublishedDomains, FirstTreeHolds) {
   EXPECT_TRUE(check.holds) << check.failure;
 }
 
+// A cup is grasped where it turns out to be, and is then nowhere that is known.
+TEST(RunTimeVariables, TheValueThatTheyStandForCanBeForgotten) {
+  const std::string problem =
+      "problem test domain kitchen\n"
+      "objects: cup: thing, sink, shelf: place\n"
+      "init: add(Kf, !held(cup))\n";
+  const GroundTask task = GroundText(
+      "domain kitchen\n"
+      "types: place, thing\n"
+      "predicates: held(thing)\n"
+      "functions: at(thing): place\n"
+      "action look(?o: thing) effects: add(Kv, at(?o))\n"
+      "action grasp(?o: thing, ?l: place)\n"
+      "  preconds: K(?l = at(?o)) & K(!held(?o))\n"
+      "  effects: add(Kf, held(?o)), del(Kf, at(?o) = ?l)\n",
+      problem + "goal: K(held(cup)) & !Kv(at(cup))\n");
+  const ContingentPlan plan = PlanFor(task, Wanted::kLeastDepth);
+  ASSERT_EQ(plan.outcome, Outcome::kFound);
+  EXPECT_EQ(TextOf(task, plan.tree, Sharing::kUnfolded), "look(cup)\ngrasp(cup, at(cup))\n");
+  const TreeCheck check = CheckTree(task, plan.tree);
+  EXPECT_TRUE(check.holds) << check.failure;
+}
+
 // Table II, whose end the paper leaves out.
 TEST(ForceSensing, ThePapersTree) {
   const GroundTask task = GroundScenario("force-sensing", "two-cans");

@@ -200,6 +200,17 @@ TEST(Count, KnowsTheColouringsOfCycles) {
   }
 }
 
+// One label or the other all along: two labelings, and no deep recursion.
+TEST(Count, ReachesTheEndOfLongPaths) {
+  const auto same = Relation::Where(2, 2, [](Label a, Label b) { return a == b; });
+  Network network;
+  for (int node = 0; node < 100'000; ++node) network.AddNode(LabelSet::All(2));
+  for (int node = 1; node < 100'000; ++node) {
+    network.AddArc(NodeId(node - 1), NodeId(node), same);
+  }
+  EXPECT_EQ(CountOf(network), 2);
+}
+
 TEST(Count, StopsAtManyLabelings) {
   Network network;
   for (int node = 0; node < 16; ++node) network.AddNode(LabelSet::All(16));
