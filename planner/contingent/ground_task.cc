@@ -6,6 +6,8 @@
 #include <cmath>
 
 namespace assay::contingent {
+std::size_t MostRoundsOf(const GroundTask& task) { return 1000 + task.atoms.size(); }
+
 bool IsUpper(Relation relation) {
   return relation == Relation::kLess || relation == Relation::kLessOrEqual;
 }

@@ -176,6 +176,9 @@ struct GroundTask {
   FilePlace goal_place;
 };
 
+// Rounds of all update rules that may change something; what changes after them is restless.
+std::size_t MostRoundsOf(const GroundTask& task);
+
 // "isSpillable(can1)", "!p & q", "weight(can1) > 2".
 std::string TextOf(const GroundTask& task, const GroundLiteral& literal);
 std::string TextOf(const GroundTask& task, const Formula& formula);

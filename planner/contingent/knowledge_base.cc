@@ -15,15 +15,13 @@ namespace assay::contingent {
 namespace {
 
 // Of update rules, and one more for each atom. Rules that only add to Kf are at rest before that.
-constexpr std::size_t kMostRounds = 1000;
-
 bool CanHold(const Range& range) {
   return range.low < range.high ||
          (range.low == range.high && !range.excludes_low && !range.excludes_high);
 }
 
-// What becomes true wins over what becomes false, as in PDDL; what is sensed is sensed after all
-// that.
+// What becomes true wins over what becomes false, as in PDDL; what is told and what is sensed is so
+// after all that.
 int RankOf(const GroundChange& change) {
   switch (change.kind) {
     case GroundChange::Kind::kForget:
@@ -33,9 +31,9 @@ int RankOf(const GroundChange& change) {
     case GroundChange::Kind::kUnsense:
     case GroundChange::Kind::kUnsenseValue:
     case GroundChange::Kind::kAssign:
-    case GroundChange::Kind::kNarrow:
     case GroundChange::Kind::kForgetNumber:
       return 3;
+    case GroundChange::Kind::kNarrow:
     case GroundChange::Kind::kSense:
     case GroundChange::Kind::kSenseValue:
       return 4;
@@ -368,7 +366,7 @@ const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
       Canonicalize(state);
       if (state == before) continue;
       is_at_rest = false;
-      if (round == kMostRounds + task_.atoms.size()) FailRestless(update, round);
+      if (round == MostRoundsOf(task_)) FailRestless(update, round);
     }
   }
   return nullptr;

@@ -62,6 +62,7 @@ Requirement Regression::BeforeUpdates(const Requirement& after, StateId outcome)
                              change.kind == GroundChange::Kind::kForgetNumber;
       if (is_number) Keep(before, AspectOfRange(change.function));
       if (!change.bound.function.IsNone()) Keep(before, AspectOfRange(change.bound.function));
+      for (const GroundLiteral& l : change.literals) Keep(before, AspectOf(l.atom));
       for (const auto& [function, sign] : change.sum.functions) {
         Keep(before, AspectOfRange(function));
       }
@@ -134,9 +135,25 @@ Requirement Regression::OfAction(StateId state, const GroundAction& action,
                                  const Requirement& after) {
   Requirement before;
   RegressWorlds(action, state, after, before);
-  RegressAspects(action, after, before);
+  RegressAspects(action, WithTold(action, after), before);
   Require(action.precondition, state, before);
   return before;
+}
+
+// What an action tells (Kx, bounds of intervals) may not contradict what is known: a world that it
+// excludes needs no plan, but some world must be left. So what it tells of is kept.
+Requirement Regression::WithTold(const GroundAction& action, const Requirement& after) const {
+  Requirement told = after;
+  for (const GroundEffect& effect : action.effects) {
+    for (const GroundChange& change : effect.changes) {
+      const bool is_told =
+          change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
+      for (const std::size_t aspect : AspectsOf(change)) {
+        if (is_told) Keep(told, aspect);
+      }
+    }
+  }
+  return told;
 }
 
 // After the action, an atom is true where an effect has made it so, or where it was and none has
@@ -148,6 +165,7 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
   std::unordered_map<int, Diagram> becomes_false;
   before.worlds = after.worlds;
   for (const GroundEffect& effect : action.effects) {
+    if (!knowledge_.Holds(effect.condition, space_.state(state))) continue;
     for (const GroundChange& change : effect.changes) {
       if (change.kind != GroundChange::Kind::kRelate) continue;
       before.worlds =
@@ -182,9 +200,9 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
   before.worlds = diagrams.Compose(before.worlds, now);
 }
 
-// What of a state the change settles, whatever it was before. A sensor's error is the least one so
-// far, and narrowing keeps what was known: they settle nothing.
+// What of a state the change is of.
 std::vector<std::size_t> Regression::AspectsOf(const GroundChange& change) const {
+  std::vector<std::size_t> aspects;
   switch (change.kind) {
     case GroundChange::Kind::kSet:
     case GroundChange::Kind::kForget:
@@ -193,18 +211,26 @@ std::vector<std::size_t> Regression::AspectsOf(const GroundChange& change) const
     case GroundChange::Kind::kUnsense:
       return {AspectOf(change.formula)};
     case GroundChange::Kind::kSenseValue:
-      if (task().functions[change.function.index()].slot >= 0) return {};
-      return {AspectOf(change.function)};
     case GroundChange::Kind::kUnsenseValue:
       return {AspectOf(change.function)};
     case GroundChange::Kind::kAssign:
     case GroundChange::Kind::kForgetNumber:
       return {AspectOf(change.function), AspectOfRange(change.function)};
     case GroundChange::Kind::kRelate:
+      for (const GroundLiteral& l : change.literals) aspects.push_back(AspectOf(l.atom));
+      return aspects;
     case GroundChange::Kind::kNarrow:
-      return {};
+      return {AspectOfRange(change.bound.function)};
   }
   return {};
+}
+
+// Whether it settles that, whatever it was before. A sensor's error is the least one so far, and
+// what is told is added to what was known.
+bool Regression::Settles(const GroundChange& change) const {
+  return change.kind != GroundChange::Kind::kRelate && change.kind != GroundChange::Kind::kNarrow &&
+         (change.kind != GroundChange::Kind::kSenseValue ||
+          task().functions[change.function.index()].slot < 0);
 }
 
 // What was kept after the action and what it sets is settled by the action; what it may set depends
@@ -215,14 +241,10 @@ void Regression::RegressAspects(const GroundAction& action, const Requirement& a
   std::vector<bool> same = after.same;
   for (const GroundEffect& effect : action.effects) {
     for (const GroundChange& change : effect.changes) {
-      // A relation may say something of anything that is kept.
-      if (change.kind == GroundChange::Kind::kRelate) {
-        for (const GroundLiteral& l : change.literals) Keep(before, AspectOf(l.atom));
-      }
       for (const std::size_t aspect : AspectsOf(change)) {
         if (!after.same[aspect]) continue;
         if (!effect.condition.IsTrue()) KeepAsked(effect.condition, before);
-        if (effect.condition.IsTrue()) same[aspect] = false;
+        if (effect.condition.IsTrue() && Settles(change)) same[aspect] = false;
         for (const auto& [function, sign] : change.sum.functions) {
           Keep(before, AspectOfRange(function));
         }

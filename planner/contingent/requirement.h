@@ -56,10 +56,12 @@ class Regression {
   void Require(const GroundQuery& query, StateId state, Requirement& requirement);
   // Keeps everything that the query asks of.
   void KeepAsked(const GroundQuery& query, Requirement& requirement) const;
+  Requirement WithTold(const GroundAction& action, const Requirement& after) const;
   void RegressWorlds(const GroundAction& action, StateId state, const Requirement& after,
                      Requirement& before);
   void RegressAspects(const GroundAction& action, const Requirement& after, Requirement& before);
   std::vector<std::size_t> AspectsOf(const GroundChange& change) const;
+  bool Settles(const GroundChange& change) const;
   // If something of the atom's relation is kept, then all that branching on the atom depends on.
   void KeepRelation(AtomId atom, StateId state, Requirement& requirement);
 

@@ -1,5 +1,8 @@
 #include "planner/contingent/symbolic_check.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -68,7 +71,6 @@ class SymbolicCheck {
 
   std::optional<TreeCheck> Run() {
     TreeCheck check;
-    check.holds = true;
     const Diagram initial = InitialWorlds();
     if (initial == kEmptySet) return std::nullopt;
     check.worlds = static_cast<std::int64_t>(CountOf(initial));
@@ -77,8 +79,11 @@ class SymbolicCheck {
     for (const NodeId id : std::views::reverse(ChildrenFirst(tree_))) {
       const Arrivals& arrivals = arrivals_[id.index()];
       if (arrivals.worlds == kEmptySet) continue;
-      if (!PassOn(tree_.node(id), arrivals)) return std::nullopt;
+      PassOn(tree_.node(id), arrivals);
     }
+    if (failure_.empty() && !is_told_) return std::nullopt;
+    check.holds = failure_.empty();
+    check.failure = failure_;
     for (std::size_t i = 0; i < arrivals_.size(); ++i) {
       if (arrivals_[i].worlds == kEmptySet) check.unreached.push_back(NodeId(i));
     }
@@ -173,23 +178,60 @@ class SymbolicCheck {
     std::erase_if(arrivals.open, [&](AtomId a) { return !more.open.contains(a); });
   }
 
-  // False if something that the node asks is not so.
-  bool PassOn(const PlanNode& node, const Arrivals& here) {
+  void PassOn(const PlanNode& node, const Arrivals& here) {
     switch (node.kind) {
       case PlanNode::Kind::kGoal:
-        return SurelyHolds(task_.goal, here);
+        return Demand(task_.goal, here, "the goal");
       case PlanNode::Kind::kAct: {
         const GroundAction& action = task_.actions[node.action.index()];
-        if (!SurelyHolds(action.precondition, here)) return false;
-        Arrive(node.children.front(), After(action, here));
-        return true;
+        Demand(action.precondition, here,
+               fmt::format("the precondition of {}", assay::contingent::TextOf(action)));
+        return Arrive(node.children.front(), After(action, here));
       }
       case PlanNode::Kind::kWhether:
         return Branch(node, here);
       case PlanNode::Kind::kValue:
-        break;
+        is_told_ = false;
     }
-    return false;
+  }
+
+  void Demand(const GroundQuery& query, const Arrivals& here, const std::string& what) {
+    if (!failure_.empty() || SurelyHolds(query, here)) return;
+    const Diagram where = WorldsAgainst(query, here);
+    is_told_ &= where != kEmptySet;
+    if (where == kEmptySet) return;
+    failure_ = fmt::format("{} is not known on some way of the tree, in the world with {}", what,
+                           TextOfAWorld(where));
+  }
+
+  // Some in which it is not known to whoever came there on some way; none if that cannot be told.
+  Diagram WorldsAgainst(const GroundQuery& query, const Arrivals& here) {
+    if (query.kind == GroundQuery::Kind::kKnown) {
+      return diagrams_.And(here.worlds, diagrams_.Not(WorldsWhere(query.literal)));
+    }
+    if (query.kind != GroundQuery::Kind::kAnd) {
+      return SurelyFails(query, here) ? here.worlds : kEmptySet;
+    }
+    for (const GroundQuery& operand : query.operands) {
+      const Diagram where = WorldsAgainst(operand, here);
+      if (where != kEmptySet) return where;
+    }
+    return kEmptySet;
+  }
+
+  // What is true in one of them; what the others leave open is false.
+  std::string TextOfAWorld(Diagram worlds) const {
+    std::set<int> holding;
+    while (!diagrams_.IsConstant(worlds)) {
+      const bool can_be_false = diagrams_.low(worlds) != kEmptySet;
+      if (!can_be_false) holding.insert(diagrams_.variable(worlds));
+      worlds = can_be_false ? diagrams_.low(worlds) : diagrams_.high(worlds);
+    }
+    std::vector<std::string> texts;
+    for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
+      if (holding.contains(Variable(AtomId(a)))) texts.push_back(task_.atoms[a]);
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
   }
 
   // On every way.
@@ -236,7 +278,8 @@ class SymbolicCheck {
     return false;
   }
 
-  bool Branch(const PlanNode& node, const Arrivals& here) {
+  // That worlds of both cases come, which may be on different ways, does not refute the tree.
+  void Branch(const PlanNode& node, const Arrivals& here) {
     Diagram where = kAllSets;
     for (const GroundLiteral& l : task_.formulas[node.formula.index()].literals) {
       where = diagrams_.And(where, WorldsWhere(l));
@@ -244,7 +287,7 @@ class SymbolicCheck {
     const Diagram if_true = diagrams_.And(here.worlds, where);
     const Diagram if_false = diagrams_.And(here.worlds, diagrams_.Not(where));
     const bool is_open = if_true != kEmptySet && if_false != kEmptySet;
-    if (is_open && !here.sensed.contains(node.formula)) return false;
+    if (is_open && !here.sensed.contains(node.formula)) is_told_ = false;
     Arrivals next = here;
     for (const GroundLiteral& l : task_.formulas[node.formula.index()].literals) {
       next.open.erase(l.atom);
@@ -253,7 +296,6 @@ class SymbolicCheck {
     Arrive(node.children[0], next);
     next.worlds = if_false;
     Arrive(node.children[1], next);
-    return true;
   }
 
   // ---- Actions
@@ -356,6 +398,8 @@ class SymbolicCheck {
   std::vector<int> places_;
   DecisionDiagrams diagrams_;
   std::vector<Arrivals> arrivals_;  // by node
+  std::string failure_;
+  bool is_told_ = true;  // of all that the tree asks
 };
 
 }  // namespace

@@ -13,10 +13,11 @@ namespace assay::contingent {
 // not known shows where it is false in each world, or where nothing on any way has told anything of
 // its atom, so that each history has it both ways.
 //
-// None if that does not show that the tree holds, or if there is something else in task or tree:
-// functions, update rules, repeats, Kx as an effect, sensing under a condition, effects by what is
-// known or not known. Shares with the planner the diagrams and their order, which cannot make a
-// wrong set, and no inference.
+// The tree holds, or it fails: a literal that must be known is false in one of the worlds, or what
+// is asked fails on every way. None if sets cannot tell, or if there is something else in task or
+// tree: functions, update rules, repeats, Kx as an effect, sensing under a condition, effects by
+// what is known or not known. Shares with the planner the diagrams and their order, which cannot
+// make a wrong set, and no inference.
 std::optional<TreeCheck> CheckBySets(const GroundTask& task, const PlanTree& tree);
 
 }  // namespace assay::contingent

@@ -88,13 +88,17 @@ class Runner {
 
  private:
   bool HasFailed() const {
-    return !failure_.empty() || progression_.HasMadeTooMany() || progression_.CouldNotTell();
+    return !failure_.empty() || progression_.HasMadeTooMany() || progression_.CouldNotTell() ||
+           progression_.IsRestless();
   }
 
   std::string Failure() const {
     if (!failure_.empty()) return failure_;
     if (progression_.HasMadeTooMany()) {
       return fmt::format("more than {} worlds on one way", most_worlds_);
+    }
+    if (progression_.IsRestless()) {
+      return fmt::format("update rules do not come to rest in {} rounds", MostRoundsOf(task_));
     }
     return progression_.CouldNotTell() ? "an effect asks that something is not known, which worlds "
                                          "that are drawn cannot tell"

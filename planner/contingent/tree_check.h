@@ -11,7 +11,7 @@ namespace assay::contingent {
 
 struct TreeCheckOptions {
   // So many initial worlds are run at most; of more, as many are drawn, unless they can be run as
-  // sets (symbolic_check.h) and that shows that the tree holds.
+  // sets (symbolic_check.h) and that tells whether the tree holds.
   std::int64_t worlds = 200'000;
   std::uint64_t seed = 1;
 };

@@ -42,8 +42,21 @@ Answer Greatest(const auto& answers) {
   return greatest;
 }
 
+// What becomes true wins over what becomes false; what is told is told of what is then.
+constexpr int kPasses = 4;
+
+// Different ways to the same sum.
+void MergeEqual(Worlds& worlds) {
+  std::ranges::sort(worlds);
+  const auto equal = std::ranges::unique(worlds);
+  worlds.erase(equal.begin(), equal.end());
+}
+
 int PassOf(const GroundChange& change) {
   if (change.kind == GroundChange::Kind::kForget) return 0;
+  if (change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow) {
+    return 3;
+  }
   return change.kind == GroundChange::Kind::kSet && !change.literal.is_positive ? 1 : 2;
 }
 
@@ -230,8 +243,7 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
   for (const World& world : worlds) {
     if (HasTooMany(changed)) break;
     Worlds now = {world};
-    // What becomes true wins over what becomes false.
-    for (const int pass : {0, 1, 2}) {
+    for (int pass = 0; pass < kPasses; ++pass) {
       for (std::size_t e = 0; e < effects.size(); ++e) {
         const bool applies =
             effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : happens[e];
@@ -246,6 +258,7 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
   for (int slot = 0; slot < std::ssize(task_.function_of_slot); ++slot) {
     OpenForgotten(slot, changed);
   }
+  if (changed.size() > worlds.size()) MergeEqual(changed);
   worlds = std::move(changed);
 }
 
@@ -322,7 +335,8 @@ void WorldProgression::Assign(const GroundChange& change, const World& before, W
 }
 
 void WorldProgression::Update(History& history) {
-  for (std::size_t round = 0; round <= task_.atoms.size() && !task_.updates.empty(); ++round) {
+  if (task_.updates.empty()) return;
+  for (std::size_t round = 0; round <= MostRoundsOf(task_) && !has_made_too_many_; ++round) {
     const History before = history;
     for (const GroundEffect& update : task_.updates) {
       if (!Happens(update, history)) continue;
@@ -332,6 +346,7 @@ void WorldProgression::Update(History& history) {
     }
     if (history == before) return;
   }
+  is_restless_ |= !has_made_too_many_;
 }
 
 }  // namespace assay::contingent

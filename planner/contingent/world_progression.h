@@ -38,6 +38,8 @@ class WorldProgression {
   bool HasMadeTooMany() const { return has_made_too_many_; }
   // Whether there was an effect of which drawn worlds cannot tell that it happens.
   bool CouldNotTell() const { return could_not_tell_; }
+  // Whether update rules did not come to rest.
+  bool IsRestless() const { return is_restless_; }
 
   static bool IsTrue(GroundLiteral literal, const World& world);
   bool IsTrue(const Formula& formula, const World& world) const;
@@ -48,7 +50,7 @@ class WorldProgression {
 
   // Effects that happen at once.
   void Apply(const std::vector<GroundEffect>& effects, History& history);
-  // Update rules, until nothing changes.
+  // Update rules, until nothing changes or they are restless.
   void Update(History& history);
 
  private:
@@ -74,6 +76,7 @@ class WorldProgression {
   std::size_t most_worlds_;
   bool has_made_too_many_ = false;
   bool could_not_tell_ = false;
+  bool is_restless_ = false;
 };
 
 }  // namespace assay::contingent

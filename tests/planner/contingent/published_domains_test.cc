@@ -174,6 +174,33 @@ TEST(Plans, BudgetAndProofOfNone) {
   EXPECT_EQ(PlanFor(tiger, Wanted::kLeastDepth).outcome, Outcome::kNone);
 }
 
+// What is told where something else is known contradicts that: a plan with it serves there no more.
+TEST(Plans, AreNotReusedWhereWhatIsToldContradicts) {
+  const GroundTask alternatives = GroundText(
+      "domain kx predicates: a, c\n"
+      "action shuffle effects: del(Kf, c)\n"
+      "action tell effects: add(Kx, a | c)\n",
+      "problem kx domain kx init: add(Kf, a), add(Kf, c) goal: K(!c)");
+  const GroundTask bound = GroundText(
+      "domain n predicates: g functions: n: number\n"
+      "action shuffle effects: del(Kf, n = 2)\n"
+      "action tell effects: add(Kf, n <= 1), add(Kf, g)\n",
+      "problem n domain n init: add(Kf, n = 2), add(Kf, !g) goal: K(g)");
+  // And what is told where r is known, where it is not.
+  const GroundTask under_condition = GroundText(
+      "domain r predicates: r functions: n: number\n"
+      "action learn effects: add(Kf, r)\n"
+      "action tell effects: K(r) => add(Kf, n <= 1)\n",
+      "problem r domain r init: add(Kf, n = [0, 2]) goal: K(n <= 1)");
+  for (const GroundTask& task : {alternatives, bound, under_condition}) {
+    for (const Wanted wanted : {Wanted::kFirst, Wanted::kLeastDepth}) {
+      const PlanTree tree = PlanFor(task, wanted).tree;
+      EXPECT_EQ(CheckTree(task, tree).failure, "");
+      EXPECT_EQ(SizeOf(tree).depth, 2);
+    }
+  }
+}
+
 // A switch that may not be connected: trying again tells the same again.
 TEST(Plans, RepeatNothingThatStaysAsItIs) {
   const GroundTask task = GroundText(

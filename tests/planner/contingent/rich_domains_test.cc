@@ -13,7 +13,7 @@
 namespace assay::contingent {
 namespace {
 
-constexpr int kTrees = 600;
+constexpr int kTrees = 1000;
 constexpr int kQuarters = 4;  // to run side by side
 
 std::string Pick(RandomStream& random, const std::vector<const char*>& choices) {
@@ -46,10 +46,21 @@ std::string RandomFact(RandomStream& random) {
   return Pick(random, {"add(Kf, p)", "add(Kf, !p)", "add(Kf, q)", "add(Kf, !q)", "add(Kf, r)"});
 }
 
+// What an action tells. That it contradicts itself may take more than a knowledge base knows: not
+// told are alternatives where something holds, and nothing is deleted where something holds.
+std::string RandomTold(RandomStream& random) {
+  return Pick(random, {"add(Kx, p | q)", "add(Kx, q | !r | s)", "add(Kx, some(p | !q))",
+                       "add(Kx, f = a | f = b)", "add(Kf, n <= 2)", "add(Kf, n > 1)"});
+}
+
 std::string RandomEffect(RandomStream& random) {
-  switch (random.Index(9)) {
+  switch (random.Index(11)) {
     case 0:
       return RandomFact(random);
+    case 9:
+      return Pick(random, {"", "", "!Kw(r) => ", "!K(s) => "}) + RandomTold(random);
+    case 10:
+      return Pick(random, {"del(Kf, p)", "del(Kf, q)", "del(Kf, r)"});
     case 8:
       return RandomNegation(random) + " => " + RandomFact(random);
     case 1:

@@ -419,7 +419,7 @@ TEST(NotKnown, IsToldBySets) {
   for (PlanNode& node : tree.nodes) {
     if (node.kind == PlanNode::Kind::kAct) node.action = tree.node(tree.root).action;
   }
-  EXPECT_FALSE(CheckBySets(task, tree).has_value());
+  EXPECT_FALSE(CheckBySets(task, tree)->holds);
 }
 
 TEST(NoWorld, HoldsNothing) {
@@ -456,6 +456,62 @@ TEST(Worlds, AsSetsGoFromTheRootDown) {
   const TreeCheck check = CheckTree(task, tree, {.worlds = 1});
   EXPECT_FALSE(check.holds);
   EXPECT_THAT(check.failure, HasSubstr("the goal is not known"));
+}
+
+// What is wrong in one world of 2^30 is told, which those that are drawn are not likely to.
+TEST(Worlds, AsSetsRefuteWhatIsWrongInOne) {
+  std::string init = "add(Kf, !out)";
+  for (int i = 0; i < 30; ++i) init += fmt::format(", add(Kx, left(l{0}) | right(l{0}))", i);
+  std::string lamps = "l0";
+  for (int i = 1; i < 30; ++i) lamps += fmt::format(", l{}", i);
+  std::string all = "K(left(l0))";
+  for (int i = 1; i < 30; ++i) all += fmt::format(" & K(left(l{}))", i);
+  const GroundTask task = GroundText("domain lamps types: lamp constants: " + lamps +
+                                         ": lamp predicates: left(lamp), right(lamp), out\n"
+                                         "action press effects: " +
+                                         all + " => add(Kf, out)",
+                                     "problem lamps domain lamps init: " + init + " goal: K(!out)");
+  const PlanTree tree = {.nodes = {ActOf(task, "press", 1), PlanNode{}}, .root = NodeId(0)};
+  const TreeCheck check = CheckTree(task, tree, {.worlds = 1000});
+  EXPECT_FALSE(check.holds);
+  EXPECT_TRUE(check.are_all_worlds);
+  EXPECT_THAT(check.failure, HasSubstr("the goal is not known on some way of the tree, in the "
+                                       "world with left(l0), left(l1), "));
+}
+
+// From 0, twenty times 1, 1.5 or 2 more: 3^20 ways to the 41 multiples of 0.5 from 20 to 40.
+TEST(Worlds, ThatAreEqualAreOne) {
+  const GroundTask task = GroundText(
+      "domain pour functions: level: number action pour effects: add(Kf, level = level + [1, 2])",
+      "problem pour domain pour init: add(Kf, level = 0) goal: K(level >= 20) & K(level <= 40)");
+  PlanTree tree = {.nodes = {PlanNode{}}, .root = NodeId(20)};
+  for (int i = 0; i < 20; ++i) tree.nodes.push_back(ActOf(task, "pour", i));
+  const TreeCheck check = CheckTree(task, tree);
+  EXPECT_EQ(check.failure, "");
+  EXPECT_EQ(check.worlds, 41);
+}
+
+// More rounds of them than the task has atoms, and for ever: to planner and checker.
+TEST(UpdateRules, CountUntilTheyRest) {
+  const auto task = [](const std::string& rule) {
+    return GroundText(
+        "domain count predicates: done functions: f: number\n"
+        "action go preconds: K(f >= 100) effects: add(Kf, done)\n"
+        "action start effects: add(Kf, f = 0)\n"
+        "updates: " +
+            rule + " => add(Kf, f = f + 1)",
+        "problem count domain count init: add(Kf, !done), add(Kf, f = -1) goal: K(done)");
+  };
+  const GroundTask counting = task("K(f >= 0) & K(f < 100)");
+  const PlanTree tree = {
+      .nodes = {ActOf(counting, "start", 1), ActOf(counting, "go", 2), PlanNode{}},
+      .root = NodeId(0)};
+  EXPECT_EQ(CheckTree(counting, tree).failure, "");
+  EXPECT_EQ(SizeOf(PlanFor(counting, Wanted::kLeastDepth).tree).depth, 2);
+  const GroundTask restless = task("K(f >= 0)");
+  EXPECT_THAT(CheckTree(restless, tree).failure, HasSubstr("update rules do not come to rest"));
+  EXPECT_THAT(MessageOf([&] { PlanFor(restless, Wanted::kLeastDepth); }),
+              HasSubstr("update rules do not come to rest"));
 }
 
 // More worlds than may be run: as many are drawn.
