@@ -17,7 +17,7 @@ class BoostInterval {
     kSetOnce,    // for an evaluation as a whole, upward; lower ends are rounded as their opposites
   };
   BoostInterval(const algebra::Expression& e, std::span<const algebra::Expression> others,
-                const algebra::ConstraintSet& box, Rounding rounding = Rounding::kByDefault);
+                const algebra::ConstraintSet& box, Rounding rounding);
   ~BoostInterval();
   BoostInterval(BoostInterval&&) noexcept;
 

@@ -217,6 +217,7 @@ class PreparedExpression::Ready {
                          request.limit.has_value();
     if (is_done) return found;
     Bound climbed = Climb(sign, constraints, request);
+    climbed.evaluations += found.evaluations;
     return sign * climbed.value < sign * found.value ? climbed : found;
   }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 namespace assay::contingent {
+
+// Rules that only add to Kf are at rest before that.
 std::size_t MostRoundsOf(const GroundTask& task) { return 1000 + task.atoms.size(); }
 
 bool IsUpper(Relation relation) {

@@ -14,7 +14,6 @@
 namespace assay::contingent {
 namespace {
 
-// Of update rules, and one more for each atom. Rules that only add to Kf are at rest before that.
 bool CanHold(const Range& range) {
   return range.low < range.high ||
          (range.low == range.high && !range.excludes_low && !range.excludes_high);
