@@ -163,6 +163,7 @@ class WorldSearch {
     const Quantity* const quantity = interpretation_.QuantityOf(bound.function);
     if (quantity == nullptr) return;
     const PartId part = PartOf(interpretation_.task.functions[bound.function.index()].arguments);
+    if (part.IsNone()) return;
     quantity->Narrow(kinds_[part.index()], WhereHolds(bound));
     asked_[part.index()].push_back(TextOf(interpretation_.task, contingent::Formula{{}, bound}));
   }
