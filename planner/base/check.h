@@ -16,9 +16,9 @@ namespace assay {
 // A broken invariant of our own code stops the program, in every build type. What a user can get
 // wrong is never an ASSAY_CHECK: it is an InputError (input_error.h); how a planner or a trial
 // ends is a value (outcome.h).
-#define ASSAY_CHECK(condition, ...)                                                       \
-  do {                                                                                    \
-    if (!(condition)) [[unlikely]] {                                                      \
+#define ASSAY_CHECK(condition, ...)                                                        \
+  do {                                                                                     \
+    if (!(condition)) [[unlikely]] {                                                       \
       ::assay::CheckFailed(__FILE__, __LINE__, #condition, ::fmt::format("" __VA_ARGS__)); \
-    }                                                                                     \
+    }                                                                                      \
   } while (false)

@@ -22,18 +22,18 @@ class Value {
   bool IsList() const;
   bool IsScalar() const;
 
-  std::string Text() const;                       // any scalar
-  double Number() const;                          // finite; no NaN, no infinity
-  int Integer(int low, int high) const;           // in [low, high]
-  bool Flag() const;                              // true or false
+  std::string Text() const;                              // any scalar
+  double Number() const;                                 // finite; no NaN, no infinity
+  int Integer(int low, int high) const;                  // in [low, high]
+  bool Flag() const;                                     // true or false
   std::vector<double> Numbers(std::size_t count) const;  // a list of exactly `count` numbers
   // The index in `names` of the text; else an error that lists them and suggests the nearest.
   int OneOf(const std::vector<std::string>& names) const;
 
-  Value At(std::string_view key) const;                 // a required key of a map
+  Value At(std::string_view key) const;                   // a required key of a map
   std::optional<Value> Find(std::string_view key) const;  // an optional key of a map
-  std::vector<Value> Items() const;                     // of a list
-  std::vector<std::pair<Value, Value>> Entries() const;  // of a map, keys and values, in order
+  std::vector<Value> Items() const;                       // of a list
+  std::vector<std::pair<Value, Value>> Entries() const;   // of a map, keys and values, in order
 
   // Fails at the first key of this map that is not among `keys`, naming the nearest of them, and
   // at a key that is given twice.

@@ -99,8 +99,7 @@ Json ErrorSetToJson(const ErrorSet& errors, const domain::Problem& problem) {
   return {{"part", problem.part(errors.part).name}, {"in_hand", errors.in_hand},
           {"x", IntervalToJson(errors.x)},          {"y", IntervalToJson(errors.y)},
           {"z", IntervalToJson(errors.z)},          {"theta", IntervalToJson(errors.theta)},
-          {"tip", IntervalToJson(errors.tip)},
-          {"twist", IntervalToJson(errors.twist)}};
+          {"tip", IntervalToJson(errors.tip)},      {"twist", IntervalToJson(errors.twist)}};
 }
 
 ErrorSet ReadErrorSet(const Value& value, const domain::Problem& problem) {

@@ -72,8 +72,8 @@ struct Squeeze {
 
 using Action = std::variant<Pickup, Putdown, Assemble, Sense, Squeeze>;
 
-// How the arm comes to where it is poised before its work, where the usual way (straight up, over at
-// safe height, straight down) is not free.
+// How the arm comes to where it is poised before its work, where the usual way (straight up, over
+// at safe height, straight down) is not free.
 struct Travel {
   // Straight in joint space from each to the next: from where the step before leaves the tool after
   // its retreat (plan::RouteOf) to where this one is poised; at least two, radians.
@@ -90,7 +90,7 @@ struct PlannedStep {
   int executed = 0;  // position in the order of execution, from 1
   Certificate certificate = {};
   std::optional<Strategy> strategy =
-      {};  // of assemble: how fine motion executes it; none: straight
+      {};                             // of assemble: how fine motion executes it; none: straight
   std::optional<Travel> travel = {};  // none: up, over and down
 };
 

@@ -18,9 +18,9 @@ struct StepError {
 std::vector<StepError> ErrorsOf(const PlannedWorlds& planned, int world);
 
 // What makes the step's verification signal the error, beyond all that is believed possible: the
-// part is taken away before it is grasped, or turned so that the pads close on its corners; it slips
-// in the hand before it is put down; the fixed part is taken away before something is mated with
-// it, or moved aside, so that the peg stops at the rim. Or, in words, why nothing surely does.
+// part is taken away before it is grasped, or turned so that the pads close on its corners; it
+// slips in the hand before it is put down; the fixed part is taken away before something is mated
+// with it, or moved aside, so that the peg stops at the rim. Or, in words, why nothing surely does.
 std::variant<Mishap, std::string> MishapFor(const PlannedWorlds& planned, int world,
                                             const StepError& error, RandomStream& random);
 

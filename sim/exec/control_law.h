@@ -37,9 +37,9 @@ struct ControlLaw {
   double slack = 1e-4;                 // that a contact may be farther away than errors explain, m
   int attempts = 3;                    // at all of the strategy, from error states
 
-  // Newtons at the wrist, however short: an impact at the speed of free motions, and what is pressed
-  // on besides. From the first error state on nothing is faster; before, only what slides is, where
-  // the strategy is certain that nothing else is met.
+  // Newtons at the wrist, however short: an impact at the speed of free motions, and what is
+  // pressed on besides. From the first error state on nothing is faster; before, only what slides
+  // is, where the strategy is certain that nothing else is met.
   double GreatestForce() const { return pushing_force + impact * free_speed; }
 };
 

@@ -11,9 +11,9 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel&,
   const Pose lowest = geometry::Translation(0, 0, -travel) * placed;
   const Pose& retreated = route.left();
   return {.approach = {MoveAtSafeHeight{AtSafeHeight(workcell, placed)}},
-          .advance = {MoveStraight{
-              lowest, LandingPace(travel + plan::DoubtOfContact(certificate, travel)),
-              Guard{kResistance}}},
+          .advance = {MoveStraight{lowest,
+                                   LandingPace(travel + plan::DoubtOfContact(certificate, travel)),
+                                   Guard{kResistance}}},
           .depart = {OpenGripper{OpenGripper::Release{putdown.part, putdown.to.X_WorldPart}},
                      MoveStraight{retreated, kFingersPace},
                      MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}},

@@ -32,8 +32,7 @@ TEST(Shortening, StaysFreeKeepsTheEndsAndGetsQuicker) {
     for (std::size_t k = 0; k + 1 < shortened.size(); ++k) {
       EXPECT_FALSE(check.FindObstruction(shortened[k], shortened[k + 1]));
     }
-    EXPECT_LT(AlongPath(shortened, rates).duration(),
-              AlongPath(path, rates).duration());
+    EXPECT_LT(AlongPath(shortened, rates).duration(), AlongPath(path, rates).duration());
   }
 }
 
