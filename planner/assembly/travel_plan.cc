@@ -155,7 +155,7 @@ class TravelSearch {
     std::string why = "no configuration of the arm comes there and goes on straight";
     int tried = 0;
     for (const JointVector& end : motion::PosturesAt(workcell_, route_.poised, from_)) {
-      if (!motion::CanFollow(workcell_, end, Corners(Up::kNo), kLineStep)) continue;
+      if (!motion::FollowLines(workcell_, end, Corners(Up::kNo), kLineStep)) continue;
       const auto after = AfterWork(end);
       if (!after) {
         why = in_the_way_;

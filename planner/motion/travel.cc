@@ -145,18 +145,6 @@ std::string Where(const Vector3& p) {
   return fmt::format("({:.1f}, {:.1f}, {:.1f}) mm", 1e3 * p.x(), 1e3 * p.y(), 1e3 * p.z());
 }
 
-// The straight lines from q on, corner to corner; none if the arm cannot follow them.
-std::optional<JointPath> Lines(const domain::Workcell& workcell, const JointVector& q,
-                               const std::vector<Vector3>& corners, double step) {
-  JointPath path = {q};
-  for (const Vector3& corner : corners) {
-    const LineResult line = FollowLine(workcell, path.back(), corner, step);
-    if (!line.path) return std::nullopt;
-    path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
-  }
-  return path;
-}
-
 class TravelSearch {
  public:
   TravelSearch(const domain::Problem& problem, const Surroundings& surroundings,
@@ -170,7 +158,7 @@ class TravelSearch {
   TravelResult Plan() {
     std::vector<JointVector> destinations;  // from which the lines can be followed
     for (const JointVector& q : PosturesAt(workcell_, request_.X_WorldTool, request_.from)) {
-      const auto lines = Lines(workcell_, q, request_.corners, request_.line_step);
+      const auto lines = FollowLines(workcell_, q, request_.corners, request_.line_step);
       if (!lines || (arm_ && !arm_->IsClearOnLines(*lines))) continue;
       if (IsFree({request_.from, q})) return JointPath{request_.from, q};
       destinations.push_back(q);
@@ -231,9 +219,15 @@ std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose
   return found;
 }
 
-bool CanFollow(const domain::Workcell& workcell, const JointVector& q,
-               const std::vector<Vector3>& corners, double step) {
-  return Lines(workcell, q, corners, step).has_value();
+std::optional<JointPath> FollowLines(const domain::Workcell& workcell, const JointVector& q,
+                                     const std::vector<Vector3>& corners, double step) {
+  JointPath path = {q};
+  for (const Vector3& corner : corners) {
+    const LineResult line = FollowLine(workcell, path.back(), corner, step);
+    if (!line.path) return std::nullopt;
+    path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
+  }
+  return path;
 }
 
 TravelResult PlanTravel(const domain::Problem& problem, const Surroundings& surroundings,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -38,8 +39,9 @@ inline constexpr double kTravelGap = 0.01;  // metres
 // Joint values that bring the tool to a pose, the nearest in time to `from` first.
 std::vector<JointVector> PosturesAt(const domain::Workcell& workcell, const Pose& X_WorldTool,
                                     const JointVector& from);
-// Whether the arm can go on from q along all lines, each from the end of the one before.
-bool CanFollow(const domain::Workcell& workcell, const JointVector& q,
-               const std::vector<Vector3>& corners, double step);
+// The way of the arm from q on along all lines, each from the end of the one before (FollowLine);
+// none if it cannot follow.
+std::optional<JointPath> FollowLines(const domain::Workcell& workcell, const JointVector& q,
+                                     const std::vector<Vector3>& corners, double step);
 
 }  // namespace assay::motion

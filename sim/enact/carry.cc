@@ -3,27 +3,33 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
+#include <variant>
 
 #include "planner/domain/resting.h"
 #include "planner/motion/joint_trajectory.h"
 #include "planner/motion/path_search.h"
+#include "planner/motion/straight_line.h"
 #include "sim/enact/skill.h"
 #include "sim/exec/action_commands.h"
-#include "sim/exec/straight_line.h"
+#include "sim/exec/travel.h"
 
 namespace assay::enact {
 namespace {
 
-using exec::JointVector;
 using exec::Pose;
 using geometry::Vector2;
 using geometry::Vector3;
+using kinematics::JointVector;
 
 constexpr double kPitch = 0.05;       // metres between places that are tried
 constexpr int kYaws = 8;              // turns that are tried at each place
 constexpr double kHandRoom = 0.06;    // metres between parts, for fingers that let go
 constexpr double kClearance = 0.015;  // metres: parts are where they are believed up to some errors
+constexpr double kLook = 0.02;        // metres of the tool's way between looks at lines
+constexpr int kMostSearches = 20;     // in vain, the whole budget of each
+constexpr std::int64_t kBudget = 20'000;
 constexpr domain::Range kTilts = {std::numbers::pi / 1800, std::numbers::pi / 2};
 
 // Places on a table, nearest to its middle first.
@@ -44,24 +50,153 @@ std::vector<Vector2> PlacesOn(const domain::Table& table) {
   return places;
 }
 
-// The joint values of the tool at safe height over a place from which the part can be put down
-// straight, and the hand go up again; those in the configuration of `from` first, and nearest.
-std::vector<JointVector> PosturesAbove(const domain::Workcell& workcell, const Pose& X_WorldTool,
-                                       const JointVector& from) {
-  std::vector<JointVector> postures;
-  const Pose above = exec::AtSafeHeight(workcell, X_WorldTool);
-  for (const auto& s : workcell.arm().Inverse(workcell.FlangeFor(above), from)) {
-    for (const JointVector& q : workcell.arm().Representatives(s.q)) {
-      if (exec::FollowLine(workcell, q, X_WorldTool.translation()).path) postures.push_back(q);
+// Looks for a free place on the table over which the held part can be carried, and for the way.
+class WaySearch {
+ public:
+  WaySearch(const domain::Table& table, std::optional<double> tilt, const Situation& situation)
+      : table_(table),
+        situation_(situation),
+        execution_(situation.execution()),
+        workcell_(*situation.problem().workcell),
+        world_(execution_.world()),
+        scene_(situation.problem(), execution_.BelievedSurroundings()),
+        rules_(RulesFor(tilt)),
+        arm_on_lines_(scene_, {.clearance = motion::kTravelGap, .bodies = Bodies::kArm}),
+        robots_on_lines_(scene_, {.clearance = motion::kTravelGap, .bodies = Bodies::kRobots}) {}
+
+  // The way, or why there is none; of what was tried first, if it is not for one reason.
+  std::variant<motion::JointPath, std::string> Find() {
+    const JointVector& from = execution_.commanded();
+    if (const auto now = motion::MotionCheck(scene_, rules_).FindObstruction(from, from)) {
+      return "at the start, " + Describe(scene_, rules_, *now);
     }
+    const std::vector<Pose> places = FreePlaces();
+    for (const Pose& X_WorldPart : places) {
+      const std::vector<Vector3> corners = CornersOfPuttingDown(X_WorldPart);
+      for (const JointVector& q : PosturesAbove(X_WorldPart, corners)) {
+        if (searches_in_vain_ == kMostSearches) return why_;
+        if (!IsFreeBelow(q, corners)) continue;
+        if (auto path = WayTo(q)) return *std::move(path);
+      }
+    }
+    if (!why_.empty()) return why_;
+    return places.empty() ? "none is free" : "the arm cannot put it down on any";
   }
-  const auto indicators = workcell.arm().IndicatorsOf(from);
-  std::ranges::stable_sort(postures, {}, [&](const JointVector& q) {
-    return std::pair(workcell.arm().IndicatorsOf(q) != indicators,
-                     (q - from).cwiseAbs().maxCoeff());
-  });
-  return postures;
-}
+
+ private:
+  using Bodies = motion::MotionRules::Bodies;
+
+  // What points up in the hand is to point up all the way.
+  motion::MotionRules RulesFor(std::optional<double> tilt) const {
+    motion::MotionRules rules{.clearance = kClearance};
+    if (!tilt) return rules;
+    const Pose X_WorldTool = X_WorldHeld() * world_.hold().X_PartTool;
+    rules.upright = {.up_Tool = X_WorldTool.linear().transpose() * Vector3::UnitZ(), .tilt = *tilt};
+    return rules;
+  }
+
+  Pose X_WorldHeld() const { return world_.PartPose(world_.held(), execution_.BelievedTool()); }
+
+  // As it is held, turned about the vertical and over the place, on the table.
+  std::vector<Pose> FreePlaces() const {
+    const domain::Part& part = situation_.problem().part(world_.held());
+    const std::vector<domain::PlacedPart> standing = situation_.Standing(world_.held());
+    double lowest = 1e9;
+    for (const Vector3& vertex : part.model->hull().vertices) {
+      lowest = std::min(lowest, (X_WorldHeld().linear() * vertex).z());
+    }
+    std::vector<Pose> free;
+    for (const Vector2& place : PlacesOn(table_)) {
+      for (int i = 0; i < kYaws; ++i) {
+        Pose X_WorldPart = geometry::RotationZ(2 * std::numbers::pi * i / kYaws) * X_WorldHeld();
+        X_WorldPart.translation() = Vector3(place.x(), place.y(), -lowest);
+        if (IsFree(part, X_WorldPart, standing)) free.push_back(X_WorldPart);
+      }
+    }
+    return free;
+  }
+
+  bool IsFree(const domain::Part& part, const Pose& X_WorldPart,
+              const std::vector<domain::PlacedPart>& standing) const {
+    if (!domain::IsOver(table_, part, X_WorldPart)) return false;
+    const geometry::Polygon footprint = domain::Footprint(part, X_WorldPart);
+    return std::ranges::all_of(standing, [&](const domain::PlacedPart& other) {
+      const domain::Part& neighbour = situation_.problem().part(other.part);
+      return geometry::Gap(footprint, domain::Footprint(neighbour, other.X_WorldPart)) > kHandRoom;
+    });
+  }
+
+  // Of the straight lines that follow when it is put down there: down, and up without it.
+  std::vector<Vector3> CornersOfPuttingDown(const Pose& X_WorldPart) const {
+    const plan::Putdown putdown{world_.held(), world_.hold(), {"free", X_WorldPart}};
+    const std::vector<exec::Command> commands =
+        exec::CommandsFor(situation_.problem(), world_, putdown).InOrder();
+    return exec::RequestFor(std::get<exec::MoveAtSafeHeight>(commands.front()),
+                            std::span(commands).subspan(1), execution_)
+        .corners;
+  }
+
+  // The joint values of the tool at safe height over a place from which the arm can follow the
+  // lines; those in the configuration in which it is now first, and nearest.
+  std::vector<JointVector> PosturesAbove(const Pose& X_WorldPart,
+                                         const std::vector<Vector3>& corners) const {
+    const JointVector& from = execution_.commanded();
+    const Pose X_WorldTool = execution_.Erring(X_WorldPart * world_.hold().X_PartTool);
+    std::vector<JointVector> postures =
+        motion::PosturesAt(workcell_, exec::AtSafeHeight(workcell_, X_WorldTool), from);
+    std::erase_if(postures, [&](const JointVector& q) {
+      return !motion::FollowLines(workcell_, q, corners, motion::kLineStep);
+    });
+    const auto indicators = workcell_.arm().IndicatorsOf(from);
+    std::ranges::stable_sort(postures, {}, [&](const JointVector& q) {
+      return std::pair(workcell_.arm().IndicatorsOf(q) != indicators,
+                       (q - from).cwiseAbs().maxCoeff());
+    });
+    return postures;
+  }
+
+  // The same as travels ask on their lines (motion::PlanTravel), so that putting down need not look
+  // for another posture.
+  bool IsFreeBelow(const JointVector& q, const std::vector<Vector3>& corners) {
+    const auto lines = motion::FollowLines(workcell_, q, corners, kLook);
+    if (!lines) return false;
+    for (motion::MotionCheck* check : {&arm_on_lines_, &robots_on_lines_}) {
+      for (std::size_t i = 0; i + 1 < lines->size(); ++i) {
+        const auto obstruction = check->FindObstruction((*lines)[i], (*lines)[i + 1]);
+        if (!obstruction) continue;
+        Note("on the way down, " + Describe(scene_, check->rules(), *obstruction));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  std::optional<motion::JointPath> WayTo(const JointVector& q) {
+    motion::PathResult way = motion::FindPath(
+        scene_, {.from = execution_.commanded(), .to = q, .rules = rules_, .budget = kBudget});
+    if (auto* path = std::get_if<motion::JointPath>(&way)) return std::move(*path);
+    const auto& failure = std::get<motion::PathFailure>(way);
+    if (failure.reason == motion::PathFailure::Reason::kBudget) ++searches_in_vain_;
+    Note(failure.what);
+    return std::nullopt;
+  }
+
+  void Note(std::string why) {
+    if (why_.empty()) why_ = std::move(why);
+  }
+
+  const domain::Table& table_;
+  const Situation& situation_;
+  const exec::Execution& execution_;
+  const domain::Workcell& workcell_;
+  const exec::WorldModel& world_;
+  const motion::CollisionScene scene_;
+  const motion::MotionRules rules_;
+  motion::MotionCheck arm_on_lines_;  // what the hand carries comes near to the table there
+  motion::MotionCheck robots_on_lines_;
+  int searches_in_vain_ = 0;
+  std::string why_;  // of the first place and posture that would not do
+};
 
 class Carry : public Skill {
  public:
@@ -73,86 +208,23 @@ class Carry : public Skill {
   }
 
   exec::Progress Do(const Roles& roles, Situation& situation) const override {
-    const exec::WorldModel& world = situation.execution().world();
+    exec::Execution& execution = situation.execution();
     const std::string& name = situation.problem().part(roles.part).name;
-    if (world.held() != roles.part) {
+    if (execution.world().held() != roles.part) {
       return exec::Failure{exec::ExecutionOutcome::kUnreachable, name + " is not in the hand"};
     }
     const domain::Table& table = to_ != nullptr ? *to_ : *roles.table;
-    const std::optional<motion::JointPath> path = FindWay(table, situation);
-    if (!path) {
-      return exec::Failure{exec::ExecutionOutcome::kUnreachable,
-                           fmt::format("no way to a free place on {} for {}", table.name, name)};
+    const auto way = WaySearch(table, tilt_, situation).Find();
+    if (const auto* why = std::get_if<std::string>(&way)) {
+      return exec::Failure{
+          exec::ExecutionOutcome::kUnreachable,
+          fmt::format("no way to a free place on {} for {}: {}", table.name, name, *why)};
     }
-    return Follow(*path, situation.execution());
+    const motion::JointRates rates = motion::RatesOf(*execution.problem().workcell);
+    return execution.Follow(motion::AlongPath(std::get<motion::JointPath>(way), rates), 0);
   }
 
  private:
-  std::optional<motion::JointPath> FindWay(const domain::Table& table, Situation& situation) const {
-    const domain::Problem& problem = situation.problem();
-    exec::Execution& execution = situation.execution();
-    const PartId part = execution.world().held();
-    const plan::Hold& hold = execution.world().hold();
-    const Pose X_WorldHeld = execution.world().PartPose(part, execution.BelievedTool());
-    const std::vector<domain::PlacedPart> standing = situation.Standing(part);
-    const motion::CollisionScene scene(problem, execution.BelievedSurroundings());
-    const motion::MotionRules rules = RulesFor(X_WorldHeld, hold);
-    for (const Pose& X_WorldPart : FreePlaces(table, problem, part, X_WorldHeld, standing)) {
-      const Pose X_WorldTool = execution.Erring(X_WorldPart * hold.X_PartTool);
-      for (const JointVector& q :
-           PosturesAbove(*problem.workcell, X_WorldTool, execution.commanded())) {
-        motion::PathResult way = motion::FindPath(
-            scene, {.from = execution.commanded(), .to = q, .rules = rules, .budget = 20'000});
-        if (auto* path = std::get_if<motion::JointPath>(&way)) return std::move(*path);
-      }
-    }
-    return std::nullopt;
-  }
-
-  // What points up in the hand is to point up all the way.
-  motion::MotionRules RulesFor(const Pose& X_WorldHeld, const plan::Hold& hold) const {
-    motion::MotionRules rules{.clearance = kClearance};
-    if (!tilt_) return rules;
-    const Pose X_WorldTool = X_WorldHeld * hold.X_PartTool;
-    rules.upright = {.up_Tool = X_WorldTool.linear().transpose() * Vector3::UnitZ(),
-                     .tilt = *tilt_};
-    return rules;
-  }
-
-  // As it is held, turned about the vertical and over the place, on the table.
-  static std::vector<Pose> FreePlaces(const domain::Table& table, const domain::Problem& problem,
-                                      PartId id, const Pose& X_WorldHeld,
-                                      const std::vector<domain::PlacedPart>& standing) {
-    const domain::Part& part = problem.part(id);
-    const auto is_free = [&](const Pose& X_WorldPart) {
-      if (!domain::IsOver(table, part, X_WorldPart)) return false;
-      const geometry::Polygon footprint = domain::Footprint(part, X_WorldPart);
-      return std::ranges::all_of(standing, [&](const domain::PlacedPart& other) {
-        const domain::Part& neighbour = problem.part(other.part);
-        return geometry::Gap(footprint, domain::Footprint(neighbour, other.X_WorldPart)) >
-               kHandRoom;
-      });
-    };
-    double lowest = 1e9;
-    for (const Vector3& vertex : part.model->hull().vertices) {
-      lowest = std::min(lowest, (X_WorldHeld.linear() * vertex).z());
-    }
-    std::vector<Pose> free;
-    for (const Vector2& place : PlacesOn(table)) {
-      for (int i = 0; i < kYaws; ++i) {
-        Pose X_WorldPart = geometry::RotationZ(2 * std::numbers::pi * i / kYaws) * X_WorldHeld;
-        X_WorldPart.translation() = Vector3(place.x(), place.y(), -lowest);
-        if (is_free(X_WorldPart)) free.push_back(X_WorldPart);
-      }
-    }
-    return free;
-  }
-
-  static exec::Progress Follow(const motion::JointPath& path, exec::Execution& execution) {
-    const motion::JointRates rates = motion::RatesOf(*execution.problem().workcell);
-    return execution.Follow(motion::AlongPath(path, rates), 0);
-  }
-
   const domain::Table* to_;     // null: the action's
   std::optional<double> tilt_;  // greatest on the way, radians; none: any
 };
@@ -162,8 +234,8 @@ class Carry : public Skill {
 const SkillWord kCarry = {
     .name = "carry",
     .summary =
-        "goes with the held part over a free place of the table `to`, or of the arguments; "
-        "never tilted by more than `upright`",
+        "goes with the held part over a free place of the table `to`, or of the arguments, where "
+        "it can be put down; never tilted by more than `upright`",
     .read = [](const Value& map, const SkillContext& context) -> std::unique_ptr<const Skill> {
       map.AllowOnly({"skill", "to", "upright"});
       const auto to = map.Find("to");
