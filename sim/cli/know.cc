@@ -148,8 +148,8 @@ std::string JsonText(const Answer& answer) {
 std::string CheckText(const TreeCheck& check) {
   if (!check.holds) return fmt::format("check: FAILS: {}\n", check.failure);
   return fmt::format(
-      "check: holds in {} of the worlds that the initial knowledge allows ({}){}\n",
-      check.are_all_worlds ? "all" : "a sample", check.worlds,
+      "check: holds in {} of the worlds that the initial knowledge allows, as {} {}{}\n",
+      check.are_all_worlds ? "all" : "a sample", check.worlds, check.worlds == 1 ? "case" : "cases",
       check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
 }
 

@@ -26,6 +26,24 @@ TEST(Know, ThePapersTree) {
                                     "  transferUpright(can1)\n  ungrasp(can1)\n"));
   EXPECT_THAT(ended.out, HasSubstr("depth 8, 4 leaves, 3 branch points, 10 actions in 13 nodes"));
   EXPECT_THAT(ended.out, HasSubstr("check: holds in all of the worlds"));
+  EXPECT_THAT(ended.out, HasSubstr(", as 4 cases\n"));
+}
+
+// Whether it rains is open as well, and nobody asks it.
+TEST(Know, CasesAreToldApartByWhatMatters) {
+  const Folder folder;
+  const std::string domain =
+      folder.Write("domain.pks",
+                   "domain door\npredicates: open, rains, isReady\n"
+                   "action look\n  preconds: true\n  effects: add(Kw, open)\n"
+                   "action wait\n  preconds: K(rains)\n  effects: add(Kf, isReady)\n");
+  const auto said = [&](const std::string& init, const std::string& goal) {
+    const std::string problem = folder.Write(
+        "problem.pks", "problem door\ndomain door\ninit: " + init + "\ngoal: " + goal + "\n");
+    return Assay({"know", domain, problem, "--check"}).out;
+  };
+  EXPECT_THAT(said("add(Kf, !isReady)", "K(open) | K(!open)"), HasSubstr(", as 2 cases\n"));
+  EXPECT_THAT(said("add(Kf, open)", "K(open)"), HasSubstr(", as 1 case\n"));
 }
 
 TEST(Know, JsonIsBySchema) {
