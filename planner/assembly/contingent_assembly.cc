@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/assembly/certified_plan.h"
+#include "planner/assembly/open_poses.h"
 #include "planner/assembly/plan_check.h"
 #include "planner/base/check.h"
 #include "planner/contingent/contingent_planner.h"
@@ -110,9 +111,24 @@ class WorldPlanner {
     assembly_.outcome = contingent.outcome;
     assembly_.tree = std::move(contingent.tree);
     if (contingent.outcome != Outcome::kNone) return;
-    for (const domain::OpenPose& open : worlds_.front().open_poses) {
+    for (const domain::OpenPose& open : worlds_.front().open_poses) AddConflict(open);
+  }
+
+  void AddConflict(const domain::OpenPose& open) {
+    const domain::Problem& first = worlds_.front();
+    const std::string& part = first.part(open.part).name;
+    bool is_told = false;
+    for (const std::string& sensor : first.sensors) {
+      const auto alike = FindAlike(worlds_, open.part, sensor);
+      is_told |= !alike;
+      if (!alike) continue;
       assembly_.conflict.push_back(
-          fmt::format("no sensor tells which pose {} has", worlds_.front().part(open.part).name));
+          fmt::format("{} cannot tell {} {} from {}: they look alike, as far as their errors and "
+                      "its promise go",
+                      sensor, part, alike->first, alike->second));
+    }
+    if (!is_told) {
+      assembly_.conflict.push_back(fmt::format("no sensor tells which pose {} has", part));
     }
   }
 

@@ -9,6 +9,7 @@
 #include <ranges>
 #include <set>
 
+#include "planner/assembly/open_poses.h"
 #include "planner/base/check.h"
 #include "planner/contingent/grounding.h"
 #include "planner/contingent/pks_file.h"
@@ -123,10 +124,10 @@ class KnowledgeText {
   }
 
   std::map<std::string, KnowledgeAction> Actions() { return std::move(actions_); }
-  std::map<std::string, std::string> Errors() { return std::move(errors_); }
+  std::map<std::string, std::string> Names() { return std::move(names_); }
 
  private:
-  // Sensors and errors may have any names; constants and actions may not.
+  // Sensors, errors, parts and poses may have any names; constants and actions may not.
   void AddAction(const std::string& name, KnowledgeAction action, const std::string& precondition,
                  const std::string& effects) {
     const std::string spelled = contingent::Unique(contingent::Spelled(name), action_names_);
@@ -135,23 +136,22 @@ class KnowledgeText {
     actions_.emplace(spelled, std::move(action));
   }
 
-  const std::string& ConstantOf(const std::string& error) {
-    const auto known =
-        std::ranges::find_if(errors_, [&](const auto& named) { return named.second == error; });
-    if (known != errors_.end()) return known->first;
-    const std::string constant = contingent::Unique(contingent::Spelled(error), constant_names_);
-    return errors_.emplace(constant, error).first->first;
+  const std::string& ConstantOf(const std::string& type, const std::string& name) {
+    const auto [known, is_new] = spelled_.try_emplace({type, name});
+    if (is_new) {
+      known->second = contingent::Unique(contingent::Spelled(name), constant_names_);
+      constants_[type].insert(known->second);
+      names_.emplace(known->second, name);
+    }
+    return known->second;
   }
+  const std::string& ConstantOf(const domain::Part& part) { return ConstantOf("part", part.name); }
 
-  // All that a constant of another kind is, and that none can be.
+  // What none of these constants can be.
   void TakeNames() {
     constant_names_.insert(contingent::kPksSections.begin(), contingent::kPksSections.end());
     constant_names_.insert("pose");
     constant_names_.insert(std::begin(kErrorFunctions), std::end(kErrorFunctions));
-    for (const domain::OpenPose& open : first_.open_poses) {
-      constant_names_.insert(first_.part(open.part).name);
-      constant_names_.insert(open.names.begin(), open.names.end());
-    }
     for (std::size_t p = 0; p < plans_.size(); ++p) {
       for (const plan::StepId id : plans_[p].plan.ExecutionOrder()) {
         constant_names_.insert(StepName(static_cast<int>(p), id));
@@ -164,32 +164,32 @@ class KnowledgeText {
   }
 
   void AddLooks(const domain::OpenPose& open) {
-    const domain::Part& part = first_.part(open.part);
-    constants_["part"].insert(part.name);
-    constants_["pose"].insert(open.names.begin(), open.names.end());
+    const std::string& part = ConstantOf(first_.part(open.part));
     std::vector<std::string> alternatives;
     for (const std::string& name : open.names) {
-      alternatives.push_back(fmt::format("pose({}) = {}", part.name, name));
+      alternatives.push_back(fmt::format("pose({}) = {}", part, ConstantOf("pose", name)));
     }
     init_.push_back(fmt::format("add(Kx, {})", fmt::join(alternatives, " | ")));
-    init_.push_back(fmt::format("add(Kf, !moved({}))", part.name));
-    const auto errors = Coordinates(part.error);
+    init_.push_back(fmt::format("add(Kf, !moved({}))", part));
+    const auto errors = Coordinates(first_.part(open.part).error);
     for (std::size_t i = 0; i < errors.size(); ++i) {
       init_.push_back(
-          fmt::format("add(Kf, {}({}) = {})", kErrorFunctions[i], part.name, Text(errors[i])));
+          fmt::format("add(Kf, {}({}) = {})", kErrorFunctions[i], part, Text(errors[i])));
     }
-    for (const std::string& sensor : first_.sensors) AddLook(part.name, open.part, sensor);
+    for (const std::string& sensor : first_.sensors) AddLook(part, open.part, sensor);
   }
 
-  // As long as the part is where it was.
+  // As long as the part is where it was. Which pose it has is told if no two look alike.
   void AddLook(const std::string& part, PartId id, const std::string& sensor) {
-    std::string effects = fmt::format("add(Kv, pose({}))", part);
+    std::vector<std::string> effects;
+    if (!FindAlike(worlds_, id, sensor)) effects.push_back(fmt::format("add(Kv, pose({}))", part));
     for (const auto& [function, half_width] : PromisesOf(sensor)) {
-      effects += fmt::format(", add(Kv, {}({}) within {})", function, part, half_width);
+      effects.push_back(fmt::format("add(Kv, {}({}) within {})", function, part, half_width));
     }
+    if (effects.empty()) return;
     AddAction(fmt::format("look-{}-{}", part, sensor),
               {.kind = Kind::kLook, .part = id, .sensor = sensor},
-              fmt::format("K(!moved({}))", part), effects);
+              fmt::format("K(!moved({}))", part), fmt::format("{}", fmt::join(effects, ", ")));
   }
 
   // What is known is known of the present: of a step that the next one has gone beyond, and of a
@@ -219,13 +219,13 @@ class KnowledgeText {
     goals_.push_back(ready);
   }
 
-  std::string LeftPose(const plan::PlannedStep& step) const {
+  std::string LeftPose(const plan::PlannedStep& step) {
     const auto* pickup = std::get_if<plan::Pickup>(&step.action);
     if (pickup == nullptr || !IsOpen(first_, pickup->part)) return {};
-    const std::string& part = first_.part(pickup->part).name;
+    const std::string& part = ConstantOf(first_.part(pickup->part));
     std::string effects = fmt::format(", add(Kf, moved({}))", part);
     for (const std::string& name : OpenPoseOf(first_, pickup->part).names) {
-      effects += fmt::format(", del(Kf, pose({}) = {})", part, name);
+      effects += fmt::format(", del(Kf, pose({}) = {})", part, ConstantOf("pose", name));
     }
     for (const char* function : kErrorFunctions) {
       effects += fmt::format(", del(Kf, {}({}) = 0)", function, part);
@@ -237,7 +237,7 @@ class KnowledgeText {
   // after another, the last known by elimination. A recovery leaves all of this as open as before.
   void AddVerification(const std::string& step, const KnowledgeAction& meaning,
                        const std::vector<std::string>& errors) {
-    for (const std::string& error : errors) constants_["error"].insert(ConstantOf(error));
+    for (const std::string& error : errors) ConstantOf("error", error);
     AddAction("verify-" + step, WithKind(Kind::kVerify, meaning), fmt::format("K(done({}))", step),
               fmt::format("add(Kw, wentWell({}))", step));
     std::string so_far = fmt::format("K(!wentWell({}))", step);
@@ -246,9 +246,9 @@ class KnowledgeText {
       if (error != errors.back()) {
         AddAction(fmt::format("diagnose-{}-{}", step, error),
                   WithKind(Kind::kDiagnose, meaning, error), so_far,
-                  fmt::format("add(Kw, signals({}, {}))", step, ConstantOf(error)));
-        signalled += fmt::format(" & K(signals({}, {}))", step, ConstantOf(error));
-        so_far += fmt::format(" & K(!signals({}, {}))", step, ConstantOf(error));
+                  fmt::format("add(Kw, signals({}, {}))", step, ConstantOf("error", error)));
+        signalled += fmt::format(" & K(signals({}, {}))", step, ConstantOf("error", error));
+        so_far += fmt::format(" & K(!signals({}, {}))", step, ConstantOf("error", error));
       }
       AddRecovery(step, meaning, error, signalled, ForgetOutcome(step, errors));
     }
@@ -273,14 +273,14 @@ class KnowledgeText {
     std::string effects = fmt::format("del(Kf, wentWell({}))", step);
     for (const std::string& error : errors) {
       if (error == errors.back()) break;
-      effects += fmt::format(", del(Kf, signals({}, {}))", step, ConstantOf(error));
+      effects += fmt::format(", del(Kf, signals({}, {}))", step, ConstantOf("error", error));
     }
     return effects;
   }
 
   // What must be known before a plan: in which of its worlds one is, as far as it matters, and what
   // its certificates take for granted of the parts that it looks at first.
-  std::vector<std::string> Requirements(int index) const {
+  std::vector<std::string> Requirements(int index) {
     std::vector<std::string> requirements;
     const std::vector<domain::OpenPose> matter = PosesThatMatter(worlds_, plans_[index].worlds);
     std::set<std::string> cases;
@@ -288,8 +288,8 @@ class KnowledgeText {
       std::vector<std::string> facts;
       for (const domain::OpenPose& open : matter) {
         const domain::OpenPose& here = OpenPoseOf(worlds_[world], open.part);
-        facts.push_back(
-            fmt::format("K(pose({}) = {})", first_.part(open.part).name, open.names[here.chosen]));
+        facts.push_back(fmt::format("K(pose({}) = {})", ConstantOf(first_.part(open.part)),
+                                    ConstantOf("pose", open.names[here.chosen])));
       }
       cases.insert(Both(facts));
     }
@@ -301,10 +301,10 @@ class KnowledgeText {
     return requirements;
   }
 
-  void AddPrecision(const plan::Sense& look, std::vector<std::string>& requirements) const {
+  void AddPrecision(const plan::Sense& look, std::vector<std::string>& requirements) {
     for (const auto& [function, half_width] : PromisesOf(look.sensor)) {
-      requirements.push_back(
-          fmt::format("Kv({}({}) within {})", function, first_.part(look.part).name, half_width));
+      requirements.push_back(fmt::format("Kv({}({}) within {})", function,
+                                         ConstantOf(first_.part(look.part)), half_width));
     }
   }
 
@@ -338,8 +338,9 @@ class KnowledgeText {
   std::vector<std::string> init_;
   std::vector<std::string> goals_;
   std::map<std::string, KnowledgeAction> actions_;
-  std::map<std::string, std::string> errors_;  // by their constants
-  std::set<std::string> constant_names_;       // that are taken
+  std::map<std::pair<std::string, std::string>, std::string> spelled_;  // by type and name
+  std::map<std::string, std::string> names_;                            // by constant
+  std::set<std::string> constant_names_;                                // that are taken
   std::set<std::string> action_names_;
 };
 
@@ -366,7 +367,7 @@ PlanKnowledge KnowledgeOf(const std::vector<domain::Problem>& worlds,
       contingent::ReadPksDomain(knowledge.domain, name + "-domain.pks"),
       contingent::ReadPksProblem(knowledge.problem, name + "-problem.pks"), externs);
   knowledge.actions = text.Actions();
-  knowledge.errors = text.Errors();
+  knowledge.names = text.Names();
   return knowledge;
 }
 

@@ -39,8 +39,9 @@ struct KnowledgeAction {
 // Plans seen as knowledge: a contingent planning problem (planner/contingent) in which looks tell
 // the worlds apart, verifications tell whether a step went well, and recoveries lead back to a
 // verification. Spar's augmented plan instance becomes one tree. For each part whose pose is open:
-//   pose(part)                 Kx over its poses; a look makes it Kv
-//   dx, dy, theta (part)       numeric: the intervals of the part's error variables of SUP/INF; a
+//   pose(part)                 Kx over its poses; a look makes it Kv, if the sensor tells them
+//   apart dx, dy, theta (part)       numeric: the intervals of the part's error variables of
+//   SUP/INF; a
 //                              look narrows them to what the sensor promises, and plans that were
 //                              certified with that require it
 //   moved(part)                it was picked up: neither is known any more, nor told by a look
@@ -51,8 +52,9 @@ struct PlanKnowledge {
   std::string problem;  // .pks
   contingent::GroundTask task;
   std::map<std::string, KnowledgeAction> actions;  // by the names of the task's
-  // The workcell's names of errors, which may be any text, by those of the task's constants.
-  std::map<std::string, std::string> errors;
+  // What errors, parts and poses are named in the workcell and the scenario, which may be any text,
+  // by the task's constants.
+  std::map<std::string, std::string> names;
 };
 
 // The open poses on which it depends whether a plan for these worlds works: of the others, every

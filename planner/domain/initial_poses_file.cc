@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <utility>
 
 #include "planner/domain/mating_file.h"
@@ -36,16 +35,12 @@ class InitialPosesFile {
   void ReadInitialMating(const Value& value);
   void PlaceAssembledParts();
   Value ChosenPose(const Value& pose, PartId part);
-  void RequireConstant(const Value& place, const std::string& name, std::string_view what) const;
   void ReadPose(const Value& pose, Part& part) const;
   Pose ReadStanding(const Value& pose, StablePoseId resting, const Part& part) const;
   void CheckOnTable(const Value& pose, PartId id) const;
   void CheckAboveTable(const Value& place, const Part& part) const;
   void CheckApart() const;
 
-  bool IsPart(const std::string& name) const {
-    return std::ranges::count(problem_.parts, name, &Part::name) > 0;
-  }
   double InFileUnits(double metres) const { return metres / units_.length; }
 
   const Units& units_;
@@ -125,41 +120,14 @@ Value InitialPosesFile::ChosenPose(const Value& pose, PartId part) {
   if (!one_of) return pose;
   pose.AllowOnly({"one-of"});
   OpenPose open{.part = part, .names = {}};
-  RequireConstant(pose, problem_.part(part).name, "a part with an open pose");
   for (const auto& [name, unused] : one_of->Entries()) {
     open.names.push_back(ReadName(name, "a pose"));
-    if (IsPart(open.names.back())) {
-      name.Fail(fmt::format("'{}' is the name of a part", open.names.back()), "other names");
-    }
-    RequireConstant(name, open.names.back(), "an open pose");
   }
   if (open.names.size() < 2) one_of->Fail("one pose", "two or more, each with its name");
   const auto chosen = chosen_.find(problem_.part(part).name);
   if (chosen != chosen_.end()) open.chosen = chosen->second;
   problem_.open_poses.push_back(open);
   return one_of->Entries()[open.chosen].second;
-}
-
-// Plan trees have open poses and their parts as constants (planner/assembly/plan_knowledge.h),
-// beside the workcell's errors and functions of their own; their files have sections.
-void InitialPosesFile::RequireConstant(const Value& place, const std::string& name,
-                                       std::string_view what) const {
-  const bool is_word = std::isalpha(static_cast<unsigned char>(name.front())) != 0 &&
-                       name.back() != '-' && name.find("--") == std::string::npos;
-  if (!is_word) {
-    place.Fail(fmt::format("'{}' cannot name {}", name, what),
-               "a letter, then letters, digits, _ and single - between them");
-  }
-  std::vector<std::string> taken = {"pose",       "dx",        "dy",       "theta",     "types",
-                                    "predicates", "functions", "externs",  "constants", "updates",
-                                    "objects",    "init",      "preconds", "effects",   "goal"};
-  for (const auto& verification : problem_.workcell->uncertainty_operations().verifications) {
-    taken.insert(taken.end(), {verification.below, verification.above});
-  }
-  if (std::ranges::count(taken, name) > 0) {
-    place.Fail(fmt::format("'{}' cannot name {}: it has a meaning in plan trees", name, what),
-               "other names");
-  }
 }
 
 void InitialPosesFile::ReadPose(const Value& pose, Part& part) const {

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
+#include "planner/assembly/open_poses.h"
 #include "planner/base/check.h"
 #include "planner/domain/resting.h"
+#include "sim/sense/displacement.h"
 
 namespace assay::enact {
 namespace {
@@ -30,16 +31,9 @@ bool IsMated(const Truth& truth, domain::MatingId id) {
                 truth.scene.TruePose(truth.data, mating.fixed) * mating.X_FixedHeld);
 }
 
-// The poses that a part may have, by name.
-std::vector<std::pair<std::string, exec::Pose>> PosesOf(const PlannedWorlds& planned, PartId part) {
-  std::vector<std::pair<std::string, exec::Pose>> poses;
-  for (const domain::Problem& world : planned.worlds) {
-    const auto open = std::ranges::find(world.open_poses, part, &domain::OpenPose::part);
-    const std::string& name = open->names[open->chosen];
-    if (std::ranges::count(poses, name, &std::pair<std::string, exec::Pose>::first) > 0) continue;
-    poses.emplace_back(name, world.part(part).X_WorldPart);
-  }
-  return poses;
+// Whether something may be measured that is in error by so much, by a sensor with this promise.
+bool IsWithin(double measured, const Interval& error, const Interval& promise) {
+  return error.low - promise.high <= measured && measured <= error.high - promise.low;
 }
 
 class PlanSkill : public Skill {
@@ -64,8 +58,9 @@ class PlanSkill : public Skill {
   KnowledgeAction action_;
 };
 
-// The camera looks for the part in each of its poses; where just one of them is found, that is it,
-// and the part is believed to be where it was seen.
+// The camera looks for the part in each of its poses; where just one of them is found, no farther
+// from there than its error and the sensor's allow, that is it, and the part is believed to be
+// where it was seen.
 class LookForPose : public PlanSkill {
  public:
   using PlanSkill::PlanSkill;
@@ -73,16 +68,26 @@ class LookForPose : public PlanSkill {
   Progress Do(const Roles&, Situation& situation) const override {
     if (Progress failure = situation.crew.GoHome()) return failure;
     exec::Execution& execution = situation.execution();
-    std::vector<std::pair<std::string, exec::Pose>> found;
-    for (const auto& [name, pose] : PosesOf(planned(), action().part)) {
-      const auto seen = situation.pose_sensor->Measure(execution.data(), action().part, pose);
-      if (seen) found.emplace_back(name, *seen);
+    std::vector<assembly::NamedPose> found;
+    for (const auto& [name, believed] : assembly::PosesOf(planned().worlds, action().part)) {
+      const auto seen = situation.pose_sensor->Measure(execution.data(), action().part, believed);
+      if (seen && IsPossible(believed, *seen)) found.push_back({name, *seen});
     }
     situation.readings.poses.erase(action().part);
     if (found.size() != 1) return std::nullopt;
-    situation.readings.poses[action().part] = found.front().first;
-    execution.world().Believe(action().part, found.front().second);
+    situation.readings.poses[action().part] = found.front().name;
+    execution.world().Believe(action().part, found.front().X_WorldPart);
     return std::nullopt;
+  }
+
+ private:
+  bool IsPossible(const exec::Pose& believed, const exec::Pose& seen) const {
+    const domain::Problem& first = planned().worlds.front();
+    const domain::PoseError& error = first.part(action().part).error;
+    const auto& sensor = *first.workcell->uncertainty_operations().FindSensor(action().sensor);
+    const sense::Displacement off = sense::Between(believed, seen);
+    return IsWithin(off[0], error.x, sensor.x) && IsWithin(off[1], error.y, sensor.y) &&
+           IsWithin(off[3], error.theta, sensor.theta);
   }
 };
 
@@ -162,27 +167,39 @@ class IsPosed : public Meaning {
   explicit IsPosed(Planned planned) : planned_(std::move(planned)) {}
 
   bool IsTrue(const Truth& truth, const Roles& roles) const override {
-    const exec::Pose X_WorldPart = truth.scene.TruePose(truth.data, roles.part);
-    const auto poses = PosesOf(*planned_, roles.part);
+    const PartId part = PartOf(roles);
+    const exec::Pose X_WorldPart = truth.scene.TruePose(truth.data, part);
+    const auto poses = assembly::PosesOf(planned_->worlds, part);
     const auto nearest = std::ranges::min_element(poses, {}, [&](const auto& named) {
-      return AngleBetween(named.second, X_WorldPart) +
-             (named.second.translation() - X_WorldPart.translation()).norm();
+      return AngleBetween(named.X_WorldPart, X_WorldPart) +
+             (named.X_WorldPart.translation() - X_WorldPart.translation()).norm();
     });
-    return nearest->first == roles.symbols.back();
+    return nearest->name == PoseOf(roles);
   }
   std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
-    const auto found = readings.poses.find(roles.part);
+    const auto found = readings.poses.find(PartOf(roles));
     if (found == readings.poses.end()) return std::nullopt;
-    return found->second == roles.symbols.back();
+    return found->second == PoseOf(roles);
   }
   std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
     const auto& open = planned_->worlds[world.world].open_poses;
-    const auto found = std::ranges::find(open, roles.part, &domain::OpenPose::part);
+    const auto found = std::ranges::find(open, PartOf(roles), &domain::OpenPose::part);
     if (found == open.end()) return std::nullopt;
-    return found->names[found->chosen] == roles.symbols.back();
+    return found->names[found->chosen] == PoseOf(roles);
   }
 
  private:
+  // As the scenario names them.
+  PartId PartOf(const Roles& roles) const {
+    const std::vector<domain::Part>& parts = planned_->worlds.front().parts;
+    const std::string& name = planned_->assembly.knowledge.names.at(roles.symbols.front());
+    const auto found = std::ranges::find(parts, name, &domain::Part::name);
+    return PartId(static_cast<std::size_t>(found - parts.begin()));
+  }
+  const std::string& PoseOf(const Roles& roles) const {
+    return planned_->assembly.knowledge.names.at(roles.symbols.back());
+  }
+
   Planned planned_;
 };
 
@@ -198,7 +215,7 @@ class OfStep : public Meaning {
   plan::StepId StepOf(const Roles& roles) const { return ActionOf(roles).step; }
   // As the workcell names it.
   const std::string& ErrorOf(const Roles& roles) const {
-    return planned_->assembly.knowledge.errors.at(roles.symbols.back());
+    return planned_->assembly.knowledge.names.at(roles.symbols.back());
   }
 
  private:

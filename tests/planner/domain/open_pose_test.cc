@@ -58,26 +58,6 @@ TEST(OpenPose, EveryWorldMustBeRight) {
   EXPECT_NE(ErrorOf(TextWith(kHere, "{one-of: {a: {stable: upright, at: [0.8, 0]}}}"))
                 .find("scenario.yaml:5:"),
             std::string::npos);
-  EXPECT_NE(ErrorOf(TextWith(kHere,
-                             "{one-of: {one: {stable: upright, at: [0.8, 0]}, "
-                             "b: {stable: upright, at: [0.8, 0.3]}}}"))
-                .find("'one' is the name of a part"),
-            std::string::npos);
-}
-
-// What names them in plan trees is refused in the scenario, and not in a file that nobody wrote.
-TEST(OpenPose, NamesAreThoseOfPlanTrees) {
-  for (const std::string name :
-       {"7", "2nd", "a--b", "on-", "dx", "theta", "error3", "types", "goal"}) {
-    EXPECT_THAT(ErrorOf(TextWith(kHere, "{one-of: {" + name +
-                                            ": {stable: upright, at: [0.8, 0]}, "
-                                            "b: {stable: upright, at: [0.8, 0.3]}}}")),
-                testing::HasSubstr("'" + name + "' cannot name an open pose"));
-    std::string text = TextWith(kHere, kOpen);
-    text.replace(text.find("two:"), 3, name);
-    EXPECT_THAT(ErrorOf(text),
-                testing::HasSubstr("'" + name + "' cannot name a part with an open pose"));
-  }
 }
 
 }  // namespace
