@@ -29,7 +29,7 @@ constexpr double kHandRoom = 0.06;    // metres between parts, for fingers that 
 constexpr double kClearance = 0.015;  // metres: parts are where they are believed up to some errors
 constexpr double kLook = 0.02;        // metres of the tool's way between looks at lines
 constexpr int kMostSearches = 20;     // in vain, the whole budget of each
-constexpr std::int64_t kBudget = 20'000;
+constexpr std::int64_t kBudget = 20'000;  // postures that a search looks at
 constexpr domain::Range kTilts = {std::numbers::pi / 1800, std::numbers::pi / 2};
 
 // Places on a table, nearest to its middle first.

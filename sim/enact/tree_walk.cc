@@ -76,6 +76,16 @@ Walk TreeWalk::Go() {
   return std::move(walk_);
 }
 
+template <class Ask>
+auto TreeWalk::Sensed(const Ask& ask) -> decltype(ask()) {
+  for (int times = 1;; ++times) {
+    const auto answer = ask();
+    if (answer || times == kMostSensings || last_.IsNone()) return answer;
+    const GroundAction& last = interpretation_.task.actions[last_.index()];
+    if (!IsSensing(last) || Do(last)) return std::nullopt;
+  }
+}
+
 // A plan may end with something sensed: then sensors must have told it, if the goal needs it; and
 // what they told is claimed. A goal may also ask that something is sensed and not known: then it
 // holds until that is learned.
@@ -95,7 +105,7 @@ std::vector<std::string> TreeWalk::LearnSensedFormulas(KnowledgeState& sensed) {
   for (std::size_t i = 0; i < interpretation_.task.formulas.size(); ++i) {
     const FormulaId formula(i);
     if (!knowledge_.layout().IsSensed(state_, formula)) continue;
-    if (const auto told = SensedWhether(formula)) {
+    if (const auto told = Sensed([&] { return Told(formula); })) {
       state_ = knowledge_.Learned(state_, formula, *told != IsFlipped());
     } else {
       knowledge_.layout().SetSensed(state_, formula, false);
@@ -114,7 +124,7 @@ std::vector<std::string> TreeWalk::LearnSensedValues(KnowledgeState& sensed) {
     const bool is_number = interpretation_.task.functions[i].slot >= 0;
     if (is_number || !knowledge_.layout().IsSensed(state_, function)) continue;
     const std::vector<AtomId> values = knowledge_.PossibleValues(function, state_);
-    if (const auto told = ToldValue(values)) {
+    if (const auto told = Sensed([&] { return ToldValue(values); })) {
       const bool is_flipped = values.size() > 1 && IsFlipped();
       const std::size_t value = is_flipped ? Flipped(*told, values.size()) : *told;
       state_ = knowledge_.Learned(state_, {values[value], true});
@@ -197,15 +207,6 @@ std::optional<bool> TreeWalk::Told(FormulaId id) const {
   return are_all_told ? std::optional(true) : std::nullopt;
 }
 
-std::optional<bool> TreeWalk::SensedWhether(FormulaId formula) {
-  for (int times = 1;; ++times) {
-    const std::optional<bool> told = Told(formula);
-    if (told || times == kMostSensings || last_.IsNone()) return told;
-    const GroundAction& last = interpretation_.task.actions[last_.index()];
-    if (!IsSensing(last) || Do(last)) return std::nullopt;
-  }
-}
-
 bool TreeWalk::IsFlipped() {
   const bool is_flipped = options_.random->Uniform() < options_.sensing_errors;
   walk_.is_flipped |= is_flipped;
@@ -229,7 +230,7 @@ void TreeWalk::FlipReadings(const GroundAction& action) {
 
 std::optional<NodeId> TreeWalk::Whether(NodeId id) {
   const PlanNode& node = tree_.node(id);
-  const std::optional<bool> told = SensedWhether(node.formula);
+  const auto told = Sensed([&] { return Told(node.formula); });
   if (!told) return NotTold(WordsOf(node.formula));
   const bool is_flipped = IsFlipped();
   const bool value = *told != is_flipped;
@@ -259,7 +260,7 @@ std::optional<std::size_t> TreeWalk::ToldValue(const std::vector<AtomId>& values
 
 std::optional<NodeId> TreeWalk::ByValue(NodeId id) {
   const PlanNode& node = tree_.node(id);
-  const std::optional<std::size_t> told = ToldValue(node.values);
+  const auto told = Sensed([&] { return ToldValue(node.values); });
   if (!told) return NotTold(WordsOf(node.function));
   const bool is_flipped = node.values.size() > 1 && IsFlipped();
   const std::size_t child = is_flipped ? Flipped(*told, node.values.size()) : *told;

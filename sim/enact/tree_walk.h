@@ -69,10 +69,11 @@ class TreeWalk {
   std::optional<bool> Told(contingent::AtomId atom) const;
   std::optional<bool> Told(const contingent::Bound& bound) const;
   std::optional<bool> Told(contingent::FormulaId formula) const;
-  // The same; as long as it is open, the last action, if it senses, is done again.
-  std::optional<bool> SensedWhether(contingent::FormulaId formula);
   // The place of the value that is told; none: nothing tells which of them it is.
   std::optional<std::size_t> ToldValue(const std::vector<contingent::AtomId>& values) const;
+  // What `ask` answers; as long as it is open, the last action, if it senses, is done again.
+  template <class Ask>
+  auto Sensed(const Ask& ask) -> decltype(ask());
   // What counts as sensed becomes known as sensors tell it. What they do not tell, in words; it no
   // longer counts as sensed, in `sensed` neither, which otherwise stays as it is.
   std::vector<std::string> LearnSensedFormulas(contingent::KnowledgeState& sensed);

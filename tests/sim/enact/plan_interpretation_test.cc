@@ -103,32 +103,41 @@ TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
   EXPECT_FALSE(trial.IsFailed());
 }
 
-// A sensor that says of the peg what it is told to say; nothing if that is empty.
+// A sensor that says of the peg what it is told to say, one after the other; nothing if that is
+// empty.
 class Says : public Skill {
  public:
-  explicit Says(std::string pose) : pose_(std::move(pose)) {}
+  explicit Says(std::vector<std::string> poses) : poses_(std::move(poses)) {}
 
   exec::Progress Do(const Roles&, Situation& situation) const override {
     situation.readings.poses.clear();
     const PartId peg = RolesOf(situation.problem(), std::array<std::string, 1>{"peg"}).part;
-    if (!pose_.empty()) situation.readings.poses[peg] = pose_;
+    const std::string& pose = poses_[std::min(times_++, poses_.size() - 1)];
+    if (!pose.empty()) situation.readings.poses[peg] = pose;
     return std::nullopt;
   }
 
  private:
-  std::string pose_;
+  std::vector<std::string> poses_;
+  mutable std::size_t times_ = 0;
 };
 
-// A plan that ends when the pose is known: nothing branches on what the look tells.
-EnactedTrial LookAtStandingPeg(const KnowledgeScenario& of, const std::string& said) {
+// A plan that ends when it is known what the pose is. If it may only be sensed, too, nothing
+// branches on what the look tells.
+enum class Wanted { kKnown, kSensed };
+EnactedTrial LookAtStandingPeg(const KnowledgeScenario& of, Wanted wanted,
+                               const std::vector<std::string>& said) {
   KnowledgeScenario scenario{of.scenario, InterpretationOf(of.interpretation.planned)};
   contingent::GroundTask& task = scenario.interpretation.task;
   const auto pose =
       std::ranges::find(task.functions, "pose(peg)", &contingent::GroundFunction::text);
   const contingent::FunctionId function(static_cast<int>(pose - task.functions.begin()));
-  std::vector<contingent::GroundQuery> ways(1);
-  ways.front().kind = contingent::GroundQuery::Kind::kValueSensed;
-  ways.front().function = function;
+  std::vector<contingent::GroundQuery> ways;
+  if (wanted == Wanted::kSensed) {
+    ways.emplace_back();
+    ways.back().kind = contingent::GroundQuery::Kind::kValueSensed;
+    ways.back().function = function;
+  }
   for (const contingent::AtomId value : pose->values) {
     ways.push_back(contingent::Known({value, true}));
   }
@@ -136,22 +145,35 @@ EnactedTrial LookAtStandingPeg(const KnowledgeScenario& of, const std::string& s
   Budget budget(1'000);
   const contingent::ContingentPlan plan = MakePlan(task, contingent::Wanted::kFirst, budget);
   const contingent::PlanNode& look = plan.tree.node(plan.tree.root);
-  EXPECT_EQ(contingent::SizeOf(plan.tree).nodes, 2);
+  EXPECT_EQ(contingent::SizeOf(plan.tree).leaves, wanted == Wanted::kSensed ? 1 : 2);
   scenario.interpretation.skills[task.actions[look.action.index()].name] =
       std::make_unique<Says>(said);
   return RunTrial(scenario, plan.tree, {1, {.masses = {}, .colors = {}, .world = 1}}, {.seed = 1});
 }
 
 TEST_F(FallenPeg, AValueThatTheGoalTakesForSensedIsAudited) {
-  const EnactedTrial right = LookAtStandingPeg(Scenario(), "standing");
+  const EnactedTrial right = LookAtStandingPeg(Scenario(), Wanted::kSensed, {"standing"});
   EXPECT_EQ(right.walk.end, WalkEnd::kGoal);
   EXPECT_THAT(right.walk.false_claims, IsEmpty());
-  const EnactedTrial wrong = LookAtStandingPeg(Scenario(), "lying");
+  const EnactedTrial wrong = LookAtStandingPeg(Scenario(), Wanted::kSensed, {"lying"});
   EXPECT_EQ(wrong.outcome, EnactmentOutcome::kFalseClaim);
   EXPECT_THAT(wrong.reason, testing::HasSubstr("after step 1 pose(peg) = lying is claimed"));
-  const EnactedTrial silent = LookAtStandingPeg(Scenario(), "");
+  const EnactedTrial silent = LookAtStandingPeg(Scenario(), Wanted::kSensed, {""});
   EXPECT_EQ(silent.outcome, EnactmentOutcome::kUncertain);
   EXPECT_EQ(silent.reason, "the sensors do not tell pose(peg)");
+}
+
+// As where it is asked whether something is so: it is sensed again, five times at most.
+TEST_F(FallenPeg, AValueThatIsNotToldIsSensedAgain) {
+  for (const Wanted wanted : {Wanted::kKnown, Wanted::kSensed}) {
+    const EnactedTrial late = LookAtStandingPeg(Scenario(), wanted, {"", "", "standing"});
+    EXPECT_EQ(late.walk.end, WalkEnd::kGoal) << late.reason;
+    EXPECT_EQ(late.walk.steps.size(), 3U);
+    EXPECT_THAT(late.walk.false_claims, IsEmpty());
+    const EnactedTrial never = LookAtStandingPeg(Scenario(), wanted, {""});
+    EXPECT_EQ(never.outcome, EnactmentOutcome::kUncertain);
+    EXPECT_EQ(never.walk.steps.size(), 5U);
+  }
 }
 
 KnowledgeScenario FallenPegWith(
