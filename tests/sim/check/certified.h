@@ -36,4 +36,16 @@ plan::StepId FirstStep(const plan::Plan& plan) {
   return plan::StepId::None();
 }
 
+// The plan up to its first pickup: enough for what is asked of that, and quick.
+inline plan::Plan UpToThePickup(const plan::Plan& plan) {
+  const int last = plan.step(FirstStep<plan::Pickup>(plan)).executed;
+  plan::Plan cut{.problem = plan.problem, .steps = {}};
+  for (const plan::PlannedStep& step : plan.steps) {
+    if (step.executed > last) continue;
+    cut.steps.push_back(step);
+    cut.steps.back().inserted = static_cast<int>(cut.steps.size());
+  }
+  return cut;
+}
+
 }  // namespace assay::check
