@@ -496,14 +496,69 @@ Standing LeastStanding(const plan::Plan& instance, const UncertaintyOptions& opt
   return least;
 }
 
-// Whether the instance might come before the best one; `for_violation`: how many that might do so
-// by their violation alone are still to be augmented.
-bool IsWorthAugmenting(const Standing& least, const Standing& best, std::int64_t& for_violation) {
-  if (!(least < best)) return false;
-  const bool may_have_fewer =
-      std::tie(least.errors, least.actions) < std::tie(best.errors, best.actions);
-  return may_have_fewer || for_violation-- > 0;
-}
+// The best of the plan instances that were augmented. Instances of which it is known beforehand
+// that not all can be proved wait until all are there: then those are augmented that could still
+// come first, the most promising first.
+class BestInstance {
+ public:
+  BestInstance(const domain::Problem& problem, const UncertaintyOptions& options)
+      : problem_(problem),
+        options_(options),
+        worlds_(problem, options),
+        for_violation_(options.instances_for_violation) {}
+
+  void Consider(const plan::Plan& instance) {
+    const Standing least = LeastStanding(instance, options_, worlds_);
+    if (least.errors > 0) {
+      waiting_.push_back({least, instance});
+    } else {
+      TakeIfBetter(instance);
+    }
+  }
+  void ConsiderWaiting() {
+    std::ranges::stable_sort(waiting_, {}, &Waiting::least);
+    for (const auto& [least, instance] : waiting_) {
+      if (IsWorthAugmenting(least)) TakeIfBetter(instance);
+    }
+    waiting_.clear();
+  }
+
+  // Null before the first.
+  const Augmentation* get() const { return best_.get(); }
+  bool is_proved() const { return best_ && best_->errors() == 0; }
+  std::int64_t combinations() const { return combinations_; }  // of remedies that were tried
+
+ private:
+  struct Waiting {
+    Standing least;
+    plan::Plan instance;
+  };
+
+  // Whether it might come before the best one; few of those that might do so by their violation
+  // alone.
+  bool IsWorthAugmenting(const Standing& least) {
+    if (!best_) return true;
+    const Standing best = best_->standing();
+    if (!(least < best)) return false;
+    const bool may_have_fewer =
+        std::tie(least.errors, least.actions) < std::tie(best.errors, best.actions);
+    return may_have_fewer || for_violation_-- > 0;
+  }
+
+  void TakeIfBetter(const plan::Plan& instance) {
+    auto augmentation = std::make_unique<const Augmentation>(problem_, instance, options_, worlds_);
+    combinations_ += augmentation->combinations();
+    if (!best_ || augmentation->standing() < best_->standing()) best_ = std::move(augmentation);
+  }
+
+  const domain::Problem& problem_;
+  const UncertaintyOptions& options_;
+  Worlds worlds_;
+  std::int64_t for_violation_;  // that are still to be augmented
+  std::vector<Waiting> waiting_;
+  std::unique_ptr<const Augmentation> best_;
+  std::int64_t combinations_ = 0;
+};
 
 UncertaintyOptions WithDefaults(UncertaintyOptions options) {
   if (options.resolvers.empty()) {
@@ -526,30 +581,20 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const Planner
                                    const UncertaintyOptions& options) {
   ASSAY_CHECK(!planner.accept, "which instance is accepted is for the uncertainty phase to say");
   const UncertaintyOptions complete = WithDefaults(options);
-  Worlds worlds(problem, complete);
-  std::unique_ptr<const Augmentation> best;
+  BestInstance best(problem, complete);
   std::int64_t instances = 0;
-  std::int64_t combinations = 0;
-  std::int64_t for_violation = complete.instances_for_violation;
   PlannerOptions first_phase = planner;
   first_phase.accept = [&](const plan::Plan& instance) {
-    if (complete.can_be_executed && !complete.can_be_executed(instance)) {
-      return ++instances >= complete.instances;
-    }
-    if (!best || IsWorthAugmenting(LeastStanding(instance, complete, worlds), best->standing(),
-                                   for_violation)) {
-      auto augmentation = std::make_unique<const Augmentation>(problem, instance, complete, worlds);
-      combinations += augmentation->combinations();
-      if (!best || augmentation->standing() < best->standing()) best = std::move(augmentation);
-    }
-    return best->errors() == 0 || ++instances >= complete.instances;
+    if (!complete.can_be_executed || complete.can_be_executed(instance)) best.Consider(instance);
+    return best.is_proved() || ++instances >= complete.instances;
   };
   plan::PlanResult result = MakePlan(problem, first_phase);
-  result.counters["remedies"] = combinations;
-  if (best) {
+  if (!best.is_proved()) best.ConsiderWaiting();
+  result.counters["remedies"] = best.combinations();
+  if (best.get() != nullptr) {
     result.outcome = Outcome::kFound;
     result.conflict.clear();
-    result.plan = best->WriteOut().plan;
+    result.plan = best.get()->WriteOut().plan;
   } else if (instances > 0) {  // none of which can be executed
     result.outcome = Outcome::kBudget;
     result.plan = {};

@@ -44,13 +44,23 @@ UncertainWorld::UncertainWorld(const domain::Problem& problem, Propagation propa
 
 Expression UncertainWorld::Declare(const std::string& stem, const Interval& range, PartId part) {
   if (range.low == range.high) return range.low;
-  const int count = ++variables_->count_by_stem[stem];
-  std::string name = count == 1 ? stem : fmt::format("{}_{}", stem, count);
-  // A part may be called what another part's second variable would be.
-  while (variables_->pool.Find(name)) name += '_';
-  variables_->owners.push_back(part);
-  variables_->declared.box.push_back(range);
-  return variables_->pool.Declare(std::move(name), range);
+  auto& [pool, declared, stems, owners, first_order, tight_ranges] = *variables_;
+  int& count = count_by_stem_[stem];
+  while (true) {
+    const std::string name = ++count == 1 ? stem : fmt::format("{}_{}", stem, count);
+    const std::optional<algebra::VariableId> known = pool.Find(name);
+    if (!known) {
+      stems.push_back(stem);
+      owners.push_back(part);
+      declared.box.push_back(range);
+      return pool.Declare(name, range);
+    }
+    const int v = known->index();
+    const Interval& its = declared.box[v];
+    if (stems[v] == stem && owners[v] == part && its.low == range.low && its.high == range.high) {
+      return pool.Variable(*known);
+    }
+  }
 }
 
 Expression UncertainWorld::DeclareOfPart(const char* what, const Interval& range, PartId part) {
