@@ -27,16 +27,6 @@ using uncertainty::UncertainWorld;
 using uncertainty::Unproved;
 using uncertainty::WorldTree;
 
-std::vector<domain::PartId> UnmetGoals::Parts() const {
-  std::vector<domain::PartId> parts;
-  for (const Unproved& goal : goals)
-    parts.insert(parts.end(), goal.parts.begin(), goal.parts.end());
-  std::ranges::sort(parts);
-  const auto repeated = std::ranges::unique(parts);
-  parts.erase(repeated.begin(), repeated.end());
-  return parts;
-}
-
 namespace {
 
 // Goals of a step that were not proved as it was then to be executed.
@@ -83,6 +73,12 @@ std::vector<Unproved> WithoutConditions(const std::vector<std::string>& absorbed
 
 std::vector<Unproved> Unabsorbed(const Entry& entry, std::vector<Unproved> unproved) {
   return WithoutConditions(entry.absorbed, std::move(unproved));
+}
+
+std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goals) {
+  std::vector<algebra::Expression> expressions;
+  for (const Unproved& goal : goals) expressions.push_back(goal.expression);
+  return expressions;
 }
 
 std::string WhyUnproved(const plan::CertifiedPrecondition& claim) {
@@ -206,10 +202,13 @@ class Augmentation {
     return Unabsorbed(entry, tree.UnprovedAt(after)).empty();
   }
 
+  std::vector<Unproved> UnprovedGoals(const Unmet& unmet) const {
+    return WithoutConditions(unmet.absorbed, worlds_.possible.UnprovedAt(unmet.after));
+  }
+
   // The goal that fails by most, as the certificate will tell it.
   std::string Why(const Unmet& unmet) const {
-    const std::vector<Unproved> unproved =
-        WithoutConditions(unmet.absorbed, worlds_.possible.UnprovedAt(unmet.after));
+    const std::vector<Unproved> unproved = UnprovedGoals(unmet);
     const auto margin = [](const Unproved& goal) { return goal.claim.margin; };
     const Unproved& worst = *std::ranges::min_element(unproved, {}, margin);
     return WhyUnproved(worlds_.possible.Told(unmet.after, worst).claim);
@@ -342,10 +341,8 @@ class Augmentation {
       actions.push_back(entry.action);
       strategies.push_back(entry.strategy);
     }
-    const UnmetGoals unmet = {
-        problem_, actions, step,
-        WithoutConditions(failed.absorbed, worlds_.possible.UnprovedAt(failed.after)),
-        std::move(strategies)};
+    UnmetGoals unmet = {problem_, actions, step, UnprovedGoals(failed), {}, std::move(strategies)};
+    unmet.parts = worlds_.possible.WorldAt(failed.after).PartsIn(ExpressionsOf(unmet.goals));
     std::vector<Candidate> candidates;
     for (std::size_t r = 0; r < options_.resolvers.size(); ++r) {
       if (options_.resolvers[r]->absorbs().empty() == (absorbing == Absorbing::kYes)) continue;

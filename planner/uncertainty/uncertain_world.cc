@@ -19,6 +19,15 @@ namespace {
 constexpr std::size_t kMostNodes = 60;  // of expressions that are kept as they are
 constexpr double kNegligible = 0.02;    // of what all variables of an expression do together
 
+std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>& expressions) {
+  std::set<algebra::VariableId> occurring;
+  for (const Expression& expression : expressions) {
+    const std::vector<algebra::VariableId> own = algebra::VariablesOf(expression);
+    occurring.insert(own.begin(), own.end());
+  }
+  return occurring;
+}
+
 }  // namespace
 
 // "peg-1" becomes "peg_1": names of variables have no hyphens.
@@ -85,7 +94,7 @@ Expression UncertainWorld::DrawTableHeight(PartId part) {
 }
 
 Expression UncertainWorld::Condensed(const Expression& e, const char* rest, PartId part) {
-  if (propagation_ == Propagation::kPaper || algebra::NodesOf(e).size() <= kMostNodes) return e;
+  if (propagation_ == Propagation::kPaper || algebra::NodeCount(e) <= kMostNodes) return e;
   using algebra::operator+;
   std::optional<algebra::AffineForm> form =
       variables_->first_order.Affine(e, constraints().box, kNegligible);
@@ -182,9 +191,9 @@ algebra::Bound UncertainWorld::FirstOrderBelow(const Expression& expression) con
   return variables_->first_order.BoundBelow(expression, constraints().box);
 }
 
-std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const {
+std::vector<PartId> UncertainWorld::PartsIn(const std::vector<Expression>& expressions) const {
   std::set<PartId> parts;
-  for (const algebra::VariableId v : algebra::VariablesOf(expression)) {
+  for (const algebra::VariableId v : VariablesOccurringIn(expressions)) {
     const PartId owner = variables_->owners[v.index()];
     if (!owner.IsNone()) parts.insert(owner);
   }
@@ -193,13 +202,8 @@ std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const 
 
 std::vector<plan::ErrorVariable> UncertainWorld::VariablesIn(
     const std::vector<Expression>& expressions) const {
-  std::set<algebra::VariableId> occurring;
-  for (const Expression& expression : expressions) {
-    const std::vector<algebra::VariableId> own = algebra::VariablesOf(expression);
-    occurring.insert(own.begin(), own.end());
-  }
   std::vector<plan::ErrorVariable> variables;
-  for (const algebra::VariableId v : occurring) {
+  for (const algebra::VariableId v : VariablesOccurringIn(expressions)) {
     variables.push_back({variables_->pool.name(v), variables_->pool.bounds(v)});
   }
   return variables;

@@ -79,8 +79,8 @@ class UncertainWorld {
   algebra::Glance GlanceBelow(const Expression& expression, double limit) const;
   algebra::Bound FirstOrderAbove(const Expression& expression) const;
   algebra::Bound FirstOrderBelow(const Expression& expression) const;
-  // The parts whose errors occur in the expression, in increasing order.
-  std::vector<PartId> PartsIn(const Expression& expression) const;
+  // The parts whose errors occur in the expressions, in increasing order.
+  std::vector<PartId> PartsIn(const std::vector<Expression>& expressions) const;
   // The variables that occur in the expressions, by name and range.
   std::vector<plan::ErrorVariable> VariablesIn(const std::vector<Expression>& expressions) const;
   const std::string& NameOf(algebra::VariableId variable) const;
