@@ -493,9 +493,16 @@ Standing LeastStanding(const plan::Plan& instance, const UncertaintyOptions& opt
   return least;
 }
 
+// A hand turned by half a turn grasps as well: one of the two is enough.
+bool IsAsGood(const Standing& a, const Standing& b) {
+  constexpr double kSameViolation = 1e-6;
+  return a.errors == b.errors && a.actions == b.actions &&
+         std::abs(a.violation - b.violation) < kSameViolation;
+}
+
 // The best of the plan instances that were augmented. Instances of which it is known beforehand
 // that not all can be proved wait until all are there: then those are augmented that could still
-// come first, the most promising first.
+// come first, the most promising first, one of those that promise the same.
 class BestInstance {
  public:
   BestInstance(const domain::Problem& problem, const UncertaintyOptions& options)
@@ -514,8 +521,12 @@ class BestInstance {
   }
   void ConsiderWaiting() {
     std::ranges::stable_sort(waiting_, {}, &Waiting::least);
+    std::optional<Standing> promised;
     for (const auto& [least, instance] : waiting_) {
-      if (IsWorthAugmenting(least)) TakeIfBetter(instance);
+      if (promised && IsAsGood(*promised, least)) continue;
+      if (!IsWorthAugmenting(least)) continue;
+      promised = least;
+      TakeIfBetter(instance);
     }
     waiting_.clear();
   }
