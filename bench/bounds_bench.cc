@@ -212,7 +212,7 @@ using Chain = std::function<Expression(int links, RandomStream&, ExpressionPool&
 
 Questions RandomChains(const std::string& kind, int fewest, int most, const Chain& chain) {
   static std::deque<ExpressionPool> pools;
-  RandomStream random(1, kind + " benchmark");
+  RandomStream random(bench::Seed(), kind + " benchmark");
   auto questions = std::make_shared<std::deque<Question>>();
   for (int i = 0; i < (bench::Tiny() ? 2 : kChains); ++i) {
     ExpressionPool& pool = pools.emplace_back();

@@ -1,10 +1,9 @@
 #include <benchmark/benchmark.h>
 
-#include <numbers>
 #include <vector>
 
 #include "bench/harness/contest.h"
-#include "planner/base/random.h"
+#include "bench/workloads/reachable_poses.h"
 #include "planner/kinematics/arm.h"
 #include "planner/kinematics/inverse_batch.h"
 #ifdef ASSAY_PEER_KDL_INVERSE
@@ -23,21 +22,9 @@ const Arm& Puma() {
   return arm;
 }
 
-std::vector<JointVector> RandomJointVectors() {
-  RandomStream random(1, "kinematics benchmark");
-  std::vector<JointVector> vectors(kPoses);
-  for (JointVector& q : vectors) {
-    for (int i = 0; i < 6; ++i) q[i] = random.Uniform(-std::numbers::pi, std::numbers::pi);
-  }
-  return vectors;
-}
-
 const std::vector<Pose>& ReachablePoses() {
-  static const std::vector<Pose> poses = [] {
-    std::vector<Pose> reached;
-    for (const JointVector& q : RandomJointVectors()) reached.push_back(Puma().Forward(q));
-    return reached;
-  }();
+  static const std::vector<Pose> poses =
+      workloads::RandomReachablePoses(Puma(), kPoses, bench::Seed());
   return poses;
 }
 
@@ -46,7 +33,7 @@ bool Reaches(const JointVector& q, const Pose& X_BaseFlange, double tolerance) {
 }
 
 void ForwardKinematics(benchmark::State& state) {
-  const std::vector<JointVector> vectors = RandomJointVectors();
+  const std::vector<JointVector> vectors = workloads::RandomJointVectors(kPoses, bench::Seed());
   for (auto _ : state) {
     for (const JointVector& q : vectors) benchmark::DoNotOptimize(Puma().Forward(q));
   }

@@ -46,8 +46,6 @@ namespace {
 using workloads::NetworkFamily;
 using workloads::NetworkWorkload;
 
-constexpr std::uint64_t kSeed = 1;
-
 // What a peer gets for one question, and for all questions of one trace.
 constexpr double kPeerSeconds = 10;
 constexpr double kZ3Seconds = 2;  // the slowest peer: longer answers would be most of a pass
@@ -345,7 +343,7 @@ void AddFamily(NetworkFamily family) {
   const int networks = bench::Tiny() ? 1 : workloads::kNetworksOfFamily;
   for (int index = 0; index < networks; ++index) {
     AddInstance(fmt::format("{}-{:02}", Name(family), index), {.posted = plan, .counted = few},
-                [=] { return workloads::NetworkOfFamily(family, index, kSeed); });
+                [=] { return workloads::NetworkOfFamily(family, index, bench::Seed()); });
   }
 }
 
@@ -354,7 +352,7 @@ void AddCrowdedPlans() {
   const int traces = bench::Tiny() ? 1 : workloads::kNetworksOfFamily;
   for (int index = 0; index < traces; ++index) {
     AddInstance(fmt::format("crowded-{:02}", index), {.labeled = false, .counted = false},
-                [=] { return workloads::CrowdedPlan(index, kSeed); });
+                [=] { return workloads::CrowdedPlan(index, bench::Seed()); });
   }
 }
 

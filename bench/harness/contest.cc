@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cstdlib>
 
 namespace assay::bench {
@@ -31,6 +32,20 @@ void AddContestant(std::string_view family, std::string_view instance, std::stri
 void AddMissing(std::string_view family, std::string_view contestant, std::string_view package) {
   benchmark::AddCustomContext(fmt::format("{}/missing/{}", family, contestant),
                               std::string(package));
+}
+
+std::uint64_t Seed() {
+  const char* asked = std::getenv("ASSAY_BENCH_SEED");
+  if (asked == nullptr) return 1;
+  const std::string_view text = asked;
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.begin(), text.end(), seed);
+  if (error != std::errc() || end != text.end()) {
+    fmt::print(stderr, "ASSAY_BENCH_SEED is \"{}\"; allowed: a whole number of 0 .. 2^64 - 1\n",
+               text);
+    std::exit(2);
+  }
+  return seed;
 }
 
 bool Tiny() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -41,6 +42,10 @@ void AddContestant(std::string_view family, std::string_view instance, std::stri
 
 // Instead of a contestant that this machine does not have: the report says so.
 void AddMissing(std::string_view family, std::string_view contestant, std::string_view package);
+
+// What random workloads are drawn from: the environment's ASSAY_BENCH_SEED, 1 without it. Ends the
+// program if that is no number of 0 .. 2^64 - 1.
+std::uint64_t Seed();
 
 // The environment asks for a run that only shows that nothing is broken (ASSAY_BENCH_TINY).
 bool Tiny();
