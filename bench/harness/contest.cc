@@ -22,11 +22,26 @@ void Announce(std::string_view family, const Terms& terms) {
   tell("never_below", number(terms.never_below));
 }
 
+namespace {
+
+benchmark::internal::Benchmark* Register(std::string_view family, std::string_view instance,
+                                         std::string_view contestant,
+                                         std::function<void(benchmark::State&)> work) {
+  return benchmark::RegisterBenchmark(fmt::format("{}/{}/{}", family, instance, contestant).c_str(),
+                                      std::move(work));
+}
+
+}  // namespace
+
 void AddContestant(std::string_view family, std::string_view instance, std::string_view contestant,
                    std::function<void(benchmark::State&)> work, double least_seconds) {
-  benchmark::internal::Benchmark* added = benchmark::RegisterBenchmark(
-      fmt::format("{}/{}/{}", family, instance, contestant).c_str(), std::move(work));
+  benchmark::internal::Benchmark* added = Register(family, instance, contestant, std::move(work));
   if (least_seconds != kAsAsked) added->MinTime(least_seconds);
+}
+
+void AddTimedContestant(std::string_view family, std::string_view instance,
+                        std::string_view contestant, std::function<void(benchmark::State&)> work) {
+  Register(family, instance, contestant, std::move(work))->UseManualTime()->Iterations(1);
 }
 
 void AddMissing(std::string_view family, std::string_view contestant, std::string_view package) {

@@ -40,6 +40,10 @@ void Announce(std::string_view family, const Terms& terms);
 void AddContestant(std::string_view family, std::string_view instance, std::string_view contestant,
                    std::function<void(benchmark::State&)> work, double least_seconds = kAsAsked);
 
+// The same for `work` that tells by itself what one answer took (State::SetIterationTime), once.
+void AddTimedContestant(std::string_view family, std::string_view instance,
+                        std::string_view contestant, std::function<void(benchmark::State&)> work);
+
 // Instead of a contestant that this machine does not have: the report says so.
 void AddMissing(std::string_view family, std::string_view contestant, std::string_view package);
 

@@ -97,6 +97,30 @@ void Headline(std::string& out, const std::vector<Family>& families) {
   out += "\n![ratios](plots/ratios.svg)\n\n";
 }
 
+void KindRow(std::string& out, const Family& family, const Family& kind, const std::string& peer) {
+  const std::vector<double> ratios = Ratios(kind, peer);
+  if (ratios.empty()) return;
+  out += Row({fmt::format("[{0}](#{0})", family.name), kind.name, fmt::format("{}", ratios.size()),
+              peer.empty() ? "best of each" : peer, Multiple(GeometricMean(ratios)),
+              Multiple(std::ranges::min(ratios)), Multiple(std::ranges::max(ratios))});
+}
+
+// A mean over all hides kinds of instances that are far from it.
+void KindSection(std::string& out, const std::vector<Family>& families) {
+  std::string rows;
+  for (const Family& family : families) {
+    const std::vector<Family> kinds = ByKind(family);
+    if (kinds.size() < 2) continue;
+    for (const Family& kind : kinds) {
+      if (!family.against.empty()) KindRow(rows, family, kind, family.against);
+      if (Peers(kind).size() > 1) KindRow(rows, family, kind, "");
+    }
+  }
+  if (rows.empty()) return;
+  out += "## Ratios by kind of instance\n\n";
+  out += Heading({"work", "kind", "instances", "peer", "ratio", "least", "greatest"}) + rows + "\n";
+}
+
 std::vector<std::string> CounterNames(const Family& family) {
   std::set<std::string> names;
   for (const Contest& contest : family.contests) {
@@ -278,6 +302,7 @@ std::string Report(const Measurements& measurements) {
       "its time counts. Who had not answered when its time was up counts as if it had answered "
       "then, marked \">\".\n\n";
   if (!families.empty()) Headline(out, families);
+  KindSection(out, families);
   LimitSection(out, measurements);
   if (!families.empty()) out += "## Instances\n\n";
   for (const Family& family : families) Section(out, family);
