@@ -26,6 +26,10 @@ inline constexpr std::string_view kOurs = "assay";
 
 inline constexpr const char* kTimeout = "timeout";
 
+// A contestant's counter of this prefix and a peer's name: how many times as long that peer took
+// where both were measured, by published figures.
+inline constexpr const char* kTimesOfPublished = "times:";
+
 inline constexpr double kAsAsked = 0;  // by --benchmark_min_time
 
 // Once for a family, before any of its contestants.

@@ -55,15 +55,15 @@ void Improve(std::vector<PeerTime>& peers, const std::string& peer, const std::s
   }
 }
 
-// A peer that is known from published figures alone: a contestant that both sides ran then carries
-// how many times as long it took ("times:PEER").
+// A peer that is known from published figures alone: a contestant that was measured beside it there
+// carries how many times as long it took.
 void ImproveByPublished(std::vector<PeerTime>& peers, const Series& series) {
-  static const std::string kPrefix = "times:";
+  const std::string prefix = kTimesOfPublished;
   for (const auto& [counter, multiple] : series.counters) {
-    if (!counter.starts_with(kPrefix)) continue;
+    if (!counter.starts_with(prefix)) continue;
     Series scaled = {.name = series.name, .seconds = series.seconds};
     for (double& seconds : scaled.seconds) seconds *= multiple;
-    Improve(peers, counter.substr(kPrefix.size()) + " (scaled)", "", scaled);
+    Improve(peers, counter.substr(prefix.size()) + " (scaled)", "", scaled);
   }
 }
 

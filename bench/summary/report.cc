@@ -6,8 +6,10 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "bench/harness/contest.h"
 #include "bench/summary/comparison.h"
 #include "bench/summary/growth.h"
 
@@ -129,6 +131,19 @@ std::vector<std::string> CounterNames(const Family& family) {
   return {names.begin(), names.end()};
 }
 
+// What a peer counted, but for what the report shows otherwise.
+std::vector<std::string> CounterNames(const Family& family, const std::string& peer) {
+  std::set<std::string> names;
+  for (const Contest& contest : family.contests) {
+    const PeerTime* time = contest.Find(peer);
+    if (time == nullptr) continue;
+    for (const auto& [name, value] : time->series.counters) {
+      if (name != kTimeout && !name.starts_with(kTimesOfPublished)) names.insert(name);
+    }
+  }
+  return {names.begin(), names.end()};
+}
+
 std::string Counter(const Series& series, const std::string& name) {
   const auto at = series.counters.find(name);
   return at == series.counters.end() ? "" : fmt::format("{:.4g}", at->second);
@@ -156,6 +171,10 @@ void Instances(std::string& out, const Family& family) {
   heading.insert(heading.end(), peers.begin(), peers.end());
   heading.push_back("best peer / ours");
   heading.insert(heading.end(), counters.begin(), counters.end());
+  for (const std::string& peer : peers) {
+    for (const std::string& name : CounterNames(family, peer))
+      heading.push_back(peer + ": " + name);
+  }
   out += Heading(heading);
   for (const Contest& contest : family.contests) {
     std::vector<std::string> row = {contest.instance, Time(contest.ours.Median())};
@@ -164,6 +183,12 @@ void Instances(std::string& out, const Family& family) {
     const PeerTime* best = contest.Best();
     row.push_back(best != nullptr ? AtLeast(*best) + Text(best->ratio) : "");
     for (const std::string& name : counters) row.push_back(Counter(contest.ours, name));
+    for (const std::string& peer : peers) {
+      const PeerTime* time = contest.Find(peer);
+      for (const std::string& name : CounterNames(family, peer)) {
+        row.push_back(time == nullptr ? "" : Counter(time->series, name));
+      }
+    }
     out += Row(row);
   }
 }
@@ -283,12 +308,25 @@ void AloneSection(std::string& out, const Measurements& measurements,
   out += "\n";
 }
 
+// By key of the context. Google Benchmark's own load_avg is ours for the most part, and its
+// library_build_type is of the library that Debian has, not of what is measured.
+constexpr std::pair<const char*, const char*> kWhere[] = {
+    {"revision", "revision"},
+    {"date", "date"},
+    {"processor", "processor"},
+    {"num_cpus", "processors"},
+    {"mhz_per_cpu", "MHz"},
+    {"load_before", "load before it began (running processes, mean of a minute)"},
+    {"compiler", "compiler"},
+    {"build_type", "build type"},
+    {"passes", "passes"},
+    {"seed", "seed of random workloads"}};
+
 void Machine(std::string& out, const Measurements& measurements) {
   out += "## Where\n\n";
-  for (const char* key : {"revision", "date", "processor", "compiler", "passes", "mhz_per_cpu",
-                          "num_cpus", "load_avg", "library_build_type"}) {
+  for (const auto& [key, meaning] : kWhere) {
     const auto at = measurements.context.find(key);
-    if (at != measurements.context.end()) out += fmt::format("- {}: {}\n", key, at->second);
+    if (at != measurements.context.end()) out += fmt::format("- {}: {}\n", meaning, at->second);
   }
 }
 
