@@ -1,11 +1,14 @@
 #include <benchmark/benchmark.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
 #include "bench/workloads/pegs.h"
+#include "planner/domain/problem_file.h"
+#include "planner/finemotion/contact_chain.h"
 #include "planner/finemotion/contact_graph.h"
+#include "planner/finemotion/mating.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::finemotion {
@@ -77,6 +80,29 @@ void Contacts(benchmark::State& state) {
   MakeGraph(space, {.reach = kReach, .radius = 0.0245}, state);
   state.SetComplexityN(state.range(0));
 }
+
+// The graphs of all critical points of a scenario's mating, as `assay mate` makes them.
+void AllCriticalPoints(benchmark::State& state, const char* scenario) {
+  const std::string root = ASSAY_SOURCE_DIR;
+  const domain::Problem problem = domain::ReadProblem(
+      Document::Load(fmt::format("{}/scenarios/{}.yaml", root, scenario)), root + "/models");
+  const MatingGeometry geometry = GeometryOf(problem, problem.matings.back());
+  ContactChain chain;
+  for (auto _ : state) chain = ContactChainOf(geometry);
+  std::size_t contacts = 0, states = 0;
+  for (const LocalTopology& point : chain.points) {
+    contacts = std::max(contacts, point.space.contacts.size());
+    states += point.graph.states.size();
+  }
+  state.counters["graphs"] = static_cast<double>(chain.points.size());
+  state.counters["most_contacts"] = static_cast<double>(contacts);
+  state.counters["states"] = static_cast<double>(states);
+}
+BENCHMARK_CAPTURE(AllCriticalPoints, square, "mate-square")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(AllCriticalPoints, keyed, "mate-keyed")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(AllCriticalPoints, octagonal, "mate-octagonal")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(AllCriticalPoints, stepped, "mate-stepped")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(AllCriticalPoints, t_slot, "mate-t-slot")->Unit(benchmark::kMillisecond);
 
 BENCHMARK_CAPTURE(CriticalPoint, at_the_rim, 0.0)
     ->ArgName("target_points")

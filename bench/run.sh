@@ -4,10 +4,11 @@
 # Passes over a program come one after another, and in a pass the contestants of an instance take
 # turns, so that what else the machine does falls on all of them. What was measured stays in
 # build/release/bench/results. --seed: random networks, chains, poses that nobody has seen; --only:
-# programs that match; both write into build/release/bench/REPORT.md.
+# programs that match; both write into build/release/bench/REPORT.md. Where ASSAY_CONTINGENT names a
+# folder of public problems of contingent planning, bench/CONTINGENT.md is written as well.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-passes=5 seconds=0.1 only= report=bench/REPORT.md plots=bench/plots
+passes=5 seconds=0.1 only= report=bench/REPORT.md plots=bench/plots contingent=bench/CONTINGENT.md
 build=build/release/bench
 elsewhere() { report=$build/REPORT.md plots=$build/plots; }
 while (($#)); do
@@ -16,7 +17,8 @@ while (($#)); do
     --seconds) seconds=$2; shift 2 ;;
     --seed) export ASSAY_BENCH_SEED=$2; elsewhere; shift 2 ;;
     --only) only=$2; elsewhere; shift 2 ;;
-    --tiny) export ASSAY_BENCH_TINY=1; passes=1 seconds=0.001; elsewhere; shift ;;
+    --tiny) export ASSAY_BENCH_TINY=1; passes=1 seconds=0.001; elsewhere
+      contingent=$build/CONTINGENT.md; shift ;;
     *) echo "unknown option $1; allowed: --passes N, --seconds S, --seed N, --only PATTERN, --tiny" >&2; exit 2 ;;
   esac
 done
@@ -45,6 +47,10 @@ for pass in $(seq "$passes"); do
       >"$results/$name.$pass.txt"
   done
 done
-"$build/summarize" "$report" "$results/plots.gp" "$results"/*.json
+"$build/summarize" report "$report" "$results/plots.gp" "$results"/*.json
+if [[ -n ${ASSAY_CONTINGENT:-} && -e $results/contingent.1.json ]]; then
+  "$build/summarize" contingent "$contingent" "$results"/contingent.*.json
+  echo "$contingent"
+fi
 (cd "$plots" && gnuplot "$OLDPWD/$results/plots.gp")
 echo "$report"

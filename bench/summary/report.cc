@@ -12,35 +12,14 @@
 #include "bench/harness/contest.h"
 #include "bench/summary/comparison.h"
 #include "bench/summary/growth.h"
+#include "bench/summary/markdown.h"
 
 namespace assay::bench {
 namespace {
 
-std::string Time(double seconds) {
-  if (!std::isfinite(seconds)) return "-";
-  static const std::vector<std::pair<double, const char*>> kUnits = {
-      {1, "s"}, {1e-3, "ms"}, {1e-6, "us"}, {1e-9, "ns"}};
-  for (const auto& [unit, name] : kUnits) {
-    if (seconds >= unit) return fmt::format("{:.3g} {}", seconds / unit, name);
-  }
-  return fmt::format("{:.3g} ns", seconds * 1e9);
-}
-
-std::string Multiple(double ratio) {
-  return ratio < 100 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
-}
-
 std::string Text(const Ratio& ratio) {
   return fmt::format("{} ({} to {})", Multiple(ratio.median), Multiple(ratio.least),
                      Multiple(ratio.greatest));
-}
-
-std::string Row(const std::vector<std::string>& cells) {
-  return fmt::format("| {} |\n", fmt::join(cells, " | "));
-}
-
-std::string Heading(const std::vector<std::string>& cells) {
-  return Row(cells) + Row(std::vector<std::string>(cells.size(), "---"));
 }
 
 std::string Wanted(const Family& family) {
@@ -308,28 +287,6 @@ void AloneSection(std::string& out, const Measurements& measurements,
   out += "\n";
 }
 
-// By key of the context. Google Benchmark's own load_avg is ours for the most part, and its
-// library_build_type is of the library that Debian has, not of what is measured.
-constexpr std::pair<const char*, const char*> kWhere[] = {
-    {"revision", "revision"},
-    {"date", "date"},
-    {"processor", "processor"},
-    {"num_cpus", "processors"},
-    {"mhz_per_cpu", "MHz"},
-    {"load_before", "load before it began (running processes, mean of a minute)"},
-    {"compiler", "compiler"},
-    {"build_type", "build type"},
-    {"passes", "passes"},
-    {"seed", "seed of random workloads"}};
-
-void Machine(std::string& out, const Measurements& measurements) {
-  out += "## Where\n\n";
-  for (const auto& [key, meaning] : kWhere) {
-    const auto at = measurements.context.find(key);
-    if (at != measurements.context.end()) out += fmt::format("- {}: {}\n", meaning, at->second);
-  }
-}
-
 }  // namespace
 
 std::string Report(const Measurements& measurements) {
@@ -346,8 +303,7 @@ std::string Report(const Measurements& measurements) {
   for (const Family& family : families) Section(out, family);
   GrowthSection(out, measurements);
   AloneSection(out, measurements, families);
-  Machine(out, measurements);
-  return out;
+  return out + Where(measurements);
 }
 
 }  // namespace assay::bench

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "bench/summary/comparison.h"
+#include "bench/summary/contingent_table.h"
 #include "bench/summary/growth.h"
 #include "bench/summary/measurements.h"
 #include "bench/summary/plots.h"
@@ -140,6 +141,30 @@ TEST(Report, MarksPeersWhoseTimeWasUp) {
   const std::string report = Report(measurements);
   EXPECT_THAT(report, HasSubstr("| a | 10 ms | > 2 s | > 200 (200 to 200) |"));
   EXPECT_THAT(report, HasSubstr("| b | 10 ms | 1 s | 100 (100 to 100) |"));
+}
+
+TEST(ContingentTable, SetsPublishedFiguresBesideOurs) {
+  Measurements measurements = {.context = {},
+                               .series = {Of("Contingent/doors11", {0.02},
+                                             {{"nodes", 436},
+                                              {"actions", 385},
+                                              {"worlds", 161051},
+                                              {"all_worlds", 1},
+                                              {"po_prp_ms", 34500},
+                                              {"po_prp_search_ms", 34000},
+                                              {"po_prp_pairs", 461}}),
+                                          Of("Contingent/clog5", {0.01},
+                                             {{"nodes", 66}, {"worlds", 200}, {"all_worlds", 0}}),
+                                          Of("ForceSensing/cans:2", {1})}};
+  measurements.series[1].label = "refused";
+  measurements.series.push_back({.name = "Contingent/wrong", .skipped = "the goal fails"});
+  const std::string table = ContingentTable(measurements);
+  EXPECT_THAT(table, HasSubstr("| doors11 | 436 | 385 | 20 ms | 461 | 34.5 s | 34 s | "
+                               "in all 161051 worlds |"));
+  EXPECT_THAT(table, HasSubstr("| clog5 | 66 |  | 10 ms |  | refused |  | in 200 worlds |"));
+  EXPECT_THAT(table, HasSubstr("| **refused**: the goal fails |"));
+  EXPECT_THAT(table, HasSubstr("PO-PRP's time is 1725 times ours, that of its search alone 1700 times"));
+  EXPECT_THAT(table, testing::Not(HasSubstr("cans")));
 }
 
 TEST(PlotScript, DrawsWhatThereIs) {
