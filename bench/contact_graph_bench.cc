@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "bench/harness/contest.h"
 #include "bench/workloads/pegs.h"
 #include "planner/domain/problem_file.h"
 #include "planner/finemotion/contact_chain.h"
@@ -82,10 +83,10 @@ void Contacts(benchmark::State& state) {
 }
 
 // The graphs of all critical points of a scenario's mating, as `assay mate` makes them.
-void AllCriticalPoints(benchmark::State& state, const char* scenario) {
+void AllCriticalPoints(benchmark::State& state, const std::string& mating) {
   const std::string root = ASSAY_SOURCE_DIR;
   const domain::Problem problem = domain::ReadProblem(
-      Document::Load(fmt::format("{}/scenarios/{}.yaml", root, scenario)), root + "/models");
+      Document::Load(fmt::format("{}/scenarios/mate-{}.yaml", root, mating)), root + "/models");
   const MatingGeometry geometry = GeometryOf(problem, problem.matings.back());
   ContactChain chain;
   for (auto _ : state) chain = ContactChainOf(geometry);
@@ -98,12 +99,6 @@ void AllCriticalPoints(benchmark::State& state, const char* scenario) {
   state.counters["most_contacts"] = static_cast<double>(contacts);
   state.counters["states"] = static_cast<double>(states);
 }
-BENCHMARK_CAPTURE(AllCriticalPoints, square, "mate-square")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(AllCriticalPoints, keyed, "mate-keyed")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(AllCriticalPoints, octagonal, "mate-octagonal")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(AllCriticalPoints, stepped, "mate-stepped")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(AllCriticalPoints, t_slot, "mate-t-slot")->Unit(benchmark::kMillisecond);
-
 BENCHMARK_CAPTURE(CriticalPoint, at_the_rim, 0.0)
     ->ArgName("target_points")
     ->Arg(3)
@@ -142,6 +137,18 @@ BENCHMARK(Contacts)
     ->DenseRange(4, 32, 4)
     ->Unit(benchmark::kMillisecond)
     ->Complexity();
+
+const bool kAdded = [] {
+  for (const char* mating : {"square", "keyed", "octagonal", "stepped", "t-slot"}) {
+    const std::string name = mating;
+    if (bench::Tiny() && name != "square") continue;
+    benchmark::RegisterBenchmark(
+        ("AllCriticalPoints/" + name).c_str(),
+        [name](benchmark::State& state) { AllCriticalPoints(state, name); })
+        ->Unit(benchmark::kMillisecond);
+  }
+  return true;
+}();
 
 }  // namespace
 }  // namespace assay::finemotion

@@ -163,7 +163,8 @@ TEST(ContingentTable, SetsPublishedFiguresBesideOurs) {
                                "in all 161051 worlds |"));
   EXPECT_THAT(table, HasSubstr("| clog5 | 66 |  | 10 ms |  | refused |  | in 200 worlds |"));
   EXPECT_THAT(table, HasSubstr("| **refused**: the goal fails |"));
-  EXPECT_THAT(table, HasSubstr("PO-PRP's time is 1725 times ours, that of its search alone 1700 times"));
+  EXPECT_THAT(table,
+              HasSubstr("PO-PRP's time is 1725 times ours, that of its search alone 1700 times"));
   EXPECT_THAT(table, testing::Not(HasSubstr("cans")));
 }
 
