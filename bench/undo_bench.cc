@@ -2,9 +2,14 @@
 // the network itself: the marks that a planner sets before a choice.
 
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <chrono>
+#include <string>
 
+#ifdef ASSAY_PEER_GECODE_LABELING
+#include "bench/peers/gecode_labeling.h"
+#endif
 #include "bench/harness/contest.h"
 #include "bench/workloads/networks.h"
 
@@ -14,10 +19,19 @@ namespace {
 using workloads::NetworkFamily;
 using workloads::NetworkWorkload;
 
+constexpr int kMostParts = 7;
+[[maybe_unused]] constexpr double kPeerSeconds = 10;
+// Of what is so short that in less time the first iteration would tell.
+constexpr double kSeconds = 0.02;
+
 // The plan of so many parts, with as many threats as is usual among the benchmarks' plans.
+int IndexOf(int parts) { return 5 * (parts - 2) + 2; }
+
+NetworkWorkload Plan(int parts) {
+  return workloads::NetworkOfFamily(NetworkFamily::kPlan, IndexOf(parts), bench::Seed());
+}
 NetworkWorkload Plan(const benchmark::State& state) {
-  const int index = 5 * (static_cast<int>(state.range(0)) - 2) + 2;
-  return workloads::NetworkOfFamily(NetworkFamily::kPlan, index, bench::Seed());
+  return Plan(static_cast<int>(state.range(0)));
 }
 
 // Its nodes, and its arcs but for the last ones.
@@ -36,19 +50,6 @@ void SaveAndUndo(benchmark::State& state) {
   Network network = Posted(plan, 0);
   for (auto _ : state) network.Undo(network.Save());
   state.counters["arcs"] = static_cast<double>(network.arcs().size());
-}
-
-// A mark, one arc with its answer, and back.
-void PostOneAndUndo(benchmark::State& state) {
-  const NetworkWorkload plan = Plan(state);
-  Network network = Posted(plan, 1);
-  const Arc& last = plan.arcs.back();
-  for (auto _ : state) {
-    const Network::Mark mark = network.Save();
-    benchmark::DoNotOptimize(network.Post(last.a, last.b, last.relation));
-    network.Undo(mark);
-  }
-  state.counters["arcs"] = 1;
 }
 
 void PostAll(Network& network, const NetworkWorkload& plan) {
@@ -78,16 +79,73 @@ void PostAllAndUndo(benchmark::State& state) {
                          benchmark::Counter::kAvgIterations);
 }
 
-// What is so short that in less time the first iteration would tell.
-constexpr double kSeconds = 0.02;
-
-BENCHMARK(SaveAndUndo)->ArgName("parts")->DenseRange(2, 7)->MinTime(kSeconds);
-BENCHMARK(PostOneAndUndo)->ArgName("parts")->DenseRange(2, 7)->MinTime(kSeconds);
+BENCHMARK(SaveAndUndo)->ArgName("parts")->DenseRange(2, kMostParts)->MinTime(kSeconds);
 BENCHMARK(PostAllAndUndo)
     ->ArgName("parts")
-    ->DenseRange(2, 7)
+    ->DenseRange(2, kMostParts)
     ->MinTime(kSeconds)
     ->Unit(benchmark::kMicrosecond);
+
+// ---- One arc tried, beside Gecode ---------------------------------------------------------------
+
+// A mark, the last arc with its answer, and back.
+void TryLastArc(benchmark::State& state, int parts) {
+  const NetworkWorkload plan = Plan(parts);
+  Network network = Posted(plan, 1);
+  const Arc& last = plan.arcs.back();
+  Outcome outcome = Outcome::kNone;
+  for (auto _ : state) {
+    const Network::Mark mark = network.Save();
+    outcome = network.Post(last.a, last.b, last.relation);
+    network.Undo(mark);
+  }
+  if (outcome != plan.Build().Decide()) state.SkipWithError("the wrong answer");
+  state.counters["arcs"] = static_cast<double>(plan.arcs.size());
+}
+
+#ifdef ASSAY_PEER_GECODE_LABELING
+using peers::GecodeLabeling;
+
+void GecodeTriesLastArc(benchmark::State& state, int parts, GecodeLabeling::Order order) {
+  const NetworkWorkload plan = Plan(parts);
+  const GecodeLabeling gecode(plan);
+  const auto ask = gecode.AskForLastArc(order, kPeerSeconds);
+  Outcome outcome = Outcome::kNone;
+  for (auto _ : state) outcome = ask();
+  state.counters[bench::kTimeout] = outcome == Outcome::kBudget;
+  if (outcome != Outcome::kBudget && outcome != plan.Build().Decide()) {
+    state.SkipWithError("its answer is not ours");
+  }
+}
+#endif
+
+void AddTrying(int parts) {
+  const std::string instance = fmt::format("plan-{:02}", IndexOf(parts));
+  bench::AddContestant(
+      "trying-an-arc", instance, "assay",
+      [=](benchmark::State& state) { TryLastArc(state, parts); }, kSeconds);
+#ifdef ASSAY_PEER_GECODE_LABELING
+  for (const GecodeLabeling::Order order : GecodeLabeling::kOrders) {
+    bench::AddContestant("trying-an-arc", instance, GecodeLabeling::Name(order),
+                         [=](benchmark::State& state) { GecodeTriesLastArc(state, parts, order); });
+  }
+#endif
+}
+
+const bool kAdded = [] {
+  bench::Announce(
+      "trying-an-arc",
+      {.measured = "one more arc in a network that holds the rest of a plan: ours saved, posted, "
+                   "answered, undone; Gecode's space cloned, posted, searched, dropped",
+       .unfair = "ours knows from the last time a labeling that satisfies the arc, as a planner's "
+                 "network mostly does; Gecode keeps none, and its clone copies what stays as well",
+       .against = "gecode"});
+#ifndef ASSAY_PEER_GECODE_LABELING
+  bench::AddMissing("trying-an-arc", "gecode", "libgecode-dev");
+#endif
+  for (int parts = 2; parts <= (bench::Tiny() ? 2 : kMostParts); ++parts) AddTrying(parts);
+  return true;
+}();
 
 }  // namespace
 }  // namespace assay::network
