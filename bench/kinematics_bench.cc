@@ -114,7 +114,7 @@ void AddInverse(const char* family, void (*ours)(benchmark::State&), double at_l
       family, {.measured = "4,096 random reachable poses: ours all eight solutions of each, "
                            "KDL's Levenberg-Marquardt solver one",
                .unfair = "KDL serves any chain and iterates, and finds a solution for a share of "
-                         "the poses only (column found); ours knows the arm's closed form. "
+                         "the poses only (kdl: found); ours knows the arm's closed form. "
                          "KDL is built at the processor's baseline, as Debian has it",
                .against = "kdl",
                .at_least = at_least});
