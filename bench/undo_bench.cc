@@ -86,8 +86,6 @@ BENCHMARK(PostAllAndUndo)
     ->MinTime(kSeconds)
     ->Unit(benchmark::kMicrosecond);
 
-// ---- One arc tried, beside Gecode ---------------------------------------------------------------
-
 // A mark, the last arc with its answer, and back.
 void TryLastArc(benchmark::State& state, int parts) {
   const NetworkWorkload plan = Plan(parts);
