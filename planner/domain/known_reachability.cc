@@ -7,9 +7,8 @@ namespace {
 
 template <class Answer, class Find>
 bool Recall(std::vector<Answer>& known, const Pose& X_World, const Find& find) {
-  const auto answer = std::ranges::find_if(known, [&](const Answer& other) {
-    return other.X_World.matrix() == X_World.matrix();
-  });
+  const auto answer = std::ranges::find_if(
+      known, [&](const Answer& other) { return other.X_World.matrix() == X_World.matrix(); });
   if (answer != known.end()) return answer->is_reachable;
   return known.emplace_back(X_World, find()).is_reachable;
 }
@@ -17,9 +16,8 @@ bool Recall(std::vector<Answer>& known, const Pose& X_World, const Find& find) {
 }  // namespace
 
 bool KnownReachability::IsReachableAt(PartId part, GraspId grasp, const Pose& X_WorldPart) {
-  return Recall(parts_[{part, grasp}], X_WorldPart, [&] {
-    return domain::IsReachableAt(problem_, part, grasp, X_WorldPart);
-  });
+  return Recall(parts_[{part, grasp}], X_WorldPart,
+                [&] { return domain::IsReachableAt(problem_, part, grasp, X_WorldPart); });
 }
 
 bool KnownReachability::IsMateReachableAt(MatingId mating, GraspId grasp,

@@ -71,7 +71,7 @@ class MotionCheck {
  private:
   struct WatchedPair {
     BodyPair pair;
-    double clearance = 0;  // metres
+    double clearance = 0;              // metres
     CollisionScene::Slabs slabs = {};  // of the posture that was looked at last
   };
   struct OpenPair {

@@ -1,7 +1,7 @@
 #include "planner/algebra/sup_inf.h"
 
-#include <gmock/gmock.h>
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
