@@ -18,7 +18,7 @@ struct UncertaintyOptions {
   int most_remedies = 3;            // at once, for one step
   std::int64_t combinations = 100;  // of remedies, tried for one step
   std::int64_t instances = 10;      // plan instances looked at, of all plans of the first phase
-  std::int64_t instances_for_violation = 1;  // of these, augmented for a smaller violation alone
+  std::int64_t instances_for_violation = 0;  // of these, augmented for a smaller violation alone
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
   std::vector<plan::Sense> looks =
       {};  // with which every plan begins, whether it needs them or not
@@ -47,9 +47,9 @@ AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& 
 // Both phases: plan instances of the first phase are augmented one after another until one has no
 // errors; else the one with the fewest, among these the fewest actions of the first phase, and then
 // the smallest violation. Beyond the paper, the first phase is asked for further plans, not only
-// for further instances of one. Instances that could not come first, whatever the remedies, are
-// looked at but not augmented; nor are most that could by their violation only. planner.accept must
-// be empty.
+// for further instances of one. Instances that surely have errors, whatever the remedies, wait for
+// the others; those of them that could still come first are augmented, the most promising first,
+// but not all that could by their violation alone. planner.accept must be empty.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
                                    const UncertaintyOptions& options);
 
