@@ -30,7 +30,8 @@ void ExpectSame(const std::vector<Unproved>& a, const std::vector<Unproved>& b) 
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_EQ(a[i].claim.condition, b[i].claim.condition);
     EXPECT_EQ(a[i].claim.meaning, b[i].claim.meaning);
-    EXPECT_EQ(a[i].parts, b[i].parts);
+    EXPECT_EQ(algebra::VariablesOf(a[i].expression).size(),
+              algebra::VariablesOf(b[i].expression).size());
     EXPECT_NEAR(a[i].claim.bound, b[i].claim.bound, kSame);
   }
 }
