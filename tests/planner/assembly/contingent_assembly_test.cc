@@ -67,7 +67,7 @@ void ExpectHoldsInAllWorlds(const ContingentAssembly& assembly) {
   ASSERT_EQ(assembly.outcome, Outcome::kFound);
   const auto check = contingent::CheckTree(ReadBack(assembly.knowledge), assembly.tree);
   EXPECT_TRUE(check.holds) << check.failure;
-  EXPECT_TRUE(check.are_all_worlds);
+  EXPECT_TRUE(check.AreAllWorlds());
 }
 
 // Spar's figures 15 and 16, whichever of the two it turns out to be.
