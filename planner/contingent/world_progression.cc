@@ -54,11 +54,14 @@ void MergeEqual(Worlds& worlds) {
   worlds.erase(equal.begin(), equal.end());
 }
 
+// A change of knowledge, not of the world.
+bool IsTold(const GroundChange& change) {
+  return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
+}
+
 int PassOf(const GroundChange& change) {
   if (change.kind == GroundChange::Kind::kForget) return 0;
-  if (change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow) {
-    return 3;
-  }
+  if (IsTold(change)) return 3;
   return change.kind == GroundChange::Kind::kSet && !change.literal.is_positive ? 1 : 2;
 }
 
@@ -252,11 +255,12 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
     Worlds now = {world};
     for (int pass = 0; pass < kPasses; ++pass) {
       for (std::size_t e = 0; e < effects.size(); ++e) {
+        const bool is_told = happens[e];  // to whoever executes the plan
         const bool applies =
-            effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : happens[e];
+            effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : is_told;
         if (!applies) continue;
         for (const GroundChange& change : effects[e].changes) {
-          if (PassOf(change) == pass) Change(change, world, now);
+          if (PassOf(change) == pass && (is_told || !IsTold(change))) Change(change, world, now);
         }
       }
     }

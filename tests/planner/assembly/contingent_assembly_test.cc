@@ -229,7 +229,7 @@ TEST(ContingentAssembly, APickupForgetsThePoseAndItsIntervals) {
   const auto looked = knowledge.After(look, knowledge.Initial());
   ASSERT_TRUE(looked);
   EXPECT_FALSE(knowledge.Holds(pickup->precondition, *looked));
-  const auto ready = knowledge.Learned(*looked, {lying, true});
+  const auto ready = *knowledge.Learned(*looked, {lying, true});
   EXPECT_TRUE(knowledge.layout().IsSensed(ready, dx));
   ASSERT_TRUE(knowledge.Holds(pickup->precondition, ready));
   const auto taken = knowledge.After(*pickup, ready);

@@ -67,7 +67,7 @@ class Mind {
 
   void Learn(const std::string& atom, bool value) {
     for (std::size_t a = 0; a < task_->atoms.size(); ++a) {
-      if (task_->atoms[a] == atom) state_ = knowledge_->Learned(state_, {AtomId(a), value});
+      if (task_->atoms[a] == atom) state_ = *knowledge_->Learned(state_, {AtomId(a), value});
     }
   }
 
@@ -75,7 +75,7 @@ class Mind {
   std::string Branch(bool value) {
     const FormulaId formula = knowledge_->FormulaToBranch(state_);
     if (formula.IsNone()) return "";
-    state_ = knowledge_->Learned(state_, formula, value);
+    state_ = *knowledge_->Learned(state_, formula, value);
     return TextOf(*task_, task_->formulas[formula.index()]);
   }
 

@@ -65,7 +65,7 @@ TEST_F(AuditOfTwoCans, WhatIsNotKnownIsNotClaimed) {
     ASSERT_NE(sense, actions.end());
     state_ = *knowledge_.After(*sense, state_);
     EXPECT_THAT(FalseClaims(), IsEmpty());
-    state_ = knowledge_.Learned(state_, knowledge_.FormulaToBranch(state_), value);
+    state_ = *knowledge_.Learned(state_, knowledge_.FormulaToBranch(state_), value);
     // By its model a can weighs 0.7 * 120 * 8 * tan(22.5 deg) * 30^2 mm^3 g = 0.25 kg and more.
     const bool is_true = scene_.TrueMass(PartId(0)) > 0.25;
     EXPECT_EQ(FalseClaims().size(), value == is_true ? 0u : 1u);
