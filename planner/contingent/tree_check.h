@@ -42,9 +42,9 @@ struct TreeCheck {
 //
 // !K(l) holds if l is false in some world with the same history; !Kw and !Kv, if besides it has not
 // been sensed. What has been sensed becomes known where the tree branches on it, not before. A
-// knowledge base may know less than is true in all these worlds (it forgets how what is deleted
-// under a condition hangs together with the condition, and intervals with one another): a tree that
-// relies on its not knowing that is rejected, and an effect under such a condition does not happen.
+// knowledge base may know less than is true in all these worlds (it forgets how intervals hang
+// together): a tree that relies on its not knowing that is rejected, and an effect under such a
+// condition does not happen.
 // A sample, of worlds or of their numbers, can show that something is not known, never that it is:
 // preconditions and goals that ask it pass where all of the sample agree, effects and update rules
 // that do fail.
