@@ -167,7 +167,8 @@ void AddContest(const char* family, const std::string& instance, const Questions
     bench::AddContestant(family, instance, "boost_interval:as_measured",
                          [questions, factor_of_ibex](benchmark::State& state) {
                            EvaluatedByBoost(state, questions, true, Rounding::kByDefault);
-                           state.counters["times:ibex"] = factor_of_ibex;
+                           state.counters[std::string(bench::kTimesOfPublished) + "ibex"] =
+                               factor_of_ibex;
                          });
   }
 #else
@@ -212,7 +213,7 @@ using Chain = std::function<Expression(int links, RandomStream&, ExpressionPool&
 
 Questions RandomChains(const std::string& kind, int fewest, int most, const Chain& chain) {
   static std::deque<ExpressionPool> pools;
-  RandomStream random(1, kind + " benchmark");
+  RandomStream random(bench::Seed(), kind + " benchmark");
   auto questions = std::make_shared<std::deque<Question>>();
   for (int i = 0; i < (bench::Tiny() ? 2 : kChains); ++i) {
     ExpressionPool& pool = pools.emplace_back();

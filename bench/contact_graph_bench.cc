@@ -1,11 +1,15 @@
 #include <benchmark/benchmark.h>
-
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 
+#include "bench/harness/contest.h"
 #include "bench/workloads/pegs.h"
+#include "planner/domain/problem_file.h"
+#include "planner/finemotion/contact_chain.h"
 #include "planner/finemotion/contact_graph.h"
+#include "planner/finemotion/mating.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::finemotion {
@@ -78,6 +82,23 @@ void Contacts(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
+// The graphs of all critical points of a scenario's mating, as `assay mate` makes them.
+void AllCriticalPoints(benchmark::State& state, const std::string& mating) {
+  const std::string root = ASSAY_SOURCE_DIR;
+  const domain::Problem problem = domain::ReadProblem(
+      Document::Load(fmt::format("{}/scenarios/mate-{}.yaml", root, mating)), root + "/models");
+  const MatingGeometry geometry = GeometryOf(problem, problem.matings.back());
+  ContactChain chain;
+  for (auto _ : state) chain = ContactChainOf(geometry);
+  std::size_t contacts = 0, states = 0;
+  for (const LocalTopology& point : chain.points) {
+    contacts = std::max(contacts, point.space.contacts.size());
+    states += point.graph.states.size();
+  }
+  state.counters["graphs"] = static_cast<double>(chain.points.size());
+  state.counters["most_contacts"] = static_cast<double>(contacts);
+  state.counters["states"] = static_cast<double>(states);
+}
 BENCHMARK_CAPTURE(CriticalPoint, at_the_rim, 0.0)
     ->ArgName("target_points")
     ->Arg(3)
@@ -116,6 +137,18 @@ BENCHMARK(Contacts)
     ->DenseRange(4, 32, 4)
     ->Unit(benchmark::kMillisecond)
     ->Complexity();
+
+const bool kAdded = [] {
+  for (const char* mating : {"square", "keyed", "octagonal", "stepped", "t-slot"}) {
+    const std::string name = mating;
+    if (bench::Tiny() && name != "square") continue;
+    benchmark::RegisterBenchmark(
+        ("AllCriticalPoints/" + name).c_str(),
+        [name](benchmark::State& state) { AllCriticalPoints(state, name); })
+        ->Unit(benchmark::kMillisecond);
+  }
+  return true;
+}();
 
 }  // namespace
 }  // namespace assay::finemotion

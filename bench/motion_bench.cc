@@ -85,7 +85,7 @@ class Postures {
 
   const CollisionScene& scene_;
   MotionCheck check_;
-  RandomStream random_{1, "motion benchmark"};
+  RandomStream random_{bench::Seed(), "motion benchmark"};
 };
 
 enum class Tool { kAnyhow, kUpright };

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <vector>
 
+#include "bench/harness/contest.h"
 #include "bench/workloads/projections.h"
 #include "planner/finemotion/meeting.h"
 
@@ -26,7 +27,7 @@ constexpr int kMostLimits = 4;  // the paper's
 
 // The same for every test of one number of tolerances: 1 to 4 limits.
 std::vector<ProjectionAndContact> MakeCases(Cases kind, int tolerances) {
-  RandomStream random(1, "projection");
+  RandomStream random(bench::Seed(), "projection");
   ProjectionModel model{.tolerances = tolerances};
   if (kind != Cases::kStill) {
     model.velocity_errors = 2;

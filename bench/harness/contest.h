@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,10 @@ inline constexpr std::string_view kOurs = "assay";
 
 inline constexpr const char* kTimeout = "timeout";
 
+// A contestant's counter of this prefix and a peer's name: how many times as long that peer took
+// where both were measured, by published figures.
+inline constexpr const char* kTimesOfPublished = "times:";
+
 inline constexpr double kAsAsked = 0;  // by --benchmark_min_time
 
 // Once for a family, before any of its contestants.
@@ -39,8 +44,16 @@ void Announce(std::string_view family, const Terms& terms);
 void AddContestant(std::string_view family, std::string_view instance, std::string_view contestant,
                    std::function<void(benchmark::State&)> work, double least_seconds = kAsAsked);
 
+// The same for `work` that tells by itself what one answer took (State::SetIterationTime), once.
+void AddTimedContestant(std::string_view family, std::string_view instance,
+                        std::string_view contestant, std::function<void(benchmark::State&)> work);
+
 // Instead of a contestant that this machine does not have: the report says so.
 void AddMissing(std::string_view family, std::string_view contestant, std::string_view package);
+
+// What random workloads are drawn from: the environment's ASSAY_BENCH_SEED, 1 without it. Ends the
+// program if that is no number of 0 .. 2^64 - 1.
+std::uint64_t Seed();
 
 // The environment asks for a run that only shows that nothing is broken (ASSAY_BENCH_TINY).
 bool Tiny();

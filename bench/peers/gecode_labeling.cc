@@ -193,4 +193,21 @@ std::vector<Outcome> GecodeLabeling::PostArcByArc(Order order, double seconds) c
   return outcomes;
 }
 
+std::function<Outcome()> GecodeLabeling::AskForLastArc(Order order, double seconds) const {
+  const auto others = std::make_shared<NetworkSpace>(tables_->domains);
+  others->Branch(order);
+  const std::size_t last = tables_->arcs.size() - 1;
+  for (std::size_t arc = 0; arc < last; ++arc) {
+    others->Post(tables_->arcs[arc], tables_->of_arcs[arc]);
+  }
+  others->status();  // only a propagated space can be cloned
+  return [=, this] {
+    const std::unique_ptr<NetworkSpace> posted(static_cast<NetworkSpace*>(others->clone()));
+    posted->Post(tables_->arcs[last], tables_->of_arcs[last]);
+    Search search(*posted, order, seconds);
+    if (search.Next() != nullptr) return Outcome::kFound;
+    return search.engine->stopped() ? Outcome::kBudget : Outcome::kNone;
+  };
+}
+
 }  // namespace assay::peers

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -29,6 +30,11 @@ class GecodeLabeling {
   // was accepted; shorter than the arcs when the time was up. The space with what was accepted is
   // kept and cloned for each question, so that nothing is posted or propagated twice.
   std::vector<Outcome> PostArcByArc(Order order, double seconds) const;
+
+  // A question that may be asked again and again while this lives: whether a labeling is left with
+  // the last arc. A space with all others is kept; the last one is posted into a clone of it, which
+  // is dropped after the answer.
+  std::function<Outcome()> AskForLastArc(Order order, double seconds) const;
 
  private:
   struct Tables;

@@ -55,15 +55,15 @@ void Improve(std::vector<PeerTime>& peers, const std::string& peer, const std::s
   }
 }
 
-// A peer that is known from published figures alone: a contestant that both sides ran then carries
-// how many times as long it took ("times:PEER").
+// A peer that is known from published figures alone: a contestant that was measured beside it there
+// carries how many times as long it took.
 void ImproveByPublished(std::vector<PeerTime>& peers, const Series& series) {
-  static const std::string kPrefix = "times:";
+  const std::string prefix = kTimesOfPublished;
   for (const auto& [counter, multiple] : series.counters) {
-    if (!counter.starts_with(kPrefix)) continue;
+    if (!counter.starts_with(prefix)) continue;
     Series scaled = {.name = series.name, .seconds = series.seconds};
     for (double& seconds : scaled.seconds) seconds *= multiple;
-    Improve(peers, counter.substr(kPrefix.size()) + " (scaled)", "", scaled);
+    Improve(peers, counter.substr(prefix.size()) + " (scaled)", "", scaled);
   }
 }
 
@@ -162,6 +162,19 @@ class Register {
   std::vector<Family> families_;
 };
 
+constexpr std::size_t kFewestOfAKind = 3;
+
+std::string KindOf(const Contest& contest) {
+  const std::string& label = contest.ours.label;
+  return bench::KindOf(contest.instance) + (label.empty() ? "" : ", " + label);
+}
+
+Family Empty(Family family, const std::string& name) {
+  family.name = name;
+  family.contests.clear();
+  return family;
+}
+
 }  // namespace
 
 bool PeerTime::TimeWasUp() const {
@@ -188,6 +201,24 @@ const PeerTime* Contest::Find(const std::string& peer) const {
 
 std::vector<Family> Families(const Measurements& measurements) {
   return Register(measurements).Families();
+}
+
+std::vector<Family> ByKind(const Family& family) {
+  std::vector<Family> kinds;
+  for (const Contest& contest : family.contests) {
+    const std::string name = KindOf(contest);
+    auto known = std::ranges::find(kinds, name, &Family::name);
+    if (known == kinds.end()) known = kinds.insert(known, Empty(family, name));
+    known->contests.push_back(contest);
+  }
+  Family others = Empty(family, "others");
+  std::erase_if(kinds, [&](const Family& kind) {
+    if (kind.contests.size() >= kFewestOfAKind) return false;
+    std::ranges::copy(kind.contests, std::back_inserter(others.contests));
+    return true;
+  });
+  if (!others.contests.empty()) kinds.push_back(std::move(others));
+  return kinds;
 }
 
 double GeometricMean(const std::vector<double>& values) {

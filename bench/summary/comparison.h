@@ -54,6 +54,10 @@ struct Family {
 // In the order in which they ran. Benchmarks without "/assay" in their instance are in none.
 std::vector<Family> Families(const Measurements& measurements);
 
+// The same with the contests of one kind each, whose name they have: by the name of the instance
+// and what our benchmark says of it. Of what there are fewer than three of comes last, as "others".
+std::vector<Family> ByKind(const Family& family);
+
 // Of ratios and the like, all positive.
 double GeometricMean(const std::vector<double>& values);
 

@@ -26,13 +26,6 @@ std::optional<double> SizeIn(const std::string& argument) {
   return std::stod(number);
 }
 
-// "model-b-07": of the instances of a kind, what they have in common.
-std::string KindOf(std::string instance) {
-  instance.resize(instance.find_last_not_of("0123456789") + 1);
-  while (instance.ends_with('-')) instance.pop_back();
-  return instance;
-}
-
 // A contestant's size is a counter, since its name tells whose it is: "family/kind/contestant".
 std::optional<SizedName> SizedNameOf(const Series& series) {
   const std::size_t last = series.name.rfind('/');

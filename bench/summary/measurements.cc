@@ -25,10 +25,13 @@ Json Load(const std::filesystem::path& file) {
   }
 }
 
+// Processor time, but for benchmarks that tell their time by themselves.
 double Seconds(const Json& entry) {
   static const std::map<std::string, double> kUnits = {
       {"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1}};
-  return entry.at("cpu_time").get<double>() * kUnits.at(entry.at("time_unit").get<std::string>());
+  const bool by_itself = entry.at("name").get<std::string>().ends_with("/manual_time");
+  return entry.at(by_itself ? "real_time" : "cpu_time").get<double>() *
+         kUnits.at(entry.at("time_unit").get<std::string>());
 }
 
 // Google Benchmark mixes user counters with keys of its own.
@@ -81,7 +84,10 @@ class Reader {
       series.skipped = entry.at("error_message");
       return;
     }
-    if (series.seconds.empty()) series.counters = CountersOf(entry);
+    if (series.seconds.empty()) {
+      series.counters = CountersOf(entry);
+      series.label = entry.value("label", "");
+    }
     series.seconds.push_back(Seconds(entry));
   }
 
@@ -97,6 +103,12 @@ double Series::Median() const {
   std::ranges::sort(sorted);
   const std::size_t half = sorted.size() / 2;
   return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
+}
+
+std::string KindOf(std::string instance) {
+  instance.resize(instance.find_last_not_of("0123456789") + 1);
+  while (instance.ends_with('-')) instance.pop_back();
+  return instance;
 }
 
 Measurements Read(const std::vector<std::filesystem::path>& files) {

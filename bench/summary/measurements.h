@@ -14,9 +14,13 @@ struct Series {
   std::map<std::string, double> counters = {};  // of the first pass
   std::string skipped = {};                     // why there are no times
   std::string program = {};                     // "strategy", of strategy_bench
+  std::string label = {};                       // what the benchmark says of its kind of work
 
   double Median() const;  // of the times; infinite if there are none
 };
+
+// "model-b-07" is of the kind "model-b".
+std::string KindOf(std::string instance);
 
 // What several passes over several programs measured.
 struct Measurements {

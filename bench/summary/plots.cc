@@ -12,10 +12,11 @@ namespace assay::bench {
 namespace {
 
 // Names are "noenhanced": gnuplot reads "_" and the like as typesetting otherwise.
-constexpr const char* kStyle = R"(set encoding utf8
-set grid
-set key outside right top spacing 1.4
-)";
+constexpr const char* kStyle = "set encoding utf8\nset grid\n";
+
+// All panels leave the same room for their keys, in one column: a key takes its own from the panel.
+constexpr const char* kPanelStyle =
+    "set key outside right top maxcols 1\nset rmargin at screen 0.66\n";
 
 // One row of dots for each family: an instance's ratio to its best peer.
 void DrawRatios(std::string& out, const std::vector<Family>& families) {
@@ -56,6 +57,7 @@ void DrawGrowths(std::string& out, const std::vector<Growth>& growths) {
                     growths[i].name, of, growths[i].Exponent()));
   }
   out += kStyle;
+  out += kPanelStyle;
   out += fmt::format(
       "set terminal svg size 1000,{0} dynamic background 'white'\nset output 'growth.svg'\n"
       "set logscale xy\nset xlabel 'size'\nset ylabel 'seconds'\nset format y '10^{{%L}}'\n"

@@ -6,39 +6,20 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "bench/harness/contest.h"
 #include "bench/summary/comparison.h"
 #include "bench/summary/growth.h"
+#include "bench/summary/markdown.h"
 
 namespace assay::bench {
 namespace {
 
-std::string Time(double seconds) {
-  if (!std::isfinite(seconds)) return "-";
-  static const std::vector<std::pair<double, const char*>> kUnits = {
-      {1, "s"}, {1e-3, "ms"}, {1e-6, "us"}, {1e-9, "ns"}};
-  for (const auto& [unit, name] : kUnits) {
-    if (seconds >= unit) return fmt::format("{:.3g} {}", seconds / unit, name);
-  }
-  return fmt::format("{:.3g} ns", seconds * 1e9);
-}
-
-std::string Multiple(double ratio) {
-  return ratio < 100 ? fmt::format("{:.3g}", ratio) : fmt::format("{:.0f}", ratio);
-}
-
 std::string Text(const Ratio& ratio) {
   return fmt::format("{} ({} to {})", Multiple(ratio.median), Multiple(ratio.least),
                      Multiple(ratio.greatest));
-}
-
-std::string Row(const std::vector<std::string>& cells) {
-  return fmt::format("| {} |\n", fmt::join(cells, " | "));
-}
-
-std::string Heading(const std::vector<std::string>& cells) {
-  return Row(cells) + Row(std::vector<std::string>(cells.size(), "---"));
 }
 
 std::string Wanted(const Family& family) {
@@ -97,10 +78,47 @@ void Headline(std::string& out, const std::vector<Family>& families) {
   out += "\n![ratios](plots/ratios.svg)\n\n";
 }
 
+void KindRow(std::string& out, const Family& family, const Family& kind, const std::string& peer) {
+  const std::vector<double> ratios = Ratios(kind, peer);
+  if (ratios.empty()) return;
+  out += Row({fmt::format("[{0}](#{0})", family.name), kind.name, fmt::format("{}", ratios.size()),
+              peer.empty() ? "best of each" : peer, Multiple(GeometricMean(ratios)),
+              Multiple(std::ranges::min(ratios)), Multiple(std::ranges::max(ratios))});
+}
+
+// A mean over all hides kinds of instances that are far from it.
+void KindSection(std::string& out, const std::vector<Family>& families) {
+  std::string rows;
+  for (const Family& family : families) {
+    const std::vector<Family> kinds = ByKind(family);
+    if (kinds.size() < 2) continue;
+    for (const Family& kind : kinds) {
+      if (!family.against.empty()) KindRow(rows, family, kind, family.against);
+      if (Peers(kind).size() > 1) KindRow(rows, family, kind, "");
+    }
+  }
+  if (rows.empty()) return;
+  out += "## Ratios by kind of instance\n\n";
+  out += Heading({"work", "kind", "instances", "peer", "ratio", "least", "greatest"}) + rows + "\n";
+}
+
 std::vector<std::string> CounterNames(const Family& family) {
   std::set<std::string> names;
   for (const Contest& contest : family.contests) {
     for (const auto& [name, value] : contest.ours.counters) names.insert(name);
+  }
+  return {names.begin(), names.end()};
+}
+
+// What a peer counted, but for what the report shows otherwise.
+std::vector<std::string> CounterNames(const Family& family, const std::string& peer) {
+  std::set<std::string> names;
+  for (const Contest& contest : family.contests) {
+    const PeerTime* time = contest.Find(peer);
+    if (time == nullptr) continue;
+    for (const auto& [name, value] : time->series.counters) {
+      if (name != kTimeout && !name.starts_with(kTimesOfPublished)) names.insert(name);
+    }
   }
   return {names.begin(), names.end()};
 }
@@ -132,6 +150,10 @@ void Instances(std::string& out, const Family& family) {
   heading.insert(heading.end(), peers.begin(), peers.end());
   heading.push_back("best peer / ours");
   heading.insert(heading.end(), counters.begin(), counters.end());
+  for (const std::string& peer : peers) {
+    for (const std::string& name : CounterNames(family, peer))
+      heading.push_back(peer + ": " + name);
+  }
   out += Heading(heading);
   for (const Contest& contest : family.contests) {
     std::vector<std::string> row = {contest.instance, Time(contest.ours.Median())};
@@ -140,6 +162,12 @@ void Instances(std::string& out, const Family& family) {
     const PeerTime* best = contest.Best();
     row.push_back(best != nullptr ? AtLeast(*best) + Text(best->ratio) : "");
     for (const std::string& name : counters) row.push_back(Counter(contest.ours, name));
+    for (const std::string& peer : peers) {
+      const PeerTime* time = contest.Find(peer);
+      for (const std::string& name : CounterNames(family, peer)) {
+        row.push_back(time == nullptr ? "" : Counter(time->series, name));
+      }
+    }
     out += Row(row);
   }
 }
@@ -259,15 +287,6 @@ void AloneSection(std::string& out, const Measurements& measurements,
   out += "\n";
 }
 
-void Machine(std::string& out, const Measurements& measurements) {
-  out += "## Where\n\n";
-  for (const char* key : {"revision", "date", "processor", "compiler", "passes", "mhz_per_cpu",
-                          "num_cpus", "load_avg", "library_build_type"}) {
-    const auto at = measurements.context.find(key);
-    if (at != measurements.context.end()) out += fmt::format("- {}: {}\n", key, at->second);
-  }
-}
-
 }  // namespace
 
 std::string Report(const Measurements& measurements) {
@@ -278,13 +297,13 @@ std::string Report(const Measurements& measurements) {
       "its time counts. Who had not answered when its time was up counts as if it had answered "
       "then, marked \">\".\n\n";
   if (!families.empty()) Headline(out, families);
+  KindSection(out, families);
   LimitSection(out, measurements);
   if (!families.empty()) out += "## Instances\n\n";
   for (const Family& family : families) Section(out, family);
   GrowthSection(out, measurements);
   AloneSection(out, measurements, families);
-  Machine(out, measurements);
-  return out;
+  return out + Where(measurements);
 }
 
 }  // namespace assay::bench

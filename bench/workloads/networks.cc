@@ -315,4 +315,38 @@ NetworkWorkload LoadNetworkWorkload(const std::filesystem::path& file) {
   return workload;
 }
 
+namespace {
+
+void AddFiles(std::vector<MeasuredNetwork>& networks, const std::filesystem::path& folder,
+              Extent extent) {
+  std::vector<std::filesystem::path> files(std::filesystem::directory_iterator(folder), {});
+  std::ranges::sort(files);
+  for (const std::filesystem::path& file : files) {
+    const std::string name = file.stem();
+    if (extent == Extent::kTiny && name != "plan-2x2" && name != "mb-n10-d10") continue;
+    networks.push_back({.name = name,
+                        .make = [=] { return LoadNetworkWorkload(file); },
+                        .is_plan = name.starts_with("plan-"),
+                        .is_countable = name != "easy-n200-d5" && name != "grid-n100-d20"});
+  }
+}
+
+}  // namespace
+
+std::vector<MeasuredNetwork> MeasuredNetworks(const std::filesystem::path& folder,
+                                              std::uint64_t seed, Extent extent) {
+  std::vector<MeasuredNetwork> networks;
+  AddFiles(networks, folder, extent);
+  for (const NetworkFamily family : kNetworkFamilies) {
+    for (int index = 0; index < (extent == Extent::kTiny ? 1 : kNetworksOfFamily); ++index) {
+      networks.push_back(
+          {.name = fmt::format("{}-{:02}", Name(family), index),
+           .make = [=] { return NetworkOfFamily(family, index, seed); },
+           .is_plan = family == NetworkFamily::kPlan,
+           .is_countable = family == NetworkFamily::kModelB || family == NetworkFamily::kModelRb});
+    }
+  }
+  return networks;
+}
+
 }  // namespace assay::workloads

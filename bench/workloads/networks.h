@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -94,16 +96,28 @@ NetworkWorkload RandomThreatenedPlan(const ThreatenedPlanModel& model, RandomStr
 // that come one by one are the more often refused.
 NetworkWorkload CrowdedPlan(int index, std::uint64_t seed);
 
-// The networks that benchmarks measure: those of bench/workloads/networks, and of each family of
-// the generators 30 of growing size, drawn from the seed.
 enum class NetworkFamily { kModelB, kModelRb, kPlan, kTree, kGrid };
 inline constexpr NetworkFamily kNetworkFamilies[] = {NetworkFamily::kModelB,
                                                      NetworkFamily::kModelRb, NetworkFamily::kPlan,
                                                      NetworkFamily::kTree, NetworkFamily::kGrid};
 inline constexpr int kNetworksOfFamily = 30;
 std::string_view Name(NetworkFamily family);
-NetworkWorkload NetworkOfFamily(NetworkFamily family, int index, std::uint64_t seed);
+NetworkWorkload NetworkOfFamily(NetworkFamily family, int index, std::uint64_t seed);  // they grow
 
 NetworkWorkload LoadNetworkWorkload(const std::filesystem::path& file);  // as `assay label` reads
+
+// A network that benchmarks measure, read or drawn when it is needed.
+struct MeasuredNetwork {
+  std::string name;
+  std::function<NetworkWorkload()> make;
+  bool is_plan = false;       // its arcs come as a planner posts them
+  bool is_countable = false;  // it has no more labelings than a peer can list
+};
+
+// Those of `folder` (bench/workloads/networks) by name, then 30 of each family, drawn from the
+// seed; kTiny: two small files, and the first of each family.
+enum class Extent { kWhole, kTiny };
+std::vector<MeasuredNetwork> MeasuredNetworks(const std::filesystem::path& folder,
+                                              std::uint64_t seed, Extent extent);
 
 }  // namespace assay::workloads

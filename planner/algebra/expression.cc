@@ -437,6 +437,10 @@ std::vector<Expression> NodesOf(const Expression& e) {
   return nodes;
 }
 
+std::size_t NodeCount(const Expression& e) {
+  return e.pool() == nullptr ? 1 : NodesAsMet(e).size();
+}
+
 namespace {
 
 // What `apply(node, values of its operands)` gives for e, from one application to each of its

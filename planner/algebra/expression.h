@@ -148,6 +148,7 @@ class ExpressionPool {
 // in, e itself last. A loop over them costs time in proportion to the stored expression, however
 // deep it is and however often its parts occur.
 std::vector<Expression> NodesOf(const Expression& e);
+std::size_t NodeCount(const Expression& e);
 
 // The operation at the top of e, applied to other operands (as many as e has).
 Expression WithOperands(const Expression& e, std::span<const Expression> operands);

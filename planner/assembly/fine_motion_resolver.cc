@@ -140,7 +140,8 @@ std::vector<Remedy> FineMotionResolver::Propose(const UnmetGoals& unmet) {
   for (std::vector<Insertion>& insertions : preparations) {
     const Prepared prepared = With(unmet, insertions);
     auto strategy = StrategyFor(
-        {unmet.problem, prepared.actions, prepared.step, unmet.goals, prepared.strategies});
+        {unmet.problem, prepared.actions, prepared.step, unmet.goals, unmet.parts,
+         prepared.strategies});
     if (!strategy) continue;
     return {{.part = mating.held,
              .insertions = std::move(insertions),

@@ -22,7 +22,8 @@ constexpr double kClearanceStep = 0.01;  // metres between looks at a hand on it
 
 // What a caller asks of a set of conditions.
 enum class Ask {
-  kWhetherAll,  // whether all hold: the first that is broken is enough
+  kWhetherAll,          // whether all hold: the first that is broken is enough
+  kWhetherAllButClear,  // the same, kMateClear left out
   kWhichBroken,
 };
 
@@ -33,7 +34,8 @@ class Findings {
 
   template <class Holds>
   void Require(GraspCondition condition, const Holds& holds) {
-    if (ask_ == Ask::kWhetherAll && broken_ != 0) return;
+    if (ask_ != Ask::kWhichBroken && broken_ != 0) return;
+    if (ask_ == Ask::kWhetherAllButClear && condition == GraspCondition::kMateClear) return;
     if (!holds()) broken_ |= static_cast<GraspConditions>(condition);
   }
   GraspConditions broken() const { return broken_; }
@@ -304,6 +306,21 @@ bool IsMateReachableAt(const Problem& problem, MatingId mating, GraspId grasp,
 bool IsMateReachableIn(const Problem& problem, MatingId mating, GraspId grasp,
                        StablePoseId pose_of_fixed) {
   return FindMatingIn(problem, mating, grasp, pose_of_fixed, Ask::kWhetherAll) == 0;
+}
+
+bool HandClearsFixed(const Problem& problem, MatingId id, GraspId grasp) {
+  const Mating& mating = problem.mating(id);
+  return ClearsFixed(problem, mating, GraspOf(problem, mating.held, grasp));
+}
+
+bool IsMatingPlaceReachableAt(const Problem& problem, MatingId mating, GraspId grasp,
+                              const Pose& X_WorldFixed) {
+  return FindMatingAt(problem, mating, grasp, X_WorldFixed, Ask::kWhetherAllButClear) == 0;
+}
+
+bool IsMatingPlaceReachableIn(const Problem& problem, MatingId mating, GraspId grasp,
+                              StablePoseId pose_of_fixed) {
+  return FindMatingIn(problem, mating, grasp, pose_of_fixed, Ask::kWhetherAllButClear) == 0;
 }
 
 bool CanApproach(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& approach) {

@@ -47,6 +47,14 @@ bool IsMateReachableAt(const Problem& problem, MatingId mating, GraspId grasp,
 bool IsMateReachableIn(const Problem& problem, MatingId mating, GraspId grasp,
                        StablePoseId pose_of_fixed);
 
+// The same in two parts: kMateClear, which is the same wherever the fixed part stands, and all the
+// others.
+bool HandClearsFixed(const Problem& problem, MatingId mating, GraspId grasp);
+bool IsMatingPlaceReachableAt(const Problem& problem, MatingId mating, GraspId grasp,
+                              const Pose& X_WorldFixed);
+bool IsMatingPlaceReachableIn(const Problem& problem, MatingId mating, GraspId grasp,
+                              StablePoseId pose_of_fixed);
+
 // Whether the arm can bring the tool to X_WorldTool by a straight line of `approach` (world frame,
 // ending there) within joint limits and without changing its configuration on the way.
 bool CanApproach(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& approach);

@@ -29,18 +29,27 @@ struct PreparedBox {
   double radius = 0;
 };
 
-Ball BoundingBall(std::span<const Box> boxes) {
+// To the corner that is farthest from the point.
+double GreatestDistanceTo(const PreparedBox& box, const Vector3& p_Shape) {
+  return ((box.X_BoxShape * p_Shape).cwiseAbs() + box.half_extents).norm();
+}
+
+double GreatestDistanceTo(std::span<const PreparedBox> boxes, const Vector3& p_Shape) {
+  double greatest = 0;
+  for (const PreparedBox& box : boxes) {
+    greatest = std::max(greatest, GreatestDistanceTo(box, p_Shape));
+  }
+  return greatest;
+}
+
+Ball BoundingBall(std::span<const PreparedBox> boxes) {
   Eigen::AlignedBox3d bounds;
-  for (const Box& box : boxes) {
-    for (const Vector3& corner : box.Corners()) bounds.extend(corner);
+  for (const PreparedBox& box : boxes) {
+    const Vector3 reach = box.X_ShapeBox.linear().cwiseAbs() * box.half_extents;
+    bounds.extend(box.X_ShapeBox.translation() - reach);
+    bounds.extend(box.X_ShapeBox.translation() + reach);
   }
-  Ball ball{bounds.center(), 0};
-  for (const Box& box : boxes) {
-    for (const Vector3& corner : box.Corners()) {
-      ball.radius = std::max(ball.radius, (corner - ball.center).norm());
-    }
-  }
-  return ball;
+  return {bounds.center(), GreatestDistanceTo(boxes, bounds.center())};
 }
 
 // The distance of a point from a box.
@@ -90,12 +99,13 @@ struct CollisionShape::Prepared {
 
 CollisionShape::CollisionShape(std::span<const Box> boxes) {
   auto prepared = std::make_shared<Prepared>();
+  prepared->boxes.reserve(boxes.size());
   for (const Box& box : boxes) {
     prepared->boxes.push_back(
         {box.X_FrameBox, box.X_FrameBox.inverse(), box.half_extents, box.half_extents.norm()});
-    for (const Vector3& corner : box.Corners()) radius_ = std::max(radius_, corner.norm());
   }
-  if (!boxes.empty()) prepared->ball = BoundingBall(boxes);
+  radius_ = GreatestDistanceTo(prepared->boxes, Vector3::Zero());
+  if (!boxes.empty()) prepared->ball = BoundingBall(prepared->boxes);
   prepared_ = std::move(prepared);
 }
 

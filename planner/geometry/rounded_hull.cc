@@ -5,13 +5,17 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
+#include <optional>
 
 #include "planner/base/check.h"
 
 namespace assay::geometry {
 
+// Made when it is asked for: most hulls are never so near to another that nearest points matter.
 struct RoundedHull::Prepared {
-  fcl::Convexd convex;
+  mutable std::once_flag made;
+  mutable std::optional<fcl::Convexd> convex;
 };
 
 namespace {
@@ -25,6 +29,12 @@ fcl::Convexd ConvexOf(const ConvexHull& hull) {
   }
   return fcl::Convexd(std::make_shared<const std::vector<Vector3>>(hull.vertices),
                       static_cast<int>(hull.facets.size()), faces);
+}
+
+const fcl::Convexd& ConvexOf(const RoundedHull& hull) {
+  const RoundedHull::Prepared& prepared = hull.prepared();
+  std::call_once(prepared.made, [&] { prepared.convex.emplace(ConvexOf(hull.core())); });
+  return *prepared.convex;
 }
 
 double GreatestAlong(const Vector3& direction, const std::vector<Vector3>& points) {
@@ -49,10 +59,14 @@ const Vector3& NormalTowards(const Vector3& p, const ConvexHull& hull) {
 }
 
 // Some empty slab is at least as wide, which is seen without looking for the nearest points.
-bool IsSeenApart(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB, double width) {
+bool IsSeenApart(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB, double width,
+                 Vector3& slab) {
   const auto is_enough = [&](const Vector3& direction) {
-    return SlabWidth(direction, a, b, X_AB) >= width;
+    if (SlabWidth(direction, a, b, X_AB) < width) return false;
+    slab = direction;
+    return true;
   };
+  if (!slab.isZero(0) && is_enough(slab)) return true;
   const Vector3 b_center = X_AB * b.center();
   const Vector3 a_center_B = X_AB.inverse() * a.center();
   return is_enough((b_center - a.center()).normalized()) ||
@@ -67,8 +81,8 @@ Vector3 NearestDifference(const RoundedHull& a, const RoundedHull& b, const Pose
   request.gjk_solver_type = fcl::GST_LIBCCD;
   request.distance_tolerance = 1e-14;
   fcl::DistanceResultd result;
-  const double distance = fcl::distance(&a.prepared().convex, Pose::Identity(),
-                                        &b.prepared().convex, X_AB, request, result);
+  const double distance =
+      fcl::distance(&ConvexOf(a), Pose::Identity(), &ConvexOf(b), X_AB, request, result);
   if (distance <= 0) return Vector3::Zero();
   return result.nearest_points[1] - result.nearest_points[0];
 }
@@ -83,7 +97,7 @@ RoundedHull::RoundedHull(ConvexHull core, double radius) : core_(std::move(core)
   for (const Vector3& vertex : core_.vertices) {
     ball_radius_ = std::max(ball_radius_, (vertex - center_).norm() + radius);
   }
-  prepared_ = std::make_shared<const Prepared>(Prepared{ConvexOf(core_)});
+  prepared_ = std::make_shared<const Prepared>();
 }
 
 double Volume(const ConvexHull& hull) {
@@ -100,11 +114,18 @@ double Volume(const ConvexHull& hull) {
 
 double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
                   const Pose& X_WorldB, double enough) {
+  Vector3 slab = Vector3::Zero();
+  return Separation(a, X_WorldA, b, X_WorldB, enough, slab);
+}
+
+double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
+                  const Pose& X_WorldB, double enough, Vector3& slab) {
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
-  if (IsSeenApart(a, b, X_AB, enough + a.radius() + b.radius())) return enough;
+  if (IsSeenApart(a, b, X_AB, enough + a.radius() + b.radius(), slab)) return enough;
   const Vector3 difference = NearestDifference(a, b, X_AB);
   if (difference.isZero(0)) return 0;
-  return std::max(0.0, SlabWidth(difference.normalized(), a, b, X_AB) - a.radius() - b.radius());
+  slab = difference.normalized();
+  return std::max(0.0, SlabWidth(slab, a, b, X_AB) - a.radius() - b.radius());
 }
 
 }  // namespace assay::geometry

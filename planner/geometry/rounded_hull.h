@@ -46,5 +46,9 @@ double Volume(const ConvexHull& hull);
 // where its points are right. From `enough` on, anything that is at least `enough` may be told.
 double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
                   const Pose& X_WorldB, double enough = std::numeric_limits<double>::infinity());
+// The same, for two that have moved little since the last query: a slab along the same direction is
+// mostly wide enough again. `slab`: the direction, in A's frame; zero if there was no query.
+double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
+                  const Pose& X_WorldB, double enough, Vector3& slab);
 
 }  // namespace assay::geometry

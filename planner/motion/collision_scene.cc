@@ -219,19 +219,28 @@ bool CollisionScene::IsCarried(BodyId id) const {
 
 double CollisionScene::Separation(const BodyPair& pair, const LinkPoses& X_BaseLink,
                                   double enough) const {
+  Slabs slabs;
+  return Separation(pair, X_BaseLink, enough, slabs);
+}
+
+double CollisionScene::Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough,
+                                  Slabs& slabs) const {
   const Body& a = body(pair.first);
   const Body& b = body(pair.second);
   const Pose& X_BaseA = X_BaseLink[a.link];
   const Pose& X_BaseB = X_BaseLink[b.link];
   const double apart = BallGap(X_BaseA, a.center, a.ball_radius, X_BaseB, b.center, b.ball_radius);
   if (apart >= enough) return apart;
+  slabs.resize(a.hulls.size() * b.hulls.size(), Vector3::Zero());
   double least = enough;
+  auto slab = slabs.begin();
   for (const RoundedHull& p : a.hulls) {
     for (const RoundedHull& q : b.hulls) {
+      Vector3& last = *slab++;
       const double gap =
           BallGap(X_BaseA, p.center(), p.ball_radius(), X_BaseB, q.center(), q.ball_radius());
       if (gap >= least) continue;
-      least = std::min(least, geometry::Separation(p, X_BaseA, q, X_BaseB, least));
+      least = std::min(least, geometry::Separation(p, X_BaseA, q, X_BaseB, least, last));
       if (least == 0) return 0;
     }
   }

@@ -102,6 +102,11 @@ class CollisionScene {
   // The distance of two bodies, never more than the truth. From `enough` on, anything that is at
   // least `enough` may be told.
   double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough) const;
+  // The same for a posture that is near to the last one, for which `slabs` was filled
+  // (geometry::Separation, by pair of hulls); empty at first.
+  using Slabs = std::vector<Vector3>;
+  double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough,
+                    Slabs& slabs) const;
 
   // The pair that is nearest to touching.
   Nearness Nearest(const JointVector& q) const;

@@ -95,10 +95,10 @@ std::optional<Obstruction> MotionCheck::FindObstruction(const JointVector& from,
   return std::nullopt;
 }
 
-std::vector<MotionCheck::OpenPair> MotionCheck::OpenPairs(const JointVector& turn) const {
+std::vector<MotionCheck::OpenPair> MotionCheck::OpenPairs(const JointVector& turn) {
   std::vector<OpenPair> open;
-  for (const auto& [pair, clearance] : watched_) {
-    open.push_back({pair, clearance, scene_.GreatestMotion(pair, turn)});
+  for (WatchedPair& watched : watched_) {
+    open.push_back({&watched, scene_.GreatestMotion(watched.pair, turn)});
   }
   return open;
 }
@@ -117,12 +117,13 @@ std::optional<Obstruction> MotionCheck::Narrow(Interval& interval, const JointVe
   }
   std::vector<OpenPair> still_open;
   for (const OpenPair& open : interval.pairs) {
+    auto& [pair, clearance, slabs] = *open.watched;
     const double motion = open.motion * interval.half;
-    const double needed = open.clearance + motion;
-    const double distance = scene_.Separation(open.pair, X_BaseLink, needed);
+    const double needed = clearance + motion;
+    const double distance = scene_.Separation(pair, X_BaseLink, needed, slabs);
     if (distance > 0 && distance >= needed) continue;
-    if (distance == 0 || distance < open.clearance || motion < kUndecided) {
-      return Obstruction{Obstruction::Kind::kPair, open.pair, open.clearance, q};
+    if (distance == 0 || distance < clearance || motion < kUndecided) {
+      return Obstruction{Obstruction::Kind::kPair, pair, clearance, q};
     }
     still_open.push_back(open);
   }

@@ -72,10 +72,10 @@ class MotionCheck {
   struct WatchedPair {
     BodyPair pair;
     double clearance = 0;  // metres
+    CollisionScene::Slabs slabs = {};  // of the posture that was looked at last
   };
   struct OpenPair {
-    BodyPair pair;
-    double clearance = 0;
+    WatchedPair* watched;
     double motion = 0;  // of its bodies on the whole way, metres
   };
   // A part of a motion, and what is not yet known to be free on it.
@@ -88,7 +88,7 @@ class MotionCheck {
 
   std::vector<WatchedPair> WatchedPairs() const;
   double Tilt(const LinkPoses& X_BaseLink) const;  // radians
-  std::vector<OpenPair> OpenPairs(const JointVector& turn) const;
+  std::vector<OpenPair> OpenPairs(const JointVector& turn);
   // Takes from the interval what the posture in its middle, q, shows to be free all along it.
   // `turn`: the sum of what all joints turn on the whole way.
   std::optional<Obstruction> Narrow(Interval& interval, const JointVector& q, double turn);

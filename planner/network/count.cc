@@ -1,10 +1,12 @@
 #include "planner/network/count.h"
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "planner/network/component.h"
 #include "planner/network/node_order.h"
+#include "planner/network/search.h"
 
 namespace assay::network {
 namespace {
@@ -28,7 +30,10 @@ struct Hung {
 class LabelingCounter {
  public:
   LabelingCounter(const Network& network, Budget& budget)
-      : labels_(network.label_store()), arcs_(network.arc_consistency()), budget_(budget) {
+      : network_(network),
+        labels_(network.label_store()),
+        arcs_(network.arc_consistency()),
+        budget_(budget) {
     arcs_.ForgetWeights();
   }
 
@@ -37,6 +42,7 @@ class LabelingCounter {
   const Counters& counters() const { return counters_; }
 
  private:
+  Outcome FindOne();
   std::optional<std::uint64_t> CountComponents(const std::vector<std::vector<int>>& components);
   std::optional<std::uint64_t> CountComponent(const std::vector<int>& component);
   std::optional<std::uint64_t> CountByBranching(const std::vector<int>& component);
@@ -48,6 +54,7 @@ class LabelingCounter {
   std::vector<std::uint64_t> CountsAbove(const Hung& hung, int above,
                                          const std::vector<std::uint64_t>& below) const;
 
+  const Network& network_;
   LabelStore labels_;
   ArcConsistency arcs_;
   Budget& budget_;
@@ -59,7 +66,22 @@ std::optional<std::uint64_t> LabelingCounter::CountAll() {
     if (labels_.count(node) == 0) return 0;
   }
   if (!arcs_.Propagate(labels_, counters_)) return 0;
-  return CountComponents(OpenComponents(labels_, arcs_));
+  const std::vector<std::vector<int>> components = OpenComponents(labels_, arcs_);
+  if (!std::ranges::all_of(components, [&](const auto& nodes) { return IsTree(nodes); })) {
+    const Outcome outcome = FindOne();
+    if (outcome == Outcome::kNone) return 0;
+    if (outcome == Outcome::kBudget) return std::nullopt;
+  }
+  return CountComponents(components);
+}
+
+// Where there is none, the search for one labeling shows it several times sooner than counting
+// does, which looks for what falls apart at every node.
+Outcome LabelingCounter::FindOne() {
+  if (network_.witness() != nullptr) return Outcome::kFound;
+  const FirstLabeling first = First(network_, {}, budget_);
+  counters_ = counters_ + first.counters;
+  return first.outcome;
 }
 
 std::optional<std::uint64_t> LabelingCounter::CountComponents(

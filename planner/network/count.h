@@ -16,9 +16,10 @@ struct LabelingCount {
 };
 inline constexpr std::uint64_t kManyLabelings = ~std::uint64_t{0};
 
-// How many labelings the network has, without listing them: nodes are branched on until what is
-// left falls into trees, which are counted from the leaves, and the counts of parts that do not
-// depend on each other are multiplied (cycle cutsets: Dechter and Pearl 1987).
+// How many labelings the network has, without listing them: once it is known to have one, nodes are
+// branched on until what is left falls into trees, which are counted from the leaves, and the
+// counts of parts that do not depend on each other are multiplied (cycle cutsets: Dechter and Pearl
+// 1987).
 LabelingCount Count(const Network& network, Budget& budget);
 
 }  // namespace assay::network

@@ -14,6 +14,7 @@ using network::Relation;
 
 GeometricRelations::GeometricRelations(const domain::Problem& problem)
     : problem_(problem),
+      reachability_(problem),
       reachable_(problem.parts.size()),
       mate_reachable_(problem.matings.size()) {}
 
@@ -24,7 +25,7 @@ std::shared_ptr<const Relation> GeometricRelations::Reachable(PartId id) const {
   relation = Relation::Where(
       domain::GraspLabelCount(part), domain::PositionLabelCount(part), [&](int g, int position) {
         return position == domain::InitialLabel(part)
-                   ? IsReachableAt(problem_, id, GraspId(g), part.X_WorldPart)
+                   ? reachability_.IsReachableAt(id, GraspId(g), part.X_WorldPart)
                    : IsReachableIn(problem_, id, GraspId(g), StablePoseId(position));
       });
   return relation;
@@ -38,8 +39,8 @@ std::shared_ptr<const Relation> GeometricRelations::MateReachable(MatingId id) c
   relation = Relation::Where(
       domain::GraspLabelCount(held), domain::PositionLabelCount(fixed), [&](int g, int position) {
         return position == domain::InitialLabel(fixed)
-                   ? IsMateReachableAt(problem_, id, GraspId(g), fixed.X_WorldPart)
-                   : IsMateReachableIn(problem_, id, GraspId(g), StablePoseId(position));
+                   ? reachability_.IsMateReachableAt(id, GraspId(g), fixed.X_WorldPart)
+                   : reachability_.IsMateReachableIn(id, GraspId(g), StablePoseId(position));
       });
   return relation;
 }

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/known_reachability.h"
 #include "planner/network/relation.h"
 
 namespace assay::posting {
@@ -21,8 +21,12 @@ class GeometricRelations {
   // labels of the fixed part.
   std::shared_ptr<const network::Relation> MateReachable(domain::MatingId mating) const;
 
+  // The same of single places.
+  domain::KnownReachability& reachability() const { return reachability_; }
+
  private:
   const domain::Problem& problem_;
+  mutable domain::KnownReachability reachability_;
   mutable std::vector<std::shared_ptr<const network::Relation>> reachable_;
   mutable std::vector<std::shared_ptr<const network::Relation>> mate_reachable_;
 };

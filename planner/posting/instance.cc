@@ -37,7 +37,7 @@ class OrderedSearch {
   OrderedSearch(const PartialPlan& plan, std::vector<StepId> order, const Accept& accept,
                 Budget& budget, std::set<Blocker>& blockers)
       : plan_(plan),
-        geometry_(plan.problem()),
+        geometry_(plan.problem(), plan.relations().reachability()),
         order_(std::move(order)),
         accept_(accept),
         budget_(budget),
@@ -235,7 +235,7 @@ bool InstanceSearch::Find(const std::function<bool(const PlanInstance&)>& accept
 
 bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,
                   const std::vector<StepId>& order) {
-  const StepGeometry geometry(plan.problem());
+  const StepGeometry geometry(plan.problem(), plan.relations().reachability());
   World world(plan.problem());
   Blame blame;
   for (std::size_t i = 0; i < order.size(); ++i) {

@@ -67,6 +67,7 @@ class PartialPlan {
   static constexpr StepId kFinish{1};
 
   const domain::Problem& problem() const { return *problem_; }
+  const GeometricRelations& relations() const { return *relations_; }
   const std::vector<domain::ActionTemplate>& steps() const { return steps_; }
   const domain::ActionTemplate& step(StepId id) const { return steps_[id.index()]; }
   int action_count() const { return static_cast<int>(steps_.size()) - 2; }

@@ -18,11 +18,9 @@ struct UnmetGoals {
   std::span<const plan::Action> actions;  // of the instance, in the order of execution
   int step = 0;                           // whose goals they are: index in `actions`
   std::vector<uncertainty::Unproved> goals;
+  std::vector<domain::PartId> parts = {};  // whose errors occur in the goals, in increasing order
   // By which fine motion executes them; by index in `actions`. Empty: none has any.
   std::vector<std::optional<plan::Strategy>> strategies = {};
-
-  // The parts whose errors occur in the goals, in increasing order.
-  std::vector<domain::PartId> Parts() const;
 };
 
 // An action to be executed right before actions[before].

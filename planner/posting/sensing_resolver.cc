@@ -23,7 +23,7 @@ std::vector<std::vector<std::string>> SetsOf(const std::vector<std::string>& sen
 std::vector<Remedy> SensingResolver::Propose(const UnmetGoals& unmet) {
   const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
   std::vector<Remedy> remedies;
-  for (const domain::PartId part : unmet.Parts()) {
+  for (const domain::PartId part : unmet.parts) {
     const auto moment = LatestFree(states, unmet.step, part);
     if (!moment) continue;
     const plan::Place at = PlaceBefore(unmet, states, *moment, part);

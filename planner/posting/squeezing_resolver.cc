@@ -102,7 +102,7 @@ std::vector<Remedy> SqueezingResolver::Propose(const UnmetGoals& unmet) {
   const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
   std::vector<Remedy> remedies;
   std::vector<Remedy> with_sensing;
-  for (const PartId part : unmet.Parts()) {
+  for (const PartId part : unmet.parts) {
     const auto moment = LatestGraspable(unmet.problem, states, unmet.step, part);
     if (!moment) continue;
     const plan::Place at = PlaceBefore(unmet, states, *moment, part);

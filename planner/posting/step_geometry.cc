@@ -41,7 +41,9 @@ bool StepGeometry::HandIsFree(const World& world, StepId step, PartId part, Part
 bool StepGeometry::PickupWorks(const World& world, StepId step, PartId part, GraspId grasp_id,
                                Blame& blame) const {
   const Pose& X_WorldPart = world.X_WorldPart(part);
-  if (world.mated(part) || !IsReachableAt(problem_, part, grasp_id, X_WorldPart)) return false;
+  if (world.mated(part) || !reachability_.IsReachableAt(part, grasp_id, X_WorldPart)) {
+    return false;
+  }
   const Grasp& grasp = (*problem_.part(part).grasps)[grasp_id.index()];
   return HandIsFree(world, step, part, PartId::None(), grasp, X_WorldPart * grasp.X_PartTool,
                     blame);
@@ -57,7 +59,7 @@ bool StepGeometry::HasRoom(const World& world, StepId step, PartId part, const P
 
 bool StepGeometry::PutdownWorks(const World& world, StepId step, PartId part, GraspId grasp_id,
                                 const Pose& X_WorldPart, Blame& blame) const {
-  if (!IsReachableAt(problem_, part, grasp_id, X_WorldPart)) return false;
+  if (!reachability_.IsReachableAt(part, grasp_id, X_WorldPart)) return false;
   const Grasp& grasp = (*problem_.part(part).grasps)[grasp_id.index()];
   return HandIsFree(world, step, part, PartId::None(), grasp, X_WorldPart * grasp.X_PartTool,
                     blame);
@@ -76,7 +78,7 @@ bool StepGeometry::AssembleWorks(const World& world, StepId step, MatingId matin
   const Mating& mating = problem_.mating(mating_id);
   const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
   if (!InFrictionCone(problem_, mating, X_WorldFixed) ||
-      !IsMateReachableAt(problem_, mating_id, grasp_id, X_WorldFixed)) {
+      !reachability_.IsMateReachableAt(mating_id, grasp_id, X_WorldFixed)) {
     return false;
   }
   const Grasp& grasp = (*problem_.part(mating.held).grasps)[grasp_id.index()];

@@ -29,7 +29,8 @@ struct Blame {
 // adds to the blame whatever else than the tested value itself made it fail.
 class StepGeometry {
  public:
-  explicit StepGeometry(const domain::Problem& problem) : problem_(problem) {}
+  StepGeometry(const domain::Problem& problem, domain::KnownReachability& reachability)
+      : problem_(problem), reachability_(reachability) {}
 
   bool PickupWorks(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,
                    Blame& blame) const;
@@ -50,6 +51,7 @@ class StepGeometry {
                       const domain::Pose& X_WorldHeld, Blame& blame) const;
 
   const domain::Problem& problem_;
+  domain::KnownReachability& reachability_;
 };
 
 }  // namespace assay::posting

@@ -27,16 +27,6 @@ using uncertainty::UncertainWorld;
 using uncertainty::Unproved;
 using uncertainty::WorldTree;
 
-std::vector<domain::PartId> UnmetGoals::Parts() const {
-  std::vector<domain::PartId> parts;
-  for (const Unproved& goal : goals)
-    parts.insert(parts.end(), goal.parts.begin(), goal.parts.end());
-  std::ranges::sort(parts);
-  const auto repeated = std::ranges::unique(parts);
-  parts.erase(repeated.begin(), repeated.end());
-  return parts;
-}
-
 namespace {
 
 // Goals of a step that were not proved as it was then to be executed.
@@ -83,6 +73,12 @@ std::vector<Unproved> WithoutConditions(const std::vector<std::string>& absorbed
 
 std::vector<Unproved> Unabsorbed(const Entry& entry, std::vector<Unproved> unproved) {
   return WithoutConditions(entry.absorbed, std::move(unproved));
+}
+
+std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goals) {
+  std::vector<algebra::Expression> expressions;
+  for (const Unproved& goal : goals) expressions.push_back(goal.expression);
+  return expressions;
 }
 
 std::string WhyUnproved(const plan::CertifiedPrecondition& claim) {
@@ -206,10 +202,13 @@ class Augmentation {
     return Unabsorbed(entry, tree.UnprovedAt(after)).empty();
   }
 
+  std::vector<Unproved> UnprovedGoals(const Unmet& unmet) const {
+    return WithoutConditions(unmet.absorbed, worlds_.possible.UnprovedAt(unmet.after));
+  }
+
   // The goal that fails by most, as the certificate will tell it.
   std::string Why(const Unmet& unmet) const {
-    const std::vector<Unproved> unproved =
-        WithoutConditions(unmet.absorbed, worlds_.possible.UnprovedAt(unmet.after));
+    const std::vector<Unproved> unproved = UnprovedGoals(unmet);
     const auto margin = [](const Unproved& goal) { return goal.claim.margin; };
     const Unproved& worst = *std::ranges::min_element(unproved, {}, margin);
     return WhyUnproved(worlds_.possible.Told(unmet.after, worst).claim);
@@ -342,10 +341,8 @@ class Augmentation {
       actions.push_back(entry.action);
       strategies.push_back(entry.strategy);
     }
-    const UnmetGoals unmet = {
-        problem_, actions, step,
-        WithoutConditions(failed.absorbed, worlds_.possible.UnprovedAt(failed.after)),
-        std::move(strategies)};
+    UnmetGoals unmet = {problem_, actions, step, UnprovedGoals(failed), {}, std::move(strategies)};
+    unmet.parts = worlds_.possible.WorldAt(failed.after).PartsIn(ExpressionsOf(unmet.goals));
     std::vector<Candidate> candidates;
     for (std::size_t r = 0; r < options_.resolvers.size(); ++r) {
       if (options_.resolvers[r]->absorbs().empty() == (absorbing == Absorbing::kYes)) continue;
@@ -496,14 +493,80 @@ Standing LeastStanding(const plan::Plan& instance, const UncertaintyOptions& opt
   return least;
 }
 
-// Whether the instance might come before the best one; `for_violation`: how many that might do so
-// by their violation alone are still to be augmented.
-bool IsWorthAugmenting(const Standing& least, const Standing& best, std::int64_t& for_violation) {
-  if (!(least < best)) return false;
-  const bool may_have_fewer =
-      std::tie(least.errors, least.actions) < std::tie(best.errors, best.actions);
-  return may_have_fewer || for_violation-- > 0;
+// A hand turned by half a turn grasps as well: one of the two is enough.
+bool IsAsGood(const Standing& a, const Standing& b) {
+  constexpr double kSameViolation = 1e-6;
+  return a.errors == b.errors && a.actions == b.actions &&
+         std::abs(a.violation - b.violation) < kSameViolation;
 }
+
+// The best of the plan instances that were augmented. Instances of which it is known beforehand
+// that not all can be proved wait until all are there: then those are augmented that could still
+// come first, the most promising first, one of those that promise the same.
+class BestInstance {
+ public:
+  BestInstance(const domain::Problem& problem, const UncertaintyOptions& options)
+      : problem_(problem),
+        options_(options),
+        worlds_(problem, options),
+        for_violation_(options.instances_for_violation) {}
+
+  void Consider(const plan::Plan& instance) {
+    const Standing least = LeastStanding(instance, options_, worlds_);
+    if (least.errors > 0) {
+      waiting_.push_back({least, instance});
+    } else {
+      TakeIfBetter(instance);
+    }
+  }
+  void ConsiderWaiting() {
+    std::ranges::stable_sort(waiting_, {}, &Waiting::least);
+    std::optional<Standing> promised;
+    for (const auto& [least, instance] : waiting_) {
+      if (promised && IsAsGood(*promised, least)) continue;
+      if (!IsWorthAugmenting(least)) continue;
+      promised = least;
+      TakeIfBetter(instance);
+    }
+    waiting_.clear();
+  }
+
+  // Null before the first.
+  const Augmentation* get() const { return best_.get(); }
+  bool is_proved() const { return best_ && best_->errors() == 0; }
+  std::int64_t combinations() const { return combinations_; }  // of remedies that were tried
+
+ private:
+  struct Waiting {
+    Standing least;
+    plan::Plan instance;
+  };
+
+  // Whether it might come before the best one; few of those that might do so by their violation
+  // alone.
+  bool IsWorthAugmenting(const Standing& least) {
+    if (!best_) return true;
+    const Standing best = best_->standing();
+    if (!(least < best)) return false;
+    const bool may_have_fewer =
+        std::tie(least.errors, least.actions) < std::tie(best.errors, best.actions);
+    return may_have_fewer || for_violation_-- > 0;
+  }
+
+  void TakeIfBetter(const plan::Plan& instance) {
+    auto augmentation = std::make_unique<const Augmentation>(problem_, instance, options_, worlds_);
+    combinations_ += augmentation->combinations();
+    if (!best_ || augmentation->standing() < best_->standing()) best_ = std::move(augmentation);
+  }
+
+  const domain::Problem& problem_;
+  const UncertaintyOptions& options_;
+  Worlds worlds_;
+  std::int64_t for_violation_;  // that are still to be augmented
+  std::vector<Waiting> waiting_;
+  std::unique_ptr<const Augmentation> best_;
+  std::int64_t combinations_ = 0;
+};
 
 UncertaintyOptions WithDefaults(UncertaintyOptions options) {
   if (options.resolvers.empty()) {
@@ -526,30 +589,20 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const Planner
                                    const UncertaintyOptions& options) {
   ASSAY_CHECK(!planner.accept, "which instance is accepted is for the uncertainty phase to say");
   const UncertaintyOptions complete = WithDefaults(options);
-  Worlds worlds(problem, complete);
-  std::unique_ptr<const Augmentation> best;
+  BestInstance best(problem, complete);
   std::int64_t instances = 0;
-  std::int64_t combinations = 0;
-  std::int64_t for_violation = complete.instances_for_violation;
   PlannerOptions first_phase = planner;
   first_phase.accept = [&](const plan::Plan& instance) {
-    if (complete.can_be_executed && !complete.can_be_executed(instance)) {
-      return ++instances >= complete.instances;
-    }
-    if (!best || IsWorthAugmenting(LeastStanding(instance, complete, worlds), best->standing(),
-                                   for_violation)) {
-      auto augmentation = std::make_unique<const Augmentation>(problem, instance, complete, worlds);
-      combinations += augmentation->combinations();
-      if (!best || augmentation->standing() < best->standing()) best = std::move(augmentation);
-    }
-    return best->errors() == 0 || ++instances >= complete.instances;
+    if (!complete.can_be_executed || complete.can_be_executed(instance)) best.Consider(instance);
+    return best.is_proved() || ++instances >= complete.instances;
   };
   plan::PlanResult result = MakePlan(problem, first_phase);
-  result.counters["remedies"] = combinations;
-  if (best) {
+  if (!best.is_proved()) best.ConsiderWaiting();
+  result.counters["remedies"] = best.combinations();
+  if (best.get() != nullptr) {
     result.outcome = Outcome::kFound;
     result.conflict.clear();
-    result.plan = best->WriteOut().plan;
+    result.plan = best.get()->WriteOut().plan;
   } else if (instances > 0) {  // none of which can be executed
     result.outcome = Outcome::kBudget;
     result.plan = {};

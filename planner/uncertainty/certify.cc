@@ -177,8 +177,7 @@ class StepCertifier {
       if (!decides()) return;
       CertifiedPrecondition claim = certifies() ? Certified(precondition) : Decided(precondition);
       if (!claim.holds()) {
-        const Expression& expression = precondition.expression;
-        certified_.unproved.push_back({claim, expression, world_.PartsIn(expression)});
+        certified_.unproved.push_back({claim, precondition.expression});
       }
       if (certifies()) certified_.certificate.preconditions.push_back(std::move(claim));
     }

@@ -8,8 +8,7 @@ namespace assay::uncertainty {
 // A precondition that could not be proved.
 struct Unproved {
   plan::CertifiedPrecondition claim;
-  Expression expression;      // of the claim, in the variables of the world it was decided in
-  std::vector<PartId> parts;  // whose errors occur in it
+  Expression expression;  // of the claim, in the variables of the world it was decided in
 };
 
 struct CertifiedStep {

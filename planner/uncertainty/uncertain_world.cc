@@ -19,6 +19,15 @@ namespace {
 constexpr std::size_t kMostNodes = 60;  // of expressions that are kept as they are
 constexpr double kNegligible = 0.02;    // of what all variables of an expression do together
 
+std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>& expressions) {
+  std::set<algebra::VariableId> occurring;
+  for (const Expression& expression : expressions) {
+    const std::vector<algebra::VariableId> own = algebra::VariablesOf(expression);
+    occurring.insert(own.begin(), own.end());
+  }
+  return occurring;
+}
+
 }  // namespace
 
 // "peg-1" becomes "peg_1": names of variables have no hyphens.
@@ -44,13 +53,23 @@ UncertainWorld::UncertainWorld(const domain::Problem& problem, Propagation propa
 
 Expression UncertainWorld::Declare(const std::string& stem, const Interval& range, PartId part) {
   if (range.low == range.high) return range.low;
-  const int count = ++variables_->count_by_stem[stem];
-  std::string name = count == 1 ? stem : fmt::format("{}_{}", stem, count);
-  // A part may be called what another part's second variable would be.
-  while (variables_->pool.Find(name)) name += '_';
-  variables_->owners.push_back(part);
-  variables_->declared.box.push_back(range);
-  return variables_->pool.Declare(std::move(name), range);
+  auto& [pool, declared, stems, owners, first_order, tight_ranges] = *variables_;
+  int& count = count_by_stem_[stem];
+  while (true) {
+    const std::string name = ++count == 1 ? stem : fmt::format("{}_{}", stem, count);
+    const std::optional<algebra::VariableId> known = pool.Find(name);
+    if (!known) {
+      stems.push_back(stem);
+      owners.push_back(part);
+      declared.box.push_back(range);
+      return pool.Declare(name, range);
+    }
+    const int v = known->index();
+    const Interval& its = declared.box[v];
+    if (stems[v] == stem && owners[v] == part && its.low == range.low && its.high == range.high) {
+      return pool.Variable(*known);
+    }
+  }
 }
 
 Expression UncertainWorld::DeclareOfPart(const char* what, const Interval& range, PartId part) {
@@ -75,7 +94,7 @@ Expression UncertainWorld::DrawTableHeight(PartId part) {
 }
 
 Expression UncertainWorld::Condensed(const Expression& e, const char* rest, PartId part) {
-  if (propagation_ == Propagation::kPaper || algebra::NodesOf(e).size() <= kMostNodes) return e;
+  if (propagation_ == Propagation::kPaper || algebra::NodeCount(e) <= kMostNodes) return e;
   using algebra::operator+;
   std::optional<algebra::AffineForm> form =
       variables_->first_order.Affine(e, constraints().box, kNegligible);
@@ -172,9 +191,9 @@ algebra::Bound UncertainWorld::FirstOrderBelow(const Expression& expression) con
   return variables_->first_order.BoundBelow(expression, constraints().box);
 }
 
-std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const {
+std::vector<PartId> UncertainWorld::PartsIn(const std::vector<Expression>& expressions) const {
   std::set<PartId> parts;
-  for (const algebra::VariableId v : algebra::VariablesOf(expression)) {
+  for (const algebra::VariableId v : VariablesOccurringIn(expressions)) {
     const PartId owner = variables_->owners[v.index()];
     if (!owner.IsNone()) parts.insert(owner);
   }
@@ -183,13 +202,8 @@ std::vector<PartId> UncertainWorld::PartsIn(const Expression& expression) const 
 
 std::vector<plan::ErrorVariable> UncertainWorld::VariablesIn(
     const std::vector<Expression>& expressions) const {
-  std::set<algebra::VariableId> occurring;
-  for (const Expression& expression : expressions) {
-    const std::vector<algebra::VariableId> own = algebra::VariablesOf(expression);
-    occurring.insert(own.begin(), own.end());
-  }
   std::vector<plan::ErrorVariable> variables;
-  for (const algebra::VariableId v : occurring) {
+  for (const algebra::VariableId v : VariablesOccurringIn(expressions)) {
     variables.push_back({variables_->pool.name(v), variables_->pool.bounds(v)});
   }
   return variables;

@@ -79,8 +79,8 @@ class UncertainWorld {
   algebra::Glance GlanceBelow(const Expression& expression, double limit) const;
   algebra::Bound FirstOrderAbove(const Expression& expression) const;
   algebra::Bound FirstOrderBelow(const Expression& expression) const;
-  // The parts whose errors occur in the expression, in increasing order.
-  std::vector<PartId> PartsIn(const Expression& expression) const;
+  // The parts whose errors occur in the expressions, in increasing order.
+  std::vector<PartId> PartsIn(const std::vector<Expression>& expressions) const;
   // The variables that occur in the expressions, by name and range.
   std::vector<plan::ErrorVariable> VariablesIn(const std::vector<Expression>& expressions) const;
   const std::string& NameOf(algebra::VariableId variable) const;
@@ -95,8 +95,8 @@ class UncertainWorld {
   struct Variables {
     algebra::ExpressionPool pool;
     algebra::ConstraintSet declared = {};
-    std::vector<PartId> owners = {};  // by VariableId; None: the hand
-    std::map<std::string, int> count_by_stem = {};
+    std::vector<std::string> stems = {};  // by VariableId
+    std::vector<PartId> owners = {};      // by VariableId; None: the hand
     algebra::FirstOrderForms first_order = {};
     std::map<int, Interval> tight_ranges = {};  // by Expression::index
   };
@@ -109,6 +109,7 @@ class UncertainWorld {
   const domain::Problem* problem_;
   Propagation propagation_;
   std::shared_ptr<Variables> variables_;
+  std::map<std::string, int> count_by_stem_;  // of the variables of this world
   std::vector<PartKnowledge> parts_;
   PartId in_hand_ = PartId::None();
   HeldError held_;

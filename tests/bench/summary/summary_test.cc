@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "bench/summary/comparison.h"
+#include "bench/summary/contingent_table.h"
 #include "bench/summary/growth.h"
 #include "bench/summary/measurements.h"
 #include "bench/summary/plots.h"
@@ -70,6 +71,27 @@ TEST(Comparison, ShowsWhatWasSkipped) {
   EXPECT_THAT(Report(measurements), HasSubstr("b/cadical: answers differ"));
 }
 
+TEST(Comparison, TellsKindsOfInstancesApart) {
+  Measurements measurements = {.context = {{"posting/against", "gecode"}}, .series = {}};
+  const auto add = [&](const std::string& instance, double ratio, const std::string& label) {
+    measurements.series.push_back(Of("posting/" + instance + "/assay", {1}));
+    measurements.series.back().label = label;
+    measurements.series.push_back(Of("posting/" + instance + "/gecode", {ratio}));
+  };
+  for (int i = 0; i < 3; ++i) {
+    add("plan-0" + std::to_string(i), 100, "");
+    add("crowded-0" + std::to_string(i), 10, "some refused");
+  }
+  add("a-file", 7, "");
+  const std::vector<Family> kinds = ByKind(Families(measurements)[0]);
+  ASSERT_THAT(kinds, SizeIs(3));
+  EXPECT_THAT(Ratios(kinds[0], ""), ElementsAre(100, 100, 100));
+  EXPECT_EQ(kinds[1].name, "crowded, some refused");
+  EXPECT_THAT(Ratios(kinds[2], ""), ElementsAre(7));
+  EXPECT_THAT(Report(measurements),
+              HasSubstr("| [posting](#posting) | crowded, some refused | 3 | gecode | 10 |"));
+}
+
 TEST(Comparison, GeometricMeanOfPowers) {
   EXPECT_NEAR(GeometricMean({1, 10, 100}), 10, 1e-12);
   EXPECT_NEAR(GeometricMean({0.5, 2}), 1, 1e-12);
@@ -121,6 +143,31 @@ TEST(Report, MarksPeersWhoseTimeWasUp) {
   EXPECT_THAT(report, HasSubstr("| b | 10 ms | 1 s | 100 (100 to 100) |"));
 }
 
+TEST(ContingentTable, SetsPublishedFiguresBesideOurs) {
+  Measurements measurements = {.context = {},
+                               .series = {Of("Contingent/doors11", {0.02},
+                                             {{"nodes", 436},
+                                              {"actions", 385},
+                                              {"worlds", 161051},
+                                              {"all_worlds", 1},
+                                              {"po_prp_ms", 34500},
+                                              {"po_prp_search_ms", 34000},
+                                              {"po_prp_pairs", 461}}),
+                                          Of("Contingent/clog5", {0.01},
+                                             {{"nodes", 66}, {"worlds", 200}, {"all_worlds", 0}}),
+                                          Of("ForceSensing/cans:2", {1})}};
+  measurements.series[1].label = "refused";
+  measurements.series.push_back({.name = "Contingent/wrong", .skipped = "the goal fails"});
+  const std::string table = ContingentTable(measurements);
+  EXPECT_THAT(table, HasSubstr("| doors11 | 436 | 385 | 20 ms | 461 | 34.5 s | 34 s | "
+                               "in all 161051 worlds |"));
+  EXPECT_THAT(table, HasSubstr("| clog5 | 66 |  | 10 ms |  | refused |  | in 200 worlds |"));
+  EXPECT_THAT(table, HasSubstr("| **refused**: the goal fails |"));
+  EXPECT_THAT(table,
+              HasSubstr("PO-PRP's time is 1725 times ours, that of its search alone 1700 times"));
+  EXPECT_THAT(table, testing::Not(HasSubstr("cans")));
+}
+
 TEST(PlotScript, DrawsWhatThereIs) {
   EXPECT_THAT(PlotScript(TwoInstances()), HasSubstr("set output 'ratios.svg'"));
   EXPECT_THAT(PlotScript(TwoInstances()), testing::Not(HasSubstr("growth.svg")));
@@ -144,10 +191,12 @@ TEST(Measurements, ReadsWhatGoogleBenchmarkWrites) {
             R"(, "time_unit": "us", "nodes": 12},
         {"name": "A/b/peer/iterations:3", "run_type": "iteration", "error_occurred": true,
          "error_message": "answers differ"},
+        {"name": "A/b/in_turn/iterations:1/manual_time", "run_type": "iteration", "real_time": 5,
+         "cpu_time": 9, "time_unit": "ms"},
         {"name": "A_mean", "run_type": "aggregate", "cpu_time": 1, "time_unit": "us"}]})");
   };
   const Measurements measurements = Read({pass("pass1.json", "2"), pass("pass2.json", "4")});
-  ASSERT_THAT(measurements.series, SizeIs(2));
+  ASSERT_THAT(measurements.series, SizeIs(3));
   EXPECT_EQ(measurements.series[0].name, "A/b/assay");
   EXPECT_EQ(measurements.series[0].program, "a");
   EXPECT_THAT(measurements.series[0].seconds,
@@ -156,6 +205,9 @@ TEST(Measurements, ReadsWhatGoogleBenchmarkWrites) {
   EXPECT_EQ(measurements.series[0].counters.size(), 1u);
   EXPECT_EQ(measurements.series[1].name, "A/b/peer");
   EXPECT_EQ(measurements.series[1].skipped, "answers differ");
+  EXPECT_EQ(measurements.series[2].name, "A/b/in_turn");
+  EXPECT_THAT(measurements.series[2].seconds,
+              ElementsAre(DoubleNear(5e-3, 1e-15), DoubleNear(5e-3, 1e-15)));
   EXPECT_EQ(measurements.context.at("num_cpus"), "2");
 }
 

@@ -11,6 +11,7 @@
 #include <set>
 #include <sstream>
 
+#include "bench/workloads/reachable_poses.h"
 #include "planner/base/input_error.h"
 #include "planner/base/random.h"
 #include "tests/oracle/forward_kinematics.h"
@@ -18,6 +19,8 @@
 
 namespace assay::kinematics {
 namespace {
+
+using workloads::RandomJoints;
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
@@ -57,12 +60,6 @@ Arm ArmWithElbowOffset(double a3) {
   return Arm::FromUrdf(WriteUrdf("elbow_offset.urdf",
                                  PumaWith("<origin xyz=\"0 0 0.600\"/>",
                                           "<origin xyz=\"" + std::to_string(a3) + " 0 0.600\"/>")));
-}
-
-JointVector RandomJoints(RandomStream& random, double bound) {
-  JointVector q;
-  for (int i = 0; i < 6; ++i) q[i] = random.Uniform(-bound, bound);
-  return q;
 }
 
 JointVector Degrees(double q1, double q2, double q3, double q4, double q5, double q6) {
@@ -131,7 +128,7 @@ TEST(Forward, AgreesWithTableAndUrdf) {
   RandomStream random(1, "forward");
   for (const Arm& arm : {Puma(), ArmWithElbowOffset(-0.0203)}) {
     for (int i = 0; i < 10000; ++i) {
-      const JointVector q = RandomJoints(random, 5);
+      const JointVector q = RandomJoints(5, random);
       const Pose X = arm.Forward(q);
       ASSERT_LT(PoseError(X, oracle::ForwardByTable(arm.geometry(), q)), kTight) << q.transpose();
       ASSERT_LT(PoseError(X, oracle::ForwardByUrdf(arm.model(), q)), kTight) << q.transpose();
@@ -165,7 +162,7 @@ void ExpectCompleteInverse(const Arm& arm, const JointVector& q) {
 TEST(Inverse, CompleteOnRandomPoses) {
   RandomStream random(2, "inverse");
   for (int drawn = 0; drawn < 100000;) {
-    const JointVector q = RandomJoints(random, kPi);
+    const JointVector q = RandomJoints(kPi, random);
     if (DistanceToSingularity(Puma(), q) < 1e-6) continue;
     ASSERT_NO_FATAL_FAILURE(ExpectCompleteInverse(Puma(), q)) << "draw " << drawn;
     ++drawn;
@@ -177,7 +174,7 @@ TEST(Inverse, CompleteWithElbowOffset) {
   for (const double a3 : {-0.0203, 0.05}) {
     const Arm arm = ArmWithElbowOffset(a3);
     for (int drawn = 0; drawn < 5000;) {
-      const JointVector q = RandomJoints(random, kPi);
+      const JointVector q = RandomJoints(kPi, random);
       if (DistanceToSingularity(arm, q) < 1e-6) continue;
       ASSERT_NO_FATAL_FAILURE(ExpectCompleteInverse(arm, q)) << "draw " << drawn;
       ++drawn;
@@ -189,7 +186,7 @@ TEST(Inverse, NoneBeyondReach) {
   RandomStream random(4, "beyond reach");
   const double reach = std::hypot(1.25, 0.19);  // of the wrist centre
   for (int i = 0; i < 1000; ++i) {
-    Pose X = Puma().Forward(RandomJoints(random, kPi));
+    Pose X = Puma().Forward(RandomJoints(kPi, random));
     const Vector3 hand = 0.125 * X.linear().col(2);
     X.translation() = (X.translation() - hand).normalized() * (reach + 1e-6) + hand;
     EXPECT_TRUE(Puma().Inverse(X).empty());
@@ -199,7 +196,7 @@ TEST(Inverse, NoneBeyondReach) {
 TEST(Inverse, NoneNearAxisOne) {
   RandomStream random(5, "near axis 1");
   for (int i = 0; i < 1000; ++i) {
-    Pose X = Puma().Forward(RandomJoints(random, kPi));
+    Pose X = Puma().Forward(RandomJoints(kPi, random));
     const double angle = random.Uniform(-kPi, kPi);
     const double radius = random.Uniform(0, 0.190 - 1e-6);
     X.translation() = Vector3(radius * std::cos(angle), radius * std::sin(angle), 0.8) +
@@ -219,10 +216,10 @@ void ExpectAllReproduce(const Arm& arm, const InverseSolutions& solutions, const
 TEST(Singular, WristKeepsReference) {
   RandomStream random(6, "wrist singular");
   for (int i = 0; i < 1000; ++i) {
-    JointVector q = RandomJoints(random, kPi);
+    JointVector q = RandomJoints(kPi, random);
     q[4] = 0;
     const Pose X = Puma().Forward(q);
-    const JointVector reference = RandomJoints(random, kPi);
+    const JointVector reference = RandomJoints(kPi, random);
     const InverseSolutions solutions = Puma().Inverse(X, reference);
     ExpectAllReproduce(Puma(), solutions, X);
     for (const InverseSolution& s : solutions) {
@@ -237,7 +234,7 @@ TEST(Singular, WristKeepsReference) {
 TEST(Singular, NearWristStaysExact) {
   RandomStream random(7, "near wrist singular");
   for (double bend = 1e-4; bend > 1e-16; bend /= 3) {
-    JointVector q = RandomJoints(random, kPi);
+    JointVector q = RandomJoints(kPi, random);
     q[4] = bend;
     const Pose X = Puma().Forward(q);
     ExpectAllReproduce(Puma(), Puma().Inverse(X), X);
@@ -248,7 +245,7 @@ TEST(Singular, ElbowStretchedAndFolded) {
   RandomStream random(8, "elbow singular");
   for (const double elbow : {kPi / 2, -kPi / 2}) {
     for (int i = 0; i < 1000; ++i) {
-      JointVector q = RandomJoints(random, kPi);
+      JointVector q = RandomJoints(kPi, random);
       q[2] = elbow;
       if (std::abs(std::sin(q[4])) < 0.01) continue;  // a second singularity costs more digits
       const Pose X = Puma().Forward(q);
@@ -285,7 +282,7 @@ TEST(Singular, ShoulderWristCentreNearestToAxisOne) {
   RandomStream random(9, "shoulder singular");
   const ArmGeometry& g = Puma().geometry();
   for (int i = 0; i < 1000; ++i) {
-    JointVector q = RandomJoints(random, kPi);
+    JointVector q = RandomJoints(kPi, random);
     // d4 s23 + a2 c2 = 0
     if (std::abs(g.a2 * std::cos(q[1]) / g.d4) > 1) continue;
     q[2] = std::asin(-g.a2 * std::cos(q[1]) / g.d4) - q[1];
@@ -323,12 +320,12 @@ TEST(Inverse, OneAskedForByItsIndicatorsIsOneOfAll) {
   RandomStream random(8, "one of all");
   constexpr std::array kPlaces = {0.0, 0.5, 1.0};
   for (int i = 0; i < 5000; ++i) {
-    JointVector q = RandomJoints(random, kPi);
+    JointVector q = RandomJoints(kPi, random);
     if (i % 3 == 1) q[4] = 0;
     if (i % 3 == 2) q[2] = std::atan2(Puma().geometry().a3, Puma().geometry().d4);
     Pose X = Puma().Forward(q);
     X.translation() *= 1 + kPlaces[static_cast<std::size_t>(random.Index(3))];
-    const JointVector reference = RandomJoints(random, kPi);
+    const JointVector reference = RandomJoints(kPi, random);
     const InverseSolutions all = Puma().Inverse(X, reference);
     for (const Shoulder shoulder : {Shoulder::kRight, Shoulder::kLeft}) {
       for (const Elbow elbow : {Elbow::kAbove, Elbow::kBelow}) {
@@ -350,8 +347,8 @@ TEST(Turns, NearestInRangeIsNearestRepresentative) {
   RandomStream random(10, "turns");
   int found = 0;
   for (int i = 0; i < 20000; ++i) {
-    const JointVector q = RandomJoints(random, 12);
-    const JointVector reference = RandomJoints(random, 6);
+    const JointVector q = RandomJoints(12, random);
+    const JointVector reference = RandomJoints(6, random);
     const std::vector<JointVector> all = Puma().Representatives(q);
     const std::optional<JointVector> nearest = Puma().NearestInRange(q, reference);
     ASSERT_EQ(all.empty(), !nearest) << q.transpose();

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bench/workloads/reachable_poses.h"
 #include "planner/base/random.h"
 #include "planner/kinematics/arctangent.h"
 
@@ -45,19 +46,8 @@ TEST(Arctangent, KnowsTheAxesAndDiagonals) {
   }
 }
 
-std::vector<Pose> ReachablePoses(int count) {
-  RandomStream random(2, "reachable");
-  std::vector<Pose> poses;
-  for (int i = 0; i < count; ++i) {
-    JointVector q;
-    for (int joint = 0; joint < 6; ++joint) q[joint] = random.Uniform(-kPi, kPi);
-    poses.push_back(Puma().Forward(q));
-  }
-  return poses;
-}
-
 TEST(InverseBatch, GivesTheSolutionsOfTheArmInItsOrder) {
-  const std::vector<Pose> poses = ReachablePoses(8'000);
+  const std::vector<Pose> poses = workloads::RandomReachablePoses(Puma(), 8'000, 2);
   SolutionBatch found;
   int regular = 0;
   for (std::size_t first = 0; first < poses.size(); first += kBatch) {

@@ -25,10 +25,6 @@ using ::testing::IsEmpty;
 using ::testing::Not;
 using ::testing::SizeIs;
 
-uncertainty::Unproved About(std::vector<PartId> parts) {
-  return {.claim = {}, .expression = {}, .parts = parts};
-}
-
 // An instance of a scenario, and goals of one of its steps that speak of all parts.
 struct Asked {
   explicit Asked(const std::string& scenario)
@@ -37,7 +33,7 @@ struct Asked {
   UnmetGoals At(int step) const {
     std::vector<PartId> parts;
     for (std::size_t p = 0; p < problem.parts.size(); ++p) parts.emplace_back(p);
-    return {problem, actions, step, {About(parts)}};
+    return {problem, actions, step, {}, parts};
   }
   int last() const { return static_cast<int>(actions.size()) - 1; }
 
@@ -73,15 +69,6 @@ std::vector<plan::Action> With(const Remedy& remedy, const std::vector<plan::Act
     all.push_back(actions[i]);
   }
   return all;
-}
-
-TEST(UnmetGoals, NameTheirPartsOnce) {
-  const Asked asked("uncertain-known");
-  const UnmetGoals unmet = {asked.problem,
-                            asked.actions,
-                            0,
-                            {About({PartId(1)}), About({PartId(0), PartId(1)}), About({})}};
-  EXPECT_THAT(unmet.Parts(), ElementsAre(PartId(0), PartId(1)));
 }
 
 // What a resolver inserts keeps the operational and geometric preconditions of the whole plan: the
@@ -130,8 +117,8 @@ TEST(Resolvers, InsertBeforeTheStepWhatIsAboutTheirPart) {
 TEST(Resolvers, LeaveOtherPartsAlone) {
   const Asked asked("spar-fig14");
   const PartId peg = PartNamed(asked.problem, "peg");
-  const UnmetGoals about_peg = {asked.problem, asked.actions, asked.last(), {About({peg})}};
-  const UnmetGoals about_nothing = {asked.problem, asked.actions, asked.last(), {About({})}};
+  const UnmetGoals about_peg = {asked.problem, asked.actions, asked.last(), {}, {peg}};
+  const UnmetGoals about_nothing = {asked.problem, asked.actions, asked.last(), {}, {}};
   SensingResolver sensing;
   SqueezingResolver squeezing;
   for (Resolver* resolver : std::initializer_list<Resolver*>{&sensing, &squeezing}) {
@@ -228,7 +215,7 @@ class Absorbing : public Resolver {
   std::vector<std::string> absorbs() const override { return conditions_; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override {
     asked_.push_back(unmet.step);
-    return {{.part = unmet.Parts().front(), .insertions = {}, .absorbs = conditions_}};
+    return {{.part = unmet.parts.front(), .insertions = {}, .absorbs = conditions_}};
   }
   const std::vector<int>& asked() const { return asked_; }
 

@@ -1,0 +1,79 @@
+#include "bench/summary/contingent_table.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "bench/summary/comparison.h"
+#include "bench/summary/markdown.h"
+
+namespace assay::bench {
+namespace {
+
+constexpr const char* kBeginning = "Contingent/";
+
+constexpr const char* kAbout = R"(# Contingent planning beside PO-PRP
+
+Made by `ASSAY_CONTINGENT=FOLDER bench/run.sh --only contingent`; FOLDER has a folder for each problem, with `d.pddl` and `p.pddl`. The problems are those of the CLG set (Albore, Palacios, Geffner, and the sources that they name), which are others' and not in this repository, but for `kvp-*` and `med-*`, which are ours.
+
+Ours: processor time of reading, grounding and planning, median of the passes; a plan is a tree whose sub-plans are shared, with nodes that act or sense (actions) and nodes that branch. Afterwards each tree is run by a checker that shares no inference with the planner, in all worlds that the initial knowledge allows.
+
+PO-PRP (Muise, Belle, McIlraith: *Computing Contingent Plans via Fully Observable Non-Deterministic Planning*, 2014), the strongest planner that could be built, was not run here: these are measured figures of another machine of this kind (two cores, shared). Its time is from end to end; its policy is of state-action pairs. Refused: it does not take the problem. An empty cell: no figure is known.
+
+)";
+
+std::string Number(const Series& series, const std::string& counter) {
+  const auto at = series.counters.find(counter);
+  return at == series.counters.end() ? "" : fmt::format("{:.10g}", at->second);
+}
+
+std::string Milliseconds(const Series& series, const std::string& counter) {
+  const auto at = series.counters.find(counter);
+  return at == series.counters.end() ? "" : Time(1e-3 * at->second);
+}
+
+std::string Checked(const Series& series) {
+  if (!series.skipped.empty()) return "**refused**: " + series.skipped;
+  const bool all = Number(series, "all_worlds") == "1";
+  return fmt::format("in {}{} worlds", all ? "all " : "", Number(series, "worlds"));
+}
+
+// Where the peer has no plan, the label says why.
+std::string RowOf(const Series& series) {
+  return Row({series.name.substr(std::string(kBeginning).size()), Number(series, "nodes"),
+              Number(series, "actions"), Time(series.Median()), Number(series, "po_prp_pairs"),
+              series.label + Milliseconds(series, "po_prp_ms"),
+              Milliseconds(series, "po_prp_search_ms"), Checked(series)});
+}
+
+// How many times as long as ours the peer's time is, if there is one.
+void AddRatio(const Series& series, const std::string& counter, std::vector<double>& ratios) {
+  const auto peer = series.counters.find(counter);
+  if (peer == series.counters.end() || series.seconds.empty()) return;
+  ratios.push_back(1e-3 * peer->second / series.Median());
+}
+
+}  // namespace
+
+std::string ContingentTable(const Measurements& measurements) {
+  std::string out = kAbout;
+  out += Heading({"problem", "our nodes", "of them actions", "our time", "PO-PRP's pairs",
+                  "its time", "of it search", "accepted"});
+  std::vector<double> whole, search;
+  for (const Series& series : measurements.series) {
+    if (!series.name.starts_with(kBeginning)) continue;
+    out += RowOf(series);
+    AddRatio(series, "po_prp_ms", whole);
+    AddRatio(series, "po_prp_search_ms", search);
+  }
+  if (!whole.empty()) {
+    out += fmt::format(
+        "\nOf the {} problems for which its figures are known, PO-PRP's time is {} times ours, "
+        "that "
+        "of its search alone {} times (geometric means).\n",
+        whole.size(), Multiple(GeometricMean(whole)), Multiple(GeometricMean(search)));
+  }
+  return out + "\n" + Where(measurements);
+}
+
+}  // namespace assay::bench

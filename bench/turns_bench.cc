@@ -1,0 +1,228 @@
+// First labelings and counts of the networks that labeling_bench asks for again and again, asked in
+// turn: in a round each contestant is asked about every network once, so that neither caches nor
+// the prediction of branches know the next question.
+//   labeling-in-turn/NETWORK/CONTESTANT
+//   counting-in-turn/NETWORK/CONTESTANT
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#ifdef ASSAY_PEER_GECODE_LABELING
+#include "bench/peers/gecode_labeling.h"
+#endif
+#include "bench/harness/contest.h"
+#include "bench/peers/labeling_answer.h"
+#include "bench/workloads/networks.h"
+#include "planner/network/count.h"
+#include "planner/network/search.h"
+
+namespace assay::network {
+namespace {
+
+using peers::CountAnswer;
+using peers::LabelingAnswer;
+using workloads::MeasuredNetwork;
+using workloads::NetworkWorkload;
+
+constexpr int kRounds = 5;
+// Who has thought so long about a network in earlier rounds is not asked about it again: that it
+// was asked before makes no difference any more.
+constexpr double kEnoughSeconds = 0.02;
+[[maybe_unused]] constexpr double kPeerSeconds = 10;  // for one question
+
+// A network in the forms that contestants take it in.
+struct Instance {
+  NetworkWorkload workload;
+  Network network = workload.Build();
+#ifdef ASSAY_PEER_GECODE_LABELING
+  peers::GecodeLabeling gecode{workload};
+#endif
+};
+using Instances = std::vector<std::unique_ptr<Instance>>;
+
+std::vector<MeasuredNetwork> Measured() {
+  return workloads::MeasuredNetworks(
+      ASSAY_SOURCE_DIR "/bench/workloads/networks", bench::Seed(),
+      bench::Tiny() ? workloads::Extent::kTiny : workloads::Extent::kWhole);
+}
+
+std::vector<MeasuredNetwork> MeasuredAndCountable() {
+  std::vector<MeasuredNetwork> networks = Measured();
+  std::erase_if(networks, [](const MeasuredNetwork& network) { return !network.is_countable; });
+  return networks;
+}
+
+Instances Made(const std::vector<MeasuredNetwork>& networks) {
+  Instances instances;
+  for (const MeasuredNetwork& network : networks) {
+    instances.push_back(std::make_unique<Instance>(network.make()));
+  }
+  return instances;
+}
+
+// A contestant's answer about one network, and what it took in the rounds.
+template <class Answer>
+struct Answered {
+  Answer answer;
+  std::vector<double> seconds;
+
+  double Spent() const { return std::accumulate(seconds.begin(), seconds.end(), 0.0); }
+  double Median() const {
+    std::vector<double> sorted = seconds;
+    std::ranges::sort(sorted);
+    return sorted[sorted.size() / 2];
+  }
+};
+
+template <class Answer>
+using Ask = std::function<Answer(const Instance&)>;
+
+template <class Answer>
+std::vector<Answered<Answer>> AskInTurn(const Instances& instances, const Ask<Answer>& ask) {
+  using Clock = std::chrono::steady_clock;
+  std::vector<Answered<Answer>> all(instances.size());
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+      if (all[i].Spent() > kEnoughSeconds) continue;
+      const Clock::time_point start = Clock::now();
+      all[i].answer = ask(*instances[i]);
+      all[i].seconds.push_back(std::chrono::duration<double>(Clock::now() - start).count());
+    }
+  }
+  return all;
+}
+
+bool Agree(const Instance& instance, const LabelingAnswer& peer, const LabelingAnswer& ours) {
+  return peer.outcome == ours.outcome &&
+         (peer.outcome != Outcome::kFound || instance.network.Satisfies(peer.labeling));
+}
+
+bool Agree(const Instance&, const CountAnswer& peer, const CountAnswer& ours) {
+  return peer.count == ours.count;
+}
+
+// The same question about many networks, and who answers it.
+template <class Answer>
+class Contest {
+ public:
+  Contest(std::string family, std::vector<MeasuredNetwork> networks)
+      : family_(std::move(family)), networks_(std::move(networks)) {}
+
+  // Ours is the first.
+  void Add(std::string contestant, Ask<Answer> ask) {
+    contestants_.push_back({std::move(contestant), std::move(ask), {}});
+  }
+
+  void Register() {
+    for (std::size_t i = 0; i < networks_.size(); ++i) {
+      for (Contestant& contestant : contestants_) {
+        bench::AddTimedContestant(
+            family_, networks_[i].name, contestant.name,
+            [=, this, &contestant](benchmark::State& state) { Tell(state, contestant, i); });
+      }
+    }
+  }
+
+ private:
+  struct Contestant {
+    std::string name;
+    Ask<Answer> ask;
+    std::vector<Answered<Answer>> answered;  // by network, once it was asked
+  };
+
+  void Tell(benchmark::State& state, Contestant& contestant, std::size_t network) {
+    const Answered<Answer>& told = Of(contestant)[network];
+    for (auto _ : state) state.SetIterationTime(told.Median());
+    if (&contestant == &contestants_.front()) return;
+    const bool time_is_up = told.answer.outcome == Outcome::kBudget;
+    state.counters[bench::kTimeout] = time_is_up;
+    const Answered<Answer>& ours = Of(contestants_.front())[network];
+    if (!time_is_up && !Agree(*instances_[network], told.answer, ours.answer)) {
+      state.SkipWithError("its answer is not ours");
+    }
+  }
+
+  const std::vector<Answered<Answer>>& Of(Contestant& contestant) {
+    if (instances_.empty()) instances_ = Made(networks_);
+    if (contestant.answered.empty()) contestant.answered = AskInTurn(instances_, contestant.ask);
+    return contestant.answered;
+  }
+
+  std::string family_;
+  std::vector<MeasuredNetwork> networks_;
+  Instances instances_;
+  std::vector<Contestant> contestants_;
+};
+
+LabelingAnswer Label(const Instance& instance) {
+  Budget budget(std::numeric_limits<std::int64_t>::max());
+  FirstLabeling first = First(instance.network, {}, budget);
+  return {.outcome = first.outcome, .labeling = std::move(first.labeling)};
+}
+
+CountAnswer CountAll(const Instance& instance) {
+  Budget budget(std::numeric_limits<std::int64_t>::max());
+  const LabelingCount count = Count(instance.network, budget);
+  return {.outcome = count.outcome, .count = count.count};
+}
+
+#ifdef ASSAY_PEER_GECODE_LABELING
+using peers::GecodeLabeling;
+
+void AddGecode(Contest<LabelingAnswer>& labeling, Contest<CountAnswer>& counting) {
+  for (const GecodeLabeling::Order order : GecodeLabeling::kOrders) {
+    const std::string name(GecodeLabeling::Name(order));
+    labeling.Add(
+        name, [=](const Instance& instance) { return instance.gecode.First(order, kPeerSeconds); });
+    if (order == GecodeLabeling::Order::kAfcRestarts) continue;
+    counting.Add(
+        name, [=](const Instance& instance) { return instance.gecode.Count(order, kPeerSeconds); });
+  }
+}
+#else
+void AddGecode(Contest<LabelingAnswer>&, Contest<CountAnswer>&) {
+  bench::AddMissing("labeling-in-turn", "gecode", "libgecode-dev");
+  bench::AddMissing("counting-in-turn", "gecode", "libgecode-dev");
+}
+#endif
+
+void AnnounceFamilies() {
+  const std::string in_turn =
+      ", asked in turn: each network once in a round, after all others, by the wall clock";
+  bench::Announce(
+      "labeling-in-turn",
+      {.measured = "the first labeling, or the proof that there is none" + in_turn,
+       .unfair = "as labeling, but that nobody gains by being asked the same again: the "
+                 "quickest networks take as long as it takes to read them from "
+                 "memory. Nothing is wanted of this",
+       .against = "gecode"});
+  bench::Announce("counting-in-turn",
+                  {.measured = "the number of all labelings" + in_turn,
+                   .unfair = "as counting, but that nobody gains by being asked the same again",
+                   .against = "gecode",
+                   .at_least = 10});
+}
+
+const bool kAdded = [] {
+  AnnounceFamilies();
+  static Contest<LabelingAnswer> labeling("labeling-in-turn", Measured());
+  static Contest<CountAnswer> counting("counting-in-turn", MeasuredAndCountable());
+  labeling.Add("assay", Label);
+  counting.Add("assay", CountAll);
+  AddGecode(labeling, counting);
+  labeling.Register();
+  counting.Register();
+  return true;
+}();
+
+}  // namespace
+}  // namespace assay::network
