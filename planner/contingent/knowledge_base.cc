@@ -312,10 +312,18 @@ bool KnowledgeBase::Apply(const Changes& changes, const KnowledgeState& before,
     }
     if (now != RankOf({.kind = GroundChange::Kind::kAssign})) continue;
     for (const GroundChange* change : changes.unsettled) Unsettle(*change, before, state);
+    if (!CanTellBounds(changes, state)) return false;
   }
   return std::all_of(changes.certain.begin(), changes.certain.end(), [&](const GroundChange* c) {
     if (c->kind == GroundChange::Kind::kNarrow) return CanHold(RangeOf(c->bound.function, state));
     return c->kind != GroundChange::Kind::kRelate || Relate(state, c->literals, c->is_inclusive);
+  });
+}
+
+bool KnowledgeBase::CanTellBounds(const Changes& changes, const KnowledgeState& state) const {
+  return std::ranges::all_of(changes.certain, [&](const GroundChange* change) {
+    return change->kind != GroundChange::Kind::kNarrow || BoundHolds(change->bound, state) ||
+           !RangeOf(change->bound.function, state).is_outer;
   });
 }
 

@@ -33,8 +33,8 @@ class KnowledgeBase {
   bool MayHold(const GroundQuery& query, const KnowledgeState& state) const;
 
   // After an action whose precondition holds, and the update rules. None if an effect on Kx or
-  // on bounds contradicts what is known, or if it cannot be told whether an effect or a rule
-  // happens.
+  // on bounds contradicts what is known, or may do so, or if it cannot be told whether an effect or
+  // a rule happens.
   std::optional<KnowledgeState> After(const GroundAction& action, const KnowledgeState& state);
 
   // A formula of Kw that branches now: it has one undetermined literal, all others are known to be
@@ -99,6 +99,9 @@ class KnowledgeBase {
   void AddPossible(const GroundChange& change, Diagram where, Changes& changes);
   // False if a relation or a bound contradicts what is known.
   bool Apply(const Changes& changes, const KnowledgeState& before, KnowledgeState& state);
+  // False if a bound is told of a number that hangs together with something else: it might tell
+  // of that, or contradict it.
+  bool CanTellBounds(const Changes& changes, const KnowledgeState& state) const;
   void Apply(const GroundChange& change, const KnowledgeState& before, KnowledgeState& state);
   void ApplyPossible(const std::map<AtomId, Possible>& possible, KnowledgeState& state);
   // The rule after which a relation or a bound contradicts what is known, which leaves no

@@ -500,6 +500,24 @@ TEST(Intervals, ThatHangTogetherAreNotSaidToBeUnknown) {
   EXPECT_TRUE(grown.Holds("!K(weight(a) <= 2)"));
 }
 
+// It is 1 where p(a) is false; that it is more would tell that p(a) is true, or contradict that it
+// is not.
+TEST(Intervals, ThatHangTogetherAreNotTold) {
+  const GroundTask task = GroundText(
+      "domain n predicates: p, g functions: n: number\n"
+      "action fill effects: K(p) => add(Kf, n = 2)\n"
+      "action tell effects: add(Kf, n > 1), add(Kf, g)\n"
+      "action reset effects: add(Kf, n = [0, 3])\n",
+      "problem n domain n init: add(Kf, n = 1), add(Kf, !g) goal: K(g)");
+  KnowledgeBase knowledge(task);
+  const auto filled = knowledge.After(task.actions[0], knowledge.Initial());
+  ASSERT_TRUE(filled);
+  EXPECT_FALSE(knowledge.After(task.actions[1], *filled));
+  const auto reset = knowledge.After(task.actions[2], *filled);
+  ASSERT_TRUE(reset);
+  EXPECT_TRUE(knowledge.After(task.actions[1], *reset));
+}
+
 TEST(Intervals, ContradictionsAreNamed) {
   EXPECT_THAT(MessageOf([] { Mind mind("add(Kf, weight(a) > 3), add(Kf, weight(a) < 3)"); }),
               HasSubstr("this contradicts what is known: no number is left for weight(a)"));
