@@ -113,7 +113,7 @@ void PlanProblem(benchmark::State& state, const std::filesystem::path& folder) {
   const TreeCheck check = CheckTree(Grounded(read()), plan.tree);
   if (!check.holds) return state.SkipWithError(check.failure.c_str());
   state.counters["worlds"] = static_cast<double>(check.worlds);
-  state.counters["all_worlds"] = check.are_all_worlds;
+  state.counters["all_worlds"] = check.AreAllWorlds();
   const std::string name = folder.filename().string();
   TellPoPrp(state, name);
   for (const auto& [problem, wanted] : kWanted) {

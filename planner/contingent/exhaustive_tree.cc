@@ -21,7 +21,8 @@ class Search {
   explicit Search(KnowledgeSpace& space)
       : space_(space),
         initial_(space.initial()),
-        conditionally_changed_(ConditionallyChanged(space.task())) {}
+        conditionally_changed_(ConditionallyChanged(space.task())),
+        tells_something_(TellsSomething(space.task())) {}
 
   ExhaustiveTree Run() {
     std::vector<StateId> layer = {initial_};
@@ -179,9 +180,10 @@ class Search {
 
   // Whether each outcome comes in every world some time, if the branch is come to again and again:
   // the atom that it asks of has no relation to any other, and once it is known, only forgetting it
-  // makes it unknown again.
+  // makes it unknown again. What is told on one outcome's way can rule out that outcome in some
+  // worlds: where anything is told, none is fair.
   bool IsFair(StateId state, const Transition& transition) {
-    if (transition.step.kind != PlanNode::Kind::kWhether) return false;
+    if (transition.step.kind != PlanNode::Kind::kWhether || tells_something_) return false;
     KnowledgeBase& knowledge = space_.knowledge();
     const KnowledgeState& here = space_.state(state);
     const GroundLiteral literal = knowledge.UndeterminedLiteral(transition.step.formula, here);
@@ -208,6 +210,21 @@ class Search {
       atoms.insert(function.values.begin(), function.values.end());
     }
     return atoms;
+  }
+
+  // Kx or bounds, which are of what is already so.
+  static bool TellsSomething(const GroundTask& task) {
+    const auto is_told = [](const GroundChange& change) {
+      return change.kind == GroundChange::Kind::kRelate ||
+             change.kind == GroundChange::Kind::kNarrow;
+    };
+    const auto tells = [&](const GroundEffect& effect) {
+      return std::ranges::any_of(effect.changes, is_told);
+    };
+    return std::ranges::any_of(task.updates, tells) ||
+           std::ranges::any_of(task.actions, [&](const GroundAction& action) {
+             return std::ranges::any_of(action.effects, tells);
+           });
   }
 
   struct Made {
@@ -257,6 +274,7 @@ class Search {
   KnowledgeSpace& space_;
   StateId initial_;
   std::unordered_set<AtomId> conditionally_changed_;
+  bool tells_something_;
   std::unordered_map<StateId, std::vector<Transition>> transitions_;  // of states looked at
   std::vector<StateId> goals_;
   std::unordered_map<StateId, Least> depths_;

@@ -31,6 +31,9 @@ struct Range {
   bool excludes_low = false;
   bool excludes_high = false;
   double error = 0;  // of what is sensed of it, where it is in Kv
+  // What else is known, of other numbers or of atoms, may rule out some of it; then that more is
+  // not known cannot be told.
+  bool is_outer = false;
 
   bool operator==(const Range&) const = default;
 };

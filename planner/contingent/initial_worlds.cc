@@ -1,7 +1,6 @@
 #include "planner/contingent/initial_worlds.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -10,10 +9,6 @@
 
 namespace assay::contingent {
 namespace {
-
-// To be beside a bound, and farther than any.
-constexpr double kBeside = 1e-6;
-constexpr double kFar = 1e9;
 
 using Choice = std::vector<Truth>;  // of the atoms of a group
 
@@ -25,7 +20,8 @@ struct Group {
 
 class Enumerator {
  public:
-  Enumerator(const GroundTask& task, std::int64_t limit) : task_(task), limit_(limit) {
+  Enumerator(const GroundTask& task, const NumberMarks& marks, std::int64_t limit)
+      : task_(task), marks_(marks), limit_(limit) {
     relations_of_.resize(task.atoms.size());
     known_.assign(task.atoms.size(), Truth::kEither);
     for (const GroundLiteral& l : task.initial.known) {
@@ -39,7 +35,7 @@ class Enumerator {
     InitialWorlds result;
     double count = 1;
     for (const Group& group : groups_) count *= static_cast<double>(group.choices.size());
-    result.are_all = is_complete_ && count <= static_cast<double>(limit_);
+    result.were_drawn = !is_complete_ || count > static_cast<double>(limit_);
     RandomStream random(seed, "worlds");
     const auto worlds = static_cast<std::int64_t>(std::min(count, static_cast<double>(limit_)));
     for (std::int64_t w = 0; w < worlds; ++w) {
@@ -47,7 +43,7 @@ class Enumerator {
       std::int64_t rest = w;
       for (const Group& group : groups_) {
         const auto size = static_cast<std::int64_t>(group.choices.size());
-        Put(group, result.are_all ? rest % size : random.Index(static_cast<int>(size)), world);
+        Put(group, result.were_drawn ? random.Index(static_cast<int>(size)) : rest % size, world);
         rest /= size;
       }
       result.worlds.push_back(std::move(world));
@@ -144,16 +140,16 @@ class Enumerator {
 
   void AddNumbers(InitialWorlds& result, RandomStream& random) const {
     for (std::size_t slot = 0; slot < task_.initial.ranges.size(); ++slot) {
-      const std::vector<double> values =
-          ValuesIn(task_.initial.ranges[slot], static_cast<int>(slot), task_);
+      const std::vector<Number> values =
+          marks_.In(task_.initial.ranges[slot], static_cast<int>(slot));
       const auto count = static_cast<int>(values.size());
       if (static_cast<std::int64_t>(result.worlds.size()) * count > limit_) {
-        result.are_all = false;
+        result.were_drawn = true;
         for (World& world : result.worlds) world.numbers.push_back(values[random.Index(count)]);
         continue;
       }
       std::vector<World> more;
-      for (const double value : values) {
+      for (const Number& value : values) {
         for (const World& world : result.worlds) {
           more.push_back(world);
           more.back().numbers.push_back(value);
@@ -164,6 +160,7 @@ class Enumerator {
   }
 
   const GroundTask& task_;
+  const NumberMarks& marks_;
   std::int64_t limit_;
   std::vector<Truth> known_;
   std::vector<std::vector<const InitialRelation*>> relations_of_;  // by atom
@@ -171,60 +168,11 @@ class Enumerator {
   bool is_complete_ = true;
 };
 
-void AddMark(const Bound& bound, int slot, const GroundTask& task, std::set<double>& marks) {
-  if (task.functions[bound.function.index()].slot == slot) marks.insert(bound.value);
-}
-
-void AddMarks(const GroundQuery& query, int slot, const GroundTask& task, std::set<double>& marks) {
-  if (query.kind == GroundQuery::Kind::kBoundKnown) AddMark(query.bound, slot, task, marks);
-  for (const GroundQuery& operand : query.operands) AddMarks(operand, slot, task, marks);
-}
-
-void AddMarks(const std::vector<GroundEffect>& effects, int slot, const GroundTask& task,
-              std::set<double>& marks) {
-  for (const GroundEffect& effect : effects) {
-    AddMarks(effect.condition, slot, task, marks);
-    for (const GroundChange& change : effect.changes) {
-      if (!change.bound.function.IsNone()) AddMark(change.bound, slot, task, marks);
-    }
-  }
-}
-
-// The numbers that the task compares the function with.
-std::set<double> MarksOf(int slot, const GroundTask& task) {
-  std::set<double> marks;
-  for (const Formula& formula : task.formulas) {
-    if (formula.bound) AddMark(*formula.bound, slot, task, marks);
-  }
-  for (const GroundAction& action : task.actions) {
-    AddMarks(action.precondition, slot, task, marks);
-    AddMarks(action.effects, slot, task, marks);
-  }
-  AddMarks(task.updates, slot, task, marks);
-  AddMarks(task.goal, slot, task, marks);
-  return marks;
-}
-
 }  // namespace
 
-std::vector<double> ValuesIn(const Range& range, int slot, const GroundTask& task) {
-  std::set<double> marks = MarksOf(slot, task);
-  marks.insert(std::isfinite(range.low) ? range.low : -kFar);
-  marks.insert(std::isfinite(range.high) ? range.high : kFar);
-  std::set<double> values;
-  for (auto mark = marks.begin(); mark != marks.end(); ++mark) {
-    values.insert({*mark - kBeside, *mark, *mark + kBeside});
-    if (std::next(mark) != marks.end()) values.insert((*mark + *std::next(mark)) / 2);
-  }
-  std::erase_if(values, [&](double v) {
-    return v < range.low || v > range.high || (v == range.low && range.excludes_low) ||
-           (v == range.high && range.excludes_high);
-  });
-  return {values.begin(), values.end()};
-}
-
-InitialWorlds EnumerateWorlds(const GroundTask& task, std::int64_t limit, std::uint64_t seed) {
-  return Enumerator(task, limit).Run(seed);
+InitialWorlds EnumerateWorlds(const GroundTask& task, const NumberMarks& marks, std::int64_t limit,
+                              std::uint64_t seed) {
+  return Enumerator(task, marks, limit).Run(seed);
 }
 
 }  // namespace assay::contingent

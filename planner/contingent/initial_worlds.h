@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planner/contingent/ground_task.h"
+#include "planner/contingent/number_marks.h"
 
 namespace assay::contingent {
 
@@ -13,7 +14,7 @@ enum class Truth : std::int8_t { kFalse, kTrue, kEither };
 
 struct World {
   std::vector<Truth> atoms;
-  std::vector<double> numbers;  // of numeric functions, by slot
+  std::vector<Number> numbers;  // of numeric functions, by slot
   // Where the checker asks what one world of a history comes to: this one, or one of the others,
   // which are there for what is known.
   bool is_followed = true;
@@ -24,15 +25,13 @@ struct World {
 
 struct InitialWorlds {
   std::vector<World> worlds;
-  bool are_all = true;  // else they were drawn
+  bool were_drawn = false;  // being too many
 };
 
-// Numbers of a range by which all comparisons of the task with the function of this slot can be
-// told apart, and about as wide as the range; none if it is empty.
-std::vector<double> ValuesIn(const Range& range, int slot, const GroundTask& task);
-
 // The worlds that the initial knowledge allows, by enumeration. Atoms that no relation names are
-// kEither. More than `limit`: as many, drawn. None if the knowledge contradicts itself.
-InitialWorlds EnumerateWorlds(const GroundTask& task, std::int64_t limit, std::uint64_t seed);
+// kEither; numbers are those that stand for their ranges. More than `limit`: as many, drawn. None
+// if the knowledge contradicts itself.
+InitialWorlds EnumerateWorlds(const GroundTask& task, const NumberMarks& marks, std::int64_t limit,
+                              std::uint64_t seed);
 
 }  // namespace assay::contingent

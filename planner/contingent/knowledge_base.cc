@@ -14,9 +14,28 @@
 namespace assay::contingent {
 namespace {
 
+bool IsSingle(const Range& range) { return range.low == range.high; }
+
+Range Hull(const Range& a, const Range& b) {
+  Range hull = a.low <= b.low ? a : b;
+  if (a.low == b.low) hull.excludes_low = a.excludes_low && b.excludes_low;
+  const Range& higher = a.high >= b.high ? a : b;
+  hull.high = higher.high;
+  hull.excludes_high = higher.excludes_high;
+  if (a.high == b.high) hull.excludes_high = a.excludes_high && b.excludes_high;
+  return hull;
+}
+
 bool CanHold(const Range& range) {
   return range.low < range.high ||
          (range.low == range.high && !range.excludes_low && !range.excludes_high);
+}
+
+// Then it is no change of the world, and happens only if its condition is known.
+bool TellsSomething(const GroundChange& change) {
+  using Kind = GroundChange::Kind;
+  return change.kind == Kind::kSense || change.kind == Kind::kSenseValue ||
+         change.kind == Kind::kRelate || change.kind == Kind::kNarrow;
 }
 
 // What becomes true wins over what becomes false, as in PDDL; what is told and what is sensed is so
@@ -97,27 +116,52 @@ bool KnowledgeBase::Holds(const GroundQuery& query, const KnowledgeState& state)
     case GroundQuery::Kind::kOr:
       return std::any_of(query.operands.begin(), query.operands.end(), holds);
     case GroundQuery::Kind::kNot:
-      return !holds(query.operands.front());
+      return !MayHold(query.operands.front(), state);
     case GroundQuery::Kind::kKnown:
       return layout_.IsKnown(state, query.literal);
     case GroundQuery::Kind::kBoundKnown:
       return BoundHolds(query.bound, state);
     case GroundQuery::Kind::kSensed:
       return layout_.IsSensed(state, query.formula);
+    case GroundQuery::Kind::kValueSensed:
+      return IsValueKnown(query, state);
+  }
+  return false;
+}
+
+bool KnowledgeBase::MayHold(const GroundQuery& query, const KnowledgeState& state) const {
+  const auto may_hold = [&](const GroundQuery& operand) { return MayHold(operand, state); };
+  switch (query.kind) {
+    case GroundQuery::Kind::kAnd:
+      return std::all_of(query.operands.begin(), query.operands.end(), may_hold);
+    case GroundQuery::Kind::kOr:
+      return std::any_of(query.operands.begin(), query.operands.end(), may_hold);
+    case GroundQuery::Kind::kNot:
+      return !Holds(query.operands.front(), state);
+    case GroundQuery::Kind::kKnown:
+    case GroundQuery::Kind::kSensed:
+      return Holds(query, state);
+    case GroundQuery::Kind::kBoundKnown:
+      return BoundHolds(query.bound, state) || (RangeOf(query.bound.function, state).is_outer &&
+                                                !BoundHolds(Negation(query.bound), state));
     case GroundQuery::Kind::kValueSensed: {
-      const int slot = task_.functions[query.function.index()].slot;
-      const bool is_sensed = layout_.IsSensed(state, query.function);
-      if (slot < 0) return is_sensed;
-      const Range& range = state.ranges[slot];
-      return range.high - range.low <= 2 * query.within.value_or(0) ||
-             (is_sensed && (!query.within || range.error <= *query.within));
+      const bool is_number = task_.functions[query.function.index()].slot >= 0;
+      return IsValueKnown(query, state) || (is_number && RangeOf(query.function, state).is_outer);
     }
   }
   return false;
 }
 
+bool KnowledgeBase::IsValueKnown(const GroundQuery& query, const KnowledgeState& state) const {
+  const bool is_sensed = layout_.IsSensed(state, query.function);
+  if (task_.functions[query.function.index()].slot < 0) return is_sensed;
+  const Range& range = RangeOf(query.function, state);
+  return range.high - range.low <= 2 * query.within.value_or(0) ||
+         (is_sensed && (!query.within || range.error <= *query.within));
+}
+
 bool KnowledgeBase::BoundHolds(const Bound& bound, const KnowledgeState& state) const {
-  return SurelyHolds(bound, state.ranges[task_.functions[bound.function.index()].slot]);
+  return SurelyHolds(bound, RangeOf(bound.function, state));
 }
 
 bool KnowledgeBase::IsDetermined(const Formula& formula, const KnowledgeState& state) const {
@@ -189,34 +233,40 @@ std::optional<KnowledgeState> KnowledgeBase::After(const GroundAction& action,
                                                    const KnowledgeState& state) {
   KnowledgeState next = state;
   if (!Apply(ChangesOf(action.effects, state), state, next)) return std::nullopt;
-  if (ApplyUpdates(next) != nullptr) return std::nullopt;
-  Canonicalize(next);
-  return next;
+  return Settled(std::move(next));
 }
 
 KnowledgeBase::Changes KnowledgeBase::ChangesOf(const std::vector<GroundEffect>& effects,
                                                 const KnowledgeState& state) {
   Changes changes;
   for (const GroundEffect& effect : effects) {
-    bool is_certain = Holds(effect.condition, state);
-    if (!is_certain && effect.is_of_worlds) {
+    if (Holds(effect.condition, state)) {
+      for (const GroundChange& change : effect.changes) changes.certain.push_back(&change);
+    } else if (effect.is_of_worlds) {
       const Diagram where = Restricted(WorldsWhere(effect.condition), state);
       const Diagram relations = RelationsWith(state, where);
-      is_certain = diagrams_.Implies(relations, where);
-      if (!is_certain && diagrams_.And(relations, where) != kEmptySet) {
-        for (const GroundChange& change : effect.changes) AddPossible(change, where, changes);
+      if (diagrams_.And(relations, where) == kEmptySet) continue;
+      const bool is_certain = diagrams_.Implies(relations, where);
+      for (const GroundChange& change : effect.changes) {
+        if (is_certain && !TellsSomething(change)) {
+          changes.certain.push_back(&change);
+        } else {
+          AddPossible(change, where, changes);
+        }
       }
+    } else {
+      changes.are_told &= !MayHold(effect.condition, state);
     }
-    if (!is_certain) continue;
-    for (const GroundChange& change : effect.changes) changes.certain.push_back(&change);
   }
-  // What surely becomes false stays so only where nothing makes it true.
+  // What surely becomes false, or open, stays so only where nothing makes it something else.
   std::erase_if(changes.certain, [&](const GroundChange* change) {
-    const bool becomes_false =
-        change->kind == GroundChange::Kind::kSet && !change->literal.is_positive;
+    const bool is_set = change->kind == GroundChange::Kind::kSet;
+    if (is_set ? change->literal.is_positive : change->kind != GroundChange::Kind::kForget) {
+      return false;
+    }
     const auto possible = changes.possible.find(change->literal.atom);
-    if (!becomes_false || possible == changes.possible.end()) return false;
-    possible->second.becomes_false = kAllSets;
+    if (possible == changes.possible.end()) return false;
+    (is_set ? possible->second.becomes_false : possible->second.becomes_open) = kAllSets;
     return true;
   });
   return changes;
@@ -231,36 +281,49 @@ void KnowledgeBase::AddPossible(const GroundChange& change, Diagram where, Chang
       becomes = diagrams_.Or(becomes, where);
       return;
     }
-    case GroundChange::Kind::kForget:
-    case GroundChange::Kind::kForgetNumber:
+    case GroundChange::Kind::kForget: {
+      Diagram& becomes_open = changes.possible[change.literal.atom].becomes_open;
+      becomes_open = diagrams_.Or(becomes_open, where);
+      return;
+    }
     case GroundChange::Kind::kUnsense:
     case GroundChange::Kind::kUnsenseValue:
       changes.certain.push_back(&change);
       return;
+    case GroundChange::Kind::kForgetNumber:
     case GroundChange::Kind::kAssign:
-      changes.unsettled.push_back(change.function);
+      changes.unsettled.push_back(&change);
       return;
     case GroundChange::Kind::kSense:
     case GroundChange::Kind::kSenseValue:
     case GroundChange::Kind::kRelate:
     case GroundChange::Kind::kNarrow:
-      return;  // nothing may have been learned
+      return;  // nothing is sensed or told under a condition that is not known
   }
 }
 
 bool KnowledgeBase::Apply(const Changes& changes, const KnowledgeState& before,
                           KnowledgeState& state) {
+  if (!changes.are_told) return false;
   if (!changes.possible.empty()) ApplyPossible(changes.possible, state);
-  for (const FunctionId function : changes.unsettled) ForgetNumber(state, function);
   for (const int now : {0, 1, 2, 3, 4}) {
     for (const GroundChange* change : changes.certain) {
       if (RankOf(*change) == now) Apply(*change, before, state);
     }
+    if (now != RankOf({.kind = GroundChange::Kind::kAssign})) continue;
+    for (const GroundChange* change : changes.unsettled) Unsettle(*change, before, state);
+    if (!CanTellBounds(changes, state)) return false;
   }
   return std::all_of(changes.certain.begin(), changes.certain.end(), [&](const GroundChange* c) {
-    if (c->kind == GroundChange::Kind::kNarrow)
-      return CanHold(state.ranges[task_.functions[c->bound.function.index()].slot]);
+    if (c->kind == GroundChange::Kind::kNarrow) return CanHold(RangeOf(c->bound.function, state));
     return c->kind != GroundChange::Kind::kRelate || Relate(state, c->literals, c->is_inclusive);
+  });
+}
+
+bool KnowledgeBase::CanTellBounds(const Changes& changes, const KnowledgeState& state) const {
+  return std::ranges::all_of(changes.certain, [&](const GroundChange* change) {
+    return change->kind != GroundChange::Kind::kNarrow || BoundHolds(change->bound, state) ||
+           !RangeOf(change->bound.function, state).is_outer;
   });
 }
 
@@ -282,9 +345,7 @@ void KnowledgeBase::Apply(const GroundChange& change, const KnowledgeState& befo
     case GroundChange::Kind::kRelate:
       return;
     case GroundChange::Kind::kAssign:
-      layout_.SetSensed(state, change.function, false);
-      state.ranges[task_.functions[change.function.index()].slot] = SumOf(change.sum, before);
-      return;
+      return Assign(change, before, state);
     case GroundChange::Kind::kNarrow:
       return Learn(state, change.bound);
     case GroundChange::Kind::kForgetNumber:
@@ -305,20 +366,21 @@ Range KnowledgeBase::SumOf(const GroundSum& sum, const KnowledgeState& state) co
   Interval total = sum.constant;
   Range result;
   for (const auto& [function, sign] : sum.functions) {
-    const Range& range = state.ranges[task_.functions[function.index()].slot];
+    const Range& range = RangeOf(function, state);
     const Interval interval{range.low, range.high};
     total = algebra::operator+(total, sign > 0 ? interval : algebra::operator-(interval));
     result.excludes_low |= sign > 0 ? range.excludes_low : range.excludes_high;
     result.excludes_high |= sign > 0 ? range.excludes_high : range.excludes_low;
+    result.is_outer |= range.is_outer;
   }
   result.low = total.low;
   result.high = total.high;
   return result;
 }
 
-// The image of the relations under "x becomes true where A, false where D": the new x, for the time
-// being a variable of its own, is A | (x & !D); then the old x is no matter any more. The relations
-// come first: they keep the diagrams small.
+// The image of the relations under "x becomes true where A, else false where D, else either where
+// O": the new x, for the time being a variable of its own, is A | (x & !D) where it is not open;
+// then the old x is no matter any more. The relations come first: they keep the diagrams small.
 void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
                                   KnowledgeState& state) {
   std::vector<int> variables;
@@ -327,7 +389,10 @@ void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
     const Diagram old = Restricted(WorldsWhere({atom, true}), state);
     const Diagram now =
         diagrams_.Or(where.becomes_true, diagrams_.And(old, diagrams_.Not(where.becomes_false)));
-    changes.push_back(diagrams_.Equal(diagrams_.Literal({Variable(atom) + 1, true}), now));
+    const Diagram is_open = diagrams_.And(
+        where.becomes_open, diagrams_.Not(diagrams_.Or(where.becomes_true, where.becomes_false)));
+    changes.push_back(
+        diagrams_.Or(is_open, diagrams_.Equal(diagrams_.Literal({Variable(atom) + 1, true}), now)));
     const std::vector<int>& of_change = diagrams_.Support(changes.back());
     variables.insert(variables.end(), of_change.begin(), of_change.end());
     variables.push_back(Variable(atom));
@@ -356,7 +421,8 @@ const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
   for (std::size_t round = 0; !is_at_rest; ++round) {
     is_at_rest = true;
     for (const GroundEffect& update : task_.updates) {
-      if (!Holds(update.condition, state)) continue;
+      if (!MayHold(update.condition, state)) continue;
+      if (!Holds(update.condition, state)) return &update;
       Changes changes;
       for (const GroundChange& change : update.changes) changes.certain.push_back(&change);
       const KnowledgeState before = state;
@@ -430,13 +496,39 @@ void KnowledgeBase::Forget(KnowledgeState& state, AtomId atom) {
 
 void KnowledgeBase::ForgetNumber(KnowledgeState& state, FunctionId function) const {
   layout_.SetSensed(state, function, false);
-  state.ranges[task_.functions[function.index()].slot] = {-algebra::kInfinity, algebra::kInfinity,
-                                                          false, false};
+  RangeOf(function, state) = {.low = -algebra::kInfinity, .high = algebra::kInfinity};
+}
+
+void KnowledgeBase::Assign(const GroundChange& change, const KnowledgeState& before,
+                           KnowledgeState& state) const {
+  layout_.SetSensed(state, change.function, false);
+  Range& range = RangeOf(change.function, state);
+  range = SumOf(change.sum, before);
+  // What is learned later of one number of a sum tells something of the others.
+  for (const auto& [function, sign] : change.sum.functions) {
+    const bool is_alone = function == change.function && change.sum.functions.size() == 1;
+    if (is_alone || IsSingle(RangeOf(function, before))) continue;
+    RangeOf(function, state).is_outer = true;
+    range.is_outer = true;
+  }
+}
+
+void KnowledgeBase::Unsettle(const GroundChange& change, const KnowledgeState& before,
+                             KnowledgeState& state) {
+  const Range otherwise = RangeOf(change.function, state);
+  Apply(change, before, state);
+  Range& range = RangeOf(change.function, state);
+  range = Hull(range, otherwise);
+  range.is_outer = true;
 }
 
 bool KnowledgeBase::Relate(KnowledgeState& state, const std::vector<GroundLiteral>& literals,
                            bool is_inclusive) {
   const Diagram relation = Restricted(WorldsWhere(literals, is_inclusive), state);
+  return RelateAsWell(state, relation);
+}
+
+bool KnowledgeBase::RelateAsWell(KnowledgeState& state, Diagram relation) {
   const std::vector<int>& variables = diagrams_.Support(relation);
   return PutRelation(state, diagrams_.And(relation, TakeRelations(state, variables)));
 }
@@ -493,9 +585,19 @@ void KnowledgeBase::Learn(KnowledgeState& state, GroundLiteral literal) {
   }
 }
 
+// That not all of several hold does not say of any of them that it does not.
+bool KnowledgeBase::LearnConjunction(KnowledgeState& state,
+                                     const std::vector<GroundLiteral>& literals, bool value) {
+  Diagram where = kAllSets;
+  for (const GroundLiteral& literal : literals) {
+    where = diagrams_.And(where, WorldsWhere(literal));
+  }
+  return RelateAsWell(state, Restricted(value ? where : diagrams_.Not(where), state));
+}
+
 void KnowledgeBase::Learn(KnowledgeState& state, const Bound& bound) const {
   if (BoundHolds(bound, state)) return;
-  Range& range = state.ranges[task_.functions[bound.function.index()].slot];
+  Range& range = RangeOf(bound.function, state);
   (IsUpper(bound.relation) ? range.high : range.low) = bound.value;
   (IsUpper(bound.relation) ? range.excludes_high : range.excludes_low) = IsStrict(bound.relation);
 }
@@ -546,24 +648,29 @@ std::vector<FunctionId> KnowledgeBase::FunctionsToBranch(const KnowledgeState& s
   return functions;
 }
 
-KnowledgeState KnowledgeBase::Learned(const KnowledgeState& state, FormulaId formula, bool value) {
+std::optional<KnowledgeState> KnowledgeBase::Learned(const KnowledgeState& state, FormulaId formula,
+                                                     bool value) {
   if (const std::optional<Bound>& bound = task_.formulas[formula.index()].bound) {
     KnowledgeState next = state;
     Learn(next, value ? *bound : Negation(*bound));
-    ApplyUpdates(next);
-    Canonicalize(next);
-    return next;
+    return Settled(std::move(next));
   }
-  const GroundLiteral literal = UndeterminedLiteral(formula, state);
-  return Learned(state, {literal.atom, literal.is_positive == value});
+  KnowledgeState next = state;
+  if (!LearnConjunction(next, task_.formulas[formula.index()].literals, value)) return std::nullopt;
+  return Settled(std::move(next));
 }
 
-KnowledgeState KnowledgeBase::Learned(const KnowledgeState& state, GroundLiteral literal) {
+std::optional<KnowledgeState> KnowledgeBase::Learned(const KnowledgeState& state,
+                                                     GroundLiteral literal) {
   KnowledgeState next = state;
   Learn(next, literal);
-  ApplyUpdates(next);
-  Canonicalize(next);
-  return next;
+  return Settled(std::move(next));
+}
+
+std::optional<KnowledgeState> KnowledgeBase::Settled(KnowledgeState state) {
+  if (ApplyUpdates(state) != nullptr) return std::nullopt;
+  Canonicalize(state);
+  return state;
 }
 
 }  // namespace assay::contingent

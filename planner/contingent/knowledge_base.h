@@ -26,10 +26,15 @@ class KnowledgeBase {
   // and all that makes other states throws it at an update rule, if the rules do not come to rest.
   KnowledgeState Initial();
 
+  // Surely: that something is not known does not hold where more may be known than the state says
+  // (of numbers that hang together with others).
   bool Holds(const GroundQuery& query, const KnowledgeState& state) const;
+  // Not surely not.
+  bool MayHold(const GroundQuery& query, const KnowledgeState& state) const;
 
   // After an action whose precondition holds, and the update rules. None if an effect on Kx or
-  // on bounds contradicts what is known.
+  // on bounds contradicts what is known, or may do so, or if it cannot be told whether an effect or
+  // a rule happens.
   std::optional<KnowledgeState> After(const GroundAction& action, const KnowledgeState& state);
 
   // A formula of Kw that branches now: it has one undetermined literal, all others are known to be
@@ -41,9 +46,10 @@ class KnowledgeBase {
   // The values that a function may have: those not known to be none.
   std::vector<AtomId> PossibleValues(FunctionId function, const KnowledgeState& state) const;
 
-  // When the formula turns out true or false, when a literal turns out to hold.
-  KnowledgeState Learned(const KnowledgeState& state, FormulaId formula, bool value);
-  KnowledgeState Learned(const KnowledgeState& state, GroundLiteral literal);
+  // When the formula turns out true or false, when a literal turns out to hold, and after the
+  // update rules. None if that, or one of these, contradicts what is known.
+  std::optional<KnowledgeState> Learned(const KnowledgeState& state, FormulaId formula, bool value);
+  std::optional<KnowledgeState> Learned(const KnowledgeState& state, GroundLiteral literal);
 
   // The one undetermined literal of a formula that branches; none of a bound.
   GroundLiteral UndeterminedLiteral(FormulaId formula, const KnowledgeState& state) const;
@@ -64,31 +70,47 @@ class KnowledgeBase {
   Diagram RelationOf(const KnowledgeState& state, AtomId atom);
 
  private:
-  // What a possible effect does to an atom: where it becomes true, where false.
+  // What possible effects do to an atom: where it becomes true, where else false, and where else it
+  // may be either.
   struct Possible {
     Diagram becomes_true = kEmptySet;
     Diagram becomes_false = kEmptySet;
+    Diagram becomes_open = kEmptySet;
   };
   struct Changes {
     std::vector<const GroundChange*> certain;
     std::map<AtomId, Possible> possible;
-    std::vector<FunctionId> unsettled;  // numbers that may have been assigned something else
+    std::vector<const GroundChange*> unsettled;  // of numbers, which may have happened
+    bool are_told = true;                        // else whether an effect happens is not
   };
 
   bool BoundHolds(const Bound& bound, const KnowledgeState& state) const;
+  bool IsValueKnown(const GroundQuery& query, const KnowledgeState& state) const;
+  const Range& RangeOf(FunctionId function, const KnowledgeState& state) const {
+    return state.ranges[task_.functions[function.index()].slot];
+  }
+  Range& RangeOf(FunctionId function, KnowledgeState& state) const {
+    return state.ranges[task_.functions[function.index()].slot];
+  }
   bool IsDetermined(const Formula& formula, const KnowledgeState& state) const;
 
   Changes ChangesOf(const std::vector<GroundEffect>& effects, const KnowledgeState& state);
-  // What an effect may do whose condition is undetermined, true in the worlds `where`.
+  // What an effect does to the world whose condition is not known, but true in the worlds `where`.
   void AddPossible(const GroundChange& change, Diagram where, Changes& changes);
   // False if a relation or a bound contradicts what is known.
   bool Apply(const Changes& changes, const KnowledgeState& before, KnowledgeState& state);
+  // False if a bound is told of a number that hangs together with something else: it might tell
+  // of that, or contradict it.
+  bool CanTellBounds(const Changes& changes, const KnowledgeState& state) const;
   void Apply(const GroundChange& change, const KnowledgeState& before, KnowledgeState& state);
   void ApplyPossible(const std::map<AtomId, Possible>& possible, KnowledgeState& state);
-  // The rule after which a relation or a bound contradicts what is known, or which leaves no
-  // alternative of the relations that last; null: there is none.
+  // The rule after which a relation or a bound contradicts what is known, which leaves no
+  // alternative of the relations that last, or of which it cannot be told whether it happens; null:
+  // there is none.
   const GroundEffect* ApplyUpdates(KnowledgeState& state,
                                    const std::vector<InitialRelation>& lasting = {});
+  // After the update rules, in canonical form; none if one contradicts what is known.
+  std::optional<KnowledgeState> Settled(KnowledgeState state);
   [[noreturn]] void FailRestless(const GroundEffect& update, std::size_t rounds) const;
   // The first of the relations that contradicts what is known or those before; null: none does.
   const InitialRelation* RelateAll(KnowledgeState& state,
@@ -99,11 +121,20 @@ class KnowledgeBase {
   void Forget(KnowledgeState& state, AtomId atom);
   void SenseValue(KnowledgeState& state, FunctionId function, double error) const;
   void ForgetNumber(KnowledgeState& state, FunctionId function) const;
+  void Assign(const GroundChange& change, const KnowledgeState& before,
+              KnowledgeState& state) const;
+  // What may have happened to a number leaves its interval wide enough for both.
+  void Unsettle(const GroundChange& change, const KnowledgeState& before, KnowledgeState& state);
   void Unrelate(KnowledgeState& state, AtomId atom);
   void UnsenseWith(KnowledgeState& state, AtomId atom);
   void Learn(KnowledgeState& state, GroundLiteral literal);
   void Learn(KnowledgeState& state, const Bound& bound) const;
   bool Relate(KnowledgeState& state, const std::vector<GroundLiteral>& literals, bool is_inclusive);
+  // False if the literals cannot all hold (`value`), or not all.
+  bool LearnConjunction(KnowledgeState& state, const std::vector<GroundLiteral>& literals,
+                        bool value);
+  // Adds a relation of unknown atoms to those that are there; false if they cannot hold together.
+  bool RelateAsWell(KnowledgeState& state, Diagram relation);
   // Takes out the relations that have one of the variables, and returns what they say together.
   Diagram TakeRelations(KnowledgeState& state, const std::vector<int>& variables);
   Diagram RelationsWith(const KnowledgeState& state, Diagram of);

@@ -30,6 +30,11 @@ StateId KnowledgeSpace::Intern(KnowledgeState state) {
   return id;
 }
 
+bool KnowledgeSpace::AddOutcome(std::optional<KnowledgeState> state, Transition& transition) {
+  if (state) transition.outcomes.push_back(Intern(std::move(*state)));
+  return state.has_value();
+}
+
 KnowledgeSpace::Expansion& KnowledgeSpace::ExpansionOf(StateId id) {
   const auto [entry, is_new] = expansions_.try_emplace(id);
   Expansion& expansion = entry->second;
@@ -84,13 +89,17 @@ std::optional<Transition> KnowledgeSpace::Try(StateId id, const Step& step) {
     }
     case PlanNode::Kind::kWhether:
       for (const bool value : {true, false}) {
-        transition.outcomes.push_back(Intern(knowledge_.Learned(state(id), step.formula, value)));
+        if (!AddOutcome(knowledge_.Learned(state(id), step.formula, value), transition)) {
+          return std::nullopt;
+        }
       }
       break;
     case PlanNode::Kind::kValue:
       transition.values = knowledge_.PossibleValues(step.function, state(id));
       for (const AtomId value : transition.values) {
-        transition.outcomes.push_back(Intern(knowledge_.Learned(state(id), {value, true})));
+        if (!AddOutcome(knowledge_.Learned(state(id), {value, true}), transition)) {
+          return std::nullopt;
+        }
       }
       break;
   }

@@ -66,6 +66,8 @@ class KnowledgeSpace {
   };
 
   StateId Intern(KnowledgeState state);
+  // False if there is none: then the step cannot be taken.
+  bool AddOutcome(std::optional<KnowledgeState> state, Transition& transition);
   Expansion& ExpansionOf(StateId id);
   std::vector<Step> FindSteps(StateId id);
   std::optional<Transition> Try(StateId id, const Step& step);

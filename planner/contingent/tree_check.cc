@@ -52,20 +52,22 @@ bool IsMonotone(const GroundTask& task) {
 
 class Runner {
  public:
-  Runner(const GroundTask& task, const PlanTree& tree, bool are_all_worlds, std::size_t most_worlds)
+  Runner(const GroundTask& task, const PlanTree& tree, const NumberMarks& marks, bool were_drawn,
+         std::size_t most_worlds)
       : task_(task),
         tree_(tree),
         loops_(LoopsOf(tree)),
         is_monotone_(IsMonotone(task)),
         happens_by_knowledge_(HappensByKnowledge(task)),
-        progression_(task, are_all_worlds, most_worlds),
-        most_worlds_(most_worlds) {}
+        progression_(task, marks, were_drawn || !marks.AreComplete(), most_worlds),
+        most_worlds_(most_worlds) {
+    check_.were_drawn = were_drawn;
+    check_.are_numbers_sampled = !marks.AreComplete();
+  }
 
-  TreeCheck Run(InitialWorlds initial) {
-    TreeCheck check;
-    check.are_all_worlds = initial.are_all;
+  TreeCheck Run(Worlds initial) {
     History history;
-    history.worlds = std::move(initial.worlds);
+    history.worlds = std::move(initial);
     history.sensed.insert(task_.initial.sensed.begin(), task_.initial.sensed.end());
     history.values_sensed = task_.initial.values_sensed;
     is_reached_.assign(tree_.nodes.size(), false);
@@ -77,13 +79,12 @@ class Runner {
     progression_.Update(history);
     if (history.worlds.empty()) Fail("the initial knowledge allows no world", history);
     RunFrom(tree_.root, std::move(history));
-    check.holds = !HasFailed();
-    check.failure = Failure();
-    check.worlds = worlds_;
+    check_.holds = !HasFailed();
+    check_.failure = Failure();
     for (std::size_t i = 0; i < is_reached_.size(); ++i) {
-      if (!is_reached_[i]) check.unreached.push_back(NodeId(i));
+      if (!is_reached_[i]) check_.unreached.push_back(NodeId(i));
     }
-    return check;
+    return std::move(check_);
   }
 
  private:
@@ -100,9 +101,9 @@ class Runner {
     if (progression_.IsRestless()) {
       return fmt::format("update rules do not come to rest in {} rounds", MostRoundsOf(task_));
     }
-    return progression_.CouldNotTell() ? "an effect asks that something is not known, which worlds "
-                                         "that are drawn cannot tell"
-                                       : "";
+    if (!progression_.CouldNotTell()) return "";
+    return fmt::format("an effect asks that something is not known, which {} cannot tell",
+                       check_.were_drawn ? "worlds that are drawn" : "a sample of numbers");
   }
 
   void Fail(const std::string& what, const History& history, const World* world = nullptr) {
@@ -120,10 +121,15 @@ class Runner {
     }
     for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
       const FunctionId function = task_.function_of_slot[slot];
-      texts.push_back(
-          fmt::format("{} = {}", task_.functions[function.index()].text, world.numbers[slot]));
+      texts.push_back(fmt::format("{} {}", task_.functions[function.index()].text,
+                                  TextOf(world.numbers[slot])));
     }
     return fmt::format("{}", fmt::join(texts, ", "));
+  }
+
+  static std::string TextOf(const Number& number) {
+    if (number.beside == 0) return fmt::format("= {}", number.value);
+    return fmt::format("just {} {}", number.beside < 0 ? "below" : "above", number.value);
   }
 
   // ---- Walking the tree
@@ -196,7 +202,7 @@ class Runner {
       return;
     }
     if (!Holds(task_.goal, way.history)) Fail("the goal is not known", way.history);
-    if (!way.is_counted) worlds_ += static_cast<std::int64_t>(way.history.worlds.size());
+    if (!way.is_counted) check_.worlds += static_cast<std::int64_t>(way.history.worlds.size());
   }
 
   static bool IsFollowed(const History& history) {
@@ -419,7 +425,7 @@ class Runner {
 
   World WithoutOpen(World world) const {
     for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
-      if (IsOpen(slot)) world.numbers[slot] = 0;
+      if (IsOpen(slot)) world.numbers[slot] = {};
     }
     return world;
   }
@@ -481,19 +487,20 @@ class Runner {
   std::set<NodeId> repeated_;
   std::vector<std::pair<NodeId, History>> heads_;    // of repeats, on the way to here
   std::set<std::pair<NodeId, History>> beginnings_;  // where knowing more may hurt
-  std::int64_t worlds_ = 0;
+  TreeCheck check_;
   std::string failure_;
 };
 
 }  // namespace
 
 TreeCheck CheckTree(const GroundTask& task, const PlanTree& tree, const TreeCheckOptions& options) {
-  InitialWorlds initial = EnumerateWorlds(task, options.worlds, options.seed);
-  if (!initial.are_all) {
+  const NumberMarks marks(task, tree);
+  InitialWorlds initial = EnumerateWorlds(task, marks, options.worlds, options.seed);
+  if (initial.were_drawn) {
     if (const std::optional<TreeCheck> check = CheckBySets(task, tree)) return *check;
   }
   const std::size_t most_worlds = std::max(kMostWorlds, 4 * initial.worlds.size());
-  return Runner(task, tree, initial.are_all, most_worlds).Run(std::move(initial));
+  return Runner(task, tree, marks, initial.were_drawn, most_worlds).Run(std::move(initial.worlds));
 }
 
 }  // namespace assay::contingent

@@ -20,9 +20,12 @@ struct TreeCheck {
   bool holds = false;
   // If not: what fails, where in the tree, and in which world.
   std::string failure;
-  std::int64_t worlds = 0;        // that were run to a leaf; as sets: initial ones
-  bool are_all_worlds = true;     // else they were drawn
-  std::vector<NodeId> unreached;  // nodes that no world came to
+  std::int64_t worlds = 0;           // that were run to a leaf; as sets: initial ones
+  bool were_drawn = false;           // the worlds, of too many
+  bool are_numbers_sampled = false;  // what lies between them may be otherwise
+  std::vector<NodeId> unreached;     // nodes that no world came to
+
+  bool AreAllWorlds() const { return !were_drawn && !are_numbers_sampled; }
 };
 
 // Runs a plan tree in every world that the initial knowledge allows. Shares nothing with the
@@ -32,16 +35,19 @@ struct TreeCheck {
 // goal holds at the leaves. What init and actions leave open (an atom that nothing is said of, one
 // that is forgotten) is both, as soon as it matters. A repeat must come back to worlds that it
 // began with; where knowing more may hurt, it is run again with all knowledge that comes back.
-// Numeric functions take the ends of their intervals, the bounds that are asked, and values between
-// and beside. Knowledge that allows no world holds nothing: not at first, nor after a step.
+// Numeric functions take the ends of their intervals, the bounds that are asked, carried back to
+// where the number was another one, and values beside these (number_marks.h): in most tasks they
+// stand for all numbers. Knowledge that allows no world holds nothing: not at first, nor after a
+// step.
 //
 // !K(l) holds if l is false in some world with the same history; !Kw and !Kv, if besides it has not
 // been sensed. What has been sensed becomes known where the tree branches on it, not before. A
-// knowledge base may know less than is true in all these worlds (it forgets how what is deleted
-// under a condition hangs together with the condition, and intervals with one another): a tree that
-// relies on its not knowing that is rejected, and an effect under such a condition does not happen.
-// Worlds that are drawn can show that something is not known, never that it is: preconditions and
-// goals that ask it pass where all drawn worlds agree, effects and update rules that do fail.
+// knowledge base may know less than is true in all these worlds (it forgets how intervals hang
+// together): a tree that relies on its not knowing that is rejected, and an effect under such a
+// condition does not happen.
+// A sample, of worlds or of their numbers, can show that something is not known, never that it is:
+// preconditions and goals that ask it pass where all of the sample agree, effects and update rules
+// that do fail.
 TreeCheck CheckTree(const GroundTask& task, const PlanTree& tree,
                     const TreeCheckOptions& options = {});
 

@@ -1,33 +1,35 @@
 #include "planner/contingent/world_progression.h"
 
 #include <algorithm>
-#include <limits>
 #include <ranges>
 #include <set>
 #include <utility>
+
+#include "planner/algebra/interval_arithmetic.h"
 
 namespace assay::contingent {
 namespace {
 
 // Stands for a number that was forgotten, until it may be any.
-constexpr double kForgotten = std::numeric_limits<double>::infinity();
+constexpr Number kForgotten = {.value = algebra::kInfinity};
 
-bool Compare(double value, Relation relation, double with) {
+bool Compare(const Number& number, Relation relation, double value) {
+  const Number with{value};
   switch (relation) {
     case Relation::kLess:
-      return value < with;
+      return number < with;
     case Relation::kLessOrEqual:
-      return value <= with;
+      return number <= with;
     case Relation::kGreater:
-      return value > with;
+      return number > with;
     case Relation::kGreaterOrEqual:
-      return value >= with;
+      return number >= with;
     case Relation::kPredicate:
     case Relation::kExtern:
     case Relation::kEqual:
       break;
   }
-  return value == with;
+  return number == with;
 }
 
 Answer Least(const auto& answers) {
@@ -52,11 +54,14 @@ void MergeEqual(Worlds& worlds) {
   worlds.erase(equal.begin(), equal.end());
 }
 
+// A change of knowledge, not of the world.
+bool IsTold(const GroundChange& change) {
+  return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
+}
+
 int PassOf(const GroundChange& change) {
   if (change.kind == GroundChange::Kind::kForget) return 0;
-  if (change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow) {
-    return 3;
-  }
+  if (IsTold(change)) return 3;
   return change.kind == GroundChange::Kind::kSet && !change.literal.is_positive ? 1 : 2;
 }
 
@@ -107,7 +112,7 @@ Answer WorldProgression::Ask(const GroundQuery& query, const History& history) c
         case Answer::kCannotTell:
           return Answer::kCannotTell;
         case Answer::kYes:
-          return are_all_worlds_ ? Answer::kNo : Answer::kCannotTell;
+          return are_sample_ ? Answer::kCannotTell : Answer::kNo;
       }
       break;
     case GroundQuery::Kind::kKnown:
@@ -131,7 +136,7 @@ bool WorldProgression::IsValueKnown(const GroundQuery& query, const History& his
   const auto [least, most] = std::minmax_element(
       history.worlds.begin(), history.worlds.end(),
       [&](const World& a, const World& b) { return a.numbers[slot] < b.numbers[slot]; });
-  return most->numbers[slot] - least->numbers[slot] <= 2 * query.within.value_or(0);
+  return most->numbers[slot].value - least->numbers[slot].value <= 2 * query.within.value_or(0);
 }
 
 bool WorldProgression::HasTooMany(const Worlds& worlds) {
@@ -240,16 +245,22 @@ void WorldProgression::ForgetSensed(const GroundChange& change, History& history
 void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
                                     const std::vector<bool>& happens, Worlds& worlds) {
   Worlds changed;
+  std::size_t most_before_merging = most_worlds_;
   for (const World& world : worlds) {
-    if (HasTooMany(changed)) break;
+    if (changed.size() > most_before_merging) {
+      MergeEqual(changed);
+      if (HasTooMany(changed)) break;
+      most_before_merging = std::max(most_worlds_, 2 * changed.size());
+    }
     Worlds now = {world};
     for (int pass = 0; pass < kPasses; ++pass) {
       for (std::size_t e = 0; e < effects.size(); ++e) {
+        const bool is_told = happens[e];  // to whoever executes the plan
         const bool applies =
-            effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : happens[e];
+            effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : is_told;
         if (!applies) continue;
         for (const GroundChange& change : effects[e].changes) {
-          if (PassOf(change) == pass) Change(change, world, now);
+          if (PassOf(change) == pass && (is_told || !IsTold(change))) Change(change, world, now);
         }
       }
     }
@@ -308,7 +319,7 @@ void WorldProgression::OpenForgotten(int slot, Worlds& worlds) const {
   if (forgotten == worlds.end()) return;
   const std::set<World> different(forgotten, worlds.end());
   worlds.erase(forgotten, worlds.end());
-  for (const double value : ValuesIn({-kForgotten, kForgotten}, slot, task_)) {
+  for (const Number& value : marks_.In({-algebra::kInfinity, algebra::kInfinity}, slot)) {
     for (const World& world : different) {
       worlds.push_back(world);
       worlds.back().numbers[slot] = value;
@@ -318,17 +329,19 @@ void WorldProgression::OpenForgotten(int slot, Worlds& worlds) const {
 
 void WorldProgression::Assign(const GroundChange& change, const World& before, Worlds& now) const {
   const int slot = task_.functions[change.function.index()].slot;
-  double value = 0;
+  Number sum;
   for (const auto& [function, sign] : change.sum.functions) {
-    value += sign * before.numbers[task_.functions[function.index()].slot];
+    const Number& number = before.numbers[task_.functions[function.index()].slot];
+    sum.value += sign * number.value;
+    sum.beside = std::clamp(sum.beside + sign * number.beside, -1, 1);
   }
-  const Interval& constant = change.sum.constant;
+  const Interval& added = change.sum.constant;
   Worlds all;
-  for (const double added :
-       std::set<double>{constant.low, constant.low / 2 + constant.high / 2, constant.high}) {
+  for (const Number& number : marks_.Between({sum.value + added.low, sum.beside},
+                                             {sum.value + added.high, sum.beside}, slot)) {
     for (const World& world : now) {
       all.push_back(world);
-      all.back().numbers[slot] = value + added;
+      all.back().numbers[slot] = number;
     }
   }
   now = std::move(all);

@@ -22,7 +22,7 @@ struct History {
   auto operator<=>(const History&) const = default;
 };
 
-// Whether a query holds after a history. Worlds that were drawn show that something is not known,
+// Whether a query holds after a history. Worlds that are a sample show that something is not known,
 // by one where it is false; where it is true in all of them, they cannot tell that it is not known.
 enum class Answer : std::int8_t { kNo, kCannotTell, kYes };
 
@@ -31,12 +31,14 @@ enum class Answer : std::int8_t { kNo, kCannotTell, kYes };
 // (tree_check.h).
 class WorldProgression {
  public:
-  // Where there would be more than `most_worlds` in a history, not all are made.
-  WorldProgression(const GroundTask& task, bool are_all_worlds, std::size_t most_worlds)
-      : task_(task), are_all_worlds_(are_all_worlds), most_worlds_(most_worlds) {}
+  // Keeps references. `are_sample`: of the worlds, or of their numbers. Where there would be more
+  // than `most_worlds` in a history, not all are made.
+  WorldProgression(const GroundTask& task, const NumberMarks& marks, bool are_sample,
+                   std::size_t most_worlds)
+      : task_(task), marks_(marks), are_sample_(are_sample), most_worlds_(most_worlds) {}
 
   bool HasMadeTooMany() const { return has_made_too_many_; }
-  // Whether there was an effect of which drawn worlds cannot tell that it happens.
+  // Whether there was an effect of which a sample cannot tell that it happens.
   bool CouldNotTell() const { return could_not_tell_; }
   // Whether update rules did not come to rest.
   bool IsRestless() const { return is_restless_; }
@@ -72,7 +74,8 @@ class WorldProgression {
   void OpenForgotten(int slot, Worlds& worlds) const;
 
   const GroundTask& task_;
-  bool are_all_worlds_;
+  const NumberMarks& marks_;
+  bool are_sample_;
   std::size_t most_worlds_;
   bool has_made_too_many_ = false;
   bool could_not_tell_ = false;

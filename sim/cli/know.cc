@@ -120,7 +120,9 @@ Answer MakeAnswer(const Options& options) {
 Json ToJson(const TreeCheck& check) {
   Json json = {{"holds", check.holds},
                {"worlds", check.worlds},
-               {"all", check.are_all_worlds},
+               {"all", check.AreAllWorlds()},
+               {"drawn", check.were_drawn},
+               {"numbers_sampled", check.are_numbers_sampled},
                {"unreached", check.unreached.size()}};
   if (!check.holds) json["failure"] = check.failure;
   return json;
@@ -148,8 +150,9 @@ std::string JsonText(const Answer& answer) {
 std::string CheckText(const TreeCheck& check) {
   if (!check.holds) return fmt::format("check: FAILS: {}\n", check.failure);
   return fmt::format(
-      "check: holds in {} of the worlds that the initial knowledge allows, as {} {}{}\n",
-      check.are_all_worlds ? "all" : "a sample", check.worlds, check.worlds == 1 ? "case" : "cases",
+      "check: holds in {} of the worlds that the initial knowledge allows, as {} {}{}{}\n",
+      check.AreAllWorlds() ? "all" : "a sample", check.worlds, check.worlds == 1 ? "case" : "cases",
+      check.are_numbers_sampled ? ", of their numbers a sample" : "",
       check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
 }
 

@@ -55,7 +55,7 @@ class LeafSearch {
 
   void Branch(NodeId id, std::size_t child, const KnowledgeState& state, Leaf way) {
     const PlanNode& node = tree_.node(id);
-    KnowledgeState learned;
+    std::optional<KnowledgeState> learned;
     if (node.kind == PlanNode::Kind::kWhether) {
       Say(node.formula, child == 0, state, way);
       learned = knowledge_.Learned(state, node.formula, child == 0);
@@ -64,7 +64,7 @@ class LeafSearch {
       learned = knowledge_.Learned(state, way.literals.back());
     }
     way.branches.push_back({id, child, OutcomeText(task_, node, child)});
-    GoOn(node, child, learned, way);
+    if (learned) GoOn(node, child, *learned, way);
   }
 
   void Say(contingent::FormulaId formula, bool value, const KnowledgeState& state,

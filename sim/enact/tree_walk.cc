@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "planner/base/check.h"
 #include "planner/contingent/tree_text.h"
@@ -105,9 +106,8 @@ std::vector<std::string> TreeWalk::LearnSensedFormulas(KnowledgeState& sensed) {
   for (std::size_t i = 0; i < interpretation_.task.formulas.size(); ++i) {
     const FormulaId formula(i);
     if (!knowledge_.layout().IsSensed(state_, formula)) continue;
-    if (const auto told = Sensed([&] { return Told(formula); })) {
-      state_ = knowledge_.Learned(state_, formula, *told != IsFlipped());
-    } else {
+    const auto told = Sensed([&] { return Told(formula); });
+    if (!told || !Learn(knowledge_.Learned(state_, formula, *told != IsFlipped()))) {
       knowledge_.layout().SetSensed(state_, formula, false);
       knowledge_.layout().SetSensed(sensed, formula, false);
       not_told.push_back(WordsOf(formula));
@@ -124,17 +124,20 @@ std::vector<std::string> TreeWalk::LearnSensedValues(KnowledgeState& sensed) {
     const bool is_number = interpretation_.task.functions[i].slot >= 0;
     if (is_number || !knowledge_.layout().IsSensed(state_, function)) continue;
     const std::vector<AtomId> values = knowledge_.PossibleValues(function, state_);
-    if (const auto told = Sensed([&] { return ToldValue(values); })) {
-      const bool is_flipped = values.size() > 1 && IsFlipped();
-      const std::size_t value = is_flipped ? Flipped(*told, values.size()) : *told;
-      state_ = knowledge_.Learned(state_, {values[value], true});
-    } else {
+    std::optional<std::size_t> told = Sensed([&] { return ToldValue(values); });
+    if (told && values.size() > 1 && IsFlipped()) told = Flipped(*told, values.size());
+    if (!told || !Learn(knowledge_.Learned(state_, {values[*told], true}))) {
       knowledge_.layout().SetSensed(state_, function, false);
       knowledge_.layout().SetSensed(sensed, function, false);
       not_told.push_back(WordsOf(function));
     }
   }
   return not_told;
+}
+
+bool TreeWalk::Learn(std::optional<KnowledgeState> learned) {
+  if (learned) state_ = std::move(*learned);
+  return learned.has_value();
 }
 
 std::optional<NodeId> TreeWalk::Act(const PlanNode& node) {
@@ -234,7 +237,8 @@ std::optional<NodeId> TreeWalk::Whether(NodeId id) {
   if (!told) return NotTold(WordsOf(node.formula));
   const bool is_flipped = IsFlipped();
   const bool value = *told != is_flipped;
-  state_ = knowledge_.Learned(state_, node.formula, value);
+  if (!Learn(knowledge_.Learned(state_, node.formula, value)))
+    return NotTold(WordsOf(node.formula));
   return Take(id, value ? 0 : 1, is_flipped);
 }
 
@@ -264,7 +268,9 @@ std::optional<NodeId> TreeWalk::ByValue(NodeId id) {
   if (!told) return NotTold(WordsOf(node.function));
   const bool is_flipped = node.values.size() > 1 && IsFlipped();
   const std::size_t child = is_flipped ? Flipped(*told, node.values.size()) : *told;
-  state_ = knowledge_.Learned(state_, {node.values[child], true});
+  if (!Learn(knowledge_.Learned(state_, {node.values[child], true}))) {
+    return NotTold(WordsOf(node.function));
+  }
   return Take(id, child, is_flipped);
 }
 

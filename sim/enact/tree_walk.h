@@ -78,6 +78,8 @@ class TreeWalk {
   // longer counts as sensed, in `sensed` neither, which otherwise stays as it is.
   std::vector<std::string> LearnSensedFormulas(contingent::KnowledgeState& sensed);
   std::vector<std::string> LearnSensedValues(contingent::KnowledgeState& sensed);
+  // False if what sensors tell contradicts what is known: then they have told nothing.
+  bool Learn(std::optional<contingent::KnowledgeState> learned);
   std::string WordsOf(contingent::FormulaId formula) const;
   const std::string& WordsOf(contingent::FunctionId function) const;
   std::optional<contingent::NodeId> NotTold(const std::string& what);

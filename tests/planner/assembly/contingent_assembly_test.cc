@@ -68,7 +68,7 @@ void ExpectHoldsInAllWorlds(const ContingentAssembly& assembly) {
   ASSERT_EQ(assembly.outcome, Outcome::kFound);
   const auto check = contingent::CheckTree(ReadBack(assembly.knowledge), assembly.tree);
   EXPECT_TRUE(check.holds) << check.failure;
-  EXPECT_TRUE(check.are_all_worlds);
+  EXPECT_TRUE(check.AreAllWorlds());
 }
 
 // Spar's figures 15 and 16, whichever of the two it turns out to be.
@@ -249,7 +249,7 @@ TEST(ContingentAssembly, APickupForgetsThePoseAndItsIntervals) {
   const auto looked = knowledge.After(look, knowledge.Initial());
   ASSERT_TRUE(looked);
   EXPECT_FALSE(knowledge.Holds(pickup->precondition, *looked));
-  const auto ready = knowledge.Learned(*looked, {lying, true});
+  const auto ready = *knowledge.Learned(*looked, {lying, true});
   EXPECT_TRUE(knowledge.layout().IsSensed(ready, dx));
   ASSERT_TRUE(knowledge.Holds(pickup->precondition, ready));
   const auto taken = knowledge.After(*pickup, ready);

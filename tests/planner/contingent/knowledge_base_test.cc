@@ -67,15 +67,18 @@ class Mind {
 
   void Learn(const std::string& atom, bool value) {
     for (std::size_t a = 0; a < task_->atoms.size(); ++a) {
-      if (task_->atoms[a] == atom) state_ = knowledge_->Learned(state_, {AtomId(a), value});
+      if (task_->atoms[a] == atom) state_ = *knowledge_->Learned(state_, {AtomId(a), value});
     }
   }
+
+  // Of the only formula.
+  void LearnSensed(bool value) { state_ = *knowledge_->Learned(state_, FormulaId(0), value); }
 
   // Takes a branch of the first formula that branches; its text.
   std::string Branch(bool value) {
     const FormulaId formula = knowledge_->FormulaToBranch(state_);
     if (formula.IsNone()) return "";
-    state_ = knowledge_->Learned(state_, formula, value);
+    state_ = *knowledge_->Learned(state_, formula, value);
     return TextOf(*task_, task_->formulas[formula.index()]);
   }
 
@@ -237,6 +240,25 @@ TEST(Kw, AConjunctionBranchesWhenOneAtomIsLeft) {
   EXPECT_EQ(other.Branch(true), "");
 }
 
+// That not both hold does not tell which of them does not.
+TEST(Kw, AConjunctionOfSeveralUnknownsIsLearnedAsAWhole) {
+  const std::vector<std::string> questions = {"Kw(p(a))", "Kw(q(a))", "K(p(a) & q(a))", "K(!q(a))",
+                                              "Kw(p(a) & q(a))"};
+  const std::string look = "action look effects: add(Kw, p(a) & q(a))\n";
+  Mind mind("add(Kf, !r)", look, questions);
+  mind.Do("look");
+  mind.LearnSensed(true);
+  EXPECT_TRUE(mind.Holds("K(p(a) & q(a))"));
+  Mind other("add(Kf, !r)", look, questions);
+  other.Do("look");
+  other.LearnSensed(false);
+  EXPECT_FALSE(other.Holds("Kw(p(a))"));
+  EXPECT_FALSE(other.Holds("Kw(q(a))"));
+  EXPECT_TRUE(other.Holds("Kw(p(a) & q(a))"));
+  other.Learn("p(a)", true);
+  EXPECT_TRUE(other.Holds("K(!q(a))"));
+}
+
 TEST(Kv, BranchesWhereTheRangeIsKnown) {
   const std::string read = "action read effects: add(Kv, at(a))\n";
   Mind known("add(Kx, at(a) = a | at(a) = c)", read, {"Kv(at(a))", "K(at(a) != b)"});
@@ -275,6 +297,20 @@ TEST(Kx, ChangingAMemberEndsTheAlternatives) {
   mind.Do("make");
   EXPECT_TRUE(mind.Holds("K(p(a))"));
   EXPECT_FALSE(mind.Holds("Kw(p(b))"));  // it may have been the one
+}
+
+// Whoever executes it does not know that the condition holds.
+TEST(Kx, IsNotToldUnderAConditionThatIsNotKnown) {
+  const std::string tell = "action tell effects: K(p(b)) => add(Kx, p(a) | q(a))\n";
+  const std::vector<std::string> questions = {"K(p(a))", "K(!p(b))"};
+  Mind mind("add(Kf, !q(a))", tell, questions);
+  mind.Do("tell");
+  EXPECT_FALSE(mind.Holds("K(p(a))"));
+  mind.Learn("p(a)", false);
+  EXPECT_FALSE(mind.Holds("K(!p(b))"));
+  Mind told("add(Kf, !q(a)), add(Kf, p(b))", tell, questions);
+  told.Do("tell");
+  EXPECT_TRUE(told.Holds("K(p(a))"));
 }
 
 TEST(Kx, ContradictionsAreNamed) {
@@ -325,6 +361,28 @@ TEST(Postdiction, ThePastPersistsUntilItIsChanged) {
   for (const char* action : {"press", "spoil", "look"}) spoiled.Do(action);
   spoiled.Branch(true);
   EXPECT_FALSE(spoiled.Holds("Kw(p(a))"));
+}
+
+// Where the condition did not hold, what was known before is known again; where it did, nothing is.
+TEST(Postdiction, OfWhatIsDeletedUnderACondition) {
+  const std::string actions =
+      "action spill effects: K(q(a)) => del(Kf, p(a))\n"
+      "action look effects: add(Kw, p(a))\n";
+  const std::vector<std::string> questions = {"K(p(a))", "Kw(p(a))", "K(q(a))"};
+  Mind spared("add(Kf, p(a))", actions, questions);
+  spared.Do("spill");
+  EXPECT_FALSE(spared.Holds("Kw(p(a))"));
+  spared.Learn("q(a)", false);
+  EXPECT_TRUE(spared.Holds("K(p(a))"));
+  Mind spilled("add(Kf, p(a))", actions, questions);
+  spilled.Do("spill");
+  spilled.Learn("q(a)", true);
+  EXPECT_FALSE(spilled.Holds("Kw(p(a))"));
+  Mind looking("add(Kf, p(a))", actions, questions);
+  looking.Do("spill");
+  looking.Do("look");
+  looking.Branch(false);
+  EXPECT_TRUE(looking.Holds("K(q(a))"));
 }
 
 TEST(Intervals, KnownByTheirEnds) {
@@ -419,6 +477,47 @@ TEST(Intervals, AreSensedAfterTheyAreChanged) {
   EXPECT_TRUE(mind.Holds("Kv(weight(a))"));
 }
 
+// What may have become of a number depends on the condition, and what is added up on its parts: of
+// these more may be known than their intervals tell, so that nothing is said not to be known.
+TEST(Intervals, ThatHangTogetherAreNotSaidToBeUnknown) {
+  const std::vector<std::string> questions = {"K(weight(a) <= 3)", "!K(weight(a) <= 2)",
+                                              "!K(weight(a) <= 0)", "!K(weight(b) <= 2)"};
+  const std::string actions =
+      "action fill effects: K(p(a)) => add(Kf, weight(a) = weight(a) + 2)\n"
+      "action copy effects: add(Kf, weight(a) = weight(b) + 1)\n"
+      "action grow effects: add(Kf, weight(a) = weight(a) + [0, 2])\n";
+  Mind filled("add(Kf, weight(a) = 1)", actions, questions);
+  filled.Do("fill");
+  EXPECT_TRUE(filled.Holds("K(weight(a) <= 3)"));
+  EXPECT_FALSE(filled.Holds("!K(weight(a) <= 2)"));
+  EXPECT_TRUE(filled.Holds("!K(weight(a) <= 0)"));  // surely it is not
+  Mind copied("add(Kf, weight(b) = [0, 4])", actions, questions);
+  copied.Do("copy");
+  EXPECT_FALSE(copied.Holds("!K(weight(a) <= 2)"));
+  EXPECT_FALSE(copied.Holds("!K(weight(b) <= 2)"));
+  Mind grown("add(Kf, weight(a) = 1)", actions, questions);
+  grown.Do("grow");
+  EXPECT_TRUE(grown.Holds("!K(weight(a) <= 2)"));
+}
+
+// It is 1 where p(a) is false; that it is more would tell that p(a) is true, or contradict that it
+// is not.
+TEST(Intervals, ThatHangTogetherAreNotTold) {
+  const GroundTask task = GroundText(
+      "domain n predicates: p, g functions: n: number\n"
+      "action fill effects: K(p) => add(Kf, n = 2)\n"
+      "action tell effects: add(Kf, n > 1), add(Kf, g)\n"
+      "action reset effects: add(Kf, n = [0, 3])\n",
+      "problem n domain n init: add(Kf, n = 1), add(Kf, !g) goal: K(g)");
+  KnowledgeBase knowledge(task);
+  const auto filled = knowledge.After(task.actions[0], knowledge.Initial());
+  ASSERT_TRUE(filled);
+  EXPECT_FALSE(knowledge.After(task.actions[1], *filled));
+  const auto reset = knowledge.After(task.actions[2], *filled);
+  ASSERT_TRUE(reset);
+  EXPECT_TRUE(knowledge.After(task.actions[1], *reset));
+}
+
 TEST(Intervals, ContradictionsAreNamed) {
   EXPECT_THAT(MessageOf([] { Mind mind("add(Kf, weight(a) > 3), add(Kf, weight(a) < 3)"); }),
               HasSubstr("this contradicts what is known: no number is left for weight(a)"));
@@ -461,6 +560,23 @@ TEST(Updates, MayChangeAlternativesLater) {
 }
 
 // Equal knowledge is equal data, whatever way led to it.
+// That the lamp is lit would, by the rule, make a number more than it is: no plan branches on it.
+TEST(Updates, ThatContradictABranchLeaveItOut) {
+  const GroundTask task = GroundText(
+      "domain bell predicates: lit, g functions: n: number\n"
+      "action look effects: add(Kw, lit)\n"
+      "action end preconds: Kw(lit) effects: add(Kf, g)\n"
+      "updates: K(lit) => add(Kf, n > 1)",
+      "problem bell domain bell init: add(Kf, n = 1), add(Kf, !g) goal: K(g)");
+  KnowledgeBase knowledge(task);
+  const auto looked = knowledge.After(task.actions.front(), knowledge.Initial());
+  ASSERT_TRUE(looked);
+  const FormulaId lit = knowledge.FormulaToBranch(*looked);
+  EXPECT_FALSE(knowledge.Learned(*looked, lit, true));
+  EXPECT_TRUE(knowledge.Learned(*looked, lit, false));
+  EXPECT_EQ(PlanFor(task, Wanted::kFirst).outcome, Outcome::kNone);
+}
+
 TEST(States, AreCanonical) {
   const std::string actions =
       "action makeA effects: add(Kf, p(a))\n"

@@ -59,7 +59,7 @@ TEST_P(PublishedDomains, LeastDepth) {
   EXPECT_EQ(size.leaves, GetParam().leaves);
   const TreeCheck check = CheckTree(task, plan.tree);
   EXPECT_TRUE(check.holds) << check.failure;
-  EXPECT_TRUE(check.are_all_worlds);
+  EXPECT_TRUE(check.AreAllWorlds());
 }
 
 TEST_P(PublishedDomains, FirstTreeHolds) {

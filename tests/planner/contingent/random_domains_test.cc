@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(Quarters, RandomDomains, testing::Range(0, kQuarters));
 void ExpectHolds(const GroundTask& task, const ContingentPlan& plan) {
   const TreeCheck check = CheckTree(task, plan.tree);
   EXPECT_TRUE(check.holds) << check.failure << "\n" << TextOf(task, plan.tree, Sharing::kOnce);
-  EXPECT_TRUE(check.are_all_worlds);
+  EXPECT_TRUE(check.AreAllWorlds());
 }
 
 TEST_P(RandomDomains, TreesHoldInEveryWorld) {
@@ -171,7 +171,8 @@ TEST_P(RandomDomains, SetsOfWorldsTellWhatWorldsTell) {
       ++told;
       EXPECT_TRUE(check->holds) << check->failure;
       EXPECT_EQ(check->unreached, CheckTree(task, plan.tree).unreached);
-      EXPECT_EQ(check->worlds, std::ssize(EnumerateWorlds(task, 1000, 1).worlds));
+      EXPECT_EQ(check->worlds,
+                std::ssize(EnumerateWorlds(task, NumberMarks(task, plan.tree), 1000, 1).worlds));
     }
     for (int i = 0; i < 8; ++i) {
       const PlanTree tree = Corrupted(task, plan.tree, random);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 
 #include "planner/contingent/contingent_planner.h"
@@ -38,6 +39,27 @@ std::string MessageOf(const Function& function) {
     return error.what();
   }
   return "no error";
+}
+
+// Nodes of trees by hand, that go on with those of these places.
+inline PlanNode ActOf(const GroundTask& task, const std::string& name, int then) {
+  const auto action = std::ranges::find(task.actions, name, &GroundAction::name);
+  PlanNode node;
+  node.kind = PlanNode::Kind::kAct;
+  node.action = ActionId(static_cast<int>(action - task.actions.begin()));
+  node.children = {NodeId(then)};
+  return node;
+}
+
+inline PlanNode BranchOf(const GroundTask& task, const std::string& formula, int if_true,
+                         int if_false) {
+  const auto is_asked = [&](const Formula& f) { return TextOf(task, f) == formula; };
+  const auto asked = std::ranges::find_if(task.formulas, is_asked);
+  PlanNode node;
+  node.kind = PlanNode::Kind::kWhether;
+  node.formula = FormulaId(static_cast<int>(asked - task.formulas.begin()));
+  node.children = {NodeId(if_true), NodeId(if_false)};
+  return node;
 }
 
 }  // namespace assay::contingent

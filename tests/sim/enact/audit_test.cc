@@ -65,7 +65,7 @@ TEST_F(AuditOfTwoCans, WhatIsNotKnownIsNotClaimed) {
     ASSERT_NE(sense, actions.end());
     state_ = *knowledge_.After(*sense, state_);
     EXPECT_THAT(FalseClaims(), IsEmpty());
-    state_ = knowledge_.Learned(state_, knowledge_.FormulaToBranch(state_), value);
+    state_ = *knowledge_.Learned(state_, knowledge_.FormulaToBranch(state_), value);
     // By its model a can weighs 0.7 * 120 * 8 * tan(22.5 deg) * 30^2 mm^3 g = 0.25 kg and more.
     const bool is_true = scene_.TrueMass(PartId(0)) > 0.25;
     EXPECT_EQ(FalseClaims().size(), value == is_true ? 0u : 1u);
@@ -128,6 +128,27 @@ INSTANTIATE_TEST_SUITE_P(OfCans, AuditOfRelations,
                                                  "!isGrasped(can1) & isSpillable(can1)"},
                                          Related{"some(!isSpillable(can1) | isGrasped(can1))", "",
                                                  "{is: internal}"}));
+
+class AuditOfAConjunction : public AuditOfTwoCans {
+ protected:
+  AuditOfAConjunction()
+      : AuditOfTwoCans(WithInit("add(Kw, isSpillable(can1) & !isSpillable(can2))")) {}
+};
+
+// Both cans are spillable: it is false, though its first literal is true; that it were true would
+// be false of the second.
+TEST_F(AuditOfAConjunction, ClaimsOfItsLiteralsWhatItTellsOfThem) {
+  const auto& formulas = scenario_.interpretation.task.formulas;
+  const auto sensed = std::ranges::find_if(
+      formulas, [](const contingent::Formula& formula) { return formula.literals.size() == 2; });
+  ASSERT_NE(sensed, formulas.end());
+  const contingent::FormulaId conjunction(static_cast<int>(sensed - formulas.begin()));
+  const contingent::KnowledgeState initial = state_;
+  state_ = *knowledge_.Learned(initial, conjunction, false);
+  EXPECT_THAT(FalseClaims(), IsEmpty());
+  state_ = *knowledge_.Learned(initial, conjunction, true);
+  EXPECT_THAT(FalseClaims(), ElementsAre(Field(&FalseClaim::atom, "isSpillable(can2)")));
+}
 
 TEST_F(AuditOfTwoCans, TheGreatestTiltIsKept) {
   TiltWatch watch(scene_, data_);
