@@ -11,43 +11,55 @@
 #include "bench/summary/report.h"
 
 using assay::bench::Measurements;
+using assay::bench::Series;
 
 namespace {
 
 constexpr const char* kUsage =
     "usage: summarize report REPORT.md PLOTS.gp FILE.json...\n"
-    "       summarize contingent CONTINGENT.md FILE.json...\n";
+    "       summarize contingent CONTINGENT.md FILE.json...\n"
+    "Exit code 12: written, but some answers were wrong.\n";
+
+// As those of `assay`.
+enum ExitCode { kDone = 0, kWrongCommandLine = 2, kWrongInput = 3, kWrongAnswers = 12 };
 
 Measurements ReadFrom(const std::vector<std::string>& arguments, std::size_t first) {
   return assay::bench::Read(
       {arguments.begin() + static_cast<std::ptrdiff_t>(first), arguments.end()});
 }
 
+// Tells whose answers were wrong, if any were.
+int ExitCodeOf(const Measurements& measurements) {
+  const std::vector<const Series*> wrong = measurements.Wrong();
+  for (const Series* series : wrong) fmt::print(stderr, "{}: {}\n", series->name, series->wrong);
+  return wrong.empty() ? kDone : kWrongAnswers;
+}
+
 // The report and its plots' script, or the table of contingent problems, from what Google Benchmark
-// wrote. False if that is not asked for.
-bool Summarize(const std::vector<std::string>& arguments) {
+// wrote.
+int Summarize(const std::vector<std::string>& arguments) {
   if (arguments.size() >= 4 && arguments[0] == "report") {
     const Measurements measurements = ReadFrom(arguments, 3);
     std::ofstream(arguments[1]) << assay::bench::Report(measurements);
     std::ofstream(arguments[2]) << assay::bench::PlotScript(measurements);
-    return true;
+    return ExitCodeOf(measurements);
   }
   if (arguments.size() >= 3 && arguments[0] == "contingent") {
-    std::ofstream(arguments[1]) << assay::bench::ContingentTable(ReadFrom(arguments, 2));
-    return true;
+    const Measurements measurements = ReadFrom(arguments, 2);
+    std::ofstream(arguments[1]) << assay::bench::ContingentTable(measurements);
+    return ExitCodeOf(measurements);
   }
-  return false;
+  fmt::print(stderr, kUsage);
+  return kWrongCommandLine;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    if (Summarize({argv + 1, argv + argc})) return 0;
+    return Summarize({argv + 1, argv + argc});
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
-    return 3;
+    return kWrongInput;
   }
-  fmt::print(stderr, kUsage);
-  return 2;
 }

@@ -38,9 +38,10 @@ void Announce(std::string_view family, const Terms& terms);
 // Registers `work` as the benchmark "family/instance/contestant". Contestants of one instance are
 // added one after another, ours first, so that passes over the program time them in turn. `work`
 // holds the contestant's answer against ours before its time counts, and skips with an error if
-// they differ. Who is not done when the time that it gets is up sets the counter kTimeout: what it
-// took until then counts as if it had answered, and is marked. `least_seconds` is what it is
-// repeated for in each pass, to be told where most of its time is not measured.
+// they differ: an error in any pass is a wrong answer, which the report tells first and `summarize`
+// ends with exit code 12 for. Who is not done when the time that it gets is up sets the counter
+// kTimeout: what it took until then counts as if it had answered, and is marked. `least_seconds` is
+// what it is repeated for in each pass, to be told where most of its time is not measured.
 void AddContestant(std::string_view family, std::string_view instance, std::string_view contestant,
                    std::function<void(benchmark::State&)> work, double least_seconds = kAsAsked);
 

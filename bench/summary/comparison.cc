@@ -100,9 +100,9 @@ class Register {
  private:
   void Enter(const ContestName& name, const Series& series) {
     Family& family = FamilyOf(name.family);
-    if (series.seconds.empty()) {
-      family.skipped.push_back(
-          fmt::format("{}/{}: {}", name.instance, name.contestant, series.skipped));
+    if (!series.wrong.empty()) {
+      family.wrong.push_back(
+          fmt::format("{}/{}: {}", name.instance, name.contestant, series.wrong));
     } else {
       bench::Enter(ContestOf(family, name.instance), name.contestant, series);
     }
@@ -122,12 +122,12 @@ class Register {
                      .at_least = ToldNumber(name + "/at_least"),
                      .never_below = ToldNumber(name + "/never_below"),
                      .missing = {},
-                     .skipped = {},
+                     .wrong = {},
                      .contests = {}};
     const std::string prefix = name + "/missing/";
     for (const auto& [key, package] : measurements_.context) {
       if (!key.starts_with(prefix)) continue;
-      family.missing.push_back(fmt::format("{} ({})", key.substr(prefix.size()), package));
+      family.missing.push_back({.peer = key.substr(prefix.size()), .package = package});
     }
     return family;
   }

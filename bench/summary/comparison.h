@@ -38,6 +38,12 @@ struct Contest {
   const Series* FindVariant(const std::string& variant) const;  // likewise
 };
 
+// One that this machine does not have.
+struct MissingPeer {
+  std::string peer;
+  std::string package;  // Debian's, that would bring it
+};
+
 // Contests over work of one kind.
 struct Family {
   std::string name;
@@ -46,8 +52,8 @@ struct Family {
   std::string against;  // see Terms (bench/harness/contest.h)
   double at_least = 0;  // 0: nothing is wanted
   double never_below = 0;
-  std::vector<std::string> missing;  // peers that this machine does not have
-  std::vector<std::string> skipped;  // "instance/contestant: why"
+  std::vector<MissingPeer> missing;
+  std::vector<std::string> wrong;  // answers: "instance/contestant: what was wrong"
   std::vector<Contest> contests;
 };
 

@@ -33,7 +33,7 @@ std::string Milliseconds(const Series& series, const std::string& counter) {
 }
 
 std::string Checked(const Series& series) {
-  if (!series.skipped.empty()) return "**refused**: " + series.skipped;
+  if (!series.wrong.empty()) return "**refused**: " + series.wrong;
   const bool all = Number(series, "all_worlds") == "1";
   return fmt::format("in {}{} worlds", all ? "all " : "", Number(series, "worlds"));
 }

@@ -70,7 +70,13 @@ class Reader {
       if (entry.at("run_type") == "iteration") Add(entry, SeriesOf(program, NameOf(entry)));
     }
   }
-  Measurements Take() { return std::move(measurements_); }
+  // The time of a wrong answer is none, and those of the other passes would be paired with others'.
+  Measurements Take() {
+    for (Series& series : measurements_.series) {
+      if (!series.wrong.empty()) series.seconds.clear();
+    }
+    return std::move(measurements_);
+  }
 
  private:
   Series& SeriesOf(const std::string& program, const std::string& name) {
@@ -81,7 +87,7 @@ class Reader {
 
   static void Add(const Json& entry, Series& series) {
     if (entry.value("error_occurred", false)) {
-      series.skipped = entry.at("error_message");
+      series.wrong = entry.at("error_message");
       return;
     }
     if (series.seconds.empty()) {
@@ -109,6 +115,14 @@ std::string KindOf(std::string instance) {
   instance.resize(instance.find_last_not_of("0123456789") + 1);
   while (instance.ends_with('-')) instance.pop_back();
   return instance;
+}
+
+std::vector<const Series*> Measurements::Wrong() const {
+  std::vector<const Series*> wrong;
+  for (const Series& one : series) {
+    if (!one.wrong.empty()) wrong.push_back(&one);
+  }
+  return wrong;
 }
 
 Measurements Read(const std::vector<std::filesystem::path>& files) {

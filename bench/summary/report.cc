@@ -34,24 +34,70 @@ std::string Wanted(const Family& family) {
   return fmt::format("{}", fmt::join(wishes, ", "));
 }
 
-bool Holds(const Family& family) {
+bool IsMissed(const Family& family) {
   const std::vector<double> best = Ratios(family, "");
   const std::vector<double> wanted = Ratios(family, family.against);
-  return (family.at_least == 0 || (!wanted.empty() && GeometricMean(wanted) >= family.at_least)) &&
-         (family.never_below == 0 ||
-          (!best.empty() && std::ranges::min(best) >= family.never_below));
+  return (family.at_least > 0 && !wanted.empty() && GeometricMean(wanted) < family.at_least) ||
+         (family.never_below > 0 && !best.empty() && std::ranges::min(best) < family.never_below);
+}
+
+// Against all peers: what holds against the others need not hold against one that is missing.
+bool IsMeasured(const Family& family) {
+  return family.missing.empty() && !Ratios(family, "").empty() &&
+         (family.at_least == 0 || !Ratios(family, family.against).empty());
 }
 
 std::string Verdict(const Family& family) {
-  if (family.at_least == 0 && family.never_below == 0) return "";
-  return Holds(family) ? "holds" : "**missed**";
+  const std::string wanted = Wanted(family);
+  if (!family.wrong.empty()) {
+    return wanted.empty() ? "**wrong answers**" : "**does not hold: wrong answers**";
+  }
+  if (wanted.empty()) return "";
+  if (IsMissed(family)) return "**missed**";
+  return IsMeasured(family) ? "holds" : "**not measured**";
+}
+
+using Cells = std::vector<std::string>;
+
+std::string Link(const Family& family) { return fmt::format("[{0}](#{0})", family.name); }
+
+Cells RatioCells(const Family& family, const std::string& peer) {
+  const std::vector<double> ratios = Ratios(family, peer);
+  return {Link(family),
+          peer.empty() ? "best of each" : peer,
+          fmt::format("{}", ratios.size()),
+          Multiple(GeometricMean(ratios)),
+          Multiple(std::ranges::min(ratios)),
+          Multiple(std::ranges::max(ratios)),
+          "",
+          ""};
+}
+
+Cells MissingCells(const Family& family, const MissingPeer& missing) {
+  const std::string why = fmt::format("not measured: {} is not installed", missing.package);
+  return {Link(family), missing.peer, "0", why, "", "", "", ""};
+}
+
+// Of the last one the verdict, which is told if nobody was measured, too.
+std::vector<Cells> HeadlineOf(const Family& family) {
+  std::vector<Cells> rows;
+  for (const MissingPeer& missing : family.missing) rows.push_back(MissingCells(family, missing));
+  const std::vector<std::string> peers = Peers(family);
+  for (const std::string& peer : peers) rows.push_back(RatioCells(family, peer));
+  if (peers.size() > 1) rows.push_back(RatioCells(family, ""));
+  const std::string wanted = Wanted(family), verdict = Verdict(family);
+  if (rows.empty() && wanted.empty() && verdict.empty()) return {};
+  if (rows.empty()) rows.push_back({Link(family), "none", "0", "not measured", "", "", "", ""});
+  rows.back()[6] = wanted;
+  rows.back()[7] = verdict;
+  return rows;
 }
 
 // Ours in another way, beside the peer that counts.
 void VariantRow(std::string& out, const Family& family, const std::string& variant) {
   const std::vector<double> ratios = VariantRatios(family, variant, family.against);
   if (ratios.empty()) return;
-  out += Row({fmt::format("[{0}](#{0}), ours {1}", family.name, variant),
+  out += Row({fmt::format("{}, ours {}", Link(family), variant),
               family.against.empty() ? "best of each" : family.against,
               fmt::format("{}", ratios.size()), Multiple(GeometricMean(ratios)),
               Multiple(std::ranges::min(ratios)), Multiple(std::ranges::max(ratios)), "", ""});
@@ -63,16 +109,7 @@ void Headline(std::string& out, const std::vector<Family>& families) {
       "then least and greatest. Above 1 we are quicker.\n\n";
   out += Heading({"work", "peer", "instances", "ratio", "least", "greatest", "wanted", ""});
   for (const Family& family : families) {
-    std::vector<std::string> peers = Peers(family);
-    if (peers.size() > 1) peers.push_back("");
-    for (const std::string& peer : peers) {
-      const std::vector<double> ratios = Ratios(family, peer);
-      const bool last = &peer == &peers.back();
-      out += Row({fmt::format("[{0}](#{0})", family.name), peer.empty() ? "best of each" : peer,
-                  fmt::format("{}", ratios.size()), Multiple(GeometricMean(ratios)),
-                  Multiple(std::ranges::min(ratios)), Multiple(std::ranges::max(ratios)),
-                  last ? Wanted(family) : "", last ? Verdict(family) : ""});
-    }
+    for (const Cells& cells : HeadlineOf(family)) out += Row(cells);
     for (const std::string& variant : Variants(family)) VariantRow(out, family, variant);
   }
   out += "\n![ratios](plots/ratios.svg)\n\n";
@@ -81,7 +118,7 @@ void Headline(std::string& out, const std::vector<Family>& families) {
 void KindRow(std::string& out, const Family& family, const Family& kind, const std::string& peer) {
   const std::vector<double> ratios = Ratios(kind, peer);
   if (ratios.empty()) return;
-  out += Row({fmt::format("[{0}](#{0})", family.name), kind.name, fmt::format("{}", ratios.size()),
+  out += Row({Link(family), kind.name, fmt::format("{}", ratios.size()),
               peer.empty() ? "best of each" : peer, Multiple(GeometricMean(ratios)),
               Multiple(std::ranges::min(ratios)), Multiple(std::ranges::max(ratios))});
 }
@@ -176,14 +213,12 @@ void Section(std::string& out, const Family& family) {
   out += fmt::format("### {}\n\n", family.name);
   if (!family.measured.empty()) out += fmt::format("Time of: {}.\n\n", family.measured);
   if (!family.unfair.empty()) out += fmt::format("Unfair: {}.\n\n", family.unfair);
-  for (const std::string& peer : family.missing) {
-    out += fmt::format("Not on this machine: {}.\n\n", peer);
+  for (const MissingPeer& missing : family.missing) {
+    out += fmt::format("Not on this machine: {} ({}).\n\n", missing.peer, missing.package);
   }
   Instances(out, family);
   out += "\n";
-  for (const std::string& text : family.skipped) {
-    out += fmt::format("Without a time: {}.\n\n", text);
-  }
+  for (const std::string& text : family.wrong) out += fmt::format("**Wrong**: {}.\n\n", text);
 }
 
 void GrowthSection(std::string& out, const Measurements& measurements) {
@@ -281,8 +316,19 @@ void AloneSection(std::string& out, const Measurements& measurements,
     is_first = false;
     program = series.program;
     const std::string time =
-        series.seconds.empty() ? "without a time: " + series.skipped : Time(series.Median());
+        series.wrong.empty() ? Time(series.Median()) : "**wrong**: " + series.wrong;
     out += Row({series.name, time, Limit(series), CountersText(series)});
+  }
+  out += "\n";
+}
+
+// First of all, since nothing that stands below it can make up for it.
+void WrongSection(std::string& out, const Measurements& measurements) {
+  const std::vector<const Series*> wrong = measurements.Wrong();
+  if (wrong.empty()) return;
+  out += "## Wrong answers\n\nWho answered wrong in any pass has no time.\n\n";
+  for (const Series* series : wrong) {
+    out += fmt::format("- {}: **{}**\n", series->name, series->wrong);
   }
   out += "\n";
 }
@@ -296,6 +342,7 @@ std::string Report(const Measurements& measurements) {
       "contestants take turns, single thread. A contestant's answer is held against ours before "
       "its time counts. Who had not answered when its time was up counts as if it had answered "
       "then, marked \">\".\n\n";
+  WrongSection(out, measurements);
   if (!families.empty()) Headline(out, families);
   KindSection(out, families);
   LimitSection(out, measurements);

@@ -52,7 +52,7 @@ TEST(Comparison, TakesAPeersBestVariantAndPairsThePasses) {
   EXPECT_EQ(a.Best()->peer, "cadical");
   EXPECT_THAT(Ratios(families[0], ""), ElementsAre(2, 9));
   EXPECT_THAT(Ratios(families[0], "gecode"), ElementsAre(5, 9));
-  EXPECT_THAT(families[0].missing, ElementsAre("minion (minion)"));
+  EXPECT_THAT(families[0].missing, ElementsAre(testing::FieldsAre("minion", "minion")));
 }
 
 TEST(Comparison, ScalesPublishedFiguresByWhatBothRan) {
@@ -62,13 +62,6 @@ TEST(Comparison, ScalesPublishedFiguresByWhatBothRan) {
                  Of("bounds/spar/boost", {4e-6}, {{"times:ibex", 1000.0}})}};
   const std::vector<Family> families = Families(measurements);
   EXPECT_THAT(Ratios(families[0], "ibex (scaled)"), ElementsAre(DoubleNear(4000, 1e-9)));
-}
-
-TEST(Comparison, ShowsWhatWasSkipped) {
-  Measurements measurements = TwoInstances();
-  measurements.series.push_back(
-      {.name = "labeling/b/cadical", .seconds = {}, .counters = {}, .skipped = "answers differ"});
-  EXPECT_THAT(Report(measurements), HasSubstr("b/cadical: answers differ"));
 }
 
 TEST(Comparison, TellsKindsOfInstancesApart) {
@@ -118,9 +111,32 @@ TEST(Growth, FindsTheExponentOfAPowerLaw) {
 
 TEST(Report, TellsWhatHoldsAndWhatIsMissed) {
   Measurements measurements = TwoInstances();
+  measurements.context.erase("labeling/missing/minion");
   EXPECT_THAT(Report(measurements), HasSubstr("| 5 times gecode, nowhere below 2 | holds |"));
   measurements.context["labeling/at_least"] = "50";
-  EXPECT_THAT(Report(measurements), HasSubstr("**missed**"));
+  EXPECT_THAT(Report(measurements), HasSubstr("| **missed** |"));
+}
+
+TEST(Report, NothingHoldsAgainstAPeerThatIsNotInstalled) {
+  const Measurements some = TwoInstances();
+  EXPECT_THAT(Report(some), HasSubstr("| minion | 0 | not measured: minion is not installed |"));
+  EXPECT_THAT(Report(some), HasSubstr("| 5 times gecode, nowhere below 2 | **not measured** |"));
+
+  Measurements none = {.context = {{"counting/at_least", "10"},
+                                   {"counting/against", "gecode"},
+                                   {"counting/missing/gecode", "libgecode-dev"}},
+                       .series = {Of("counting/a/assay", {1})}};
+  EXPECT_THAT(Report(none), HasSubstr("| [counting](#counting) | gecode | 0 | not measured: "
+                                      "libgecode-dev is not installed |  |  | 10 times gecode | "
+                                      "**not measured** |"));
+  none.context.erase("counting/missing/gecode");
+  EXPECT_THAT(Report(none), HasSubstr("| 10 times gecode | **not measured** |"));
+}
+
+TEST(Report, AMissingPeerHidesNoMiss) {
+  Measurements measurements = TwoInstances();
+  measurements.context["labeling/at_least"] = "50";
+  EXPECT_THAT(Report(measurements), HasSubstr("| **missed** |"));
 }
 
 TEST(Report, HoldsTimesAgainstTheirLimits) {
@@ -157,7 +173,7 @@ TEST(ContingentTable, SetsPublishedFiguresBesideOurs) {
                                              {{"nodes", 66}, {"worlds", 200}, {"all_worlds", 0}}),
                                           Of("ForceSensing/cans:2", {1})}};
   measurements.series[1].label = "refused";
-  measurements.series.push_back({.name = "Contingent/wrong", .skipped = "the goal fails"});
+  measurements.series.push_back({.name = "Contingent/wrong", .wrong = "the goal fails"});
   const std::string table = ContingentTable(measurements);
   EXPECT_THAT(table, HasSubstr("| doors11 | 436 | 385 | 20 ms | 461 | 34.5 s | 34 s | "
                                "in all 161051 worlds |"));
@@ -204,11 +220,75 @@ TEST(Measurements, ReadsWhatGoogleBenchmarkWrites) {
   EXPECT_EQ(measurements.series[0].counters.at("nodes"), 12);
   EXPECT_EQ(measurements.series[0].counters.size(), 1u);
   EXPECT_EQ(measurements.series[1].name, "A/b/peer");
-  EXPECT_EQ(measurements.series[1].skipped, "answers differ");
+  EXPECT_EQ(measurements.series[1].wrong, "answers differ");
   EXPECT_EQ(measurements.series[2].name, "A/b/in_turn");
   EXPECT_THAT(measurements.series[2].seconds,
               ElementsAre(DoubleNear(5e-3, 1e-15), DoubleNear(5e-3, 1e-15)));
   EXPECT_EQ(measurements.context.at("num_cpus"), "2");
+}
+
+// Of "labeling/a", which is wanted 5 times as quick as gecode, a pass: microseconds of each
+// contestant, or what was wrong with its answer.
+std::filesystem::path WritePass(
+    const std::string& name, const std::vector<std::pair<std::string, std::string>>& contestants) {
+  std::vector<std::string> entries;
+  for (const auto& [contestant, told] : contestants) {
+    const bool is_time = told.find_first_not_of("0123456789") == std::string::npos;
+    entries.push_back(R"({"name": "labeling/a/)" + contestant + R"(", "run_type": "iteration", )" +
+                      (is_time ? R"("cpu_time": )" + told + R"(, "time_unit": "us"})"
+                               : R"("error_occurred": true, "error_message": ")" + told + R"("})"));
+  }
+  std::string joined;
+  for (const std::string& entry : entries) joined += (joined.empty() ? "" : ", ") + entry;
+  return Write(name, R"({"context": {"executable": "labeling_bench", "labeling/at_least": "5",
+      "labeling/against": "gecode"}, "benchmarks": [)" +
+                         joined + "]}");
+}
+
+TEST(WrongAnswers, OfOnePassAreToldFirstAndLeaveNothingThatHolds) {
+  const auto right = WritePass("right.json", {{"assay", "1"}, {"gecode", "9"}, {"z3", "30"}});
+  EXPECT_THAT(Read({right}).Wrong(), testing::IsEmpty());
+  EXPECT_THAT(Report(Read({right})), HasSubstr("| 5 times gecode | holds |"));
+
+  const auto wrong =
+      WritePass("wrong.json", {{"assay", "2"}, {"gecode", "its answer is not ours"}, {"z3", "80"}});
+  for (const auto& passes : {std::vector{right, wrong, right}, {wrong, right}, {wrong}}) {
+    const Measurements measurements = Read(passes);
+    ASSERT_THAT(measurements.Wrong(), SizeIs(1));
+    EXPECT_EQ(measurements.Wrong()[0]->name, "labeling/a/gecode");
+    EXPECT_THAT(measurements.Wrong()[0]->seconds, testing::IsEmpty());
+    const std::string report = Report(measurements);
+    EXPECT_LT(report.find("- labeling/a/gecode: **its answer is not ours**"),
+              report.find("## Ratios"));
+    EXPECT_THAT(report, HasSubstr("| 5 times gecode | **does not hold: wrong answers** |"));
+  }
+}
+
+TEST(WrongAnswers, OfAPeerLeaveTheOthersPaired) {
+  const Measurements measurements =
+      Read({WritePass("1.json", {{"assay", "1"}, {"gecode", "wrong"}, {"z3", "30"}}),
+            WritePass("2.json", {{"assay", "2"}, {"gecode", "9"}, {"z3", "80"}})});
+  const Contest contest = Families(measurements)[0].contests[0];
+  EXPECT_EQ(contest.Find("gecode"), nullptr);
+  EXPECT_NEAR(contest.Find("z3")->ratio.least, 30, 1e-9);
+  EXPECT_NEAR(contest.Find("z3")->ratio.greatest, 40, 1e-9);
+}
+
+TEST(WrongAnswers, OfOursAreNotForgottenWithTheContest) {
+  const std::string report =
+      Report(Read({WritePass("ours.json", {{"assay", "no such labeling"}, {"gecode", "9"}})}));
+  EXPECT_THAT(report, HasSubstr("- labeling/a/assay: **no such labeling**"));
+  EXPECT_THAT(report, HasSubstr("| **does not hold: wrong answers** |"));
+}
+
+TEST(WrongAnswers, WithoutAPeerAreToldToo) {
+  Measurements measurements = {.context = {},
+                               .series = {Of("Plan/fig13", {}, {{"at_most_ms", 20}})}};
+  measurements.series[0].wrong = "there is no plan";
+  const std::string report = Report(measurements);
+  EXPECT_THAT(report, HasSubstr("## Wrong answers"));
+  EXPECT_THAT(report, HasSubstr("| Plan/fig13 | **wrong**: there is no plan | at most 20 ms: "
+                                "**missed** |"));
 }
 
 TEST(Measurements, TellsWhichFileIsNoResult) {
