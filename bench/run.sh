@@ -4,24 +4,56 @@
 # Passes over a program come one after another, and in a pass the contestants of an instance take
 # turns, so that what else the machine does falls on all of them. What was measured stays in
 # build/release/bench/results. --seed: random networks, chains, poses that nobody has seen; --only:
-# programs that match; both write into build/release/bench/REPORT.md. Where ASSAY_CONTINGENT names a
-# folder of public problems of contingent planning, bench/CONTINGENT.md is written as well.
+# programs that match; --tiny: little work, once. All three write into build/release/bench/REPORT.md,
+# as do ASSAY_BENCH_SEED and ASSAY_BENCH_TINY in the environment, which mean the same. Where
+# ASSAY_CONTINGENT names a folder of public problems of contingent planning, bench/CONTINGENT.md is
+# written as well. Exit codes: 0 measured, 2 wrong command line, 12 measured, but somebody answered
+# wrong, as the report says first.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-passes=5 seconds=0.1 only= report=bench/REPORT.md plots=bench/plots contingent=bench/CONTINGENT.md
+passes= seconds= only= report=bench/REPORT.md plots=bench/plots contingent=bench/CONTINGENT.md
 build=build/release/bench
+usage() { sed -n '2,/^[^#]/s/^# \?//p' bench/run.sh; }
+refuse() { echo "$*" >&2; exit 2; }
 elsewhere() { report=$build/REPORT.md plots=$build/plots; }
+
 while (($#)); do
   case $1 in
-    --passes) passes=$2; shift 2 ;;
-    --seconds) seconds=$2; shift 2 ;;
-    --seed) export ASSAY_BENCH_SEED=$2; elsewhere; shift 2 ;;
-    --only) only=$2; elsewhere; shift 2 ;;
-    --tiny) export ASSAY_BENCH_TINY=1; passes=1 seconds=0.001; elsewhere
-      contingent=$build/CONTINGENT.md; shift ;;
-    *) echo "unknown option $1; allowed: --passes N, --seconds S, --seed N, --only PATTERN, --tiny" >&2; exit 2 ;;
+    --help | -h) usage; exit ;;
+    --tiny) export ASSAY_BENCH_TINY=1; shift; continue ;;
+    --passes | --seconds | --seed | --only) [[ -n ${2-} ]] || refuse "$1 has no value" ;;
+    *) refuse "unknown option $1; allowed: --passes N, --seconds S, --seed N, --only PATTERN, --tiny, --help" ;;
   esac
+  case $1 in
+    --passes) passes=$2 ;;
+    --seconds) seconds=$2 ;;
+    --seed) export ASSAY_BENCH_SEED=$2 ;;
+    --only) only=$2; elsewhere ;;
+  esac
+  shift 2
 done
+if [[ ${ASSAY_BENCH_TINY:-0} != 0 ]]; then
+  elsewhere
+  contingent=$build/CONTINGENT.md passes=${passes:-1} seconds=${seconds:-0.001}
+fi
+: "${passes:=5}" "${seconds:=0.1}"
+[[ $passes =~ ^[1-9][0-9]*$ ]] || refuse "--passes is \"$passes\"; allowed: a whole number from 1 on"
+[[ $seconds =~ ^[0-9]*\.?[0-9]+$ && $seconds == *[1-9]* ]] ||
+  refuse "--seconds is \"$seconds\"; allowed: a positive number"
+if [[ -v ASSAY_BENCH_SEED ]]; then
+  greatest=18446744073709551615
+  elsewhere
+  [[ $ASSAY_BENCH_SEED =~ ^(0|[1-9][0-9]{0,18})$ || ($ASSAY_BENCH_SEED =~ ^[1-9][0-9]{19}$ &&
+    ! $ASSAY_BENCH_SEED > $greatest) ]] ||
+    refuse "the seed is \"$ASSAY_BENCH_SEED\"; allowed: a whole number of 0 .. $greatest"
+fi
+# sweep times threads; it takes turns and reports by itself.
+mapfile -t all < <(basename -a -s _bench.cc bench/*_bench.cc | grep -vx sweep)
+programs=()
+for name in "${all[@]}"; do
+  if [[ $name =~ $only ]]; then programs+=("$name"); fi
+done
+((${#programs[@]})) || refuse "--only $only matches none of the programs: ${all[*]}"
 
 read -r load_before _ </proc/loadavg
 cmake --preset release >/dev/null
@@ -34,10 +66,9 @@ compiler=$(c++ --version | head -1)
 build_type=$(sed -n 's/^CMAKE_BUILD_TYPE:[A-Z]*=//p' build/release/CMakeCache.txt)
 revision=$(git describe --always --dirty 2>/dev/null || echo unknown)
 for pass in $(seq "$passes"); do
-  for program in "$build"/*_bench; do
-    name=$(basename "$program" _bench)
-    [[ $name =~ $only ]] || continue
-    [[ $name == sweep ]] && continue  # threads; it takes turns and reports by itself
+  for name in "${programs[@]}"; do
+    program=$build/${name}_bench
+    [[ -x $program ]] || continue # without the simulator
     echo "pass $pass of $passes: $name" >&2
     "$program" --benchmark_min_time="$seconds" --benchmark_out_format=json \
       --benchmark_out="$results/$name.$pass.json" --benchmark_context=processor="${processor//,/}" \
@@ -47,10 +78,13 @@ for pass in $(seq "$passes"); do
       >"$results/$name.$pass.txt"
   done
 done
-"$build/summarize" report "$report" "$results/plots.gp" "$results"/*.json
+wrong_answers=12 told=0
+"$build/summarize" report "$report" "$results/plots.gp" "$results"/*.json || told=$?
+((told == 0 || told == wrong_answers)) || exit "$told"
 if [[ -n ${ASSAY_CONTINGENT:-} && -e $results/contingent.1.json ]]; then
-  "$build/summarize" contingent "$contingent" "$results"/contingent.*.json
+  "$build/summarize" contingent "$contingent" "$results"/contingent.*.json || told=$?
   echo "$contingent"
 fi
 (cd "$plots" && gnuplot "$OLDPWD/$results/plots.gp")
 echo "$report"
+exit "$told"

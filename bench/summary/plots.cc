@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -75,7 +76,8 @@ void DrawGrowths(std::string& out, const std::vector<Growth>& growths) {
 std::string PlotScript(const Measurements& measurements) {
   std::string out = kStyle;
   const std::vector<Family> families = Families(measurements);
-  if (!families.empty()) DrawRatios(out, families);
+  const auto has_ratios = [](const Family& family) { return !Ratios(family, "").empty(); };
+  if (std::ranges::any_of(families, has_ratios)) DrawRatios(out, families);
   const std::vector<Growth> growths = Growths(measurements);
   if (!growths.empty()) DrawGrowths(out, growths);
   return out;

@@ -187,6 +187,8 @@ TEST(ContingentTable, SetsPublishedFiguresBesideOurs) {
 TEST(PlotScript, DrawsWhatThereIs) {
   EXPECT_THAT(PlotScript(TwoInstances()), HasSubstr("set output 'ratios.svg'"));
   EXPECT_THAT(PlotScript(TwoInstances()), testing::Not(HasSubstr("growth.svg")));
+  const Measurements alone = {.context = {}, .series = {Of("labeling/a/assay", {1})}};
+  EXPECT_THAT(PlotScript(alone), testing::Not(HasSubstr("ratios.svg")));
 }
 
 std::filesystem::path Write(const std::string& name, const std::string& text) {
