@@ -149,6 +149,17 @@ TEST(Report, HoldsTimesAgainstTheirLimits) {
   EXPECT_THAT(report, HasSubstr("| Plan | 20 ms | 2 | Plan/fig16 | 25 ms | **missed** by 1 |"));
 }
 
+TEST(Report, HoldsTheSlowestOfManyQuestionsAgainstTheirLimit) {
+  Measurements measurements = {
+      .context = {{"bounds/measured", "both ends"}},
+      .series = {Of("bounds/wide", {0.03}, {{"at_most_ms", 10}, {"slowest_ms", 4}})}};
+  EXPECT_THAT(Report(measurements),
+              HasSubstr("| bounds | 10 ms | 1 | bounds/wide | 4 ms | holds |"));
+  EXPECT_THAT(Report(measurements), HasSubstr("Time of bounds: both ends."));
+  measurements.series[0].counters["slowest_ms"] = 11;
+  EXPECT_THAT(Report(measurements), HasSubstr("| bounds/wide | 11 ms | **missed** by 1 |"));
+}
+
 TEST(Report, MarksPeersWhoseTimeWasUp) {
   const Measurements measurements = {
       .context = {},
