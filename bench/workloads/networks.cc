@@ -256,6 +256,18 @@ NetworkWorkload CrowdedPlan(int index, std::uint64_t seed) {
       random);
 }
 
+NetworkWorkload LargeThreatenedPlan(PlanSize size, int index, std::uint64_t seed) {
+  RandomStream random(seed, fmt::format("large-{}-{}", size.parts, index));
+  return RandomThreatenedPlan(
+      {.parts = size.parts, .steps = size.steps, .threats = 6 * size.parts * size.steps}, random);
+}
+
+NetworkWorkload LargeCrowdedPlan(PlanSize size, int index, std::uint64_t seed) {
+  RandomStream random(seed, fmt::format("large-crowded-{}-{}", size.parts, index));
+  return RandomPlanNetwork(
+      {.parts = size.parts, .steps = size.steps, .interference = 0.15 + 0.05 * index}, random);
+}
+
 NetworkWorkload RandomRbNetwork(const ModelRb& model, RandomStream& random) {
   return RbNetworkBuilder(model, random).Build();
 }

@@ -96,6 +96,17 @@ NetworkWorkload RandomThreatenedPlan(const ThreatenedPlanModel& model, RandomStr
 // that come one by one are the more often refused.
 NetworkWorkload CrowdedPlan(int index, std::uint64_t seed);
 
+// Plans of many parts. Threatened: as many threats as leave a labeling that is easily found, so
+// that no arc is refused. Crowded: poses interfere the more, the higher the index of 0 .. 2; with
+// index 0 few arcs are refused or none, but it takes long to see that.
+struct PlanSize {
+  int parts = 0;
+  int steps = 0;
+};
+inline constexpr PlanSize kLargePlans[] = {{.parts = 16, .steps = 4}, {.parts = 20, .steps = 5}};
+NetworkWorkload LargeThreatenedPlan(PlanSize size, int index, std::uint64_t seed);
+NetworkWorkload LargeCrowdedPlan(PlanSize size, int index, std::uint64_t seed);
+
 enum class NetworkFamily { kModelB, kModelRb, kPlan, kTree, kGrid };
 inline constexpr NetworkFamily kNetworkFamilies[] = {NetworkFamily::kModelB,
                                                      NetworkFamily::kModelRb, NetworkFamily::kPlan,
