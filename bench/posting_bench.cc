@@ -33,8 +33,8 @@ void PlanScenario(benchmark::State& state, const std::string& scenario) {
   }
 }
 
-// Both phases and gross motion: what `assay plan` does with a scenario that has been read. The first
-// plan pays for cold memory, however short the pass; it is not timed.
+// Both phases and gross motion: what `assay plan` does with a scenario that has been read. The
+// first plan pays for cold memory, however short the pass; it is not timed.
 void PlanWithCertificates(benchmark::State& state, const std::string& scenario) {
   const domain::Problem problem = domain::ReadProblem(Load(scenario), kRoot + "/models");
   plan::PlanResult result = assembly::MakeCertifiedPlan(problem, {}, {});
