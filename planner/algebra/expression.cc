@@ -443,12 +443,36 @@ std::size_t NodeCount(const Expression& e) {
 
 namespace {
 
+// The nodes of e, of a pool, operands before what they stand in: as NodesOf, but without sorting.
+std::vector<Expression> NodesInPostorder(const Expression& e) {
+  auto& stored = NodeAccess::StorageOf(*e.pool());
+  stored.BeginWalk(e.pool()->node_count());
+  std::vector<Expression> nodes;
+  nodes.reserve(kUsualNodes);
+  struct Visit {
+    Expression node;
+    std::size_t next = 0;  // operand
+  };
+  std::vector<Visit> path = {{e}};
+  path.reserve(kUsualNodes);
+  while (!path.empty()) {
+    auto& [node, next] = path.back();
+    if (next < node.operands().size()) {
+      const Expression operand = node.operands()[next++];
+      if (stored.Meet(operand.index())) path.push_back({operand});
+    } else {
+      stored.place[node.index()] = static_cast<int>(nodes.size());
+      nodes.push_back(node);
+      path.pop_back();
+    }
+  }
+  return nodes;
+}
+
 // What `apply(node, values of its operands)` gives for e, from one application to each of its
-// nodes. `apply` may add nodes, but not walk over others.
+// nodes, in this order. `apply` may add nodes, but not walk over others.
 template <class Result, class Apply>
-Result ForwardPass(const Expression& e, const Apply& apply) {
-  const std::vector<Expression> nodes = NodesOf(e);
-  if (e.pool() == nullptr) return apply(e, std::span<const Result>());
+Result ForwardPass(const Expression& e, const std::vector<Expression>& nodes, const Apply& apply) {
   const auto& stored = NodeAccess::StorageOf(*e.pool());
   std::vector<Result> results;
   results.reserve(nodes.size());
@@ -574,7 +598,8 @@ Expression Substitute(const Expression& e, const std::map<VariableId, Expression
     }
     return std::ranges::equal(operands, node.operands()) ? node : WithOperands(node, operands);
   };
-  return ForwardPass<Expression>(e, apply);
+  if (e.pool() == nullptr) return e;
+  return ForwardPass<Expression>(e, NodesOf(e), apply);
 }
 
 double Evaluate(const Expression& e, std::span<const double> point) {
@@ -582,7 +607,8 @@ double Evaluate(const Expression& e, std::span<const double> point) {
     if (node.op() == Operator::kVariable) return point[node.variable().index()];
     return ApplyToNumbers(node, operands);
   };
-  return ForwardPass<double>(e, apply);
+  if (e.pool() == nullptr) return e.constant();
+  return ForwardPass<double>(e, NodesInPostorder(e), apply);
 }
 
 Interval Evaluate(const Expression& e, std::span<const Interval> box) {
@@ -590,7 +616,8 @@ Interval Evaluate(const Expression& e, std::span<const Interval> box) {
     if (node.op() == Operator::kVariable) return box[node.variable().index()];
     return ApplyToIntervals(node, operands);
   };
-  return ForwardPass<Interval>(e, apply);
+  if (e.pool() == nullptr) return Single(e);
+  return ForwardPass<Interval>(e, NodesInPostorder(e), apply);
 }
 
 }  // namespace assay::algebra
