@@ -47,6 +47,13 @@ Bound Negation(Bound bound) {
   return bound;
 }
 
+Range Narrowed(Range range, const Bound& bound) {
+  if (SurelyHolds(bound, range)) return range;
+  (IsUpper(bound.relation) ? range.high : range.low) = bound.value;
+  (IsUpper(bound.relation) ? range.excludes_high : range.excludes_low) = IsStrict(bound.relation);
+  return range;
+}
+
 std::string_view TextOf(Relation relation) {
   switch (relation) {
     case Relation::kPredicate:

@@ -52,6 +52,8 @@ bool IsStrict(Relation relation);  // < or >
 // Of every number in the range.
 bool SurelyHolds(const Bound& bound, const Range& range);
 Bound Negation(Bound bound);
+// What is left of a range where the bound holds.
+Range Narrowed(Range range, const Bound& bound);
 
 // A conjunction of literals, or one bound.
 struct Formula {
@@ -126,8 +128,8 @@ struct GroundChange {
 
 struct GroundEffect {
   GroundQuery condition;
-  // The condition asks K of literals alone: then the effect is one of the world, "where the
-  // condition is true, the changes happen", whether that is known or not.
+  // The condition asks K alone, of literals and bounds: then the effect is one of the world, "where
+  // the condition is true, the changes happen", whether that is known or not.
   bool is_of_worlds = false;
   std::vector<GroundChange> changes;
   Place place = {};  // in the domain's file

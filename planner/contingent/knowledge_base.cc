@@ -38,6 +38,11 @@ bool TellsSomething(const GroundChange& change) {
          change.kind == Kind::kRelate || change.kind == Kind::kNarrow;
 }
 
+void AddNumbers(const GroundQuery& query, std::set<FunctionId>& numbers) {
+  if (query.kind == GroundQuery::Kind::kBoundKnown) numbers.insert(query.bound.function);
+  for (const GroundQuery& operand : query.operands) AddNumbers(operand, numbers);
+}
+
 // What becomes true wins over what becomes false, as in PDDL; what is told and what is sensed is so
 // after all that.
 int RankOf(const GroundChange& change) {
@@ -176,12 +181,13 @@ bool KnowledgeBase::IsDetermined(const Formula& formula, const KnowledgeState& s
   return are_all_true;
 }
 
-Diagram KnowledgeBase::WorldsWhere(const GroundQuery& condition) {
+Diagram KnowledgeBase::WorldsWhere(const GroundQuery& condition, OpenBounds& bounds) {
   if (condition.kind == GroundQuery::Kind::kKnown) return WorldsWhere(condition.literal);
+  if (condition.kind == GroundQuery::Kind::kBoundKnown) return bounds.WorldsWhere(condition.bound);
   const bool is_and = condition.kind == GroundQuery::Kind::kAnd;
   Diagram worlds = is_and ? kAllSets : kEmptySet;
   for (const GroundQuery& operand : condition.operands) {
-    const Diagram of_operand = WorldsWhere(operand);
+    const Diagram of_operand = WorldsWhere(operand, bounds);
     worlds = is_and ? diagrams_.And(worlds, of_operand) : diagrams_.Or(worlds, of_operand);
   }
   return worlds;
@@ -190,6 +196,7 @@ Diagram KnowledgeBase::WorldsWhere(const GroundQuery& condition) {
 Diagram KnowledgeBase::Restricted(Diagram worlds, const KnowledgeState& state) {
   std::vector<Assignment> known;
   for (const int variable : diagrams_.Support(worlds)) {
+    if (!IsOfAtom(variable)) continue;
     for (const bool value : {true, false}) {
       if (layout_.IsKnown(state, {AtomOf(variable), value})) known.push_back({variable, value});
     }
@@ -238,22 +245,12 @@ std::optional<KnowledgeState> KnowledgeBase::After(const GroundAction& action,
 
 KnowledgeBase::Changes KnowledgeBase::ChangesOf(const std::vector<GroundEffect>& effects,
                                                 const KnowledgeState& state) {
-  Changes changes;
+  Changes changes{.bounds = OpenBounds(task_, state, diagrams_)};
   for (const GroundEffect& effect : effects) {
     if (Holds(effect.condition, state)) {
       for (const GroundChange& change : effect.changes) changes.certain.push_back(&change);
     } else if (effect.is_of_worlds) {
-      const Diagram where = Restricted(WorldsWhere(effect.condition), state);
-      const Diagram relations = RelationsWith(state, where);
-      if (diagrams_.And(relations, where) == kEmptySet) continue;
-      const bool is_certain = diagrams_.Implies(relations, where);
-      for (const GroundChange& change : effect.changes) {
-        if (is_certain && !TellsSomething(change)) {
-          changes.certain.push_back(&change);
-        } else {
-          AddPossible(change, where, changes);
-        }
-      }
+      AddOfWorlds(effect, state, changes);
     } else {
       changes.are_told &= !MayHold(effect.condition, state);
     }
@@ -270,6 +267,24 @@ KnowledgeBase::Changes KnowledgeBase::ChangesOf(const std::vector<GroundEffect>&
     return true;
   });
   return changes;
+}
+
+void KnowledgeBase::AddOfWorlds(const GroundEffect& effect, const KnowledgeState& state,
+                                Changes& changes) {
+  const Diagram where = Restricted(WorldsWhere(effect.condition, changes.bounds), state);
+  const Diagram possible = diagrams_.And(RelationsWith(state, where), changes.bounds.Together());
+  if (diagrams_.And(possible, where) == kEmptySet) return;
+  const bool is_certain = diagrams_.Implies(possible, where);
+  for (const GroundChange& change : effect.changes) {
+    if (TellsSomething(change)) {
+      changes.are_told &= !MayHold(effect.condition, state);
+    } else if (is_certain) {
+      changes.certain.push_back(&change);
+    } else {
+      AddPossible(change, where, changes);
+      AddNumbers(effect.condition, changes.deciding);
+    }
+  }
 }
 
 void KnowledgeBase::AddPossible(const GroundChange& change, Diagram where, Changes& changes) {
@@ -305,13 +320,14 @@ void KnowledgeBase::AddPossible(const GroundChange& change, Diagram where, Chang
 bool KnowledgeBase::Apply(const Changes& changes, const KnowledgeState& before,
                           KnowledgeState& state) {
   if (!changes.are_told) return false;
-  if (!changes.possible.empty()) ApplyPossible(changes.possible, state);
+  if (!changes.possible.empty()) ApplyPossible(changes, state);
   for (const int now : {0, 1, 2, 3, 4}) {
     for (const GroundChange* change : changes.certain) {
       if (RankOf(*change) == now) Apply(*change, before, state);
     }
     if (now != RankOf({.kind = GroundChange::Kind::kAssign})) continue;
     for (const GroundChange* change : changes.unsettled) Unsettle(*change, before, state);
+    for (const FunctionId function : changes.deciding) RangeOf(function, state).is_outer = true;
     if (!CanTellBounds(changes, state)) return false;
   }
   return std::all_of(changes.certain.begin(), changes.certain.end(), [&](const GroundChange* c) {
@@ -381,11 +397,10 @@ Range KnowledgeBase::SumOf(const GroundSum& sum, const KnowledgeState& state) co
 // The image of the relations under "x becomes true where A, else false where D, else either where
 // O": the new x, for the time being a variable of its own, is A | (x & !D) where it is not open;
 // then the old x is no matter any more. The relations come first: they keep the diagrams small.
-void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
-                                  KnowledgeState& state) {
+void KnowledgeBase::ApplyPossible(const Changes& all, KnowledgeState& state) {
   std::vector<int> variables;
   std::vector<Diagram> changes;
-  for (const auto& [atom, where] : possible) {
+  for (const auto& [atom, where] : all.possible) {
     const Diagram old = Restricted(WorldsWhere({atom, true}), state);
     const Diagram now =
         diagrams_.Or(where.becomes_true, diagrams_.And(old, diagrams_.Not(where.becomes_false)));
@@ -398,10 +413,11 @@ void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
     variables.push_back(Variable(atom));
     UnsenseWith(state, atom);
   }
-  Diagram image = TakeRelations(state, variables);
+  Diagram image = diagrams_.And(TakeRelations(state, variables), all.bounds.Together());
   for (const Diagram change : changes) image = diagrams_.And(image, change);
+  for (const int bound : all.bounds.Variables()) image = diagrams_.Exists(image, bound);
   std::unordered_map<int, Diagram> renamed;
-  for (const auto& [atom, where] : possible) {
+  for (const auto& [atom, where] : all.possible) {
     image = diagrams_.Exists(image, Variable(atom));
     renamed[Variable(atom) + 1] = WorldsWhere({atom, true});
     layout_.SetUnknown(state, atom);
@@ -423,9 +439,9 @@ const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
     for (const GroundEffect& update : task_.updates) {
       if (!MayHold(update.condition, state)) continue;
       if (!Holds(update.condition, state)) return &update;
-      Changes changes;
-      for (const GroundChange& change : update.changes) changes.certain.push_back(&change);
       const KnowledgeState before = state;
+      Changes changes{.bounds = OpenBounds(task_, before, diagrams_)};
+      for (const GroundChange& change : update.changes) changes.certain.push_back(&change);
       if (!Apply(changes, before, state)) return &update;
       if (!lasting.empty() && contradicts_lasting(state)) return &update;
       Canonicalize(state);
@@ -596,10 +612,8 @@ bool KnowledgeBase::LearnConjunction(KnowledgeState& state,
 }
 
 void KnowledgeBase::Learn(KnowledgeState& state, const Bound& bound) const {
-  if (BoundHolds(bound, state)) return;
   Range& range = RangeOf(bound.function, state);
-  (IsUpper(bound.relation) ? range.high : range.low) = bound.value;
-  (IsUpper(bound.relation) ? range.excludes_high : range.excludes_low) = IsStrict(bound.relation);
+  range = Narrowed(range, bound);
 }
 
 // ---- Branches

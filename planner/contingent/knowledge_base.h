@@ -2,11 +2,13 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "planner/contingent/decision_diagram.h"
 #include "planner/contingent/ground_task.h"
 #include "planner/contingent/knowledge_state.h"
+#include "planner/contingent/open_bounds.h"
 
 namespace assay::contingent {
 
@@ -54,14 +56,16 @@ class KnowledgeBase {
   // The one undetermined literal of a formula that branches; none of a bound.
   GroundLiteral UndeterminedLiteral(FormulaId formula, const KnowledgeState& state) const;
 
-  // Diagrams over worlds. The variable of an atom; the atom of a variable.
+  // Diagrams over worlds. The variable of an atom; the atom of a variable, which is of one, or of
+  // an open bound.
   int Variable(AtomId atom) const { return 2 * places_[atom.index()]; }
   AtomId AtomOf(int variable) const { return atom_at_[variable / 2]; }
+  bool IsOfAtom(int variable) const { return variable < 2 * std::ssize(atom_at_); }
   Diagram WorldsWhere(GroundLiteral literal) {
     return diagrams_.Literal({Variable(literal.atom), literal.is_positive});
   }
-  // Where a condition that asks K of literals alone is true.
-  Diagram WorldsWhere(const GroundQuery& condition);
+  // Where a condition that asks K alone is true.
+  Diagram WorldsWhere(const GroundQuery& condition, OpenBounds& bounds);
   // Where exactly one, or at least one, of the literals holds.
   Diagram WorldsWhere(const std::vector<GroundLiteral>& literals, bool is_inclusive);
   // Whether all worlds that the state allows are in the set.
@@ -78,10 +82,12 @@ class KnowledgeBase {
     Diagram becomes_open = kEmptySet;
   };
   struct Changes {
-    std::vector<const GroundChange*> certain;
-    std::map<AtomId, Possible> possible;
-    std::vector<const GroundChange*> unsettled;  // of numbers, which may have happened
-    bool are_told = true;                        // else whether an effect happens is not
+    OpenBounds bounds;
+    std::vector<const GroundChange*> certain = {};
+    std::map<AtomId, Possible> possible = {};
+    std::vector<const GroundChange*> unsettled = {};  // of numbers, which may have happened
+    std::set<FunctionId> deciding = {};               // numbers on which it depends what happens
+    bool are_told = true;                             // else whether an effect happens is not
   };
 
   bool BoundHolds(const Bound& bound, const KnowledgeState& state) const;
@@ -95,6 +101,7 @@ class KnowledgeBase {
   bool IsDetermined(const Formula& formula, const KnowledgeState& state) const;
 
   Changes ChangesOf(const std::vector<GroundEffect>& effects, const KnowledgeState& state);
+  void AddOfWorlds(const GroundEffect& effect, const KnowledgeState& state, Changes& changes);
   // What an effect does to the world whose condition is not known, but true in the worlds `where`.
   void AddPossible(const GroundChange& change, Diagram where, Changes& changes);
   // False if a relation or a bound contradicts what is known.
@@ -103,7 +110,7 @@ class KnowledgeBase {
   // of that, or contradict it.
   bool CanTellBounds(const Changes& changes, const KnowledgeState& state) const;
   void Apply(const GroundChange& change, const KnowledgeState& before, KnowledgeState& state);
-  void ApplyPossible(const std::map<AtomId, Possible>& possible, KnowledgeState& state);
+  void ApplyPossible(const Changes& changes, KnowledgeState& state);
   // The rule after which a relation or a bound contradicts what is known, which leaves no
   // alternative of the relations that last, or of which it cannot be told whether it happens; null:
   // there is none.

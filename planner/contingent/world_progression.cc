@@ -82,11 +82,12 @@ bool WorldProgression::IsTrue(const Formula& formula, const World& world) const 
                      [&](const GroundLiteral& l) { return IsTrue(l, world); });
 }
 
-// Of a condition that asks K of literals alone: whether they hold in this world.
+// Of a condition that asks K alone, of literals and bounds: whether they hold in this world.
 bool WorldProgression::IsTrue(const GroundQuery& condition, const World& world) const {
   const auto is_true = [&](const GroundQuery& operand) { return IsTrue(operand, world); };
   const auto& operands = condition.operands;
   if (condition.kind == GroundQuery::Kind::kKnown) return IsTrue(condition.literal, world);
+  if (condition.kind == GroundQuery::Kind::kBoundKnown) return IsTrue(condition.bound, world);
   if (condition.kind == GroundQuery::Kind::kAnd) {
     return std::all_of(operands.begin(), operands.end(), is_true);
   }

@@ -56,7 +56,8 @@ std::string RandomFact(RandomStream& random) {
 // Of worlds, or of what is not known; most often none.
 std::string RandomCondition(RandomStream& random) {
   return Pick(random, {"", "", "", "K(q) => ", "K(!r) => ", "K(f = a) => ", "K(s) => ",
-                       "K(p) | K(!q) => ", "K(q) & K(r) => ", "!Kw(r) => ", "!K(s) => "});
+                       "K(p) | K(!q) => ", "K(q) & K(r) => ", "!Kw(r) => ", "!K(s) => ",
+                       "K(n > 2) => ", "K(q & n <= 1) => ", "K(n > 1) | K(r) => "});
 }
 
 // What an action tells.
