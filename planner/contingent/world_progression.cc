@@ -338,8 +338,11 @@ void WorldProgression::Assign(const GroundChange& change, const World& before, W
   }
   const Interval& added = change.sum.constant;
   Worlds all;
-  for (const Number& number : marks_.Between({sum.value + added.low, sum.beside},
-                                             {sum.value + added.high, sum.beside}, slot)) {
+  const Number low{sum.value + added.low, sum.beside};
+  const Number high{sum.value + added.high, sum.beside};
+  const bool is_sum = !change.sum.functions.empty();
+  for (const Number& number :
+       is_sum ? marks_.BetweenSums(low, high, slot) : marks_.Between(low, high, slot)) {
     for (const World& world : now) {
       all.push_back(world);
       all.back().numbers[slot] = number;
