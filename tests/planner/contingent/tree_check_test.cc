@@ -429,6 +429,22 @@ TEST(Effects, UnderBoundsHappenInEachWorld) {
   EXPECT_TRUE(check("level >= 2", "K(wet) & K(level <= 0)"));
 }
 
+// at is a, and p is not; or b, and q is not; or neither: p and q.
+TEST(Worlds, HaveOneValueOfEachFunction) {
+  const GroundTask task = GroundText(
+      "domain at types: place constants: a, b, c: place predicates: p, q, done\n"
+      "functions: at: place\n"
+      "action look effects: add(Kw, at = b)\n"
+      "action finish preconds: K(p) | K(at != b) effects: add(Kf, done)",
+      "problem at domain at init: add(Kx, at = a | p), add(Kx, at = b | q) goal: K(done)");
+  const PlanTree tree = {.nodes = {ActOf(task, "look", 1), BranchOf(task, "at = b", 2, 2),
+                                   ActOf(task, "finish", 3), PlanNode{}},
+                         .root = NodeId(0)};
+  EXPECT_THAT(EnumerateWorlds(task, NumberMarks(task, tree), 100, 1).worlds, SizeIs(3));
+  const TreeCheck check = CheckTree(task, tree);
+  EXPECT_TRUE(check.holds) << check.failure;
+}
+
 TEST(NoWorld, HoldsNothing) {
   GroundTask task = GroundText(
       "domain n functions: n: number predicates: g action a effects: add(Kf, n <= 1), add(Kf, g)",
