@@ -255,18 +255,30 @@ KnowledgeBase::Changes KnowledgeBase::ChangesOf(const std::vector<GroundEffect>&
       changes.are_told &= !MayHold(effect.condition, state);
     }
   }
-  // What surely becomes false, or open, stays so only where nothing makes it something else.
+  JoinWithPossible(changes);
+  return changes;
+}
+
+// What surely becomes false, or open, stays so only where nothing makes it something else, and
+// where no other value of its function becomes true.
+void KnowledgeBase::JoinWithPossible(Changes& changes) const {
+  std::set<FunctionId> functions;
+  for (const auto& [atom, where] : changes.possible) {
+    functions.insert(task_.function_of_atom[atom.index()]);
+  }
+  functions.erase(FunctionId::None());
   std::erase_if(changes.certain, [&](const GroundChange* change) {
     const bool is_set = change->kind == GroundChange::Kind::kSet;
-    if (is_set ? change->literal.is_positive : change->kind != GroundChange::Kind::kForget) {
-      return false;
-    }
-    const auto possible = changes.possible.find(change->literal.atom);
-    if (possible == changes.possible.end()) return false;
-    (is_set ? possible->second.becomes_false : possible->second.becomes_open) = kAllSets;
+    if (!is_set && change->kind != GroundChange::Kind::kForget) return false;
+    const auto& [atom, is_positive] = change->literal;
+    const bool is_value = functions.contains(task_.function_of_atom[atom.index()]);
+    if (!is_value && ((is_set && is_positive) || !changes.possible.contains(atom))) return false;
+    Possible& possible = changes.possible[atom];
+    (!is_set       ? possible.becomes_open
+     : is_positive ? possible.becomes_true
+                   : possible.becomes_false) = kAllSets;
     return true;
   });
-  return changes;
 }
 
 void KnowledgeBase::AddOfWorlds(const GroundEffect& effect, const KnowledgeState& state,
@@ -307,7 +319,7 @@ void KnowledgeBase::AddPossible(const GroundChange& change, Diagram where, Chang
       return;
     case GroundChange::Kind::kForgetNumber:
     case GroundChange::Kind::kAssign:
-      changes.unsettled.push_back(&change);
+      changes.unsettled.emplace_back(&change, where);
       return;
     case GroundChange::Kind::kSense:
     case GroundChange::Kind::kSenseValue:
@@ -317,16 +329,38 @@ void KnowledgeBase::AddPossible(const GroundChange& change, Diagram where, Chang
   }
 }
 
+bool KnowledgeBase::MayGiveTwoValues(const Changes& changes, const KnowledgeState& before) {
+  std::vector<std::pair<GroundChange, Diagram>> given;
+  for (const auto& [atom, where] : changes.possible) {
+    given.push_back({{.literal = {atom, true}}, where.becomes_true});
+  }
+  for (const GroundChange* change : changes.certain) given.emplace_back(*change, kAllSets);
+  for (const auto& [change, where] : changes.unsettled) given.emplace_back(*change, where);
+  std::erase_if(given, [&](const auto& gift) {
+    return FunctionGiven(task_, gift.first).IsNone() || gift.second == kEmptySet;
+  });
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!GiveTwoValues(task_, given[i].first, given[j].first)) continue;
+      const Diagram both = diagrams_.And(given[i].second, given[j].second);
+      const Diagram possible =
+          diagrams_.And(RelationsWith(before, both), changes.bounds.Together());
+      if (diagrams_.And(possible, both) != kEmptySet) return true;
+    }
+  }
+  return false;
+}
+
 bool KnowledgeBase::Apply(const Changes& changes, const KnowledgeState& before,
                           KnowledgeState& state) {
-  if (!changes.are_told) return false;
+  if (!changes.are_told || MayGiveTwoValues(changes, before)) return false;
   if (!changes.possible.empty()) ApplyPossible(changes, state);
   for (const int now : {0, 1, 2, 3, 4}) {
     for (const GroundChange* change : changes.certain) {
       if (RankOf(*change) == now) Apply(*change, before, state);
     }
     if (now != RankOf({.kind = GroundChange::Kind::kAssign})) continue;
-    for (const GroundChange* change : changes.unsettled) Unsettle(*change, before, state);
+    for (const auto& [change, where] : changes.unsettled) Unsettle(*change, before, state);
     for (const FunctionId function : changes.deciding) RangeOf(function, state).is_outer = true;
     if (!CanTellBounds(changes, state)) return false;
   }
@@ -422,7 +456,10 @@ void KnowledgeBase::ApplyPossible(const Changes& all, KnowledgeState& state) {
     renamed[Variable(atom) + 1] = WorldsWhere({atom, true});
     layout_.SetUnknown(state, atom);
   }
-  const bool can_hold = PutRelation(state, diagrams_.Compose(image, renamed));
+  // What is open is so as values of one function are.
+  image = diagrams_.Compose(image, renamed);
+  image = diagrams_.And(image, UniqueNames(diagrams_.Support(image), state));
+  const bool can_hold = PutRelation(state, image);
   ASSAY_CHECK(can_hold, "an effect left no world");
 }
 
@@ -558,24 +595,72 @@ Diagram KnowledgeBase::WorldsWhere(const std::vector<GroundLiteral>& literals, b
   return is_inclusive ? diagrams_.AtLeastOne(assignments) : diagrams_.ExactlyOne(assignments);
 }
 
-Diagram KnowledgeBase::TakeRelations(KnowledgeState& state, const std::vector<int>& wanted) {
+Diagram KnowledgeBase::TakeRelations(KnowledgeState& state, std::vector<int> wanted) {
   Diagram all = kAllSets;
-  std::erase_if(state.relations, [&](Diagram relation) {
-    const std::vector<int>& support = diagrams_.Support(relation);
-    const bool shares = std::any_of(wanted.begin(), wanted.end(), [&](int variable) {
-      return std::binary_search(support.begin(), support.end(), variable);
+  std::set<FunctionId> functions;
+  std::vector<int> fresh = std::move(wanted);
+  while (!fresh.empty()) {
+    std::vector<int> next;
+    for (std::size_t i = 0, count = fresh.size(); i < count; ++i) {
+      const FunctionId function = FunctionOf(fresh[i]);
+      if (function.IsNone() || !functions.insert(function).second) continue;
+      const std::vector<int> values = OpenValues(function, state);
+      all = diagrams_.And(all, UniqueNames(values, state));
+      fresh.insert(fresh.end(), values.begin(), values.end());
+    }
+    std::erase_if(state.relations, [&](Diagram relation) {
+      const std::vector<int>& support = diagrams_.Support(relation);
+      const bool shares = std::any_of(fresh.begin(), fresh.end(), [&](int variable) {
+        return std::binary_search(support.begin(), support.end(), variable);
+      });
+      if (!shares) return false;
+      all = diagrams_.And(all, relation);
+      next.insert(next.end(), support.begin(), support.end());
+      return true;
     });
-    if (shares) all = diagrams_.And(all, relation);
-    return shares;
-  });
+    std::erase_if(next, [&](int variable) {
+      const FunctionId function = FunctionOf(variable);
+      return function.IsNone() || functions.contains(function);
+    });
+    fresh = std::move(next);
+  }
   return all;
+}
+
+FunctionId KnowledgeBase::FunctionOf(int variable) const {
+  return IsOfAtom(variable) ? task_.function_of_atom[AtomOf(variable).index()] : FunctionId::None();
+}
+
+std::vector<int> KnowledgeBase::OpenValues(FunctionId function, const KnowledgeState& state) const {
+  std::vector<int> open;
+  for (const AtomId value : task_.functions[function.index()].values) {
+    if (layout_.IsUndetermined(state, value)) open.push_back(Variable(value));
+  }
+  return open;
+}
+
+Diagram KnowledgeBase::UniqueNames(const std::vector<int>& variables, const KnowledgeState& state) {
+  std::map<FunctionId, std::vector<Assignment>> values;
+  for (const int variable : variables) {
+    const FunctionId function = FunctionOf(variable);
+    if (function.IsNone() || !layout_.IsUndetermined(state, AtomOf(variable))) continue;
+    values[function].push_back({variable, true});
+  }
+  Diagram unique = kAllSets;
+  for (const auto& [function, open] : values) {
+    if (open.size() == 1) continue;
+    const Diagram is_none = diagrams_.Not(diagrams_.AtLeastOne(open));
+    unique = diagrams_.And(unique, diagrams_.Or(is_none, diagrams_.ExactlyOne(open)));
+  }
+  return unique;
 }
 
 bool KnowledgeBase::PutRelation(KnowledgeState& state, Diagram relation) {
   if (relation == kEmptySet) return false;
   const std::vector<Assignment> known = diagrams_.Essential(relation);
   relation = diagrams_.Restrict(relation, known);
-  if (relation != kAllSets) {
+  // Unique names hold without being said.
+  if (relation != UniqueNames(diagrams_.Support(relation), state)) {
     state.relations.insert(
         std::lower_bound(state.relations.begin(), state.relations.end(), relation), relation);
   }

@@ -254,6 +254,7 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
       most_before_merging = std::max(most_worlds_, 2 * changed.size());
     }
     Worlds now = {world};
+    std::map<FunctionId, const GroundChange*> given;
     for (int pass = 0; pass < kPasses; ++pass) {
       for (std::size_t e = 0; e < effects.size(); ++e) {
         const bool is_told = happens[e];  // to whoever executes the plan
@@ -261,7 +262,9 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
             effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : is_told;
         if (!applies) continue;
         for (const GroundChange& change : effects[e].changes) {
-          if (PassOf(change) == pass && (is_told || !IsTold(change))) Change(change, world, now);
+          if (PassOf(change) != pass || (!is_told && IsTold(change))) continue;
+          NoteValue(change, given);
+          Change(change, world, now);
         }
       }
     }
@@ -272,6 +275,14 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
   }
   if (changed.size() > worlds.size()) MergeEqual(changed);
   worlds = std::move(changed);
+}
+
+void WorldProgression::NoteValue(const GroundChange& change,
+                                 std::map<FunctionId, const GroundChange*>& given) {
+  const FunctionId function = FunctionGiven(task_, change);
+  if (function.IsNone()) return;
+  const auto [first, is_new] = given.try_emplace(function, &change);
+  if (!is_new && GiveTwoValues(task_, *first->second, change)) two_valued_ = function;
 }
 
 void WorldProgression::Change(const GroundChange& change, const World& before, Worlds& now) {
