@@ -154,8 +154,36 @@ void ActionGrounding::AddInstance(const Action& action, const Bindings& bindings
     for (const Effect& effect : action.effects)
       effects_.AddEffects(effect, bindings, instance.effects);
   }
+  // An instance of parameters that does so is none that is ever executed.
+  if (action.parameters.empty()) RequireSingleValues(action, instance.effects);
   if (!terms_.TakeRefusal() && !instance.precondition.IsFalse()) {
     terms_.task().actions.push_back(std::move(instance));
+  }
+}
+
+void ActionGrounding::RequireSingleValues(const Action& action,
+                                          const std::vector<GroundEffect>& effects) const {
+  const auto is_always = [&](const GroundEffect& ground) {
+    return std::ranges::any_of(action.effects, [&](const Effect& effect) {
+      const Query& condition = effect.condition;
+      return effect.place == ground.place && condition.kind == Query::Kind::kAnd &&
+             condition.operands.empty();
+    });
+  };
+  std::vector<const GroundChange*> given;
+  for (const GroundEffect& effect : effects) {
+    if (!is_always(effect)) continue;
+    for (const GroundChange& change : effect.changes) {
+      for (const GroundChange* other : given) {
+        if (!GiveTwoValues(terms_.task(), *other, change)) continue;
+        const FunctionId function = FunctionGiven(terms_.task(), change);
+        terms_.Fail(effect.place,
+                    fmt::format("{} gets two values at once",
+                                terms_.task().functions[function.index()].text),
+                    "one value for each function");
+      }
+      given.push_back(&change);
+    }
   }
 }
 

@@ -35,6 +35,8 @@ class ActionGrounding {
   void AddRunTimeValues(const Query& query, const std::string& parameter, const Bindings& bindings,
                         std::vector<Value>& candidates);
   void AddInstance(const Action& action, const Bindings& bindings);
+  // Throws InputError where what always happens gives a function two values.
+  void RequireSingleValues(const Action& action, const std::vector<GroundEffect>& effects) const;
 
   TermGrounding& terms_;
   QueryGrounding& queries_;

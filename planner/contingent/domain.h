@@ -16,6 +16,8 @@ namespace assay::contingent {
 struct Place {
   int line = 0;
   int column = 0;
+
+  bool operator==(const Place&) const = default;
 };
 
 // A name with its type: a parameter, a constant, a type with its parent. Type "" is any.

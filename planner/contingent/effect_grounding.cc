@@ -11,7 +11,7 @@ void EffectGrounding::AddEffects(const Effect& effect, Bindings bindings,
   terms_.ForEachBinding(effect.variables, bindings, 0, [&] {
     const GroundQuery condition = queries_.QueryOf(effect.condition, bindings);
     if (condition.IsFalse()) return;
-    GroundEffect ground{condition, AsksOfLiteralsAlone(condition), {}, effect.place};
+    GroundEffect ground{condition, AsksOfTheWorld(condition), {}, effect.place};
     for (const Change& change : effect.changes) {
       for (GroundChange& made : ChangesOf(change, bindings)) {
         ground.changes.push_back(std::move(made));

@@ -51,20 +51,25 @@ GroundQuery BoundKnown(const Bound& bound) {
   return query;
 }
 
-bool AsksOfLiteralsAlone(const GroundQuery& query) {
+bool AsksOfTheWorld(const GroundQuery& query) {
   switch (query.kind) {
     case GroundQuery::Kind::kKnown:
+    case GroundQuery::Kind::kBoundKnown:
       return true;
     case GroundQuery::Kind::kAnd:
     case GroundQuery::Kind::kOr:
-      return std::all_of(query.operands.begin(), query.operands.end(), AsksOfLiteralsAlone);
+      return std::all_of(query.operands.begin(), query.operands.end(), AsksOfTheWorld);
     case GroundQuery::Kind::kNot:
-    case GroundQuery::Kind::kBoundKnown:
     case GroundQuery::Kind::kSensed:
     case GroundQuery::Kind::kValueSensed:
       return false;
   }
   return false;
+}
+
+bool HasBound(const GroundQuery& query) {
+  return query.kind == GroundQuery::Kind::kBoundKnown ||
+         std::ranges::any_of(query.operands, HasBound);
 }
 
 }  // namespace assay::contingent

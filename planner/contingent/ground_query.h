@@ -15,7 +15,8 @@ GroundQuery Joined(GroundQuery::Kind kind, std::vector<GroundQuery> operands);
 GroundQuery Known(GroundLiteral literal);
 GroundQuery BoundKnown(const Bound& bound);
 
-// Whether it asks K of literals alone, so that it can be asked of a world.
-bool AsksOfLiteralsAlone(const GroundQuery& query);
+// Whether it asks K alone, of literals and bounds, so that it can be asked of a world.
+bool AsksOfTheWorld(const GroundQuery& query);
+bool HasBound(const GroundQuery& query);
 
 }  // namespace assay::contingent

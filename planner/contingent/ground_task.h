@@ -52,6 +52,8 @@ bool IsStrict(Relation relation);  // < or >
 // Of every number in the range.
 bool SurelyHolds(const Bound& bound, const Range& range);
 Bound Negation(Bound bound);
+// What is left of a range where the bound holds.
+Range Narrowed(Range range, const Bound& bound);
 
 // A conjunction of literals, or one bound.
 struct Formula {
@@ -98,6 +100,8 @@ struct GroundQuery {
 struct GroundSum {
   Interval constant;
   std::vector<std::pair<FunctionId, int>> functions;
+
+  bool operator==(const GroundSum&) const = default;
 };
 
 struct GroundChange {
@@ -126,8 +130,8 @@ struct GroundChange {
 
 struct GroundEffect {
   GroundQuery condition;
-  // The condition asks K of literals alone: then the effect is one of the world, "where the
-  // condition is true, the changes happen", whether that is known or not.
+  // The condition asks K alone, of literals and bounds: then the effect is one of the world, "where
+  // the condition is true, the changes happen", whether that is known or not.
   bool is_of_worlds = false;
   std::vector<GroundChange> changes;
   Place place = {};  // in the domain's file
@@ -178,6 +182,11 @@ struct GroundTask {
   GroundQuery goal;
   FilePlace goal_place;
 };
+
+// The function that the change gives a value; none if it gives none.
+FunctionId FunctionGiven(const GroundTask& task, const GroundChange& change);
+// Whether they give one function two values, at once.
+bool GiveTwoValues(const GroundTask& task, const GroundChange& a, const GroundChange& b);
 
 // Rounds of all update rules that may change something; what changes after them is restless.
 std::size_t MostRoundsOf(const GroundTask& task);

@@ -12,7 +12,8 @@ namespace {
 
 using Choice = std::vector<Truth>;  // of the atoms of a group
 
-// Atoms that relations name together, directly or by others, with all ways to choose them.
+// Atoms that relations name together, directly or by others, or as values of one function, with all
+// ways to choose them.
 struct Group {
   std::vector<int> atoms;
   std::vector<Choice> choices;
@@ -60,9 +61,14 @@ class Enumerator {
       while (group_of[atom] != atom) atom = group_of[atom] = group_of[group_of[atom]];
       return atom;
     };
+    std::map<FunctionId, int> value_of;
     for (const InitialRelation& relation : task_.initial.relations) {
       for (const GroundLiteral& l : relation.literals) {
-        group_of[find(l.atom.index())] = find(relation.literals.front().atom.index());
+        const int atom = l.atom.index();
+        group_of[find(atom)] = find(relation.literals.front().atom.index());
+        const FunctionId function = task_.function_of_atom[atom];
+        if (function.IsNone()) continue;
+        group_of[find(atom)] = find(value_of.try_emplace(function, atom).first->second);
       }
     }
     std::map<int, Group> by_root;

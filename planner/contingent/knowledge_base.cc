@@ -38,6 +38,11 @@ bool TellsSomething(const GroundChange& change) {
          change.kind == Kind::kRelate || change.kind == Kind::kNarrow;
 }
 
+void AddNumbers(const GroundQuery& query, std::set<FunctionId>& numbers) {
+  if (query.kind == GroundQuery::Kind::kBoundKnown) numbers.insert(query.bound.function);
+  for (const GroundQuery& operand : query.operands) AddNumbers(operand, numbers);
+}
+
 // What becomes true wins over what becomes false, as in PDDL; what is told and what is sensed is so
 // after all that.
 int RankOf(const GroundChange& change) {
@@ -176,12 +181,13 @@ bool KnowledgeBase::IsDetermined(const Formula& formula, const KnowledgeState& s
   return are_all_true;
 }
 
-Diagram KnowledgeBase::WorldsWhere(const GroundQuery& condition) {
+Diagram KnowledgeBase::WorldsWhere(const GroundQuery& condition, OpenBounds& bounds) {
   if (condition.kind == GroundQuery::Kind::kKnown) return WorldsWhere(condition.literal);
+  if (condition.kind == GroundQuery::Kind::kBoundKnown) return bounds.WorldsWhere(condition.bound);
   const bool is_and = condition.kind == GroundQuery::Kind::kAnd;
   Diagram worlds = is_and ? kAllSets : kEmptySet;
   for (const GroundQuery& operand : condition.operands) {
-    const Diagram of_operand = WorldsWhere(operand);
+    const Diagram of_operand = WorldsWhere(operand, bounds);
     worlds = is_and ? diagrams_.And(worlds, of_operand) : diagrams_.Or(worlds, of_operand);
   }
   return worlds;
@@ -190,6 +196,7 @@ Diagram KnowledgeBase::WorldsWhere(const GroundQuery& condition) {
 Diagram KnowledgeBase::Restricted(Diagram worlds, const KnowledgeState& state) {
   std::vector<Assignment> known;
   for (const int variable : diagrams_.Support(worlds)) {
+    if (!IsOfAtom(variable)) continue;
     for (const bool value : {true, false}) {
       if (layout_.IsKnown(state, {AtomOf(variable), value})) known.push_back({variable, value});
     }
@@ -238,38 +245,58 @@ std::optional<KnowledgeState> KnowledgeBase::After(const GroundAction& action,
 
 KnowledgeBase::Changes KnowledgeBase::ChangesOf(const std::vector<GroundEffect>& effects,
                                                 const KnowledgeState& state) {
-  Changes changes;
+  Changes changes{.bounds = OpenBounds(task_, state, diagrams_)};
   for (const GroundEffect& effect : effects) {
     if (Holds(effect.condition, state)) {
       for (const GroundChange& change : effect.changes) changes.certain.push_back(&change);
     } else if (effect.is_of_worlds) {
-      const Diagram where = Restricted(WorldsWhere(effect.condition), state);
-      const Diagram relations = RelationsWith(state, where);
-      if (diagrams_.And(relations, where) == kEmptySet) continue;
-      const bool is_certain = diagrams_.Implies(relations, where);
-      for (const GroundChange& change : effect.changes) {
-        if (is_certain && !TellsSomething(change)) {
-          changes.certain.push_back(&change);
-        } else {
-          AddPossible(change, where, changes);
-        }
-      }
+      AddOfWorlds(effect, state, changes);
     } else {
       changes.are_told &= !MayHold(effect.condition, state);
     }
   }
-  // What surely becomes false, or open, stays so only where nothing makes it something else.
+  JoinWithPossible(changes);
+  return changes;
+}
+
+// What surely becomes false, or open, stays so only where nothing makes it something else, and
+// where no other value of its function becomes true.
+void KnowledgeBase::JoinWithPossible(Changes& changes) const {
+  std::set<FunctionId> functions;
+  for (const auto& [atom, where] : changes.possible) {
+    functions.insert(task_.function_of_atom[atom.index()]);
+  }
+  functions.erase(FunctionId::None());
   std::erase_if(changes.certain, [&](const GroundChange* change) {
     const bool is_set = change->kind == GroundChange::Kind::kSet;
-    if (is_set ? change->literal.is_positive : change->kind != GroundChange::Kind::kForget) {
-      return false;
-    }
-    const auto possible = changes.possible.find(change->literal.atom);
-    if (possible == changes.possible.end()) return false;
-    (is_set ? possible->second.becomes_false : possible->second.becomes_open) = kAllSets;
+    if (!is_set && change->kind != GroundChange::Kind::kForget) return false;
+    const auto& [atom, is_positive] = change->literal;
+    const bool is_value = functions.contains(task_.function_of_atom[atom.index()]);
+    if (!is_value && ((is_set && is_positive) || !changes.possible.contains(atom))) return false;
+    Possible& possible = changes.possible[atom];
+    (!is_set       ? possible.becomes_open
+     : is_positive ? possible.becomes_true
+                   : possible.becomes_false) = kAllSets;
     return true;
   });
-  return changes;
+}
+
+void KnowledgeBase::AddOfWorlds(const GroundEffect& effect, const KnowledgeState& state,
+                                Changes& changes) {
+  const Diagram where = Restricted(WorldsWhere(effect.condition, changes.bounds), state);
+  const Diagram possible = diagrams_.And(RelationsWith(state, where), changes.bounds.Together());
+  if (diagrams_.And(possible, where) == kEmptySet) return;
+  const bool is_certain = diagrams_.Implies(possible, where);
+  for (const GroundChange& change : effect.changes) {
+    if (TellsSomething(change)) {
+      changes.are_told &= !MayHold(effect.condition, state);
+    } else if (is_certain) {
+      changes.certain.push_back(&change);
+    } else {
+      AddPossible(change, where, changes);
+      AddNumbers(effect.condition, changes.deciding);
+    }
+  }
 }
 
 void KnowledgeBase::AddPossible(const GroundChange& change, Diagram where, Changes& changes) {
@@ -292,7 +319,7 @@ void KnowledgeBase::AddPossible(const GroundChange& change, Diagram where, Chang
       return;
     case GroundChange::Kind::kForgetNumber:
     case GroundChange::Kind::kAssign:
-      changes.unsettled.push_back(&change);
+      changes.unsettled.emplace_back(&change, where);
       return;
     case GroundChange::Kind::kSense:
     case GroundChange::Kind::kSenseValue:
@@ -302,16 +329,39 @@ void KnowledgeBase::AddPossible(const GroundChange& change, Diagram where, Chang
   }
 }
 
+bool KnowledgeBase::MayGiveTwoValues(const Changes& changes, const KnowledgeState& before) {
+  std::vector<std::pair<GroundChange, Diagram>> given;
+  for (const auto& [atom, where] : changes.possible) {
+    given.push_back({{.literal = {atom, true}}, where.becomes_true});
+  }
+  for (const GroundChange* change : changes.certain) given.emplace_back(*change, kAllSets);
+  for (const auto& [change, where] : changes.unsettled) given.emplace_back(*change, where);
+  std::erase_if(given, [&](const auto& gift) {
+    return FunctionGiven(task_, gift.first).IsNone() || gift.second == kEmptySet;
+  });
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (!GiveTwoValues(task_, given[i].first, given[j].first)) continue;
+      const Diagram both = diagrams_.And(given[i].second, given[j].second);
+      const Diagram possible =
+          diagrams_.And(RelationsWith(before, both), changes.bounds.Together());
+      if (diagrams_.And(possible, both) != kEmptySet) return true;
+    }
+  }
+  return false;
+}
+
 bool KnowledgeBase::Apply(const Changes& changes, const KnowledgeState& before,
                           KnowledgeState& state) {
-  if (!changes.are_told) return false;
-  if (!changes.possible.empty()) ApplyPossible(changes.possible, state);
+  if (!changes.are_told || MayGiveTwoValues(changes, before)) return false;
+  if (!changes.possible.empty()) ApplyPossible(changes, state);
   for (const int now : {0, 1, 2, 3, 4}) {
     for (const GroundChange* change : changes.certain) {
       if (RankOf(*change) == now) Apply(*change, before, state);
     }
     if (now != RankOf({.kind = GroundChange::Kind::kAssign})) continue;
-    for (const GroundChange* change : changes.unsettled) Unsettle(*change, before, state);
+    for (const auto& [change, where] : changes.unsettled) Unsettle(*change, before, state);
+    for (const FunctionId function : changes.deciding) RangeOf(function, state).is_outer = true;
     if (!CanTellBounds(changes, state)) return false;
   }
   return std::all_of(changes.certain.begin(), changes.certain.end(), [&](const GroundChange* c) {
@@ -381,11 +431,10 @@ Range KnowledgeBase::SumOf(const GroundSum& sum, const KnowledgeState& state) co
 // The image of the relations under "x becomes true where A, else false where D, else either where
 // O": the new x, for the time being a variable of its own, is A | (x & !D) where it is not open;
 // then the old x is no matter any more. The relations come first: they keep the diagrams small.
-void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
-                                  KnowledgeState& state) {
+void KnowledgeBase::ApplyPossible(const Changes& all, KnowledgeState& state) {
   std::vector<int> variables;
   std::vector<Diagram> changes;
-  for (const auto& [atom, where] : possible) {
+  for (const auto& [atom, where] : all.possible) {
     const Diagram old = Restricted(WorldsWhere({atom, true}), state);
     const Diagram now =
         diagrams_.Or(where.becomes_true, diagrams_.And(old, diagrams_.Not(where.becomes_false)));
@@ -398,15 +447,19 @@ void KnowledgeBase::ApplyPossible(const std::map<AtomId, Possible>& possible,
     variables.push_back(Variable(atom));
     UnsenseWith(state, atom);
   }
-  Diagram image = TakeRelations(state, variables);
+  Diagram image = diagrams_.And(TakeRelations(state, variables), all.bounds.Together());
   for (const Diagram change : changes) image = diagrams_.And(image, change);
+  for (const int bound : all.bounds.Variables()) image = diagrams_.Exists(image, bound);
   std::unordered_map<int, Diagram> renamed;
-  for (const auto& [atom, where] : possible) {
+  for (const auto& [atom, where] : all.possible) {
     image = diagrams_.Exists(image, Variable(atom));
     renamed[Variable(atom) + 1] = WorldsWhere({atom, true});
     layout_.SetUnknown(state, atom);
   }
-  const bool can_hold = PutRelation(state, diagrams_.Compose(image, renamed));
+  // What is open is so as values of one function are.
+  image = diagrams_.Compose(image, renamed);
+  image = diagrams_.And(image, UniqueNames(diagrams_.Support(image), state));
+  const bool can_hold = PutRelation(state, image);
   ASSAY_CHECK(can_hold, "an effect left no world");
 }
 
@@ -423,9 +476,9 @@ const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
     for (const GroundEffect& update : task_.updates) {
       if (!MayHold(update.condition, state)) continue;
       if (!Holds(update.condition, state)) return &update;
-      Changes changes;
-      for (const GroundChange& change : update.changes) changes.certain.push_back(&change);
       const KnowledgeState before = state;
+      Changes changes{.bounds = OpenBounds(task_, before, diagrams_)};
+      for (const GroundChange& change : update.changes) changes.certain.push_back(&change);
       if (!Apply(changes, before, state)) return &update;
       if (!lasting.empty() && contradicts_lasting(state)) return &update;
       Canonicalize(state);
@@ -542,24 +595,72 @@ Diagram KnowledgeBase::WorldsWhere(const std::vector<GroundLiteral>& literals, b
   return is_inclusive ? diagrams_.AtLeastOne(assignments) : diagrams_.ExactlyOne(assignments);
 }
 
-Diagram KnowledgeBase::TakeRelations(KnowledgeState& state, const std::vector<int>& wanted) {
+Diagram KnowledgeBase::TakeRelations(KnowledgeState& state, std::vector<int> wanted) {
   Diagram all = kAllSets;
-  std::erase_if(state.relations, [&](Diagram relation) {
-    const std::vector<int>& support = diagrams_.Support(relation);
-    const bool shares = std::any_of(wanted.begin(), wanted.end(), [&](int variable) {
-      return std::binary_search(support.begin(), support.end(), variable);
+  std::set<FunctionId> functions;
+  std::vector<int> fresh = std::move(wanted);
+  while (!fresh.empty()) {
+    std::vector<int> next;
+    for (std::size_t i = 0, count = fresh.size(); i < count; ++i) {
+      const FunctionId function = FunctionOf(fresh[i]);
+      if (function.IsNone() || !functions.insert(function).second) continue;
+      const std::vector<int> values = OpenValues(function, state);
+      all = diagrams_.And(all, UniqueNames(values, state));
+      fresh.insert(fresh.end(), values.begin(), values.end());
+    }
+    std::erase_if(state.relations, [&](Diagram relation) {
+      const std::vector<int>& support = diagrams_.Support(relation);
+      const bool shares = std::any_of(fresh.begin(), fresh.end(), [&](int variable) {
+        return std::binary_search(support.begin(), support.end(), variable);
+      });
+      if (!shares) return false;
+      all = diagrams_.And(all, relation);
+      next.insert(next.end(), support.begin(), support.end());
+      return true;
     });
-    if (shares) all = diagrams_.And(all, relation);
-    return shares;
-  });
+    std::erase_if(next, [&](int variable) {
+      const FunctionId function = FunctionOf(variable);
+      return function.IsNone() || functions.contains(function);
+    });
+    fresh = std::move(next);
+  }
   return all;
+}
+
+FunctionId KnowledgeBase::FunctionOf(int variable) const {
+  return IsOfAtom(variable) ? task_.function_of_atom[AtomOf(variable).index()] : FunctionId::None();
+}
+
+std::vector<int> KnowledgeBase::OpenValues(FunctionId function, const KnowledgeState& state) const {
+  std::vector<int> open;
+  for (const AtomId value : task_.functions[function.index()].values) {
+    if (layout_.IsUndetermined(state, value)) open.push_back(Variable(value));
+  }
+  return open;
+}
+
+Diagram KnowledgeBase::UniqueNames(const std::vector<int>& variables, const KnowledgeState& state) {
+  std::map<FunctionId, std::vector<Assignment>> values;
+  for (const int variable : variables) {
+    const FunctionId function = FunctionOf(variable);
+    if (function.IsNone() || !layout_.IsUndetermined(state, AtomOf(variable))) continue;
+    values[function].push_back({variable, true});
+  }
+  Diagram unique = kAllSets;
+  for (const auto& [function, open] : values) {
+    if (open.size() == 1) continue;
+    const Diagram is_none = diagrams_.Not(diagrams_.AtLeastOne(open));
+    unique = diagrams_.And(unique, diagrams_.Or(is_none, diagrams_.ExactlyOne(open)));
+  }
+  return unique;
 }
 
 bool KnowledgeBase::PutRelation(KnowledgeState& state, Diagram relation) {
   if (relation == kEmptySet) return false;
   const std::vector<Assignment> known = diagrams_.Essential(relation);
   relation = diagrams_.Restrict(relation, known);
-  if (relation != kAllSets) {
+  // Unique names hold without being said.
+  if (relation != UniqueNames(diagrams_.Support(relation), state)) {
     state.relations.insert(
         std::lower_bound(state.relations.begin(), state.relations.end(), relation), relation);
   }
@@ -596,10 +697,8 @@ bool KnowledgeBase::LearnConjunction(KnowledgeState& state,
 }
 
 void KnowledgeBase::Learn(KnowledgeState& state, const Bound& bound) const {
-  if (BoundHolds(bound, state)) return;
   Range& range = RangeOf(bound.function, state);
-  (IsUpper(bound.relation) ? range.high : range.low) = bound.value;
-  (IsUpper(bound.relation) ? range.excludes_high : range.excludes_low) = IsStrict(bound.relation);
+  range = Narrowed(range, bound);
 }
 
 // ---- Branches

@@ -2,11 +2,13 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "planner/contingent/decision_diagram.h"
 #include "planner/contingent/ground_task.h"
 #include "planner/contingent/knowledge_state.h"
+#include "planner/contingent/open_bounds.h"
 
 namespace assay::contingent {
 
@@ -33,8 +35,8 @@ class KnowledgeBase {
   bool MayHold(const GroundQuery& query, const KnowledgeState& state) const;
 
   // After an action whose precondition holds, and the update rules. None if an effect on Kx or
-  // on bounds contradicts what is known, or may do so, or if it cannot be told whether an effect or
-  // a rule happens.
+  // on bounds contradicts what is known, or may do so, if it may give a function two values, or if
+  // it cannot be told whether an effect or a rule happens.
   std::optional<KnowledgeState> After(const GroundAction& action, const KnowledgeState& state);
 
   // A formula of Kw that branches now: it has one undetermined literal, all others are known to be
@@ -54,14 +56,16 @@ class KnowledgeBase {
   // The one undetermined literal of a formula that branches; none of a bound.
   GroundLiteral UndeterminedLiteral(FormulaId formula, const KnowledgeState& state) const;
 
-  // Diagrams over worlds. The variable of an atom; the atom of a variable.
+  // Diagrams over worlds. The variable of an atom; the atom of a variable, which is of one, or of
+  // an open bound.
   int Variable(AtomId atom) const { return 2 * places_[atom.index()]; }
   AtomId AtomOf(int variable) const { return atom_at_[variable / 2]; }
+  bool IsOfAtom(int variable) const { return variable < 2 * std::ssize(atom_at_); }
   Diagram WorldsWhere(GroundLiteral literal) {
     return diagrams_.Literal({Variable(literal.atom), literal.is_positive});
   }
-  // Where a condition that asks K of literals alone is true.
-  Diagram WorldsWhere(const GroundQuery& condition);
+  // Where a condition that asks K alone is true.
+  Diagram WorldsWhere(const GroundQuery& condition, OpenBounds& bounds);
   // Where exactly one, or at least one, of the literals holds.
   Diagram WorldsWhere(const std::vector<GroundLiteral>& literals, bool is_inclusive);
   // Whether all worlds that the state allows are in the set.
@@ -78,10 +82,13 @@ class KnowledgeBase {
     Diagram becomes_open = kEmptySet;
   };
   struct Changes {
-    std::vector<const GroundChange*> certain;
-    std::map<AtomId, Possible> possible;
-    std::vector<const GroundChange*> unsettled;  // of numbers, which may have happened
-    bool are_told = true;                        // else whether an effect happens is not
+    OpenBounds bounds;
+    std::vector<const GroundChange*> certain = {};
+    std::map<AtomId, Possible> possible = {};
+    // Of numbers, which may have happened, and where.
+    std::vector<std::pair<const GroundChange*, Diagram>> unsettled = {};
+    std::set<FunctionId> deciding = {};  // numbers on which it depends what happens
+    bool are_told = true;                // else whether an effect happens is not
   };
 
   bool BoundHolds(const Bound& bound, const KnowledgeState& state) const;
@@ -95,15 +102,19 @@ class KnowledgeBase {
   bool IsDetermined(const Formula& formula, const KnowledgeState& state) const;
 
   Changes ChangesOf(const std::vector<GroundEffect>& effects, const KnowledgeState& state);
+  void JoinWithPossible(Changes& changes) const;
+  void AddOfWorlds(const GroundEffect& effect, const KnowledgeState& state, Changes& changes);
   // What an effect does to the world whose condition is not known, but true in the worlds `where`.
   void AddPossible(const GroundChange& change, Diagram where, Changes& changes);
-  // False if a relation or a bound contradicts what is known.
+  // Whether there are worlds in which a function is given two values.
+  bool MayGiveTwoValues(const Changes& changes, const KnowledgeState& before);
+  // False if a relation or a bound contradicts what is known, or a function may get two values.
   bool Apply(const Changes& changes, const KnowledgeState& before, KnowledgeState& state);
   // False if a bound is told of a number that hangs together with something else: it might tell
   // of that, or contradict it.
   bool CanTellBounds(const Changes& changes, const KnowledgeState& state) const;
   void Apply(const GroundChange& change, const KnowledgeState& before, KnowledgeState& state);
-  void ApplyPossible(const std::map<AtomId, Possible>& possible, KnowledgeState& state);
+  void ApplyPossible(const Changes& changes, KnowledgeState& state);
   // The rule after which a relation or a bound contradicts what is known, which leaves no
   // alternative of the relations that last, or of which it cannot be told whether it happens; null:
   // there is none.
@@ -135,8 +146,14 @@ class KnowledgeBase {
                         bool value);
   // Adds a relation of unknown atoms to those that are there; false if they cannot hold together.
   bool RelateAsWell(KnowledgeState& state, Diagram relation);
-  // Takes out the relations that have one of the variables, and returns what they say together.
-  Diagram TakeRelations(KnowledgeState& state, const std::vector<int>& variables);
+  // Takes out the relations that have one of the variables, or another value of a function of which
+  // they have one, and returns what they say together, with unique names.
+  Diagram TakeRelations(KnowledgeState& state, std::vector<int> variables);
+  FunctionId FunctionOf(int variable) const;
+  // The values that are neither known to be the function's nor not to be.
+  std::vector<int> OpenValues(FunctionId function, const KnowledgeState& state) const;
+  // Where the functions of which there are values among the variables have one value at most.
+  Diagram UniqueNames(const std::vector<int>& variables, const KnowledgeState& state);
   Diagram RelationsWith(const KnowledgeState& state, Diagram of);
   // Puts in a relation, and into Kf what follows from it; false if it cannot hold.
   bool PutRelation(KnowledgeState& state, Diagram relation);

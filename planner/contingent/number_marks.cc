@@ -13,12 +13,12 @@ namespace {
 constexpr std::size_t kMostMarks = 500;
 // Farther than any mark.
 constexpr double kFar = 1e9;
-// What sums of decimals may differ by, of their size.
-constexpr double kRounding = 1e-12;
-
-bool IsNear(double a, double b) {
-  return std::abs(a - b) <= kRounding * std::max({1.0, std::abs(a), std::abs(b)});
+// What sums of decimals may differ by.
+double RoundingOf(double sum) {
+  return 16 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(sum));
 }
+
+bool IsNear(double a, double b) { return std::abs(a - b) <= RoundingOf(std::max(a, b)) / 2; }
 
 }  // namespace
 
@@ -156,18 +156,18 @@ void NumberMarks::CarryBack(const Assignment& assignment, double mark,
   for (const double added : {assignment.added.low, assignment.added.high}) {
     const double before = sign * (mark - added);
     if (before < reach_[slot].low || before > reach_[slot].high) continue;
-    if (std::isinf(before) || marks_[slot].contains(Snapped(before, slot))) continue;
+    if (std::isinf(before) || IsNearMark(before, slot)) continue;
+    are_complete_ &= IsNear(sign * before + added, mark);
     marks_[slot].insert(before);
     fresh.emplace(slot, before);
   }
 }
 
-double NumberMarks::Snapped(double value, int slot) const {
+bool NumberMarks::IsNearMark(double value, int slot) const {
   const std::set<double>& marks = marks_[slot];
   const auto above = marks.lower_bound(value);
-  if (above != marks.end() && IsNear(*above, value)) return *above;
-  if (above != marks.begin() && IsNear(*std::prev(above), value)) return *std::prev(above);
-  return value;
+  return (above != marks.end() && IsNear(*above, value)) ||
+         (above != marks.begin() && IsNear(*std::prev(above), value));
 }
 
 // ---- Numbers
@@ -185,8 +185,6 @@ std::vector<Number> NumberMarks::In(const Range& range, int slot) const {
 }
 
 std::vector<Number> NumberMarks::Between(Number low, Number high, int slot) const {
-  low.value = Snapped(low.value, slot);
-  high.value = Snapped(high.value, slot);
   if (high < low) return {};
   std::set<Number> numbers = {low, high};
   const std::set<double>& marks = marks_[slot];
@@ -201,6 +199,15 @@ std::vector<Number> NumberMarks::Between(Number low, Number high, int slot) cons
     numbers.insert({low.value / 2 + high.value / 2, 0});
   }
   return {numbers.begin(), numbers.end()};
+}
+
+std::vector<Number> NumberMarks::BetweenSums(Number low, Number high, int slot) const {
+  const std::set<double>& marks = marks_[slot];
+  const auto first = marks.lower_bound(low.value - RoundingOf(low.value));
+  if (first != marks.end()) low.value = std::min(low.value, *first);
+  const auto last = marks.upper_bound(high.value + RoundingOf(high.value));
+  if (last != marks.begin()) high.value = std::max(high.value, *std::prev(last));
+  return Between(low, high, slot);
 }
 
 }  // namespace assay::contingent

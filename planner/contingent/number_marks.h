@@ -40,6 +40,8 @@ class NumberMarks {
   std::vector<Number> In(const Range& range, int slot) const;
   // The same of what is between two numbers.
   std::vector<Number> Between(Number low, Number high, int slot) const;
+  // The same where both are sums, which are rounded: with the marks that they may be.
+  std::vector<Number> BetweenSums(Number low, Number high, int slot) const;
 
  private:
   // The function of the slot `to` becomes the sum.
@@ -60,8 +62,8 @@ class NumberMarks {
   bool CarryBack(int most_rounds);
   void CarryBack(const Assignment& assignment, double mark,
                  std::set<std::pair<int, double>>& fresh);
-  // The mark that differs from the value by rounding alone; the value if there is none.
-  double Snapped(double value, int slot) const;
+  // Whether a mark differs from the value by rounding alone: it stands for both.
+  bool IsNearMark(double value, int slot) const;
 
   std::vector<std::set<double>> marks_;  // by slot
   std::vector<bool> is_asked_;           // by slot, also how precisely it is known

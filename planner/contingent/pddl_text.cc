@@ -195,6 +195,7 @@ class Writer {
       is_told[literal.atom.index()] = true;
       if (literal.is_positive) text += fmt::format("  {}\n", LiteralText(literal));
     }
+    RequireExclusive(is_told);
     for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
       if (!is_told[a]) text += fmt::format("  (unknown ({}))\n", atoms_[a]);
     }
@@ -205,6 +206,23 @@ class Writer {
       text += ")\n";
     }
     return text + fmt::format(" )\n (:goal {}))\n", QueryText(task_.goal));
+  }
+
+  // Open values of one function are atoms of their own in PDDL: that they exclude each other is
+  // said where exactly one of them holds, as oneof.
+  void RequireExclusive(const std::vector<bool>& is_told) const {
+    for (const GroundFunction& function : task_.functions) {
+      std::vector<GroundLiteral> open;
+      for (const AtomId value : function.values) {
+        if (!is_told[value.index()]) open.push_back({value, true});
+      }
+      const auto are_all = [&](const InitialRelation& relation) {
+        return !relation.is_inclusive && std::ranges::is_permutation(relation.literals, open);
+      };
+      if (open.size() > 1 && std::ranges::none_of(task_.initial.relations, are_all)) {
+        Fail(fmt::format("functions with several values or none, like {}", function.text));
+      }
+    }
   }
 
   const GroundTask& task_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "planner/contingent/ground_query.h"
+
 namespace assay::contingent {
 
 Regression::Regression(KnowledgeSpace& space)
@@ -163,6 +165,7 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
   DecisionDiagrams& diagrams = knowledge_.diagrams();
   std::unordered_map<int, Diagram> becomes_true;
   std::unordered_map<int, Diagram> becomes_false;
+  OpenBounds bounds(task(), space_.state(state), diagrams);
   before.worlds = after.worlds;
   for (const GroundEffect& effect : action.effects) {
     if (!knowledge_.Holds(effect.condition, space_.state(state))) continue;
@@ -175,7 +178,7 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
   }
   for (const GroundEffect& effect : action.effects) {
     const bool happens = knowledge_.Holds(effect.condition, space_.state(state));
-    if (!effect.is_of_worlds) KeepAsked(effect.condition, before);
+    if (!effect.is_of_worlds || HasBound(effect.condition)) KeepAsked(effect.condition, before);
     for (const GroundChange& change : effect.changes) {
       if (change.kind == GroundChange::Kind::kForget && (happens || effect.is_of_worlds)) {
         const int variable = knowledge_.Variable(change.literal.atom);
@@ -183,7 +186,7 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
       }
       if (change.kind != GroundChange::Kind::kSet || (!happens && !effect.is_of_worlds)) continue;
       const Diagram where =
-          effect.is_of_worlds ? knowledge_.WorldsWhere(effect.condition) : kAllSets;
+          effect.is_of_worlds ? knowledge_.WorldsWhere(effect.condition, bounds) : kAllSets;
       auto& becomes = change.literal.is_positive ? becomes_true : becomes_false;
       Diagram& there = becomes[knowledge_.Variable(change.literal.atom)];
       there = diagrams.Or(there, where);
@@ -197,7 +200,9 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
         falsified != becomes_false.end() ? diagrams.Not(falsified->second) : kAllSets;
     value = diagrams.Or(value, diagrams.And(diagrams.Literal({variable, true}), stays));
   }
-  before.worlds = diagrams.Compose(before.worlds, now);
+  before.worlds =
+      diagrams.Or(diagrams.Compose(before.worlds, now), diagrams.Not(bounds.Together()));
+  for (const int bound : bounds.Variables()) before.worlds = diagrams.ForAll(before.worlds, bound);
 }
 
 // What of a state the change is of.

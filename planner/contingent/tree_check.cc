@@ -77,6 +77,7 @@ class Runner {
       }
     }
     progression_.Update(history);
+    FailIfTwoValued(history);
     if (history.worlds.empty()) Fail("the initial knowledge allows no world", history);
     RunFrom(tree_.root, std::move(history));
     check_.holds = !HasFailed();
@@ -112,6 +113,13 @@ class Runner {
                            steps_.empty() ? "no step" : fmt::format("{}", fmt::join(steps_, "; ")));
     if (world == nullptr && !history.worlds.empty()) world = &history.worlds.front();
     if (world != nullptr) failure_ += fmt::format(", in the world with {}", TextOf(*world));
+  }
+
+  void FailIfTwoValued(const History& history) {
+    const FunctionId function = progression_.TwoValued();
+    if (function.IsNone()) return;
+    Fail(fmt::format("{} gets two values at once", task_.functions[function.index()].text),
+         history);
   }
 
   std::string TextOf(const World& world) const {
@@ -225,6 +233,7 @@ class Runner {
     steps_.push_back(assay::contingent::TextOf(action));
     progression_.Apply(action.effects, history);
     progression_.Update(history);
+    FailIfTwoValued(history);
     if (attempt_ == nullptr && history.worlds.empty()) {
       Fail("what is known contradicts itself", history);
     }

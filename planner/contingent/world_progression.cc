@@ -82,11 +82,12 @@ bool WorldProgression::IsTrue(const Formula& formula, const World& world) const 
                      [&](const GroundLiteral& l) { return IsTrue(l, world); });
 }
 
-// Of a condition that asks K of literals alone: whether they hold in this world.
+// Of a condition that asks K alone, of literals and bounds: whether they hold in this world.
 bool WorldProgression::IsTrue(const GroundQuery& condition, const World& world) const {
   const auto is_true = [&](const GroundQuery& operand) { return IsTrue(operand, world); };
   const auto& operands = condition.operands;
   if (condition.kind == GroundQuery::Kind::kKnown) return IsTrue(condition.literal, world);
+  if (condition.kind == GroundQuery::Kind::kBoundKnown) return IsTrue(condition.bound, world);
   if (condition.kind == GroundQuery::Kind::kAnd) {
     return std::all_of(operands.begin(), operands.end(), is_true);
   }
@@ -253,6 +254,7 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
       most_before_merging = std::max(most_worlds_, 2 * changed.size());
     }
     Worlds now = {world};
+    std::map<FunctionId, const GroundChange*> given;
     for (int pass = 0; pass < kPasses; ++pass) {
       for (std::size_t e = 0; e < effects.size(); ++e) {
         const bool is_told = happens[e];  // to whoever executes the plan
@@ -260,7 +262,9 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
             effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : is_told;
         if (!applies) continue;
         for (const GroundChange& change : effects[e].changes) {
-          if (PassOf(change) == pass && (is_told || !IsTold(change))) Change(change, world, now);
+          if (PassOf(change) != pass || (!is_told && IsTold(change))) continue;
+          NoteValue(change, given);
+          Change(change, world, now);
         }
       }
     }
@@ -271,6 +275,14 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
   }
   if (changed.size() > worlds.size()) MergeEqual(changed);
   worlds = std::move(changed);
+}
+
+void WorldProgression::NoteValue(const GroundChange& change,
+                                 std::map<FunctionId, const GroundChange*>& given) {
+  const FunctionId function = FunctionGiven(task_, change);
+  if (function.IsNone()) return;
+  const auto [first, is_new] = given.try_emplace(function, &change);
+  if (!is_new && GiveTwoValues(task_, *first->second, change)) two_valued_ = function;
 }
 
 void WorldProgression::Change(const GroundChange& change, const World& before, Worlds& now) {
@@ -337,8 +349,11 @@ void WorldProgression::Assign(const GroundChange& change, const World& before, W
   }
   const Interval& added = change.sum.constant;
   Worlds all;
-  for (const Number& number : marks_.Between({sum.value + added.low, sum.beside},
-                                             {sum.value + added.high, sum.beside}, slot)) {
+  const Number low{sum.value + added.low, sum.beside};
+  const Number high{sum.value + added.high, sum.beside};
+  const bool is_sum = !change.sum.functions.empty();
+  for (const Number& number :
+       is_sum ? marks_.BetweenSums(low, high, slot) : marks_.Between(low, high, slot)) {
     for (const World& world : now) {
       all.push_back(world);
       all.back().numbers[slot] = number;

@@ -40,6 +40,8 @@ class WorldProgression {
   bool HasMadeTooMany() const { return has_made_too_many_; }
   // Whether there was an effect of which a sample cannot tell that it happens.
   bool CouldNotTell() const { return could_not_tell_; }
+  // The function that has been given two values at once, if any.
+  FunctionId TwoValued() const { return two_valued_; }
   // Whether update rules did not come to rest.
   bool IsRestless() const { return is_restless_; }
 
@@ -69,6 +71,7 @@ class WorldProgression {
   void ForgetSensed(const GroundChange& change, History& history) const;
   void ChangeWorlds(const std::vector<GroundEffect>& effects, const std::vector<bool>& happens,
                     Worlds& worlds);
+  void NoteValue(const GroundChange& change, std::map<FunctionId, const GroundChange*>& given);
   void Change(const GroundChange& change, const World& before, Worlds& now);
   void Assign(const GroundChange& change, const World& before, Worlds& now) const;
   void OpenForgotten(int slot, Worlds& worlds) const;
@@ -80,6 +83,7 @@ class WorldProgression {
   bool has_made_too_many_ = false;
   bool could_not_tell_ = false;
   bool is_restless_ = false;
+  FunctionId two_valued_;
 };
 
 }  // namespace assay::contingent

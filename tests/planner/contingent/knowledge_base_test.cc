@@ -518,6 +518,33 @@ TEST(Intervals, ThatHangTogetherAreNotTold) {
   EXPECT_TRUE(knowledge.After(task.actions[1], *reset));
 }
 
+// Where it is above 3, whether that is known or not.
+TEST(Intervals, EffectsUnderBoundsMayHappen) {
+  const std::vector<std::string> questions = {
+      "K(p(a))",           "K(!p(a))",          "K(p(b))",          "K(q(b))",
+      "K(!q(b))",          "K(p(c))",           "K(!p(c))",         "K(r)",
+      "!K(weight(a) > 5)", "K(weight(b) >= 2)", "K(weight(b) <= 5)"};
+  Mind mind(
+      "add(LCW, p(?x)), add(LCW, q(?x)), add(Kf, weight(a) = [0, 10]), add(Kf, weight(b) = [2, 5])",
+      "action weigh effects: K(weight(a) > 3) => add(Kf, p(a)), add(Kf, r);\n"
+      "K(weight(a) > 5) => add(Kf, p(b)); K(weight(a) <= 3) => add(Kf, q(b)), add(Kf, r);\n"
+      "K(weight(a) > 10) => add(Kf, p(c)); K(weight(a) > 3) => add(Kf, weight(b) = 0)\n",
+      questions);
+  mind.Do("weigh");
+  EXPECT_FALSE(mind.Holds("K(p(a))"));
+  EXPECT_FALSE(mind.Holds("K(!p(a))"));
+  EXPECT_TRUE(mind.Holds("K(!p(c))"));
+  EXPECT_TRUE(mind.Holds("K(r)"));  // by the one or the other
+  EXPECT_FALSE(mind.Holds("K(weight(b) >= 2)"));
+  EXPECT_TRUE(mind.Holds("K(weight(b) <= 5)"));
+  // What is learned of an atom may tell of the number.
+  EXPECT_FALSE(mind.Holds("!K(weight(a) > 5)"));
+  // Above 5 it is above 3, too.
+  mind.Learn("p(b)", true);
+  EXPECT_TRUE(mind.Holds("K(p(a))"));
+  EXPECT_TRUE(mind.Holds("K(!q(b))"));
+}
+
 TEST(Intervals, ContradictionsAreNamed) {
   EXPECT_THAT(MessageOf([] { Mind mind("add(Kf, weight(a) > 3), add(Kf, weight(a) < 3)"); }),
               HasSubstr("this contradicts what is known: no number is left for weight(a)"));

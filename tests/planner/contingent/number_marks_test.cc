@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 
 #include "planner/base/random.h"
 #include "planner/contingent/tree_check.h"
@@ -100,6 +101,31 @@ TEST(NumberMarks, StandForTheirRange) {
   EXPECT_THAT(marks.In({.low = 2, .high = 3, .excludes_low = true, .excludes_high = true}, 0),
               ElementsAre(Number{2, 1}, Number{3, -1}));
   EXPECT_THAT(marks.In({.low = 2, .high = 2, .excludes_low = true}, 0), ElementsAre());
+}
+
+// Numbers are what files say of them, however near a mark.
+TEST(NumberMarks, DoNotMoveEndsOfRanges) {
+  const auto check = [](const std::string& range, const std::string& asked) {
+    const GroundTask task = GroundText(
+        "domain n predicates: done functions: f: number\n"
+        "action finish preconds: K(f >= " +
+            asked + ") effects: add(Kf, done)",
+        "problem n domain n init: add(Kf, f = " + range + ") goal: K(done)");
+    return CheckTree(task, {.nodes = {ActOf(task, "finish", 1), PlanNode{}}, .root = NodeId(0)});
+  };
+  EXPECT_FALSE(check("[1700000000, 1700000001]", "1700000000.001").holds);
+  EXPECT_FALSE(check("[1e-13, 1]", "4e-13").holds);
+  EXPECT_TRUE(check("[4e-13, 1]", "4e-13").holds);
+}
+
+TEST(NumberMarks, StandForSumsThatAreRounded) {
+  const GroundTask task = GroundText("domain n functions: f: number",
+                                     "problem n domain n init: add(Kf, f = 1) goal: K(f < 2)");
+  const NumberMarks marks(task, {.nodes = {PlanNode{}}, .root = NodeId(0)});
+  const double below = std::nextafter(2, 0);
+  EXPECT_THAT(marks.BetweenSums({below}, {below}, 0),
+              ElementsAre(Number{below}, Number{2, -1}, Number{2}));
+  EXPECT_THAT(marks.BetweenSums({2}, {2}, 0), ElementsAre(Number{2}));
 }
 
 // Two numbers, each of which becomes a shift of either some times; then whether it is above a bound

@@ -245,5 +245,25 @@ TEST(PddlText, WhatWouldMeanSomethingElseIsRefused) {
               StartsWith("problem.pks:1:26: PDDL has no Kw and Kv in queries"));
 }
 
+// Independent unknowns would be worlds in which something is in two places.
+TEST(PddlText, OpenFunctionsHaveExactlyOneValue) {
+  const auto message = [](const std::string& init) {
+    return MessageOf([&] {
+      ToPddl(GroundText("domain d types: t constants: a, b, c: t predicates: p\n"
+                        "functions: f: t action go effects: K(f = a) => add(Kf, p)",
+                        "problem x domain d " + init + " goal: K(p)"),
+             "p");
+    });
+  };
+  EXPECT_EQ(message("init: add(Kx, f = b | f = a)"), "no error");
+  EXPECT_EQ(message("init: add(Kf, f = b)"), "no error");
+  EXPECT_EQ(message("init: add(Kf, f != b), add(Kf, f != c)"), "no error");
+  for (const char* init : {"", "init: add(Kx, f = a | p)", "init: add(Kx, some(f = a | f = b))"}) {
+    EXPECT_THAT(message(init),
+                HasSubstr("PDDL has no functions with several values or none, like f"))
+        << init;
+  }
+}
+
 }  // namespace
 }  // namespace assay::contingent

@@ -403,6 +403,48 @@ TEST(NotKnown, IsToldBySets) {
   EXPECT_FALSE(CheckBySets(task, tree)->holds);
 }
 
+// "Where the level is above 3", known or not: each world knows its level.
+TEST(Effects, UnderBoundsHappenInEachWorld) {
+  const auto check = [](const std::string& condition, const std::string& goal) {
+    const GroundTask task = GroundText(
+        "domain tank predicates: open, wet, done functions: level: number\n"
+        "action drain effects: K(" +
+            condition +
+            ") => add(Kf, wet), add(Kf, level = 0);\n"
+            "add(Kf, done)\n"
+            "action look effects: add(Kw, open)",
+        "problem tank domain tank init: add(Kf, level = [2, 5]), add(Kf, !wet) goal: " + goal);
+    const TreeCheck tree_check =
+        CheckTree(task, {.nodes = {ActOf(task, "drain", 1), PlanNode{}}, .root = NodeId(0)});
+    EXPECT_TRUE(tree_check.AreAllWorlds());
+    return tree_check.holds;
+  };
+  for (const char* condition : {"level > 3", "open & level > 3"}) {
+    EXPECT_FALSE(check(condition, "K(done) & K(!wet)")) << condition;
+    EXPECT_FALSE(check(condition, "K(done) & K(level >= 2)")) << condition;
+    EXPECT_TRUE(check(condition, "K(done) & K(level <= 5)")) << condition;
+  }
+  EXPECT_TRUE(check("level > 3", "K(done) & K(level <= 3)"));
+  EXPECT_FALSE(check("open & level > 3", "K(done) & K(level <= 3)"));
+  EXPECT_TRUE(check("level >= 2", "K(wet) & K(level <= 0)"));
+}
+
+// at is a, and p is not; or b, and q is not; or neither: p and q.
+TEST(Worlds, HaveOneValueOfEachFunction) {
+  const GroundTask task = GroundText(
+      "domain at types: place constants: a, b, c: place predicates: p, q, done\n"
+      "functions: at: place\n"
+      "action look effects: add(Kw, at = b)\n"
+      "action finish preconds: K(p) | K(at != b) effects: add(Kf, done)",
+      "problem at domain at init: add(Kx, at = a | p), add(Kx, at = b | q) goal: K(done)");
+  const PlanTree tree = {.nodes = {ActOf(task, "look", 1), BranchOf(task, "at = b", 2, 2),
+                                   ActOf(task, "finish", 3), PlanNode{}},
+                         .root = NodeId(0)};
+  EXPECT_THAT(EnumerateWorlds(task, NumberMarks(task, tree), 100, 1).worlds, SizeIs(3));
+  const TreeCheck check = CheckTree(task, tree);
+  EXPECT_TRUE(check.holds) << check.failure;
+}
+
 TEST(NoWorld, HoldsNothing) {
   GroundTask task = GroundText(
       "domain n functions: n: number predicates: g action a effects: add(Kf, n <= 1), add(Kf, g)",
