@@ -18,7 +18,8 @@ using domain::PartId;
 
 // What is known of where everything is, at one moment of a plan instance: the world description of
 // Spar's uncertainty-reduction level. Copies share their variables, so a copy must not outlive the
-// last of them; two copies that go on in different ways stay independent of each other.
+// last of them. Two copies that go on in different ways stay independent of each other, but declare
+// the same variables as long as they declare alike: no expression may join what the two know.
 class UncertainWorld {
  public:
   // As the problem begins.
@@ -49,7 +50,8 @@ class UncertainWorld {
   ManipulatorError DrawManipulator();
   // The table's height error where a part is put down: what the problem says of the part's z.
   Expression DrawTableHeight(PartId part);
-  // A new bounded variable that belongs to a part; a number if the interval has no width.
+  // A bounded variable that is new to this world and belongs to a part; a number if the interval
+  // has no width.
   Expression Declare(const std::string& stem, const Interval& range, PartId part);
   // The part's name, as the names of its variables end.
   std::string SymbolName(PartId part) const;
