@@ -10,6 +10,7 @@ namespace assay::contingent {
 Regression::Regression(KnowledgeSpace& space)
     : space_(space),
       knowledge_(space.knowledge()),
+      worlds_(knowledge_.worlds()),
       first_formula_(task().atoms.size()),
       first_function_(first_formula_ + task().formulas.size()),
       first_range_(first_function_ + task().functions.size()),
@@ -73,8 +74,7 @@ Requirement Regression::BeforeUpdates(const Requirement& after, StateId outcome)
       Keep(before, AspectOf(atom));
       for (const bool value : {true, false}) {
         if (!knowledge_.layout().IsKnown(space_.state(outcome), {atom, value})) continue;
-        before.worlds =
-            knowledge_.diagrams().Cofactor(before.worlds, {knowledge_.Variable(atom), value});
+        before.worlds = worlds_.Cofactor(before.worlds, {worlds_.Variable(atom), value});
       }
     }
   }
@@ -98,8 +98,7 @@ void Regression::Require(const GroundQuery& query, StateId state, Requirement& r
       return;
     }
     case GroundQuery::Kind::kKnown:
-      requirement.worlds =
-          knowledge_.diagrams().And(requirement.worlds, knowledge_.WorldsWhere(query.literal));
+      requirement.worlds = worlds_.And(requirement.worlds, worlds_.Where(query.literal));
       return;
     case GroundQuery::Kind::kNot:
     case GroundQuery::Kind::kBoundKnown:
@@ -162,18 +161,16 @@ Requirement Regression::WithTold(const GroundAction& action, const Requirement& 
 // made it false.
 void Regression::RegressWorlds(const GroundAction& action, StateId state, const Requirement& after,
                                Requirement& before) {
-  DecisionDiagrams& diagrams = knowledge_.diagrams();
   std::unordered_map<int, Diagram> becomes_true;
   std::unordered_map<int, Diagram> becomes_false;
-  OpenBounds bounds(task(), space_.state(state), diagrams);
+  OpenBounds bounds(task(), space_.state(state), worlds_);
   before.worlds = after.worlds;
   for (const GroundEffect& effect : action.effects) {
     if (!knowledge_.Holds(effect.condition, space_.state(state))) continue;
     for (const GroundChange& change : effect.changes) {
       if (change.kind != GroundChange::Kind::kRelate) continue;
-      before.worlds =
-          diagrams.Or(before.worlds,
-                      diagrams.Not(knowledge_.WorldsWhere(change.literals, change.is_inclusive)));
+      before.worlds = worlds_.Or(
+          before.worlds, worlds_.Not(worlds_.WhereOne(change.literals, change.is_inclusive)));
     }
   }
   for (const GroundEffect& effect : action.effects) {
@@ -181,15 +178,15 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
     if (!effect.is_of_worlds || HasBound(effect.condition)) KeepAsked(effect.condition, before);
     for (const GroundChange& change : effect.changes) {
       if (change.kind == GroundChange::Kind::kForget && (happens || effect.is_of_worlds)) {
-        const int variable = knowledge_.Variable(change.literal.atom);
-        before.worlds = diagrams.ForAll(before.worlds, variable);
+        const int variable = worlds_.Variable(change.literal.atom);
+        before.worlds = worlds_.ForAll(before.worlds, variable);
       }
       if (change.kind != GroundChange::Kind::kSet || (!happens && !effect.is_of_worlds)) continue;
       const Diagram where =
-          effect.is_of_worlds ? knowledge_.WorldsWhere(effect.condition, bounds) : kAllSets;
+          effect.is_of_worlds ? worlds_.Where(effect.condition, bounds) : kAllSets;
       auto& becomes = change.literal.is_positive ? becomes_true : becomes_false;
-      Diagram& there = becomes[knowledge_.Variable(change.literal.atom)];
-      there = diagrams.Or(there, where);
+      Diagram& there = becomes[worlds_.Variable(change.literal.atom)];
+      there = worlds_.Or(there, where);
     }
   }
   std::unordered_map<int, Diagram> now = becomes_true;
@@ -197,12 +194,11 @@ void Regression::RegressWorlds(const GroundAction& action, StateId state, const 
   for (auto& [variable, value] : now) {
     const auto falsified = becomes_false.find(variable);
     const Diagram stays =
-        falsified != becomes_false.end() ? diagrams.Not(falsified->second) : kAllSets;
-    value = diagrams.Or(value, diagrams.And(diagrams.Literal({variable, true}), stays));
+        falsified != becomes_false.end() ? worlds_.Not(falsified->second) : kAllSets;
+    value = worlds_.Or(value, worlds_.And(worlds_.Literal({variable, true}), stays));
   }
-  before.worlds =
-      diagrams.Or(diagrams.Compose(before.worlds, now), diagrams.Not(bounds.Together()));
-  for (const int bound : bounds.Variables()) before.worlds = diagrams.ForAll(before.worlds, bound);
+  before.worlds = worlds_.Or(worlds_.Compose(before.worlds, now), worlds_.Not(bounds.Together()));
+  for (const int bound : bounds.Variables()) before.worlds = worlds_.ForAll(before.worlds, bound);
 }
 
 // What of a state the change is of.
@@ -264,8 +260,8 @@ void Regression::RegressAspects(const GroundAction& action, const Requirement& a
 void Regression::KeepRelation(AtomId atom, StateId state, Requirement& requirement) {
   if (requirement.same.empty()) return;
   const Diagram relation = knowledge_.RelationOf(space_.state(state), atom);
-  for (const int variable : knowledge_.diagrams().Support(relation)) {
-    if (Keeps(requirement, AspectOf(knowledge_.AtomOf(variable)))) {
+  for (const int variable : worlds_.Support(relation)) {
+    if (Keeps(requirement, AspectOf(worlds_.AtomOf(variable)))) {
       Keep(requirement, AspectOf(atom));
       return;
     }
@@ -278,19 +274,17 @@ Requirement Regression::OfFormula(StateId state, FormulaId formula, const Requir
   KeepAll(before, if_true.same);
   KeepAll(before, if_false.same);
   const Formula& asked = task().formulas[formula.index()];
-  DecisionDiagrams& diagrams = knowledge_.diagrams();
   if (asked.bound) {
-    before.worlds = diagrams.And(if_true.worlds, if_false.worlds);
+    before.worlds = worlds_.And(if_true.worlds, if_false.worlds);
     Keep(before, AspectOfRange(asked.bound->function));
   } else {
-    Diagram where = kAllSets;
     for (const GroundLiteral& literal : asked.literals) {
-      where = diagrams.And(where, knowledge_.WorldsWhere(literal));
       KeepRelation(literal.atom, state, before);
       // A conjunction branches when one of its literals is left.
       if (asked.literals.size() > 1) Keep(before, AspectOf(literal.atom));
     }
-    before.worlds = diagrams.IfThenElse(where, if_true.worlds, if_false.worlds);
+    before.worlds =
+        worlds_.IfThenElse(worlds_.WhereAll(asked.literals), if_true.worlds, if_false.worlds);
   }
   Keep(before, AspectOf(formula));
   return before;
@@ -298,13 +292,12 @@ Requirement Regression::OfFormula(StateId state, FormulaId formula, const Requir
 
 Requirement Regression::OfValue(StateId state, const Transition& transition,
                                 const std::vector<Requirement>& after) {
-  DecisionDiagrams& diagrams = knowledge_.diagrams();
   Requirement before;
   before.worlds = kEmptySet;
   for (std::size_t i = 0; i < transition.values.size(); ++i) {
     KeepAll(before, after[i].same);
-    const Diagram where = knowledge_.WorldsWhere(GroundLiteral{transition.values[i], true});
-    before.worlds = diagrams.Or(before.worlds, diagrams.And(where, after[i].worlds));
+    const Diagram where = worlds_.Where(GroundLiteral{transition.values[i], true});
+    before.worlds = worlds_.Or(before.worlds, worlds_.And(where, after[i].worlds));
   }
   // The branches must be the same ones.
   for (const AtomId value : transition.values) {

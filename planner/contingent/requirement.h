@@ -67,6 +67,7 @@ class Regression {
 
   KnowledgeSpace& space_;
   KnowledgeBase& knowledge_;
+  WorldSets& worlds_;
   std::size_t first_formula_;
   std::size_t first_function_;
   std::size_t first_range_;

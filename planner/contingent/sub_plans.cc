@@ -74,9 +74,9 @@ bool SubPlans::Suits(const Entry& entry, StateId state) {
 void SubPlans::File(Entry& entry, int index) {
   if (entry.requirement.worlds == kEmptySet) return;
   std::vector<int>* fewest = nullptr;
-  KnowledgeBase& knowledge = space_.knowledge();
-  for (const Assignment& a : knowledge.diagrams().Essential(entry.requirement.worlds)) {
-    const AtomId atom = knowledge.AtomOf(a.variable);
+  WorldSets& worlds = space_.knowledge().worlds();
+  for (const Assignment& a : worlds.Essential(entry.requirement.worlds)) {
+    const AtomId atom = worlds.AtomOf(a.variable);
     entry.literals.push_back({atom, a.value});
     std::vector<int>& filed = by_atom_[atom.index()];
     if (a.value && (fewest == nullptr || filed.size() < fewest->size())) fewest = &filed;

@@ -47,19 +47,20 @@ std::vector<FalseClaim> Audit::FalseClaims(KnowledgeBase& knowledge, const Knowl
 std::vector<FalseClaim> Audit::FalseRelations(KnowledgeBase& knowledge, const KnowledgeState& state,
                                               const Truth& truth, int step) const {
   const contingent::GroundTask& task = interpretation_.task;
+  contingent::WorldSets& worlds = knowledge.worlds();
   std::vector<FalseClaim> found;
   for (const contingent::Diagram relation : state.relations) {
     std::vector<contingent::Assignment> truths;
     std::vector<std::string> atoms;
     std::vector<std::string> literals;
-    for (const int variable : knowledge.diagrams().Support(relation)) {
-      const AtomId atom = knowledge.AtomOf(variable);
+    for (const int variable : worlds.Support(relation)) {
+      const AtomId atom = worlds.AtomOf(variable);
       if (interpretation_.MeaningOf(atom) == nullptr) continue;
       truths.push_back({variable, IsTrue(atom, truth)});
       atoms.push_back(task.atoms[atom.index()]);
       literals.push_back(TextOf(task, contingent::GroundLiteral{atom, truths.back().value}));
     }
-    if (knowledge.diagrams().Restrict(relation, truths) != contingent::kEmptySet) continue;
+    if (worlds.Restrict(relation, truths) != contingent::kEmptySet) continue;
     found.push_back({step, fmt::format("Kx of {}", fmt::join(atoms, ", ")), true, false,
                      fmt::format("{}", fmt::join(literals, " & "))});
   }

@@ -1,0 +1,75 @@
+#include "planner/contingent/knowledge_queries.h"
+
+#include <algorithm>
+
+namespace assay::contingent {
+
+bool KnowledgeQueries::Holds(const GroundQuery& query, const KnowledgeState& state) const {
+  const auto holds = [&](const GroundQuery& operand) { return Holds(operand, state); };
+  switch (query.kind) {
+    case GroundQuery::Kind::kAnd:
+      return std::all_of(query.operands.begin(), query.operands.end(), holds);
+    case GroundQuery::Kind::kOr:
+      return std::any_of(query.operands.begin(), query.operands.end(), holds);
+    case GroundQuery::Kind::kNot:
+      return !MayHold(query.operands.front(), state);
+    case GroundQuery::Kind::kKnown:
+      return layout_.IsKnown(state, query.literal);
+    case GroundQuery::Kind::kBoundKnown:
+      return numbers_.Holds(query.bound, state);
+    case GroundQuery::Kind::kSensed:
+      return layout_.IsSensed(state, query.formula);
+    case GroundQuery::Kind::kValueSensed:
+      return IsValueKnown(query, state);
+  }
+  return false;
+}
+
+bool KnowledgeQueries::MayHold(const GroundQuery& query, const KnowledgeState& state) const {
+  const auto may_hold = [&](const GroundQuery& operand) { return MayHold(operand, state); };
+  switch (query.kind) {
+    case GroundQuery::Kind::kAnd:
+      return std::all_of(query.operands.begin(), query.operands.end(), may_hold);
+    case GroundQuery::Kind::kOr:
+      return std::any_of(query.operands.begin(), query.operands.end(), may_hold);
+    case GroundQuery::Kind::kNot:
+      return !Holds(query.operands.front(), state);
+    case GroundQuery::Kind::kKnown:
+    case GroundQuery::Kind::kSensed:
+      return Holds(query, state);
+    case GroundQuery::Kind::kBoundKnown:
+      return numbers_.MayHold(query.bound, state);
+    case GroundQuery::Kind::kValueSensed:
+      return IsValueKnown(query, state) || (numbers_.IsNumber(query.function) &&
+                                            numbers_.RangeOf(query.function, state).is_outer);
+  }
+  return false;
+}
+
+bool KnowledgeQueries::IsValueKnown(const GroundQuery& query, const KnowledgeState& state) const {
+  const bool is_sensed = layout_.IsSensed(state, query.function);
+  if (!numbers_.IsNumber(query.function)) return is_sensed;
+  const Range& range = numbers_.RangeOf(query.function, state);
+  return range.high - range.low <= 2 * query.within.value_or(0) ||
+         (is_sensed && (!query.within || range.error <= *query.within));
+}
+
+bool KnowledgeQueries::IsDetermined(const Formula& formula, const KnowledgeState& state) const {
+  if (formula.bound) {
+    return numbers_.Holds(*formula.bound, state) || numbers_.Holds(Negation(*formula.bound), state);
+  }
+  bool are_all_true = true;
+  for (const GroundLiteral& literal : formula.literals) {
+    if (layout_.IsKnown(state, {literal.atom, !literal.is_positive})) return true;
+    are_all_true &= layout_.IsKnown(state, literal);
+  }
+  return are_all_true;
+}
+
+bool KnowledgeQueries::IsDetermined(FunctionId function, const KnowledgeState& state) const {
+  return std::ranges::any_of(task_.functions[function.index()].values, [&](AtomId value) {
+    return layout_.IsKnown(state, {value, true});
+  });
+}
+
+}  // namespace assay::contingent
