@@ -30,6 +30,10 @@ class AtomKnowledge {
 
   // Whether all worlds that the state allows are in the set.
   bool IsWithin(const KnowledgeState& state, Diagram worlds);
+  // Whether the literals all hold in no world that the state allows.
+  bool NeverHold(const KnowledgeState& state, const std::vector<GroundLiteral>& literals) {
+    return IsWithin(state, worlds_.Not(worlds_.WhereAll(literals)));
+  }
   // The set with what is known put in.
   Diagram Restricted(Diagram worlds, const KnowledgeState& state);
   // What Kx and unique names say together of the atoms of a set, and of those related to them.

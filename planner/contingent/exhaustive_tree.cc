@@ -186,10 +186,10 @@ class Search {
     if (transition.step.kind != PlanNode::Kind::kWhether || tells_something_) return false;
     KnowledgeBase& knowledge = space_.knowledge();
     const KnowledgeState& here = space_.state(state);
-    const GroundLiteral literal = knowledge.UndeterminedLiteral(transition.step.formula, here);
-    if (literal.atom.IsNone()) return false;  // a bound
-    return knowledge.RelationOf(here, literal.atom) == kAllSets &&
-           !conditionally_changed_.contains(literal.atom);
+    const auto literals = knowledge.UndeterminedLiterals(transition.step.formula, here);
+    if (literals.size() != 1) return false;  // a bound, or a conjunction
+    const AtomId atom = literals.front().atom;
+    return knowledge.RelationOf(here, atom) == kAllSets && !conditionally_changed_.contains(atom);
   }
 
   // Atoms that an effect changes in some worlds alone, so that they may become unknown without

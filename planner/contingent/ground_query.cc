@@ -60,7 +60,7 @@ bool AsksOfTheWorld(const GroundQuery& query) {
     case GroundQuery::Kind::kOr:
       return std::all_of(query.operands.begin(), query.operands.end(), AsksOfTheWorld);
     case GroundQuery::Kind::kNot:
-    case GroundQuery::Kind::kSensed:
+    case GroundQuery::Kind::kKnownWhether:
     case GroundQuery::Kind::kValueSensed:
       return false;
   }

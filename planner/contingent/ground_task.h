@@ -79,10 +79,10 @@ struct GroundQuery {
     kAnd,  // of none: true
     kOr,   // of none: false
     kNot,
-    kKnown,        // the literal is known
-    kBoundKnown,   // the bound surely holds
-    kSensed,       // the formula is in Kw
-    kValueSensed,  // the function is in Kv, or a number; with an error of `within` at most
+    kKnown,         // the literal is known
+    kBoundKnown,    // the bound surely holds
+    kKnownWhether,  // the formula is in Kw, or known to be true, or to be false
+    kValueSensed,   // the function is in Kv, or a number; with an error of `within` at most
   };
   Kind kind = Kind::kAnd;
   GroundLiteral literal;

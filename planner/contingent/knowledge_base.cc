@@ -10,9 +10,9 @@ namespace assay::contingent {
 KnowledgeBase::KnowledgeBase(const GroundTask& task)
     : task_(task),
       layout_(task),
-      queries_(task),
       numbers_(task),
       atoms_(task),
+      queries_(task, atoms_),
       progression_(task, atoms_) {}
 
 KnowledgeState KnowledgeBase::Initial() {
@@ -110,23 +110,18 @@ void KnowledgeBase::Canonicalize(KnowledgeState& state) const {
 
 // ---- Branches
 
-GroundLiteral KnowledgeBase::UndeterminedLiteral(FormulaId formula,
-                                                 const KnowledgeState& state) const {
-  for (const GroundLiteral& literal : task_.formulas[formula.index()].literals) {
-    if (layout_.IsUndetermined(state, literal.atom)) return literal;
-  }
-  return {};
+std::vector<GroundLiteral> KnowledgeBase::UndeterminedLiterals(FormulaId formula,
+                                                               const KnowledgeState& state) const {
+  std::vector<GroundLiteral> literals = task_.formulas[formula.index()].literals;
+  std::erase_if(literals, [&](const GroundLiteral& literal) {
+    return !layout_.IsUndetermined(state, literal.atom);
+  });
+  return literals;
 }
 
 FormulaId KnowledgeBase::FormulaToBranch(const KnowledgeState& state) const {
   for (std::size_t f = 0; f < task_.formulas.size(); ++f) {
-    const FormulaId formula(f);
-    if (!layout_.IsSensed(state, formula)) continue;
-    const std::vector<GroundLiteral>& literals = task_.formulas[f].literals;
-    const auto undetermined = std::count_if(
-        literals.begin(), literals.end(),
-        [&](const GroundLiteral& literal) { return layout_.IsUndetermined(state, literal.atom); });
-    if (undetermined == 1 || task_.formulas[f].bound) return formula;
+    if (layout_.IsSensed(state, FormulaId(f))) return FormulaId(f);
   }
   return FormulaId::None();
 }

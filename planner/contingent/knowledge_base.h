@@ -50,9 +50,8 @@ class KnowledgeBase {
   // it cannot be told whether an effect or a rule happens.
   std::optional<KnowledgeState> After(const GroundAction& action, const KnowledgeState& state);
 
-  // A formula of Kw that branches now: it has one undetermined literal, all others are known to be
-  // true (a conjunction's negation could else not be told), or it is a bound. None if there is
-  // none.
+  // The first formula of Kw; none if Kw is empty. That a conjunction is false may settle none of
+  // its literals, but relates them.
   FormulaId FormulaToBranch(const KnowledgeState& state) const;
   // The functions of Kv whose possible values Kx tells.
   std::vector<FunctionId> FunctionsToBranch(const KnowledgeState& state);
@@ -64,8 +63,8 @@ class KnowledgeBase {
   std::optional<KnowledgeState> Learned(const KnowledgeState& state, FormulaId formula, bool value);
   std::optional<KnowledgeState> Learned(const KnowledgeState& state, GroundLiteral literal);
 
-  // The one undetermined literal of a formula that branches; none of a bound.
-  GroundLiteral UndeterminedLiteral(FormulaId formula, const KnowledgeState& state) const;
+  std::vector<GroundLiteral> UndeterminedLiterals(FormulaId formula,
+                                                  const KnowledgeState& state) const;
 
  private:
   // The first of the relations that contradicts what is known or those before; null: none does.
@@ -85,9 +84,9 @@ class KnowledgeBase {
 
   const GroundTask& task_;
   StateLayout layout_;
-  KnowledgeQueries queries_;
   NumberKnowledge numbers_;
   AtomKnowledge atoms_;
+  KnowledgeQueries queries_;
   KnowledgeProgression progression_;
 };
 

@@ -21,7 +21,7 @@ class KnowledgeProgression {
  public:
   // Keeps references.
   KnowledgeProgression(const GroundTask& task, AtomKnowledge& atoms)
-      : task_(task), layout_(task), queries_(task), numbers_(task), atoms_(atoms) {}
+      : task_(task), layout_(task), queries_(task, atoms), numbers_(task), atoms_(atoms) {}
 
   // None if an effect on Kx or on bounds contradicts what is known, or may do so, if a function may
   // get two values, or if it cannot be told whether an effect happens.

@@ -17,8 +17,9 @@ bool KnowledgeQueries::Holds(const GroundQuery& query, const KnowledgeState& sta
       return layout_.IsKnown(state, query.literal);
     case GroundQuery::Kind::kBoundKnown:
       return numbers_.Holds(query.bound, state);
-    case GroundQuery::Kind::kSensed:
-      return layout_.IsSensed(state, query.formula);
+    case GroundQuery::Kind::kKnownWhether:
+      return layout_.IsSensed(state, query.formula) ||
+             IsDetermined(task_.formulas[query.formula.index()], state);
     case GroundQuery::Kind::kValueSensed:
       return IsValueKnown(query, state);
   }
@@ -35,7 +36,7 @@ bool KnowledgeQueries::MayHold(const GroundQuery& query, const KnowledgeState& s
     case GroundQuery::Kind::kNot:
       return !Holds(query.operands.front(), state);
     case GroundQuery::Kind::kKnown:
-    case GroundQuery::Kind::kSensed:
+    case GroundQuery::Kind::kKnownWhether:
       return Holds(query, state);
     case GroundQuery::Kind::kBoundKnown:
       return numbers_.MayHold(query.bound, state);
@@ -58,12 +59,12 @@ bool KnowledgeQueries::IsDetermined(const Formula& formula, const KnowledgeState
   if (formula.bound) {
     return numbers_.Holds(*formula.bound, state) || numbers_.Holds(Negation(*formula.bound), state);
   }
-  bool are_all_true = true;
+  int open = 0;
   for (const GroundLiteral& literal : formula.literals) {
     if (layout_.IsKnown(state, {literal.atom, !literal.is_positive})) return true;
-    are_all_true &= layout_.IsKnown(state, literal);
+    open += layout_.IsKnown(state, literal) ? 0 : 1;
   }
-  return are_all_true;
+  return open == 0 || (open > 1 && atoms_.NeverHold(state, formula.literals));
 }
 
 bool KnowledgeQueries::IsDetermined(FunctionId function, const KnowledgeState& state) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/contingent/atom_knowledge.h"
 #include "planner/contingent/ground_task.h"
 #include "planner/contingent/knowledge_state.h"
 #include "planner/contingent/number_knowledge.h"
@@ -9,8 +10,9 @@ namespace assay::contingent {
 // What a state answers.
 class KnowledgeQueries {
  public:
-  // Keeps a reference to the task.
-  explicit KnowledgeQueries(const GroundTask& task) : task_(task), layout_(task), numbers_(task) {}
+  // Keeps references.
+  KnowledgeQueries(const GroundTask& task, AtomKnowledge& atoms)
+      : task_(task), layout_(task), numbers_(task), atoms_(atoms) {}
 
   // Surely: that something is not known does not hold where more may be known than the state says
   // (of numbers that hang together with others).
@@ -28,6 +30,7 @@ class KnowledgeQueries {
   const GroundTask& task_;
   StateLayout layout_;
   NumberKnowledge numbers_;
+  AtomKnowledge& atoms_;
 };
 
 }  // namespace assay::contingent

@@ -82,7 +82,7 @@ class Writer {
         return LiteralText(query.literal);
       case GroundQuery::Kind::kNot:
         Fail("queries of what is not known");
-      case GroundQuery::Kind::kSensed:
+      case GroundQuery::Kind::kKnownWhether:
       case GroundQuery::Kind::kValueSensed:
         Fail("Kw and Kv in queries");
       case GroundQuery::Kind::kBoundKnown:

@@ -34,8 +34,7 @@ GroundQuery QueryGrounding::QueryOf(const Query& query, Bindings bindings) {
   return Joined(is_and ? GroundQuery::Kind::kAnd : GroundQuery::Kind::kOr, std::move(parts));
 }
 
-// Kw(a & b): sensed, or both known true, or one of them known false (facts on PKS: Kw(a) holds
-// if K(a) or K(!a) does).
+// Kw(a) holds if K(a) or K(!a) does: what is said so, the relaxed graph sees, too.
 GroundQuery QueryGrounding::KnownWhether(const Query& query, const Bindings& bindings) {
   std::vector<GroundQuery> all;
   std::vector<GroundQuery> ways;
@@ -47,10 +46,10 @@ GroundQuery QueryGrounding::KnownWhether(const Query& query, const Bindings& bin
   }
   ways.push_back(Joined(GroundQuery::Kind::kAnd, std::move(all)));
   if (const auto formula = FormulaOf(query.literals, bindings)) {
-    GroundQuery sensed;
-    sensed.kind = GroundQuery::Kind::kSensed;
-    sensed.formula = *formula;
-    ways.push_back(std::move(sensed));
+    GroundQuery whether;
+    whether.kind = GroundQuery::Kind::kKnownWhether;
+    whether.formula = *formula;
+    ways.push_back(std::move(whether));
   }
   return Joined(GroundQuery::Kind::kOr, std::move(ways));
 }

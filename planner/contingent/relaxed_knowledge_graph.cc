@@ -47,7 +47,7 @@ void RelaxedKnowledgeGraph::AddNeeds(const GroundQuery& query, std::vector<Propo
     case GroundQuery::Kind::kKnown:
       needs.push_back(Known(query.literal));
       return;
-    case GroundQuery::Kind::kSensed:
+    case GroundQuery::Kind::kKnownWhether:
       needs.push_back(Sensed(query.formula));
       return;
     case GroundQuery::Kind::kValueSensed:

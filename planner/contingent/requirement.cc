@@ -100,20 +100,35 @@ void Regression::Require(const GroundQuery& query, StateId state, Requirement& r
     case GroundQuery::Kind::kKnown:
       requirement.worlds = worlds_.And(requirement.worlds, worlds_.Where(query.literal));
       return;
+    case GroundQuery::Kind::kKnownWhether:
+      if (!knowledge_.layout().IsSensed(here, query.formula)) {
+        RequireDetermined(query.formula, here, requirement);
+        return;
+      }
+      [[fallthrough]];
     case GroundQuery::Kind::kNot:
     case GroundQuery::Kind::kBoundKnown:
-    case GroundQuery::Kind::kSensed:
     case GroundQuery::Kind::kValueSensed:
       KeepAsked(query, requirement);
       return;
   }
 }
 
+void Regression::RequireDetermined(FormulaId formula, const KnowledgeState& here,
+                                   Requirement& requirement) {
+  const Formula& determined = task().formulas[formula.index()];
+  if (determined.bound) return Keep(requirement, AspectOfRange(determined.bound->function));
+  const Diagram holds = worlds_.WhereAll(determined.literals);
+  const Diagram where = knowledge_.IsWithin(here, holds) ? holds : worlds_.Not(holds);
+  requirement.worlds = worlds_.And(requirement.worlds, where);
+}
+
 void Regression::KeepAsked(const GroundQuery& query, Requirement& requirement) const {
   switch (query.kind) {
     case GroundQuery::Kind::kKnown:
       return Keep(requirement, AspectOf(query.literal.atom));
-    case GroundQuery::Kind::kSensed:
+    case GroundQuery::Kind::kKnownWhether:
+      KeepDetermining(query.formula, requirement);
       return Keep(requirement, AspectOf(query.formula));
     case GroundQuery::Kind::kValueSensed:
       if (task().functions[query.function.index()].slot >= 0) {
@@ -128,6 +143,12 @@ void Regression::KeepAsked(const GroundQuery& query, Requirement& requirement) c
       for (const GroundQuery& operand : query.operands) KeepAsked(operand, requirement);
       return;
   }
+}
+
+void Regression::KeepDetermining(FormulaId formula, Requirement& requirement) const {
+  const Formula& asked = task().formulas[formula.index()];
+  if (asked.bound) Keep(requirement, AspectOfRange(asked.bound->function));
+  for (const GroundLiteral& literal : asked.literals) Keep(requirement, AspectOf(literal.atom));
 }
 
 // ---- Actions

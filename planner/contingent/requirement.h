@@ -54,6 +54,10 @@ class Regression {
   Requirement BeforeUpdates(const Requirement& after, StateId outcome);
   // Adds what makes the query hold, given that it holds in the state.
   void Require(const GroundQuery& query, StateId state, Requirement& requirement);
+  // Adds what the formula is known to be in the state, true or false.
+  void RequireDetermined(FormulaId formula, const KnowledgeState& here, Requirement& requirement);
+  // Keeps what tells whether the formula is true.
+  void KeepDetermining(FormulaId formula, Requirement& requirement) const;
   // Keeps everything that the query asks of.
   void KeepAsked(const GroundQuery& query, Requirement& requirement) const;
   Requirement WithTold(const GroundAction& action, const Requirement& after) const;

@@ -106,6 +106,14 @@ class SymbolicCheck {
     return where;
   }
 
+  Diagram WorldsWhere(const Formula& conjunction) {
+    Diagram where = kAllSets;
+    for (const GroundLiteral& l : conjunction.literals) {
+      where = diagrams_.And(where, WorldsWhere(l));
+    }
+    return where;
+  }
+
   // ---- Initial worlds
 
   // By what relations say.
@@ -246,13 +254,24 @@ class SymbolicCheck {
         return SurelyFails(query.operands.front(), here);
       case GroundQuery::Kind::kKnown:
         return diagrams_.Implies(here.worlds, WorldsWhere(query.literal));
-      case GroundQuery::Kind::kSensed:
-        return here.sensed.contains(query.formula);
+      case GroundQuery::Kind::kKnownWhether:
+        return here.sensed.contains(query.formula) || IsDetermined(query.formula, here);
       case GroundQuery::Kind::kBoundKnown:
       case GroundQuery::Kind::kValueSensed:
         break;
     }
     return false;
+  }
+
+  bool IsDetermined(FormulaId formula, const Arrivals& here) {
+    const Diagram where = WorldsWhere(task_.formulas[formula.index()]);
+    return diagrams_.Implies(here.worlds, where) || diagrams_.And(here.worlds, where) == kEmptySet;
+  }
+
+  // Then it is true in some worlds of each way and false in others.
+  bool IsOpen(FormulaId formula, const Arrivals& here) const {
+    return std::ranges::all_of(task_.formulas[formula.index()].literals,
+                               [&](const GroundLiteral& l) { return here.open.contains(l.atom); });
   }
 
   // On every way. Worlds of different ways are in one set: that some have the literal and some have
@@ -269,8 +288,8 @@ class SymbolicCheck {
       case GroundQuery::Kind::kKnown:
         return here.open.contains(query.literal.atom) ||
                diagrams_.And(here.worlds, WorldsWhere(query.literal)) == kEmptySet;
-      case GroundQuery::Kind::kSensed:
-        return !here.sensed_somewhere.contains(query.formula);
+      case GroundQuery::Kind::kKnownWhether:
+        return !here.sensed_somewhere.contains(query.formula) && IsOpen(query.formula, here);
       case GroundQuery::Kind::kBoundKnown:
       case GroundQuery::Kind::kValueSensed:
         break;
@@ -280,10 +299,7 @@ class SymbolicCheck {
 
   // That worlds of both cases come, which may be on different ways, does not refute the tree.
   void Branch(const PlanNode& node, const Arrivals& here) {
-    Diagram where = kAllSets;
-    for (const GroundLiteral& l : task_.formulas[node.formula.index()].literals) {
-      where = diagrams_.And(where, WorldsWhere(l));
-    }
+    const Diagram where = WorldsWhere(task_.formulas[node.formula.index()]);
     const Diagram if_true = diagrams_.And(here.worlds, where);
     const Diagram if_false = diagrams_.And(here.worlds, diagrams_.Not(where));
     const bool is_open = if_true != kEmptySet && if_false != kEmptySet;

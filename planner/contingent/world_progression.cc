@@ -120,12 +120,20 @@ Answer WorldProgression::Ask(const GroundQuery& query, const History& history) c
       return told(in_all(query.literal));
     case GroundQuery::Kind::kBoundKnown:
       return told(in_all(query.bound));
-    case GroundQuery::Kind::kSensed:
-      return told(history.sensed.contains(query.formula));
+    case GroundQuery::Kind::kKnownWhether:
+      return told(history.sensed.contains(query.formula) || IsDetermined(query.formula, history));
     case GroundQuery::Kind::kValueSensed:
       return told(IsValueKnown(query, history));
   }
   return Answer::kNo;
+}
+
+bool WorldProgression::IsDetermined(FormulaId formula, const History& history) const {
+  const auto is_true = [&](const World& world) {
+    return IsTrue(task_.formulas[formula.index()], world);
+  };
+  return std::ranges::all_of(history.worlds, is_true) ||
+         std::ranges::none_of(history.worlds, is_true);
 }
 
 bool WorldProgression::IsValueKnown(const GroundQuery& query, const History& history) const {

@@ -132,7 +132,7 @@ bool Audit::Holds(const GroundQuery& query, const Truth& truth) const {
       return interpretation_.QuantityOf(query.bound.function) == nullptr ||
              enact::Holds(query.bound, TrueValue(query.bound.function, truth));
     case GroundQuery::Kind::kNot:
-    case GroundQuery::Kind::kSensed:
+    case GroundQuery::Kind::kKnownWhether:
     case GroundQuery::Kind::kValueSensed:
       return true;
   }

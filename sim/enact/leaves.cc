@@ -73,9 +73,12 @@ class LeafSearch {
       way.bounds.push_back(value ? *bound : Negation(*bound));
       return;
     }
-    GroundLiteral literal = knowledge_.UndeterminedLiteral(formula, state);
-    literal.is_positive = literal.is_positive == value;
-    way.literals.push_back(literal);
+    std::vector<GroundLiteral> literals = knowledge_.UndeterminedLiterals(formula, state);
+    if (!value && literals.size() > 1) return way.denied.push_back(std::move(literals));
+    for (GroundLiteral& literal : literals) {
+      literal.is_positive = literal.is_positive == value;
+      way.literals.push_back(literal);
+    }
   }
 
   const contingent::GroundTask& task_;
@@ -216,6 +219,22 @@ class WorldSearch {
   std::string no_mishap_;  // why one that is needed cannot be
 };
 
+// By which literal of each denied conjunction is false.
+std::vector<Leaf> CasesOf(const Leaf& leaf) {
+  std::vector<Leaf> cases = {leaf};
+  for (const std::vector<GroundLiteral>& conjunction : leaf.denied) {
+    std::vector<Leaf> longer;
+    for (const Leaf& shorter : cases) {
+      for (const GroundLiteral& literal : conjunction) {
+        longer.push_back(shorter);
+        longer.back().literals.push_back({literal.atom, !literal.is_positive});
+      }
+    }
+    cases = std::move(longer);
+  }
+  return cases;
+}
+
 }  // namespace
 
 std::string Leaf::Text() const {
@@ -247,7 +266,15 @@ std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
                                                  const Interpretation& interpretation,
                                                  const domain::Problem& problem,
                                                  RandomStream& random) {
-  return WorldSearch(leaf, interpretation, problem, random).Find();
+  const std::vector<Leaf> cases = CasesOf(leaf);
+  const std::size_t first = cases.size() > 1 ? random.Index(static_cast<int>(cases.size())) : 0;
+  std::variant<HiddenWorld, std::string> found;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    const Leaf& next = cases[(first + i) % cases.size()];
+    found = WorldSearch(next, interpretation, problem, random).Find();
+    if (std::holds_alternative<HiddenWorld>(found)) break;
+  }
+  return found;
 }
 
 std::optional<HiddenWorld> WorldFor(const Leaf& leaf, const Interpretation& interpretation,

@@ -16,6 +16,7 @@ namespace assay::enact {
 struct Leaf {
   std::vector<TakenBranch> branches;
   std::vector<contingent::GroundLiteral> literals;
+  std::vector<std::vector<contingent::GroundLiteral>> denied;  // not all hold, of each
   std::vector<contingent::Bound> bounds;
   bool is_repeat = false;
 

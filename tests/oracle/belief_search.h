@@ -13,8 +13,8 @@ namespace assay::oracle {
 
 // Contingent planning the long way: beliefs are sets of worlds, one by one, and trees are looked
 // for with one action more each time. To be trusted for a few atoms without functions and update
-// rules, effects whose conditions are of worlds or of what is known, sensing of single atoms, and
-// deletions that are unconditional.
+// rules, effects whose conditions are of worlds or of what is known, sensing that is branched on at
+// once, and deletions that are unconditional.
 class BeliefSearch {
  public:
   explicit BeliefSearch(const contingent::GroundTask& task) : task_(task) {}
@@ -52,6 +52,11 @@ class BeliefSearch {
     return belief;
   }
 
+  static bool Is(World world, const contingent::Formula& conjunction) {
+    return std::all_of(conjunction.literals.begin(), conjunction.literals.end(),
+                       [&](const contingent::GroundLiteral& l) { return Is(world, l); });
+  }
+
   static bool IsTrue(const Query& condition, World world) {
     const auto is_true = [&](const Query& operand) { return IsTrue(operand, world); };
     const auto& operands = condition.operands;
@@ -62,7 +67,7 @@ class BeliefSearch {
   }
 
   // `sensed`: what has been sensed and not yet told by a branch.
-  static bool IsKnown(const Query& query, const Belief& belief, const Sensed& sensed = {}) {
+  bool IsKnown(const Query& query, const Belief& belief, const Sensed& sensed = {}) const {
     const auto is_known = [&](const Query& operand) { return IsKnown(operand, belief, sensed); };
     const auto& operands = query.operands;
     switch (query.kind) {
@@ -71,8 +76,14 @@ class BeliefSearch {
                            [&](World world) { return Is(world, query.literal); });
       case Query::Kind::kNot:
         return !is_known(operands.front());
-      case Query::Kind::kSensed:
-        return sensed.contains(query.formula);
+      case Query::Kind::kKnownWhether: {
+        const auto is_true = [&](World world) {
+          return Is(world, task_.formulas[query.formula.index()]);
+        };
+        return sensed.contains(query.formula) ||
+               std::all_of(belief.begin(), belief.end(), is_true) ||
+               std::none_of(belief.begin(), belief.end(), is_true);
+      }
       case Query::Kind::kAnd:
         return std::all_of(operands.begin(), operands.end(), is_known);
       default:
@@ -117,7 +128,7 @@ class BeliefSearch {
     return changed;
   }
 
-  static Sensed SensedBy(const contingent::GroundAction& action, const Belief& belief) {
+  Sensed SensedBy(const contingent::GroundAction& action, const Belief& belief) const {
     Sensed sensed;
     for (const contingent::GroundEffect& effect : action.effects) {
       if (!IsKnown(effect.condition, belief)) continue;
@@ -132,7 +143,7 @@ class BeliefSearch {
   bool CanSolveSensed(const Belief& belief, Sensed sensed, int depth) {
     if (sensed.empty()) return CanSolve(belief, depth);
     if (IsKnown(task_.goal, belief, sensed)) return true;
-    const auto& asked = task_.formulas[sensed.begin()->index()].literals.front();
+    const auto& asked = task_.formulas[sensed.begin()->index()];
     sensed.erase(sensed.begin());
     Belief parts[2];
     for (const World world : belief) parts[Is(world, asked) ? 1 : 0].insert(world);

@@ -25,6 +25,16 @@ std::string RandomLiteral(RandomStream& random) {
   return (random.Index(2) == 0 ? "" : "!") + Atom(random);
 }
 
+// "p1", "!p0 & p3".
+std::string RandomConjunction(RandomStream& random) {
+  if (random.Index(3) > 0) return Atom(random);
+  const int first = random.Index(kAtoms);
+  const int second = (first + 1 + random.Index(kAtoms - 1)) % kAtoms;
+  const auto sign = [&] { return random.Index(2) == 0 ? "" : "!"; };
+  const std::string one = fmt::format("{}p{}", sign(), first);
+  return fmt::format("{} & {}p{}", one, sign(), second);
+}
+
 std::string RandomKnown(RandomStream& random) {
   return fmt::format("K({})", RandomLiteral(random));
 }
@@ -35,9 +45,9 @@ std::string RandomQuery(RandomStream& random) {
     case 0:
       return "!" + RandomKnown(random);
     case 1:
-      return fmt::format("!Kw({})", Atom(random));
+      return fmt::format("!Kw({})", RandomConjunction(random));
     case 2:
-      return fmt::format("Kw({})", Atom(random));
+      return fmt::format("Kw({})", RandomConjunction(random));
     case 3:
       return fmt::format("!({} | {})", RandomKnown(random), RandomKnown(random));
     default:
@@ -65,7 +75,7 @@ std::string RandomEffects(RandomStream& random) {
         effects += fmt::format("{} & {} => {}", RandomKnown(random), RandomQuery(random), set);
         break;
       case 3:
-        effects += fmt::format("add(Kw, {})", Atom(random));
+        effects += fmt::format("add(Kw, {})", RandomConjunction(random));
         break;
       case 4:
         effects += fmt::format("del(Kf, p{})", kAtoms / 2 + random.Index(kAtoms / 2));

@@ -33,7 +33,8 @@ std::string RandomKnown(RandomStream& random) {
 }
 
 std::string RandomNegation(RandomStream& random) {
-  const std::string sensed = Pick(random, {"!Kw(p)", "!Kw(q)", "!Kv(f)", "!Kv(n)", "!Kw(n > 2)"});
+  const std::string sensed =
+      Pick(random, {"!Kw(p)", "!Kw(q & !r)", "!Kv(f)", "!Kv(n)", "!Kw(n > 2)"});
   return random.Index(2) == 0 ? sensed : "!" + RandomKnown(random);
 }
 
@@ -80,8 +81,8 @@ std::string RandomEffect(RandomStream& random) {
     case 1:
       return RandomCondition(random) + RandomFact(random);
     case 2:
-      return RandomCondition(random) +
-             Pick(random, {"add(Kw, p)", "add(Kw, q)", "add(Kw, q & r)", "add(Kw, n > 2)"});
+      return RandomCondition(random) + Pick(random, {"add(Kw, p)", "add(Kw, q & !r)",
+                                                     "add(Kw, q & r & !s)", "add(Kw, n > 2)"});
     case 3:
       return RandomCondition(random) +
              Pick(random, {"add(Kv, f)", "add(Kv, n within 0.2)", "add(Kv, n)"});
@@ -136,9 +137,9 @@ std::string RandomProblem(RandomStream& random) {
                            "add(LCW, s)", "add(Kx, f = a | p)", "add(Kx, some(f = b | q))"}) {
     if (random.Index(3) == 0) init += std::string(", ") + fact;
   }
-  return fmt::format(
-      "problem rich domain rich init: {} goal: {} & {}", init, RandomQuery(random),
-      Pick(random, {"K(s)", "K(t)", "Kw(q)", "Kv(f)", "K(n >= 3)", "Kv(n within 0.1)", "Kv(n)"}));
+  return fmt::format("problem rich domain rich init: {} goal: {} & {}", init, RandomQuery(random),
+                     Pick(random, {"K(s)", "K(t)", "Kw(q)", "Kw(p & r)", "Kv(f)", "K(n >= 3)",
+                                   "Kv(n within 0.1)", "Kv(n)"}));
 }
 
 // Bounds carried back for ever: a limit of the checker.

@@ -1,7 +1,10 @@
 #include "sim/enact/leaves.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 #include "tests/sim/enact/two_cans.h"
 
@@ -86,6 +89,26 @@ TEST(Leaves, WhatIsNotHiddenIsKnown) {
   bottle.interpretation.hidden.clear();
   EXPECT_THAT(WhyNoWorldLeadsThere(bottle),
               ElementsAre("nothing that bottle is known to be makes isEmptyBottle(bottle)", ""));
+}
+
+// That not both can be spilled: one of them cannot, whichever that may be.
+TEST(Leaves, DeniedConjunctionsHaveCases) {
+  const KnowledgeScenario scenario =
+      TwoCans({{"can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}", "can1: {mass: [[0.38, 0.48]]}"}});
+  const auto& task = scenario.interpretation.task;
+  const auto spillable = [&](const char* can) {
+    const auto atom = std::ranges::find(task.atoms, fmt::format("isSpillable({})", can));
+    return contingent::GroundLiteral{contingent::AtomId(atom - task.atoms.begin()), true};
+  };
+  Leaf leaf;
+  leaf.denied = {{spillable("can1"), spillable("can2")}};
+  RandomStream random(1, "worlds");
+  for (int i = 0; i < 20; ++i) {
+    const auto world = WorldFor(leaf, scenario.interpretation, scenario.scenario.problem, random);
+    ASSERT_TRUE(world);
+    EXPECT_GT(world->masses.at(PartId(0)), 0.25);
+    EXPECT_LT(world->masses.at(PartId(1)), 0.25);
+  }
 }
 
 TEST(Leaves, ThatNoWorldLeadsTo) {
