@@ -1,10 +1,24 @@
 #include "planner/contingent/query_grounding.h"
 
+#include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "planner/contingent/ground_query.h"
 
 namespace assay::contingent {
+namespace {
+
+// "q & p & p" is "p & q", and "!p" is "p": who knows whether the one holds knows it of the other.
+void Canonicalize(Formula& formula) {
+  std::vector<GroundLiteral>& literals = formula.literals;
+  std::ranges::sort(literals, {},
+                    [](const GroundLiteral& l) { return std::tuple(l.atom, l.is_positive); });
+  literals.erase(std::unique(literals.begin(), literals.end()), literals.end());
+  if (literals.size() == 1) literals.front().is_positive = true;
+}
+
+}  // namespace
 
 GroundQuery QueryGrounding::QueryOf(const Query& query, Bindings bindings) {
   std::vector<GroundQuery> parts;
@@ -45,12 +59,12 @@ GroundQuery QueryGrounding::KnownWhether(const Query& query, const Bindings& bin
     ways.push_back(KnownLiteral(negation, bindings));
   }
   ways.push_back(Joined(GroundQuery::Kind::kAnd, std::move(all)));
-  if (const auto formula = FormulaOf(query.literals, bindings)) {
-    GroundQuery whether;
-    whether.kind = GroundQuery::Kind::kKnownWhether;
-    whether.formula = *formula;
-    ways.push_back(std::move(whether));
-  }
+  const auto formula = FormulaOf(query.literals, bindings);
+  if (!formula) return ConstantQuery(!terms_.is_refused());
+  GroundQuery whether;
+  whether.kind = GroundQuery::Kind::kKnownWhether;
+  whether.formula = *formula;
+  ways.push_back(std::move(whether));
   return Joined(GroundQuery::Kind::kOr, std::move(ways));
 }
 
@@ -137,8 +151,24 @@ std::optional<FormulaId> QueryGrounding::FormulaOf(const std::vector<Literal>& l
     if (known.kind == GroundQuery::Kind::kBoundKnown) formula.bound = known.bound;
     if (known.kind == GroundQuery::Kind::kKnown) formula.literals.push_back(known.literal);
   }
-  if (formula.literals.empty() && !formula.bound) return std::nullopt;
+  Canonicalize(formula);
+  const bool says_nothing = formula.literals.empty() && !formula.bound;
+  if (says_nothing || NeverHolds(formula)) return std::nullopt;
   return terms_.table().IdOf(formula);
+}
+
+// Two values of one function exclude each other as an atom and its negation do.
+bool QueryGrounding::NeverHolds(const Formula& formula) const {
+  const auto exclude = [&](const GroundLiteral& a, const GroundLiteral& b) {
+    if (a.atom == b.atom) return a.is_positive != b.is_positive;
+    const FunctionId function = terms_.task().function_of_atom[a.atom.index()];
+    return a.is_positive && b.is_positive && !function.IsNone() &&
+           function == terms_.task().function_of_atom[b.atom.index()];
+  };
+  return std::ranges::any_of(formula.literals, [&](const GroundLiteral& a) {
+    return std::ranges::any_of(formula.literals,
+                               [&](const GroundLiteral& b) { return exclude(a, b); });
+  });
 }
 
 }  // namespace assay::contingent

@@ -18,7 +18,8 @@ class QueryGrounding {
   GroundQuery QueryOf(const Query& query, Bindings bindings);
   // Whether the literal is known.
   GroundQuery KnownLiteral(const Literal& literal, const Bindings& bindings);
-  // The conjunction of the literals, as Kw can hold it; none if what it says is always known.
+  // The conjunction of the literals, as Kw can hold it; none if it is always known whether it
+  // holds.
   std::optional<FormulaId> FormulaOf(const std::vector<Literal>& literals,
                                      const Bindings& bindings);
 
@@ -27,6 +28,7 @@ class QueryGrounding {
   GroundQuery ValueKnown(FunctionId function, std::optional<double> within = std::nullopt);
   GroundQuery KnownAtom(const Literal& literal, const Bindings& bindings);
   GroundQuery KnownEqual(const Literal& literal, const Bindings& bindings);
+  bool NeverHolds(const Formula& formula) const;
   GroundQuery FunctionsEqual(FunctionId f, FunctionId g, bool is_positive);
 
   TermGrounding& terms_;

@@ -82,6 +82,14 @@ bool WorldProgression::IsTrue(const Formula& formula, const World& world) const 
                      [&](const GroundLiteral& l) { return IsTrue(l, world); });
 }
 
+// Whatever is true of what the world leaves open.
+bool WorldProgression::IsFalse(const Formula& formula, const World& world) const {
+  if (formula.bound) return !IsTrue(*formula.bound, world);
+  return std::ranges::any_of(formula.literals, [&](const GroundLiteral& l) {
+    return IsTrue(GroundLiteral{l.atom, !l.is_positive}, world);
+  });
+}
+
 // Of a condition that asks K alone, of literals and bounds: whether they hold in this world.
 bool WorldProgression::IsTrue(const GroundQuery& condition, const World& world) const {
   const auto is_true = [&](const GroundQuery& operand) { return IsTrue(operand, world); };
@@ -121,19 +129,17 @@ Answer WorldProgression::Ask(const GroundQuery& query, const History& history) c
     case GroundQuery::Kind::kBoundKnown:
       return told(in_all(query.bound));
     case GroundQuery::Kind::kKnownWhether:
-      return told(history.sensed.contains(query.formula) || IsDetermined(query.formula, history));
+      return told(history.sensed.contains(query.formula) ||
+                  IsDetermined(task_.formulas[query.formula.index()], history));
     case GroundQuery::Kind::kValueSensed:
       return told(IsValueKnown(query, history));
   }
   return Answer::kNo;
 }
 
-bool WorldProgression::IsDetermined(FormulaId formula, const History& history) const {
-  const auto is_true = [&](const World& world) {
-    return IsTrue(task_.formulas[formula.index()], world);
-  };
-  return std::ranges::all_of(history.worlds, is_true) ||
-         std::ranges::none_of(history.worlds, is_true);
+bool WorldProgression::IsDetermined(const Formula& formula, const History& history) const {
+  return std::ranges::all_of(history.worlds, [&](const World& w) { return IsTrue(formula, w); }) ||
+         std::ranges::all_of(history.worlds, [&](const World& w) { return IsFalse(formula, w); });
 }
 
 bool WorldProgression::IsValueKnown(const GroundQuery& query, const History& history) const {

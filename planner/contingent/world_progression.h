@@ -60,7 +60,8 @@ class WorldProgression {
  private:
   bool IsTrue(const Bound& bound, const World& world) const;
   bool IsTrue(const GroundQuery& condition, const World& world) const;
-  bool IsDetermined(FormulaId formula, const History& history) const;
+  bool IsFalse(const Formula& formula, const World& world) const;
+  bool IsDetermined(const Formula& formula, const History& history) const;
   bool IsValueKnown(const GroundQuery& query, const History& history) const;
   bool Happens(const GroundEffect& effect, const History& history);
   bool MayHappen(const GroundEffect& effect, const Worlds& worlds) const;

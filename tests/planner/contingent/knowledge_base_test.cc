@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 
+#include "planner/contingent/ground_query.h"
 #include "tests/planner/contingent/tasks.h"
 
 // The semantics of PKS (Petrick and Bacchus 2002, 2004), statement by statement.
@@ -44,15 +45,18 @@ class Mind {
     state_ = knowledge_->Initial();
   }
 
-  // Whether what was asked at this place holds.
-  bool Holds(const std::string& question) const {
+  // What was asked so; false if that was settled when the problem was grounded.
+  GroundQuery Asks(const std::string& question) const {
     const auto found = std::find(questions_.begin(), questions_.end(), question);
     EXPECT_NE(found, questions_.end()) << question;
     const std::string name = fmt::format("ask{}", found - questions_.begin());
     for (const GroundAction& action : task_->actions) {
-      if (action.name == name) return knowledge_->Holds(action.precondition, state_);
+      if (action.name == name) return action.precondition;
     }
-    return false;  // settled when the problem was grounded
+    return ConstantQuery(false);
+  }
+  bool Holds(const std::string& question) const {
+    return knowledge_->Holds(Asks(question), state_);
   }
 
   void Do(const std::string& name) {
@@ -237,6 +241,25 @@ TEST(Kw, AConjunctionIsSettledByWhatIsLearnedOfItsAtoms) {
   other.Learn("p(a)", false);
   EXPECT_TRUE(other.Holds("Kw(p(a) & q(a))"));
   EXPECT_EQ(other.Branch(true), "");
+}
+
+TEST(Kw, IsOfOneFormulaHoweverItIsWritten) {
+  const std::vector<std::string> questions = {"Kw(p(a))", "Kw(!q(a))", "Kw(q(a) & p(a))",
+                                              "Kw(p(b) & !p(b))", "Kw(at(a) = b & at(a) = c)"};
+  Mind mind("add(Kf, !r)", "action look effects: add(Kw, !p(a)), add(Kw, p(a) & q(a) & p(a))\n",
+            questions);
+  EXPECT_FALSE(mind.Holds("Kw(p(a))"));
+  EXPECT_FALSE(mind.Holds("Kw(q(a) & p(a))"));
+  mind.Do("look");
+  EXPECT_TRUE(mind.Holds("Kw(p(a))"));
+  EXPECT_TRUE(mind.Holds("Kw(q(a) & p(a))"));
+  EXPECT_FALSE(mind.Holds("Kw(!q(a))"));
+  EXPECT_EQ(mind.Branch(true), "p(a)");
+  EXPECT_EQ(mind.Branch(true), "p(a) & q(a)");
+  EXPECT_TRUE(mind.Holds("Kw(!q(a))"));
+  // What can never hold is known not to: such questions are settled.
+  EXPECT_TRUE(mind.Asks("Kw(p(b) & !p(b))").IsTrue());
+  EXPECT_TRUE(mind.Asks("Kw(at(a) = b & at(a) = c)").IsTrue());
 }
 
 // That not both hold does not tell which of them does not.

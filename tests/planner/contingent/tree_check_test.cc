@@ -406,24 +406,25 @@ TEST(NotKnown, IsToldBySets) {
 // Kw(p & q) holds where it is told that not both hold, though Kw of neither does.
 TEST(Conjunctions, AreKnownWhetherOrNotTheirAtomsAre) {
   const std::string domain =
-      "domain alarm predicates: p, q, g, rings, said\n"
+      "domain alarm predicates: p, q, deaf, rings\n"
       "action listen preconds: !Kw(p & q) effects: add(Kw, p & q), add(Kf, rings)\n"
-      "action ask preconds: Kw(p & q) & K(rings) & !Kw(p) effects: add(Kw, p), add(Kf, said)\n"
-      "action hear effects: add(Kx, some(!p | !q)), add(Kf, rings)\n";
+      "action ask preconds: Kw(p & q) & K(rings) & !Kw(p) effects: add(Kw, p)\n"
+      "action hear preconds: K(!deaf) effects: add(Kx, some(!p | !q)), add(Kf, rings)\n";
   const auto check = [&](const std::vector<PlanNode>& nodes, const GroundTask& task) {
     return CheckTree(task, {.nodes = nodes, .root = NodeId(0)}).failure;
   };
-  const auto task_of = [&](const std::string& goal) {
-    return GroundText(domain, "problem alarm domain alarm init: add(Kf, !g) goal: " + goal);
+  const auto task_of = [&](const std::string& deaf, const std::string& goal) {
+    return GroundText(domain,
+                      "problem alarm domain alarm init: add(Kf, " + deaf + ") goal: " + goal);
   };
-  GroundTask task = task_of("Kw(p & q) & !Kw(p) & !Kw(q)");
+  GroundTask task = task_of("!deaf", "Kw(p & q) & !Kw(p) & !Kw(q)");
   EXPECT_EQ(check({ActOf(task, "listen", 1), PlanNode{}}, task), "");
   EXPECT_EQ(check({ActOf(task, "hear", 1), PlanNode{}}, task), "");
   EXPECT_THAT(check({ActOf(task, "hear", 1), ActOf(task, "listen", 2), PlanNode{}}, task),
               HasSubstr("the precondition of listen() is not known"));
   EXPECT_THAT(check({PlanNode{}}, task), HasSubstr("the goal is not known"));
-  // Where not both hold, asking for p tells of q, if p holds.
-  task = task_of("K(said) | K(p & q)");
+  // Where not both hold, and p does, q does not.
+  task = task_of("deaf", "K(p & q) | K(!p) | K(!q)");
   const ContingentPlan plan = PlanFor(task, Wanted::kLeastDepth);
   ASSERT_EQ(plan.outcome, Outcome::kFound);
   EXPECT_EQ(SizeOf(plan.tree).depth, 2);

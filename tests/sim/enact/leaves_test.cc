@@ -98,10 +98,11 @@ TEST(Leaves, DeniedConjunctionsHaveCases) {
   const auto& task = scenario.interpretation.task;
   const auto spillable = [&](const char* can) {
     const auto atom = std::ranges::find(task.atoms, fmt::format("isSpillable({})", can));
-    return contingent::GroundLiteral{contingent::AtomId(atom - task.atoms.begin()), true};
+    return contingent::GroundLiteral{
+        contingent::AtomId(static_cast<int>(atom - task.atoms.begin())), true};
   };
   Leaf leaf;
-  leaf.denied = {{spillable("can1"), spillable("can2")}};
+  leaf.denied.push_back({spillable("can1"), spillable("can2")});
   RandomStream random(1, "worlds");
   for (int i = 0; i < 20; ++i) {
     const auto world = WorldFor(leaf, scenario.interpretation, scenario.scenario.problem, random);
