@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "planner/contingent/two_values.h"
+
 namespace assay::contingent {
 namespace {
 

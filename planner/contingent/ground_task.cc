@@ -10,20 +10,6 @@ namespace assay::contingent {
 // Rules that only add to Kf are at rest before that.
 std::size_t MostRoundsOf(const GroundTask& task) { return 1000 + task.atoms.size(); }
 
-FunctionId FunctionGiven(const GroundTask& task, const GroundChange& change) {
-  if (change.kind == GroundChange::Kind::kAssign) return change.function;
-  if (change.kind != GroundChange::Kind::kSet || !change.literal.is_positive) {
-    return FunctionId::None();
-  }
-  return task.function_of_atom[change.literal.atom.index()];
-}
-
-bool GiveTwoValues(const GroundTask& task, const GroundChange& a, const GroundChange& b) {
-  const FunctionId function = FunctionGiven(task, a);
-  return !function.IsNone() && function == FunctionGiven(task, b) &&
-         (a.literal != b.literal || a.sum != b.sum);
-}
-
 bool IsUpper(Relation relation) {
   return relation == Relation::kLess || relation == Relation::kLessOrEqual;
 }

@@ -183,11 +183,6 @@ struct GroundTask {
   FilePlace goal_place;
 };
 
-// The function that the change gives a value; none if it gives none.
-FunctionId FunctionGiven(const GroundTask& task, const GroundChange& change);
-// Whether they give one function two values, at once.
-bool GiveTwoValues(const GroundTask& task, const GroundChange& a, const GroundChange& b);
-
 // Rounds of all update rules that may change something; what changes after them is restless.
 std::size_t MostRoundsOf(const GroundTask& task);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planner/contingent/two_values.h"
+
 namespace assay::contingent {
 namespace {
 
@@ -154,19 +156,11 @@ bool KnowledgeProgression::MayGiveTwoValues(const Changes& changes, const Knowle
   }
   for (const GroundChange* change : changes.certain) given.emplace_back(*change, kAllSets);
   for (const auto& [change, where] : changes.unsettled) given.emplace_back(*change, where);
-  std::erase_if(given, [&](const auto& gift) {
-    return FunctionGiven(task_, gift.first).IsNone() || gift.second == kEmptySet;
-  });
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if (!GiveTwoValues(task_, given[i].first, given[j].first)) continue;
-      const Diagram both = worlds.And(given[i].second, given[j].second);
-      const Diagram possible =
-          worlds.And(atoms_.RelationsWith(before, both), changes.bounds.Together());
-      if (worlds.And(possible, both) != kEmptySet) return true;
-    }
-  }
-  return false;
+  const Diagram both = WhereTwoValues(task_, std::move(given), worlds);
+  if (both == kEmptySet) return false;
+  const Diagram possible =
+      worlds.And(atoms_.RelationsWith(before, both), changes.bounds.Together());
+  return worlds.And(possible, both) != kEmptySet;
 }
 
 // ---- What they do

@@ -50,8 +50,8 @@ class KnowledgeSpace {
 
   // The steps from a state, in the order of the task. Where a formula of Kw branches, that is the
   // only step: at run time its truth is known from then on, so that nothing is lost by telling its
-  // cases apart at once, unless something asks for what is not known. A branch on a function's value is a choice: the value may as well be used
-  // without being known (a run-time variable).
+  // cases apart at once, unless something asks for what is not known. A branch on a function's
+  // value is a choice: the value may as well be used without being known (a run-time variable).
   const std::vector<Step>& StepsFrom(StateId id);
   // The step of this place in StepsFrom, which has been asked for. Null if it cannot be taken or
   // changes nothing.

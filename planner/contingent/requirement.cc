@@ -1,9 +1,9 @@
 #include "planner/contingent/requirement.h"
 
 #include <algorithm>
-#include <unordered_map>
 
 #include "planner/contingent/ground_query.h"
+#include "planner/contingent/two_values.h"
 
 namespace assay::contingent {
 
@@ -157,6 +157,9 @@ Requirement Regression::OfAction(StateId state, const GroundAction& action,
                                  const Requirement& after) {
   Requirement before;
   RegressWorlds(action, state, after, before);
+  for (const GroundEffect& effect : action.effects) {
+    if (!effect.is_of_worlds || HasBound(effect.condition)) KeepAsked(effect.condition, before);
+  }
   RegressAspects(action, WithTold(action, after), before);
   Require(action.precondition, state, before);
   return before;
@@ -179,47 +182,59 @@ Requirement Regression::WithTold(const GroundAction& action, const Requirement& 
 }
 
 // After the action, an atom is true where an effect has made it so, or where it was and none has
-// made it false.
+// made it false. An action is not taken where it may give a function two values.
 void Regression::RegressWorlds(const GroundAction& action, StateId state, const Requirement& after,
                                Requirement& before) {
-  std::unordered_map<int, Diagram> becomes_true;
-  std::unordered_map<int, Diagram> becomes_false;
   OpenBounds bounds(task(), space_.state(state), worlds_);
-  before.worlds = after.worlds;
-  for (const GroundEffect& effect : action.effects) {
-    if (!knowledge_.Holds(effect.condition, space_.state(state))) continue;
-    for (const GroundChange& change : effect.changes) {
-      if (change.kind != GroundChange::Kind::kRelate) continue;
-      before.worlds = worlds_.Or(
-          before.worlds, worlds_.Not(worlds_.WhereOne(change.literals, change.is_inclusive)));
-    }
-  }
+  const Happening happening = WhatHappens(action, state, bounds);
+  Diagram required = worlds_.Or(after.worlds, worlds_.Not(happening.told));
+  for (const int forgotten : happening.forgotten) required = worlds_.ForAll(required, forgotten);
+  required = worlds_.Compose(required, ValuesAfter(happening));
+  required = worlds_.And(required, worlds_.Not(WhereTwoValues(task(), happening.changes, worlds_)));
+  required = worlds_.Or(required, worlds_.Not(bounds.Together()));
+  for (const int bound : bounds.Variables()) required = worlds_.ForAll(required, bound);
+  before.worlds = required;
+}
+
+Regression::Happening Regression::WhatHappens(const GroundAction& action, StateId state,
+                                              OpenBounds& bounds) {
+  Happening happening;
   for (const GroundEffect& effect : action.effects) {
     const bool happens = knowledge_.Holds(effect.condition, space_.state(state));
-    if (!effect.is_of_worlds || HasBound(effect.condition)) KeepAsked(effect.condition, before);
+    if (!happens && !effect.is_of_worlds) continue;
+    const Diagram where = effect.is_of_worlds ? worlds_.Where(effect.condition, bounds) : kAllSets;
     for (const GroundChange& change : effect.changes) {
-      if (change.kind == GroundChange::Kind::kForget && (happens || effect.is_of_worlds)) {
-        const int variable = worlds_.Variable(change.literal.atom);
-        before.worlds = worlds_.ForAll(before.worlds, variable);
+      if (change.kind == GroundChange::Kind::kForget) {
+        happening.forgotten.push_back(worlds_.Variable(change.literal.atom));
       }
-      if (change.kind != GroundChange::Kind::kSet || (!happens && !effect.is_of_worlds)) continue;
-      const Diagram where =
-          effect.is_of_worlds ? worlds_.Where(effect.condition, bounds) : kAllSets;
-      auto& becomes = change.literal.is_positive ? becomes_true : becomes_false;
-      Diagram& there = becomes[worlds_.Variable(change.literal.atom)];
-      there = worlds_.Or(there, where);
+      if (change.kind == GroundChange::Kind::kRelate && happens) {
+        const Diagram told = worlds_.WhereOne(change.literals, change.is_inclusive);
+        happening.told = worlds_.And(happening.told, told);
+      }
+      happening.changes.emplace_back(change, where);
     }
   }
-  std::unordered_map<int, Diagram> now = becomes_true;
-  for (const auto& [variable, where] : becomes_false) now.try_emplace(variable, kEmptySet);
-  for (auto& [variable, value] : now) {
+  return happening;
+}
+
+std::unordered_map<int, Diagram> Regression::ValuesAfter(const Happening& happening) {
+  std::unordered_map<int, Diagram> becomes_true;
+  std::unordered_map<int, Diagram> becomes_false;
+  for (const auto& [change, where] : happening.changes) {
+    if (change.kind != GroundChange::Kind::kSet) continue;
+    auto& becomes = change.literal.is_positive ? becomes_true : becomes_false;
+    Diagram& there = becomes[worlds_.Variable(change.literal.atom)];
+    there = worlds_.Or(there, where);
+  }
+  std::unordered_map<int, Diagram> after = becomes_true;
+  for (const auto& [variable, where] : becomes_false) after.try_emplace(variable, kEmptySet);
+  for (auto& [variable, value] : after) {
     const auto falsified = becomes_false.find(variable);
     const Diagram stays =
         falsified != becomes_false.end() ? worlds_.Not(falsified->second) : kAllSets;
     value = worlds_.Or(value, worlds_.And(worlds_.Literal({variable, true}), stays));
   }
-  before.worlds = worlds_.Or(worlds_.Compose(before.worlds, now), worlds_.Not(bounds.Together()));
-  for (const int bound : bounds.Variables()) before.worlds = worlds_.ForAll(before.worlds, bound);
+  return after;
 }
 
 // What of a state the change is of.

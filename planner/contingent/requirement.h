@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "planner/contingent/knowledge_space.h"
@@ -61,6 +63,15 @@ class Regression {
   // Keeps everything that the query asks of.
   void KeepAsked(const GroundQuery& query, Requirement& requirement) const;
   Requirement WithTold(const GroundAction& action, const Requirement& after) const;
+  // What an action does in the worlds, where bounds are variables.
+  struct Happening {
+    std::vector<std::pair<GroundChange, Diagram>> changes;  // with the worlds where they happen
+    Diagram told = kAllSets;                                // the worlds that it says are left
+    std::vector<int> forgotten;                             // variables
+  };
+  Happening WhatHappens(const GroundAction& action, StateId state, OpenBounds& bounds);
+  // By variable, of the atoms that may change.
+  std::unordered_map<int, Diagram> ValuesAfter(const Happening& happening);
   void RegressWorlds(const GroundAction& action, StateId state, const Requirement& after,
                      Requirement& before);
   void RegressAspects(const GroundAction& action, const Requirement& after, Requirement& before);

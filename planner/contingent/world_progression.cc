@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/contingent/two_values.h"
 
 namespace assay::contingent {
 namespace {

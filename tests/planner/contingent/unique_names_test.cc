@@ -140,6 +140,24 @@ TEST(TwoValues, AreNotGivenAtOnce) {
   }
 }
 
+// The sub-plan of one branch, where r is known, is none for the other, where it is not.
+TEST(TwoValues, AreNotGivenByReusedSubPlans) {
+  const GroundTask task = GroundText(
+      "domain two types: thing constants: a, b, c: thing predicates: r, s, mixed\n"
+      "functions: f: thing\n"
+      "action mix preconds: K(!mixed)\n"
+      "  effects: add(Kf, mixed); K(!s) => del(Kf, r); add(Kw, s)\n"
+      "action go preconds: K(mixed) effects: K(!r) => add(Kf, f = b); add(Kf, f = a)\n"
+      "action mend preconds: K(mixed) & K(!s) effects: add(Kf, r)",
+      "problem two domain two init: add(Kf, f = c), add(Kf, r), add(Kf, !mixed) goal: K(f = a)");
+  for (const Wanted wanted : {Wanted::kFirst, Wanted::kLeastDepth}) {
+    const ContingentPlan plan = PlanFor(task, wanted);
+    ASSERT_EQ(plan.outcome, Outcome::kFound);
+    EXPECT_EQ(SizeOf(plan.tree).depth, 3);
+    EXPECT_EQ(CheckTree(task, plan.tree).failure, "");
+  }
+}
+
 TEST(TwoValues, AreAnErrorWhereTheyAreEvident) {
   const auto message = [](const std::string& effects) {
     return MessageOf([&] {

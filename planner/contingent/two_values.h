@@ -1,0 +1,23 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "planner/contingent/decision_diagram.h"
+#include "planner/contingent/ground_task.h"
+
+namespace assay::contingent {
+
+// A function has one value: what gives it two at once is an error of the domain, and no plan has
+// it.
+
+// The function that the change gives a value; none if it gives none.
+FunctionId FunctionGiven(const GroundTask& task, const GroundChange& change);
+// Whether they give one function two values.
+bool GiveTwoValues(const GroundTask& task, const GroundChange& a, const GroundChange& b);
+// Where changes, of which each happens in the worlds beside it, give a function two values.
+Diagram WhereTwoValues(const GroundTask& task,
+                       std::vector<std::pair<GroundChange, Diagram>> changes,
+                       DecisionDiagrams& diagrams);
+
+}  // namespace assay::contingent
