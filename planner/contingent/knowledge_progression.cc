@@ -1,8 +1,8 @@
 #include "planner/contingent/knowledge_progression.h"
 
 #include <algorithm>
-
-#include "planner/contingent/two_values.h"
+#include <list>
+#include <utility>
 
 namespace assay::contingent {
 namespace {
@@ -150,12 +150,14 @@ void KnowledgeProgression::JoinWithPossible(Changes& changes) const {
 
 bool KnowledgeProgression::MayGiveTwoValues(const Changes& changes, const KnowledgeState& before) {
   WorldSets& worlds = atoms_.worlds();
-  std::vector<std::pair<GroundChange, Diagram>> given;
+  std::vector<ChangeSomewhere> given = changes.unsettled;
+  std::list<GroundChange> set;
   for (const auto& [atom, where] : changes.possible) {
-    given.push_back({{.literal = {atom, true}}, where.becomes_true});
+    if (task_.function_of_atom[atom.index()].IsNone()) continue;
+    given.emplace_back(&set.emplace_back(GroundChange{.literal = {atom, true}}),
+                       where.becomes_true);
   }
-  for (const GroundChange* change : changes.certain) given.emplace_back(*change, kAllSets);
-  for (const auto& [change, where] : changes.unsettled) given.emplace_back(*change, where);
+  for (const GroundChange* change : changes.certain) given.emplace_back(change, kAllSets);
   const Diagram both = WhereTwoValues(task_, std::move(given), worlds);
   if (both == kEmptySet) return false;
   const Diagram possible =

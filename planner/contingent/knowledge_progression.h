@@ -3,7 +3,6 @@
 #include <map>
 #include <optional>
 #include <set>
-#include <utility>
 #include <vector>
 
 #include "planner/contingent/atom_knowledge.h"
@@ -12,6 +11,7 @@
 #include "planner/contingent/knowledge_state.h"
 #include "planner/contingent/number_knowledge.h"
 #include "planner/contingent/open_bounds.h"
+#include "planner/contingent/two_values.h"
 
 namespace assay::contingent {
 
@@ -37,7 +37,7 @@ class KnowledgeProgression {
     std::vector<const GroundChange*> certain = {};
     std::map<AtomId, PossibleChange> possible = {};
     // Of numbers, which may have happened, and where.
-    std::vector<std::pair<const GroundChange*, Diagram>> unsettled = {};
+    std::vector<ChangeSomewhere> unsettled = {};
     std::set<FunctionId> deciding = {};  // numbers on which it depends what happens
     bool are_told = true;                // else whether an effect happens is not
   };

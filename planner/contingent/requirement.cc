@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "planner/contingent/ground_query.h"
-#include "planner/contingent/two_values.h"
 
 namespace assay::contingent {
 
@@ -211,7 +210,7 @@ Regression::Happening Regression::WhatHappens(const GroundAction& action, StateI
         const Diagram told = worlds_.WhereOne(change.literals, change.is_inclusive);
         happening.told = worlds_.And(happening.told, told);
       }
-      happening.changes.emplace_back(change, where);
+      happening.changes.emplace_back(&change, where);
     }
   }
   return happening;
@@ -221,9 +220,9 @@ std::unordered_map<int, Diagram> Regression::ValuesAfter(const Happening& happen
   std::unordered_map<int, Diagram> becomes_true;
   std::unordered_map<int, Diagram> becomes_false;
   for (const auto& [change, where] : happening.changes) {
-    if (change.kind != GroundChange::Kind::kSet) continue;
-    auto& becomes = change.literal.is_positive ? becomes_true : becomes_false;
-    Diagram& there = becomes[worlds_.Variable(change.literal.atom)];
+    if (change->kind != GroundChange::Kind::kSet) continue;
+    auto& becomes = change->literal.is_positive ? becomes_true : becomes_false;
+    Diagram& there = becomes[worlds_.Variable(change->literal.atom)];
     there = worlds_.Or(there, where);
   }
   std::unordered_map<int, Diagram> after = becomes_true;

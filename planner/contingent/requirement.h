@@ -2,10 +2,10 @@
 
 #include <cstdint>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include "planner/contingent/knowledge_space.h"
+#include "planner/contingent/two_values.h"
 
 namespace assay::contingent {
 
@@ -65,9 +65,9 @@ class Regression {
   Requirement WithTold(const GroundAction& action, const Requirement& after) const;
   // What an action does in the worlds, where bounds are variables.
   struct Happening {
-    std::vector<std::pair<GroundChange, Diagram>> changes;  // with the worlds where they happen
-    Diagram told = kAllSets;                                // the worlds that it says are left
-    std::vector<int> forgotten;                             // variables
+    std::vector<ChangeSomewhere> changes;
+    Diagram told = kAllSets;     // the worlds that it says are left
+    std::vector<int> forgotten;  // variables
   };
   Happening WhatHappens(const GroundAction& action, StateId state, OpenBounds& bounds);
   // By variable, of the atoms that may change.

@@ -16,16 +16,16 @@ bool GiveTwoValues(const GroundTask& task, const GroundChange& a, const GroundCh
          (a.literal != b.literal || a.sum != b.sum);
 }
 
-Diagram WhereTwoValues(const GroundTask& task,
-                       std::vector<std::pair<GroundChange, Diagram>> changes,
+Diagram WhereTwoValues(const GroundTask& task, std::vector<ChangeSomewhere> changes,
                        DecisionDiagrams& diagrams) {
-  std::erase_if(changes, [&](const auto& change) {
-    return FunctionGiven(task, change.first).IsNone() || change.second == kEmptySet;
+  if (task.functions.empty()) return kEmptySet;
+  std::erase_if(changes, [&](const ChangeSomewhere& change) {
+    return FunctionGiven(task, *change.first).IsNone() || change.second == kEmptySet;
   });
   Diagram worlds = kEmptySet;
   for (std::size_t i = 0; i < changes.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (!GiveTwoValues(task, changes[i].first, changes[j].first)) continue;
+      if (!GiveTwoValues(task, *changes[i].first, *changes[j].first)) continue;
       worlds = diagrams.Or(worlds, diagrams.And(changes[i].second, changes[j].second));
     }
   }

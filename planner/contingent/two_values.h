@@ -15,9 +15,10 @@ namespace assay::contingent {
 FunctionId FunctionGiven(const GroundTask& task, const GroundChange& change);
 // Whether they give one function two values.
 bool GiveTwoValues(const GroundTask& task, const GroundChange& a, const GroundChange& b);
-// Where changes, of which each happens in the worlds beside it, give a function two values.
-Diagram WhereTwoValues(const GroundTask& task,
-                       std::vector<std::pair<GroundChange, Diagram>> changes,
+// A change, and the worlds where it happens.
+using ChangeSomewhere = std::pair<const GroundChange*, Diagram>;
+// Where the changes give a function two values.
+Diagram WhereTwoValues(const GroundTask& task, std::vector<ChangeSomewhere> changes,
                        DecisionDiagrams& diagrams);
 
 }  // namespace assay::contingent
