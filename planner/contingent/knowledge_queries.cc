@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planner/contingent/decimal.h"
+
 namespace assay::contingent {
 
 bool KnowledgeQueries::Holds(const GroundQuery& query, const KnowledgeState& state) const {
@@ -51,7 +53,7 @@ bool KnowledgeQueries::IsValueKnown(const GroundQuery& query, const KnowledgeSta
   const bool is_sensed = layout_.IsSensed(state, query.function);
   if (!numbers_.IsNumber(query.function)) return is_sensed;
   const Range& range = numbers_.RangeOf(query.function, state);
-  return range.high - range.low <= 2 * query.within.value_or(0) ||
+  return WidthOf(range.low, range.high) <= 2 * query.within.value_or(0) ||
          (is_sensed && (!query.within || range.error <= *query.within));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/contingent/decimal.h"
 
 namespace assay::contingent {
 namespace {
@@ -52,7 +53,7 @@ Range NumberKnowledge::SumOf(const GroundSum& sum, const KnowledgeState& state) 
   for (const auto& [function, sign] : sum.functions) {
     const Range& range = RangeOf(function, state);
     const Interval interval{range.low, range.high};
-    total = algebra::operator+(total, sign > 0 ? interval : algebra::operator-(interval));
+    total = EnclosingSum(total, sign > 0 ? interval : algebra::operator-(interval));
     result.excludes_low |= sign > 0 ? range.excludes_low : range.excludes_high;
     result.excludes_high |= sign > 0 ? range.excludes_high : range.excludes_low;
     result.is_outer |= range.is_outer;

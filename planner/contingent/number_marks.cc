@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/contingent/decimal.h"
 
 namespace assay::contingent {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::size_t kMostMarks = 500;
 // Farther than any mark.
 constexpr double kFar = 1e9;
-// What sums of decimals may differ by.
+// What sums may differ by that are not exact.
 double RoundingOf(double sum) {
   return 16 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(sum));
 }
@@ -92,7 +93,7 @@ void NumberMarks::Use(const GroundTask& task, const Bound& bound) {
 Interval NumberMarks::ReachOf(const Assignment& assignment) const {
   Interval sum = assignment.added;
   for (const auto& [slot, sign] : assignment.from) {
-    sum = sign > 0 ? algebra::operator+(sum, reach_[slot]) : algebra::operator-(sum, reach_[slot]);
+    sum = EnclosingSum(sum, sign > 0 ? reach_[slot] : algebra::operator-(reach_[slot]));
   }
   return sum;
 }
@@ -154,10 +155,10 @@ void NumberMarks::CarryBack(const Assignment& assignment, double mark,
   if (assignment.from.size() != 1) return;
   const auto [slot, sign] = assignment.from.front();
   for (const double added : {assignment.added.low, assignment.added.high}) {
-    const double before = sign * (mark - added);
+    const double before = sign * NearestSum(mark, -added);
     if (before < reach_[slot].low || before > reach_[slot].high) continue;
     if (std::isinf(before) || IsNearMark(before, slot)) continue;
-    are_complete_ &= IsNear(sign * before + added, mark);
+    are_complete_ &= IsNear(NearestSum(sign * before, added), mark);
     marks_[slot].insert(before);
     fresh.emplace(slot, before);
   }

@@ -4,7 +4,9 @@
 
 #include <utility>
 
+#include "planner/algebra/interval_arithmetic.h"
 #include "planner/base/input_error.h"
+#include "planner/contingent/decimal.h"
 
 namespace assay::contingent {
 namespace {
@@ -95,8 +97,8 @@ GroundSum TermGrounding::SumOf(const Term& term, const Bindings& bindings) {
     const bool is_sum = term.kind == Term::Kind::kSum;
     sum = SumOf(term.arguments[0], bindings);
     const GroundSum right = SumOf(term.arguments[1], bindings);
-    sum.constant.low += is_sum ? right.constant.low : -right.constant.high;
-    sum.constant.high += is_sum ? right.constant.high : -right.constant.low;
+    const Interval& added = right.constant;
+    sum.constant = EnclosingSum(sum.constant, is_sum ? added : algebra::operator-(added));
     for (const auto& [function, sign] : right.functions) {
       sum.functions.emplace_back(function, is_sum ? sign : -sign);
     }

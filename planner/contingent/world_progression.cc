@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/contingent/decimal.h"
 #include "planner/contingent/two_values.h"
 
 namespace assay::contingent {
@@ -152,7 +153,8 @@ bool WorldProgression::IsValueKnown(const GroundQuery& query, const History& his
   const auto [least, most] = std::minmax_element(
       history.worlds.begin(), history.worlds.end(),
       [&](const World& a, const World& b) { return a.numbers[slot] < b.numbers[slot]; });
-  return most->numbers[slot].value - least->numbers[slot].value <= 2 * query.within.value_or(0);
+  return WidthOf(least->numbers[slot].value, most->numbers[slot].value) <=
+         2 * query.within.value_or(0);
 }
 
 bool WorldProgression::HasTooMany(const Worlds& worlds) {
@@ -359,13 +361,13 @@ void WorldProgression::Assign(const GroundChange& change, const World& before, W
   Number sum;
   for (const auto& [function, sign] : change.sum.functions) {
     const Number& number = before.numbers[task_.functions[function.index()].slot];
-    sum.value += sign * number.value;
+    sum.value = NearestSum(sum.value, sign * number.value);
     sum.beside = std::clamp(sum.beside + sign * number.beside, -1, 1);
   }
   const Interval& added = change.sum.constant;
   Worlds all;
-  const Number low{sum.value + added.low, sum.beside};
-  const Number high{sum.value + added.high, sum.beside};
+  const Number low{NearestSum(sum.value, added.low), sum.beside};
+  const Number high{NearestSum(sum.value, added.high), sum.beside};
   const bool is_sum = !change.sum.functions.empty();
   for (const Number& number :
        is_sum ? marks_.BetweenSums(low, high, slot) : marks_.Between(low, high, slot)) {
