@@ -43,15 +43,15 @@ Element CountTable(const Subject& subject) {
 }
 
 // Worst first: by verdict, then by how much of the predicted width is left.
-std::vector<AttackedClaim> Tightest(const AttackFindings& attack) {
-  const auto key = [](const AttackedClaim& claim) {
+std::vector<sweep::WorstClaimRecord> Tightest(const sweep::AttackRecord& attack) {
+  const auto key = [](const sweep::WorstClaimRecord& claim) {
     const double width = claim.high - claim.low;
     const double scale = std::isfinite(width) && width > 0 ? width : 1;
     constexpr std::array kOrder = {"violated", "inconclusive", "contained"};
     const auto rank = std::ranges::find(kOrder, claim.verdict) - kOrder.begin();
     return std::pair(rank, claim.margin / scale);
   };
-  std::vector<AttackedClaim> worst = attack.worst;
+  std::vector<sweep::WorstClaimRecord> worst = attack.worst;
   std::ranges::stable_sort(worst, {}, key);
   if (worst.size() > kMostClaims) worst.resize(kMostClaims);
   return worst;
@@ -68,7 +68,7 @@ Element WorstTable(const Subject& subject, const CellFindings& cell) {
                    {"gate", "number"},
                    {"found by"},
                    {"attempt", "number"}});
-  for (const AttackedClaim& claim : Tightest(*cell.attack)) {
+  for (const sweep::WorstClaimRecord& claim : Tightest(*cell.attack)) {
     table.AddRow({Words(fmt::format("{} {} ({})", claim.step, claim.name, claim.about)),
                   VerdictWords(claim.verdict), Words(QuantityText(claim.observed, claim.unit)),
                   Words(IntervalText({claim.low, claim.high}, claim.unit)),
@@ -104,7 +104,8 @@ std::string NoiseText(const std::string& noise) {
   return errors.empty() ? "none" : fmt::format("{}", fmt::join(errors, ", "));
 }
 
-Element Example(const Subject& subject, const CellFindings& cell, const Counterexample& example) {
+Element Example(const Subject& subject, const CellFindings& cell,
+                const sweep::CounterexampleRecord& example) {
   Element box("div");
   box.Set("class", "example");
   box.Add("h4")
@@ -133,7 +134,7 @@ void AddExamples(Element& section, const Subject& subject) {
   std::vector<Element> examples;
   for (const CellFindings& cell : subject.findings.cells) {
     if (!cell.attack) continue;
-    for (const Counterexample& example : cell.attack->counterexamples) {
+    for (const sweep::CounterexampleRecord& example : cell.attack->counterexamples) {
       if (++all <= kMostExamples) examples.push_back(Example(subject, cell, example));
     }
   }

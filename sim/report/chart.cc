@@ -282,16 +282,16 @@ Element ErrorChart(const ClaimFindings& claim) {
   return svg;
 }
 
-Element ConservatismChart(const Conservatism& row, double greatest) {
+Element ConservatismChart(const sweep::ConservatismRecord& row, double greatest) {
   constexpr double kWidth = 240;
   const Axis axis{0, greatest, 4, kWidth - 10};
-  const bool broke = std::isfinite(row.broken);
-  Element svg = Drawing(kWidth, 20,
-                        fmt::format("guaranteed to {}, {}", NumberText(row.guaranteed),
-                                    broke ? "broken at " + NumberText(row.broken) : "not broken"));
+  Element svg =
+      Drawing(kWidth, 20,
+              fmt::format("guaranteed to {}, {}", NumberText(row.guaranteed),
+                          row.broken ? "broken at " + NumberText(*row.broken) : "not broken"));
   AddLine(svg, "grid", axis.At(0), 10, axis.right, 10);
   AddBox(svg, "predicted", axis.At(0), 4, axis.At(row.guaranteed) - axis.At(0), 12);
-  if (broke) AddMark(svg, ClaimVerdict::kViolated, axis.At(row.broken), 10);
+  if (row.broken) AddMark(svg, ClaimVerdict::kViolated, axis.At(*row.broken), 10);
   return svg;
 }
 

@@ -29,6 +29,6 @@ Element ErrorChart(const ClaimFindings& claim);
 
 // Multiples of the noise: what is guaranteed as a bar, what broke the plan as a
 // cross. `greatest`: of the axis.
-Element ConservatismChart(const Conservatism& row, double greatest);
+Element ConservatismChart(const sweep::ConservatismRecord& row, double greatest);
 
 }  // namespace assay::report

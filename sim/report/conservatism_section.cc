@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
+#include <string>
+#include <vector>
 
 #include "sim/report/chart.h"
 #include "sim/report/data_table.h"
@@ -9,34 +11,36 @@
 #include "sim/report/section.h"
 
 namespace assay::report {
+
+using sweep::ConservatismRecord;
+
 namespace {
 
-double Greatest(const CellFindings& cell) {
+double Greatest(const std::vector<ConservatismRecord>& rows) {
   double greatest = 1;
-  for (const Conservatism& row : cell.conservatism) {
-    for (const double value : {row.guaranteed, row.broken}) {
-      if (std::isfinite(value)) greatest = std::max(greatest, value);
-    }
+  for (const ConservatismRecord& row : rows) {
+    greatest = std::max({greatest, row.guaranteed, row.broken.value_or(0)});
   }
   return greatest;
 }
 
-void AddRow(DataTable& table, const Conservatism& row, double greatest) {
-  const bool broke = std::isfinite(row.broken);
+std::string RatioText(const ConservatismRecord& row) {
+  if (!row.ratio) return NumberText(std::numeric_limits<double>::quiet_NaN());
+  return (row.broken ? "" : "more than ") + NumberText(*row.ratio);
+}
+
+void AddRow(DataTable& table, const ConservatismRecord& row, double greatest) {
   table.AddRow({Words(row.variable == "all" ? "all together" : row.variable),
                 ConservatismChart(row, greatest), Words("× " + NumberText(row.guaranteed)),
-                Words(broke ? "× " + NumberText(row.broken) : "not broken"),
-                Words(!broke && std::isfinite(row.ratio) ? "more than " + NumberText(row.ratio)
-                                                         : NumberText(row.ratio))});
+                Words(row.broken ? "× " + NumberText(*row.broken) : "not broken"),
+                Words(RatioText(row))});
 }
 
 }  // namespace
 
 Element ConservatismRatios(const Subject& subject) {
   Element section("div");
-  bool any = false;
-  for (const CellFindings& cell : subject.findings.cells) any |= !cell.conservatism.empty();
-  if (!any) {
+  if (std::ranges::none_of(subject.findings.cells, &CellFindings::has_conservatism)) {
     section.Add("p", "How much more noise it would take to break a plan was not measured.");
     return section;
   }
@@ -45,14 +49,15 @@ Element ConservatismRatios(const Subject& subject) {
               "the multiple that the planner guarantees: 1 means that the guarantee is tight, 3 "
               "that the noise could be three times as great before anything went wrong.");
   for (const CellFindings& cell : subject.findings.cells) {
-    if (cell.conservatism.empty()) continue;
+    if (!cell.has_conservatism()) continue;
     DataTable table(fmt::format("{}: multiples of the noise", subject.NameOf(cell)),
                     {{"variable"},
                      {"guaranteed (bar), broken (cross)", "chart"},
                      {"guaranteed", "number"},
                      {"broken at", "number"},
                      {"ratio", "number"}});
-    for (const Conservatism& row : cell.conservatism) AddRow(table, row, Greatest(cell));
+    const std::vector<ConservatismRecord>& rows = cell.attack->conservatism;
+    for (const ConservatismRecord& row : rows) AddRow(table, row, Greatest(rows));
     section.Add(table.Take());
   }
   return section;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "sim/report/command.h"
@@ -36,6 +37,7 @@ class Csv {
   static std::string Text(double value) {
     return std::isnan(value) ? "" : fmt::format("{}", value);
   }
+  static std::string Text(const std::optional<double>& value) { return value ? Text(*value) : ""; }
   static std::string Text(int value) { return std::to_string(value); }
   static std::string Text(std::int64_t value) { return std::to_string(value); }
   static std::string Text(bool value) { return value ? "1" : "0"; }
@@ -147,7 +149,7 @@ CsvFile AttackedClaims(const Findings& findings) {
       "cell,step,action,about,name,unit,observed,low,high,margin,gate,verdict,phase,attempt,noise");
   for (const CellFindings& cell : findings.cells) {
     if (!cell.attack) continue;
-    for (const AttackedClaim& claim : cell.attack->worst) {
+    for (const sweep::WorstClaimRecord& claim : cell.attack->worst) {
       csv.Add(cell.cell().cell, claim.step, claim.action, claim.about, claim.name, claim.unit,
               claim.observed, claim.low, claim.high, claim.margin, claim.gate, claim.verdict,
               claim.phase, claim.attempt, claim.noise);
@@ -162,7 +164,7 @@ CsvFile Counterexamples(const Findings& findings) {
           "multiple,replay");
   for (const CellFindings& cell : findings.cells) {
     if (!cell.attack) continue;
-    for (const Counterexample& example : cell.attack->counterexamples) {
+    for (const sweep::CounterexampleRecord& example : cell.attack->counterexamples) {
       csv.Add(cell.cell().cell, example.number, example.claim, example.action, example.name,
               example.unit, example.observed, example.low, example.high, example.margin,
               example.gate, example.noise, example.steps, example.replayed, example.multiple,
@@ -175,7 +177,8 @@ CsvFile Counterexamples(const Findings& findings) {
 CsvFile ConservatismRatios(const Findings& findings) {
   Csv csv("conservatism.csv", "cell,variable,guaranteed,broken,ratio");
   for (const CellFindings& cell : findings.cells) {
-    for (const Conservatism& row : cell.conservatism) {
+    if (!cell.attack) continue;
+    for (const sweep::ConservatismRecord& row : cell.attack->conservatism) {
       csv.Add(cell.cell().cell, row.variable, row.guaranteed, row.broken, row.ratio);
     }
   }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -15,13 +16,6 @@ using nlohmann::json;
 using sweep::CellRecord;
 using sweep::Database;
 using sweep::Statement;
-
-bool HasTable(const Database& database, std::string_view table) {
-  Statement row =
-      database.Prepare("SELECT count(*) FROM sqlite_schema WHERE type = 'table' AND name = ?");
-  row.Bind(table);
-  return row.Next() && row.Int(0) != 0;
-}
 
 // "assemble(peg, block)"
 std::string ActionText(const json& action) {
@@ -62,87 +56,14 @@ RecoveryFindings ReadRecovery(const Database& database, const CellRecord& cell, 
   return recovery;
 }
 
-std::vector<AttackedClaim> ReadWorst(const Database& database, int cell) {
-  Statement rows = database.Prepare(
-      "SELECT claim, step, action, about, name, unit, observed, low, high, margin, gate, verdict, "
-      "phase, attempt, noise FROM attack_worst WHERE cell = ? ORDER BY step, claim");
-  rows.Bind(cell);
-  std::vector<AttackedClaim> worst;
-  while (rows.Next()) {
-    worst.push_back({.claim = rows.Text(0),
-                     .step = rows.Int(1),
-                     .action = rows.Text(2),
-                     .about = rows.Text(3),
-                     .name = rows.Text(4),
-                     .unit = rows.Text(5),
-                     .observed = rows.Real(6),
-                     .low = rows.Real(7),
-                     .high = rows.Real(8),
-                     .margin = rows.Real(9),
-                     .gate = rows.Real(10),
-                     .verdict = rows.Text(11),
-                     .phase = rows.Text(12),
-                     .attempt = rows.Integer(13),
-                     .noise = rows.Text(14)});
-  }
-  return worst;
-}
-
-std::vector<Counterexample> ReadCounterexamples(const Database& database, int cell) {
-  Statement rows = database.Prepare(
-      "SELECT number, claim, action, name, unit, observed, low, high, margin, gate, noise, steps, "
-      "replayed, multiple, replay FROM counterexample WHERE cell = ? ORDER BY number");
-  rows.Bind(cell);
-  std::vector<Counterexample> examples;
-  while (rows.Next()) {
-    examples.push_back({.number = rows.Int(0),
-                        .claim = rows.Text(1),
-                        .action = rows.Text(2),
-                        .name = rows.Text(3),
-                        .unit = rows.Text(4),
-                        .observed = rows.Real(5),
-                        .low = rows.Real(6),
-                        .high = rows.Real(7),
-                        .margin = rows.Real(8),
-                        .gate = rows.Real(9),
-                        .noise = rows.Text(10),
-                        .steps = rows.Int(11),
-                        .replayed = rows.Int(12) != 0,
-                        .multiple = rows.Real(13),
-                        .replay = rows.Text(14)});
-  }
-  return examples;
-}
-
-std::optional<AttackFindings> ReadAttack(const Database& database, int cell) {
-  if (!HasTable(database, "attack")) return std::nullopt;
-  Statement row = database.Prepare(
-      "SELECT attempts, contained, inconclusive, violated, not_claimed, claims_contained, "
-      "claims_inconclusive, claims_violated, claims_not_claimed FROM attack WHERE cell = ?");
-  row.Bind(cell);
-  if (!row.Next()) return std::nullopt;
-  AttackFindings attack{
-      .attempts = row.Integer(0),
-      .certificates = {row.Integer(1), row.Integer(2), row.Integer(3), row.Integer(4)},
-      .claims = {row.Integer(5), row.Integer(6), row.Integer(7), row.Integer(8)}};
-  if (HasTable(database, "attack_worst")) attack.worst = ReadWorst(database, cell);
-  if (HasTable(database, "counterexample")) {
-    attack.counterexamples = ReadCounterexamples(database, cell);
-  }
+std::optional<sweep::AttackRecord> ReadAttack(const sweep::Store& store, int cell) {
+  std::optional<sweep::AttackRecord> attack = store.FindAttack(cell);
+  if (!attack) return attack;
+  std::ranges::stable_sort(attack->worst, {}, &sweep::WorstClaimRecord::step);
+  std::ranges::stable_partition(attack->conservatism, [](const sweep::ConservatismRecord& ratio) {
+    return ratio.variable == "all";
+  });
   return attack;
-}
-
-std::vector<Conservatism> ReadConservatism(const Database& database, int cell) {
-  std::vector<Conservatism> rows_read;
-  if (!HasTable(database, "conservatism")) return rows_read;
-  Statement rows = database.Prepare(
-      "SELECT variable, guaranteed, broken, ratio FROM conservatism WHERE cell = ? ORDER BY "
-      "variable <> 'all', variable");
-  rows.Bind(cell);
-  while (rows.Next()) {
-    rows_read.push_back({rows.Text(0), rows.Real(1), rows.Real(2), rows.Real(3)});
-  }
-  return rows_read;
 }
 
 // Whether two cells differ in nothing but the noise that the trials are done
@@ -165,15 +86,13 @@ void AddControls(std::vector<CellFindings>& cells) {
 }
 
 CellFindings ReadCell(const sweep::Store& store, sweep::CellSummary summary) {
-  const Database& database = store.database();
   const json plan = json::parse(summary.cell.plan, nullptr, false);
   const int number = summary.cell.cell;
   CellFindings cell{.summary = std::move(summary),
                     .recovery = {},
                     .steps = ReadSteps(store, number),
-                    .attack = ReadAttack(database, number),
-                    .conservatism = ReadConservatism(database, number)};
-  cell.recovery = ReadRecovery(database, cell.cell(), plan);
+                    .attack = ReadAttack(store, number)};
+  cell.recovery = ReadRecovery(store.database(), cell.cell(), plan);
   const std::map<std::string, std::string> actions = ActionsOf(plan);
   for (StepFindings& step : cell.steps) {
     if (const auto found = actions.find(step.action); found != actions.end()) {

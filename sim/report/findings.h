@@ -60,49 +60,12 @@ struct RecoveryFindings {
   bool verifies = false;  // the plan has verifications
 };
 
-// A claim as the attack brought it out at its worst.
-struct AttackedClaim {
-  std::string claim;
-  int step = 0;
-  std::string action, about, name, unit;
-  double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
-  std::string verdict, phase;
-  std::int64_t attempt = 0;
-  std::string noise;
-};
-
-struct Counterexample {
-  int number = 0;
-  std::string claim, action, name, unit;
-  double observed = 0, low = 0, high = 0, margin = 0, gate = 0;
-  std::string noise;
-  int steps = 0;
-  bool replayed = false;
-  double multiple = 1;
-  std::string replay;  // a command
-};
-
-struct AttackFindings {
-  std::int64_t attempts = 0;
-  VerdictCounts certificates = {}, claims = {};
-  std::vector<AttackedClaim> worst = {};
-  std::vector<Counterexample> counterexamples = {};
-};
-
-// How much more noise than the planner guarantees it takes to break the plan.
-struct Conservatism {
-  std::string variable;   // "all": of all together
-  double guaranteed = 0;  // multiple of the noise
-  double broken = 0;      // least multiple that broke it; NaN: none that was tried
-  double ratio = 0;       // NaN: not known
-};
-
 struct CellFindings {
   sweep::CellSummary summary;
   RecoveryFindings recovery;
   std::vector<StepFindings> steps;
-  std::optional<AttackFindings> attack = {};
-  std::vector<Conservatism> conservatism = {};
+  // The worst claims by step, conservatism of all errors together first.
+  std::optional<sweep::AttackRecord> attack = {};
   // Trials without noise of the same plan; 0 done: there are none.
   int control_done = 0;
   int control_succeeded = 0;
@@ -110,6 +73,7 @@ struct CellFindings {
   const sweep::CellRecord& cell() const { return summary.cell; }
   bool is_control() const { return cell().noise == "none"; }
   bool is_attack() const { return cell().noise == "attack"; }
+  bool has_conservatism() const { return attack && !attack->conservatism.empty(); }
 };
 
 // The trials that pictures are taken of.
@@ -132,7 +96,7 @@ struct Findings {
   int done() const;
 };
 
-// Throws as Store does. A database without tables of attacks has none.
+// Throws as Store does.
 Findings ReadFindings(const sweep::Store& store, const std::string& database);
 
 }  // namespace assay::report

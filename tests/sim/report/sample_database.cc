@@ -70,16 +70,7 @@ TimedTrial Trial(int trial, int cell, int number) {
   return timed;
 }
 
-constexpr const char* kAttackTables = R"sql(
-CREATE TABLE IF NOT EXISTS attack(cell INTEGER PRIMARY KEY, attempts, contained, inconclusive,
-  violated, not_claimed, claims_contained, claims_inconclusive, claims_violated,
-  claims_not_claimed);
-CREATE TABLE IF NOT EXISTS attack_worst(cell, claim, step, action, about, name, unit, observed, low,
-  high, margin, gate, verdict, phase, attempt, noise, PRIMARY KEY(cell, claim));
-CREATE TABLE IF NOT EXISTS counterexample(cell, number, claim, action, name, unit, observed, low,
-  high, margin, gate, noise, steps, replayed, multiple, replay, PRIMARY KEY(cell, number));
-CREATE TABLE IF NOT EXISTS conservatism(cell, variable, guaranteed, broken, ratio,
-  PRIMARY KEY(cell, variable));
+constexpr const char* kAttack = R"sql(
 INSERT INTO attack(cell, attempts, contained, inconclusive, violated, not_claimed, claims_contained,
   claims_inconclusive, claims_violated, claims_not_claimed)
   VALUES(3, 20000, 19990, 8, 2, 0, 99000, 10, 2, 0);
@@ -116,7 +107,7 @@ void WriteSampleDatabase(const std::filesystem::path& file, bool attacked) {
   std::vector<TimedTrial> trials = {Trial(1, 1, 1)};
   for (int number = 1; number <= 10; ++number) trials.push_back(Trial(number + 1, 2, number));
   store.Add(trials);
-  if (attacked) store.database().Execute(kAttackTables);
+  if (attacked) store.database().Execute(kAttack);
   store.Close();
 }
 
