@@ -550,9 +550,8 @@ Interval ApplyToIntervals(const Expression& node, std::span<const Interval> x) {
 
 }  // namespace
 
-Expression WithOperands(const Expression& e, std::span<const Expression> operands) {
-  ASSAY_CHECK(operands.size() == e.operands().size());
-  switch (e.op()) {
+Expression Apply(Operator op, std::span<const Expression> operands, int exponent) {
+  switch (op) {
     case Operator::kConstant:
     case Operator::kVariable:
       break;
@@ -561,7 +560,7 @@ Expression WithOperands(const Expression& e, std::span<const Expression> operand
     case Operator::kProduct:
       return Product(operands);
     case Operator::kPower:
-      return Power(operands[0], e.exponent());
+      return Power(operands[0], exponent);
     case Operator::kQuotient:
       return operands[0] / operands[1];
     case Operator::kSin:
@@ -577,7 +576,7 @@ Expression WithOperands(const Expression& e, std::span<const Expression> operand
     case Operator::kMax:
       return Max(operands[0], operands[1]);
   }
-  return e;
+  ASSAY_CHECK(false, "has no operands");
 }
 
 std::vector<VariableId> VariablesOf(const Expression& e) {
@@ -596,7 +595,8 @@ Expression Substitute(const Expression& e, const std::map<VariableId, Expression
       const auto found = replacements.find(node.variable());
       return found == replacements.end() ? node : InPool(found->second, node.pool());
     }
-    return std::ranges::equal(operands, node.operands()) ? node : WithOperands(node, operands);
+    if (std::ranges::equal(operands, node.operands())) return node;
+    return Apply(node.op(), operands, node.op() == Operator::kPower ? node.exponent() : 0);
   };
   if (e.pool() == nullptr) return e;
   return ForwardPass<Expression>(e, NodesOf(e), apply);

@@ -150,8 +150,8 @@ class ExpressionPool {
 std::vector<Expression> NodesOf(const Expression& e);
 std::size_t NodeCount(const Expression& e);
 
-// The operation at the top of e, applied to other operands (as many as e has).
-Expression WithOperands(const Expression& e, std::span<const Expression> operands);
+// As many operands as the operator has, at least one; the exponent is that of a power.
+Expression Apply(Operator op, std::span<const Expression> operands, int exponent = 0);
 
 // The variables that occur, in increasing number.
 std::vector<VariableId> VariablesOf(const Expression& e);

@@ -431,32 +431,7 @@ class Parser {
       Fail(begin, fmt::format("{} is given {} arguments", name, arguments.size()),
            fmt::format("exactly {}", function->arguments));
     }
-    return Applied(function->op, arguments);
-  }
-
-  static Expression Applied(Operator op, std::span<const Expression> x) {
-    switch (op) {
-      case Operator::kSin:
-        return Sin(x[0]);
-      case Operator::kCos:
-        return Cos(x[0]);
-      case Operator::kSqrt:
-        return Sqrt(x[0]);
-      case Operator::kAbs:
-        return Abs(x[0]);
-      case Operator::kMin:
-        return Min(x[0], x[1]);
-      case Operator::kMax:
-        return Max(x[0], x[1]);
-      case Operator::kConstant:
-      case Operator::kVariable:
-      case Operator::kSum:
-      case Operator::kProduct:
-      case Operator::kPower:
-      case Operator::kQuotient:
-        break;  // not functions
-    }
-    return x[0];
+    return Apply(function->op, arguments);
   }
 
   std::vector<std::string> VariableNames() const {
