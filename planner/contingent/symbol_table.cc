@@ -91,11 +91,11 @@ void SymbolTable::DeclareConstants(const std::string& file,
 void SymbolTable::RequireType(const std::string& file, const std::string& type, Place place) const {
   if (type.empty() || HasType(type)) return;
   const std::string nearest = NearestName(type, TypeNames());
-  throw InputError({file, place.line, place.column},
-                   nearest.empty()
-                       ? fmt::format("unknown type '{}'", type)
-                       : fmt::format("unknown type '{}', did you mean '{}'?", type, nearest),
-                   fmt::format("{}", fmt::join(TypeNames(), ", ")));
+  throw InputError(
+      {file, place.line, place.column},
+      nearest.empty() ? fmt::format("unknown type '{}'", type)
+                      : fmt::format("unknown type '{}', did you mean '{}'?", type, nearest),
+      TypeNames().empty() ? "nothing" : fmt::format("{}", fmt::join(TypeNames(), ", ")));
 }
 
 bool SymbolTable::IsA(std::string type, const std::string& ancestor) const {

@@ -11,6 +11,7 @@
 
 #include "planner/contingent/initial_worlds.h"
 #include "planner/contingent/symbolic_check.h"
+#include "planner/contingent/tree_text.h"
 #include "planner/contingent/world_progression.h"
 
 namespace assay::contingent {
@@ -261,7 +262,7 @@ class Runner {
       if (next.worlds.empty()) return Fail("what is known contradicts itself", next);
       GoOn({.to = node.children[i],
             .history = std::move(next),
-            .outcome = fmt::format("outcome {} of {}", i + 1, QuestionOf(node)),
+            .outcome = "branch " + OutcomeText(task_, node, i),
             .is_repeat = node.Repeats(i),
             .is_counted = way.is_counted});
     }

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,9 @@ namespace assay::contingent {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "assay-tree/1";
+constexpr std::string_view kAnd = " & ";
 
 Json ArgumentsToJson(const GroundTask& task, const GroundAction& action) {
   Json arguments = Json::array();
@@ -55,12 +59,24 @@ Json ToJson(const GroundTask& task, const PlanNode& node) {
   return {};
 }
 
+// Of "a & b" a and b: a conjunction is one in whatever order it is written.
+std::set<std::string> Conjuncts(std::string_view text) {
+  std::set<std::string> conjuncts;
+  while (true) {
+    const std::size_t end = text.find(kAnd);
+    conjuncts.emplace(text.substr(0, end));
+    if (end == std::string_view::npos) return conjuncts;
+    text.remove_prefix(end + kAnd.size());
+  }
+}
+
 class Reader {
  public:
   explicit Reader(const GroundTask& task) : task_(task) {}
 
   PlanTree Read(const Value& json) {
     json.AllowOnly({"format", "root", "nodes"});
+    json.At("format").OneOf({kFormat});
     const std::vector<Value> nodes = json.At("nodes").Items();
     count_ = static_cast<int>(nodes.size());
     PlanTree tree;
@@ -75,19 +91,25 @@ class Reader {
   NodeId Number(const Value& value) const { return NodeId(value.Integer(0, count_ - 1)); }
 
   PlanNode ReadNode(const Value& json) const {
-    json.AllowOnly({"act", "then", "branch", "true", "false", "values", "goal", "repeats"});
     PlanNode node;
     if (json.Find("act")) {
+      json.AllowOnly({"act", "then", "repeats"});
       node.kind = PlanNode::Kind::kAct;
       node.action = ActionOf(json.At("act"));
       node.children = {Number(json.At("then"))};
     } else if (json.Find("values")) {
+      json.AllowOnly({"branch", "values", "repeats"});
       ReadValues(json, node);
     } else if (json.Find("branch")) {
+      json.AllowOnly({"branch", "true", "false", "repeats"});
       node.kind = PlanNode::Kind::kWhether;
       node.formula = FormulaOf(json.At("branch"));
       node.children = {Number(json.At("true")), Number(json.At("false"))};
-    } else if (!json.Find("goal")) {
+    } else if (const auto goal = json.Find("goal")) {
+      json.AllowOnly({"goal"});
+      if (!goal->Flag()) goal->Fail("a goal that is none", "true");
+    } else {
+      json.AllowOnly({"act", "branch", "goal"});
       json.Fail("a node without act, branch or goal", "one of them");
     }
     ReadRepeats(json, node);
@@ -99,6 +121,7 @@ class Reader {
     GroundAction wanted;
     wanted.name = json.At("name").Text();
     for (const Value& argument : json.At("arguments").Items()) {
+      if (argument.IsMap()) argument.AllowOnly({"value_of"});
       wanted.arguments.push_back(argument.IsMap() ? argument.At("value_of").Text()
                                                   : argument.Text());
     }
@@ -106,12 +129,21 @@ class Reader {
       const GroundAction& action = task_.actions[a];
       if (action.name == wanted.name && action.arguments == wanted.arguments) return ActionId(a);
     }
-    json.Fail(fmt::format("no action {}", TextOf(wanted)), "those of the domain");
+    RequireActionName(json.At("name"));
+    json.Fail(fmt::format("no action {}", TextOf(wanted)),
+              fmt::format("{} of other arguments", wanted.name));
+  }
+
+  void RequireActionName(const Value& name) const {
+    std::set<std::string> names;
+    for (const GroundAction& action : task_.actions) names.insert(action.name);
+    name.OneOf({names.begin(), names.end()});
   }
 
   FormulaId FormulaOf(const Value& json) const {
+    const std::set<std::string> conjuncts = Conjuncts(json.Text());
     for (std::size_t f = 0; f < task_.formulas.size(); ++f) {
-      if (TextOf(task_, task_.formulas[f]) == json.Text()) return FormulaId(f);
+      if (Conjuncts(TextOf(task_, task_.formulas[f])) == conjuncts) return FormulaId(f);
     }
     json.Fail(fmt::format("nothing senses '{}'", json.Text()), "what actions add to Kw");
   }
@@ -229,7 +261,7 @@ Json ToJson(const GroundTask& task, const PlanTree& tree) {
     }
     nodes.push_back(std::move(json));
   }
-  return {{"format", "assay-tree/1"}, {"root", tree.root.index()}, {"nodes", std::move(nodes)}};
+  return {{"format", kFormat}, {"root", tree.root.index()}, {"nodes", std::move(nodes)}};
 }
 
 PlanTree ReadTree(const Value& tree, const GroundTask& task) { return Reader(task).Read(tree); }

@@ -91,7 +91,7 @@ class Checker {
     Fail(place,
          nearest.empty() ? fmt::format("unknown {} '{}'", kind, name)
                          : fmt::format("unknown {} '{}', did you mean '{}'?", kind, name, nearest),
-         fmt::format("{}", fmt::join(known, ", ")));
+         known.empty() ? "nothing" : fmt::format("{}", fmt::join(known, ", ")));
   }
 
   Scope Extended(const Scope& outer, const std::vector<TypedName>& variables) const {

@@ -57,6 +57,7 @@ class Enacting {
         tree_(tree),
         seed_(options.seed.value_or(scenario.scenario.simulation.seed)),
         study_{.scenario = options.scenario.string(),
+               .models = options.models.string(),
                .seed = seed_,
                .sensing_errors = options.sensing_errors,
                .is_every_leaf = options.worlds == "all",
@@ -100,7 +101,10 @@ class Enacting {
         reachable_.push_back(i);
       }
     }
-    if (reachable_.empty()) throw UsageError("enact: no hidden world leads to a leaf of the tree");
+    if (reachable_.empty()) {
+      throw UsageError(fmt::format("enact: no hidden world leads to a leaf of the tree: {}",
+                                   study_.unreachable.front()));
+    }
   }
 
   std::optional<enact::HiddenWorld> WorldFor(std::size_t leaf, RandomStream& random) const {

@@ -61,13 +61,14 @@ render::Renderer RendererFor(const mujoco::Model& model, const PictureOptions& o
   return render::Renderer(model, size->width, size->height, {.samples = options.samples});
 }
 
-// "grasp-can1" of "grasp(can1)".
+// "judge-can1-can2" of "judge(can1, can2)".
 std::string FileName(const std::string& action) {
   std::string name;
   for (const char c : action) {
-    if (c == '(') name += '-';
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) name += c;
+    if (c == '(' || c == ',') name += '-';
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_') name += c;
   }
+  if (name.ends_with('-')) name.pop_back();  // of an action without arguments
   return name;
 }
 

@@ -102,7 +102,10 @@ class WorldSearch {
     if (!ChooseWorld()) {
       return no_mishap_.empty() ? "in no world of the scenario " + refuted_ : no_mishap_;
     }
-    for (const GroundLiteral& literal : leaf_.literals) Narrow(literal);
+    for (const GroundLiteral& literal : leaf_.literals) {
+      if (interpretation_.MeaningOf(literal.atom) == nullptr) return NotTold(literal);
+      Narrow(literal);
+    }
     for (const contingent::Bound& bound : leaf_.bounds) Narrow(bound);
     for (std::size_t i = 0; i < kinds_.size(); ++i) {
       if (kinds_[i].masses.empty() || kinds_[i].colors.empty()) return Refutation(PartId(i));
@@ -171,6 +174,12 @@ class WorldSearch {
     asked_[part.index()].push_back(TextOf(interpretation_.task, contingent::Formula{{}, bound}));
   }
 
+  std::string NotTold(const GroundLiteral& literal) const {
+    return fmt::format("no sensor tells whether {}: '{}' is internal",
+                       interpretation_.task.atoms[literal.atom.index()],
+                       interpretation_.task.ground_atoms[literal.atom.index()].symbol);
+  }
+
   std::string Refutation(PartId part) const {
     const bool is_hidden = interpretation_.hidden.contains(part);
     return fmt::format("nothing that {} {} makes {}", problem_.part(part).name,
@@ -219,18 +228,19 @@ class WorldSearch {
   std::string no_mishap_;  // why one that is needed cannot be
 };
 
-// By which literal of each denied conjunction is false.
-std::vector<Leaf> CasesOf(const Leaf& leaf) {
+// By which literal of each denied conjunction is false; not one that no sensor tells to be so.
+std::vector<Leaf> CasesOf(const Leaf& leaf, const Interpretation& interpretation) {
   std::vector<Leaf> cases = {leaf};
   for (const std::vector<GroundLiteral>& conjunction : leaf.denied) {
     std::vector<Leaf> longer;
     for (const Leaf& shorter : cases) {
       for (const GroundLiteral& literal : conjunction) {
+        if (interpretation.MeaningOf(literal.atom) == nullptr) continue;
         longer.push_back(shorter);
         longer.back().literals.push_back({literal.atom, !literal.is_positive});
       }
     }
-    cases = std::move(longer);
+    if (!longer.empty()) cases = std::move(longer);
   }
   return cases;
 }
@@ -266,7 +276,7 @@ std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
                                                  const Interpretation& interpretation,
                                                  const domain::Problem& problem,
                                                  RandomStream& random) {
-  const std::vector<Leaf> cases = CasesOf(leaf);
+  const std::vector<Leaf> cases = CasesOf(leaf, interpretation);
   const std::size_t first = cases.size() > 1 ? random.Index(static_cast<int>(cases.size())) : 0;
   std::variant<HiddenWorld, std::string> found;
   for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -20,18 +20,25 @@ bool Truth::StandsAt(PartId part, const domain::Place& place) const {
 }
 
 std::span<const MeaningWord* const> MeaningWords() {
-  static constexpr std::array kWords = {&kHeld,    &kHandEmpty, &kOver,    &kHeavier,
-                                        &kColored, &kAt,        &kOccupied};
+  static constexpr std::array kWords = {&kInternal, &kHeld,    &kHandEmpty, &kOver,
+                                        &kHeavier,  &kColored, &kAt,        &kOccupied};
   return kWords;
 }
 
 std::unique_ptr<const Meaning> ReadMeaning(const Value& map, const MeaningContext& context) {
-  std::vector<std::string> names = {"internal"};
+  std::vector<std::string> names;
   for (const MeaningWord* word : MeaningWords()) names.emplace_back(word->name);
   const int word = map.At("is").OneOf(names);
-  if (word > 0) return MeaningWords()[static_cast<std::size_t>(word - 1)]->read(map, context);
-  map.AllowOnly({"is"});
-  return nullptr;
+  return MeaningWords()[static_cast<std::size_t>(word)]->read(map, context);
 }
+
+const MeaningWord kInternal = {
+    .name = "internal",
+    .summary = "nothing in the workcell, also of a numeric function: not audited",
+    .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
+      map.AllowOnly({"is"});
+      return nullptr;
+    },
+};
 
 }  // namespace assay::enact

@@ -58,6 +58,7 @@ struct MeaningWord {
   std::string_view summary;
   std::unique_ptr<const Meaning> (*read)(const Value& map, const MeaningContext& context);
 };
+extern const MeaningWord kInternal;   // {is: internal}
 extern const MeaningWord kHeld;       // {is: held}
 extern const MeaningWord kHandEmpty;  // {is: hand-empty}
 extern const MeaningWord kOver;       // {is: over, place: TABLE}

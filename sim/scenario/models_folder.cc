@@ -30,7 +30,8 @@ fs::path FindModels(const fs::path& scenario_file) {
   }
   if (IsModels(Installed())) return Installed();
   throw InputError({.file = scenario_file.string()}, "no folder of models belongs to it",
-                   "a folder 'models' with 'workcells' in it, beside the file or above it");
+                   "a folder 'models' with 'workcells' in it, beside the file or above it, or "
+                   "named with --models");
 }
 
 fs::path RequireModels(const fs::path& folder) {

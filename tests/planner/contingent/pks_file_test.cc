@@ -174,6 +174,13 @@ TEST(PksFile, SlipsInProblems) {
               StartsWith("problem.pks:6:1: 'goal:' a second time; allowed: one goal:"));
 }
 
+TEST(PksFile, WhereNothingIsDeclaredNothingIsAllowed) {
+  EXPECT_EQ(MessageOf("domain d predicates: p(box)", "problem p domain d goal: true"),
+            "domain.pks:1:24: unknown type 'box'; allowed: nothing");
+  EXPECT_EQ(MessageOf("domain d", "problem p domain d externs: near(a) goal: true"),
+            "problem.pks:1:29: unknown extern 'near'; allowed: nothing");
+}
+
 TEST(PksFile, AProblemOfAnotherDomainIsToldWithItsPlace) {
   const std::string folder = ASSAY_SOURCE_DIR "/scenarios/know/";
   EXPECT_THAT(

@@ -43,6 +43,61 @@ TEST(TreeFile, RepeatsGoBackToNodesAbove) {
               HasSubstr("a repeat of node 2, which is not above on every way"));
 }
 
+class HandWritten : public testing::Test {
+ protected:
+  // A look senses a & b; then this branch, and this goal.
+  Json Tree(const Json& branch, const Json& goal = {{"goal", true}}) const {
+    const Json look = {{"name", "look"}, {"arguments", Json::array()}};
+    return {{"format", "assay-tree/1"},
+            {"root", 0},
+            {"nodes", {{{"act", look}, {"then", 1}}, branch, goal}}};
+  }
+  static Json Branch(const std::string& formula) {
+    return {{"branch", formula}, {"true", 2}, {"false", 2}};
+  }
+  std::string Message(const Json& tree) const {
+    return MessageOf([&] { Read(tree, task_); });
+  }
+
+  const GroundTask task_ =
+      GroundText("domain d predicates: a, b action look effects: add(Kw, a & b)",
+                 "problem p domain d goal: Kw(a & b)");
+};
+
+TEST_F(HandWritten, AConjunctionIsOneInWhateverOrder) {
+  const PlanTree tree = Read(Tree(Branch("a & b")), task_);
+  EXPECT_EQ(Read(Tree(Branch("b & a")), task_).nodes, tree.nodes);
+  EXPECT_TRUE(CheckTree(task_, tree).holds);
+  EXPECT_THAT(Message(Tree(Branch("a"))), HasSubstr("nothing senses 'a'"));
+  EXPECT_THAT(Message(Tree(Branch("a & b & c"))), HasSubstr("nothing senses 'a & b & c'"));
+}
+
+TEST_F(HandWritten, AnotherFormatIsRefused) {
+  Json tree = Tree(Branch("a & b"));
+  tree["format"] = "assay-tree/2";
+  EXPECT_THAT(Message(tree), HasSubstr("'assay-tree/2'"));
+  EXPECT_THAT(Message(tree), HasSubstr("allowed: assay-tree/1"));
+}
+
+TEST_F(HandWritten, ANodeIsOfOneKind) {
+  Json both = Branch("a & b");
+  both["then"] = 2;
+  EXPECT_THAT(Message(Tree(both)), HasSubstr("unknown key 'then'"));
+  EXPECT_THAT(Message(Tree(Branch("a & b"), {{"goal", false}})), HasSubstr("a goal that is none"));
+  EXPECT_THAT(Message(Tree(Branch("a & b"), {{"goal", true}, {"then", 0}})),
+              HasSubstr("unknown key 'then'"));
+  EXPECT_THAT(Message(Tree(Branch("a & b"), {{"gaol", true}})),
+              HasSubstr("unknown key 'gaol'; did you mean 'goal'?"));
+}
+
+TEST_F(HandWritten, AnActionThatIsNotThereIsTold) {
+  Json tree = Tree(Branch("a & b"));
+  tree["nodes"][0]["act"]["name"] = "lok";
+  EXPECT_THAT(Message(tree), HasSubstr("'lok'; did you mean 'look'?; allowed: look"));
+  tree["nodes"][0]["act"] = {{"name", "look"}, {"arguments", {"a"}}};
+  EXPECT_THAT(Message(tree), HasSubstr("no action look(a); allowed: look of other arguments"));
+}
+
 // Whether a node is come to from the root by children that are no repeats, not by way of another.
 bool IsReached(const PlanTree& tree, NodeId from, NodeId to, NodeId without) {
   if (from == without) return false;

@@ -33,6 +33,16 @@ TEST(Enact, AFalseClaimFailsATrialWithTheGoalReached) {
                     HasSubstr("made wrong in 1 trials, and the audit told in 1")));
 }
 
+// The folder of models was named, so the command that repeats the trial names it as well.
+TEST(Enact, TheCommandThatRepeatsATrialNamesTheModels) {
+  const std::string models = kTree / "models";
+  const Ended ended =
+      Assay({"enact", kTwoCans, "--sensing-errors", "1", "--models", models, "--json"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  EXPECT_EQ(ended.Json()["replay"][0], "assay enact " + kTwoCans + " --seed 0 --models " + models +
+                                           " --sensing-errors 1 --trial 1");
+}
+
 TEST(Enact, PicturesOfEachStep) {
   if (Assay({"doctor", "--json"}).Json()["renderer"] == "") {
     GTEST_SKIP() << "nothing renders on this machine";

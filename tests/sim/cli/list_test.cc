@@ -35,7 +35,8 @@ TEST(List, WhatADomainsWordsMayMean) {
     EXPECT_THAT(ended.out, HasSubstr(skill));
   }
   const Ended meanings = Assay({"list", "meanings", "--models", kTree / "models"});
-  for (const char* meaning : {"held", "hand-empty", "over", "heavier", "colored", "occupied"}) {
+  for (const char* meaning :
+       {"internal", "held", "hand-empty", "over", "heavier", "colored", "occupied"}) {
     EXPECT_THAT(meanings.out, HasSubstr(meaning));
   }
 }

@@ -1,6 +1,5 @@
 #include "sim/enact/leaves.h"
 
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -91,18 +90,38 @@ TEST(Leaves, WhatIsNotHiddenIsKnown) {
               ElementsAre("nothing that bottle is known to be makes isEmptyBottle(bottle)", ""));
 }
 
+contingent::GroundLiteral LiteralOf(const KnowledgeScenario& scenario, const std::string& atom) {
+  const std::vector<std::string>& atoms = scenario.interpretation.task.atoms;
+  return {contingent::AtomId(static_cast<int>(std::ranges::find(atoms, atom) - atoms.begin())),
+          true};
+}
+
+// No sensor tells what is internal: nothing that is told makes it true, nor a conjunction false.
+TEST(Leaves, WhatIsInternalIsNotTold) {
+  const KnowledgeScenario scenario = TwoCans({{"{is: held}", "{is: internal}"}});
+  const domain::Problem& problem = scenario.scenario.problem;
+  const contingent::GroundLiteral internal = LiteralOf(scenario, "isGrasped(can2)");
+  RandomStream random(1, "worlds");
+  Leaf denied;
+  denied.denied.push_back({LiteralOf(scenario, "isSpillable(can1)"), internal});
+  for (int i = 0; i < 20; ++i) {
+    const auto world = WorldFor(denied, scenario.interpretation, problem, random);
+    ASSERT_TRUE(world);
+    EXPECT_LT(world->masses.at(PartId(0)), 0.25);
+  }
+  Leaf held;
+  held.literals = {internal};
+  EXPECT_EQ(std::get<std::string>(FindWorld(held, scenario.interpretation, problem, random)),
+            "no sensor tells whether isGrasped(can2): 'isGrasped' is internal");
+}
+
 // That not both can be spilled: one of them cannot, whichever that may be.
 TEST(Leaves, DeniedConjunctionsHaveCases) {
   const KnowledgeScenario scenario =
       TwoCans({{"can1: {mass: [[0.06, 0.12], [0.38, 0.48]]}", "can1: {mass: [[0.38, 0.48]]}"}});
-  const auto& task = scenario.interpretation.task;
-  const auto spillable = [&](const char* can) {
-    const auto atom = std::ranges::find(task.atoms, fmt::format("isSpillable({})", can));
-    return contingent::GroundLiteral{
-        contingent::AtomId(static_cast<int>(atom - task.atoms.begin())), true};
-  };
   Leaf leaf;
-  leaf.denied.push_back({spillable("can1"), spillable("can2")});
+  leaf.denied.push_back(
+      {LiteralOf(scenario, "isSpillable(can1)"), LiteralOf(scenario, "isSpillable(can2)")});
   RandomStream random(1, "worlds");
   for (int i = 0; i < 20; ++i) {
     const auto world = WorldFor(leaf, scenario.interpretation, scenario.scenario.problem, random);
