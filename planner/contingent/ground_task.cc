@@ -10,6 +10,20 @@ namespace assay::contingent {
 // Rules that only add to Kf are at rest before that.
 std::size_t MostRoundsOf(const GroundTask& task) { return 1000 + task.atoms.size(); }
 
+std::set<FormulaId> SensedFormulas(const GroundTask& task) {
+  std::set<FormulaId> sensed(task.initial.sensed.begin(), task.initial.sensed.end());
+  const auto add = [&](const std::vector<GroundEffect>& effects) {
+    for (const GroundEffect& effect : effects) {
+      for (const GroundChange& change : effect.changes) {
+        if (change.kind == GroundChange::Kind::kSense) sensed.insert(change.formula);
+      }
+    }
+  };
+  for (const GroundAction& action : task.actions) add(action.effects);
+  add(task.updates);
+  return sensed;
+}
+
 bool IsUpper(Relation relation) {
   return relation == Relation::kLess || relation == Relation::kLessOrEqual;
 }

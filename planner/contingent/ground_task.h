@@ -2,6 +2,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -182,6 +183,9 @@ struct GroundTask {
   GroundQuery goal;
   FilePlace goal_place;
 };
+
+// That init, an action or an update rule adds to Kw.
+std::set<FormulaId> SensedFormulas(const GroundTask& task);
 
 // Rounds of all update rules that may change something; what changes after them is restless.
 std::size_t MostRoundsOf(const GroundTask& task);

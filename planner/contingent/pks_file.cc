@@ -260,8 +260,8 @@ class Parser {
       RequireOnce(is_precondition ? has_precondition : has_effects, section);
       Expect(":");
       if (is_precondition) {
-        if (!BeginsSection()) action.precondition = ReadQuery();
-      } else if (!BeginsSection()) {
+        action.precondition = ReadQuery();
+      } else {
         Append(action.effects, ReadEffects());
       }
     }
@@ -274,7 +274,6 @@ class Parser {
   std::vector<Effect> ReadEffects() {
     std::vector<Effect> effects;
     do {
-      if (BeginsSection()) break;
       ReadEffect(effects);
     } while (TakeIf(";"));
     return effects;

@@ -13,6 +13,7 @@ class Colored : public Meaning {
     const auto found = colors.find(roles.part);
     return found != colors.end() && found->second.head<3>() == named_.color;
   }
+  bool IsTold() const override { return true; }
   std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.colors.find(roles.part);
     if (found == readings.colors.end()) return std::nullopt;

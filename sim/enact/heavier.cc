@@ -15,6 +15,7 @@ class Heavier : public Meaning {
   bool IsTrue(const Truth& truth, const Roles& roles) const override {
     return truth.scene.TrueMass(roles.part) > mass_;
   }
+  bool IsTold() const override { return true; }
   std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.masses.find(roles.part);
     if (found == readings.masses.end()) return std::nullopt;

@@ -160,15 +160,26 @@ class KnowledgeFile {
     RequireRoles(place, symbol, arguments, meaning->Lacks(RolesOf(problem_, arguments)));
   }
 
-  // Branches on numbers are answered by readings of what these are.
+  // Branches are answered by readings.
   void RequireSensible(const std::map<std::string, Value>& places) const {
-    for (const contingent::Formula& formula : read_.task.formulas) {
-      if (!formula.bound || read_.QuantityOf(formula.bound->function) != nullptr) continue;
-      const std::string& symbol = read_.task.functions[formula.bound->function.index()].symbol;
-      places.at(symbol).Fail(fmt::format("no sensor tells whether {}: '{}' is internal",
-                                         TextOf(read_.task, formula), symbol),
-                             "a quantity of the workcell");
+    for (const contingent::FormulaId id : contingent::SensedFormulas(read_.task)) {
+      const contingent::Formula& formula = read_.task.formulas[id.index()];
+      if (IsTold(formula)) continue;
+      const std::string& symbol =
+          formula.bound ? read_.task.functions[formula.bound->function.index()].symbol
+                        : read_.task.ground_atoms[formula.literals.front().atom.index()].symbol;
+      places.at(symbol).Fail(
+          fmt::format("no sensor tells whether {}", TextOf(read_.task, formula)),
+          formula.bound ? "a quantity of the workcell" : "a meaning that sensors tell");
     }
+  }
+
+  // One of several literals may be what is left open.
+  bool IsTold(const contingent::Formula& formula) const {
+    if (formula.bound) return read_.QuantityOf(formula.bound->function) != nullptr;
+    return std::ranges::any_of(formula.literals, [&](const contingent::GroundLiteral& literal) {
+      return read_.IsTold(literal.atom);
+    });
   }
 
   static void RequireRoles(const Value& place, const std::string& what,

@@ -42,6 +42,11 @@ struct Interpretation {
   int WorldCount() const;  // of the scenario: 1 unless poses are open
   // Of an atom; null if it is internal.
   const Meaning* MeaningOf(contingent::AtomId atom) const;
+  // Whether there are sensors that tell whether it is true.
+  bool IsTold(contingent::AtomId atom) const {
+    const Meaning* const meaning = MeaningOf(atom);
+    return meaning != nullptr && meaning->IsTold();
+  }
   // Of a numeric function; null if it is internal.
   const Quantity* QuantityOf(contingent::FunctionId function) const;
   // A part of which the predicate `spill` is true, in the simulator.

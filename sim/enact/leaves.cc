@@ -103,7 +103,10 @@ class WorldSearch {
       return no_mishap_.empty() ? "in no world of the scenario " + refuted_ : no_mishap_;
     }
     for (const GroundLiteral& literal : leaf_.literals) {
-      if (interpretation_.MeaningOf(literal.atom) == nullptr) return NotTold(literal);
+      if (!interpretation_.IsTold(literal.atom)) {
+        return fmt::format("no sensor tells whether {}",
+                           interpretation_.task.atoms[literal.atom.index()]);
+      }
       Narrow(literal);
     }
     for (const contingent::Bound& bound : leaf_.bounds) Narrow(bound);
@@ -174,12 +177,6 @@ class WorldSearch {
     asked_[part.index()].push_back(TextOf(interpretation_.task, contingent::Formula{{}, bound}));
   }
 
-  std::string NotTold(const GroundLiteral& literal) const {
-    return fmt::format("no sensor tells whether {}: '{}' is internal",
-                       interpretation_.task.atoms[literal.atom.index()],
-                       interpretation_.task.ground_atoms[literal.atom.index()].symbol);
-  }
-
   std::string Refutation(PartId part) const {
     const bool is_hidden = interpretation_.hidden.contains(part);
     return fmt::format("nothing that {} {} makes {}", problem_.part(part).name,
@@ -235,7 +232,7 @@ std::vector<Leaf> CasesOf(const Leaf& leaf, const Interpretation& interpretation
     std::vector<Leaf> longer;
     for (const Leaf& shorter : cases) {
       for (const GroundLiteral& literal : conjunction) {
-        if (interpretation.MeaningOf(literal.atom) == nullptr) continue;
+        if (!interpretation.IsTold(literal.atom)) continue;
         longer.push_back(shorter);
         longer.back().literals.push_back({literal.atom, !literal.is_positive});
       }

@@ -9,13 +9,17 @@ class Look : public Skill {
  public:
   exec::Progress Do(const Roles& roles, Situation& situation) const override {
     if (auto failure = situation.crew.GoHome()) return failure;
-    const exec::Execution& execution = situation.execution();
-    const exec::Pose believed = execution.world().PartPose(roles.part, execution.BelievedTool());
-    const sense::ColorId color =
-        situation.color_sensor->Measure(situation.execution().data(), roles.part, believed);
-    situation.readings.colors.erase(roles.part);
-    if (!color.IsNone()) situation.readings.colors[roles.part] = color;
+    for (const PartId part : roles.parts) LookAt(part, situation);
     return std::nullopt;
+  }
+
+ private:
+  static void LookAt(PartId part, Situation& situation) {
+    exec::Execution& execution = situation.execution();
+    const exec::Pose believed = execution.world().PartPose(part, execution.BelievedTool());
+    const sense::ColorId color = situation.color_sensor->Measure(execution.data(), part, believed);
+    situation.readings.colors.erase(part);
+    if (!color.IsNone()) situation.readings.colors[part] = color;
   }
 };
 
@@ -24,8 +28,8 @@ class Look : public Skill {
 const SkillWord kLook = {
     .name = "look",
     .summary =
-        "looks with the overhead camera which of the scenario's `colors` the part has, the "
-        "arms at their homes",
+        "looks with the overhead camera which of the scenario's `colors` each of the parts has, "
+        "the arms at their homes",
     .read = [](const Value& map, const SkillContext& context) -> std::unique_ptr<const Skill> {
       map.AllowOnly({"skill"});
       if (context.colors.empty()) map.Fail("there are no colours to tell", "a key colors");

@@ -36,6 +36,8 @@ class Meaning {
   // What it lacks to mean something of these arguments; empty: nothing.
   virtual std::string Lacks(const Roles&) const { return {}; }
   virtual bool IsTrue(const Truth& truth, const Roles& roles) const = 0;
+  // Whether there are sensors that tell it.
+  virtual bool IsTold() const { return false; }
   // By what sensors have told; none: that is too little, or the sensor's error leaves it open.
   virtual std::optional<bool> Told(const Readings&, const Roles&) const { return std::nullopt; }
   // Of the scenario's world and the mishap, before it is run; none: it depends on other things.

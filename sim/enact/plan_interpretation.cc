@@ -176,6 +176,7 @@ class IsPosed : public Meaning {
     });
     return nearest->name == PoseOf(roles);
   }
+  bool IsTold() const override { return true; }
   std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.poses.find(PartOf(roles));
     if (found == readings.poses.end()) return std::nullopt;
@@ -234,6 +235,7 @@ class WentWell : public OfStep {
     return std::visit([&](const auto& action) { return IsTrueAfter(truth, action); },
                       PlanOf(roles).step(StepOf(roles)).action);
   }
+  bool IsTold() const override { return true; }
   std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.errors.find(roles.symbols.front());
     if (found == readings.errors.end()) return std::nullopt;
@@ -279,6 +281,7 @@ class Signals : public OfStep {
              (off > check.tolerance && check.above == ErrorOf(roles));
     });
   }
+  bool IsTold() const override { return true; }
   std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.errors.find(roles.symbols.front());
     if (found == readings.errors.end()) return std::nullopt;

@@ -9,8 +9,9 @@ Roles RolesOf(const domain::Problem& problem, std::span<const std::string> argum
   roles.symbols = arguments;
   for (const std::string& argument : arguments) {
     const auto part = std::ranges::find(problem.parts, argument, &domain::Part::name);
-    if (part != problem.parts.end() && roles.part.IsNone()) {
-      roles.part = PartId(static_cast<std::size_t>(part - problem.parts.begin()));
+    if (part != problem.parts.end()) {
+      roles.parts.emplace_back(static_cast<std::size_t>(part - problem.parts.begin()));
+      roles.part = roles.parts.front();
     }
     const std::vector<domain::Table>& tables = problem.workcell->tables();
     const auto table = std::ranges::find(tables, argument, &domain::Table::name);

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 #include "planner/base/document.h"
 #include "planner/domain/problem.h"
@@ -14,7 +15,8 @@ using domain::RobotId;
 // What the arguments of an action or an atom are in the workcell: a symbol that is the name of a
 // part, a table, a place or a robot stands for it. Other symbols stand for nothing.
 struct Roles {
-  PartId part = PartId::None();               // the first
+  PartId part = PartId::None();  // the first of these
+  std::vector<PartId> parts = {};
   const domain::Table* table = nullptr;       // the first
   const domain::Place* place = nullptr;       // the first
   RobotId robot = RobotId::None();            // the first

@@ -1,23 +1,30 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
 #include "planner/contingent/contingent_planner.h"
 #include "planner/contingent/tree_text.h"
 #include "sim/enact/enactment.h"
 #include "sim/render/renderer.h"
+#include "tests/scratch_file.h"
 
 namespace assay::enact {
 namespace {
 
 using testing::IsEmpty;
 
+constexpr const char* kOneBottle = ASSAY_SOURCE_DIR "/scenarios/bottles.yaml";
+
 struct Planned {
   KnowledgeScenario scenario;
   contingent::PlanTree tree;
 
-  explicit Planned(const std::string& name)
-      : scenario(
-            Load(ASSAY_SOURCE_DIR "/scenarios/" + name + ".yaml", ASSAY_SOURCE_DIR "/models")) {
+  explicit Planned(const std::filesystem::path& file)
+      : scenario(Load(file, ASSAY_SOURCE_DIR "/models")) {
     Budget budget(1'000'000);
     tree = MakePlan(scenario.interpretation.task, contingent::Wanted::kFirst, budget).tree;
   }
@@ -40,7 +47,7 @@ class Bottles : public testing::Test {
 
 // Facts 5.8; who reaches which place is computed, and nowhere said.
 TEST_F(Bottles, HandOverEmergesFromGeometry) {
-  const Planned bottle("bottles");
+  const Planned bottle(kOneBottle);
   EXPECT_EQ(
       TextOf(bottle.scenario.interpretation.task, bottle.tree, contingent::Sharing::kUnfolded),
       "senseIfEmpty(bottle)\n"
@@ -53,7 +60,7 @@ TEST_F(Bottles, HandOverEmergesFromGeometry) {
 }
 
 TEST_F(Bottles, EveryBranchReachesTheGoal) {
-  const Planned bottle("bottles");
+  const Planned bottle(kOneBottle);
   int number = 0;
   for (const Leaf& leaf : bottle.Leaves()) {
     const EnactedTrial trial = bottle.Run(leaf, ++number);
@@ -65,10 +72,41 @@ TEST_F(Bottles, EveryBranchReachesTheGoal) {
   EXPECT_EQ(number, 2);
 }
 
+// The three bottles, of two of which one look is to tell whether both are empty.
+std::filesystem::path LookAtBoth() {
+  std::ofstream(ScratchFile("both.pks"))
+      << "domain both types: object predicates: isEmptyBottle(object)\n"
+         "action lookAtBoth(?a: object, ?b: object) preconds: K(?a != ?b)\n"
+         "  effects: add(Kw, isEmptyBottle(?a) & isEmptyBottle(?b))\n";
+  std::ofstream(ScratchFile("both-problem.pks"))
+      << "problem both domain both objects: bottle1, bottle2, bottle3: object\n"
+         "goal: Kw(isEmptyBottle(bottle1) & isEmptyBottle(bottle3))\n";
+  std::ostringstream text;
+  text << std::ifstream(ASSAY_SOURCE_DIR "/scenarios/three-bottles.yaml").rdbuf();
+  const std::string scenario = text.str();
+  const std::string knowledge =
+      "knowledge:\n  domain: both.pks\n  problem: both-problem.pks\n"
+      "  colors: {full: [0.16, 0.45, 0.22], empty: [0.65, 0.82, 0.95]}\n"
+      "  actions:\n    lookAtBoth: {skill: look}\n"
+      "  predicates:\n    isEmptyBottle: {is: colored, color: empty}\n";
+  const std::filesystem::path file = ScratchFile("both.yaml");
+  std::ofstream(file) << scenario.substr(0, scenario.find("knowledge:")) << knowledge
+                      << scenario.substr(scenario.find("  hidden:"));
+  return file;
+}
+
+TEST_F(Bottles, AreLookedAtTogether) {
+  const Planned bottles(LookAtBoth());
+  ASSERT_EQ(SizeOf(bottles.tree).depth, 1);
+  const EnactedTrial trial = bottles.Run(bottles.Leaves().front(), 1);
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
+  EXPECT_THAT(trial.walk.false_claims, IsEmpty());
+}
+
 // What the camera told is made wrong: a full bottle is taken for an empty one, or the other way
 // round, and whatever comes of it, the claim is caught.
 TEST_F(Bottles, WrongSensingIsCaught) {
-  const Planned bottle("bottles");
+  const Planned bottle(kOneBottle);
   for (const Leaf& leaf : bottle.Leaves()) {
     const EnactedTrial trial = bottle.Run(leaf, 1, 1);
     EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim) << leaf.Text();

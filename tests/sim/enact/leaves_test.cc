@@ -96,9 +96,12 @@ contingent::GroundLiteral LiteralOf(const KnowledgeScenario& scenario, const std
           true};
 }
 
-// No sensor tells what is internal: nothing that is told makes it true, nor a conjunction false.
-TEST(Leaves, WhatIsInternalIsNotTold) {
-  const KnowledgeScenario scenario = TwoCans({{"{is: held}", "{is: internal}"}});
+// Nothing that is told makes it true, nor a conjunction false.
+class LeavesOfWhatNoSensorTells : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Meanings, LeavesOfWhatNoSensorTells,
+                         testing::Values("{is: internal}", "{is: held}"));
+TEST_P(LeavesOfWhatNoSensorTells, AreNotComeTo) {
+  const KnowledgeScenario scenario = TwoCans({{"{is: held}", GetParam()}});
   const domain::Problem& problem = scenario.scenario.problem;
   const contingent::GroundLiteral internal = LiteralOf(scenario, "isGrasped(can2)");
   RandomStream random(1, "worlds");
@@ -112,7 +115,7 @@ TEST(Leaves, WhatIsInternalIsNotTold) {
   Leaf held;
   held.literals = {internal};
   EXPECT_EQ(std::get<std::string>(FindWorld(held, scenario.interpretation, problem, random)),
-            "no sensor tells whether isGrasped(can2): 'isGrasped' is internal");
+            "no sensor tells whether isGrasped(can2)");
 }
 
 // That not both can be spilled: one of them cannot, whichever that may be.
