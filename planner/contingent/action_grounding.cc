@@ -47,8 +47,10 @@ void ActionGrounding::AddInstances(const Action& action) {
     return (a.literal->relation == Relation::kExtern) < (b.literal->relation == Relation::kExtern);
   });
   RequireFew(action, tests);
+  const std::size_t first = terms_.task().actions.size();
   Bindings bindings;
   BindFrom(action, tests, bindings, [&] { AddInstance(action, bindings); });
+  RequireSingleValues(action, first);
 }
 
 void ActionGrounding::RequireFew(const Action& action, const std::vector<EarlyTest>& tests) {
@@ -156,15 +158,30 @@ void ActionGrounding::AddInstance(const Action& action, const Bindings& bindings
     for (const Effect& effect : action.effects)
       effects_.AddEffects(effect, bindings, instance.effects);
   }
-  // An instance of parameters that does so is none that is ever executed.
-  if (action.parameters.empty()) RequireSingleValues(action, instance.effects);
   if (!terms_.TakeRefusal() && !instance.precondition.IsFalse()) {
     terms_.task().actions.push_back(std::move(instance));
   }
 }
 
-void ActionGrounding::RequireSingleValues(const Action& action,
-                                          const std::vector<GroundEffect>& effects) const {
+// An instance that gives two values is none that is ever executed; if no other is left, that is
+// no instance's matter.
+void ActionGrounding::RequireSingleValues(const Action& action, std::size_t first) const {
+  const std::vector<GroundAction>& all = terms_.task().actions;
+  std::optional<TwoValues> found;
+  for (std::size_t i = first; i < all.size(); ++i) {
+    const std::optional<TwoValues> given = TwoValuesOf(action, all[i]);
+    if (!given) return;
+    if (!found) found = given;
+  }
+  if (!found) return;
+  terms_.Fail(found->place,
+              fmt::format("{} gets two values at once",
+                          terms_.task().functions[found->function.index()].text),
+              "one value for each function");
+}
+
+std::optional<ActionGrounding::TwoValues> ActionGrounding::TwoValuesOf(
+    const Action& action, const GroundAction& instance) const {
   const auto is_always = [&](const GroundEffect& ground) {
     return std::ranges::any_of(action.effects, [&](const Effect& effect) {
       const Query& condition = effect.condition;
@@ -173,20 +190,18 @@ void ActionGrounding::RequireSingleValues(const Action& action,
     });
   };
   std::vector<const GroundChange*> given;
-  for (const GroundEffect& effect : effects) {
+  for (const GroundEffect& effect : instance.effects) {
     if (!is_always(effect)) continue;
     for (const GroundChange& change : effect.changes) {
+      const FunctionId function = FunctionGiven(terms_.task(), change);
+      if (function.IsNone()) continue;
       for (const GroundChange* other : given) {
-        if (!GiveTwoValues(terms_.task(), *other, change)) continue;
-        const FunctionId function = FunctionGiven(terms_.task(), change);
-        terms_.Fail(effect.place,
-                    fmt::format("{} gets two values at once",
-                                terms_.task().functions[function.index()].text),
-                    "one value for each function");
+        if (GiveTwoValues(terms_.task(), *other, change)) return TwoValues{effect.place, function};
       }
       given.push_back(&change);
     }
   }
+  return std::nullopt;
 }
 
 }  // namespace assay::contingent

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,15 @@ class ActionGrounding {
   void AddRunTimeValues(const Query& query, const std::string& parameter, const Bindings& bindings,
                         std::vector<Value>& candidates);
   void AddInstance(const Action& action, const Bindings& bindings);
-  // Throws InputError where what always happens gives a function two values.
-  void RequireSingleValues(const Action& action, const std::vector<GroundEffect>& effects) const;
+  // Throws InputError if what always happens gives a function two values, in all instances.
+  // `first`: the action's first one.
+  void RequireSingleValues(const Action& action, std::size_t first) const;
+  struct TwoValues {
+    Place place;
+    FunctionId function;
+  };
+  // Of what always happens; none if there are none.
+  std::optional<TwoValues> TwoValuesOf(const Action& action, const GroundAction& instance) const;
 
   TermGrounding& terms_;
   QueryGrounding& queries_;
