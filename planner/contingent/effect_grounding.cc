@@ -1,5 +1,6 @@
 #include "planner/contingent/effect_grounding.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "planner/contingent/ground_query.h"
@@ -118,6 +119,7 @@ std::vector<GroundChange> EffectGrounding::WhetherChanges(const std::vector<Lite
            .formula = *formula}};
 }
 
+// An alternative that is said twice, as parameters may make it, is one.
 std::vector<GroundChange> EffectGrounding::RelationChanges(const Change& change,
                                                            const Bindings& bindings) {
   GroundChange relation;
@@ -127,11 +129,16 @@ std::vector<GroundChange> EffectGrounding::RelationChanges(const Change& change,
     AtomId atom;
     if (literal.relation == Relation::kPredicate) {
       atom = terms_.table().Atom(literal.predicate, terms_.Constants(literal.arguments, bindings));
-    } else if (const auto equality = terms_.EqualityOf(literal)) {
+    } else if (const auto equality = terms_.EqualityOf(literal, bindings)) {
       atom = terms_.table().Value(equality->first, equality->second);
     }
+    if (atom.IsNone() && !bindings.empty()) terms_.Refuse();  // no such value
+    if (terms_.is_refused()) return {};
     if (atom.IsNone()) terms_.Fail(literal.place, "no value of this function", "one of its type");
-    relation.literals.push_back({atom, literal.is_positive});
+    const GroundLiteral alternative{atom, literal.is_positive};
+    const bool is_new =
+        std::ranges::find(relation.literals, alternative) == relation.literals.end();
+    if (is_new) relation.literals.push_back(alternative);
   }
   return {relation};
 }

@@ -42,7 +42,7 @@ void InitialGrounding::TellFact(const Change& change) {
   if (literal.relation == Relation::kPredicate) {
     TellAtom(AtomText(literal.predicate, terms_.Constants(literal.arguments, {})),
              knowledge(literal.is_positive), change.place);
-  } else if (const auto equality = terms_.EqualityOf(literal)) {
+  } else if (const auto equality = terms_.EqualityOf(literal, {})) {
     const GroundFunction& function = terms_.task().functions[equality->first.index()];
     if (literal.is_positive) {
       for (const std::string& constant : function.constants) {

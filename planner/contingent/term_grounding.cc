@@ -75,16 +75,17 @@ FunctionId TermGrounding::FunctionOf(const Term& term, const Bindings& bindings)
 }
 
 std::optional<std::pair<FunctionId, std::string>> TermGrounding::EqualityOf(
-    const Literal& literal) {
+    const Literal& literal, const Bindings& bindings) {
   const Term& left = literal.arguments[0];
   const Term& right = literal.arguments[1];
   const Term& function = left.kind == Term::Kind::kFunction ? left : right;
-  const Term& constant = left.kind == Term::Kind::kFunction ? right : left;
+  const Term& value = left.kind == Term::Kind::kFunction ? right : left;
   if (IsNumeric(function)) return std::nullopt;
-  if (function.kind != Term::Kind::kFunction || constant.kind != Term::Kind::kConstant) {
+  const bool is_value = value.kind == Term::Kind::kConstant || value.kind == Term::Kind::kVariable;
+  if (function.kind != Term::Kind::kFunction || !is_value) {
     Fail(literal.place, "not a value of a function", "f(...) = constant");
   }
-  return {{FunctionOf(function, {}), constant.name}};
+  return {{FunctionOf(function, bindings), Constants({value}, bindings).front()}};
 }
 
 GroundSum TermGrounding::SumOf(const Term& term, const Bindings& bindings) {

@@ -48,8 +48,9 @@ class TermGrounding {
   // Arguments of a predicate, a function or an extern: no run-time variables.
   std::vector<std::string> Constants(const std::vector<Term>& terms, const Bindings& bindings);
   FunctionId FunctionOf(const Term& term, const Bindings& bindings);
-  // Of f(a) = c in the problem's init: f(a) and c; none if f is numeric.
-  std::optional<std::pair<FunctionId, std::string>> EqualityOf(const Literal& literal);
+  // Of f(a) = c, in init or among alternatives: f(a) and c; none if f is numeric.
+  std::optional<std::pair<FunctionId, std::string>> EqualityOf(const Literal& literal,
+                                                               const Bindings& bindings);
   GroundSum SumOf(const Term& term, const Bindings& bindings);
   Bound BoundOf(const Literal& literal, const Bindings& bindings);
 

@@ -322,6 +322,25 @@ TEST(Kx, ChangingAMemberEndsTheAlternatives) {
   EXPECT_FALSE(mind.Holds("Kw(p(b))"));  // it may have been the one
 }
 
+// Of the functions and values that an action's parameters stand for: here a.
+TEST(Kx, AnActionTellsOfItsParameters) {
+  Mind mind("add(Kf, at(a) != b)",
+            "action tell(?x: thing) effects: add(Kx, at(?x) = b | ?x = at(?x))\n",
+            {"K(at(a) = a)", "K(at(b) = b)"});
+  mind.Do("tell");
+  EXPECT_TRUE(mind.Holds("K(at(a) = a)"));
+  EXPECT_FALSE(mind.Holds("K(at(b) = b)"));
+}
+
+TEST(Kx, AnAlternativeThatIsSaidTwiceIsOne) {
+  Mind mind("add(Kx, p(a) | p(b) | p(a)), add(Kf, !p(b))",
+            "action tell(?x: thing, ?y: thing) effects: add(Kx, q(?x) | q(?y))\n",
+            {"K(p(a))", "K(q(a))"});
+  EXPECT_TRUE(mind.Holds("K(p(a))"));
+  mind.Do("tell");
+  EXPECT_TRUE(mind.Holds("K(q(a))"));
+}
+
 // Whoever executes it does not know that the condition holds.
 TEST(Kx, IsNotToldUnderAConditionThatIsNotKnown) {
   const std::string tell = "action tell effects: K(p(b)) => add(Kx, p(a) | q(a))\n";
