@@ -65,13 +65,58 @@ Diagram AtomKnowledge::RelationOf(const KnowledgeState& state, AtomId atom) {
 void AtomKnowledge::Set(KnowledgeState& state, GroundLiteral literal) {
   UnsenseWith(state, literal.atom);
   if (layout_.IsUndetermined(state, literal.atom)) Unrelate(state, literal.atom);
+  Disentangle(state, literal.atom);
   layout_.SetKnown(state, literal);
 }
 
 void AtomKnowledge::Forget(KnowledgeState& state, AtomId atom) {
   UnsenseWith(state, atom);
   if (layout_.IsUndetermined(state, atom)) Unrelate(state, atom);
+  Disentangle(state, atom);
   layout_.SetUnknown(state, atom);
+}
+
+void AtomKnowledge::Disentangle(KnowledgeState& state, AtomId atom) const {
+  layout_.SetEntangled(state, atom, false);
+  layout_.SetOuter(state, atom, false);
+}
+
+void AtomKnowledge::Entangle(KnowledgeState& state, AtomId atom, bool is_outer) const {
+  layout_.SetEntangled(state, atom, true);
+  if (is_outer) layout_.SetOuter(state, atom, true);
+}
+
+void AtomKnowledge::Entangle(KnowledgeState& state, Diagram worlds) {
+  for (const int variable : worlds_.Support(worlds)) {
+    if (worlds_.IsOfAtom(variable)) Entangle(state, worlds_.AtomOf(variable), false);
+  }
+  SpreadEntanglement(state);
+}
+
+void AtomKnowledge::SpreadEntanglement(KnowledgeState& state) {
+  for (const Diagram relation : state.relations) {
+    SpreadEntanglement(state, worlds_.Support(relation));
+  }
+}
+
+void AtomKnowledge::SpreadEntanglement(KnowledgeState& state,
+                                       const std::vector<int>& variables) const {
+  bool are_entangled = false;
+  bool are_outer = false;
+  for (const int variable : variables) {
+    are_entangled |= layout_.IsEntangled(state, worlds_.AtomOf(variable));
+    are_outer |= layout_.IsOuter(state, worlds_.AtomOf(variable));
+  }
+  if (!are_entangled) return;
+  for (const int variable : variables) Entangle(state, worlds_.AtomOf(variable), are_outer);
+}
+
+// Values of one function are related without its being said.
+bool AtomKnowledge::IsOuter(const KnowledgeState& state, AtomId atom) const {
+  const FunctionId function = task_.function_of_atom[atom.index()];
+  if (function.IsNone()) return layout_.IsOuter(state, atom);
+  return std::ranges::any_of(task_.functions[function.index()].values,
+                             [&](AtomId value) { return layout_.IsOuter(state, value); });
 }
 
 void AtomKnowledge::UnsenseWith(KnowledgeState& state, AtomId atom) {
@@ -123,12 +168,16 @@ void AtomKnowledge::Change(KnowledgeState& state, const std::map<AtomId, Possibl
   image = worlds_.And(image, UniqueNames(worlds_.Support(image), state));
   const bool can_hold = PutRelation(state, image);
   ASSAY_CHECK(can_hold, "an effect left no world");
+  if (bounds.Variables().empty()) return;
+  for (const auto& [atom, where] : changes) Entangle(state, atom, bounds.AreOuter());
+  SpreadEntanglement(state);
 }
 
 // ---- More is known
 
 void AtomKnowledge::Learn(KnowledgeState& state, GroundLiteral literal) {
   if (!layout_.IsUndetermined(state, literal.atom)) return;
+  if (layout_.IsEntangled(state, literal.atom)) LearnOfNumbers(state);
   const Diagram relation = RelationOf(state, literal.atom);
   layout_.SetKnown(state, literal);
   if (relation != kAllSets) {
@@ -159,6 +208,10 @@ bool AtomKnowledge::Relate(KnowledgeState& state, const std::vector<GroundLitera
 
 bool AtomKnowledge::RelateAsWell(KnowledgeState& state, Diagram relation) {
   const std::vector<int>& variables = worlds_.Support(relation);
+  const bool tells_of_numbers = std::ranges::any_of(variables, [&](int variable) {
+    return layout_.IsEntangled(state, worlds_.AtomOf(variable));
+  });
+  if (tells_of_numbers) LearnOfNumbers(state);
   return PutRelation(state, worlds_.And(relation, TakeRelations(state, variables)));
 }
 
@@ -204,6 +257,7 @@ bool AtomKnowledge::PutRelation(KnowledgeState& state, Diagram relation) {
   if (relation != UniqueNames(worlds_.Support(relation), state)) {
     state.relations.insert(
         std::lower_bound(state.relations.begin(), state.relations.end(), relation), relation);
+    SpreadEntanglement(state, worlds_.Support(relation));
   }
   for (const Assignment& a : known) Learn(state, {worlds_.AtomOf(a.variable), a.value});
   return true;

@@ -48,6 +48,13 @@ class AtomKnowledge {
   void Change(KnowledgeState& state, const std::map<AtomId, PossibleChange>& changes,
               const OpenBounds& bounds);
 
+  // Whether more may be known of the atom than the state says: that it is not known cannot be told.
+  bool IsOuter(const KnowledgeState& state, AtomId atom) const;
+  // The atoms that the set depends on hang together with a number from now on.
+  void Entangle(KnowledgeState& state, Diagram worlds);
+  // More is known of something that hangs together with a number, and so perhaps of all such atoms.
+  void LearnOfNumbers(KnowledgeState& state) const { layout_.SetEntangledOuter(state); }
+
   // More is known of the world. A literal that may hold:
   void Learn(KnowledgeState& state, GroundLiteral literal);
   // False if the literals cannot all hold (`value`), or not all.
@@ -58,6 +65,11 @@ class AtomKnowledge {
 
  private:
   void UnsenseWith(KnowledgeState& state, AtomId atom);
+  void Disentangle(KnowledgeState& state, AtomId atom) const;
+  void Entangle(KnowledgeState& state, AtomId atom, bool is_outer) const;
+  // What is related to an atom that is entangled, or outer, is so as well.
+  void SpreadEntanglement(KnowledgeState& state);
+  void SpreadEntanglement(KnowledgeState& state, const std::vector<int>& variables) const;
   void Unrelate(KnowledgeState& state, AtomId atom);
   // Adds a relation to those that are there; false if they cannot hold together.
   bool RelateAsWell(KnowledgeState& state, Diagram relation);

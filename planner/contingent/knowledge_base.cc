@@ -94,6 +94,7 @@ std::optional<KnowledgeState> KnowledgeBase::Settled(KnowledgeState state) {
 
 void KnowledgeBase::Canonicalize(KnowledgeState& state) const {
   std::sort(state.relations.begin(), state.relations.end());
+  layout_.DisentangleKnown(state);
   for (std::size_t f = 0; f < task_.formulas.size(); ++f) {
     const FormulaId formula(f);
     if (layout_.IsSensed(state, formula) && queries_.IsDetermined(task_.formulas[f], state)) {
@@ -151,6 +152,7 @@ std::optional<KnowledgeState> KnowledgeBase::Learned(const KnowledgeState& state
                                                      bool value) {
   KnowledgeState next = state;
   if (const std::optional<Bound>& bound = task_.formulas[formula.index()].bound) {
+    if (numbers_.RangeOf(bound->function, next).is_outer) atoms_.LearnOfNumbers(next);
     numbers_.Learn(next, value ? *bound : Negation(*bound));
   } else if (!atoms_.LearnConjunction(next, task_.formulas[formula.index()].literals, value)) {
     return std::nullopt;

@@ -218,6 +218,7 @@ void KnowledgeProgression::ApplyUnsettled(const Changes& changes, const Knowledg
     const Range otherwise = numbers_.RangeOf(change->function, state);
     Apply(*change, before, state);
     numbers_.Unsettle(state, change->function, otherwise);
+    atoms_.Entangle(state, where);
   }
   for (const FunctionId function : changes.deciding) numbers_.Entangle(state, function);
 }

@@ -37,9 +37,16 @@ bool KnowledgeQueries::MayHold(const GroundQuery& query, const KnowledgeState& s
       return std::any_of(query.operands.begin(), query.operands.end(), may_hold);
     case GroundQuery::Kind::kNot:
       return !Holds(query.operands.front(), state);
-    case GroundQuery::Kind::kKnown:
+    case GroundQuery::Kind::kKnown: {
+      const GroundLiteral negation{query.literal.atom, !query.literal.is_positive};
+      return Holds(query, state) ||
+             (atoms_.IsOuter(state, query.literal.atom) && !layout_.IsKnown(state, negation));
+    }
     case GroundQuery::Kind::kKnownWhether:
-      return Holds(query, state);
+      return Holds(query, state) ||
+             std::ranges::any_of(
+                 task_.formulas[query.formula.index()].literals,
+                 [&](const GroundLiteral& literal) { return atoms_.IsOuter(state, literal.atom); });
     case GroundQuery::Kind::kBoundKnown:
       return numbers_.MayHold(query.bound, state);
     case GroundQuery::Kind::kValueSensed:

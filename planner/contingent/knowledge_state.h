@@ -30,7 +30,10 @@ struct KnowledgeState {
 
 std::uint64_t HashOf(const KnowledgeState& state);
 
-// Where the bits of a state are: Kf true, Kf false, Kw, Kv.
+// Where the bits of a state are: Kf true, Kf false, Kw, Kv; and of unknown atoms, which hang
+// together with numbers: a bound that is not known has decided what they are. No relation says how:
+// when more is learned of such a number, that may tell of the atom what the state does not say, and
+// the atom is outer, as a number's range is (Range::is_outer).
 class StateLayout {
  public:
   explicit StateLayout(const GroundTask& task)
@@ -38,7 +41,7 @@ class StateLayout {
         formula_words_(Words(task.formulas.size())),
         function_words_(Words(task.functions.size())) {}
 
-  std::size_t size() const { return 2 * atom_words_ + formula_words_ + function_words_; }
+  std::size_t size() const { return 4 * atom_words_ + formula_words_ + function_words_; }
 
   bool IsKnown(const KnowledgeState& state, GroundLiteral literal) const {
     return Bit(state, At(literal), literal.atom.index());
@@ -51,6 +54,12 @@ class StateLayout {
   }
   bool IsSensed(const KnowledgeState& state, FunctionId function) const {
     return Bit(state, 2 * atom_words_ + formula_words_, function.index());
+  }
+  bool IsEntangled(const KnowledgeState& state, AtomId atom) const {
+    return Bit(state, FirstEntangled(), atom.index());
+  }
+  bool IsOuter(const KnowledgeState& state, AtomId atom) const {
+    return Bit(state, FirstEntangled() + atom_words_, atom.index());
   }
 
   void SetKnown(KnowledgeState& state, GroundLiteral literal) const {
@@ -67,8 +76,29 @@ class StateLayout {
   void SetSensed(KnowledgeState& state, FunctionId function, bool value) const {
     SetBit(state, 2 * atom_words_ + formula_words_, function.index(), value);
   }
+  void SetEntangled(KnowledgeState& state, AtomId atom, bool value) const {
+    SetBit(state, FirstEntangled(), atom.index(), value);
+  }
+  void SetOuter(KnowledgeState& state, AtomId atom, bool value) const {
+    SetBit(state, FirstEntangled() + atom_words_, atom.index(), value);
+  }
+  // All atoms that are entangled are outer from now on.
+  void SetEntangledOuter(KnowledgeState& state) const {
+    for (std::size_t w = 0; w < atom_words_; ++w) {
+      state.bits[FirstEntangled() + atom_words_ + w] |= state.bits[FirstEntangled() + w];
+    }
+  }
+  // What is known is neither.
+  void DisentangleKnown(KnowledgeState& state) const {
+    for (std::size_t w = 0; w < atom_words_; ++w) {
+      const std::uint64_t unknown = ~(state.bits[w] | state.bits[atom_words_ + w]);
+      state.bits[FirstEntangled() + w] &= unknown;
+      state.bits[FirstEntangled() + atom_words_ + w] &= unknown;
+    }
+  }
 
  private:
+  std::size_t FirstEntangled() const { return 2 * atom_words_ + formula_words_ + function_words_; }
   static std::size_t Words(std::size_t bits) { return (bits + 63) / 64; }
   std::size_t At(GroundLiteral literal) const { return literal.is_positive ? 0 : atom_words_; }
   static bool Bit(const KnowledgeState& state, std::size_t from, int index) {

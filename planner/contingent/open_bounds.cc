@@ -32,6 +32,10 @@ Diagram OpenBounds::Together() const {
   return together;
 }
 
+bool OpenBounds::AreOuter() const {
+  return std::ranges::any_of(bounds_, [&](const Bound& bound) { return RangeOf(bound).is_outer; });
+}
+
 std::vector<int> OpenBounds::Variables() const {
   std::vector<int> variables;
   for (std::size_t i = 0; i < bounds_.size(); ++i) variables.push_back(VariableOf(i));

@@ -22,6 +22,8 @@ class OpenBounds {
   // Which of the bounds so far can hold together: what one says of the number may decide another.
   Diagram Together() const;
   std::vector<int> Variables() const;
+  // Whether one of the bounds so far is of a number of which more is known than its range says.
+  bool AreOuter() const;
 
  private:
   const Range& RangeOf(const Bound& bound) const {

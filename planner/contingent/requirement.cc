@@ -355,6 +355,8 @@ bool Regression::Suits(const Requirement& requirement, StateId made_in, StateId 
       const AtomId atom(i);
       if (layout.IsKnown(there, {atom, true}) != layout.IsKnown(here, {atom, true}) ||
           layout.IsKnown(there, {atom, false}) != layout.IsKnown(here, {atom, false}) ||
+          layout.IsEntangled(there, atom) != layout.IsEntangled(here, atom) ||
+          layout.IsOuter(there, atom) != layout.IsOuter(here, atom) ||
           knowledge_.RelationOf(there, atom) != knowledge_.RelationOf(here, atom)) {
         return false;
       }

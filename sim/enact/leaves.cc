@@ -225,22 +225,45 @@ class WorldSearch {
   std::string no_mishap_;  // why one that is needed cannot be
 };
 
-// By which literal of each denied conjunction is false; not one that no sensor tells to be so.
-std::vector<Leaf> CasesOf(const Leaf& leaf, const Interpretation& interpretation) {
-  std::vector<Leaf> cases = {leaf};
-  for (const std::vector<GroundLiteral>& conjunction : leaf.denied) {
-    std::vector<Leaf> longer;
-    for (const Leaf& shorter : cases) {
-      for (const GroundLiteral& literal : conjunction) {
-        if (!interpretation.IsTold(literal.atom)) continue;
-        longer.push_back(shorter);
-        longer.back().literals.push_back({literal.atom, !literal.is_positive});
-      }
+// A world for each way in which denied conjunctions can be false, until one is found: by a literal
+// that a sensor tells to be so, of conjunctions that none of the leaf's literals denies.
+class CaseSearch {
+ public:
+  CaseSearch(const Interpretation& interpretation, const domain::Problem& problem,
+             RandomStream& random)
+      : interpretation_(interpretation), problem_(problem), random_(random) {}
+
+  std::variant<HiddenWorld, std::string> Find(const Leaf& leaf, std::size_t next = 0) {
+    while (next < leaf.denied.size() && IsDenied(leaf.denied[next], leaf)) ++next;
+    if (next == leaf.denied.size()) {
+      return WorldSearch(leaf, interpretation_, problem_, random_).Find();
     }
-    if (!longer.empty()) cases = std::move(longer);
+    std::vector<GroundLiteral> told = leaf.denied[next];
+    std::erase_if(told, [&](const GroundLiteral& l) { return !interpretation_.IsTold(l.atom); });
+    if (told.empty()) return Find(leaf, next + 1);
+    std::ranges::rotate(told, told.begin() + random_.Index(static_cast<int>(told.size())));
+    std::variant<HiddenWorld, std::string> found;
+    for (const GroundLiteral& literal : told) {
+      Leaf longer = leaf;
+      longer.literals.push_back({literal.atom, !literal.is_positive});
+      found = Find(longer, next + 1);
+      if (std::holds_alternative<HiddenWorld>(found)) break;
+    }
+    return found;
   }
-  return cases;
-}
+
+ private:
+  static bool IsDenied(const std::vector<GroundLiteral>& conjunction, const Leaf& leaf) {
+    return std::ranges::any_of(conjunction, [&](const GroundLiteral& l) {
+      const GroundLiteral negation{l.atom, !l.is_positive};
+      return std::ranges::find(leaf.literals, negation) != leaf.literals.end();
+    });
+  }
+
+  const Interpretation& interpretation_;
+  const domain::Problem& problem_;
+  RandomStream& random_;
+};
 
 }  // namespace
 
@@ -273,15 +296,7 @@ std::variant<HiddenWorld, std::string> FindWorld(const Leaf& leaf,
                                                  const Interpretation& interpretation,
                                                  const domain::Problem& problem,
                                                  RandomStream& random) {
-  const std::vector<Leaf> cases = CasesOf(leaf, interpretation);
-  const std::size_t first = cases.size() > 1 ? random.Index(static_cast<int>(cases.size())) : 0;
-  std::variant<HiddenWorld, std::string> found;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    const Leaf& next = cases[(first + i) % cases.size()];
-    found = WorldSearch(next, interpretation, problem, random).Find();
-    if (std::holds_alternative<HiddenWorld>(found)) break;
-  }
-  return found;
+  return CaseSearch(interpretation, problem, random).Find(leaf);
 }
 
 std::optional<HiddenWorld> WorldFor(const Leaf& leaf, const Interpretation& interpretation,

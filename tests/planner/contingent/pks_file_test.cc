@@ -88,6 +88,8 @@ class Slips : public testing::TestWithParam<Slip> {};
 INSTANTIATE_TEST_SUITE_P(
     InDomain, Slips,
     testing::Values(
+        Slip{"add(Kf, clean(?t))", "", "domain.pks:10:1: the file ends here"},
+        Slip{"K(at(?t) = sink)", "", "domain.pks:9:3: unexpected 'effects'"},
         Slip{"add(Kf, clean(?t))", "add(Kf, claen(?t))",
              "domain.pks:9:20: unknown predicate 'claen', did you mean 'clean'?; allowed: clean, "
              "idle"},

@@ -403,6 +403,59 @@ TEST(NotKnown, IsToldBySets) {
   EXPECT_FALSE(CheckBySets(task, tree)->holds);
 }
 
+// A number tells what it has decided: where p is told by n, or q by p, no plan finds it unknown.
+// (That it is known is not found, either.)
+TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
+  const auto outcome = [](const std::string& actions, const std::string& asked) {
+    const GroundTask task = GroundText(
+        "domain n predicates: p, q, first, second, looked, g functions: n: number, m: number\n" +
+            actions + "action finish preconds: K(looked) & !Kw(" + asked +
+            ") effects: add(Kf, g)\n",
+        "problem n domain n\n"
+        "init: add(Kf, n = [0, 5]), add(Kf, m = 0), add(Kf, !q), add(LCW, first),\n"
+        "  add(LCW, second), add(LCW, looked), add(LCW, g)\n"
+        "goal: K(g)");
+    const ContingentPlan plan = PlanFor(task, Wanted::kLeastDepth);
+    if (plan.outcome == Outcome::kFound) {
+      EXPECT_EQ(CheckTree(task, plan.tree).failure, "");
+    }
+    return plan.outcome;
+  };
+  // By a number that an unknown atom has set.
+  EXPECT_EQ(outcome("action set effects: K(p) => add(Kf, m = 5); add(Kf, first)\n"
+                    "action look preconds: K(first) effects: add(Kf, looked), add(Kw, m > 2)\n",
+                    "p"),
+            Outcome::kNone);
+  // By another atom that the same number has decided.
+  const std::string deciding =
+      "action decide effects: K(n > 2) => add(Kf, q); add(Kf, first)\n"
+      "action decideAgain preconds: K(first)\n"
+      "  effects: K(n > 2) => add(Kf, p); K(n <= 2) => add(Kf, !p); add(Kf, second)\n";
+  EXPECT_EQ(outcome(deciding + "action look preconds: K(second)\n"
+                               "  effects: add(Kf, looked), add(Kw, p)\n",
+                    "q"),
+            Outcome::kNone);
+  // What is looked at has to do with no number that decides q.
+  EXPECT_EQ(outcome(deciding + "action look preconds: K(first)\n"
+                               "  effects: add(Kf, looked), add(Kw, p)\n",
+                    "q"),
+            Outcome::kFound);
+}
+
+// Two effects are decided by one number: between them they always make f b.
+TEST(NotKnown, IsNotSaidOfValuesThatNumbersDecide) {
+  const GroundTask task = GroundText(
+      "domain n types: thing constants: b, c: thing predicates: r\n"
+      "functions: f: thing, n: number\n"
+      "action lose effects: K(n > 2) => del(Kf, r)\n"
+      "action set effects: K(n > 1) | K(r) => add(Kf, f = b)\n",
+      "problem n domain n init: add(Kf, r), add(Kf, f = c), add(Kf, n = [0, 3]) goal: !Kv(f)");
+  const PlanTree tree = {.nodes = {ActOf(task, "lose", 1), ActOf(task, "set", 2), PlanNode{}},
+                         .root = NodeId(0)};
+  EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("the goal is not known"));
+  EXPECT_EQ(PlanFor(task, Wanted::kLeastDepth).outcome, Outcome::kNone);
+}
+
 // Kw(p & q) holds where it is told that not both hold, though Kw of neither does.
 TEST(Conjunctions, AreKnownWhetherOrNotTheirAtomsAre) {
   const std::string domain =
