@@ -17,6 +17,7 @@
 #include "sim/cli/film.h"
 #include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
+#include "sim/cli/plan_tree_report.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/trial.h"
@@ -61,9 +62,13 @@ class Enacting {
                .seed = seed_,
                .sensing_errors = options.sensing_errors,
                .is_every_leaf = options.worlds == "all",
+               .can_spill = scenario.interpretation.spill.has_value(),
                .leaves = enact::LeavesOf(scenario.interpretation.task, tree, kMostLeaves)} {
     if (study_.leaves.size() == kMostLeaves) {
       throw UsageError(fmt::format("enact: the tree has {} leaves or more", kMostLeaves));
+    }
+    if (const auto& planned = scenario.interpretation.planned) {
+      study_.words = ActionWords(planned->worlds, planned->assembly);
     }
     FindWorlds();
   }

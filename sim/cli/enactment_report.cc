@@ -36,6 +36,10 @@ struct Tally {
   }
 };
 
+std::string TiltText(const Tally& tally) {
+  return tally.trials > 0 ? fmt::format("{:.3f} deg", tally.greatest_tilt / kDegree) : "";
+}
+
 Tally TallyOf(const Leaf& leaf, const EnactmentStudy& study) {
   Tally tally;
   for (const EnactedTrial& trial : study.trials) {
@@ -73,31 +77,47 @@ int CountFlipped(const EnactmentStudy& study, bool is_audited) {
   }));
 }
 
+// With columns of what can be only.
 std::string LeafTable(const EnactmentStudy& study) {
-  Table table({{"leaf"},
-               {"trials", Align::kRight},
-               {"reached", Align::kRight},
-               {"operator called", Align::kRight},
-               {"greatest tilt", Align::kRight}});
+  std::vector<Table::Column> columns = {
+      {"leaf"}, {"trials", Align::kRight}, {"reached", Align::kRight}};
+  const bool is_operator_called = TallyOf(study).called > 0;
+  if (is_operator_called) columns.push_back({"operator called", Align::kRight});
+  if (study.can_spill) columns.push_back({"greatest tilt", Align::kRight});
+  Table table(std::move(columns));
   constexpr std::size_t kMostMissed = 4;  // that are listed
   std::size_t missed = 0;
   for (const Leaf& leaf : study.leaves) {
     const Tally tally = TallyOf(leaf, study);
     if (tally.trials == 0 && ++missed > kMostMissed) continue;
-    table.Add({leaf.Text(), fmt::format("{}", tally.trials), fmt::format("{}", tally.reached),
-               fmt::format("{}", tally.called),
-               tally.trials > 0 ? fmt::format("{:.3f} deg", tally.greatest_tilt / kDegree) : ""});
+    std::vector<std::string> row = {leaf.Text(), fmt::format("{}", tally.trials),
+                                    fmt::format("{}", tally.reached)};
+    if (is_operator_called) row.push_back(fmt::format("{}", tally.called));
+    if (study.can_spill) row.push_back(TiltText(tally));
+    table.Add(std::move(row));
   }
   if (missed <= kMostMissed) return table.Text();
   return table.Text() +
          fmt::format("and {} leaves more that were not come to\n", missed - kMostMissed);
 }
 
-// What no world leads to, and what was made to go wrong.
+const std::string& WordsOf(const std::string& action, const EnactmentStudy& study) {
+  const auto words = study.words.find(action);
+  return words == study.words.end() ? action : words->second;
+}
+
+// Of "plan1-action_3(): a finger touches the table" the action in words.
+std::string ReasonOf(const EnactedTrial& trial, const EnactmentStudy& study) {
+  const std::size_t end = trial.reason.find(": ");
+  if (end == std::string::npos) return trial.reason;
+  return WordsOf(trial.reason.substr(0, end), study) + trial.reason.substr(end);
+}
+
+// What no world leads to, unless wrong sensing did, and what was made to go wrong.
 std::string MishapText(const EnactmentStudy& study) {
   std::string text;
   for (std::size_t i = 0; i < study.unreachable.size(); ++i) {
-    if (study.unreachable[i].empty()) continue;
+    if (study.unreachable[i].empty() || TallyOf(study.leaves[i], study).trials > 0) continue;
     text += fmt::format("unreachable: {}: {}\n", study.leaves[i].Text(), study.unreachable[i]);
   }
   for (const EnactedTrial& trial : study.trials) {
@@ -106,11 +126,11 @@ std::string MishapText(const EnactmentStudy& study) {
   return text;
 }
 
-std::string StepTable(const EnactedTrial& trial) {
+std::string StepTable(const EnactedTrial& trial, const EnactmentStudy& study) {
   Table table({{"step", Align::kRight}, {"action"}, {"seconds", Align::kRight}});
   for (std::size_t i = 0; i < trial.walk.steps.size(); ++i) {
     const auto& [action, end] = trial.walk.steps[i];
-    table.Add({fmt::format("{}", i + 1), action, fmt::format("{:.1f}", end)});
+    table.Add({fmt::format("{}", i + 1), WordsOf(action, study), fmt::format("{:.1f}", end)});
   }
   return table.Text();
 }
@@ -152,7 +172,7 @@ std::string FailuresText(const EnactmentStudy& study) {
   for (const EnactedTrial& trial : study.trials) {
     if (!trial.IsFailed() || ++told > kMostTold) continue;
     text += fmt::format("trial {}: {}: {}{}\nagain: {}\n", trial.number, Name(trial.outcome),
-                        trial.reason, trial.is_goal_true ? "; the goal is true" : "",
+                        ReasonOf(trial, study), trial.is_goal_true ? "; the goal is true" : "",
                         ReplayCommand(study, trial.number));
   }
   if (told > kMostTold) text += fmt::format("and {} more\n", told - kMostTold);
@@ -167,7 +187,7 @@ int EnactmentStudy::Failed() const {
 }
 
 std::string TextOf(const EnactmentStudy& study) {
-  std::string text = study.trials.size() == 1 ? StepTable(study.trials.front()) + "\n" : "";
+  std::string text = study.trials.size() == 1 ? StepTable(study.trials.front(), study) + "\n" : "";
   text += LeafTable(study) + "\n" + MishapText(study) + FailuresText(study);
   const Tally all = TallyOf(study);
   const Interval rate = sweep::WilsonInterval(all.reached, all.trials);
@@ -180,11 +200,13 @@ std::string TextOf(const EnactmentStudy& study) {
   }
   const auto unreached = std::ranges::count_if(
       study.leaves, [&](const Leaf& leaf) { return TallyOf(leaf, study).trials == 0; });
-  text += fmt::format(
-      "{} of {} leaves were come to; the greatest tilt of what can spill was {:.3f} "
-      "degrees\n",
-      study.leaves.size() - static_cast<std::size_t>(unreached), study.leaves.size(),
-      all.greatest_tilt / kDegree);
+  text +=
+      fmt::format("{} of {} leaves were come to",
+                  study.leaves.size() - static_cast<std::size_t>(unreached), study.leaves.size());
+  text += study.can_spill
+              ? fmt::format("; the greatest tilt of what can spill was {:.3f} degrees\n",
+                            all.greatest_tilt / kDegree)
+              : "\n";
   if (study.sensing_errors > 0) {
     text += fmt::format("what was sensed was made wrong in {} trials, and the audit told in {}\n",
                         CountFlipped(study, false), CountFlipped(study, true));

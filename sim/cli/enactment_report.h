@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -16,11 +17,13 @@ struct EnactmentStudy {
   std::uint64_t seed = 0;
   double sensing_errors = 0;
   bool is_every_leaf = false;  // the trials go through the leaves in turn
+  bool can_spill = false;      // something in the scenario
   std::vector<enact::Leaf> leaves;
   // Of each leaf, if they are gone through: why no world leads there; empty: one may.
   std::vector<std::string> unreachable = {};
   std::vector<enact::EnactedTrial> trials = {};
   double seconds = 0;
+  std::map<std::string, std::string> words = {};  // of actions, where the tree has none for people
 
   int Failed() const;
 };

@@ -42,19 +42,18 @@ std::string Words(const std::vector<domain::Problem>& worlds, const ContingentAs
   }
 }
 
-// The tree with the knowledge level's names of actions replaced by words.
+// The tree with its actions in words.
 std::string TreeText(const std::vector<domain::Problem>& worlds,
                      const ContingentAssembly& assembly) {
   const contingent::GroundTask& task = assembly.knowledge.task;
+  const std::map<std::string, std::string> words = ActionWords(worlds, assembly);
   std::istringstream lines(TextOf(task, assembly.tree, contingent::Sharing::kOnce));
   std::string text;
   for (std::string line; std::getline(lines, line);) {
     if (line.ends_with("()")) {
       const std::size_t space = line.rfind(' ');
       const std::size_t start = space == std::string::npos ? 0 : space + 1;
-      const std::string name = line.substr(start, line.size() - start - 2);
-      line.replace(start, std::string::npos,
-                   Words(worlds, assembly, assembly.knowledge.actions.at(name)));
+      line.replace(start, std::string::npos, words.at(line.substr(start)));
     }
     text += line + "\n";
   }
@@ -76,6 +75,15 @@ Json WorldToJson(const domain::Problem& world) {
 }
 
 }  // namespace
+
+std::map<std::string, std::string> ActionWords(const std::vector<domain::Problem>& worlds,
+                                               const ContingentAssembly& assembly) {
+  std::map<std::string, std::string> words;
+  for (const auto& [name, action] : assembly.knowledge.actions) {
+    words[name + "()"] = Words(worlds, assembly, action);
+  }
+  return words;
+}
 
 std::string Text(const std::vector<domain::Problem>& worlds, const ContingentAssembly& assembly) {
   if (assembly.outcome != Outcome::kFound) {

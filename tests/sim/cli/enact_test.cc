@@ -9,6 +9,7 @@ namespace {
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 const std::string kTwoCans = kTree / "scenarios/two-cans.yaml";
@@ -55,6 +56,14 @@ TEST(Enact, PicturesOfEachStep) {
        {"00-start.png", "01-grasp-can1.png", "08-ungrasp-can2.png", "contact-sheet.png"}) {
     EXPECT_TRUE(std::filesystem::exists(folder / (std::string("out/") + name))) << name;
   }
+}
+
+// Steps of plans in their words; nothing here can spill.
+TEST(Enact, AnAssembly) {
+  const Ended ended = Assay({"enact", kTree / "scenarios/uncertain-known.yaml"});
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr(" pickup("), HasSubstr(" assemble("),
+                               Not(HasSubstr("plan1-")), Not(HasSubstr("tilt"))));
 }
 
 TEST(Enact, WrongScenarios) {
