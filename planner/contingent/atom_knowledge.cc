@@ -104,11 +104,14 @@ void AtomKnowledge::SpreadEntanglement(KnowledgeState& state,
   bool are_entangled = false;
   bool are_outer = false;
   for (const int variable : variables) {
+    if (!worlds_.IsOfAtom(variable)) continue;
     are_entangled |= layout_.IsEntangled(state, worlds_.AtomOf(variable));
     are_outer |= layout_.IsOuter(state, worlds_.AtomOf(variable));
   }
   if (!are_entangled) return;
-  for (const int variable : variables) Entangle(state, worlds_.AtomOf(variable), are_outer);
+  for (const int variable : variables) {
+    if (worlds_.IsOfAtom(variable)) Entangle(state, worlds_.AtomOf(variable), are_outer);
+  }
 }
 
 // Values of one function are related without its being said.
@@ -154,6 +157,8 @@ void AtomKnowledge::Change(KnowledgeState& state, const std::map<AtomId, Possibl
     variables.push_back(worlds_.Variable(atom));
     UnsenseWith(state, atom);
   }
+  // What an entangled atom decides is so, too, whatever becomes of that atom.
+  SpreadEntanglement(state, variables);
   Diagram image = worlds_.And(TakeRelations(state, variables), bounds.Together());
   for (const Diagram transition : transitions) image = worlds_.And(image, transition);
   for (const int bound : bounds.Variables()) image = worlds_.Exists(image, bound);
@@ -168,9 +173,10 @@ void AtomKnowledge::Change(KnowledgeState& state, const std::map<AtomId, Possibl
   image = worlds_.And(image, UniqueNames(worlds_.Support(image), state));
   const bool can_hold = PutRelation(state, image);
   ASSAY_CHECK(can_hold, "an effect left no world");
-  if (bounds.Variables().empty()) return;
-  for (const auto& [atom, where] : changes) Entangle(state, atom, bounds.AreOuter());
-  SpreadEntanglement(state);
+  if (!bounds.Variables().empty()) {
+    for (const auto& [atom, where] : changes) Entangle(state, atom, bounds.AreOuter());
+    SpreadEntanglement(state);
+  }
 }
 
 // ---- More is known

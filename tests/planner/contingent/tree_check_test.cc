@@ -408,7 +408,7 @@ TEST(NotKnown, IsToldBySets) {
 TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
   const auto outcome = [](const std::string& actions, const std::string& asked) {
     const GroundTask task = GroundText(
-        "domain n predicates: p, q, first, second, looked, g functions: n: number, m: number\n" +
+        "domain n predicates: p, q, r, first, second, looked, g functions: n: number, m: number\n" +
             actions + "action finish preconds: K(looked) & !Kw(" + asked +
             ") effects: add(Kf, g)\n",
         "problem n domain n\n"
@@ -433,6 +433,15 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
       "  effects: K(n > 2) => add(Kf, p); K(n <= 2) => add(Kf, !p); add(Kf, second)\n";
   EXPECT_EQ(outcome(deciding + "action look preconds: K(second)\n"
                                "  effects: add(Kf, looked), add(Kw, p)\n",
+                    "q"),
+            Outcome::kNone);
+  // By what it has decided before, of which nothing is left.
+  EXPECT_EQ(outcome("action decide effects: K(n > 2) => add(Kf, p); K(n <= 2) => add(Kf, !p);\n"
+                    "  add(Kf, first)\n"
+                    "action swap preconds: K(first) effects: K(p) => add(Kf, q);\n"
+                    "  K(!p) => add(Kf, !q); K(r) => add(Kf, p); K(!r) => add(Kf, !p);\n"
+                    "  add(Kf, second)\n"
+                    "action look preconds: K(second) effects: add(Kf, looked), add(Kw, n > 2)\n",
                     "q"),
             Outcome::kNone);
   // What is looked at has to do with no number that decides q.
