@@ -164,9 +164,9 @@ class Register {
 
 constexpr std::size_t kFewestOfAKind = 3;
 
-std::string KindOf(const Contest& contest) {
+std::string KindOfContest(const Contest& contest) {
   const std::string& label = contest.ours.label;
-  return bench::KindOf(contest.instance) + (label.empty() ? "" : ", " + label);
+  return KindOf(contest.instance) + (label.empty() ? "" : ", " + label);
 }
 
 Family Empty(Family family, const std::string& name) {
@@ -206,7 +206,7 @@ std::vector<Family> Families(const Measurements& measurements) {
 std::vector<Family> ByKind(const Family& family) {
   std::vector<Family> kinds;
   for (const Contest& contest : family.contests) {
-    const std::string name = KindOf(contest);
+    const std::string name = KindOfContest(contest);
     auto known = std::ranges::find(kinds, name, &Family::name);
     if (known == kinds.end()) known = kinds.insert(known, Empty(family, name));
     known->contests.push_back(contest);

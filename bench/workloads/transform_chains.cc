@@ -25,7 +25,7 @@ Transform RotationAbout(int axis, const Expression& angle) {
   return axis == 1 ? algebra::RotationX(angle) : algebra::RotationY(angle);
 }
 
-SymbolicVector RandomVector(bool is_planar, RandomStream& random) {
+SymbolicVector RandomOffset(bool is_planar, RandomStream& random) {
   SymbolicVector vector;
   for (Expression& entry : vector) entry = random.Uniform(-3, 3);
   if (is_planar) vector[2] = 0;
@@ -39,7 +39,7 @@ Transform PlanarLink(int link, const ErrorBounds& errors, RandomStream& random,
   const Expression x = DeclareError("x", link, errors.displacement, pool);
   const Expression y = DeclareError("y", link, errors.displacement, pool);
   const double heading = random.Uniform(-std::numbers::pi, std::numbers::pi);
-  return Translation(RandomVector(true, random)) * algebra::RotationZ(heading) *
+  return Translation(RandomOffset(true, random)) * algebra::RotationZ(heading) *
          algebra::Translation({x, y, 0}) * algebra::RotationZ(angle);
 }
 
@@ -50,7 +50,7 @@ Transform SpatialLink(int link, const ErrorBounds& errors, RandomStream& random,
   const Expression y = DeclareError("y", link, errors.displacement, pool);
   const Expression z = DeclareError("z", link, errors.displacement, pool);
   const double heading = random.Uniform(-std::numbers::pi, std::numbers::pi);
-  return Translation(RandomVector(false, random)) * RotationAbout((link + 1) % 3, heading) *
+  return Translation(RandomOffset(false, random)) * RotationAbout((link + 1) % 3, heading) *
          algebra::Translation({x, y, z}) * RotationAbout(link % 3, angle);
 }
 
@@ -62,7 +62,7 @@ Expression PlanarChain(int links, const ErrorBounds& errors, RandomStream& rando
   for (int link = 0; link < links; ++link) {
     chain = Simplify(chain * PlanarLink(link, errors, random, pool));
   }
-  return (chain * RandomVector(true, random))[1];
+  return (chain * RandomOffset(true, random))[1];
 }
 
 Expression SpatialChain(int links, const ErrorBounds& errors, RandomStream& random,
@@ -71,7 +71,7 @@ Expression SpatialChain(int links, const ErrorBounds& errors, RandomStream& rand
   for (int link = 0; link < links; ++link) {
     chain = Simplify(chain * SpatialLink(link, errors, random, pool));
   }
-  return (chain * RandomVector(false, random))[2];
+  return (chain * RandomOffset(false, random))[2];
 }
 
 Expression CancellingChain(int links, const ErrorBounds& errors, RandomStream& random,
@@ -81,7 +81,7 @@ Expression CancellingChain(int links, const ErrorBounds& errors, RandomStream& r
     chain = chain * PlanarLink(link, errors, random, pool);
   }
   const Expression extra = DeclareError("extra", 0, errors.displacement, pool);
-  const SymbolicVector point = RandomVector(true, random) + SymbolicVector{extra, 0, 0};
+  const SymbolicVector point = RandomOffset(true, random) + SymbolicVector{extra, 0, 0};
   return (Inverse(chain) * (chain * point))[0];
 }
 

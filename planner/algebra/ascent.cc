@@ -13,8 +13,6 @@ namespace {
 constexpr int kCornerSteps = 4;
 constexpr int kNewtonSteps = 40;
 constexpr int kMostVariablesForNewton = 16;  // above: steepest ascent
-constexpr double kNegligible = 1e-15;        // of the value: slopes below end the ascent
-constexpr double kInvisible = 1e-13;         // of the value: a step that gains less is the last
 
 // One ascent. Coordinates are scaled by the widths of the box, so that one damping fits all.
 class Ascent {

@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/name.h"
 #include "planner/algebra/text.h"
 #include "planner/base/document.h"
 
@@ -69,13 +70,6 @@ Interval ReadInterval(const Value& value) {
     value.Fail("the interval holds no number", "[low, high] with a number between them");
   }
   return interval;
-}
-
-bool IsLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
-
-bool IsName(std::string_view text) {
-  const auto goes_on = [](char c) { return IsLetter(c) || (c >= '0' && c <= '9'); };
-  return !text.empty() && IsLetter(text[0]) && std::ranges::all_of(text, goes_on);
 }
 
 void ReadVariable(const Value& name, const Value& interval, ExpressionPool& pool) {

@@ -15,8 +15,7 @@
 namespace assay::algebra {
 namespace {
 
-constexpr double kFarOut = 1e100;     // an infinite interval is not split beyond
-constexpr double kNarrowest = 1e-13;  // relative to 1 and the coordinate: not split further
+constexpr double kFarthestSplit = 1e100;  // an infinite interval is not split beyond
 
 // A part of the box that may hold more than the best point so far.
 struct Part {
@@ -47,7 +46,7 @@ std::optional<double> SplitPoint(const Interval& x) {
   }
   if (std::isinf(x.low) && std::isinf(x.high)) return 0;
   const double end = std::isinf(x.low) ? x.high : x.low;
-  if (std::abs(end) > kFarOut) return std::nullopt;
+  if (std::abs(end) > kFarthestSplit) return std::nullopt;
   const double step = 1 + 9 * std::abs(end);
   return std::isinf(x.low) ? end - step : end + step;
 }

@@ -7,6 +7,9 @@
 
 namespace assay::algebra {
 
+// An interval, relative to 1 and the coordinate, that is not split further.
+inline constexpr double kNarrowest = 1e-13;
+
 // When the search for a better bound may end.
 struct StopRule {
   double gap = 0;                                           // bound and best point this near

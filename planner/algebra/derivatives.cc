@@ -10,21 +10,28 @@
 namespace assay::algebra {
 namespace {
 
-// What interval arithmetic has, for doubles.
-double Power(double a, int n) {
-  if (n < 0) return 1 / Power(a, -n);
+// Interval arithmetic, and the same for doubles.
+double RaisedTo(double a, int n) {
+  if (n < 0) return 1 / RaisedTo(a, -n);
   double power = 1;
   for (; n > 0; n /= 2, a *= a) {
     if (n % 2 == 1) power *= a;
   }
   return power;
 }
-double Sin(double a) { return std::sin(a); }
-double Cos(double a) { return std::cos(a); }
-double Sqrt(double a) { return std::sqrt(a); }
-double Abs(double a) { return std::abs(a); }
-double Min(double a, double b) { return std::min(a, b); }
-double Max(double a, double b) { return std::max(a, b); }
+Interval RaisedTo(const Interval& a, int n) { return Power(a, n); }
+double Sine(double a) { return std::sin(a); }
+Interval Sine(const Interval& a) { return Sin(a); }
+double Cosine(double a) { return std::cos(a); }
+Interval Cosine(const Interval& a) { return Cos(a); }
+double SquareRoot(double a) { return std::sqrt(a); }
+Interval SquareRoot(const Interval& a) { return Sqrt(a); }
+double AbsoluteValue(double a) { return std::abs(a); }
+Interval AbsoluteValue(const Interval& a) { return Abs(a); }
+double Lesser(double a, double b) { return std::min(a, b); }
+Interval Lesser(const Interval& a, const Interval& b) { return Min(a, b); }
+double Greater(double a, double b) { return std::max(a, b); }
+Interval Greater(const Interval& a, const Interval& b) { return Max(a, b); }
 
 template <class Number>
 Number Exactly(double x) {
@@ -135,24 +142,24 @@ Number Derivatives<Number>::ValueOf(const Step& step, std::span<const Number> pl
         if (IsZero(value_[step.a])) defined_somewhere_ = false;
         return Unknown<Number>();
       }
-      return Power(value_[step.a], step.exponent);
+      return RaisedTo(value_[step.a], step.exponent);
     case Operator::kSin:
-      return Sin(value_[step.a]);
+      return Sine(value_[step.a]);
     case Operator::kCos:
-      return Cos(value_[step.a]);
+      return Cosine(value_[step.a]);
     case Operator::kSqrt:
       if (Low(value_[step.a]) < 0) defined_everywhere_ = false;
       if (High(value_[step.a]) < 0) {
         defined_somewhere_ = false;
         return Unknown<Number>();
       }
-      return Sqrt(value_[step.a]);
+      return SquareRoot(value_[step.a]);
     case Operator::kAbs:
-      return Abs(value_[step.a]);
+      return AbsoluteValue(value_[step.a]);
     case Operator::kMin:
-      return Min(value_[step.a], value_[step.b]);
+      return Lesser(value_[step.a], value_[step.b]);
     case Operator::kMax:
-      return Max(value_[step.a], value_[step.b]);
+      return Greater(value_[step.a], value_[step.b]);
     case Operator::kQuotient:
       break;  // compiled as a product with a reciprocal
   }
@@ -164,14 +171,14 @@ Number Derivatives<Number>::Slope(const Step& step, int index) const {
   const Number& a = value_[step.a];
   switch (step.op) {
     case Operator::kPower:
-      return Exactly<Number>(step.exponent) * Power(a, step.exponent - 1);
+      return Exactly<Number>(step.exponent) * RaisedTo(a, step.exponent - 1);
     case Operator::kSin:
       return value_[step.b];
     case Operator::kCos:
       return -value_[step.b];
     case Operator::kSqrt:
       if (Low(a) <= 0) return Unknown<Number>();
-      return Exactly<Number>(0.5) * Power(value_[index], -1);
+      return Exactly<Number>(0.5) * RaisedTo(value_[index], -1);
     case Operator::kAbs:
       if (Low(a) >= 0) return Exactly<Number>(1);
       if (High(a) <= 0) return Exactly<Number>(-1);
@@ -194,13 +201,13 @@ Number Derivatives<Number>::Curvature(const Step& step, int index) const {
   switch (step.op) {
     case Operator::kPower:
       return Exactly<Number>(static_cast<double>(step.exponent) * (step.exponent - 1.0)) *
-             Power(a, step.exponent - 2);
+             RaisedTo(a, step.exponent - 2);
     case Operator::kSin:
     case Operator::kCos:
       return -value_[index];
     case Operator::kSqrt:
       if (Low(a) <= 0) return Unknown<Number>();
-      return Exactly<Number>(-0.25) * Power(value_[index], -3);
+      return Exactly<Number>(-0.25) * RaisedTo(value_[index], -3);
     case Operator::kAbs:
       return Low(a) > 0 || High(a) < 0 ? Exactly<Number>(0) : Unknown<Number>();
     case Operator::kConstant:

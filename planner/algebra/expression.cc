@@ -12,6 +12,7 @@
 
 #include "planner/algebra/intern_table.h"
 #include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/name.h"
 #include "planner/base/check.h"
 
 namespace assay::algebra {
@@ -43,27 +44,27 @@ bool MayBeUndefined(const StoredNode& node) {
   return std::ranges::any_of(node.operands, &Expression::MayBeUndefined);
 }
 
-// Lists of operands, which stay where they are.
-class OperandArena {
- public:
-  std::span<const Expression> Keep(std::span<const Expression> operands) {
-    if (blocks_.empty() || blocks_.back().capacity() - blocks_.back().size() < operands.size()) {
-      blocks_.emplace_back().reserve(std::max(kBlock, operands.size()));
-    }
-    std::vector<Expression>& block = blocks_.back();
-    const std::size_t begin = block.size();
-    block.insert(block.end(), operands.begin(), operands.end());
-    return std::span<const Expression>(block).subspan(begin);
-  }
-
- private:
-  static constexpr std::size_t kBlock = 4096;
-  std::vector<std::vector<Expression>> blocks_;
-};
-
 }  // namespace
 
 struct ExpressionPool::Storage {
+  // Lists of operands, which stay where they are.
+  class OperandArena {
+   public:
+    std::span<const Expression> Keep(std::span<const Expression> operands) {
+      if (blocks_.empty() || blocks_.back().capacity() - blocks_.back().size() < operands.size()) {
+        blocks_.emplace_back().reserve(std::max(kBlock, operands.size()));
+      }
+      std::vector<Expression>& block = blocks_.back();
+      const std::size_t begin = block.size();
+      block.insert(block.end(), operands.begin(), operands.end());
+      return std::span<const Expression>(block).subspan(begin);
+    }
+
+   private:
+    static constexpr std::size_t kBlock = 4096;
+    std::vector<std::vector<Expression>> blocks_;
+  };
+
   struct DeclaredVariable {
     std::string name;
     Interval bounds;
@@ -353,17 +354,6 @@ Expression Product(std::span<const Expression> factors) {
 
 ExpressionPool::ExpressionPool() : storage_(std::make_unique<Storage>()) {}
 ExpressionPool::~ExpressionPool() = default;
-
-namespace {
-
-bool IsLetter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
-bool IsNameCharacter(char c) { return IsLetter(c) || ('0' <= c && c <= '9'); }
-
-bool IsName(std::string_view text) {
-  return !text.empty() && IsLetter(text[0]) && std::ranges::all_of(text, IsNameCharacter);
-}
-
-}  // namespace
 
 Expression ExpressionPool::Declare(std::string name, const Interval& bounds) {
   ASSAY_CHECK(IsName(name), "'{}' is not a variable's name", name);

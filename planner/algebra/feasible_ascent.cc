@@ -11,13 +11,13 @@ namespace {
 
 constexpr int kCrossings = 50;
 constexpr int kAscents = 60;
-constexpr int kHalvings = 50;
+constexpr int kStepHalvings = 50;
 constexpr double kTouching = 1e-9;  // slack, relative: less stands in the way of a step
 constexpr double kInward = 1e-10;   // how steeply a step along an inequality leaves it
 
 using Vector = std::vector<double>;
 
-double Dot(const Vector& a, const Vector& b) {
+double DotProduct(const Vector& a, const Vector& b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
   return sum;
@@ -38,7 +38,7 @@ class Deflection {
     for (Derivatives<double>& slack : probe.slacks_at_point()) {
       const double value = slack.Value(point);
       const Vector& slope = slack.Gradient();
-      const double steepness = std::sqrt(Dot(slope, slope));
+      const double steepness = std::sqrt(DotProduct(slope, slope));
       if (!(steepness > 0) || !(value < kTouching * steepness)) continue;
       walls_.push_back(slope);
       for (double& x : walls_.back()) x /= steepness;
@@ -65,9 +65,9 @@ class Deflection {
   }
 
   static void Deflect(const Vector& wall, Vector& direction) {
-    const double across = Dot(direction, wall);
+    const double across = DotProduct(direction, wall);
     if (across >= 0) return;
-    const double inward = kInward * std::sqrt(Dot(direction, direction));
+    const double inward = kInward * std::sqrt(DotProduct(direction, direction));
     for (std::size_t i = 0; i < wall.size(); ++i) direction[i] += (inward - across) * wall[i];
   }
 
@@ -77,7 +77,7 @@ class Deflection {
 };
 
 // The longest step that stays feasible and climbs, to a factor of two.
-bool Step(Vector& point, double& value, const Vector& direction, Probe& probe) {
+bool TakeLongestStep(Vector& point, double& value, const Vector& direction, Probe& probe) {
   const Box& box = probe.problem().box;
   double longest = 0;
   for (std::size_t i = 0; i < point.size(); ++i) {
@@ -85,7 +85,7 @@ bool Step(Vector& point, double& value, const Vector& direction, Probe& probe) {
     if (direction[i] != 0) longest = std::max(longest, room / std::abs(direction[i]));
   }
   double length = std::min(longest, 1e6);
-  for (int i = 0; i < kHalvings; ++i, length /= 2) {
+  for (int i = 0; i < kStepHalvings; ++i, length /= 2) {
     Vector next = Along(point, direction, length, box);
     const double next_value = probe.Value(next);
     if (!(next_value > value + 1e-15 * std::abs(value)) || !probe.SurelyFeasible(next)) continue;
@@ -104,7 +104,7 @@ std::vector<double> ApproachFeasible(std::vector<double> start, Probe& probe) {
     for (Derivatives<double>& slack : probe.slacks_at_point()) {
       const double value = slack.Value(point);
       const Vector& slope = slack.Gradient();
-      const double steepness = Dot(slope, slope);
+      const double steepness = DotProduct(slope, slope);
       if (!(value <= 0) || !(steepness > 0)) continue;
       // A little beyond, as rounding could leave the point on the wrong side.
       const double length = -value / steepness * 1.001 + kTouching / std::sqrt(steepness);
@@ -120,7 +120,7 @@ std::vector<double> AscendFeasibly(std::vector<double> start, Probe& probe) {
   for (int i = 0; i < kAscents; ++i) {
     probe.Value(point);
     const Vector direction = Deflection(point, probe).Of(probe.Gradient());
-    if (!Step(point, value, direction, probe)) break;
+    if (!TakeLongestStep(point, value, direction, probe)) break;
   }
   return point;
 }

@@ -64,7 +64,6 @@ double PowerFromAbove(double x, int n) {
 }
 
 Interval PowerOfSingle(double x, int n) {
-  constexpr Interval kOne = {1, 1};
   Interval result = kOne;
   Interval square = {x, x};
   for (unsigned rest = static_cast<unsigned>(n);;) {
@@ -164,11 +163,10 @@ Interval operator/(const Interval& a, const Interval& b) {
 }
 
 Interval Power(const Interval& a, int n) {
-  if (n == 0) return {1, 1};
+  if (n == 0) return kOne;
   if (n > 0) return PositivePower(a, n);
-  if (n == std::numeric_limits<int>::min())
-    return Interval{1, 1} / (PositivePower(a, -(n + 1)) * a);
-  return Interval{1, 1} / PositivePower(a, -n);
+  if (n == std::numeric_limits<int>::min()) return kOne / (PositivePower(a, -(n + 1)) * a);
+  return kOne / PositivePower(a, -n);
 }
 
 Interval Sin(const Interval& a) {

@@ -17,6 +17,7 @@ namespace assay::algebra {
 // a op b of single numbers is exact where the double result is; so is every end of a sum.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Interval kWholeLine = {-kInfinity, kInfinity};
+inline constexpr Interval kOne = {1, 1};
 
 // A double at least as large (as small) as any real that rounds to r. A sum or product that rounds
 // to +infinity may be any real above the largest double: RoundedDown(+infinity) is near that one.

@@ -1,9 +1,9 @@
 #include "planner/algebra/linear_sup_inf.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
+#include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/linear_program.h"
 #include "planner/base/budget.h"
 #include "planner/base/check.h"
@@ -21,7 +21,7 @@ struct SignedColumn {
   auto operator<=>(const SignedColumn&) const = default;
 };
 
-LeastOf Supp(SignedColumn x, const LinearForm& y) {
+LeastOf SuppOfSigned(SignedColumn x, const LinearForm& y) {
   // x <= b*x + rest
   const Rational b = Rational(x.sign) * y.CoefficientOf(x.column);
   const LinearForm rest = y.Without(x.column);
@@ -96,7 +96,7 @@ class Recursion {
     for (const LinearForm& upper : upper_[v].Forms()) {
       const LeastOf bound = Sup(upper, with_v);
       if (bound.IsContradiction()) sup.Add(bound);
-      for (const LinearForm& y : bound.Forms()) sup.Add(Supp(v, y));
+      for (const LinearForm& y : bound.Forms()) sup.Add(SuppOfSigned(v, y));
     }
     return place->second = std::move(sup);
   }
@@ -139,7 +139,6 @@ void LeastOf::Add(const LeastOf& other) {
 }
 
 double LeastOf::Greatest() const {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   if (is_contradiction_) return -kInfinity;
   if (forms_.empty()) return kInfinity;
   const auto& [coefficients, constant] = *forms_.begin();
@@ -153,7 +152,7 @@ std::vector<LinearForm> LeastOf::Forms() const {
   return forms;
 }
 
-LeastOf Supp(ColumnId x, const LinearForm& y) { return Supp({x, 1}, y); }
+LeastOf Supp(ColumnId x, const LinearForm& y) { return SuppOfSigned({x, 1}, y); }
 
 LinearSupInf::LinearSupInf(std::vector<LinearForm> at_most_zero, int most_steps)
     : rows_(std::move(at_most_zero)), most_steps_(most_steps) {

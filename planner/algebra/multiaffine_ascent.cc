@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/algebra/ascent.h"
+
 namespace assay::algebra {
 namespace {
 
 constexpr int kMostSteps = 40;
-constexpr double kNegligible = 1e-15;  // of the value: slopes below end the ascent
-constexpr double kInvisible = 1e-13;   // of the value: a step that gains less is the last
 constexpr double kMostDamping = 1e6;
 
 }  // namespace

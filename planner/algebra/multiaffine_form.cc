@@ -21,11 +21,6 @@ bool IsWave(const Expression& atom) {
   return atom.op() == Operator::kSin || atom.op() == Operator::kCos;
 }
 
-// The coefficient may be 0, and is there only because numbers were rounded.
-bool IsRoundingAlone(const NormalForm::Term& term) {
-  return !IsSingle(term.coefficient) && Contains(term.coefficient, 0);
-}
-
 class Reader {
  public:
   explicit Reader(const NormalForm& form) : normal_form_(form) {}
@@ -51,8 +46,9 @@ class Reader {
   // False if the term is of another kind.
   bool NoteVariables(const NormalForm::Term& term) {
     seen_.clear();
+    const bool is_rounding_alone = IsRoundingAlone(term.coefficient);
     for (const Factor& factor : term.factors) {
-      if (IsWave(factor.atom) && IsRoundingAlone(term)) continue;  // 1 at most, whatever of
+      if (IsWave(factor.atom) && is_rounding_alone) continue;  // 1 at most, whatever of
       const Expression inner = IsWave(factor.atom) ? factor.atom.operands()[0] : factor.atom;
       if (inner.op() != Operator::kVariable || factor.exponent != 1) return false;
       if (std::ranges::find(seen_, inner.variable()) != seen_.end()) return false;
@@ -80,16 +76,17 @@ class Reader {
   void Add(const NormalForm::Term& term) {
     AtomSet atoms = 0;
     AtomSet displacements = 0;
+    const bool is_rounding_alone = IsRoundingAlone(term.coefficient);
     for (const Factor& factor : term.factors) {
       if (!IsWave(factor.atom)) {
         displacements |= NestedForm::SetOf(form_.AtomOf(places_.at(factor.atom.variable())));
-      } else if (!IsRoundingAlone(term)) {
+      } else if (!is_rounding_alone) {
         const int cosine = form_.AtomOf(places_.at(factor.atom.operands()[0].variable()));
         const bool is_sine = factor.atom.op() == Operator::kSin;
         atoms |= NestedForm::SetOf(is_sine ? cosine + 1 : cosine);
       }
     }
-    const double centre = IsRoundingAlone(term) ? 0 : Midpoint(term.coefficient);
+    const double centre = is_rounding_alone ? 0 : Midpoint(term.coefficient);
     if (centre != 0) terms_.push_back({atoms | displacements, centre});
     Magnitude& magnitude = magnitudes_[displacements];
     magnitude.of_centres += std::abs(centre);

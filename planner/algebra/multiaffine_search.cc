@@ -12,9 +12,8 @@ namespace assay::algebra {
 namespace {
 
 // Products of coordinates stay below this: what vanishes by underflow is then below kVanishing.
-constexpr double kFarOut = 1e30;
+constexpr double kLargestProduct = 1e30;
 constexpr double kVanishing = 1e-280;
-constexpr double kNarrowest = 1e-13;  // relative to 1 and the coordinate: not split further
 
 double Size(const Interval& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
 
@@ -56,7 +55,7 @@ bool MultiaffineSearch::Enter(std::span<const Interval> box) {
     const Interval& x = box[id.index()];
     ASSAY_CHECK(x.low <= x.high, "bounds of variable {} are [{}, {}]", id.index(), x.low, x.high);
     reach *= std::max(1.0, Size(x));
-    if (!(reach < kFarOut)) return false;
+    if (!(reach < kLargestProduct)) return false;
     const bool is_angle = IsAngle(static_cast<int>(i));
     box_[i] = is_angle ? AngleBetween(x.low, x.high) : Sector{x.low, x.high, {}, {}};
   }

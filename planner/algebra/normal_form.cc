@@ -18,19 +18,14 @@ namespace assay::algebra {
 namespace {
 
 using Polynomial = PolynomialAlgebra::Polynomial;
-constexpr Interval kOne = {1, 1};
 
 bool IsExact(const Polynomial& a) {
   return std::ranges::all_of(a, [](const auto& term) { return IsSingle(term.coefficient); });
 }
 
-bool IsRoundingAlone(const PolynomialAlgebra::Term& term) {
-  return !IsSingle(term.coefficient) && Contains(term.coefficient, 0);
-}
+bool IsConstant(const Polynomial& a) { return a.empty() || (a.size() == 1 && a[0].monomial == 0); }
 
-bool IsNumber(const Polynomial& a) { return a.empty() || (a.size() == 1 && a[0].monomial == 0); }
-
-Interval NumberIn(const Polynomial& a) { return a.empty() ? Interval{} : a[0].coefficient; }
+Interval ConstantIn(const Polynomial& a) { return a.empty() ? Interval{} : a[0].coefficient; }
 
 // atom^exponent; a reciprocal's power as one negative power.
 Expression PowerOfAtom(const NormalForm::Factor& factor) {
@@ -45,7 +40,7 @@ class SumWriter {
   void BeginTerm(const Interval& coefficient) {
     EndTerm();
     factors_.assign(1, IsSingle(coefficient) ? coefficient.low : Midpoint(coefficient));
-    is_rounding_alone_ = !IsSingle(coefficient) && Contains(coefficient, 0);
+    is_rounding_alone_ = IsRoundingAlone(coefficient);
   }
   void Multiply(const NormalForm::Factor& factor) { factors_.push_back(PowerOfAtom(factor)); }
 
@@ -63,6 +58,8 @@ class SumWriter {
   std::vector<Expression> factors_;  // of the present term
   bool is_rounding_alone_ = false;
 };
+
+}  // namespace
 
 // Rewrites the nodes of expressions, one by one.
 class Expansion {
@@ -156,7 +153,9 @@ class Expansion {
 
   Polynomial ExpandedNode(const Expression& node) {
     Polynomial result = Expanded(node);
-    if (arguments_ == AtomArguments::kRounded) std::erase_if(result, IsRoundingAlone);
+    if (arguments_ == AtomArguments::kRounded) {
+      std::erase_if(result, [](const auto& term) { return IsRoundingAlone(term.coefficient); });
+    }
     return result;
   }
 
@@ -304,7 +303,7 @@ class Expansion {
   }
 
   Polynomial SinOf(const Part& a) {
-    if (IsNumber(*a.expanded)) return algebra_.Constant(Sin(NumberIn(*a.expanded)));
+    if (IsConstant(*a.expanded)) return algebra_.Constant(Sin(ConstantIn(*a.expanded)));
     const SignedArgument argument = ArgumentWithoutSign(a);
     const Expression sine = Sin(argument.expression);
     const Polynomial cosine = AtomPolynomial(Cos(argument.expression), 2);
@@ -315,13 +314,13 @@ class Expansion {
   }
 
   Polynomial CosOf(const Part& a) {
-    if (IsNumber(*a.expanded)) return algebra_.Constant(Cos(NumberIn(*a.expanded)));
+    if (IsConstant(*a.expanded)) return algebra_.Constant(Cos(ConstantIn(*a.expanded)));
     return AtomPolynomial(Cos(ArgumentWithoutSign(a).expression), 1);
   }
 
   Polynomial SqrtOf(const Part& a) {
-    if (IsNumber(*a.expanded) && NumberIn(*a.expanded).low >= 0) {
-      return algebra_.Constant(Sqrt(NumberIn(*a.expanded)));
+    if (IsConstant(*a.expanded) && ConstantIn(*a.expanded).low >= 0) {
+      return algebra_.Constant(Sqrt(ConstantIn(*a.expanded)));
     }
     const Expression root = Sqrt(Argument(a));
     algebra_.ReplaceSquare(root.index(), *a.expanded, 1);
@@ -329,7 +328,7 @@ class Expansion {
   }
 
   Polynomial AbsOf(const Part& a) {
-    if (IsNumber(*a.expanded)) return algebra_.Constant(Abs(NumberIn(*a.expanded)));
+    if (IsConstant(*a.expanded)) return algebra_.Constant(Abs(ConstantIn(*a.expanded)));
     const Expression size = Abs(ArgumentWithoutSign(a).expression);
     algebra_.ReplaceSquare(size.index(), *a.expanded, 2);
     return AtomPolynomial(size, 1);
@@ -338,8 +337,8 @@ class Expansion {
   Polynomial ExtremeOf(const Part& a, const Part& b,
                        Interval (*of_numbers)(const Interval&, const Interval&),
                        Expression (*of_expressions)(const Expression&, const Expression&)) {
-    if (IsNumber(*a.expanded) && IsNumber(*b.expanded)) {
-      return algebra_.Constant(of_numbers(NumberIn(*a.expanded), NumberIn(*b.expanded)));
+    if (IsConstant(*a.expanded) && IsConstant(*b.expanded)) {
+      return algebra_.Constant(of_numbers(ConstantIn(*a.expanded), ConstantIn(*b.expanded)));
     }
     Expression first = Argument(a);
     Expression second = Argument(b);
@@ -401,8 +400,6 @@ class Expansion {
   std::size_t kept_terms_ = 0;
 };
 
-}  // namespace
-
 class KeptNormalForms {
  public:
   Expansion& ExpansionFor(const Expression& e, int most_terms, AtomArguments arguments) {
@@ -445,6 +442,10 @@ Expression SimplifiedExpression(const Expression& e, int most_terms) {
   }
   Expansion one(e.pool(), most_terms, AtomArguments::kRounded);
   return one.Written(one.Of(e));
+}
+
+bool IsRoundingAlone(const Interval& coefficient) {
+  return !IsSingle(coefficient) && Contains(coefficient, 0);
 }
 
 Expression ToExpression(const NormalForm& form) {

@@ -41,6 +41,9 @@ enum class AtomArguments {
 NormalForm NormalFormOf(const Expression& e, int most_terms = 20'000,
                         AtomArguments arguments = AtomArguments::kExact);
 
+// Whether it may be 0, and is there only because numbers were rounded.
+bool IsRoundingAlone(const Interval& coefficient);
+
 // From now on what the normal forms of the pool's expressions have in common is expanded once and
 // kept, up to a limit: for many expressions that are made of the same ones. The normal forms are
 // the same.
@@ -49,7 +52,7 @@ void KeepNormalForms(ExpressionPool& pool);
 // ToExpression of the normal form with rounded arguments, without making the form.
 Expression SimplifiedExpression(const Expression& e, int most_terms);
 
-// With the coefficients' midpoints; a term whose coefficient holds 0 is rounding alone: left out.
+// With the coefficients' midpoints; a term that is rounding alone is left out.
 Expression ToExpression(const NormalForm& form);
 
 }  // namespace assay::algebra

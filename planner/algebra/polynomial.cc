@@ -12,11 +12,8 @@ namespace assay::algebra {
 namespace {
 
 using Polynomial = PolynomialAlgebra::Polynomial;
-using Term = PolynomialAlgebra::Term;
 
 constexpr int kLargestExponent = 1'000'000;
-constexpr Interval kOne = {1, 1};
-constexpr Interval kZero = {0, 0};
 
 std::uint64_t HashOf(std::span<const AtomPower> factors) {
   std::uint64_t hash = factors.size();
@@ -62,7 +59,7 @@ class PolynomialAlgebra::TermCollector {
 
   Polynomial Finish() {
     ForgetPlaces();
-    std::erase_if(terms_, [](const Term& term) { return term.coefficient == kZero; });
+    std::erase_if(terms_, [](const Term& term) { return term.coefficient == Interval{}; });
     return std::move(terms_);
   }
 
@@ -79,7 +76,7 @@ class PolynomialAlgebra::TermCollector {
 PolynomialAlgebra::PolynomialAlgebra() { Intern({}); }
 
 Polynomial PolynomialAlgebra::Constant(const Interval& value) const {
-  if (value == kZero) return {};
+  if (value == Interval{}) return {};
   return {{.monomial = 0, .coefficient = value}};
 }
 
@@ -136,7 +133,7 @@ std::optional<Polynomial> PolynomialAlgebra::Power(const Polynomial& a, int n, B
   return result;
 }
 
-Term PolynomialAlgebra::PlainProduct(const Term& a, const Term& b) {
+PolynomialAlgebra::Term PolynomialAlgebra::PlainProduct(const Term& a, const Term& b) {
   return {.monomial = Intern(Merged(Factors(a.monomial), Factors(b.monomial))),
           .coefficient = a.coefficient * b.coefficient};
 }

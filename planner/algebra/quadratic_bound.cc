@@ -6,7 +6,7 @@
 namespace assay::algebra {
 namespace {
 
-constexpr int kHalvings = 5;  // of the interval that the least shift is in
+constexpr int kShiftHalvings = 5;  // of the interval that the least shift is in
 constexpr int kSweeps = 4;
 
 }  // namespace
@@ -46,7 +46,7 @@ void QuadraticBound::FindShift() {
     enough = std::max(enough, radius * (1 + 1e-6));
   }
   while (!IsEnough(enough)) enough *= 2;
-  for (int i = 0; i < kHalvings; ++i) {
+  for (int i = 0; i < kShiftHalvings; ++i) {
     const double middle = (too_little + enough) / 2;
     (IsEnough(middle) ? enough : too_little) = middle;
   }

@@ -92,8 +92,8 @@ class Answer {
   bool keeps_;
 };
 
-Expression Bound(const Expression& j, const std::set<VariableId>& keep,
-                 const ConstraintSet& constraints, Side side) {
+Expression SupOrInf(const Expression& j, const std::set<VariableId>& keep,
+                    const ConstraintSet& constraints, Side side) {
   if (j.IsConstant()) return j;
   return Answer(*j.pool(), keep, constraints).Of(j, side);
 }
@@ -102,12 +102,12 @@ Expression Bound(const Expression& j, const std::set<VariableId>& keep,
 
 Expression Sup(const Expression& j, const std::set<VariableId>& keep,
                const ConstraintSet& constraints) {
-  return Bound(j, keep, constraints, Side::kSup);
+  return SupOrInf(j, keep, constraints, Side::kSup);
 }
 
 Expression Inf(const Expression& j, const std::set<VariableId>& keep,
                const ConstraintSet& constraints) {
-  return Bound(j, keep, constraints, Side::kInf);
+  return SupOrInf(j, keep, constraints, Side::kInf);
 }
 
 std::vector<Interval> TightenedBox(const ConstraintSet& constraints) {

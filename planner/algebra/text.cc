@@ -7,12 +7,16 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <map>
 #include <numbers>
+#include <ranges>
 #include <span>
 #include <system_error>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
+#include "planner/algebra/name.h"
 #include "planner/base/check.h"
 #include "planner/base/document.h"
 
@@ -78,10 +82,15 @@ bool TakesParentheses(const Expression& e, Place place) {
   return false;
 }
 
+// The places of the expressions that are written once, by Expression::index.
+using SharedPlaces = std::unordered_map<int, std::size_t>;
+
 // Writes what is not nested too deeply by recursion; the rest waits, so that no depth overflows the
 // stack.
 class Writer {
  public:
+  explicit Writer(const SharedPlaces& shared) : shared_(shared) {}
+
   std::string Write(const Expression& e) {
     Put(e, Place::kWhole);
     FlushPieces();
@@ -110,7 +119,9 @@ class Writer {
     }
   }
   void Put(const Expression& e, Place place) {
-    if (pieces_.empty() && nesting_ < kDeepestNesting) {
+    if (const auto shared = shared_.find(e.index()); IsShared(e)) {
+      Put(fmt::format("#{}", shared->second));
+    } else if (pieces_.empty() && nesting_ < kDeepestNesting) {
       ++nesting_;
       Expand(e, place);
       --nesting_;
@@ -118,6 +129,8 @@ class Writer {
       pieces_.push_back({.text = {}, .expression = e, .place = place});
     }
   }
+
+  bool IsShared(const Expression& e) const { return shared_.contains(e.index()); }
 
   // What was put goes before what waits.
   void FlushPieces() {
@@ -175,7 +188,7 @@ class Writer {
   void ExpandSum(std::span<const Expression> terms) {
     Put(terms[0], Place::kTerm);
     for (const Expression& term : terms.subspan(1)) {
-      const bool is_negated = IsNegated(term);
+      const bool is_negated = !IsShared(term) && IsNegated(term);
       Put(is_negated ? " - " : " + ");
       Put(term, is_negated ? Place::kNegatedTerm : Place::kTerm);
     }
@@ -207,24 +220,24 @@ class Writer {
     Put(")");
   }
 
+  const SharedPlaces& shared_;
   std::string text_;
   int nesting_ = 0;
   std::vector<Piece> stack_;   // the next one last
   std::vector<Piece> pieces_;  // of one expansion, in order: those that wait
 };
 
-constexpr int kLargestExponent = 100;
+constexpr int kLargestWrittenExponent = 100;
 constexpr std::string_view kOperandAllowed = "a number, a variable, a function or a parenthesis";
 
-bool IsDigit(char c) { return '0' <= c && c <= '9'; }
-bool IsLetter(char c) { return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_'; }
 bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
 // By recursive descent: one member function for each rule of the grammar.
 class Parser {
  public:
-  Parser(std::string_view text, ExpressionPool& pool, const FilePlace& place, Layout layout)
-      : text_(text), pool_(pool), place_(place), layout_(layout) {}
+  Parser(std::string_view text, ExpressionPool& pool, const FilePlace& place, Layout layout,
+         std::span<const Expression> shared)
+      : text_(text), pool_(pool), place_(place), layout_(layout), shared_(shared) {}
 
   Expression ParseAll() {
     const Expression e = ParseSum();
@@ -327,7 +340,7 @@ class Parser {
 
   int ParseExponent() {
     const std::string allowed =
-        fmt::format("an integer from -{} to {}", kLargestExponent, kLargestExponent);
+        fmt::format("an integer from -{} to {}", kLargestWrittenExponent, kLargestWrittenExponent);
     SkipSpace();
     const std::size_t begin = at_;
     int exponent = 0;
@@ -336,7 +349,7 @@ class Parser {
     if (error == std::errc::invalid_argument) FailAtNext(allowed);
     at_ = static_cast<std::size_t>(end - text_.data());
     const bool is_cut = at_ < text_.size() && (text_[at_] == '.' || IsLetter(text_[at_]));
-    if (error != std::errc() || std::abs(exponent) > kLargestExponent || is_cut) {
+    if (error != std::errc() || std::abs(exponent) > kLargestWrittenExponent || is_cut) {
       while (at_ < text_.size() &&
              (text_[at_] == '.' || IsLetter(text_[at_]) || IsDigit(text_[at_]))) {
         ++at_;
@@ -352,6 +365,7 @@ class Parser {
     const char next = text_[at_];
     if (IsDigit(next) || next == '.') return ParseNumber();
     if (IsLetter(next)) return ParseName();
+    if (next == '#') return ParseShared();
     if (next != '(') FailAtNext(kOperandAllowed);
     const std::size_t opening = at_++;
     Descend(opening);
@@ -410,6 +424,20 @@ class Parser {
     return pool_.Constant(value * std::numbers::pi / 180);
   }
 
+  Expression ParseShared() {
+    const std::size_t begin = at_++;
+    std::size_t place = 0;
+    const std::size_t end = EndOfDigits(at_);
+    const auto error = std::from_chars(text_.data() + at_, text_.data() + end, place).ec;
+    if (error != std::errc() || place >= shared_.size()) {
+      Fail(begin, fmt::format("there is no shared expression {}", text_.substr(begin, end - begin)),
+           fmt::format("# and a place of the {} shared expressions before this one, from 0",
+                       shared_.size()));
+    }
+    at_ = end;
+    return shared_[place];
+  }
+
   Expression ParseName() {
     const std::size_t begin = at_;
     const std::string_view name = NextWord();
@@ -461,17 +489,56 @@ class Parser {
   ExpressionPool& pool_;
   const FilePlace& place_;
   Layout layout_;
+  std::span<const Expression> shared_;
   std::size_t at_ = 0;
   int depth_ = 0;
 };
 
+// The operations that occur more than once, each after what it is made of.
+std::vector<Expression> SharedBy(std::span<const Expression> expressions) {
+  std::map<int, Expression> found, shared;
+  std::vector<Expression> pending(expressions.begin(), expressions.end());
+  while (!pending.empty()) {
+    const Expression e = pending.back();
+    pending.pop_back();
+    if (e.operands().empty()) continue;
+    if (found.emplace(e.index(), e).second) {
+      pending.insert(pending.end(), e.operands().begin(), e.operands().end());
+    } else {
+      shared.emplace(e.index(), e);
+    }
+  }
+  const auto of_shared = std::views::values(shared);
+  return {of_shared.begin(), of_shared.end()};
+}
+
 }  // namespace
 
-std::string Text(const Expression& e) { return Writer().Write(e); }
+std::string Text(const Expression& e) { return Writer({}).Write(e); }
+
+SharedTexts TextsOf(std::span<const Expression> expressions) {
+  SharedTexts texts;
+  SharedPlaces places;
+  for (const Expression& e : SharedBy(expressions)) {
+    texts.shared.push_back(Writer(places).Write(e));
+    places.emplace(e.index(), places.size());
+  }
+  for (const Expression& e : expressions) texts.expressions.push_back(Writer(places).Write(e));
+  return texts;
+}
+
+std::vector<Expression> ParseShared(std::span<const std::string> shared, ExpressionPool& pool,
+                                    const FilePlace& place) {
+  std::vector<Expression> parsed;
+  for (const std::string& text : shared) {
+    parsed.push_back(Parse(text, pool, place, Layout::kOther, parsed));
+  }
+  return parsed;
+}
 
 Expression Parse(std::string_view text, ExpressionPool& pool, const FilePlace& place,
-                 Layout layout) {
-  return Parser(text, pool, place, layout).ParseAll();
+                 Layout layout, std::span<const Expression> shared) {
+  return Parser(text, pool, place, layout, shared).ParseAll();
 }
 
 }  // namespace assay::algebra

@@ -11,8 +11,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kMostParts = 20'000;     // of products, written as sums of exponentials
-constexpr double kNegligible = 1e-16;  // of the largest wave: left out below
+constexpr int kMostParts = 20'000;       // of products, written as sums of exponentials
+constexpr double kFaintestWave = 1e-16;  // of the largest: left out below
 
 // Writes products of cosines and sines as sums of exponentials, exp(i turns . angles), numbered by
 // their turns plus one as digits to the base three.
@@ -81,8 +81,8 @@ class ExponentialSum {
   int parts_ = 0;
 };
 
-Sector Sum(const std::array<signed char, WaveSum::kMostAngles>& turns, double phase,
-           std::span<const NearestInterval> box) {
+Sector SumOfTurns(const std::array<signed char, WaveSum::kMostAngles>& turns, double phase,
+                  std::span<const NearestInterval> box) {
   double low = phase;
   double high = phase;
   for (std::size_t i = 0; i < box.size(); ++i) {
@@ -111,7 +111,7 @@ bool WaveSum::Assign(const NestedForm& form, std::span<const int> cosines) {
   for (std::size_t i = static_cast<std::size_t>(sum.still()) + 1; i < sum.coefficients().size();
        ++i) {
     const double amplitude = 2 * std::abs(sum.coefficients()[i]);
-    if (amplitude <= kNegligible * largest) {
+    if (amplitude <= kFaintestWave * largest) {
       left_out_ += amplitude;
       continue;
     }
@@ -132,7 +132,8 @@ void WaveEvaluation::Enter(const WaveSum& sum, std::span<const NearestInterval> 
   slopes_.fill(0);
   least_curvature_.fill(0);
   for (const WaveSum::Wave& wave : sum.waves_) {
-    const Sector sector = Sum(wave.turns, wave.phase, box.first(static_cast<std::size_t>(n)));
+    const Sector sector =
+        SumOfTurns(wave.turns, wave.phase, box.first(static_cast<std::size_t>(n)));
     const NearestInterval value = wave.amplitude * Cosines(sector);
     const NearestInterval slope = -wave.amplitude * Sines(sector);
     range_ += value;

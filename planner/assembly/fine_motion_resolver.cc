@@ -84,7 +84,8 @@ Prepared With(const UnmetGoals& unmet, const std::vector<Insertion>& insertions)
 }
 
 // Looks at one of the two parts, or at both.
-std::vector<std::vector<Insertion>> LooksAt(const UnmetGoals& unmet, const domain::Mating& mating) {
+std::vector<std::vector<Insertion>> LooksAtPartsOf(const UnmetGoals& unmet,
+                                                   const domain::Mating& mating) {
   std::vector<std::vector<Insertion>> looks;
   if (std::ranges::count(unmet.problem.resolvers, domain::ResolverKind::kSensing) == 0)
     return looks;
@@ -136,7 +137,7 @@ std::vector<Remedy> FineMotionResolver::Propose(const UnmetGoals& unmet) {
   }
   const domain::Mating& mating = unmet.problem.mating(assemble->mating);
   std::vector<std::vector<Insertion>> preparations = {{}};
-  std::ranges::move(LooksAt(unmet, mating), std::back_inserter(preparations));
+  std::ranges::move(LooksAtPartsOf(unmet, mating), std::back_inserter(preparations));
   for (std::vector<Insertion>& insertions : preparations) {
     const Prepared prepared = With(unmet, insertions);
     auto strategy = StrategyFor({unmet.problem, prepared.actions, prepared.step, unmet.goals,

@@ -15,8 +15,9 @@
 namespace assay::assembly {
 namespace {
 
-std::vector<std::string> FlawsOf(const domain::Problem& problem, const domain::Mating& mating,
-                                 const plan::Strategy& strategy) {
+std::vector<std::string> FlawsOfStrategy(const domain::Problem& problem,
+                                         const domain::Mating& mating,
+                                         const plan::Strategy& strategy) {
   std::vector<std::string> flaws =
       finemotion::FlawsOfStrategy(finemotion::GeometryOf(problem, mating), strategy);
   for (const std::string& condition : strategy.certificate.absorbs) {
@@ -51,7 +52,8 @@ std::vector<plan::Flaw> FlawsOfStrategies(const domain::Problem& problem, const 
       continue;
     const int mating = assemble->mating.index();
     if (mating < 0 || mating >= std::ssize(problem.matings)) continue;
-    for (std::string& what : FlawsOf(problem, problem.mating(assemble->mating), *step.strategy)) {
+    for (std::string& what :
+         FlawsOfStrategy(problem, problem.mating(assemble->mating), *step.strategy)) {
       flaws.push_back({plan::StepId(i), "the strategy: " + std::move(what)});
     }
   }

@@ -253,7 +253,7 @@ std::optional<plan::Travel>& TravelTo(StepId id, plan::Plan& plan) {
   return id.IsNone() ? plan.homing : plan.steps[id.index()].travel;
 }
 
-std::string NameOf(StepId id, const plan::Plan& plan) {
+std::string NameOfStep(StepId id, const plan::Plan& plan) {
   return id.IsNone() ? "home" : plan.step(id).name;
 }
 
@@ -266,8 +266,8 @@ void KeepOrder(plan::Plan& plan) {
   }
 }
 
-std::vector<std::string> FlawsOf(const plan::Travel& travel, const Walk& walk,
-                                 const ToolRoute& route) {
+std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const Walk& walk,
+                                       const ToolRoute& route) {
   if (travel.path.size() < 2) return {"a path of less than two postures"};
   std::vector<std::string> flaws;
   const auto tool = [&](const JointVector& q) { return motion::ToolAt(walk.workcell(), q); };
@@ -306,7 +306,7 @@ std::optional<std::string> AddTravels(const domain::Problem& problem, const Trav
     } else {
       auto result = search.Search(effort);
       if (const auto* why = std::get_if<std::string>(&result)) {
-        return fmt::format("no way to {} was found: {}", NameOf(id, plan), *why);
+        return fmt::format("no way to {} was found: {}", NameOfStep(id, plan), *why);
       }
       auto& found = std::get<TravelSearch::Found>(result);
       found.travel.clearance = search.ClearanceOf(found.travel);
@@ -327,7 +327,7 @@ std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const pla
     walk.ComeTo(id);
     const std::optional<plan::Travel>& travel = id.IsNone() ? plan.homing : plan.step(id).travel;
     if (travel) {
-      for (std::string& what : FlawsOf(*travel, walk, walk.RouteTo(id))) {
+      for (std::string& what : FlawsOfTravel(*travel, walk, walk.RouteTo(id))) {
         flaws.push_back({id, "the travel: " + std::move(what)});
       }
     }

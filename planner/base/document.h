@@ -58,6 +58,7 @@ class Document {
   static Document Parse(const std::string& text, const std::string& file_name);
 
   const Value& root() const { return root_; }
+  std::string file() const { return root_.Place().file; }  // its name, as it was given
 
   // The root is a map whose key `format` has exactly this text; anything else is an error.
   void RequireFormat(std::string_view format) const;

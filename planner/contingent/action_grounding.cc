@@ -102,16 +102,17 @@ void ActionGrounding::BindFrom(const Action& action, const std::vector<EarlyTest
     return;
   }
   const TypedName& parameter = action.parameters[bindings.size()];
-  for (const Value& value : CandidatesFor(action, parameter, bindings)) {
+  for (const GroundValue& value : CandidatesFor(action, parameter, bindings)) {
     bindings.push_back({parameter.name, value});
     BindFrom(action, tests, bindings, use);
     bindings.pop_back();
   }
 }
 
-std::vector<Value> ActionGrounding::CandidatesFor(const Action& action, const TypedName& parameter,
-                                                  const Bindings& bindings) {
-  std::vector<Value> candidates;
+std::vector<GroundValue> ActionGrounding::CandidatesFor(const Action& action,
+                                                        const TypedName& parameter,
+                                                        const Bindings& bindings) {
+  std::vector<GroundValue> candidates;
   for (const std::string& constant : terms_.symbols().ConstantsOf(parameter.type)) {
     candidates.push_back({constant, FunctionId::None()});
   }
@@ -121,7 +122,8 @@ std::vector<Value> ActionGrounding::CandidatesFor(const Action& action, const Ty
 
 // K(parameter = f(a)) in the precondition, where f(a) may come to be known.
 void ActionGrounding::AddRunTimeValues(const Query& query, const std::string& parameter,
-                                       const Bindings& bindings, std::vector<Value>& candidates) {
+                                       const Bindings& bindings,
+                                       std::vector<GroundValue>& candidates) {
   if (query.kind == Query::Kind::kAnd) {
     for (const Query& operand : query.operands) {
       AddRunTimeValues(operand, parameter, bindings, candidates);

@@ -31,10 +31,10 @@ class ActionGrounding {
   // Calls `use` with each way to bind the parameters, from these on, that passes the tests.
   void BindFrom(const Action& action, const std::vector<EarlyTest>& tests, Bindings& bindings,
                 const std::function<void()>& use);
-  std::vector<Value> CandidatesFor(const Action& action, const TypedName& parameter,
-                                   const Bindings& bindings);
+  std::vector<GroundValue> CandidatesFor(const Action& action, const TypedName& parameter,
+                                         const Bindings& bindings);
   void AddRunTimeValues(const Query& query, const std::string& parameter, const Bindings& bindings,
-                        std::vector<Value>& candidates);
+                        std::vector<GroundValue>& candidates);
   void AddInstance(const Action& action, const Bindings& bindings);
   // Throws InputError if what always happens gives a function two values, in all instances.
   // `first`: the action's first one.

@@ -34,7 +34,7 @@ double ErrorOf(double a, double b) {
   return 2 * std::numeric_limits<double>::epsilon() * (std::abs(a) + std::abs(b));
 }
 
-double Least(double a, double b) {
+double LeastSum(double a, double b) {
   const double sum = a + b;
   return ExactSum(a, b).value_or(std::isinf(sum) ? sum : sum - ErrorOf(a, b));
 }
@@ -55,9 +55,9 @@ std::optional<double> ExactSum(double a, double b) {
 }
 
 Interval EnclosingSum(const Interval& a, const Interval& b) {
-  return {Least(a.low, b.low), 0 - Least(-a.high, -b.high)};  // never -0
+  return {LeastSum(a.low, b.low), 0 - LeastSum(-a.high, -b.high)};  // never -0
 }
 
-double WidthOf(double low, double high) { return 0 - Least(low, -high); }
+double WidthOf(double low, double high) { return 0 - LeastSum(low, -high); }
 
 }  // namespace assay::contingent

@@ -27,6 +27,9 @@ struct TypedName {
   Place place = {};
 };
 
+// Levels of conditions, effects and lists in a file: so none overflows the stack.
+inline constexpr int kDeepestNesting = 100;
+
 inline constexpr const char* kNumberType = "number";  // of functions whose value is an interval
 
 struct Term {

@@ -61,7 +61,7 @@ std::vector<GroundChange> EffectGrounding::FactChanges(const Change& change,
 // A function has one value: the others become false with it, and unknown with it. Its value at run
 // time, whichever that is, can be forgotten.
 std::vector<GroundChange> EffectGrounding::ValueChanges(const Change& change, FunctionId id,
-                                                        const Value& value,
+                                                        const GroundValue& value,
                                                         const Literal& literal) {
   std::vector<GroundChange> changes;
   const bool is_of_run_time = !value.function.IsNone();

@@ -18,8 +18,8 @@ class EffectGrounding {
 
  private:
   std::vector<GroundChange> FactChanges(const Change& change, const Bindings& bindings);
-  std::vector<GroundChange> ValueChanges(const Change& change, FunctionId id, const Value& value,
-                                         const Literal& literal);
+  std::vector<GroundChange> ValueChanges(const Change& change, FunctionId id,
+                                         const GroundValue& value, const Literal& literal);
   std::vector<GroundChange> NumberChanges(const Change& change, const Literal& literal,
                                           const Bindings& bindings);
   std::vector<GroundChange> WhetherChanges(const std::vector<Literal>& literals, bool is_addition,

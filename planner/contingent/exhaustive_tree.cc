@@ -16,9 +16,9 @@ constexpr int kFar = std::numeric_limits<int>::max();
 constexpr double kGrowth = 1.2;       // of the states, after which depths are computed again
 constexpr int kDeepestRepeat = 2000;  // nodes above each other, in a tree with repeats
 
-class Search {
+class ExhaustiveTreeSearch {
  public:
-  explicit Search(KnowledgeSpace& space)
+  explicit ExhaustiveTreeSearch(KnowledgeSpace& space)
       : space_(space),
         initial_(space.initial()),
         conditionally_changed_(ConditionallyChanged(space.task())),
@@ -286,6 +286,8 @@ class Search {
 
 }  // namespace
 
-ExhaustiveTree FindExhaustiveTree(KnowledgeSpace& space) { return Search(space).Run(); }
+ExhaustiveTree FindExhaustiveTree(KnowledgeSpace& space) {
+  return ExhaustiveTreeSearch(space).Run();
+}
 
 }  // namespace assay::contingent

@@ -23,9 +23,10 @@ struct Leg {
 };
 using Way = std::vector<Leg>;
 
-class Search {
+class FirstTreeSearch {
  public:
-  explicit Search(KnowledgeSpace& space) : space_(space), graph_(space.task()), sub_plans_(space) {}
+  explicit FirstTreeSearch(KnowledgeSpace& space)
+      : space_(space), graph_(space.task()), sub_plans_(space) {}
 
   FirstTree Run() {
     FirstTree result;
@@ -191,6 +192,6 @@ class Search {
 
 }  // namespace
 
-FirstTree FindFirstTree(KnowledgeSpace& space) { return Search(space).Run(); }
+FirstTree FindFirstTree(KnowledgeSpace& space) { return FirstTreeSearch(space).Run(); }
 
 }  // namespace assay::contingent

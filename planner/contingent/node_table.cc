@@ -5,7 +5,7 @@
 namespace assay::contingent {
 namespace {
 
-std::uint64_t HashOf(const PlanNode& node) {
+std::uint64_t HashOfNode(const PlanNode& node) {
   std::uint64_t hash = static_cast<std::uint64_t>(node.kind);
   for (const int index : {node.action.index(), node.formula.index(), node.function.index()}) {
     hash = algebra::MixedHash(hash, static_cast<std::uint64_t>(index));
@@ -19,7 +19,7 @@ std::uint64_t HashOf(const PlanNode& node) {
 }  // namespace
 
 NodeId NodeTable::Intern(PlanNode node) {
-  const std::uint64_t hash = HashOf(node);
+  const std::uint64_t hash = HashOfNode(node);
   const int found = ids_.Find(hash, [&](int index) { return nodes_[index] == node; });
   if (found >= 0) return NodeId(found);
   const NodeId id = Append(std::move(node));

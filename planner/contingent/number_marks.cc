@@ -12,8 +12,7 @@ namespace {
 
 // Of one function. Each is three numbers, and what is assigned an interval takes as many of each.
 constexpr std::size_t kMostMarks = 500;
-// Farther than any mark.
-constexpr double kFar = 1e9;
+constexpr double kBeyondMarks = 1e9;
 // What sums may differ by that are not exact.
 double RoundingOf(double sum) {
   return 16 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(sum));
@@ -179,7 +178,7 @@ std::vector<Number> NumberMarks::In(const Range& range, int slot) const {
     const std::set<double>& marks = marks_[slot];
     const double most =
         marks.empty() ? 0 : std::max(std::abs(*marks.begin()), std::abs(*marks.rbegin()));
-    return std::copysign(std::max(kFar, 2 * most), end);
+    return std::copysign(std::max(kBeyondMarks, 2 * most), end);
   };
   return Between({finite(range.low), range.excludes_low ? 1 : 0},
                  {finite(range.high), range.excludes_high ? -1 : 0}, slot);

@@ -16,9 +16,9 @@ namespace {
 
 constexpr const char* kRootType = "object";
 
-class Reader {
+class PddlReader {
  public:
-  explicit Reader(const std::string& file) : file_(file) {}
+  explicit PddlReader(const std::string& file) : file_(file) {}
 
   Domain ReadDomain(const SExpression& whole) {
     Domain domain;
@@ -325,11 +325,11 @@ class Reader {
 }  // namespace
 
 Domain ReadPddlDomain(const std::string& text, const std::string& file) {
-  return Reader(file).ReadDomain(ReadSExpression(text, file));
+  return PddlReader(file).ReadDomain(ReadSExpression(text, file));
 }
 
 Problem ReadPddlProblem(const std::string& text, const std::string& file, const Domain& domain) {
-  return Reader(file).ReadProblem(ReadSExpression(text, file), domain);
+  return PddlReader(file).ReadProblem(ReadSExpression(text, file), domain);
 }
 
 }  // namespace assay::contingent

@@ -20,9 +20,9 @@ std::string NameOf(const std::string& text) {
   return name;
 }
 
-class Writer {
+class PddlWriter {
  public:
-  Writer(const GroundTask& task, const std::string& name)
+  PddlWriter(const GroundTask& task, const std::string& name)
       : task_(task), name_(NameOf(name)), tells_false_(task.atoms.size(), false) {
     std::set<std::string> taken;
     for (const std::string& atom : task.atoms) atoms_.push_back(Unique(NameOf(atom), taken));
@@ -235,7 +235,7 @@ class Writer {
 }  // namespace
 
 PddlFiles ToPddl(const GroundTask& task, const std::string& name) {
-  return Writer(task, name).Write();
+  return PddlWriter(task, name).Write();
 }
 
 }  // namespace assay::contingent

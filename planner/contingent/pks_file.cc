@@ -15,8 +15,6 @@
 namespace assay::contingent {
 namespace {
 
-constexpr int kDeepestNesting = 100;
-
 // By recursive descent, one member function for each rule of the grammar.
 class Parser {
  public:

@@ -11,7 +11,8 @@ namespace assay::contingent {
 namespace {
 
 template <class T, class Function>
-std::string Joined(const std::vector<T>& items, const char* separator, const Function& text_of) {
+std::string JoinedTexts(const std::vector<T>& items, const char* separator,
+                        const Function& text_of) {
   std::vector<std::string> texts;
   for (const T& item : items) texts.push_back(text_of(item));
   return fmt::format("{}", fmt::join(texts, separator));
@@ -40,7 +41,7 @@ std::string TermText(const Term& term) {
     case Term::Kind::kVariable:
       return fmt::format("?{}", term.name);
     case Term::Kind::kFunction:
-      return fmt::format("{}({})", term.name, Joined(term.arguments, ", ", TermText));
+      return fmt::format("{}({})", term.name, JoinedTexts(term.arguments, ", ", TermText));
     case Term::Kind::kNumber:
       return NumberText(term.value);
     case Term::Kind::kSum:
@@ -56,7 +57,7 @@ std::string ValueText(const Term& term, const std::optional<double>& within) {
 }
 
 std::string LiteralText(const Literal& literal) {
-  const std::string arguments = Joined(literal.arguments, ", ", TermText);
+  const std::string arguments = JoinedTexts(literal.arguments, ", ", TermText);
   const char* const sign = literal.is_positive ? "" : "!";
   const std::string atom =
       literal.predicate + (arguments.empty() ? "" : fmt::format("({})", arguments));
@@ -80,16 +81,16 @@ std::string QueryText(const Query& query) {
   switch (query.kind) {
     case Query::Kind::kAnd:
       if (query.operands.empty()) return "true";
-      return fmt::format("({})", Joined(query.operands, " & ", QueryText));
+      return fmt::format("({})", JoinedTexts(query.operands, " & ", QueryText));
     case Query::Kind::kOr:
       if (query.operands.empty()) return "!true";
-      return fmt::format("({})", Joined(query.operands, " | ", QueryText));
+      return fmt::format("({})", JoinedTexts(query.operands, " | ", QueryText));
     case Query::Kind::kNot:
       return fmt::format("!{}", QueryText(query.operands.front()));
     case Query::Kind::kKnown:
-      return fmt::format("K({})", Joined(query.literals, " & ", LiteralText));
+      return fmt::format("K({})", JoinedTexts(query.literals, " & ", LiteralText));
     case Query::Kind::kKnownWhether:
-      return fmt::format("Kw({})", Joined(query.literals, " & ", LiteralText));
+      return fmt::format("Kw({})", JoinedTexts(query.literals, " & ", LiteralText));
     case Query::Kind::kValueKnown:
       return fmt::format("Kv({})", ValueText(query.terms.front(), query.within));
     case Query::Kind::kForAll:
@@ -106,11 +107,11 @@ std::string ChangeText(const Change& change) {
     case Store::kFacts:
       return fmt::format("{}(Kf, {})", verb, LiteralText(change.literals.front()));
     case Store::kWhether:
-      return fmt::format("{}(Kw, {})", verb, Joined(change.literals, " & ", LiteralText));
+      return fmt::format("{}(Kw, {})", verb, JoinedTexts(change.literals, " & ", LiteralText));
     case Store::kValues:
       return fmt::format("{}(Kv, {})", verb, ValueText(change.terms.front(), change.within));
     case Store::kExclusive: {
-      const std::string alternatives = Joined(change.literals, " | ", LiteralText);
+      const std::string alternatives = JoinedTexts(change.literals, " | ", LiteralText);
       return fmt::format(
           "{}(Kx, {})", verb,
           change.is_inclusive ? fmt::format("some({})", alternatives) : alternatives);
@@ -129,7 +130,7 @@ std::string EffectText(const Effect& effect) {
   const bool is_conditional =
       effect.condition.kind != Query::Kind::kAnd || !effect.condition.operands.empty();
   if (is_conditional) text += QueryText(effect.condition) + " => ";
-  return text + Joined(effect.changes, ", ", ChangeText);
+  return text + JoinedTexts(effect.changes, ", ", ChangeText);
 }
 
 std::string ActionText(const Action& action) {
@@ -137,7 +138,8 @@ std::string ActionText(const Action& action) {
       fmt::format("\naction {}({})\n", action.name, NamesText(action.parameters, "?"));
   text += fmt::format("  preconds: {}\n", QueryText(action.precondition));
   if (!action.effects.empty()) {
-    text += fmt::format("  effects: {}\n", Joined(action.effects, ";\n           ", EffectText));
+    text +=
+        fmt::format("  effects: {}\n", JoinedTexts(action.effects, ";\n           ", EffectText));
   }
   return text;
 }
@@ -145,8 +147,8 @@ std::string ActionText(const Action& action) {
 std::string SymbolText(const Symbol& symbol) {
   std::string text = symbol.name;
   if (!symbol.parameters.empty()) {
-    text += fmt::format("({})",
-                        Joined(symbol.parameters, ", ", [](const TypedName& p) { return p.type; }));
+    text += fmt::format(
+        "({})", JoinedTexts(symbol.parameters, ", ", [](const TypedName& p) { return p.type; }));
   }
   return text + (symbol.range.empty() ? "" : ": " + symbol.range);
 }
@@ -160,22 +162,22 @@ std::string Section(const char* title, const std::string& text) {
 std::string TextOf(const Domain& domain) {
   std::string text = fmt::format("domain {}\n", domain.name);
   text += Section("types", NamesText(domain.types, ""));
-  text += Section("predicates", Joined(domain.predicates, ", ", SymbolText));
-  text += Section("functions", Joined(domain.functions, ", ", SymbolText));
-  text += Section("externs", Joined(domain.externs, ", ", SymbolText));
+  text += Section("predicates", JoinedTexts(domain.predicates, ", ", SymbolText));
+  text += Section("functions", JoinedTexts(domain.functions, ", ", SymbolText));
+  text += Section("externs", JoinedTexts(domain.externs, ", ", SymbolText));
   text += Section("constants", NamesText(domain.constants, ""));
   for (const Action& action : domain.actions) text += ActionText(action);
-  return text + Section("\nupdates", Joined(domain.updates, ";\n  ", EffectText));
+  return text + Section("\nupdates", JoinedTexts(domain.updates, ";\n  ", EffectText));
 }
 
 std::string TextOf(const Problem& problem) {
   std::string text = fmt::format("problem {}\ndomain {}\n", problem.name, problem.domain);
   text += Section("objects", NamesText(problem.objects, ""));
-  text += Section("externs", Joined(problem.extern_facts, ", ", [](Literal fact) {
+  text += Section("externs", JoinedTexts(problem.extern_facts, ", ", [](Literal fact) {
                     fact.relation = Relation::kPredicate;
                     return LiteralText(fact);
                   }));
-  text += Section("init", Joined(problem.init, ",\n      ", ChangeText));
+  text += Section("init", JoinedTexts(problem.init, ",\n      ", ChangeText));
   return text + Section("goal", QueryText(problem.goal));
 }
 

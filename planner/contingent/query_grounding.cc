@@ -111,8 +111,8 @@ GroundQuery QueryGrounding::KnownAtom(const Literal& literal, const Bindings& bi
 }
 
 GroundQuery QueryGrounding::KnownEqual(const Literal& literal, const Bindings& bindings) {
-  const Value left = terms_.ValueOf(literal.arguments[0], bindings);
-  const Value right = terms_.ValueOf(literal.arguments[1], bindings);
+  const GroundValue left = terms_.ValueOf(literal.arguments[0], bindings);
+  const GroundValue right = terms_.ValueOf(literal.arguments[1], bindings);
   if (left.function.IsNone() && right.function.IsNone()) {
     return ConstantQuery((left.text == right.text) == literal.is_positive);
   }

@@ -5,11 +5,9 @@
 namespace assay::contingent {
 namespace {
 
-constexpr int kDeepestNesting = 100;
-
-class Reader {
+class SExpressionReader {
  public:
-  Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
+  SExpressionReader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
   SExpression ReadAll() {
     SkipBlanks();
@@ -79,7 +77,7 @@ class Reader {
 }  // namespace
 
 SExpression ReadSExpression(std::string_view text, const std::string& file) {
-  return Reader(text, file).ReadAll();
+  return SExpressionReader(text, file).ReadAll();
 }
 
 }  // namespace assay::contingent

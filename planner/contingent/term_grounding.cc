@@ -46,7 +46,7 @@ bool TermGrounding::IsNumeric(const Term& term) const {
   return symbols_.FindFunction(term.name)->range == kNumberType;
 }
 
-Value TermGrounding::ValueOf(const Term& term, const Bindings& bindings) {
+GroundValue TermGrounding::ValueOf(const Term& term, const Bindings& bindings) {
   if (term.kind == Term::Kind::kFunction) {
     const FunctionId function = FunctionOf(term, bindings);
     return {task_.functions[function.index()].text, function};
@@ -63,7 +63,7 @@ std::vector<std::string> TermGrounding::Constants(const std::vector<Term>& terms
   std::vector<std::string> constants;
   constants.reserve(terms.size());
   for (const Term& term : terms) {
-    Value value = ValueOf(term, bindings);
+    GroundValue value = ValueOf(term, bindings);
     if (!value.function.IsNone()) Refuse();
     constants.push_back(std::move(value.text));
   }

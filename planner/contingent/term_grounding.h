@@ -15,14 +15,14 @@
 namespace assay::contingent {
 
 // What a variable stands for: a constant, or the value of a function at run time.
-struct Value {
+struct GroundValue {
   std::string text;
   FunctionId function;  // none for a constant
 };
 
 struct Binding {
   std::string variable;
-  Value value;
+  GroundValue value;
 };
 using Bindings = std::vector<Binding>;
 
@@ -44,7 +44,7 @@ class TermGrounding {
   [[noreturn]] void Fail(Place place, const std::string& what, const std::string& allowed) const;
 
   bool IsNumeric(const Term& term) const;
-  Value ValueOf(const Term& term, const Bindings& bindings);
+  GroundValue ValueOf(const Term& term, const Bindings& bindings);
   // Arguments of a predicate, a function or an extern: no run-time variables.
   std::vector<std::string> Constants(const std::vector<Term>& terms, const Bindings& bindings);
   FunctionId FunctionOf(const Term& term, const Bindings& bindings);

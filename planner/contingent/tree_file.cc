@@ -31,7 +31,7 @@ Json ArgumentsToJson(const GroundTask& task, const GroundAction& action) {
   return arguments;
 }
 
-Json ToJson(const GroundTask& task, const PlanNode& node) {
+Json NodeToJson(const GroundTask& task, const PlanNode& node) {
   switch (node.kind) {
     case PlanNode::Kind::kGoal:
       return {{"goal", true}};
@@ -70,9 +70,9 @@ std::set<std::string> Conjuncts(std::string_view text) {
   }
 }
 
-class Reader {
+class TreeReader {
  public:
-  explicit Reader(const GroundTask& task) : task_(task) {}
+  explicit TreeReader(const GroundTask& task) : task_(task) {}
 
   PlanTree Read(const Value& json) {
     json.AllowOnly({"format", "root", "nodes"});
@@ -252,7 +252,7 @@ class Reader {
 Json ToJson(const GroundTask& task, const PlanTree& tree) {
   Json nodes = Json::array();
   for (const PlanNode& node : tree.nodes) {
-    Json json = ToJson(task, node);
+    Json json = NodeToJson(task, node);
     std::set<NodeId> heads;
     for (std::size_t i = 0; i < node.children.size(); ++i) {
       if (node.Repeats(i) && heads.insert(node.children[i]).second) {
@@ -264,6 +264,6 @@ Json ToJson(const GroundTask& task, const PlanTree& tree) {
   return {{"format", kFormat}, {"root", tree.root.index()}, {"nodes", std::move(nodes)}};
 }
 
-PlanTree ReadTree(const Value& tree, const GroundTask& task) { return Reader(task).Read(tree); }
+PlanTree ReadTree(const Value& tree, const GroundTask& task) { return TreeReader(task).Read(tree); }
 
 }  // namespace assay::contingent

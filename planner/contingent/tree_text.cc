@@ -7,9 +7,10 @@
 namespace assay::contingent {
 namespace {
 
-class Writer {
+class TreeWriter {
  public:
-  Writer(const GroundTask& task, const PlanTree& tree, Sharing sharing) : task_(task), tree_(tree) {
+  TreeWriter(const GroundTask& task, const PlanTree& tree, Sharing sharing)
+      : task_(task), tree_(tree) {
     CountParents(sharing);
   }
 
@@ -89,7 +90,7 @@ std::string OutcomeText(const GroundTask& task, const PlanNode& node, std::size_
 }
 
 std::string TextOf(const GroundTask& task, const PlanTree& tree, Sharing sharing) {
-  return Writer(task, tree, sharing).Write();
+  return TreeWriter(task, tree, sharing).Write();
 }
 
 }  // namespace assay::contingent

@@ -113,10 +113,9 @@ std::array<Side, 6> SidesOf(const Box& box) {
 }
 
 Pose FrameAlong(const Vector3& origin, const Vector3& z) {
-  constexpr double kEqual = 1e-9;
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
-    if (std::abs(z[i]) < std::abs(z[axis]) - kEqual) axis = i;
+    if (std::abs(z[i]) < std::abs(z[axis]) - kRounding) axis = i;
   }
   const Vector3 along = Vector3::Unit(axis);
   const Vector3 x = (along - along.dot(z) * z).normalized();

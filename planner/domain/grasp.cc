@@ -18,7 +18,7 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kParallel = 0.1 * std::numbers::pi / 180;  // between normals, radians
+constexpr double kOpposite = 0.1 * std::numbers::pi / 180;  // normals, radians
 constexpr double kGridStep = 4e-3;                          // between candidate positions, metres
 constexpr double kDeepEnough = 4e-3;  // margin around the pads beyond which more is not better
 constexpr double kAllowance = 1e-4;   // overlap of hand and part that is forgiven, metres
@@ -48,7 +48,7 @@ Patches Graspable(const PartModel& part, FaceId id) {
 std::optional<FacePair> PairUp(std::span<const Face> faces, FaceId a, FaceId b, double widest) {
   const Face& first = faces[a.index()];
   const Face& second = faces[b.index()];
-  if ((first.normal + second.normal).norm() >= kParallel) return std::nullopt;
+  if ((first.normal + second.normal).norm() >= kOpposite) return std::nullopt;
   const Pose X_FirstSecond = first.X_PartFace.inverse() * second.X_PartFace;
   const double width = -X_FirstSecond.translation().z();
   if (width <= kEqual || width > widest + kEqual) return std::nullopt;
@@ -247,7 +247,6 @@ class PairSearch {
 // grasp hides follow from its faces alone: each pair and direction is one class.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search) {
-  constexpr double kRounding = 1e-9;
   ASSAY_CHECK(search.approach_step > kRounding);
   const double turns = 2 * std::numbers::pi / search.approach_step;
   const int directions = static_cast<int>(std::ceil(turns - kRounding));

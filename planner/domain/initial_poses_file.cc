@@ -15,8 +15,6 @@
 namespace assay::domain {
 namespace {
 
-constexpr double kRounding = 1e-9;  // metres
-
 class InitialPosesFile {
  public:
   InitialPosesFile(const Value& root, const Units& units, const std::map<std::string, int>& chosen,

@@ -17,6 +17,12 @@ std::string ReadName(const Value& key, std::string_view what) {
   return name;
 }
 
+std::string ReadAnyName(const Value& value) {
+  std::string name = value.Text();
+  if (name.empty()) value.Fail("the name is empty", "a name");
+  return name;
+}
+
 PartId ReadPartName(const Value& value, const Problem& problem) {
   std::vector<std::string> names;
   for (const Part& part : problem.parts) names.push_back(part.name);

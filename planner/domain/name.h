@@ -12,6 +12,9 @@ namespace assay::domain {
 // name ("a part").
 std::string ReadName(const Value& key, std::string_view what);
 
+// Any text but none.
+std::string ReadAnyName(const Value& value);
+
 // The part of this name. Throws InputError if there is none.
 PartId ReadPartName(const Value& value, const Problem& problem);
 

@@ -9,6 +9,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/exposed_faces.h"
+#include "planner/domain/name.h"
 #include "planner/domain/planar_region.h"
 
 namespace assay::domain {
@@ -25,14 +26,7 @@ constexpr double kShortestSide = 1e-4;          // of a box in the file, metres
 constexpr double kThinnestWall = 1e-5;          // that a pocket may leave, metres
 constexpr double kLeastCut = 1e-12;             // of a pocket, cubic metres
 constexpr double kAligned = 1e-6;               // between unit vectors that should be equal
-constexpr double kRounding = 1e-9;              // metres
 constexpr Range kChamfers = {0, 0.02};          // metres
-
-std::string ReadName(const Value& value) {
-  std::string name = value.Text();
-  if (name.empty()) value.Fail("the name is empty", "a name");
-  return name;
-}
 
 std::string ReadInitial(const Value& value) {
   std::string initial = value.Text();
@@ -213,7 +207,7 @@ StablePoseId NearestTo(const std::vector<StablePose>& poses, const Vector3& dire
 // Gives names to poses: a map from each name to the direction, in the part frame, that points down.
 void NameStablePoses(const Value& names, std::vector<StablePose>& poses) {
   for (const auto& [key, direction] : names.Entries()) {
-    const std::string name = ReadName(key);
+    const std::string name = ReadAnyName(key);
     const StablePoseId id = NearestTo(poses, ReadDirection(direction));
     if (id.IsNone()) {
       direction.Fail("the part rests in no stable pose with this direction down",
@@ -241,7 +235,7 @@ std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double
   root.AllowOnly({"format", "name", "initial", "units", "density", "friction", "solids", "pockets",
                   "features", "stable_poses"});
   const std::shared_ptr<PartModel> model(new PartModel(document, clearance));
-  model->name_ = ReadName(root.At("name"));
+  model->name_ = ReadAnyName(root.At("name"));
   model->initial_ = ReadInitial(root.At("initial"));
   model->friction_ = ReadWithin(root.At("friction"), 1, {.low = 0.001, .high = 10});
   PartFile file(clearance);
@@ -267,7 +261,7 @@ void PartFile::ReadPieces(const Value& root) {
 
 void PartFile::ReadSolids(const Value& solids) {
   for (const auto& [key, entry] : solids.Entries()) {
-    solids_.push_back(ReadSolid(ReadName(key), entry));
+    solids_.push_back(ReadSolid(ReadAnyName(key), entry));
   }
   if (solids_.empty()) solids.Fail("a part needs at least one solid");
 }
@@ -297,7 +291,7 @@ Pose PartFile::ReadTurn(const Value& turn) const {
 
 void PartFile::ReadPockets(const Value& pockets) {
   for (const auto& [key, entry] : pockets.Entries()) {
-    const Pocket& pocket = pockets_.emplace_back(ReadPocket(ReadName(key), entry));
+    const Pocket& pocket = pockets_.emplace_back(ReadPocket(ReadAnyName(key), entry));
     Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
     solid.pieces = Cut(solid.pieces, pocket.box.Transformed(solid.X_PartSolid), entry.At("box"));
   }
@@ -393,7 +387,7 @@ Feature PartFile::ReadFeature(const Value& entry, const PartModel& model) const 
   } else {
     entry.Fail("a feature is a face, a hole or a shaft", "one of the keys face, hole, shaft");
   }
-  if (const auto what = entry.Find("what")) feature.description = ReadName(*what);
+  if (const auto what = entry.Find("what")) feature.description = ReadAnyName(*what);
   if (const auto chamfer = entry.Find("chamfer")) {
     feature.chamfer = ReadWithin(*chamfer, units_.length, kChamfers);
   }

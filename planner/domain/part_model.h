@@ -20,6 +20,9 @@ using geometry::Pose;
 using geometry::Vector2;
 using geometry::Vector3;
 
+// By how much rounding may change metres, radians and numbers near 1.
+inline constexpr double kRounding = 1e-9;
+
 using FaceId = Id<struct FaceTag>;
 
 // All exposed surface of a part that lies in one plane and looks the same way.

@@ -8,8 +8,8 @@ namespace {
 using geometry::Polygon;
 using geometry::Vector2;
 
-// Polygons that overlap by less than this only touch, metres.
-constexpr double kTouching = 1e-9;
+// Polygons that overlap by less only touch, metres.
+constexpr double kLeastOverlap = 1e-9;
 
 // The part of a convex polygon on the left of the line from a to b.
 Polygon LeftOf(const Polygon& polygon, const Vector2& a, const Vector2& b) {
@@ -43,7 +43,7 @@ Patches Without(const Patches& region, const Polygon& cut) {
   if (geometry::Area(cut) < kSliver) return region;
   Patches rest;
   for (const Polygon& patch : region) {
-    if (geometry::Gap(patch, cut) > -kTouching) {
+    if (geometry::Gap(patch, cut) > -kLeastOverlap) {
       rest.push_back(patch);
     } else {
       AppendOutside(patch, cut, rest);

@@ -17,7 +17,6 @@ namespace {
 using geometry::CollisionShape;
 using geometry::Matrix3;
 
-constexpr double kRounding = 1e-9;
 constexpr double kClearanceStep = 0.01;  // metres between looks at a hand on its way
 
 // What a caller asks of a set of conditions.

@@ -10,9 +10,8 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kLeastTilt = std::numbers::pi / 180;  // that is told from lying flat
+constexpr double kLeastLean = std::numbers::pi / 180;  // that is told from lying flat
 constexpr double kLeastLift = 0.001;                   // metres, told from touching the table
-constexpr double kRounding = 1e-9;                     // metres
 
 double TiltBetween(const Pose& X_A, const Pose& X_B) {
   const Vector3 up_A = X_A.linear().row(2);
@@ -63,7 +62,7 @@ PartId Crowding(const Problem& problem, PartId part, const Pose& X_WorldPart,
 StablePoseId StablePoseAt(const Part& part, const Pose& X_WorldPart) {
   const std::vector<StablePose>& poses = part.model->stable_poses();
   StablePoseId nearest = StablePoseId::None();
-  double least = kLeastTilt;
+  double least = kLeastLean;
   for (std::size_t i = 0; i < poses.size(); ++i) {
     const Pose& X_TablePart = poses[i].X_TablePart;
     const double lift = X_WorldPart.translation().z() - X_TablePart.translation().z();

@@ -14,7 +14,6 @@ namespace {
 
 // The turn of the part that lets `down` (unit, part frame) point down, at yaw 0.
 geometry::Matrix3 RestingRotation(const Vector3& down) {
-  constexpr double kRounding = 1e-9;
   const double upright = std::cos(std::numbers::pi / 4) - kRounding;
   int axis = 0;
   while (std::abs(down[axis]) >= upright) ++axis;  // a unit vector is upright on one axis only

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "planner/domain/name.h"
 #include "planner/domain/pose_error_file.h"
 
 namespace assay::domain {
@@ -17,16 +18,10 @@ constexpr Range kTolerances = {1e-6, 0.1};     // metres
 constexpr Range kSearchRadii = {1e-4, 0.5};    // metres
 constexpr Range kSearchPitches = {1e-5, 0.1};  // metres
 
-std::string ReadName(const Value& key) {
-  std::string name = key.Text();
-  if (name.empty()) key.Fail("the name is empty", "a name");
-  return name;
-}
-
 SensorModel ReadSensor(const Value& key, const Value& entry, const Units& units) {
   entry.AllowOnly({"description", "error"});
   SensorModel sensor{
-      .name = ReadName(key), .description = {}, .x = {}, .y = {}, .z = {}, .theta = {}};
+      .name = ReadAnyName(key), .description = {}, .x = {}, .y = {}, .z = {}, .theta = {}};
   if (const auto description = entry.Find("description")) sensor.description = description->Text();
   const Value map = entry.At("error");
   if (map.Entries().empty()) {
@@ -57,7 +52,7 @@ MeasuredQuantity QuantityAfter(VerifiedAction action) {
 VerificationTemplate ReadVerification(const Value& key, const Value& entry, const Units& units) {
   entry.AllowOnly({"after", "measures", "tolerance", "below", "above"});
   VerificationTemplate verification;
-  verification.name = ReadName(key);
+  verification.name = ReadAnyName(key);
   const Value after = entry.At("after");
   verification.after = static_cast<VerifiedAction>(after.OneOf(VerifiedActionNames()));
   const Value measures = entry.At("measures");
@@ -68,8 +63,8 @@ VerificationTemplate ReadVerification(const Value& key, const Value& entry, cons
                   MeasuredQuantityNames()[static_cast<std::size_t>(fitting)]);
   }
   verification.tolerance = ReadWithin(entry.At("tolerance"), units.length, kTolerances);
-  if (const auto below = entry.Find("below")) verification.below = ReadName(*below);
-  if (const auto above = entry.Find("above")) verification.above = ReadName(*above);
+  if (const auto below = entry.Find("below")) verification.below = ReadAnyName(*below);
+  if (const auto above = entry.Find("above")) verification.above = ReadAnyName(*above);
   if (verification.below.empty() && verification.above.empty()) {
     entry.Fail("a verification that signals no error", "at least one of below, above");
   }
@@ -78,7 +73,7 @@ VerificationTemplate ReadVerification(const Value& key, const Value& entry, cons
 
 RecoveryTemplate ReadRecovery(const Value& key, const Value& entry, const Units& units) {
   RecoveryTemplate recovery;
-  recovery.error = ReadName(key);
+  recovery.error = ReadAnyName(key);
   recovery.strategy =
       static_cast<RecoveryStrategy>(entry.At("strategy").OneOf(RecoveryStrategyNames()));
   if (recovery.strategy != RecoveryStrategy::kGropingSearch) {

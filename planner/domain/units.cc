@@ -17,7 +17,7 @@ using geometry::Vector3;
 constexpr double kLongest = 100;                    // metres
 constexpr double kTwoTurns = 4 * std::numbers::pi;  // radians
 constexpr double kAxisTolerance = 1e-6;
-constexpr double kRounding = 1e-9;  // of a bound that was converted
+constexpr double kConversionRounding = 1e-9;  // of a bound
 
 std::vector<Value> ItemsOf(const Value& value, std::size_t count, const std::string& allowed) {
   std::vector<Value> items = value.Items();
@@ -74,7 +74,7 @@ Units ReadUnits(const Value& root) {
 
 double ReadWithin(const Value& value, double unit, const Range& range) {
   const double number = value.Number();
-  const double slack = kRounding * std::max(std::abs(range.low), std::abs(range.high));
+  const double slack = kConversionRounding * std::max(std::abs(range.low), std::abs(range.high));
   const double converted = number * unit;
   if (converted < range.low - slack || converted > range.high + slack) {
     value.Fail(fmt::format("{} is out of range", value.Text()),

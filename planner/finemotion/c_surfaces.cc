@@ -13,13 +13,11 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kSameSurface = 1e-9;  // coefficients of rows, metres of offsets
-constexpr double kWellInside = 1e-6;   // metres from a limit: well above all that is rounded
-constexpr double kAlong = 1e-9;        // metres of excess for a metre along a ray that is along it
+constexpr double kWellInside = 1e-6;  // metres from a limit: well above all that is rounded
 
 bool IsTurn(const HalfSpace& limit) { return limit.a.head<3>().isZero(0); }
 
-ScaledPose Scaled(const Eigen::VectorXd& a, double radius) {
+ScaledPose ToScaledPose(const Eigen::VectorXd& a, double radius) {
   ScaledPose scaled = a.head<kPoseDimensions>();
   scaled.tail<3>() /= radius;
   return scaled;
@@ -48,7 +46,7 @@ CSurfaces::CSurfaces(const std::vector<PrimitiveContact>& contacts, double radiu
   offsets_.resize(size());
   for (int k = 0; k < size(); ++k) {
     const PrimitiveContact& contact = contacts[static_cast<std::size_t>(FirstContact(k))];
-    rows_.row(k) = Scaled(contact.row, radius);
+    rows_.row(k) = ToScaledPose(contact.row, radius);
     offsets_[k] = contact.offset;
   }
   for (int k = 0; k < size(); ++k) {
@@ -67,7 +65,7 @@ CSurfaces::Patch CSurfaces::AddLimits(const std::vector<HalfSpace>& limits, doub
   for (const HalfSpace& limit : limits) {
     const bool turn = IsTurn(limit);
     const double size = turn ? radius : 1 / limit.a.head<3>().norm();
-    limits_.push_back({size * Scaled(limit.a, radius), size * limit.b, !turn});
+    limits_.push_back({size * ToScaledPose(limit.a, radius), size * limit.b, !turn});
   }
   return {begin, static_cast<int>(limits_.size())};
 }

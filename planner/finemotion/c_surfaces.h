@@ -13,6 +13,8 @@ using ScaledPose = Eigen::Matrix<double, kPoseDimensions, 1>;
 
 // Gaps and limits nearer to 0 than that are reached, metres.
 inline constexpr double kTouch = 1e-9;
+// By how little a gap or an excess changes for a metre of a ray that is along its surface.
+inline constexpr double kAlong = 1e-9;
 
 // Where on a ray a patch is; empty: from > to.
 struct Stretch {

@@ -9,8 +9,8 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kDependent = 1e-9;  // what is left of a unit normal across those before it
-constexpr double kAgree = 1e-9;      // of dependent rows' values, relative to their size
+constexpr double kDependentNormal = 1e-9;  // what is left of a unit normal across those before it
+constexpr double kAgree = 1e-9;            // of dependent rows' values, relative to their size
 
 // Normals that are taken one by one if they are independent of those taken before, with an
 // orthonormal basis of their span (Gram and Schmidt, each twice for the sake of rounding).
@@ -22,7 +22,7 @@ class IndependentRows {
     const double size = normal.norm();
     Eigen::VectorXd rest = normal - basis_ * (basis_.transpose() * normal);
     rest -= basis_ * (basis_.transpose() * rest);
-    if (rest.norm() <= kDependent * size) return false;
+    if (rest.norm() <= kDependentNormal * size) return false;
     basis_.conservativeResize(Eigen::NoChange, basis_.cols() + 1);
     basis_.rightCols<1>() = rest.normalized();
     rows_.conservativeResize(rows_.rows() + 1, Eigen::NoChange);

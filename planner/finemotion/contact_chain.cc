@@ -12,8 +12,7 @@ namespace {
 
 constexpr double kReach = 0.003;  // metres, that features may be apart at a critical point
 constexpr double kPast = 1e-3;    // metres of the crevice after it
-constexpr double kAcross = 0.1;   // cosine, between a contact's normal and the way in
-constexpr double kLevel = 1e-6;   // metres
+constexpr double kClosed = 1e-6;  // metres, of a gap
 
 LocalTopology TopologyAt(const MatingGeometry& geometry, const Pose& X_FixedTip) {
   const Passage& passage = geometry.passage;
@@ -81,8 +80,8 @@ std::vector<int> SeatedStates(const LocalTopology& at_seat, const Vector3& matin
     if (state.dimension > 0) continue;
     const auto stays = [&](const PrimitiveContact& contact) {
       const bool stops =
-          std::abs(contact.offset) <= kLevel && contact.normal.dot(mating) < -kAcross;
-      return !stops || std::abs(contact.Gap(state.target_points.front())) <= kLevel;
+          std::abs(contact.offset) <= kClosed && contact.normal.dot(mating) < -kAcross;
+      return !stops || std::abs(contact.Gap(state.target_points.front())) <= kClosed;
     };
     if (std::ranges::all_of(at_seat.space.contacts, stays)) seated.push_back(i);
   }

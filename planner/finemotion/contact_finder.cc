@@ -15,9 +15,6 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kSameDirection = 1e-6;  // sine of the angle below which directions agree
-constexpr double kSamePoint = 1e-6;      // metres
-constexpr double kSameSurface = 1e-9;    // coefficients of rows
 constexpr std::size_t kUsualLimits = 4;  // the paper's greatest number, section 3
 constexpr std::size_t kUsualContacts = 32;
 constexpr double kTurnOnTheWay = 0.05;  // radians, more than parts are turned in one motion
@@ -25,12 +22,14 @@ constexpr double kFar = std::numeric_limits<double>::infinity();
 
 using Index = std::size_t;
 using Part = ToleratedPart;
-using Edge = Part::Edge;
-using Face = Part::Face;
-using Region = Part::Region;
-using Shift = Part::Shift;
-using ShiftAlong = Part::ShiftAlong;
-using Vertex = Part::Vertex;
+using Edge = ToleratedPart::Edge;
+using Face = ToleratedPart::Face;
+using Region = ToleratedPart::Region;
+using Shift = ToleratedPart::Shift;
+using ShiftAlong = ToleratedPart::ShiftAlong;
+using Vertex = ToleratedPart::Vertex;
+
+}  // namespace
 
 // A part at a pose, in the stationary part's axes.
 struct PlacedEdge {
@@ -58,6 +57,8 @@ struct Placed {
   Vector3 TurnedBack(const Vector3& v) const { return X.linear().transpose() * v; }
   Vector3 MovedBack(const Vector3& p) const { return TurnedBack(p - X.translation()); }
 };
+
+namespace {
 
 // Of the edge's line, at the points of both lines that are nearest to each other.
 struct Crossing {

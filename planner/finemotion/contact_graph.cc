@@ -21,8 +21,7 @@ namespace {
 using Index = std::size_t;
 using Tangents = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;
 
-constexpr double kAlong = 1e-9;            // change of a gap along a ray that is along its surface
-constexpr double kDependent = 1e-7;        // what is left of a row across others that it depends on
+constexpr double kDependentRow = 1e-7;     // what is left of a row across others that it depends on
 constexpr int kScales = 8;                 // start points are drawn within reach, reach / 2, ...
 constexpr int kDrawsForATargetPoint = 32;  // at most
 // For each target point of states of the higher dimensions, neighbours are looked for from so many
@@ -91,7 +90,7 @@ Facet FacetOf(const CSurfaces& surfaces, const SurfaceSet& set) {
     normals.col(static_cast<Eigen::Index>(i)) = surfaces.Row(facet.surfaces[i]);
   }
   Eigen::ColPivHouseholderQR<Tangents> qr(normals.rows(), normals.cols());
-  qr.setThreshold(kDependent);
+  qr.setThreshold(kDependentRow);
   qr.compute(normals);
   const Eigen::Index rank = qr.rank();
   const Eigen::Matrix<double, kPoseDimensions, kPoseDimensions> q = qr.householderQ();
@@ -269,7 +268,7 @@ class GraphBuilder {
   // The way that closes the gap soonest.
   void CastRayToward(int surface, const Facet& facet, const ScaledPose& x) {
     const ScaledPose g = -(facet.tangents * (facet.tangents.transpose() * surfaces_.Row(surface)));
-    if (g.norm() > kDependent) CastRay(facet, x, g.normalized());
+    if (g.norm() > kDependentRow) CastRay(facet, x, g.normalized());
   }
 
   ScaledPose RandomTangent(const Facet& facet) {
@@ -324,9 +323,9 @@ class GraphBuilder {
     for (int k = 0; k < surfaces_.size(); ++k) {
       if (!Contains(touched_, k) || Contains(facet.set, k)) continue;
       const Eigen::VectorXd slope = facet.tangents.transpose() * surfaces_.Row(k);
-      if (slope.norm() <= kDependent) continue;
+      if (slope.norm() <= kDependentRow) continue;
       if (first.size() == 0) first = slope.normalized();
-      if ((slope - slope.dot(first) * first).norm() > kDependent) return false;
+      if ((slope - slope.dot(first) * first).norm() > kDependentRow) return false;
     }
     return first.size() > 0;
   }

@@ -15,10 +15,8 @@ namespace {
 using geometry::Polygon;
 using geometry::Vector2;
 
-constexpr double kSameDirection = 1e-6;  // sine of the angle below which directions agree
-
 // Of travel, metres.
-struct Stretch {
+struct TravelStretch {
   double from = 0;
   double to = 0;
 };
@@ -26,7 +24,7 @@ struct Stretch {
 // Where a pair of faces touches: while it slides along, or when it lands.
 struct Touch {
   TouchingFaces faces;
-  Stretch where;
+  TravelStretch where;
 };
 
 // Coordinates in a plane.
@@ -47,7 +45,7 @@ Polygon Differences(const std::vector<Vector3>& a, const std::vector<Vector3>& b
 }
 
 // Where the line along x through the origin is inside, deeper than `tolerance`.
-std::optional<Stretch> OnXAxis(const Polygon& polygon, double tolerance) {
+std::optional<TravelStretch> OnXAxis(const Polygon& polygon, double tolerance) {
   double low = -std::numeric_limits<double>::infinity();
   double high = -low;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -64,14 +62,14 @@ std::optional<Stretch> OnXAxis(const Polygon& polygon, double tolerance) {
     }
   }
   if (polygon.size() < 3 || high - low < tolerance) return std::nullopt;
-  return Stretch{low, high};
+  return TravelStretch{low, high};
 }
 
 // Stretches that meet are one: a seam in a face is nothing that a part touches.
-std::vector<Stretch> United(std::vector<Stretch> stretches, double tolerance) {
-  std::ranges::sort(stretches, {}, &Stretch::from);
-  std::vector<Stretch> united;
-  for (const Stretch& next : stretches) {
+std::vector<TravelStretch> United(std::vector<TravelStretch> stretches, double tolerance) {
+  std::ranges::sort(stretches, {}, &TravelStretch::from);
+  std::vector<TravelStretch> united;
+  for (const TravelStretch& next : stretches) {
     if (united.empty() || next.from > united.back().to + tolerance) {
       united.push_back(next);
     } else {
@@ -143,13 +141,13 @@ class Slide {
   }
 
   // The stretches of travel where the faces, moved into one plane, have an area in common.
-  std::vector<Stretch> Overlaps(const OuterFace& face, const OuterFace& other) const {
+  std::vector<TravelStretch> Overlaps(const OuterFace& face, const OuterFace& other) const {
     const Vector3 along = direction_ - other.normal.dot(direction_) * other.normal;
     const Vector3 x = along.norm() > kSameDirection ? Vector3(along.normalized())
                                                     : Vector3(other.normal.unitOrthogonal());
     const Axes axes = {x, other.normal.cross(x)};
     const double pace = axes.x.dot(direction_);  // metres in the plane for one of travel
-    std::vector<Stretch> stretches;
+    std::vector<TravelStretch> stretches;
     for (const std::vector<Vector3>& outline : face.region) {
       std::vector<Vector3> start;
       for (const Vector3& corner : outline) start.push_back(PoseAt(0) * corner);
@@ -162,19 +160,19 @@ class Slide {
   }
 
   // A face that comes straight down on the other stays over it all the way, or never is.
-  Stretch OfTravel(const Stretch& in_plane, double pace) const {
+  TravelStretch OfTravel(const TravelStretch& in_plane, double pace) const {
     if (pace > kSameDirection) return {in_plane.from / pace, in_plane.to / pace};
     const bool over = in_plane.from < 0 && in_plane.to > 0;
-    return over ? Stretch{0, length_} : Stretch{length_ + 1, length_ + 1};
+    return over ? TravelStretch{0, length_} : TravelStretch{length_ + 1, length_ + 1};
   }
 
-  void AddSliding(const TouchingFaces& faces, const std::vector<Stretch>& stretches) {
-    for (const Stretch& stretch : stretches) touches_.push_back({faces, stretch});
+  void AddSliding(const TouchingFaces& faces, const std::vector<TravelStretch>& stretches) {
+    for (const TravelStretch& stretch : stretches) touches_.push_back({faces, stretch});
   }
 
   void AddLanding(const TouchingFaces& faces, double travel,
-                  const std::vector<Stretch>& stretches) {
-    for (const Stretch& stretch : stretches) {
+                  const std::vector<TravelStretch>& stretches) {
+    for (const TravelStretch& stretch : stretches) {
       if (stretch.from < travel + tolerance_ && travel < stretch.to + tolerance_) {
         touches_.push_back({faces, {travel, travel}});
       }

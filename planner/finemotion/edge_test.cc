@@ -10,14 +10,13 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kTouching = 1e-9;  // metres
-
 // Whether a point begin + f along, 0 <= f <= 1, is in the contact.
 template <int K>
 bool SegmentMeets(const ImagePoint<K>& begin, const ImagePoint<K>& along) {
   const double gap = begin[0];
   const double other_gap = gap + along[0];
-  if (std::min(gap, other_gap) > kTouching || std::max(gap, other_gap) < -kTouching) return false;
+  if (std::min(gap, other_gap) > kMeetingTolerance || std::max(gap, other_gap) < -kMeetingTolerance)
+    return false;
   double least = 0;
   double most = 1;
   const auto keep_below = [&](double value, double slope) {  // value + f slope <= 0
@@ -25,10 +24,11 @@ bool SegmentMeets(const ImagePoint<K>& begin, const ImagePoint<K>& along) {
     if (slope < 0) least = std::max(least, -value / slope);
     return slope != 0 || value <= 0;
   };
-  if (!keep_below(gap - kTouching, along[0]) || !keep_below(-gap - kTouching, -along[0]))
+  if (!keep_below(gap - kMeetingTolerance, along[0]) ||
+      !keep_below(-gap - kMeetingTolerance, -along[0]))
     return false;
   for (Eigen::Index j = 1; j < begin.size(); ++j) {
-    if (!keep_below(begin[j] - kTouching, along[j]) || least > most) return false;
+    if (!keep_below(begin[j] - kMeetingTolerance, along[j]) || least > most) return false;
   }
   return least <= most;
 }
@@ -59,9 +59,8 @@ bool EdgeFromVertexMeets(const ImagePoint<K>& vertex, std::uint64_t added,
   return false;
 }
 
-// Edges along the generators.
 template <int K>
-bool EdgeMeets(const ImagePoint<K>& center, const ImagePoints<K>& generators) {
+bool EdgeAlongGeneratorMeets(const ImagePoint<K>& center, const ImagePoints<K>& generators) {
   return AnyVertex<K>(center, generators, [&](const auto& vertex, auto added) {
     return EdgeFromVertexMeets<K>(vertex, added, generators);
   });
@@ -74,7 +73,7 @@ bool EdgeMeets(const ImagePoint<K>& center, const ImagePoints<K>& generators) {
 template <int K>
 bool EdgeMeets(const ProjectionImage<K>& image) {
   const ImagePoints<K>& near = image.start_generators;
-  if (EdgeMeets<K>(image.start, near)) return true;
+  if (EdgeAlongGeneratorMeets<K>(image.start, near)) return true;
   const bool is_between = AnyVertex<K>(image.start, near, [&](const auto& vertex, auto) {
     return AnyVertex<K>(image.motion, image.motion_generators,
                         [&](const auto& way, auto) { return SegmentMeets<K>(vertex, way); });
@@ -82,7 +81,7 @@ bool EdgeMeets(const ProjectionImage<K>& image) {
   if (is_between || !image.moves()) return is_between;
   ImagePoints<K> far(near.rows(), near.cols() + image.motion_generators.cols());
   far << near, image.motion_generators;
-  return EdgeMeets<K>(image.start + image.motion, far);
+  return EdgeAlongGeneratorMeets<K>(image.start + image.motion, far);
 }
 template bool EdgeMeets<1>(const ProjectionImage<1>&);
 template bool EdgeMeets<2>(const ProjectionImage<2>&);

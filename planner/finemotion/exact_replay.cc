@@ -17,7 +17,6 @@ constexpr int kClosings = 3;        // Newton steps; contacts are nearly closed 
 constexpr double kTouching = 1e-7;  // metres
 constexpr double kBeside = 1e-6;    // metres; in a concave corner edges touch at their ends
 constexpr double kNudge = 1e-7;     // metres, of numerical derivatives
-constexpr double kLost = 2e-5;      // metres that kept contacts may be beside their features
 constexpr double kLonger = 1.05;    // than the longest way, contacts are waited for
 constexpr double kMargin = 1e-3;    // metres, beyond what a motion can reach
 

@@ -13,7 +13,6 @@ namespace {
 using geometry::Polygon;
 using geometry::Vector2;
 
-constexpr double kSamePoint = 1e-6;   // metres
 constexpr double kSameExtent = 1e-6;  // of an area
 
 // Coordinates in a face's plane.

@@ -9,7 +9,7 @@ namespace assay::finemotion {
 namespace {
 
 // Of a direction that is mapped to nothing, rounding leaves less than this part of its length.
-constexpr double kVanished = 1e-14;
+constexpr double kMappedToNothing = 1e-14;
 
 // The oblique projection onto the contact's C-surface along a velocity: z to `linear` z + `offset`.
 struct AlongVelocity {
@@ -29,7 +29,7 @@ Eigen::MatrixXd Images(const Eigen::MatrixXd& linear, const Eigen::MatrixXd& gen
   Eigen::MatrixXd kept(images.rows(), images.cols());
   Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < images.cols(); ++i) {
-    const double nothing = kVanished * linear.norm() * generators.col(i).norm();
+    const double nothing = kMappedToNothing * linear.norm() * generators.col(i).norm();
     if (images.col(i).norm() > nothing) kept.col(count++) = images.col(i);
   }
   return kept.leftCols(count);

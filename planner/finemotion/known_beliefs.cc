@@ -6,11 +6,11 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kPlace = 1e-3;  // metres
-constexpr double kTurn = 0.02;   // radians
-constexpr double kWorse = 1.05;  // times the errors are no worse,
-constexpr double kShift = 1e-5;  // nor are so many metres
-constexpr double kTwist = 2e-4;  // and radians
+constexpr double kSamePlace = 1e-3;  // metres
+constexpr double kTurn = 0.02;       // radians
+constexpr double kWorse = 1.05;      // times the errors are no worse,
+constexpr double kShift = 1e-5;      // nor are so many metres
+constexpr double kTwist = 2e-4;      // and radians
 
 using HalfWidths = Eigen::Matrix<double, kPoseDimensions, 1>;
 
@@ -39,7 +39,7 @@ bool KnownBeliefs::AreAlike(const Belief& known, const Belief& belief) const {
   PoseChange apart = Between(known.X_StationaryMoving, belief.X_StationaryMoving);
   const double farther_out = -apart.head<3>().dot(mating_);
   if (belief.kept.empty() && farther_out > 0) apart.head<3>() += farther_out * mating_;
-  return apart.head<3>().norm() <= kPlace && apart.tail<3>().norm() <= kTurn &&
+  return apart.head<3>().norm() <= kSamePlace && apart.tail<3>().norm() <= kTurn &&
          IsNoWorse(known, belief);
 }
 

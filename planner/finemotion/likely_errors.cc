@@ -8,9 +8,9 @@
 namespace assay::finemotion {
 namespace {
 
-constexpr int kDrawn = 500;      // errors
-constexpr double kEnlarged = 2;  // of the box that they are drawn from
-constexpr int kLeast = 3;        // of one error state, to know their mean
+constexpr int kDrawn = 500;        // errors
+constexpr double kEnlarged = 2;    // of the box that they are drawn from
+constexpr int kFewestOfState = 3;  // of one error state: to know their mean
 
 struct ErrorSum {
   PoseChange sum = PoseChange::Zero();
@@ -50,7 +50,7 @@ void TellLikelyErrors(const MatingGeometry& geometry, const FineMotionPlan& plan
     for (plan::UnwantedContact& unwanted : strategy.motions[i].unwanted) {
       const std::string& name = strategy.contacts[static_cast<std::size_t>(unwanted.contact)].name;
       const auto state = states.find({i, name, unwanted.is_loss});
-      if (state == states.end() || state->second.count < kLeast) continue;
+      if (state == states.end() || state->second.count < kFewestOfState) continue;
       const PoseChange mean = state->second.sum / state->second.count;
       unwanted.likely = {mean.head<3>(), mean.tail<3>()};
     }

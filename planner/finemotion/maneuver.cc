@@ -10,16 +10,15 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kAcross = 0.1;        // cosine, between a wall's normal and the way in
 constexpr double kAgainst = 0.3;       // of the way in, that a contact must take back to oppose it
 constexpr double kRoom = 0.6;          // of the play, that errors across it may take
-constexpr double kLeast = 1e-6;        // metres and radians that are worth a motion
+constexpr double kLeastMotion = 1e-6;  // metres and radians that are worth a motion
 constexpr double kBlocked = 0.2;       // what contacts must leave of a direction
 constexpr double kGrazing = 0.3;       // sine of an angle that is too small to feel a contact
 constexpr double kCorrection = 2e-3;   // metres; more is no correction
-constexpr double kLongest = 0.015;     // metres of a way that is checked as one motion
-constexpr double kShortOfNext = 5e-4;  // metres from the next critical point, to be free there
-constexpr double kUprightEnough = 0.02;  // radians
+constexpr double kLongestMotion = 0.015;  // metres of a way that is checked as one motion
+constexpr double kShortOfNext = 5e-4;     // metres from the next critical point, to be free there
+constexpr double kUprightEnough = 0.02;   // radians
 
 bool IsOneOf(const std::vector<ContactKey>& keys, const PrimitiveContact& contact) {
   return std::ranges::find(keys, KeyOf(contact)) != keys.end();
@@ -184,7 +183,7 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& 
       d = X_StationaryEntry_.translation() - X.translation();
       d -= d.dot(passage_.mating) * passage_.mating;
       direction.amount = d.norm();
-      if (direction.amount < kLeast) return std::nullopt;
+      if (direction.amount < kLeastMotion) return std::nullopt;
       d /= direction.amount;
       std::erase_if(direction.kept, [&](const ContactKey& key) {
         const PrimitiveContact* contact = Find(contacts, key);
@@ -195,13 +194,13 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& 
     case Maneuver::Kind::kUpright:
       w = ToUpright(X);
       direction.amount = w.norm();
-      if (direction.amount < kLeast) return std::nullopt;
+      if (direction.amount < kLeastMotion) return std::nullopt;
       w /= direction.amount;
       break;
     case Maneuver::Kind::kAdvance:
       d = passage_.mating;
       direction.amount = WayToNext(belief);
-      if (direction.amount < kLeast) return std::nullopt;
+      if (direction.amount < kLeastMotion) return std::nullopt;
       break;
   }
   const auto kept = Those(contacts, direction.kept);
@@ -244,14 +243,14 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
                       maneuver.kind == Maneuver::Kind::kAdvance;  // what is left, each time
     const double left = direction->amount - (anew ? 0 : done);
     const double turn = direction->along.tail<3>().norm();
-    const double most = std::min(left, turn > 0 ? kLinearTurn / turn : kLongest);
+    const double most = std::min(left, turn > 0 ? kLinearTurn / turn : kLongestMotion);
     const Hit hit = FirstHit(now->contacts, now->belief.kept, direction->along);
     const bool touches = hit.contact != nullptr && hit.distance <= most;
     if (touches && !maneuver.to_contact) return result;
     if (touches && IsGrazing(*hit.contact, direction->along, checker_.options().radius))
       return result;
     const double length = touches ? hit.distance : most;
-    if (length < kLeast) return result;
+    if (length < kLeastMotion) return result;
     Command command{length * direction->along, direction->kept, {}};
     if (touches) command.until = KeyOf(*hit.contact);
     command.displacement = Refined(X, command);
@@ -260,7 +259,7 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     done += length;
     if (!check.certain) return result;
     result.after = check.after;
-    if (touches || left - length < kLeast) {
+    if (touches || left - length < kLeastMotion) {
       result.certain = touches == maneuver.to_contact;
       return result;
     }

@@ -24,6 +24,7 @@ struct Passage {
 };
 
 inline constexpr double kLinearTurn = 0.045;  // radians that one linearization is good for
+inline constexpr double kAcross = 0.1;        // cosine, between the way in and what is across it
 
 // What the tip can touch across the way in at a critical point: corners and faces.
 std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point,

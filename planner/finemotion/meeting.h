@@ -12,11 +12,13 @@ struct Meeting {
   double margin = 0;
 };
 
+inline constexpr double kMeetingTolerance = 1e-9;  // metres
+
 // Exact to `tolerance` metres, and what is nearer than that is said to meet. The at most five rows
 // of the contact map the projection into at most five dimensions, where the nearest point is found
 // through support functions: the cost is linear in the number of errors.
 Meeting Meet(const ForwardProjection& projection, const PrimitiveContact& contact,
-             double tolerance = 1e-9);
+             double tolerance = kMeetingTolerance);
 
 // The test of Dakin and Popplestone (section 4): they meet where an edge of the projection does.
 // Exponential in the number of errors (at most kMostEdgeTestErrors, checked), and unsound for two

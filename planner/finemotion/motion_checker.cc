@@ -14,8 +14,8 @@ std::vector<ContactKey> TouchedIn(const Command& command) {
   return touched;
 }
 
-std::vector<PrimitiveContact> Those(const std::vector<PrimitiveContact>& contacts,
-                                    const std::vector<ContactKey>& keys) {
+std::vector<PrimitiveContact> CopiesOf(const std::vector<PrimitiveContact>& contacts,
+                                       const std::vector<ContactKey>& keys) {
   std::vector<PrimitiveContact> those;
   for (const ContactKey& key : keys) {
     if (const PrimitiveContact* contact = Find(contacts, key)) those.push_back(*contact);
@@ -27,7 +27,7 @@ Pose EndOf(const Belief& belief, const Command& command) {
   return Displaced(belief.X_StationaryMoving, command.displacement);
 }
 
-Belief Enlarged(Belief belief, double scale) {
+Belief WithErrorsScaled(Belief belief, double scale) {
   belief.errors *= scale;
   belief.tolerances *= scale;
   return belief;
@@ -94,7 +94,7 @@ class Ladder {
 }  // namespace
 
 double FrictionLimitOf(const CertainMotion& motion) {
-  return FrictionLimit(Those(motion.contacts, motion.command.kept), motion.command.displacement);
+  return FrictionLimit(CopiesOf(motion.contacts, motion.command.kept), motion.command.displacement);
 }
 
 MotionChecker::MotionChecker(const Polyhedron& moving, const ContactFinder& finder,
@@ -124,7 +124,7 @@ MotionChecker::Nearby MotionChecker::NearTheWay(const Belief& belief, const Comm
   const Pose end = EndOf(belief, command);
   Nearby touching{Of(TouchedIn(command), end), {}};
   const SegmentModel model{touching.contacts, scale * options_.velocity_error, options_.radius};
-  ContactRange range = RangeOf(model, Enlarged(belief, scale), command, size_);
+  ContactRange range = RangeOf(model, WithErrorsScaled(belief, scale), command, size_);
   range.turn = std::max(options_.turn, range.turn);
   Nearby nearby{finder_.Near(end, range), finder_.NearlyParallel(end, range)};
   // What the command goes by is linear as far as that goes, though errors may turn its edges until
@@ -142,7 +142,7 @@ SegmentCheck MotionChecker::Check(const Nearby& nearby, const Belief& belief,
   const SegmentModel model{nearby.contacts, scale * options_.velocity_error, options_.radius,
                            options_.test, nearby.parallel};
   if (scale == 1) return finemotion::Check(model, belief, command, telling);
-  return finemotion::Check(model, Enlarged(belief, scale), command, telling);
+  return finemotion::Check(model, WithErrorsScaled(belief, scale), command, telling);
 }
 
 CertainMotion MotionChecker::Check(const Belief& belief, const Command& command,
@@ -154,7 +154,7 @@ CertainMotion MotionChecker::Check(const Belief& belief, const Command& command,
   if (motion.check.certain) {
     motion.X_StationaryAfter = motion.check.after.X_StationaryMoving;
     motion.can_be_held =
-        CanHold(Those(nearby.contacts, command.kept), command.displacement, options_.friction);
+        CanHold(CopiesOf(nearby.contacts, command.kept), command.displacement, options_.friction);
     motion.check.certain = !motion.can_be_held;
   }
   if (margins == Margins::kNone) return motion;

@@ -5,26 +5,26 @@
 #include <limits>
 #include <optional>
 
+#include "planner/finemotion/meeting.h"
 #include "planner/finemotion/nearest_point.h"
 
 namespace assay::finemotion {
 
 namespace {
 
-constexpr double kExactness = 1e-9;   // metres
-constexpr double kLongest = 32;       // displacements; more than a motion takes
-constexpr double kShortest = 0.0625;  // of the stretches that are looked at
-constexpr double kNoLength = 1e-12;   // metres
-constexpr int kAlong = 2;             // the coordinate along the other edge
+constexpr double kMostDisplacements = 32;  // more than a motion takes
+constexpr double kShortest = 0.0625;       // of the stretches that are looked at
+constexpr double kNoLength = 1e-12;        // metres
+constexpr int kAlongOther = 2;             // the coordinate along the other edge
 
 // A part of the motion, in displacements.
-struct Stretch {
+struct MotionStretch {
   double begin = 0;
   double end = 0;
 };
 
 // The part of an edge that may lie over the other one, as fractions of its length.
-struct Part {
+struct EdgePart {
   double begin = 0;
   double end = 1;
 };
@@ -34,12 +34,12 @@ struct Range {
   double high = -std::numeric_limits<double>::infinity();
 };
 
-Range RangeAlong(const SweptValues<3>& point, const Stretch& stretch) {
-  const double start_errors = point.start_errors.row(kAlong).lpNorm<1>();
-  const double motion_errors = point.motion_errors.row(kAlong).lpNorm<1>();
+Range RangeAlong(const SweptValues<3>& point, const MotionStretch& stretch) {
+  const double start_errors = point.start_errors.row(kAlongOther).lpNorm<1>();
+  const double motion_errors = point.motion_errors.row(kAlongOther).lpNorm<1>();
   Range range;
   for (const double s : {stretch.begin, stretch.end}) {
-    const double mean = point.start[kAlong] + s * point.motion[kAlong];
+    const double mean = point.start[kAlongOther] + s * point.motion[kAlongOther];
     const double errors = start_errors + s * motion_errors;
     range.low = std::min(range.low, mean - errors);
     range.high = std::max(range.high, mean + errors);
@@ -48,16 +48,16 @@ Range RangeAlong(const SweptValues<3>& point, const Stretch& stretch) {
 }
 
 // Keeps of the part where value + slope * fraction >= 0. False: nothing.
-bool KeepNotNegative(double value, double slope, Part& part) {
+bool KeepNotNegative(double value, double slope, EdgePart& part) {
   if (slope > kNoLength) part.begin = std::max(part.begin, -value / slope);
   if (slope < -kNoLength) part.end = std::min(part.end, -value / slope);
   return (std::abs(slope) > kNoLength || value >= -kNoLength) && part.begin <= part.end;
 }
 
-std::optional<Part> PartOver(const SweptEdge& edge, const Stretch& stretch) {
+std::optional<EdgePart> PartOver(const SweptEdge& edge, const MotionStretch& stretch) {
   const Range start = RangeAlong(edge.ends[0], stretch);
   const Range end = RangeAlong(edge.ends[1], stretch);
-  Part part;
+  EdgePart part;
   if (!KeepNotNegative(start.high + edge.elongation, end.high - start.high, part))
     return std::nullopt;
   if (!KeepNotNegative(edge.length + edge.elongation - start.low, start.low - end.low, part)) {
@@ -73,7 +73,8 @@ class Hull {
  public:
   using Point = Eigen::Matrix<double, K, 1>;
 
-  Hull(const SweptEdge& edge, const Part& part, const SweptValues<1>* until, const Stretch& stretch)
+  Hull(const SweptEdge& edge, const EdgePart& part, const SweptValues<1>* until,
+       const MotionStretch& stretch)
       : ends_{EndOf(edge, part.begin, until), EndOf(edge, part.end, until)}, stretch_(stretch) {}
 
   Point Begin() const { return ends_[0].start + stretch_.begin * ends_[0].motion; }
@@ -121,27 +122,27 @@ class Hull {
   }
 
   std::array<SweptValues<K>, 2> ends_;
-  Stretch stretch_;
+  MotionStretch stretch_;
 };
 
 template <int K>
-bool IsApart(const SweptEdge& edge, const Part& part, const SweptValues<1>* until,
-             const Stretch& stretch) {
+bool IsApart(const SweptEdge& edge, const EdgePart& part, const SweptValues<1>* until,
+             const MotionStretch& stretch) {
   const Hull<K> hull(edge, part, until, stretch);
-  return NearestPoint<K, 2, Hull<K>>(hull, kExactness).IsApart();
+  return NearestPoint<K, 2, Hull<K>>(hull, kMeetingTolerance).IsApart();
 }
 
 // In all of the stretch, or in each half of it. Halves are those of one fixed division, so that in
 // a longer motion there are only more of them.
-bool MayTouchIn(const SweptEdge& edge, const SweptValues<1>* until, const Stretch& stretch,
+bool MayTouchIn(const SweptEdge& edge, const SweptValues<1>* until, const MotionStretch& stretch,
                 double time) {
   const double middle = (stretch.begin + stretch.end) / 2;
   const bool is_short = stretch.end - stretch.begin <= kShortest;
   if (middle >= time && !is_short) {
     return MayTouchIn(edge, until, {stretch.begin, middle}, time);
   }
-  const Stretch now{stretch.begin, std::min(stretch.end, time)};
-  const std::optional<Part> part = PartOver(edge, now);
+  const MotionStretch now{stretch.begin, std::min(stretch.end, time)};
+  const std::optional<EdgePart> part = PartOver(edge, now);
   if (!part) return false;
   const bool apart =
       until != nullptr ? IsApart<3>(edge, *part, until, now) : IsApart<2>(edge, *part, until, now);
@@ -157,7 +158,7 @@ ContactKey KeyOf(const ParallelEdges& edges) {
 }
 
 bool MayTouch(const SweptEdge& edge, const SweptValues<1>* until, double time) {
-  return MayTouchIn(edge, until, {0, kLongest}, time);
+  return MayTouchIn(edge, until, {0, kMostDisplacements}, time);
 }
 
 }  // namespace assay::finemotion

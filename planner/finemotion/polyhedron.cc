@@ -15,7 +15,6 @@ namespace assay::finemotion {
 namespace {
 
 using geometry::ConvexHull;
-using geometry::Facet;
 using geometry::Vector2;
 
 using Outline = std::vector<Vector3>;  // of a convex polygon
@@ -44,7 +43,7 @@ struct Solid {
   std::vector<int> planes;  // of each facet: the index of its plane
 };
 
-Outline OutlineOf(const ConvexHull& hull, const Facet& facet) {
+Outline OutlineOf(const ConvexHull& hull, const geometry::Facet& facet) {
   Outline outline;
   for (int i : facet.loop) outline.push_back(hull.vertices[i]);
   return outline;
@@ -213,7 +212,7 @@ class Union {
   Union(const std::vector<ConvexPiece>& pieces, double tolerance) : tolerance_(tolerance) {
     for (const ConvexPiece& piece : pieces) {
       Solid solid{geometry::HullOf(piece.corners), {}};
-      for (const Facet& facet : solid.hull.facets) {
+      for (const geometry::Facet& facet : solid.hull.facets) {
         solid.planes.push_back(PlaneOf(OutlineOf(solid.hull, facet), facet));
       }
       solids_.push_back(std::move(solid));
@@ -225,7 +224,7 @@ class Union {
  private:
   using PlanePair = std::pair<int, int>;
 
-  int PlaneOf(const Outline& outline, const Facet& facet);
+  int PlaneOf(const Outline& outline, const geometry::Facet& facet);
   double HighestAbove(const Plane& plane, const Solid& solid) const;
   bool Supports(const Plane& plane, const std::vector<int>& solids) const;
   std::vector<int> Containing(const Vector3& p) const;
@@ -254,7 +253,7 @@ class Union {
 constexpr std::pair<int, int> kNotConvex = {-1, -1};
 
 // The plane's index; the facet is in it if neither leaves the other's plane.
-int Union::PlaneOf(const Outline& outline, const Facet& facet) {
+int Union::PlaneOf(const Outline& outline, const geometry::Facet& facet) {
   const Plane plane = {facet.normal, facet.offset};
   const auto on = [&](const Plane& other) {
     return [&](const Vector3& p) { return std::abs(other.Above(p)) <= tolerance_; };
@@ -391,7 +390,7 @@ std::map<Union::PlanePair, std::vector<Segment>> Union::ConvexStretches() const 
     }
   };
   for (const Solid& solid : solids_) {
-    for (const Facet& facet : solid.hull.facets) {
+    for (const geometry::Facet& facet : solid.hull.facets) {
       for (std::size_t i = 0; i < facet.loop.size(); ++i) {
         const int start = facet.loop[i];
         const int end = facet.loop[(i + 1) % facet.loop.size()];

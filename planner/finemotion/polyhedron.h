@@ -10,6 +10,9 @@ namespace assay::finemotion {
 using geometry::Pose;
 using geometry::Vector3;
 
+inline constexpr double kSameDirection = 1e-6;  // sine of the angle below which directions agree
+inline constexpr double kSamePoint = 1e-6;      // metres, below which points do
+
 // A convex piece of a part: its corners, in any order (the hull's corners, no others are needed).
 struct ConvexPiece {
   std::vector<Vector3> corners;  // metres, part frame

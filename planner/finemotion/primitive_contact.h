@@ -17,6 +17,9 @@ namespace assay::finemotion {
 using GeneralizedPoint = Eigen::VectorXd;
 inline constexpr int kPoseDimensions = 6;
 
+// Coefficients of rows, and metres of offsets, below which C-surfaces are one.
+inline constexpr double kSameSurface = 1e-9;
+
 enum class ContactKind { kVertexFace, kFaceVertex, kEdgeEdge };  // moving part's feature first
 
 // What may differ from the model: one dimension of generalized space.

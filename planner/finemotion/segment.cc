@@ -5,22 +5,21 @@
 #include <array>
 #include <cmath>
 
+#include "planner/finemotion/meeting.h"
 #include "planner/finemotion/projection_image.h"
 
 namespace assay::finemotion {
 
 namespace {
 
-constexpr double kLost = 2e-5;    // metres beyond a limit
-constexpr double kTurned = 2e-3;  // radians
-constexpr double kLongest = 20;   // displacements, until a contact is surely made
+constexpr double kTurned = 2e-3;       // radians beyond a limit
+constexpr double kLatestContact = 20;  // displacements, until it is surely made
 constexpr double kGreatestMultiplier = 1e6;
 constexpr int kThirds = 30;              // that remain of an interval's two, one after another
 constexpr double kParallel = 1e-9;       // coefficients of rows
 constexpr double kParted = 1e-9;         // metres
 constexpr double kVanished = 1e-12;      // of a generator: what rounding leaves
 constexpr double kGrazed = 1e-12;        // metres: what slides along as it touches may close by
-constexpr double kExactness = 1e-9;      // metres, of meetings
 constexpr Eigen::Index kFewErrors = 12;  // that the edge test takes a millisecond for
 
 // Of a row's value, what is due to the start's errors: a number for each.
@@ -215,7 +214,7 @@ class Checker {
   }
 
   ContactRange Range(double size) const {
-    const double time = Time().value_or(kLongest);
+    const double time = Time().value_or(kLatestContact);
     const double turn = MostOf<3>(swept_.bottomRows<3>(), time * drifts_.bottomRows<3>());
     const double shift = MostOf<3>(swept_.topRows<3>(), time * drifts_.topRows<3>());
     const PoseChange& way = command_.displacement;
@@ -267,7 +266,7 @@ class Checker {
     if (until_ == nullptr) return 1;
     const double slowest = -until_at_start_.Fastest();
     const double farthest = until_->offset + until_at_start_.Highest(0);
-    if (slowest <= 0 || farthest > kLongest * slowest) return std::nullopt;
+    if (slowest <= 0 || farthest > kLatestContact * slowest) return std::nullopt;
     return std::max(0.0, farthest / slowest);
   }
 
@@ -348,7 +347,7 @@ class Checker {
 
   template <int K>
   bool Decide(const ProjectionImage<K>& image) {
-    const auto is_exactly = [&] { return finemotion::Meets(image, kExactness); };
+    const auto is_exactly = [&] { return finemotion::Meets(image, kMeetingTolerance); };
     ++check_.comparison.tests;
     const Eigen::Index errors = image.start_generators.cols() + image.motion_generators.cols();
     if (model_.test == MeetingTest::kExact || errors > kFewErrors) return is_exactly();

@@ -45,6 +45,9 @@ struct Command {
   std::optional<ContactKey> until = {};
 };
 
+// Metres that kept contacts may be beyond their limits, beside their features.
+inline constexpr double kLost = 2e-5;
+
 // A contact that must not be made, or one that must not be lost: that is kept, or waited for.
 struct Unwanted {
   ContactKey contact;

@@ -15,7 +15,7 @@ namespace {
 
 // Numbers of a file are computed again.
 constexpr double kRounding = 0.999;  // of errors
-constexpr double kPlace = 2e-5;      // metres, of gaps and poses: what kept contacts may lose
+constexpr double kPlace = kLost;     // metres, of gaps and poses
 constexpr double kDirection = 1e-3;  // radians
 constexpr double kGreatestTurn = 1.5 * kLinearTurn;
 constexpr double kNoTurn = 1e-9;   // radians: rounding

@@ -16,13 +16,14 @@ namespace {
 
 // What is certain for larger errors is for smaller ones; and sequences are not always found for
 // the smaller ones, as parts that are less tilted come nearer to having parallel edges.
-constexpr double kEnlarged[] = {1, 2};
+constexpr double kEnlargements[] = {1, 2};
 // Of the errors, that sequences are searched for, round by round.
 constexpr double kMultiples[] = {0.8, 0.7, 1, 0.5, 0.3, 0.15};
 // Of the errors, that it is asked for where too little is absorbed: one after another.
 constexpr double kFewer = 0.7;
 constexpr double kFewest = 0.01;
-constexpr double kLeast = 0.1;  // of what is certain to first order that is looked at exactly
+// Of what is certain to first order, that is looked at exactly.
+constexpr double kLeastAbsorbed = 0.1;
 
 // A search from other starts.
 struct Attempt {
@@ -83,7 +84,7 @@ class StrategySearch {
   void SearchGuided() {
     for (int round = 0; round < options_.rounds; ++round) {
       const double multiple = kMultiples[static_cast<std::size_t>(round) % std::size(kMultiples)];
-      for (const double enlarged : kEnlarged) {
+      for (const double enlarged : kEnlargements) {
         if (!IsFound()) SearchOnce({round, multiple, enlarged});
       }
     }
@@ -207,7 +208,7 @@ class StrategySearch {
 
   // Rows are linear; what they leave out grows with the square of the errors.
   void AbsorbWhatIsConfirmed(FineMotionPlan& plan) const {
-    for (const double least = kLeast * plan.absorbed; plan.absorbed >= least;) {
+    for (const double least = kLeastAbsorbed * plan.absorbed; plan.absorbed >= least;) {
       const ExactReplays replays = Replayed(plan, plan.absorbed);
       if (!replays.deviation) {
         plan.exact_replays = replays.tried;

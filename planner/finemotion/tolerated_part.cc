@@ -18,9 +18,6 @@ using Region = ToleratedPart::Region;
 using Shift = ToleratedPart::Shift;
 using Vertex = ToleratedPart::Vertex;
 
-constexpr double kSameDirection = 1e-6;  // sine of the angle below which directions agree
-constexpr double kSamePoint = 1e-6;      // metres
-
 // The direction in face edge.faces[which], perpendicular to the edge, that leads into the face. A
 // convex edge's faces fall away behind each other's plane.
 Vector3 IntoFace(const Polyhedron& shape, const OuterEdge& edge, Index which) {

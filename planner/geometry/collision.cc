@@ -17,6 +17,8 @@ namespace {
 // counts.
 constexpr double kTouching = 1e-9;
 
+}  // namespace
+
 struct Ball {
   Vector3 center;
   double radius = 0;
@@ -28,6 +30,8 @@ struct PreparedBox {
   Vector3 half_extents;
   double radius = 0;
 };
+
+namespace {
 
 // To the corner that is farthest from the point.
 double GreatestDistanceTo(const PreparedBox& box, const Vector3& p_Shape) {

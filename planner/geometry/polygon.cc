@@ -45,7 +45,7 @@ double DistanceToSegment(const Vector2& a, const Vector2& b, const Vector2& p) {
 }
 
 // How far b lies beyond a along a direction; nothing is known from a zero direction.
-double Separation(const Polygon& a, const Polygon& b, const Vector2& direction) {
+double SeparationAlong(const Polygon& a, const Polygon& b, const Vector2& direction) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double length = direction.norm();
   if (length == 0) return -kInfinity;
@@ -60,7 +60,7 @@ double SeparationAlongNormals(const Polygon& a, const Polygon& b) {
   double best = -std::numeric_limits<double>::infinity();
   for (size_t i = 0; i < a.size(); ++i) {
     const Vector2 edge = a[(i + 1) % a.size()] - a[i];
-    best = std::max(best, Separation(a, b, {edge.y(), -edge.x()}));
+    best = std::max(best, SeparationAlong(a, b, {edge.y(), -edge.x()}));
   }
   return best;
 }
@@ -134,7 +134,7 @@ double Gap(const Polygon& a, const Polygon& b) {
   double best = std::max(SeparationAlongNormals(a, b), SeparationAlongNormals(b, a));
   if (std::isfinite(best) && best < 0) return best;
   for (const Vector2& p : a) {
-    for (const Vector2& q : b) best = std::max(best, Separation(a, b, q - p));
+    for (const Vector2& q : b) best = std::max(best, SeparationAlong(a, b, q - p));
   }
   return std::isfinite(best) ? best : 0.0;  // two equal points have no direction to try
 }

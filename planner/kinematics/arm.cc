@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTurn = 2 * kPi;
-// How far, in metres and radians, a file may be from the exact geometry.
-constexpr double kFileTolerance = 1e-9;
 // Rounding beyond a limit that is still within it, radians.
 constexpr double kLimitTolerance = 1e-9;
 // A squared length (m^2) this little below zero is zero: the pose is on the border of the reach.

@@ -9,7 +9,6 @@
 namespace assay::kinematics {
 namespace {
 
-constexpr double kFileTolerance = 1e-9;  // metres and radians
 constexpr double kOpeningTolerance = 1e-9;
 
 LinkId RequireLink(const RobotModel& model, const std::string& name) {

@@ -21,6 +21,9 @@ struct JointTag;
 using LinkId = Id<LinkTag>;
 using JointId = Id<JointTag>;
 
+// How far, in metres and radians, a file may be from the geometry that it must have.
+inline constexpr double kFileTolerance = 1e-9;
+
 // Shapes are centred at their frame's origin; a cylinder's axis is z. Metres.
 struct BoxShape {
   Vector3 size = Vector3::Zero();  // full edge lengths

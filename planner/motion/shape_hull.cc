@@ -16,12 +16,12 @@ using kinematics::SphereShape;
 
 constexpr int kPrismSides = 16;
 
-RoundedHull HullAround(const BoxShape& box, const Pose& X_LinkBox) {
+RoundedHull HullAroundShape(const BoxShape& box, const Pose& X_LinkBox) {
   return RoundedHull(geometry::HullOf(geometry::Box{X_LinkBox, box.size / 2}));
 }
 
 // Corners 2 i and 2 i + 1 are below and above each other.
-RoundedHull HullAround(const CylinderShape& cylinder, const Pose& X_LinkCylinder) {
+RoundedHull HullAroundShape(const CylinderShape& cylinder, const Pose& X_LinkCylinder) {
   const double radius = cylinder.radius / std::cos(std::numbers::pi / kPrismSides);
   std::vector<Vector3> corners;
   std::vector<std::vector<int>> loops;
@@ -45,7 +45,7 @@ RoundedHull HullAround(const CylinderShape& cylinder, const Pose& X_LinkCylinder
 
 // The regular icosahedron: cyclic permutations of (0, +-1, +-golden ratio), whose faces are
 // golden^2 / sqrt(3) from its centre.
-RoundedHull HullAround(const SphereShape& sphere, const Pose& X_LinkSphere) {
+RoundedHull HullAroundShape(const SphereShape& sphere, const Pose& X_LinkSphere) {
   constexpr double kGolden = std::numbers::phi;
   const double scale = sphere.radius * std::numbers::sqrt3 / (kGolden * kGolden);
   std::vector<Vector3> corners;
@@ -62,7 +62,7 @@ RoundedHull HullAround(const SphereShape& sphere, const Pose& X_LinkSphere) {
 }  // namespace
 
 RoundedHull HullAround(const kinematics::Shape& shape, const Pose& X_LinkShape) {
-  return std::visit([&](const auto& kind) { return HullAround(kind, X_LinkShape); }, shape);
+  return std::visit([&](const auto& kind) { return HullAroundShape(kind, X_LinkShape); }, shape);
 }
 
 std::vector<RoundedHull> HullsOf(std::span<const geometry::Box> boxes, const Pose& X_LinkBoxes) {

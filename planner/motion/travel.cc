@@ -18,7 +18,7 @@ using geometry::CollisionShape;
 
 constexpr double kLookTurn = 0.05;  // radians that a joint turns between looks at a way
 
-double LowestPoint(const std::vector<geometry::Box>& boxes, const Pose& X_WorldFrame) {
+double LowestCorner(const std::vector<geometry::Box>& boxes, const Pose& X_WorldFrame) {
   double lowest = 1e9;
   for (const geometry::Box& box : boxes) {
     const Pose X_WorldBox = X_WorldFrame * box.X_FrameBox;
@@ -75,7 +75,7 @@ class Clearance {
  private:
   bool IsClear(const Mover& mover, const Pose& X_WorldTool) const {
     const Pose X_WorldMover = X_WorldTool * mover.X_ToolMover;
-    const double lowest = LowestPoint(mover.boxes, X_WorldMover);
+    const double lowest = LowestCorner(mover.boxes, X_WorldMover);
     if (lowest < kTravelGap) return false;
     for (const auto& [id, X_WorldPart] : surroundings_.parts) {
       const domain::Part& part = problem_.part(id);

@@ -25,6 +25,8 @@ constexpr int kMatingIntervals = 20;
 constexpr double kRounding = 1e-6;  // metres and radians
 constexpr double kDegree = M_PI / 180;
 
+}  // namespace
+
 // What the hand does in an action, whichever it is: it has the part at X_WorldPart when the pads
 // close or open, and before that moves it along `motion`.
 struct Handling {
@@ -35,6 +37,13 @@ struct Handling {
 
   Pose X_WorldTool() const { return X_WorldPart * hold.X_PartTool; }
 };
+
+struct Obstacle {
+  std::string name;
+  std::vector<Box> boxes;  // world
+};
+
+namespace {
 
 // None if the hand does nothing.
 struct HandlingOf {
@@ -56,11 +65,6 @@ struct HandlingOf {
   std::optional<Handling> operator()(const Squeeze& squeeze) const {
     return Handling{squeeze.part, squeeze.hold, squeeze.at.X_WorldPart};
   }
-};
-
-struct Obstacle {
-  std::string name;
-  std::vector<Box> boxes;  // world
 };
 
 // One thing at the samples of its motion.

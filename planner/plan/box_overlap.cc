@@ -10,7 +10,8 @@ namespace {
 using geometry::Matrix3;
 using geometry::Vector3;
 
-constexpr double kParallel = 1e-9;  // sine of the angle between edges that are taken as parallel
+constexpr double kParallelEdges =
+    1e-9;  // sine of the angle between edges that are taken as parallel
 
 // Half the length of a box's projection onto a unit axis.
 double HalfWidth(const Box& box, const Vector3& axis) {
@@ -34,7 +35,7 @@ double Separation(const Box& a, const Box& b) {
     for (int j = 0; j < 3; ++j) {
       const Vector3 cross = R_A.col(i).cross(R_B.col(j));
       // Parallel edges: their common normals are those of the faces.
-      if (cross.norm() > kParallel) gap = std::max(gap, GapAlong(a, b, cross.normalized()));
+      if (cross.norm() > kParallelEdges) gap = std::max(gap, GapAlong(a, b, cross.normalized()));
     }
   }
   return gap;

@@ -19,6 +19,13 @@ struct ErrorVariable {
   bool operator==(const ErrorVariable&) const = default;
 };
 
+struct ErrorValue {
+  std::string name;  // of a variable
+  double value = 0;
+
+  bool operator==(const ErrorValue&) const = default;
+};
+
 // Where the true pose of a part may be, relative to where it is believed to be: a box that contains
 // every error. While it rests: of its origin in the world's axes (x, y, z), and about the world's z
 // through it (theta). While it is held: in the frame of the commanded tool, of the grasped point,
@@ -41,14 +48,14 @@ enum class Relation { kLess, kGreater };
 struct CertifiedPrecondition {
   std::string condition;   // which: "between fingers", "pad contact", "landing height", "slide-in"
   std::string meaning;     // for people: "contact 2 lies on the inner side of finger 1"
-  std::string expression;  // over the certificate's variables; planner/algebra/text.h reads it
+  std::string expression;  // over the certificate's variables and what it shares with others
   Relation relation = Relation::kLess;
   double limit = 0;
   double bound = 0;   // SUP of the expression for <, INF for >; guaranteed, rounded outward
   double margin = 0;  // from the bound to the limit; positive: proved
   double gap = 0;     // how loose the bound may be
   std::string rung;   // the method that gave it
-  std::vector<ErrorVariable> worst = {};  // the worst corner found; each range a single point
+  std::vector<ErrorValue> worst = {};  // the worst corner found, of the expression's variables
 
   bool holds() const { return margin > 0; }
   bool operator==(const CertifiedPrecondition&) const = default;
@@ -67,7 +74,9 @@ struct Resolution {
 // without regard to uncertainty.
 struct Certificate {
   std::vector<ErrorVariable> variables = {};  // input error sets: all that the preconditions name
-  std::vector<ErrorSet> before = {};          // of the parts that the step is about
+  // What expressions have in common, each once: planner/algebra/text.h reads them.
+  std::vector<std::string> shared = {};
+  std::vector<ErrorSet> before = {};  // of the parts that the step is about
   std::vector<CertifiedPrecondition> preconditions = {};
   std::vector<ErrorSet> after = {};  // output error sets of the same parts
   std::vector<Resolution> resolutions = {};

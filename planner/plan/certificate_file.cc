@@ -67,6 +67,19 @@ ErrorVariable ReadVariable(const Value& value) {
   return {value.At("name").Text(), ReadInterval(value.At("range"))};
 }
 
+// A point: the value of each variable by its name.
+Json PointToJson(const std::vector<ErrorValue>& point) {
+  Json json = Json::object();
+  for (const auto& [name, value] : point) json[name] = NumberToJson(value);
+  return json;
+}
+
+std::vector<ErrorValue> ReadPoint(const Value& map) {
+  std::vector<ErrorValue> point;
+  for (const auto& [name, value] : map.Entries()) point.push_back({name.Text(), ReadNumber(value)});
+  return point;
+}
+
 Json PreconditionToJson(const CertifiedPrecondition& precondition) {
   return {{"condition", precondition.condition},
           {"meaning", precondition.meaning},
@@ -77,7 +90,7 @@ Json PreconditionToJson(const CertifiedPrecondition& precondition) {
           {"margin", NumberToJson(precondition.margin)},
           {"gap", NumberToJson(precondition.gap)},
           {"rung", precondition.rung},
-          {"worst", ListToJson(precondition.worst, VariableToJson)}};
+          {"worst", PointToJson(precondition.worst)}};
 }
 
 CertifiedPrecondition ReadPrecondition(const Value& value) {
@@ -92,7 +105,7 @@ CertifiedPrecondition ReadPrecondition(const Value& value) {
           .margin = ReadNumber(value.At("margin")),
           .gap = ReadNumber(value.At("gap")),
           .rung = value.At("rung").Text(),
-          .worst = ReadList<ErrorVariable>(value.At("worst"), ReadVariable)};
+          .worst = ReadPoint(value.At("worst"))};
 }
 
 Json ErrorSetToJson(const ErrorSet& errors, const domain::Problem& problem) {
@@ -138,6 +151,7 @@ Json ToJson(const Certificate& certificate, const domain::Problem& problem,
   const auto set = [&](const ErrorSet& errors) { return ErrorSetToJson(errors, problem); };
   const auto resolution = [&](const Resolution& r) { return ResolutionToJson(r, step_names); };
   return {{"variables", ListToJson(certificate.variables, VariableToJson)},
+          {"shared", certificate.shared},
           {"before", ListToJson(certificate.before, set)},
           {"preconditions", ListToJson(certificate.preconditions, PreconditionToJson)},
           {"after", ListToJson(certificate.after, set)},
@@ -146,11 +160,13 @@ Json ToJson(const Certificate& certificate, const domain::Problem& problem,
 
 Certificate ReadCertificate(const Value& value, const domain::Problem& problem,
                             const std::vector<std::string>& step_names) {
-  value.AllowOnly({"variables", "before", "preconditions", "after", "resolutions"});
+  value.AllowOnly({"variables", "shared", "before", "preconditions", "after", "resolutions"});
   const auto set = [&](const Value& errors) { return ReadErrorSet(errors, problem); };
   const auto resolution = [&](const Value& r) { return ReadResolution(r, step_names); };
+  const auto text = [](const Value& t) { return t.Text(); };
   return {
       .variables = ReadList<ErrorVariable>(value.At("variables"), ReadVariable),
+      .shared = ReadList<std::string>(value.At("shared"), text),
       .before = ReadList<ErrorSet>(value.At("before"), set),
       .preconditions = ReadList<CertifiedPrecondition>(value.At("preconditions"), ReadPrecondition),
       .after = ReadList<ErrorSet>(value.At("after"), set),

@@ -53,7 +53,7 @@ std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
 }
 
 // What makes a plan no plan at all, so that no order of it can be gone through.
-std::vector<Flaw> FlawsOfForm(const domain::Problem& problem, const Plan& plan) {
+std::vector<Flaw> FlawsOfPlanForm(const domain::Problem& problem, const Plan& plan) {
   std::vector<Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     if (std::visit(SpeaksOf{problem}, plan.steps[i].action)) continue;
@@ -142,7 +142,7 @@ class Simulation {
 }  // namespace
 
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations) {
-  CheckReport report{.flaws = FlawsOfForm(problem, plan)};
+  CheckReport report{.flaws = FlawsOfPlanForm(problem, plan)};
   if (!report.flaws.empty()) return report;
 
   const Order execution = plan.ExecutionOrder();

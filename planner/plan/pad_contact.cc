@@ -12,10 +12,10 @@ using geometry::Polygon;
 using geometry::Vector2;
 using geometry::Vector3;
 
-constexpr int kPointsPerSide = 17;  // of the grid: 1 mm apart on a pad of 16 mm
-constexpr double kProbe = 1e-5;     // metres, from the surface to the points that are tested
-constexpr double kSeam = 1e-6;      // metres, between boxes of one solid; and around rims
-constexpr double kParallel = 1e-6;  // 1 - cosine, of normals that are taken as equal
+constexpr int kPointsPerSide = 17;    // of the grid: 1 mm apart on a pad of 16 mm
+constexpr double kProbe = 1e-5;       // metres, from the surface to the points that are tested
+constexpr double kSeam = 1e-6;        // metres, between boxes of one solid; and around rims
+constexpr double kSameNormal = 1e-6;  // 1 - cosine, of normals that are taken as equal
 
 PadContact ContactOf(const Hold& hold, const Vector2& half, double side) {
   PadContact contact{.finger = side > 0 ? "left" : "right",
@@ -67,21 +67,21 @@ Footprint FootprintOn(const Face& face, const PadContact& contact) {
 }
 
 bool IsOnFace(const PadContact& contact, const Face& face) {
-  return contact.normal.dot(face.normal) > 1 - kParallel &&
+  return contact.normal.dot(face.normal) > 1 - kSameNormal &&
          std::abs(face.normal.dot(contact.points.front()) - face.offset) < kProbe;
 }
 
-bool Covers(const PadContact& contact, const Face& face, const Polygon& region) {
+bool CoversRegion(const PadContact& contact, const Face& face, const Polygon& region) {
   if (!IsOnFace(contact, face)) return false;
   const Footprint pad = FootprintOn(face, contact);
   return std::ranges::any_of(pad.points, [&](const auto& p) { return IsInside(region, p); }) ||
          std::ranges::any_of(region, [&](const auto& p) { return IsInside(pad.outline, p); });
 }
 
-bool IsOnTable(const Face& face, const Pose& X_WorldPart) {
+bool LiesOnTable(const Face& face, const Pose& X_WorldPart) {
   const Vector3 normal = X_WorldPart.linear() * face.normal;
   const double height = (X_WorldPart * Vector3(face.offset * face.normal)).z();
-  return normal.z() < -1 + kParallel && std::abs(height) < kProbe;
+  return normal.z() < -1 + kSameNormal && std::abs(height) < kProbe;
 }
 
 }  // namespace
@@ -101,11 +101,11 @@ bool Covers(const PadContact& contact, const domain::PartModel& part,
             const domain::Feature& feature) {
   const auto on_face = [&](FaceId id) {
     const Face& face = part.faces()[id.index()];
-    return std::ranges::any_of(face.patches,
-                               [&](const Polygon& patch) { return Covers(contact, face, patch); });
+    return std::ranges::any_of(
+        face.patches, [&](const Polygon& patch) { return CoversRegion(contact, face, patch); });
   };
   const auto on_mouth = [&](const domain::Mouth& mouth) {
-    return Covers(contact, part.faces()[mouth.face.index()], mouth.outline);
+    return CoversRegion(contact, part.faces()[mouth.face.index()], mouth.outline);
   };
   return std::ranges::any_of(feature.faces, on_face) ||
          std::ranges::any_of(feature.mouths, on_mouth);
@@ -113,7 +113,9 @@ bool Covers(const PadContact& contact, const domain::PartModel& part,
 
 bool IsOnTable(const domain::PartModel& part, const domain::Feature& feature,
                const Pose& X_WorldPart) {
-  const auto face_is = [&](FaceId id) { return IsOnTable(part.faces()[id.index()], X_WorldPart); };
+  const auto face_is = [&](FaceId id) {
+    return LiesOnTable(part.faces()[id.index()], X_WorldPart);
+  };
   const auto mouth_is = [&](const domain::Mouth& mouth) { return face_is(mouth.face); };
   return std::ranges::any_of(feature.faces, face_is) ||
          std::ranges::any_of(feature.mouths, mouth_is);

@@ -21,7 +21,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kFormat = "assay-plan/1";
+constexpr const char* kFormat = "assay-plan/2";
 constexpr double kSameMating = 1e-9;                  // metres, and entries of a rotation
 constexpr double kLargestCount = 9007199254740992.0;  // 2^53: greater ones are no exact doubles
 

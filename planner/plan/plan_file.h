@@ -9,7 +9,7 @@
 
 namespace assay::plan {
 
-// plan.json, "assay-plan/1" (its schema: plan.schema.json). The same result gives the same bytes:
+// plan.json, "assay-plan/2" (its schema: plan.schema.json). The same result gives the same bytes:
 // no times, and numbers that read back as the very same doubles. `scenario` is the path of the
 // scenario file as the user gave it.
 nlohmann::ordered_json ToJson(const PlanResult& result, const domain::Problem& problem,

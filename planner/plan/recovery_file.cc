@@ -11,7 +11,7 @@ constexpr double kLeastPitch = 1e-5;  // metres
 
 using Json = nlohmann::ordered_json;
 
-double ReadAtLeastZero(const Value& value) {
+double ReadLength(const Value& value) {
   const double length = value.Number();
   if (length < 0) value.Fail(fmt::format("{} is below 0", value.Text()), "a length in metres");
   return length;
@@ -57,7 +57,7 @@ Verification ReadVerification(const Value& value, const std::vector<std::string>
           .quantity = static_cast<domain::MeasuredQuantity>(
               value.At("measures").OneOf(domain::MeasuredQuantityNames())),
           .expected = value.At("expected").Number(),
-          .tolerance = ReadAtLeastZero(value.At("tolerance")),
+          .tolerance = ReadLength(value.At("tolerance")),
           .below = ReadErrorName(value, "below"),
           .above = ReadErrorName(value, "above")};
 }
@@ -72,9 +72,9 @@ Recovery ReadRecovery(const Value& value, const std::vector<std::string>& step_n
     return recovery;
   }
   value.AllowOnly({"step", "error", "strategy", "radius", "pitch"});
-  recovery.radius = ReadAtLeastZero(value.At("radius"));
+  recovery.radius = ReadLength(value.At("radius"));
   const Value pitch = value.At("pitch");
-  recovery.pitch = ReadAtLeastZero(pitch);
+  recovery.pitch = ReadLength(pitch);
   // As in workcell files: a search has at least one place, and an end.
   if (recovery.pitch < kLeastPitch || recovery.pitch > recovery.radius) {
     pitch.Fail(fmt::format("{} is no pitch of this search", recovery.pitch),

@@ -8,8 +8,6 @@
 namespace assay::plan {
 namespace {
 
-constexpr double kUnit = 1e-6;
-
 // Finds what is wrong with the numbers of a strategy.
 class FormCheck {
  public:

@@ -16,6 +16,9 @@ using geometry::Vector3;
 // a shift.
 inline constexpr double kTurnLever = 0.2;
 
+// By how much the length of a normal, and the columns of a rotation, may differ from unit length.
+inline constexpr double kUnit = 1e-6;
+
 // One way in which the parts of a mating touch: a row of generalized contact space (Dakin and
 // Popplestone, section 3). All in the fixed part's axes.
 struct StrategyContact {

@@ -13,8 +13,6 @@ namespace {
 using geometry::Vector3;
 using Json = nlohmann::ordered_json;
 
-constexpr double kUnit = 1e-6;
-
 // In the order of UnwantedContact::is_loss.
 const std::vector<std::string> kHappenings = {"made", "lost"};
 
@@ -112,7 +110,7 @@ StrategyMotion ReadMotion(const Value& value, std::size_t contacts) {
   return motion;
 }
 
-StrategyCertificate ReadCertificate(const Value& value) {
+StrategyCertificate ReadStrategyCertificate(const Value& value) {
   value.AllowOnly({"absorbs", "d", "w", "velocity", "friction", "absorbed"});
   StrategyCertificate certificate;
   for (const Value& condition : value.At("absorbs").Items()) {
@@ -151,7 +149,7 @@ Strategy ReadStrategy(const Value& value) {
                     .motions = {},
                     .friction = ReadAtLeastZero(value.At("friction")),
                     .length = ReadAtLeastZero(length),
-                    .certificate = ReadCertificate(value.At("certificate"))};
+                    .certificate = ReadStrategyCertificate(value.At("certificate"))};
   if (strategy.length == 0) length.Fail("0 is no length", "more than 0");
   for (const Value& contact : value.At("contacts").Items()) {
     strategy.contacts.push_back(ReadContact(contact));

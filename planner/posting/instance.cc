@@ -280,8 +280,8 @@ plan::Place PlaceOf(const domain::Part& part, const StepValues& values) {
           .X_WorldPart = values.X_WorldPart};
 }
 
-plan::Action WriteOut(const domain::Problem& problem, const ActionTemplate& action,
-                      const StepValues& values) {
+plan::Action WriteAction(const domain::Problem& problem, const ActionTemplate& action,
+                         const StepValues& values) {
   const domain::Part& part = problem.part(action.part);
   const plan::Hold hold = HoldOf(part, values.grasp);
   switch (action.kind) {
@@ -321,7 +321,7 @@ plan::Plan WriteOut(const PartialPlan& partial, const PlanInstance& instance) {
     const auto executed = std::ranges::find(instance.order, StepId(s)) - instance.order.begin();
     written.steps.push_back(
         {.name = fmt::format("action_{}", s - 1),
-         .action = WriteOut(partial.problem(), partial.step(StepId(s)), instance.values[s]),
+         .action = WriteAction(partial.problem(), partial.step(StepId(s)), instance.values[s]),
          .inserted = s - 1,
          .executed = static_cast<int>(executed) + 1});
   }

@@ -20,7 +20,6 @@
 namespace assay::posting {
 
 using plan::Resolution;
-using plan::StepId;
 using uncertainty::CertifiedStep;
 using uncertainty::MomentId;
 using uncertainty::UncertainWorld;
@@ -40,7 +39,7 @@ struct Unmet {
 // A resolution whose reasons are put in words where the plan is written out.
 struct Measure {
   std::string resolver;
-  std::vector<StepId> steps = {};  // that it inserted, in the order of execution
+  std::vector<plan::StepId> steps = {};  // that it inserted, in the order of execution
   Unmet because;
   // That parts are moved is explained: with the best that does without, something is still unmet.
   struct WithoutMoving {
@@ -52,7 +51,7 @@ struct Measure {
 
 // One step of the instance as it is augmented.
 struct Entry {
-  StepId id;
+  plan::StepId id;
   plan::Action action;
   std::vector<Measure> measures = {};
   std::vector<std::string> absorbed = {};  // conditions that a remedy takes care of
@@ -135,9 +134,10 @@ class Augmentation {
                const UncertaintyOptions& options, Worlds& worlds)
       : problem_(problem), instance_(instance), options_(options), worlds_(worlds) {
     for (const plan::Sense& look : options.looks) {
-      entries_.push_back({.id = StepId(instance.steps.size() + entries_.size()), .action = look});
+      entries_.push_back(
+          {.id = plan::StepId(instance.steps.size() + entries_.size()), .action = look});
     }
-    for (const StepId id : instance.ExecutionOrder()) {
+    for (const plan::StepId id : instance.ExecutionOrder()) {
       entries_.push_back({.id = id, .action = instance.step(id).action});
     }
     while (!DecideInOrder()) {
@@ -363,7 +363,7 @@ class Augmentation {
       for (const int c : chosen) {
         for (const Insertion& insertion : candidates[c].remedy.insertions) {
           if (insertion.before != position) continue;
-          const StepId id(next_id++);
+          const plan::StepId id(next_id++);
           mended.entries.push_back({.id = id, .action = insertion.action});
           Note(target, NameOf(candidates[c]), unmet).steps.push_back(id);
         }
@@ -461,8 +461,8 @@ class Augmentation {
   }
 
   // What was inserted was certified for this order.
-  std::vector<std::pair<StepId, StepId>> OrderOfExecution() const {
-    std::vector<std::pair<StepId, StepId>> ordering;
+  std::vector<std::pair<plan::StepId, plan::StepId>> OrderOfExecution() const {
+    std::vector<std::pair<plan::StepId, plan::StepId>> ordering;
     for (std::size_t i = 1; i < entries_.size(); ++i) {
       ordering.emplace_back(entries_[i - 1].id, entries_[i].id);
     }
@@ -484,7 +484,7 @@ Standing LeastStanding(const plan::Plan& instance, const UncertaintyOptions& opt
   if (!worlds.best) return least;
   const std::vector<std::string> absorbable = Absorbable(options);
   MomentId moment = worlds.best->Beginning();
-  for (const StepId id : instance.ExecutionOrder()) {
+  for (const plan::StepId id : instance.ExecutionOrder()) {
     moment = worlds.best->After(moment, instance.step(id).action, nullptr);
     const Shortfall shortfall = worlds.best->LeastShortfall(moment, absorbable);
     least.errors += shortfall.goals > 0 ? 1 : 0;

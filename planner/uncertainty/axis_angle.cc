@@ -7,15 +7,15 @@
 namespace assay::uncertainty {
 namespace {
 
-constexpr double kRounding = 1e-12;
+constexpr double kRoundedAway = 1e-12;
 
 }  // namespace
 
 Vector3 VerticalInTool(const Pose& X_WorldTool) {
   Vector3 up = X_WorldTool.linear().row(2).transpose();
   for (double& component : up) {
-    if (std::abs(component) < kRounding) component = 0;
-    if (std::abs(component) > 1 - kRounding) component = std::copysign(1.0, component);
+    if (std::abs(component) < kRoundedAway) component = 0;
+    if (std::abs(component) > 1 - kRoundedAway) component = std::copysign(1.0, component);
   }
   return up;
 }

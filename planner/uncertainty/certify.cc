@@ -6,7 +6,6 @@
 
 #include "planner/algebra/glance.h"
 #include "planner/algebra/interval_arithmetic.h"
-#include "planner/algebra/simplify.h"
 #include "planner/algebra/text.h"
 #include "planner/base/check.h"
 #include "planner/uncertainty/release.h"
@@ -61,7 +60,13 @@ class StepCertifier {
       : world_(world), effort_(effort), request_(request), strategy_(strategy) {}
 
   CertifiedStep Take() {
-    certified_.certificate.variables = world_.VariablesIn(expressions_);
+    plan::Certificate& certificate = certified_.certificate;
+    certificate.variables = world_.VariablesIn(expressions_);
+    algebra::SharedTexts texts = algebra::TextsOf(expressions_);
+    certificate.shared = std::move(texts.shared);
+    for (std::size_t i = 0; i < expressions_.size(); ++i) {
+      certificate.preconditions[i].expression = std::move(texts.expressions[i]);
+    }
     return std::move(certified_);
   }
 
@@ -237,13 +242,10 @@ class StepCertifier {
   }
 
   void Detail(const Precondition& precondition, const Bound& bound, CertifiedPrecondition& claim) {
-    const Expression simplified = algebra::Simplify(precondition.expression);
-    expressions_.push_back(simplified);
-    claim.expression = algebra::Text(simplified);
+    expressions_.push_back(precondition.expression);
     if (bound.at.empty()) return;
-    for (const algebra::VariableId v : algebra::VariablesOf(simplified)) {
-      const double x = bound.at[v.index()];
-      claim.worst.push_back({world_.NameOf(v), {x, x}});
+    for (const algebra::VariableId v : algebra::VariablesOf(precondition.expression)) {
+      claim.worst.push_back({world_.NameOf(v), bound.at[v.index()]});
     }
   }
 
@@ -252,7 +254,7 @@ class StepCertifier {
   const algebra::BoundRequest& request_;
   const plan::Strategy* strategy_;
   CertifiedStep certified_;
-  std::vector<Expression> expressions_;
+  std::vector<Expression> expressions_;  // of the certificate's preconditions, one each
 };
 
 }  // namespace

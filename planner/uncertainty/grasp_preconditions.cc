@@ -8,7 +8,7 @@
 namespace assay::uncertainty {
 namespace {
 
-constexpr double kRounding = 1e-9;  // metres
+constexpr double kLayerRounding = 1e-9;  // metres
 
 class GraspConditions {
  public:
@@ -70,7 +70,7 @@ class GraspConditions {
     };
     const double layer = 2 * moves(*std::ranges::max_element(corners, {}, moves));
     for (const Vector3& corner : corners) {
-      if (height(corner) > lowest + layer + kRounding) continue;
+      if (height(corner) > lowest + layer + kLayerRounding) continue;
       const SymbolicVector tip =
           possible_tool_ * SymbolicVector{corner.x(), corner.y(), corner.z()};
       conditions_.Greater("fingertip", "the fingers end above the table",

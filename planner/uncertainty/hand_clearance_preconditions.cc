@@ -18,7 +18,7 @@ namespace {
 
 using geometry::Box;
 
-constexpr double kParallel = 1e-6;  // sine of the angle between edges
+constexpr double kParallelEdges = 1e-6;  // sine of the angle between edges
 
 using Corners = std::array<Vector3, 8>;
 
@@ -91,7 +91,7 @@ class WidestGap {
 
  private:
   void Try(const Vector3& normal) {
-    if (normal.norm() < kParallel) return;
+    if (normal.norm() < kParallelEdges) return;
     const Vector3 direction = normal.normalized();
     const Interval from = ReachAlong(direction, from_);
     const Interval to = ReachAlong(direction, to_);

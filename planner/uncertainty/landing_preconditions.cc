@@ -58,7 +58,7 @@ Separation BestSeparation(const Polygon& a, const Polygon& b) {
   return best;
 }
 
-Expression Along(const Vector2& direction, const SymbolicVector& p) {
+Expression AlongTable(const Vector2& direction, const SymbolicVector& p) {
   return direction.x() * p[0] + direction.y() * p[1];
 }
 
@@ -103,7 +103,7 @@ class LandingConditions {
       for (const PossiblePart& stage : stages_) {
         for (const Vector3& vertex : SupportVertices(model_, X_WorldPart_)) {
           conditions_.Less("footprint", "the part comes to stand on the table",
-                           Along(outward, stage.pose * AsVector(vertex)), outward.dot(top[i]));
+                           AlongTable(outward, stage.pose * AsVector(vertex)), outward.dot(top[i]));
         }
       }
     }
@@ -140,8 +140,8 @@ class LandingConditions {
       for (const Vector3& w : other.model->hull().vertices) {
         if (nominal(X_WorldOther, w) - nominal(X_WorldPart_, v) > reach) continue;
         conditions_.Less("neighbour clear", fmt::format("the part stays clear of {}", other.name),
-                         Along(along, possible.pose * AsVector(v)) -
-                             Along(along, possible_other.pose * AsVector(w)),
+                         AlongTable(along, possible.pose * AsVector(v)) -
+                             AlongTable(along, possible_other.pose * AsVector(w)),
                          0);
       }
     }

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/simplify.h"
 #include "planner/base/check.h"
 #include "planner/uncertainty/precondition.h"
@@ -12,13 +12,11 @@
 namespace assay::uncertainty {
 namespace {
 
+using algebra::kInfinity;
 using domain::Feature;
 using domain::PartModel;
 using geometry::Polygon;
 using geometry::Vector2;
-
-constexpr double kParallel = 1e-6;  // of unit vectors
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // What may be worse in a mating than the problem says. Narrower holes and greater friction are the
 // worst case of every condition here: the larger hole has the smaller one's room, and it is not

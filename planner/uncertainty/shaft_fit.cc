@@ -4,25 +4,24 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "planner/algebra/interval_arithmetic.h"
 #include "planner/base/check.h"
 
 namespace assay::uncertainty {
 namespace {
 
+using algebra::kInfinity;
 using domain::Feature;
 using domain::Part;
 using domain::PartModel;
 using geometry::Polygon;
 using geometry::Vector2;
 
-constexpr double kParallel = 1e-6;  // of unit vectors
-constexpr double kWide = 1e3;       // metres: beyond every part
+constexpr double kWide = 1e3;  // metres: beyond every part
 constexpr double kFarthestTurn = std::numbers::pi / 8;
 constexpr double kTurnStep = 1e-4;  // radians
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
 bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }

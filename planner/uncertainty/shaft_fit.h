@@ -12,6 +12,10 @@ namespace assay::uncertainty {
 using geometry::Pose;
 using geometry::Vector3;
 
+// By how much the product of two unit vectors may differ from -1, 0 or 1 where they count as
+// opposite, perpendicular or equal.
+inline constexpr double kParallel = 1e-6;
+
 // A shaft that goes into a hole in a mating.
 struct ShaftFit {
   const domain::PartModel& hole_model;

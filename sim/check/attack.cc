@@ -301,7 +301,7 @@ class Attacker {
   void Shrink() {
     std::vector<const WorstClaim*> violations;
     for (const WorstClaim& worst : result_.worst) {
-      if (worst.claim.verdict == ClaimVerdict::kViolated) violations.push_back(&worst);
+      if (worst.claim.IsViolated()) violations.push_back(&worst);
     }
     std::ranges::stable_sort(violations, {}, [this](const WorstClaim* worst) {
       return std::pair(experiment_.plan.step(worst->claim.step).executed, Length(worst->claim));

@@ -10,8 +10,6 @@
 namespace assay::check {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 class CertificateCheck {
  public:
   CertificateCheck(const domain::Problem& problem, const plan::Plan& plan, const exec::Trace& trace,
@@ -70,7 +68,7 @@ class CertificateCheck {
            .about = Claimed::kPrecondition,
            .name = claim.condition,
            .unit = meaning->unit,
-           .predicted = {0, kInfinity},
+           .predicted = {0, std::numeric_limits<double>::infinity()},
            .proved = proved,
            .observed = meaning->observed});
       if (!proved && meaning->observed < 0) assumed_ = false;

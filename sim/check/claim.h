@@ -42,6 +42,8 @@ struct Claim {
   double margin = 0;  // to the nearer end; negative: outside
   double gate = 0;    // what the engine cannot tell from 0, in the same unit
   ClaimVerdict verdict = ClaimVerdict::kContained;
+
+  bool IsViolated() const { return verdict == ClaimVerdict::kViolated; }
 };
 
 // The verdict on what was observed: violated beyond the gate, inconclusive within it.

@@ -5,8 +5,6 @@
 namespace assay::check {
 namespace {
 
-bool IsViolated(const Claim& claim) { return claim.verdict == ClaimVerdict::kViolated; }
-
 // How much of a margin is the timestep's.
 double OfTheTimestep(const Claim& claim, const std::vector<Claim>& finer) {
   const auto same = std::ranges::find_if(finer, [&](const Claim& other) {
@@ -25,10 +23,10 @@ scene::SceneOptions Finer(scene::SceneOptions options) {
 
 std::vector<Claim> Confirmed(std::vector<Claim> claims,
                              const std::function<std::vector<Claim>()>& finer) {
-  if (std::ranges::none_of(claims, IsViolated)) return claims;
+  if (std::ranges::none_of(claims, &Claim::IsViolated)) return claims;
   const std::vector<Claim> with_half = finer();
   for (Claim& claim : claims) {
-    if (!IsViolated(claim)) continue;
+    if (!claim.IsViolated()) continue;
     claim.gate += OfTheTimestep(claim, with_half);
     claim = Judged(std::move(claim));
   }

@@ -110,7 +110,8 @@ struct Threshold {
 };
 
 // Doubling, then halving, to a relative precision.
-Threshold Find(const std::function<bool(double)>& fails, double greatest, double precision) {
+Threshold FindThreshold(const std::function<bool(double)>& fails, double greatest,
+                        double precision) {
   constexpr double kLeast = 1.0 / 64;
   Threshold threshold;
   for (double multiple = 1; !threshold.fails; multiple *= 2) {
@@ -155,8 +156,8 @@ class Comparison {
     const auto unproved = [&](double multiple) { return !Proves(variable, multiple); };
     const auto fails = [&](double multiple) { return Fails(variable, multiple); };
     return {.variable = variable,
-            .guaranteed = Find(unproved, options_.greatest, options_.precision / 4).holds,
-            .broken = Find(fails, options_.greatest, options_.precision).fails};
+            .guaranteed = FindThreshold(unproved, options_.greatest, options_.precision / 4).holds,
+            .broken = FindThreshold(fails, options_.greatest, options_.precision).fails};
   }
 
  private:

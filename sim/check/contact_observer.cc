@@ -18,7 +18,7 @@ constexpr double kNear = 1e-4;      // metres between the points
 constexpr double kAlike = 0.99;     // cosine between the normals
 constexpr double kReach = 2e-4;     // metres, of contacts that are looked at
 // Rotations by which a feature that lies on another may have sunk into it.
-constexpr double kTurn = 2e-3;
+constexpr double kSunkTurn = 2e-3;
 
 // A primitive contact that a point may be of.
 struct Candidate {
@@ -135,7 +135,7 @@ ContactSet ContactObserver::ContactsOf(const mujoco::Data& data, int motion) {
   const Pose X_FixedTip = scene_.TruePose(data, mating_.fixed).inverse() *
                           scene_.TruePose(data, mating_.held) * geometry_.X_HeldTip;
   const std::vector<PrimitiveContact> contacts =
-      finder_.Near(X_FixedTip, {.reach = kReach, .turn = kTurn});
+      finder_.Near(X_FixedTip, {.reach = kReach, .turn = kSunkTurn});
   ContactSet touching;
   for (const ContactKey& key : touching_) {
     if (StillTouches(finemotion::Find(contacts, key), kApart)) touching.push_back(key);

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "planner/base/check.h"
+#include "sim/check/observed_error.h"
 
 namespace assay::check {
 namespace {
@@ -45,21 +45,14 @@ Error MiddleOf(const plan::ErrorSet& set) {
   return middle;
 }
 
-struct HoldOf {
-  const plan::Hold* operator()(const plan::Sense&) const { return nullptr; }
-  const plan::Hold* operator()(const auto& action) const { return &action.hold; }
-};
-
 Pose InHand(const Error& error, const plan::Action& action, const Pose& X_WorldTool) {
   const Pose X_ToolGrasp = Translation(error.x, error.y, error.z) *
                            geometry::RotationZ(error.theta) * geometry::RotationX(error.tip) *
                            geometry::RotationY(error.twist);
-  const plan::Hold* hold = std::visit(HoldOf{}, action);
-  ASSAY_CHECK(hold != nullptr, "a look leaves no part in the hand");
-  return X_WorldTool * X_ToolGrasp * hold->X_PartTool.inverse();
+  return X_WorldTool * X_ToolGrasp * HoldOf(action).X_PartTool.inverse();
 }
 
-Pose AtRest(const Error& error, const Pose& believed) {
+Pose Displaced(const Error& error, const Pose& believed) {
   Pose pose = believed;
   pose.pretranslate(Vector3(error.x, error.y, error.z));
   pose.linear() = geometry::RotationZ(error.theta).linear() * believed.linear();
@@ -72,7 +65,7 @@ std::vector<Pose> ExtremePoses(const plan::Action& action, const plan::ErrorSet&
                                const exec::Moment& moment, const Sight& sight) {
   const auto pose_with = [&](const Error& error) {
     return set.in_hand ? InHand(error, action, moment.tool.believed)
-                       : AtRest(error, moment.parts[set.part.index()].believed);
+                       : Displaced(error, moment.parts[set.part.index()].believed);
   };
   const Error middle = MiddleOf(set);
   std::vector<Pose> poses;

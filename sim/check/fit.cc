@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 namespace assay::check {
@@ -13,7 +12,6 @@ using domain::PartModel;
 using geometry::Pose;
 using geometry::Vector3;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kParallel = 1e-6;  // of unit vectors
 constexpr double kTipLayer = 1e-6;  // metres
 constexpr double kOnPlane = 1e-9;   // metres

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <limits>
+
 #include "planner/domain/problem.h"
 
 namespace assay::check {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // How a held part truly moves to its seat, in the frame of the fixed part.
 struct Motion {

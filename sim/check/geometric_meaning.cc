@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "planner/domain/resting.h"
 #include "sim/check/fit.h"
@@ -14,8 +13,6 @@ using domain::PartId;
 using geometry::Pose;
 using geometry::Vector2;
 using geometry::Vector3;
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // What a step does with which part.
 struct Handling {

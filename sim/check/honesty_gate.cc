@@ -36,7 +36,7 @@ double GreatestTurn(const domain::Problem& problem) {
   return turn + Magnitude(problem.gripper_error.theta);
 }
 
-double Displacement(const std::vector<ObservedError>& errors) {
+double DistanceOff(const std::vector<ObservedError>& errors) {
   double squares = 0;
   for (const ObservedError& error : errors) {
     if (error.unit == "m") squares += error.observed * error.observed;
@@ -77,7 +77,7 @@ class NoiselessExecution {
     const exec::Moment now = execution_.Now();
     for (const plan::ErrorSet& set : sets) {
       std::vector<ObservedError> errors = ObservedErrors(problem_, plan_.step(id).action, set, now);
-      const double turned = GreatestTurn(problem_) * Displacement(errors);
+      const double turned = GreatestTurn(problem_) * DistanceOff(errors);
       for (ObservedError& error : errors) {
         const bool is_displacement = error.unit == "m";
         m.errors.push_back({about, std::move(error), is_displacement ? turned : 0});

@@ -14,7 +14,7 @@ namespace {
 constexpr int kDraws = 1000;
 constexpr double kTail = 0.025;
 // Radians that the part may be turned by in contacts that count: as in the search.
-constexpr double kTurn = finemotion::MotionChecker::Options{}.turn;
+constexpr double kSearchTurn = finemotion::MotionChecker::Options{}.turn;
 
 using Margins = std::map<ContactEvent, double>;
 
@@ -27,7 +27,7 @@ Margins MarginsOf(const finemotion::Passage& passage, const finemotion::FineMoti
     const PlannedContacts::Motion& contacts = planned.motions[i];
     for (const auto& near :
          finemotion::PrimitiveContacts(passage.moving, passage.stationary,
-                                       plan.motions[i].X_StationaryAfter, reach, {}, kTurn)) {
+                                       plan.motions[i].X_StationaryAfter, reach, {}, kSearchTurn)) {
       const ContactKey key = finemotion::KeyOf(near);
       if (!contacts.Wants(key)) margins[{motion, key, false}] = finemotion::kBeyondLadder;
     }

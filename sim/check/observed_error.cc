@@ -12,7 +12,7 @@ using geometry::Matrix3;
 using geometry::Pose;
 using geometry::Vector3;
 
-struct HoldOf {
+struct HoldIn {
   const plan::Hold* operator()(const plan::Sense&) const { return nullptr; }
   const plan::Hold* operator()(const auto& action) const { return &action.hold; }
 };
@@ -59,15 +59,20 @@ double YawOf(const Matrix3& rotation) {
   return std::atan2(rotation(1, 0) - rotation(0, 1), rotation(0, 0) + rotation(1, 1));
 }
 
+const plan::Hold& HoldOf(const plan::Action& action) {
+  const plan::Hold* hold = std::visit(HoldIn{}, action);
+  ASSAY_CHECK(hold != nullptr, "a look leaves no part in the hand");
+  return *hold;
+}
+
 std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
                                           const exec::Moment& moment) {
   Components components(problem.part(set.part).name);
   const exec::TrueAndBelieved& part = moment.parts[set.part.index()];
   if (set.in_hand) {
-    const plan::Hold* hold = std::visit(HoldOf{}, action);
-    ASSAY_CHECK(hold != nullptr, "a look leaves no part in the hand");
-    AddInHand(set, moment.tool.believed.inverse() * part.truth * hold->X_PartTool, components);
+    AddInHand(set, moment.tool.believed.inverse() * part.truth * HoldOf(action).X_PartTool,
+              components);
   } else {
     AddAtRest(set, part, components);
   }

@@ -22,6 +22,9 @@ std::vector<ObservedError> ObservedErrors(const domain::Problem& problem,
                                           const plan::Action& action, const plan::ErrorSet& set,
                                           const exec::Moment& moment);
 
+// How the action holds its part; not for a look, which holds none.
+const plan::Hold& HoldOf(const plan::Action& action);
+
 // The angle about the world's vertical by which a nearly upright rotation turns.
 double YawOf(const geometry::Matrix3& rotation);
 

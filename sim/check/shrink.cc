@@ -7,10 +7,6 @@ namespace {
 
 constexpr int kHalvings = 5;
 
-bool IsViolated(const std::optional<Claim>& claim) {
-  return claim && claim->verdict == ClaimVerdict::kViolated;
-}
-
 noise::Noise Multiple(const noise::Noise& noise, double factor) {
   std::vector<double> values = noise.values();
   for (double& value : values) value *= factor;
@@ -42,7 +38,7 @@ Counterexample Shrunk(const Experiment& experiment, const WorstClaim& violation)
   };
   const auto accept = [&](const noise::Noise& noise) {
     const std::optional<Claim> claim = replay(noise);
-    if (!IsViolated(claim)) return false;
+    if (!claim || !claim->IsViolated()) return false;
     example.claim = *claim;
     example.noise = noise;
     return true;

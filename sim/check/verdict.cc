@@ -83,7 +83,7 @@ class Judgement {
   std::vector<PartId> left_alone_;
 };
 
-TrialOutcome OutcomeOf(Aspect aspect) {
+TrialOutcome TrialOutcomeOf(Aspect aspect) {
   switch (aspect) {
     case Aspect::kSeated:
       return TrialOutcome::kNotSeated;
@@ -100,7 +100,7 @@ TrialOutcome OutcomeOf(Aspect aspect) {
   return {};
 }
 
-TrialOutcome OutcomeOf(exec::ExecutionOutcome outcome) {
+TrialOutcome TrialOutcomeOf(exec::ExecutionOutcome outcome) {
   switch (outcome) {
     case exec::ExecutionOutcome::kDone:
       return TrialOutcome::kSucceeded;
@@ -174,7 +174,7 @@ Verdict Judge(const Problem& problem, const exec::Trace& trace, const Limits& li
   Verdict verdict{.findings = Judgement(problem, trace, limits).Findings()};
   const exec::ExecutionEnd& end = trace.end();
   if (end.outcome != exec::ExecutionOutcome::kDone) {
-    verdict.outcome = OutcomeOf(end.outcome);
+    verdict.outcome = TrialOutcomeOf(end.outcome);
     verdict.reason = end.reason;
     return verdict;
   }
@@ -186,10 +186,11 @@ Verdict Judge(const Problem& problem, const exec::Trace& trace, const Limits& li
   const Finding* worst = nullptr;
   for (const Finding& finding : verdict.findings) {
     if (finding.holds) continue;
-    if (worst == nullptr || OutcomeOf(finding.aspect) < OutcomeOf(worst->aspect)) worst = &finding;
+    if (worst == nullptr || TrialOutcomeOf(finding.aspect) < TrialOutcomeOf(worst->aspect))
+      worst = &finding;
   }
   if (worst == nullptr) return verdict;
-  verdict.outcome = OutcomeOf(worst->aspect);
+  verdict.outcome = TrialOutcomeOf(worst->aspect);
   verdict.reason = Reason(*worst);
   for (const GraspFact* fact : trace.All<GraspFact>()) {
     if (fact->holds()) continue;

@@ -7,6 +7,7 @@
 #include "sim/check/attack.h"
 #include "sim/check/conservatism.h"
 #include "sim/cli/console.h"
+#include "sim/cli/json_number.h"
 #include "sim/cli/noisy_run.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
@@ -94,15 +95,11 @@ class AttackReport {
       for (const check::ConservatismRatio& ratio : ratios_) {
         result["conservatism"].push_back({{"variable", ratio.variable},
                                           {"guaranteed", ratio.guaranteed},
-                                          {"broken", ToNumber(ratio.broken)},
-                                          {"ratio", ToNumber(ratio.ratio())}});
+                                          {"broken", OrNull(ratio.broken)},
+                                          {"ratio", OrNull(ratio.ratio())}});
       }
     }
     return result;
-  }
-
-  static Json ToNumber(const std::optional<double>& value) {
-    return value ? Json(*value) : Json(nullptr);
   }
 
   std::vector<std::string> Actions() const {

@@ -24,7 +24,7 @@
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
-namespace {
+namespace bound_verb {
 
 using algebra::Bound;
 using algebra::BoundProblem;
@@ -284,7 +284,7 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace bound_verb
 
 const Verb kBound = {
     .name = "bound",
@@ -295,7 +295,7 @@ const Verb kBound = {
         "  variables: {x: [0, inf], y: [-1, 2], t: [-5.5 deg, 5.5 deg]}\n"
         "  constraints: [x <= y + 1]\n"
         "  expressions: [3*cos(t) + x, \"min(x, y)/4\"]",
-    .declare = Declare,
+    .declare = bound_verb::Declare,
 };
 
 }  // namespace assay::cli

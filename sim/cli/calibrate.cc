@@ -25,7 +25,7 @@
 #include "sim/sense/overhead_camera.h"
 
 namespace assay::cli {
-namespace {
+namespace calibrate_verb {
 
 using Json = nlohmann::ordered_json;
 using geometry::Pose;
@@ -34,8 +34,7 @@ using sense::Displacement;
 
 constexpr char kSensor[] = "overhead-camera";
 constexpr std::array kCoordinates = {"x", "y", "z", "theta"};  // of a displacement
-const std::array kUnits = {Unit{"mm", 1e3}, Unit{"mm", 1e3}, Unit{"mm", 1e3},
-                           Unit{"deg", 180 / std::numbers::pi}};
+constexpr std::array kUnits = {kLengthUnit, kLengthUnit, kLengthUnit, kAngleUnit};
 
 struct Options {
   std::filesystem::path input;
@@ -218,7 +217,7 @@ class Calibration {
 };
 
 ExitCode Execute(const Options& options) {
-  const scenario::Scenario scenario = LoadScenario(options.input, options.models);
+  const scenario::Scenario scenario = scenario::Load(options.input, options.models);
   return Calibration(options, scenario).Execute();
 }
 
@@ -238,13 +237,13 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace calibrate_verb
 
 const Verb kCalibrate = {
     .name = "calibrate",
     .summary = "measures the camera's errors at random placements against its promise",
     .example = "assay calibrate scenarios/spar-fig15.yaml --trials 1000 --seed 1",
-    .declare = Declare,
+    .declare = calibrate_verb::Declare,
 };
 
 }  // namespace assay::cli

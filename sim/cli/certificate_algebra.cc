@@ -41,10 +41,11 @@ CertificateAlgebra::CertificateAlgebra(const plan::PlannedStep& step, const std:
     pool_->Declare(name, range);
   }
   box_ = algebra::DeclaredBox(*pool_);
+  shared_ = algebra::ParseShared(step.certificate.shared, *pool_, {place_, 1, 1});
 }
 
 algebra::Expression CertificateAlgebra::Read(const std::string& text) const {
-  return algebra::Parse(text, *pool_, {place_, 1, 1});
+  return algebra::Parse(text, *pool_, {place_, 1, 1}, algebra::Layout::kOther, shared_);
 }
 
 }  // namespace assay::cli

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "planner/algebra/constraint_set.h"
 #include "planner/algebra/expression.h"
@@ -26,6 +27,7 @@ class CertificateAlgebra {
   std::string place_;
   std::unique_ptr<algebra::ExpressionPool> pool_;
   algebra::ConstraintSet box_;
+  std::vector<algebra::Expression> shared_;
 };
 
 }  // namespace assay::cli

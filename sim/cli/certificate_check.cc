@@ -86,14 +86,14 @@ class ClaimCheck {
   // By VariableId; none if it is no point of the ranges.
   std::optional<std::vector<double>> Corner() {
     std::vector<std::optional<double>> given(algebra_.box().box.size());
-    for (const auto& [name, range] : claim_.worst) {
+    for (const auto& [name, value] : claim_.worst) {
       const std::optional<VariableId> variable = algebra_.pool().Find(name);
       if (!variable) return NoCorner("names '{}', which is no variable of the certificate", name);
       const Interval& allowed = algebra_.box().box[variable->index()];
-      if (!(allowed.low <= range.low && range.low == range.high && range.high <= allowed.high)) {
+      if (!(allowed.low <= value && value <= allowed.high)) {
         return NoCorner("is not in the range of {}", name);
       }
-      given[variable->index()] = range.low;
+      given[variable->index()] = value;
     }
     std::vector<double> point(given.size());
     for (const VariableId variable : algebra::VariablesOf(expression_)) {

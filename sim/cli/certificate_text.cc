@@ -13,8 +13,6 @@ namespace {
 using plan::CertifiedPrecondition;
 using plan::StepId;
 
-constexpr Unit kMillimetre = {"mm", 1000};
-
 std::string Counted(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
@@ -29,14 +27,14 @@ std::string RecoveryText(const plan::Plan& plan, StepId step, const std::string&
   if (found->strategy != domain::RecoveryStrategy::kGropingSearch) {
     return fmt::format("{}, {}", error, strategy);
   }
-  return fmt::format("{}, {} within {}", error, strategy, QuantityText(found->radius, kMillimetre));
+  return fmt::format("{}, {} within {}", error, strategy, QuantityText(found->radius, kLengthUnit));
 }
 
 std::string VerificationText(const plan::Plan& plan, const plan::Verification& verification) {
   std::string text = fmt::format(
       "    check {}: {} {:.4g} +- {}", verification.name,
       domain::MeasuredQuantityNames()[static_cast<std::size_t>(verification.quantity)],
-      kMillimetre.scale * verification.expected, QuantityText(verification.tolerance, kMillimetre));
+      kLengthUnit.scale * verification.expected, QuantityText(verification.tolerance, kLengthUnit));
   if (!verification.below.empty()) {
     text += "; if less: " + RecoveryText(plan, verification.step, verification.below);
   }
@@ -62,8 +60,8 @@ std::string StrategyText(const plan::Strategy& strategy) {
   std::string text = fmt::format(
       "    {} by contacts, in spite of errors of the tip of {} and {}\n"
       "    certain for {:.2f} times these errors and friction up to {:.2f}",
-      Counted(strategy.motions.size(), "motion", "motions"), numbers(certificate.d, kMillimetre),
-      numbers(certificate.w, UnitOf("theta_")), certificate.absorbed, certificate.friction);
+      Counted(strategy.motions.size(), "motion", "motions"), numbers(certificate.d, kLengthUnit),
+      numbers(certificate.w, kAngleUnit), certificate.absorbed, certificate.friction);
   const plan::UnwantedContact* first = nullptr;
   for (const plan::StrategyMotion& motion : strategy.motions) {
     for (const plan::UnwantedContact& unwanted : motion.unwanted) {

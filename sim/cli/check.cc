@@ -26,7 +26,7 @@
 #include "sim/enact/interpretation.h"
 
 namespace assay::cli {
-namespace {
+namespace check_verb {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
@@ -52,8 +52,8 @@ Report CheckPart(const Document& document, const fs::path& file, const Options& 
 
 // What a scenario's key `knowledge` says is of no matter to the report, but must be right.
 Report CheckScenario(const Document& document, const fs::path& file, const Options& options) {
-  if (document.root().Find("knowledge")) enact::Load(file, FindModels(options.models, file));
-  const std::vector<domain::Problem> worlds = LoadWorlds(file, options.models);
+  if (document.root().Find("knowledge")) enact::Read(document, FindModels(options.models, file));
+  const std::vector<domain::Problem> worlds = scenario::ReadWorlds(document, options.models);
   Report report = ReportOn(worlds.front());
   if (worlds.size() == 1) return report;
   std::vector<std::string> names;
@@ -68,15 +68,15 @@ Report CheckScenario(const Document& document, const fs::path& file, const Optio
 Report CheckFile(const fs::path& file, const Options& options) {
   const Document document = Document::Load(file);
   switch (FormatOf(document)) {
-    case FileFormat::kScenario:
+    case FileFormat::kScenarioFile:
       return CheckScenario(document, file, options);
-    case FileFormat::kPart:
+    case FileFormat::kPartFile:
       return CheckPart(document, file, options);
-    case FileFormat::kWorkcell:
+    case FileFormat::kWorkcellFile:
       return ReportOn(*domain::Workcell::Load(file));
-    case FileFormat::kPlan:
-      return ReportOn(LoadPlan(document, file, options.models));
-    case FileFormat::kSweep:
+    case FileFormat::kPlanFile:
+      return ReportOn(ReadPlan(document, options.models));
+    case FileFormat::kSweepFile:
       return ReportOn(sweep::Load(file), options.models);
   }
   return {};
@@ -133,13 +133,13 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace check_verb
 
 const Verb kCheck = {
     .name = "check",
     .summary = "checks scenario, sweep, part, workcell and plan files, and tells what they come to",
     .example = "assay check scenarios/spar-fig13.yaml models/parts/block/part.yaml",
-    .declare = Declare,
+    .declare = check_verb::Declare,
 };
 
 }  // namespace assay::cli

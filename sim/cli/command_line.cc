@@ -21,11 +21,11 @@ namespace {
 constexpr const char* kDescription =
     "assay plans assemblies, executes the plans in physics and checks what they promise.";
 
-std::string Quoted(const std::string& text) { return fmt::format("'{}'", text); }
+std::string InQuotes(const std::string& text) { return fmt::format("'{}'", text); }
 
 std::string DidYouMean(const std::string& text, const std::vector<std::string>& names) {
   const std::string nearest = NearestName(text, names);
-  return nearest.empty() ? "" : fmt::format("; did you mean {}?", Quoted(nearest));
+  return nearest.empty() ? "" : fmt::format("; did you mean {}?", InQuotes(nearest));
 }
 
 class CommandLine {
@@ -74,7 +74,7 @@ class CommandLine {
       option->check([](const std::string& value) {
         double number = 0;
         const bool is_nan = CLI::detail::lexical_cast(value, number) && std::isnan(number);
-        return is_nan ? fmt::format("{} is no number", Quoted(value)) : std::string();
+        return is_nan ? fmt::format("{} is no number", InQuotes(value)) : std::string();
       });
     }
     for (CLI::App* const part : command.get_subcommands({})) RefuseWhatIsNoNumber(*part);
@@ -101,9 +101,9 @@ class CommandLine {
     if (arguments_.size() < 2) return fmt::format("a verb is missing: {}", fmt::join(names, ", "));
     const std::string& first = arguments_[1];
     if (first.starts_with("-"))
-      return fmt::format("{} is not an option before the verb", Quoted(first));
+      return fmt::format("{} is not an option before the verb", InQuotes(first));
     if (std::ranges::find(names, first) != names.end()) return error.what();
-    return fmt::format("there is no verb {}{}", Quoted(first), DidYouMean(first, names));
+    return fmt::format("there is no verb {}{}", InQuotes(first), DidYouMean(first, names));
   }
 
   static std::string ExplainInVerb(const CLI::ParseError& error, const CLI::App& verb) {
@@ -112,9 +112,9 @@ class CommandLine {
       for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
     }
     for (const std::string& rest : verb.remaining()) {
-      if (!rest.starts_with("-")) return fmt::format("{} is one argument too many", Quoted(rest));
+      if (!rest.starts_with("-")) return fmt::format("{} is one argument too many", InQuotes(rest));
       const std::string option = rest.substr(0, rest.find('='));
-      return fmt::format("there is no option {}{}", Quoted(option), DidYouMean(option, names));
+      return fmt::format("there is no option {}{}", InQuotes(option), DidYouMean(option, names));
     }
     return error.what();
   }

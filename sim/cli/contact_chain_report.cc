@@ -79,7 +79,7 @@ Json WaysThrough(const LocalTopology& point) {
           {"transitions", least ? Json(*least) : Json()}};
 }
 
-Json ToJson(const Passing& passing, const LocalTopology& point) {
+Json PassingJson(const Passing& passing, const LocalTopology& point) {
   return {{"motions", passing.motions},
           {"transitions", passing.transitions},
           {"states", passing.states.size()},
@@ -132,7 +132,7 @@ Json ToJson(const ContactChain& chain, const FineMotionPlan& plan) {
     Json graph = SizeOf(point.graph);
     graph.update(WaysThrough(point));
     if (const Passing passing = PassingOf(plan, i); passing.motions > 0)
-      graph["strategy"] = ToJson(passing, point);
+      graph["strategy"] = PassingJson(passing, point);
     graphs.push_back(std::move(graph));
   }
   return {{"graph", SizeOf(chain.points.front().graph)}, {"graphs", std::move(graphs)}};

@@ -13,8 +13,8 @@ namespace {
 using geometry::Pose;
 using geometry::Vector3;
 
-constexpr int kWidth = 640;
-constexpr int kHeight = 480;
+constexpr int kPictureWidth = 640;
+constexpr int kPictureHeight = 480;
 constexpr double kDistance = 0.25;  // metres from the eye to the tip
 constexpr double kAngle = 0.35;     // radians, of the whole picture
 constexpr double kArm = 0.003;      // metres, of a cross
@@ -71,7 +71,7 @@ std::vector<ContactPicture> WriteContactPictures(const std::filesystem::path& fo
   const Vector3 out = -(X_WorldFixed.linear() * mating.mating_vector.normalized());
   const plan::StrategyMotion& entered = strategy.motions[strategy.motions.size() - 2];
   const render::FreeCamera camera = CameraOn(X_WorldFixed * entered.X_FixedTip.translation(), out);
-  render::Renderer renderer(scene.model(), kWidth, kHeight);
+  render::Renderer renderer(scene.model(), kPictureWidth, kPictureHeight);
   std::vector<ContactPicture> files;
   std::vector<render::CaptionedImage> sheet;
   for (const plan::StrategyMotion& motion : strategy.motions) {

@@ -15,7 +15,7 @@
 #include "sim/render/renderer.h"
 
 namespace assay::cli {
-namespace {
+namespace doctor_verb {
 
 using Json = nlohmann::ordered_json;
 
@@ -82,13 +82,13 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace doctor_verb
 
 const Verb kDoctor = {
     .name = "doctor",
     .summary = "tells what this machine has, and what to install",
     .example = "assay doctor",
-    .declare = Declare,
+    .declare = doctor_verb::Declare,
 };
 
 }  // namespace assay::cli

@@ -26,7 +26,7 @@
 #include "sim/enact/plan_interpretation.h"
 
 namespace assay::cli {
-namespace {
+namespace enact_verb {
 
 using enact::EnactedTrial;
 using enact::KnowledgeScenario;
@@ -236,13 +236,13 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace enact_verb
 
 const Verb kEnact = {
     .name = "enact",
     .summary = "plans with what will be known, walks the tree in physics and audits what is known",
     .example = "assay enact scenarios/two-cans.yaml --worlds all",
-    .declare = Declare,
+    .declare = enact_verb::Declare,
 };
 
 }  // namespace assay::cli

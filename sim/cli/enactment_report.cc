@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "sim/cli/quantity.h"
 #include "sim/cli/table.h"
 #include "sim/sweep/wilson.h"
 
@@ -19,10 +19,8 @@ using enact::EnactmentOutcome;
 using enact::Leaf;
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegree = std::numbers::pi / 180;
-
 // Of trials.
-struct Tally {
+struct EnactedTally {
   int trials = 0;
   int reached = 0;
   int called = 0;            // a person, as was to be
@@ -36,20 +34,20 @@ struct Tally {
   }
 };
 
-std::string TiltText(const Tally& tally) {
+std::string TiltText(const EnactedTally& tally) {
   return tally.trials > 0 ? fmt::format("{:.3f} deg", tally.greatest_tilt / kDegree) : "";
 }
 
-Tally TallyOf(const Leaf& leaf, const EnactmentStudy& study) {
-  Tally tally;
+EnactedTally TallyOf(const Leaf& leaf, const EnactmentStudy& study) {
+  EnactedTally tally;
   for (const EnactedTrial& trial : study.trials) {
     if (leaf.IsOn(trial.walk)) tally.Add(trial);
   }
   return tally;
 }
 
-Tally TallyOf(const EnactmentStudy& study) {
-  Tally tally;
+EnactedTally TallyOf(const EnactmentStudy& study) {
+  EnactedTally tally;
   for (const EnactedTrial& trial : study.trials) tally.Add(trial);
   return tally;
 }
@@ -88,7 +86,7 @@ std::string LeafTable(const EnactmentStudy& study) {
   constexpr std::size_t kMostMissed = 4;  // that are listed
   std::size_t missed = 0;
   for (const Leaf& leaf : study.leaves) {
-    const Tally tally = TallyOf(leaf, study);
+    const EnactedTally tally = TallyOf(leaf, study);
     if (tally.trials == 0 && ++missed > kMostMissed) continue;
     std::vector<std::string> row = {leaf.Text(), fmt::format("{}", tally.trials),
                                     fmt::format("{}", tally.reached)};
@@ -135,7 +133,7 @@ std::string StepTable(const EnactedTrial& trial, const EnactmentStudy& study) {
   return table.Text();
 }
 
-Json ToJson(const EnactedTrial& trial) {
+Json EnactedTrialJson(const EnactedTrial& trial) {
   Json json = {{"trial", trial.number},      {"outcome", Name(trial.outcome)},
                {"reason", trial.reason},     {"mishap", trial.mishap},
                {"goal", trial.is_goal_true}, {"greatest_tilt", trial.greatest_tilt / kDegree},
@@ -189,7 +187,7 @@ int EnactmentStudy::Failed() const {
 std::string TextOf(const EnactmentStudy& study) {
   std::string text = study.trials.size() == 1 ? StepTable(study.trials.front(), study) + "\n" : "";
   text += LeafTable(study) + "\n" + MishapText(study) + FailuresText(study);
-  const Tally all = TallyOf(study);
+  const EnactedTally all = TallyOf(study);
   const Interval rate = sweep::WilsonInterval(all.reached, all.trials);
   text += fmt::format(
       "{} of {} trials reached the goal with nothing touched, spilled or claimed falsely (95 % "
@@ -215,7 +213,7 @@ std::string TextOf(const EnactmentStudy& study) {
 }
 
 nlohmann::ordered_json ToJson(const EnactmentStudy& study) {
-  const Tally all = TallyOf(study);
+  const EnactedTally all = TallyOf(study);
   Json json = {{"outcome", study.Failed() == 0 ? "reached" : "failed"},
                {"scenario", study.scenario},
                {"seed", study.seed},
@@ -231,7 +229,7 @@ nlohmann::ordered_json ToJson(const EnactmentStudy& study) {
   json["leaves"] = Json::array();
   for (std::size_t i = 0; i < study.leaves.size(); ++i) {
     const Leaf& leaf = study.leaves[i];
-    const Tally tally = TallyOf(leaf, study);
+    const EnactedTally tally = TallyOf(leaf, study);
     json["leaves"].push_back({{"outcomes", leaf.Text()},
                               {"unreachable", study.is_every_leaf ? study.unreachable[i] : ""},
                               {"trials", tally.trials},
@@ -243,7 +241,7 @@ nlohmann::ordered_json ToJson(const EnactmentStudy& study) {
   json["rows"] = Json::array();
   for (const EnactedTrial& trial : study.trials) {
     if (trial.IsFailed()) json["replay"].push_back(ReplayCommand(study, trial.number));
-    json["rows"].push_back(ToJson(trial));
+    json["rows"].push_back(EnactedTrialJson(trial));
   }
   json["seconds"] = study.seconds;
   return json;

@@ -30,7 +30,7 @@ constexpr double kShownShare = 0.001;       // of the largest cost
 constexpr std::size_t kShownVariables = 8;  // of those that cost most
 
 // Preconditions that say the same of different points and planes, the tightest first.
-struct Kind {
+struct ClaimKind {
   std::string condition;
   std::string meaning;
   std::vector<const CertifiedPrecondition*> claims;
@@ -42,10 +42,10 @@ struct Kind {
 };
 
 // The kinds, the tightest first.
-std::vector<Kind> KindsOf(const std::vector<CertifiedPrecondition>& preconditions) {
-  std::vector<Kind> kinds;
+std::vector<ClaimKind> KindsOf(const std::vector<CertifiedPrecondition>& preconditions) {
+  std::vector<ClaimKind> kinds;
   for (const CertifiedPrecondition& claim : preconditions) {
-    auto kind = std::ranges::find_if(kinds, [&](const Kind& known) {
+    auto kind = std::ranges::find_if(kinds, [&](const ClaimKind& known) {
       return known.condition == claim.condition && known.meaning == claim.meaning;
     });
     if (kind == kinds.end()) {
@@ -53,10 +53,10 @@ std::vector<Kind> KindsOf(const std::vector<CertifiedPrecondition>& precondition
     }
     kind->claims.push_back(&claim);
   }
-  for (Kind& kind : kinds) {
+  for (ClaimKind& kind : kinds) {
     std::ranges::stable_sort(kind.claims, {}, [](const auto* claim) { return claim->margin; });
   }
-  std::ranges::stable_sort(kinds, {}, &Kind::tightest);
+  std::ranges::stable_sort(kinds, {}, &ClaimKind::tightest);
   return kinds;
 }
 
@@ -236,7 +236,7 @@ std::string StandingText(std::size_t unproved, std::size_t all, bool absorbed) {
 }
 
 // Where something is not proved, the tightest in full; else shorter.
-std::string KindText(const Kind& kind, const CertificateProofs& proofs, bool absorbed,
+std::string KindText(const ClaimKind& kind, const CertificateProofs& proofs, bool absorbed,
                      bool in_full) {
   const std::size_t unproved = kind.unproved();
   const std::size_t all = kind.claims.size();
@@ -256,13 +256,13 @@ std::string PreconditionsText(const PlannedStep& step, const std::string& file) 
   const std::vector<CertifiedPrecondition>& all = step.certificate.preconditions;
   if (all.empty()) return "\nIt has no uncertainty-reduction preconditions.\n";
   const CertificateProofs proofs(step, file);
-  const std::vector<Kind> kinds = KindsOf(all);
+  const std::vector<ClaimKind> kinds = KindsOf(all);
   std::string text = fmt::format(
       "\nUncertainty-reduction preconditions: {}, the tightest first.\n"
       "Expressions are in metres and radians; the terms that vary most come first.\n",
       CertificateText(step));
   bool is_tightest = true;  // of those that count
-  for (const Kind& kind : kinds) {
+  for (const ClaimKind& kind : kinds) {
     const bool absorbed = plan::Absorbs(step.strategy, kind.condition);
     text += KindText(kind, proofs, absorbed, !absorbed && (kind.unproved() > 0 || is_tightest));
     is_tightest &= absorbed;

@@ -20,7 +20,7 @@
 #include "sim/scene/mjcf.h"
 
 namespace assay::cli {
-namespace {
+namespace export_verb {
 
 struct Options {
   std::filesystem::path input;
@@ -44,7 +44,7 @@ void Deliver(const std::string& text, const Options& options) {
 }
 
 ExitCode ExportMjcf(const Options& options) {
-  const scenario::Scenario scenario = LoadScenario(options.input, options.models);
+  const scenario::Scenario scenario = scenario::Load(options.input, options.models);
   Deliver(scene::ToMjcf(scenario.problem, scenario.simulation.scene), options);
   return ExitCode::kDone;
 }
@@ -52,7 +52,7 @@ ExitCode ExportMjcf(const Options& options) {
 // What `write` makes of a plan; if there is none, why.
 ExitCode ExportPlan(const Options& options,
                     std::string (*write)(const domain::Problem&, const plan::Plan&)) {
-  const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
+  const PlannedProblem planned = ReadOrMakePlan(Document::Load(options.input), options.models);
   if (planned.result.outcome == Outcome::kFound) {
     Deliver(write(planned.problem, planned.result.plan), options);
   } else {
@@ -66,7 +66,7 @@ std::string CommandFileText(const domain::Problem& problem, const plan::Plan& pl
 }
 
 ExitCode ExportNetwork(const Options& options) {
-  const scenario::Scenario scenario = LoadScenario(options.input, options.models);
+  const scenario::Scenario scenario = scenario::Load(options.input, options.models);
   std::string dot;
   const auto show = [&](const posting::PartialPlan& plan) { dot = ConstraintNetworkToDot(plan); };
   const plan::PlanResult result = posting::MakePlan(scenario.problem, {.show_family = show});
@@ -79,7 +79,7 @@ ExitCode ExportNetwork(const Options& options) {
 }
 
 ExitCode ExportContacts(const Options& options) {
-  const scenario::Scenario scenario = LoadScenario(options.input, options.models);
+  const scenario::Scenario scenario = scenario::Load(options.input, options.models);
   const domain::Problem& problem = scenario.problem;
   if (problem.matings.empty()) {
     throw UsageError(fmt::format("export: {}: no goal mates parts", options.input.string()));
@@ -107,7 +107,8 @@ ExitCode ExportPddl(const Options& options) {
 
 // Likewise NAME-domain.pks and NAME-problem.pks: what `assay know` would plan with.
 ExitCode ExportPks(const Options& options) {
-  const std::vector<domain::Problem> worlds = LoadWorldsToPlan(options.input, options.models);
+  const std::vector<domain::Problem> worlds =
+      ReadWorldsToPlan(Document::Load(options.input), options.models);
   const assembly::ContingentAssembly assembly = assembly::MakeContingentPlan(worlds, {}, {});
   if (assembly.knowledge.domain.empty()) {
     Print(Text(worlds, assembly));
@@ -165,7 +166,7 @@ Execution Declare(CLI::App& command) {
   };
 }
 
-}  // namespace
+}  // namespace export_verb
 
 const Verb kExport = {
     .name = "export",
@@ -174,7 +175,7 @@ const Verb kExport = {
         "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml\n"
         "assay export scenarios/know/force-sensing.pks --pddl scenarios/know/two-cans.pks -o cans\n"
         "  writes cans-domain.pddl and cans-problem.pddl",
-    .declare = Declare,
+    .declare = export_verb::Declare,
 };
 
 }  // namespace assay::cli

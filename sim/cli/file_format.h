@@ -5,7 +5,7 @@
 namespace assay::cli {
 
 // What a file says it is, by its key `format`.
-enum class FileFormat { kScenario, kPart, kWorkcell, kPlan, kSweep };
+enum class FileFormat { kScenarioFile, kPartFile, kWorkcellFile, kPlanFile, kSweepFile };
 
 // Throws InputError if the key is missing or names none of these.
 FileFormat FormatOf(const Document& document);

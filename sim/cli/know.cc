@@ -23,7 +23,7 @@
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
-namespace {
+namespace know_verb {
 
 using Json = nlohmann::ordered_json;
 using contingent::ContingentPlan;
@@ -226,7 +226,7 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace know_verb
 
 const Verb kKnow = {
     .name = "know",
@@ -234,7 +234,7 @@ const Verb kKnow = {
     .example =
         "assay know scenarios/know/force-sensing.pks scenarios/know/two-cans.pks --check\n"
         "  The format is described in scenarios/know/README.md.",
-    .declare = Declare,
+    .declare = know_verb::Declare,
 };
 
 }  // namespace assay::cli

@@ -15,7 +15,7 @@
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
-namespace {
+namespace label_verb {
 
 using Json = nlohmann::ordered_json;
 using network::LabelRequest;
@@ -104,7 +104,7 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace label_verb
 
 const Verb kLabel = {
     .name = "label",
@@ -114,7 +114,7 @@ const Verb kLabel = {
         "  where network.json is\n"
         "  {\"nodes\": {\"v\": [\"a\", \"b\"], \"w\": 3},\n"
         "   \"arcs\": [{\"between\": [\"v\", \"w\"], \"pairs\": [[\"a\", 0], [\"b\", 2]]}]}",
-    .declare = Declare,
+    .declare = label_verb::Declare,
 };
 
 }  // namespace assay::cli

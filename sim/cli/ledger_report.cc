@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "sim/cli/json_number.h"
 #include "sim/cli/quantity.h"
 #include "sim/cli/table.h"
 
@@ -14,18 +15,16 @@ namespace {
 using check::LedgerEntry;
 using Json = nlohmann::ordered_json;
 
-Unit ForPeople(const LedgerEntry& entry) {
+Unit LedgerUnit(const LedgerEntry& entry) {
   return entry.unit.empty() ? Unit{"-", 1} : UnitOf(entry.channel.name);
 }
 
 std::string Number(const std::optional<double>& value, double scale) {
   if (!value) return "-";
   const double number = scale * *value;
-  constexpr double kNothing = 0.00005;  // else there would be a -0.0000
-  return fmt::format("{:+.4f}", std::abs(number) < kNothing ? 0.0 : number);
+  constexpr double kHalfLastDigit = 0.00005;  // else there would be a -0.0000
+  return fmt::format("{:+.4f}", std::abs(number) < kHalfLastDigit ? 0.0 : number);
 }
-
-Json OrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 
 }  // namespace
 
@@ -36,7 +35,7 @@ std::string Text(const std::vector<LedgerEntry>& ledger) {
                {"applied", Align::kRight},
                {"measured", Align::kRight}});
   for (const LedgerEntry& entry : ledger) {
-    const Unit unit = ForPeople(entry);
+    const Unit unit = LedgerUnit(entry);
     table.Add({entry.channel.name, unit.name, Number(entry.drawn, unit.scale),
                Number(entry.applied, unit.scale), Number(entry.measured, unit.scale)});
   }

@@ -16,7 +16,7 @@
 #include "sim/enact/skill.h"
 
 namespace assay::cli {
-namespace {
+namespace list_verb {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
@@ -160,14 +160,14 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace list_verb
 
 const Verb kList = {
     .name = "list",
     .summary =
         "lists scenarios, parts, workcells, actions, and skills and meanings for key knowledge",
     .example = "assay list scenarios",
-    .declare = Declare,
+    .declare = list_verb::Declare,
 };
 
 }  // namespace assay::cli

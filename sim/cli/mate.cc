@@ -6,7 +6,6 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -22,19 +21,19 @@
 #include "sim/cli/mating_trials.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/quantity.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/trial.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
-namespace {
+namespace mate_verb {
 
 using Json = nlohmann::ordered_json;
 using finemotion::FineMotionPlan;
 using finemotion::MatingGeometry;
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMillimetre = 1e-3;
 constexpr int kMostNodes = 1'000'000;
 
@@ -70,7 +69,8 @@ const std::map<std::string, finemotion::MeetingTest>& Intersections() {
 PlannedProblem Planned(const Options& options) {
   scenario::Overrides overrides;
   if (options.clearance_mm) overrides.clearance = *options.clearance_mm * kMillimetre;
-  return MakePlan(options.scenario, options.models, {}, {}, overrides);
+  const Document document = Document::Load(options.scenario);
+  return MakePlan(document, scenario::Read(document, options.models, overrides), {}, {});
 }
 
 domain::MatingErrors HalfWidths(const Options& options, const domain::Problem& problem) {
@@ -327,13 +327,13 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace mate_verb
 
 const Verb kMate = {
     .name = "mate",
     .summary = "plans the fine motion of one mating, and tries it in physics",
     .example = "assay mate scenarios/mate-square.yaml --trials 20",
-    .declare = Declare,
+    .declare = mate_verb::Declare,
 };
 
 }  // namespace assay::cli

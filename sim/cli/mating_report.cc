@@ -23,16 +23,16 @@ std::vector<std::string> NamesOf(const ContactSet& keys) {
   return names;
 }
 
-std::string TextOf(const ContactSet& keys) {
+std::string ContactsText(const ContactSet& keys) {
   return keys.empty() ? "no contact" : fmt::format("{}", fmt::join(NamesOf(keys), ", "));
 }
 
-std::string TextOf(const finemotion::Unwanted& unwanted) {
+std::string UnwantedText(const finemotion::Unwanted& unwanted) {
   return fmt::format("{}{} at {:.3g} times the errors", unwanted.is_loss ? "loss of " : "",
                      finemotion::Name(unwanted.contact), unwanted.scale);
 }
 
-Json ToJson(const finemotion::Unwanted& unwanted) {
+Json UnwantedJson(const finemotion::Unwanted& unwanted) {
   return {{"contact", finemotion::Name(unwanted.contact)},
           {"loss", unwanted.is_loss},
           {"scale", unwanted.scale}};
@@ -61,7 +61,7 @@ Json MarginsJson(const FineMotionPlan& plan) {
     ++number;
     for (const finemotion::Unwanted& unwanted : motion.check.unwanted) {
       Json margin = {{"motion", number}};
-      margin.update(ToJson(unwanted));
+      margin.update(UnwantedJson(unwanted));
       margins.push_back(std::move(margin));
     }
   }
@@ -82,7 +82,8 @@ const char* NameOf(Outcome outcome) {
 
 // What is in the way, and how much was looked at.
 std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOptions& search) {
-  const std::string in_the_way = plan.obstacle ? "; in the way: " + TextOf(*plan.obstacle) : "";
+  const std::string in_the_way =
+      plan.obstacle ? "; in the way: " + UnwantedText(*plan.obstacle) : "";
   const std::string looked =
       plan.outcome == Outcome::kNone
           ? fmt::format("looked through all sequences from {} starts", search.starts)
@@ -95,7 +96,7 @@ std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOption
 
 // --- Trials.
 
-struct Tally {
+struct MatedTally {
   int seated = 0;
   int recovered = 0;  // at a later attempt
   int redrawn = 0;
@@ -104,8 +105,8 @@ struct Tally {
   double greatest_force = 0;
 };
 
-Tally TallyOf(const std::vector<MatedTrial>& trials) {
-  Tally tally;
+MatedTally TallyOf(const std::vector<MatedTrial>& trials) {
+  MatedTally tally;
   for (const MatedTrial& trial : trials) {
     if (trial.seated) ++tally.seated;
     tally.redrawn += trial.redrawn;
@@ -118,8 +119,8 @@ Tally TallyOf(const std::vector<MatedTrial>& trials) {
   return tally;
 }
 
-std::string TextOf(const char* name, const std::vector<MatedTrial>& trials) {
-  const Tally tally = TallyOf(trials);
+std::string MatedTrialsText(const char* name, const std::vector<MatedTrial>& trials) {
+  const MatedTally tally = TallyOf(trials);
   std::string ends;
   for (const auto& [end, count] : tally.ends) ends += fmt::format(", {} {}", end, count);
   for (const auto& [holding, count] : tally.holdings)
@@ -129,8 +130,8 @@ std::string TextOf(const char* name, const std::vector<MatedTrial>& trials) {
                      ends, tally.greatest_force);
 }
 
-Json ToJson(const std::vector<MatedTrial>& trials) {
-  const Tally tally = TallyOf(trials);
+Json MatedTrialsJson(const std::vector<MatedTrial>& trials) {
+  const MatedTally tally = TallyOf(trials);
   return {{"seated", tally.seated},
           {"recovered", tally.recovered},
           {"ends", tally.ends},
@@ -166,44 +167,45 @@ SequenceTally SequencesOf(const MatingStudy& study) {
   return tally;
 }
 
-std::string TextOf(const check::Divergence& divergence) {
-  return fmt::format("motion {}: planned {}, observed {}", divergence.motion + 1,
-                     TextOf(divergence.planned),
-                     divergence.observed ? TextOf(*divergence.observed) : "its end before that");
+std::string DivergenceText(const check::Divergence& divergence) {
+  return fmt::format(
+      "motion {}: planned {}, observed {}", divergence.motion + 1, ContactsText(divergence.planned),
+      divergence.observed ? ContactsText(*divergence.observed) : "its end before that");
 }
 
-std::string TextOf(const std::optional<exec::RecognizedContact>& recognized) {
+std::string RecognizedText(const std::optional<exec::RecognizedContact>& recognized) {
   if (!recognized) return {};
   return fmt::format("; by its forces {}{}", recognized->is_loss ? "the loss of " : "",
                      recognized->name);
 }
 
-std::string TextOf(const std::optional<exec::Holding>& holding) {
+std::string HoldingText(const std::optional<exec::Holding>& holding) {
   return holding ? fmt::format("; what can hold it: {}", exec::Name(*holding)) : "";
 }
 
 // Error states that did not end the trial.
-std::string TextOf(int trial, const std::vector<exec::ErrorState>& states, const char* then) {
+std::string ErrorStatesText(int trial, const std::vector<exec::ErrorState>& states,
+                            const char* then) {
   std::string text;
   for (const exec::ErrorState& state : states) {
     text += fmt::format("  trial {}: {}: {}{}; {}\n", trial, exec::Name(state.outcome),
-                        state.reason, TextOf(state.recognized), then);
+                        state.reason, RecognizedText(state.recognized), then);
   }
   return text;
 }
 
 // What went wrong, a line each; none if nothing did.
-std::string TextOf(const MatingStudy& study, const MatedTrial& trial) {
+std::string MatedTrialText(const MatingStudy& study, const MatedTrial& trial) {
   const exec::StrategyEnd& end = trial.result.end;
-  std::string text = TextOf(trial.number, end.recovered, "drew back");
-  text += TextOf(trial.number, end.ignored, "went on");
+  std::string text = ErrorStatesText(trial.number, end.recovered, "drew back");
+  text += ErrorStatesText(trial.number, end.ignored, "went on");
   if (!trial.seated) {
     text += fmt::format("  trial {}: {}: {}{}{}\n", trial.number, exec::Name(end.outcome),
-                        end.reason, TextOf(end.holding), TextOf(end.recognized));
+                        end.reason, HoldingText(end.holding), RecognizedText(end.recognized));
   }
   if (!Matches(trial)) {
     text += fmt::format("  trial {}: {}\n", trial.number,
-                        TextOf(*trial.sequence->comparison.divergence));
+                        DivergenceText(*trial.sequence->comparison.divergence));
   }
   if (!trial.seated) text += fmt::format("  again: {}{}\n", study.replay, trial.number);
   return text;
@@ -221,7 +223,7 @@ check::RecognitionTally RecognitionOf(const MatingStudy& study) {
   return tally;
 }
 
-std::string TextOf(const check::RecognitionTally& tally) {
+std::string RecognitionText(const check::RecognitionTally& tally) {
   std::string text;
   if (const auto& states = tally.states; states.errors > 0) {
     text += fmt::format(
@@ -237,7 +239,7 @@ std::string TextOf(const check::RecognitionTally& tally) {
   return text;
 }
 
-std::string TextOf(const check::MarginRanking& ranking) {
+std::string RankingText(const check::MarginRanking& ranking) {
   if (!ranking.correlation) {
     return "margins and frequencies of unwanted contacts: not enough variation\n";
   }
@@ -253,20 +255,20 @@ std::string TextOf(const check::MarginRanking& ranking) {
       *ranking.correlation, within, ranking.contacts.size(), happened);
 }
 
-Json ToJson(const check::Divergence& divergence) {
+Json DivergenceJson(const check::Divergence& divergence) {
   return {{"motion", divergence.motion + 1},
           {"time", divergence.time},
           {"planned", NamesOf(divergence.planned)},
           {"observed", divergence.observed ? Json(NamesOf(*divergence.observed)) : Json()}};
 }
 
-Json ToJson(const check::ContactEvent& event) {
+Json EventJson(const check::ContactEvent& event) {
   return {{"motion", event.motion + 1},
           {"contact", finemotion::Name(event.contact)},
           {"loss", event.is_loss}};
 }
 
-Json ToJson(const SequenceRecord& sequence) {
+Json SequenceJson(const SequenceRecord& sequence) {
   Json states = Json::array();
   for (const check::ObservedState& state : sequence.states) {
     states.push_back({{"state", NamesOf(state.contacts)},
@@ -276,10 +278,10 @@ Json ToJson(const SequenceRecord& sequence) {
   }
   Json events = Json::array();
   for (const check::ContactEvent& event : sequence.comparison.events)
-    events.push_back(ToJson(event));
+    events.push_back(EventJson(event));
   const auto& divergence = sequence.comparison.divergence;
   return {{"matches", sequence.comparison.matches()},
-          {"divergence", divergence ? ToJson(*divergence) : Json()},
+          {"divergence", divergence ? DivergenceJson(*divergence) : Json()},
           {"edit_distance", sequence.comparison.edit_distance},
           {"unwanted", events},
           {"states", states},
@@ -287,15 +289,15 @@ Json ToJson(const SequenceRecord& sequence) {
           {"unmapped", sequence.contacts.unmapped}};
 }
 
-Json ToJson(const check::Recognition& recognition) {
+Json RecognitionJson(const check::Recognition& recognition) {
   return {
       {"errors", recognition.errors}, {"named", recognition.named}, {"right", recognition.right}};
 }
 
-Json ToJson(const check::RecognitionTally& tally) {
-  Json json = ToJson(tally.states);
+Json RecognitionJson(const check::RecognitionTally& tally) {
+  Json json = RecognitionJson(tally.states);
   json["needless"] = tally.needless;
-  json["unwanted"] = ToJson(tally.unwanted);
+  json["unwanted"] = RecognitionJson(tally.unwanted);
   return json;
 }
 
@@ -309,23 +311,23 @@ Json RecognizedJson(const std::optional<exec::RecognizedContact>& recognized,
           {"right", check::IsRight(*recognized, bridged)}};
 }
 
-Json ToJson(const std::optional<exec::Holding>& holding) {
+Json HoldingJson(const std::optional<exec::Holding>& holding) {
   return holding ? Json(exec::Name(*holding)) : Json();
 }
 
-Json ToJson(const std::vector<exec::ErrorState>& states, const SequenceRecord& sequence) {
+Json ErrorStatesJson(const std::vector<exec::ErrorState>& states, const SequenceRecord& sequence) {
   Json json = Json::array();
   for (const exec::ErrorState& state : states) {
     json.push_back({{"motion", state.motion + 1},
                     {"end", exec::Name(state.outcome)},
                     {"reason", state.reason},
-                    {"holding", ToJson(state.holding)},
+                    {"holding", HoldingJson(state.holding)},
                     {"recognized", RecognizedJson(state.recognized, sequence)}});
   }
   return json;
 }
 
-Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
+Json MatedTrialJson(const MatingStudy& study, const MatedTrial& trial) {
   return {{"trial", trial.number},
           {"scale", trial.scale},
           {"redrawn", trial.redrawn},
@@ -333,13 +335,13 @@ Json ToJson(const MatingStudy& study, const MatedTrial& trial) {
           {"seated", trial.seated},
           {"end", exec::Name(trial.result.end.outcome)},
           {"reason", trial.result.end.reason},
-          {"holding", ToJson(trial.result.end.holding)},
+          {"holding", HoldingJson(trial.result.end.holding)},
           {"recognized", RecognizedJson(trial.result.end.recognized, *trial.sequence)},
-          {"recovered", ToJson(trial.result.end.recovered, *trial.sequence)},
-          {"ignored", ToJson(trial.result.end.ignored, *trial.sequence)},
+          {"recovered", ErrorStatesJson(trial.result.end.recovered, *trial.sequence)},
+          {"ignored", ErrorStatesJson(trial.result.end.ignored, *trial.sequence)},
           {"force", trial.result.greatest_force},
           {"simulated", trial.result.duration},
-          {"sequence", ToJson(*trial.sequence)},
+          {"sequence", SequenceJson(*trial.sequence)},
           {"replay", fmt::format("{}{}", study.replay, trial.number)}};
 }
 
@@ -348,11 +350,11 @@ bool IsTold(const check::RankedContact& contact) {
   return contact.happened > 0 || contact.scale != finemotion::kBeyondLadder;
 }
 
-Json ToJson(const check::MarginRanking& ranking) {
+Json RankingJson(const check::MarginRanking& ranking) {
   Json contacts = Json::array();
   for (const check::RankedContact& contact : ranking.contacts) {
     if (!IsTold(contact)) continue;
-    Json row = ToJson(contact.event);
+    Json row = EventJson(contact.event);
     row.update(
         {{"scale", contact.scale}, {"happened", contact.happened}, {"trials", contact.trials}});
     contacts.push_back(std::move(row));
@@ -381,7 +383,7 @@ std::vector<report::MatingSubject::Motion> MotionsOf(const FineMotionPlan& plan)
     motions.push_back(
         {.ends_with = motion.command.until ? finemotion::Name(*motion.command.until) : "its way",
          .contacts = fmt::format("{}", fmt::join(NamesOf(motion.check.after.kept), ", ")),
-         .unwanted = unwanted.empty() ? "none" : TextOf(unwanted.front())});
+         .unwanted = unwanted.empty() ? "none" : UnwantedText(unwanted.front())});
   }
   return motions;
 }
@@ -422,7 +424,7 @@ Json ToJson(const finemotion::MatingGeometry& geometry, const FineMotionPlan& pl
                  {"missed", plan.comparison.missed}}},
                {"strategy", StrategyJson(plan)},
                {"margins", MarginsJson(plan)}};
-  if (!plan.found() && plan.obstacle) json["obstacle"] = ToJson(*plan.obstacle);
+  if (!plan.found() && plan.obstacle) json["obstacle"] = UnwantedJson(*plan.obstacle);
   return json;
 }
 
@@ -454,24 +456,24 @@ int MatingStudy::CoveredFailures() const {
 }
 
 std::string TextOf(const MatingStudy& study) {
-  std::string text = TextOf("strategy", study.strategy);
+  std::string text = MatedTrialsText("strategy", study.strategy);
   const SequenceTally tally = SequencesOf(study);
   text += fmt::format("contact sequences: {} of {} as planned; {} of {} that are certain\n",
                       tally.matching, study.strategy.size(), tally.covered_matching, tally.covered);
-  for (const MatedTrial& trial : study.strategy) text += TextOf(study, trial);
+  for (const MatedTrial& trial : study.strategy) text += MatedTrialText(study, trial);
   if (const int redrawn = TallyOf(study.strategy).redrawn; redrawn > 0)
     text += fmt::format("errors with which no trial can begin: {}, drawn anew\n", redrawn);
   if (tally.unmapped > 0) {
     text += fmt::format("of no contact of the model: {} of {} points; first {}\n", tally.unmapped,
                         tally.points, tally.first_unmapped);
   }
-  text += TextOf(RecognitionOf(study));
-  return text + TextOf(study.ranking) + TextOf("straight", study.straight);
+  text += RecognitionText(RecognitionOf(study));
+  return text + RankingText(study.ranking) + MatedTrialsText("straight", study.straight);
 }
 
 report::MatingSubject::Trials TrialsOf(const MatingStudy& study) {
-  report::MatingSubject::Trials trials{.outcome = TextOf("strategy", study.strategy),
-                                       .ranking = TextOf(study.ranking),
+  report::MatingSubject::Trials trials{.outcome = MatedTrialsText("strategy", study.strategy),
+                                       .ranking = RankingText(study.ranking),
                                        .contacts = {}};
   for (const check::RankedContact& contact : study.ranking.contacts) {
     if (!IsTold(contact)) continue;
@@ -488,19 +490,19 @@ report::MatingSubject::Trials TrialsOf(const MatingStudy& study) {
 
 Json ToJson(const MatingStudy& study) {
   Json rows = Json::array();
-  for (const MatedTrial& trial : study.strategy) rows.push_back(ToJson(study, trial));
+  for (const MatedTrial& trial : study.strategy) rows.push_back(MatedTrialJson(study, trial));
   const SequenceTally tally = SequencesOf(study);
   return {{"number", study.strategy.size()},
-          {"strategy", ToJson(study.strategy)},
-          {"straight", ToJson(study.straight)},
+          {"strategy", MatedTrialsJson(study.strategy)},
+          {"straight", MatedTrialsJson(study.straight)},
           {"sequences",
            {{"matching", tally.matching},
             {"covered", tally.covered},
             {"covered_matching", tally.covered_matching},
             {"points", tally.points},
             {"unmapped", tally.unmapped}}},
-          {"recognition", ToJson(RecognitionOf(study))},
-          {"ranking", ToJson(study.ranking)},
+          {"recognition", RecognitionJson(RecognitionOf(study))},
+          {"ranking", RankingJson(study.ranking)},
           {"rows", rows}};
 }
 

@@ -34,7 +34,7 @@ using check::TrialOutcome;
 using Json = nlohmann::ordered_json;
 
 // What is kept of each trial.
-struct Row {
+struct NoisyRow {
   TrialOutcome outcome = TrialOutcome::kSucceeded;
   std::string reason = {};
   std::string noise = {};
@@ -108,16 +108,13 @@ class NoisyTrials {
   void Keep(int number, NoisyTrial trial) {
     if (!run_.folder.empty()) WriteFiles(number, trial);
     if (IsSingle()) ledger_ = check::LedgerOf(experiment_, trial.noise, trial.trace);
-    const auto is_violated = [](const check::Claim& claim) {
-      return claim.verdict == check::ClaimVerdict::kViolated;
-    };
-    const Row row = {.outcome = trial.verdict.outcome,
-                     .reason = trial.verdict.reason,
-                     .noise = noise::Text(trial.noise),
-                     .errors_signalled = trial.errors_signalled,
-                     .recovered = trial.recovered,
-                     .operator_called = trial.operator_called,
-                     .violated = std::ranges::any_of(trial.claims, is_violated)};
+    const NoisyRow row = {.outcome = trial.verdict.outcome,
+                          .reason = trial.verdict.reason,
+                          .noise = noise::Text(trial.noise),
+                          .errors_signalled = trial.errors_signalled,
+                          .recovered = trial.recovered,
+                          .operator_called = trial.operator_called,
+                          .violated = std::ranges::any_of(trial.claims, &check::Claim::IsViolated)};
     const std::lock_guard lock(mutex_);
     claims_.emplace(number, std::move(trial.claims));
     rows_.emplace(number, row);
@@ -134,10 +131,10 @@ class NoisyTrials {
         std::ranges::count_if(rows_, [&](const auto& entry) { return holds(entry.second); }));
   }
   int Succeeded() const {
-    return Count([](const Row& row) { return row.outcome == TrialOutcome::kSucceeded; });
+    return Count([](const NoisyRow& row) { return row.outcome == TrialOutcome::kSucceeded; });
   }
   int Failed() const {
-    return Count([](const Row& row) { return row.Failed(); });
+    return Count([](const NoisyRow& row) { return row.Failed(); });
   }
 
   std::string ReplayCommand(int number) const {
@@ -215,12 +212,12 @@ class NoisyTrials {
     text +=
         fmt::format("{} of {} trials succeeded (95 % interval of the rate: {:.1f} to {:.1f} %)\n",
                     Succeeded(), trials, 100 * rate.low, 100 * rate.high);
-    const int signalled = Count([](const Row& row) { return row.errors_signalled > 0; });
+    const int signalled = Count([](const NoisyRow& row) { return row.errors_signalled > 0; });
     if (signalled > 0) {
       text += fmt::format(
           "errors were signalled in {} trials, recovered from in {}, the operator called in {}\n",
-          signalled, Count([](const Row& row) { return row.recovered > 0; }),
-          Count([](const Row& row) { return row.operator_called; }));
+          signalled, Count([](const NoisyRow& row) { return row.recovered > 0; }),
+          Count([](const NoisyRow& row) { return row.operator_called; }));
     }
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
@@ -233,7 +230,7 @@ class NoisyTrials {
   const std::vector<noise::Channel> box_;
   const check::Experiment experiment_;
   std::mutex mutex_;
-  std::map<int, Row> rows_;  // by number
+  std::map<int, NoisyRow> rows_;  // by number
   std::map<int, std::vector<check::Claim>> claims_;
   std::vector<check::LedgerEntry> ledger_;  // of a single trial
 };

@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "sim/cli/quantity.h"
 #include "sim/cli/table.h"
 
 namespace assay::cli {
@@ -15,15 +15,13 @@ using Json = nlohmann::ordered_json;
 using domain::FeatureNumber;
 using domain::PartModel;
 
-constexpr double kDegree = std::numbers::pi / 180;
-
-Json ToJson(const std::vector<FeatureNumber>& numbers) {
+Json NumbersToJson(const std::vector<FeatureNumber>& numbers) {
   Json json = Json::array();
   for (const FeatureNumber number : numbers) json.push_back(number.index());
   return json;
 }
 
-Json ToJson(const geometry::Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
+Json VectorToJson(const geometry::Vector3& v) { return Json::array({v.x(), v.y(), v.z()}); }
 
 std::string GraspTable(const std::vector<domain::Grasp>& grasps) {
   Table table({{"grasp"}, {"width mm", Align::kRight}, {"approach"}, {"closing"}, {"hides"}});
@@ -40,10 +38,10 @@ Json GraspsToJson(const std::vector<domain::Grasp>& grasps) {
   for (const domain::Grasp& grasp : grasps) {
     json.push_back({{"label", grasp.label},
                     {"width", grasp.width},
-                    {"approach", ToJson(grasp.X_PartTool.linear().col(2))},
-                    {"closing", ToJson(grasp.X_PartTool.linear().col(1))},
-                    {"origin", ToJson(grasp.X_PartTool.translation())},
-                    {"hidden", ToJson(grasp.hidden)}});
+                    {"approach", VectorToJson(grasp.X_PartTool.linear().col(2))},
+                    {"closing", VectorToJson(grasp.X_PartTool.linear().col(1))},
+                    {"origin", VectorToJson(grasp.X_PartTool.translation())},
+                    {"hidden", NumbersToJson(grasp.hidden)}});
   }
   return json;
 }
@@ -83,7 +81,7 @@ Json StablePosesToJson(const PartModel& part) {
     json.push_back({{"label", pose.label},
                     {"name", pose.name},
                     {"tilt_margin", pose.tilt_margin},
-                    {"hidden", ToJson(pose.hidden)}});
+                    {"hidden", NumbersToJson(pose.hidden)}});
   }
   return json;
 }

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "planner/assembly/contingent_assembly.h"
+#include "planner/plan/json_layout.h"
 #include "planner/plan/plan_file.h"
 #include "sim/cli/console.h"
 #include "sim/cli/explanation.h"
@@ -24,7 +25,7 @@
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
-namespace {
+namespace plan_verb {
 
 using Json = nlohmann::ordered_json;
 
@@ -58,21 +59,14 @@ posting::UncertaintyOptions UncertaintyOptionsFrom(const Options& options) {
                                                         : uncertainty::Propagation::kSound};
 }
 
-// A plan file is shown as it is.
-PlannedProblem LoadOrMakePlan(const Options& options) {
-  const Document document = Document::Load(options.input);
-  if (!IsPlanFile(document)) {
-    return MakePlan(options.input, options.models, PlannerOptionsFrom(options),
-                    UncertaintyOptionsFrom(options),
-                    {.resolvers = ResolversFrom(options.resolvers)});
-  }
+void RefuseOptionsOfPlanning(const Options& options) {
   for (const CLI::Option* option : options.of_planning) {
     if (option->count() == 0) continue;
     throw UsageError(
         fmt::format("{} is for scenarios, and {} is a plan file (see assay plan --help)",
                     option->get_name(), options.input.string()));
   }
-  return LoadPlan(document, options.input, options.models);
+  if (options.tree) throw UsageError("--tree is for scenarios (see assay plan --help)");
 }
 
 // Plan instances of the first phase, in the order in which they are found.
@@ -161,29 +155,16 @@ ExitCode ExecuteTree(const std::vector<domain::Problem>& worlds, const Options& 
   return ExitCodeOf(assembly.outcome);
 }
 
-// One where no pose is open, and where the input is a plan file.
-std::vector<domain::Problem> WorldsIn(const Options& options) {
-  if (IsPlanFile(Document::Load(options.input))) return {};
-  return LoadWorldsToPlan(options.input, options.models,
-                          {.resolvers = ResolversFrom(options.resolvers)});
-}
-
-ExitCode Execute(const Options& options) {
-  RequireWritable(options.output);
-  const std::vector<domain::Problem> worlds = WorldsIn(options);
-  if (worlds.size() > 1 || options.tree) {
-    if (worlds.empty()) throw UsageError("--tree is for scenarios (see assay plan --help)");
-    return ExecuteTree(worlds, options);
-  }
-  const Stopwatch stopwatch;
-  const PlannedProblem planned = LoadOrMakePlan(options);
-  const double seconds = stopwatch.Seconds();
+ExitCode ExecutePlan(const PlannedProblem& planned, double seconds, const Options& options) {
   const domain::Problem& problem = planned.problem;
   const plan::PlanResult& result = planned.result;
   const std::vector<plan::Plan> instances = ListInstances(problem, options);
 
-  const Json plan_file = plan::ToJson(result, problem, planned.scenario);
-  Json json = plan_file;
+  Json json;
+  if (options.json || !options.output.empty()) {
+    json = plan::ToJson(result, problem, planned.scenario);
+  }
+  const std::string plan_file = options.output.empty() ? "" : plan::LaidOut(json);
   const std::string warning = options.check ? "" : WarningOf(planned);
   if (options.json && !warning.empty()) PrintError(warning);
   std::string text = options.json ? "" : warning + ForPeople(planned, instances, options);
@@ -199,9 +180,28 @@ ExitCode Execute(const Options& options) {
   }
   json["seconds"] = seconds;
   if (!options.explain) text += CountersText(result, seconds);
-  Print(options.json ? json.dump(2) + "\n" : text);
-  if (!options.output.empty()) WriteFile(options.output, plan_file.dump(2) + "\n");
+  Print(options.json ? plan::LaidOut(json) : text);
+  if (!options.output.empty()) WriteFile(options.output, plan_file);
   return holds ? ExitCodeOf(result.outcome) : ExitCode::kFailed;
+}
+
+ExitCode Execute(const Options& options) {
+  RequireWritable(options.output);
+  const Document document = Document::Load(options.input);
+  const Stopwatch stopwatch;
+  // A plan file is shown as it is.
+  if (IsPlanFile(document)) {
+    RefuseOptionsOfPlanning(options);
+    const PlannedProblem planned = ReadPlan(document, options.models);
+    return ExecutePlan(planned, stopwatch.Seconds(), options);
+  }
+  std::vector<domain::Problem> worlds =
+      ReadWorldsToPlan(document, options.models, {.resolvers = ResolversFrom(options.resolvers)});
+  if (worlds.size() > 1 || options.tree) return ExecuteTree(worlds, options);
+  const PlannedProblem planned =
+      MakePlan(document, {std::move(worlds.front()), scenario::ReadSimulation(document)},
+               PlannerOptionsFrom(options), UncertaintyOptionsFrom(options));
+  return ExecutePlan(planned, stopwatch.Seconds(), options);
 }
 
 void DeclarePlanning(CLI::App& command, Options& options) {
@@ -244,7 +244,7 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace plan_verb
 
 const Verb kPlan = {
     .name = "plan",
@@ -252,7 +252,7 @@ const Verb kPlan = {
     .example =
         "assay plan scenarios/spar-fig13.yaml -o plan.json\n"
         "  assay plan plan.json --explain 3",
-    .declare = Declare,
+    .declare = plan_verb::Declare,
 };
 
 }  // namespace assay::cli

@@ -17,11 +17,11 @@ namespace {
 using Json = nlohmann::ordered_json;
 using assembly::ContingentAssembly;
 using assembly::KnowledgeAction;
-using Kind = KnowledgeAction::Kind;
 
 // "verify assemble(peg, block, ...)".
 std::string Words(const std::vector<domain::Problem>& worlds, const ContingentAssembly& assembly,
                   const KnowledgeAction& action) {
+  using Kind = KnowledgeAction::Kind;
   if (action.kind == Kind::kLook) {
     return fmt::format("look({}, {})", worlds.front().part(action.part).name, action.sensor);
   }

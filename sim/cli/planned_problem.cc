@@ -8,7 +8,6 @@
 #include "planner/plan/plan_file.h"
 #include "sim/cli/certificate_check.h"
 #include "sim/cli/progress.h"
-#include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
 namespace {
@@ -26,62 +25,46 @@ std::vector<plan::Flaw> ClaimFlaws(const PlannedProblem& planned) {
   return CertificateFlaws(planned.problem, planned.result.plan, planned.file());
 }
 
-void RequireGoal(const fs::path& file, const domain::Problem& problem) {
+void RequireGoal(const Document& document, const domain::Problem& problem) {
   if (!problem.goals.empty()) return;
-  throw InputError({.file = file.string()},
+  throw InputError({.file = document.file()},
                    "the goal is one of knowledge, which `assay enact` plans for",
                    "a scenario with a key `goal`");
 }
 
 }  // namespace
 
-scenario::Scenario LoadScenario(const fs::path& file, const fs::path& models,
-                                const scenario::Overrides& overrides) {
-  // A file that cannot be read is to be named before its models are looked for.
-  if (models.empty()) Document::Load(file);
-  return scenario::Load(file, models.empty() ? scenario::FindModels(file) : models, overrides);
-}
-
-std::vector<domain::Problem> LoadWorlds(const fs::path& file, const fs::path& models,
-                                        const scenario::Overrides& overrides) {
-  if (models.empty()) Document::Load(file);
-  return scenario::LoadWorlds(file, models.empty() ? scenario::FindModels(file) : models,
-                              overrides);
-}
-
-std::vector<domain::Problem> LoadWorldsToPlan(const fs::path& file, const fs::path& models,
+std::vector<domain::Problem> ReadWorldsToPlan(const Document& document, const fs::path& models,
                                               const scenario::Overrides& overrides) {
-  std::vector<domain::Problem> worlds = LoadWorlds(file, models, overrides);
-  RequireGoal(file, worlds.front());
+  std::vector<domain::Problem> worlds = scenario::ReadWorlds(document, models, overrides);
+  RequireGoal(document, worlds.front());
   return worlds;
 }
 
-PlannedProblem LoadPlan(const Document& plan_file, const fs::path& file, const fs::path& models) {
-  const fs::path path = FindScenario(plan::ScenarioOf(plan_file), file);
-  scenario::Scenario scenario = LoadScenario(path, models);
+PlannedProblem ReadPlan(const Document& plan_file, const fs::path& models) {
+  const fs::path path = FindScenario(plan::ScenarioOf(plan_file), plan_file.file());
+  scenario::Scenario scenario = scenario::Load(path, models);
   plan::PlanResult result = plan::ReadPlan(plan_file, scenario.problem);
   return {path.string(), std::move(scenario.problem), std::move(scenario.simulation),
-          std::move(result), file.string()};
+          std::move(result), plan_file.file()};
 }
 
-PlannedProblem LoadOrMakePlan(const fs::path& file, const fs::path& models) {
-  const Document document = Document::Load(file);
-  return IsPlanFile(document) ? LoadPlan(document, file, models) : MakePlan(file, models, {}, {});
-}
-
-PlannedProblem MakePlan(const fs::path& file, const fs::path& models,
+PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
                         const posting::PlannerOptions& planner,
-                        const posting::UncertaintyOptions& uncertainty,
-                        const scenario::Overrides& overrides) {
-  scenario::Scenario scenario = LoadScenario(file, models, overrides);
-  RequireGoal(file, scenario.problem);
+                        const posting::UncertaintyOptions& uncertainty) {
+  RequireGoal(document, scenario.problem);
   plan::PlanResult result = PlanWithProgress(scenario.problem, planner, uncertainty);
-  return {file.string(), std::move(scenario.problem), std::move(scenario.simulation),
+  return {document.file(), std::move(scenario.problem), std::move(scenario.simulation),
           std::move(result)};
 }
 
+PlannedProblem ReadOrMakePlan(const Document& document, const fs::path& models) {
+  return IsPlanFile(document) ? ReadPlan(document, models)
+                              : MakePlan(document, scenario::Read(document, models), {}, {});
+}
+
 bool IsPlanFile(const Document& document) {
-  return document.root().At("format").OneOf({"assay-scenario/1", "assay-plan/1"}) == 1;
+  return document.root().At("format").OneOf({"assay-scenario/1", "assay-plan/2"}) == 1;
 }
 
 plan::PlanResult PlanWithProgress(const domain::Problem& problem,

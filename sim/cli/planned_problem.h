@@ -25,37 +25,27 @@ struct PlannedProblem {
 };
 
 // All throw InputError for what is wrong in a file. `models`: the folder given, or empty.
-scenario::Scenario LoadScenario(const std::filesystem::path& file,
-                                const std::filesystem::path& models,
-                                const scenario::Overrides& overrides = {});
 
-// The problems of all worlds that a scenario allows (domain::ReadWorlds).
-std::vector<domain::Problem> LoadWorlds(const std::filesystem::path& file,
-                                        const std::filesystem::path& models,
-                                        const scenario::Overrides& overrides = {});
-
-// The same, of a scenario that says what is to be assembled.
-std::vector<domain::Problem> LoadWorldsToPlan(const std::filesystem::path& file,
+// The problems of all worlds that a scenario allows (domain::ReadWorlds), which says what is to be
+// assembled.
+std::vector<domain::Problem> ReadWorldsToPlan(const Document& document,
                                               const std::filesystem::path& models,
                                               const scenario::Overrides& overrides = {});
-
-// A plan file, with the problem in the scenario that it names: a path from the working directory
-// or, if there is no such file, from the plan file's folder.
-PlannedProblem LoadPlan(const Document& plan_file, const std::filesystem::path& file,
-                        const std::filesystem::path& models);
 
 // Of the two formats, throws InputError if the file has neither.
 bool IsPlanFile(const Document& document);
 
-// For a scenario file.
-PlannedProblem MakePlan(const std::filesystem::path& file, const std::filesystem::path& models,
+// A plan file, with the problem in the scenario that it names: a path from the working directory
+// or, if there is no such file, from the plan file's folder.
+PlannedProblem ReadPlan(const Document& plan_file, const std::filesystem::path& models);
+
+// For a scenario, of which `document` is the file.
+PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
                         const posting::PlannerOptions& planner,
-                        const posting::UncertaintyOptions& uncertainty,
-                        const scenario::Overrides& overrides = {});
+                        const posting::UncertaintyOptions& uncertainty);
 
 // A plan file is read; for a scenario a plan is made.
-PlannedProblem LoadOrMakePlan(const std::filesystem::path& file,
-                              const std::filesystem::path& models);
+PlannedProblem ReadOrMakePlan(const Document& document, const std::filesystem::path& models);
 
 // Both phases of the planner, with progress for people on a terminal.
 plan::PlanResult PlanWithProgress(const domain::Problem& problem,

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "planner/algebra/sensitivity.h"
+#include "planner/algebra/simplify.h"
 #include "planner/algebra/text.h"
 
 namespace assay::cli {
@@ -65,17 +66,17 @@ CertificateProofs::CertificateProofs(const plan::PlannedStep& step, const std::s
 Proof CertificateProofs::Of(const CertifiedPrecondition& claim) const {
   const algebra::ExpressionPool& pool = algebra_.pool();
   const algebra::ConstraintSet& box = algebra_.box();
-  const Expression e = algebra_.Read(claim.expression);
+  const Expression e = algebra::Simplify(algebra_.Read(claim.expression));
   const bool less = claim.relation == Relation::kLess;
   std::vector<double> point;
   for (const Interval& range : box.box) point.push_back(MiddleOf(range));
   Proof proof = {.claim = claim, .nominal = algebra::Evaluate(e, point)};
   proof.terms = TermTexts(e, box);
   std::vector<std::optional<double>> worst(box.box.size());
-  for (const plan::ErrorVariable& corner : claim.worst) {
-    const auto variable = pool.Find(corner.name);
-    if (!variable) continue;
-    worst[variable->index()] = point[variable->index()] = MiddleOf(corner.range);
+  for (const auto& [name, value] : claim.worst) {
+    if (const auto variable = pool.Find(name)) {
+      worst[variable->index()] = point[variable->index()] = value;
+    }
   }
   if (!claim.worst.empty()) proof.at_worst = algebra::Evaluate(e, point);
   if (std::isfinite(claim.bound)) {

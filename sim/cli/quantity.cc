@@ -3,13 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace assay::cli {
 namespace {
-
-constexpr Unit kMillimetre = {"mm", 1000};
-constexpr Unit kDegree = {"deg", 180 / std::numbers::pi};
 
 constexpr int kDigits = 4;
 constexpr double kNothing = 1e-9;  // millimetres or degrees: what is below counts as 0
@@ -29,14 +25,14 @@ double TowardZero(double number) {
 
 Unit UnitOf(const std::string& variable) {
   for (const char* angle : {"theta_", "skew_", "tip_", "twist_", "turn_"}) {
-    if (variable.starts_with(angle)) return kDegree;
+    if (variable.starts_with(angle)) return kAngleUnit;
   }
-  return kMillimetre;
+  return kLengthUnit;
 }
 
 Unit UnitOf(const plan::CertifiedPrecondition& precondition) {
   const bool is_angle = precondition.condition == "tilt" || precondition.condition == "tip turn";
-  return is_angle ? kDegree : kMillimetre;
+  return is_angle ? kAngleUnit : kLengthUnit;
 }
 
 std::string QuantityText(double value, const Unit& unit) {

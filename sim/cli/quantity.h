@@ -1,5 +1,6 @@
 #pragma once
 
+#include <numbers>
 #include <string>
 
 #include "planner/base/interval.h"
@@ -12,6 +13,9 @@ struct Unit {
   const char* name;
   double scale;  // people's number / SI's
 };
+inline constexpr Unit kLengthUnit = {"mm", 1000};
+inline constexpr Unit kAngleUnit = {"deg", 180 / std::numbers::pi};
+inline constexpr double kDegree = std::numbers::pi / 180;  // radians
 
 // Of what an error variable measures: theta, skew, tip, twist and turn are angles, all else
 // lengths.

@@ -15,7 +15,7 @@
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
-namespace {
+namespace render_verb {
 
 using Json = nlohmann::ordered_json;
 
@@ -42,7 +42,7 @@ std::string ForPeople(const Film& film, const exec::ExecutionEnd& end) {
 
 ExitCode Execute(const Options& options) {
   MakeFolder(options.folder);
-  const PlannedProblem planned = LoadOrMakePlan(options.input, options.models);
+  const PlannedProblem planned = ReadOrMakePlan(Document::Load(options.input), options.models);
   if (planned.result.outcome != Outcome::kFound) {
     Print(Text(planned.problem, planned.result));
     return ExitCodeOf(planned.result.outcome);
@@ -72,13 +72,13 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace render_verb
 
 const Verb kRender = {
     .name = "render",
     .summary = "takes pictures of the start and of every step's end",
     .example = "assay render scenarios/spar-fig13.yaml -o out/fig13 --camera close --size 640x480",
-    .declare = Declare,
+    .declare = render_verb::Declare,
 };
 
 }  // namespace assay::cli

@@ -27,7 +27,7 @@
 #include "sim/sweep/work.h"
 
 namespace assay::cli {
-namespace {
+namespace replay_verb {
 
 using Json = nlohmann::ordered_json;
 using sweep::TrialRecord;
@@ -231,13 +231,13 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace replay_verb
 
 const Verb kReplay = {
     .name = "replay",
     .summary = "runs one trial of a sweep again, and tells whether it comes out the same",
     .example = "assay replay fig15.sqlite 17 --renders -o out/trial-17",
-    .declare = Declare,
+    .declare = replay_verb::Declare,
 };
 
 }  // namespace assay::cli

@@ -19,7 +19,7 @@
 #include "sim/report/page.h"
 
 namespace assay::cli {
-namespace {
+namespace report_verb {
 
 namespace fs = std::filesystem;
 
@@ -119,13 +119,13 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace report_verb
 
 const Verb kReport = {
     .name = "report",
     .summary = "makes one HTML page of the database of a sweep, and tables",
     .example = "assay report fig15.sqlite -o fig15.html --csv fig15-tables --pictures",
-    .declare = Declare,
+    .declare = report_verb::Declare,
 };
 
 }  // namespace assay::cli

@@ -10,6 +10,7 @@
 #include <optional>
 #include <sstream>
 
+#include "planner/plan/json_layout.h"
 #include "planner/plan/plan_file.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
@@ -28,7 +29,7 @@
 #include "sim/cli/verb.h"
 
 namespace assay::cli {
-namespace {
+namespace run_verb {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
@@ -191,7 +192,7 @@ ExitCode Refuse(const std::string& text, const Json& json, const Options& option
 }
 
 ExitCode ExecuteScattered(const Options& options) {
-  scenario::Scenario scenario = LoadScenario(options.input, options.models);
+  scenario::Scenario scenario = scenario::Load(options.input, options.models);
   scenario.simulation.scene.grasp = options.grasp.value_or(scenario.simulation.scene.grasp);
   return RunScattered({.scenario = options.input,
                        .models = options.models,
@@ -209,8 +210,9 @@ bool ChangesThePlan(const Options& options) {
 }
 
 PlannedProblem Planned(const Options& options) {
-  if (!ChangesThePlan(options)) return LoadOrMakePlan(options.input, options.models);
-  if (IsPlanFile(Document::Load(options.input))) {
+  const Document document = Document::Load(options.input);
+  if (!ChangesThePlan(options)) return ReadOrMakePlan(document, options.models);
+  if (IsPlanFile(document)) {
     throw UsageError(
         "run: --propagation, --resolvers and --error-scale are for scenarios: a plan file has been "
         "planned already");
@@ -220,7 +222,7 @@ PlannedProblem Planned(const Options& options) {
   scenario::Overrides overrides;
   overrides.error_scale = options.error_scale;
   overrides.resolvers = ResolversFrom(options.resolvers);
-  return MakePlan(options.input, options.models, {}, uncertainty, overrides);
+  return MakePlan(document, scenario::Read(document, options.models, overrides), {}, uncertainty);
 }
 
 // What makes the same plan again.
@@ -270,7 +272,7 @@ ExitCode Execute(const Options& options) {
   PlannedProblem planned = Planned(options);
   const plan::PlanResult& result = planned.result;
   Json plan_file = plan::ToJson(result, planned.problem, planned.scenario);
-  if (!options.folder.empty()) WriteFile(options.folder / "plan.json", plan_file.dump(2) + "\n");
+  if (!options.folder.empty()) WriteFile(options.folder / "plan.json", plan::LaidOut(plan_file));
   if (result.outcome != Outcome::kFound) {
     return Refuse(Text(planned.problem, result), plan_file, options, ExitCodeOf(result.outcome));
   }
@@ -344,13 +346,13 @@ Execution Declare(CLI::App& command) {
   return [options] { return Execute(*options); };
 }
 
-}  // namespace
+}  // namespace run_verb
 
 const Verb kRun = {
     .name = "run",
     .summary = "executes a plan in physics and judges what came of it",
     .example = "assay run scenarios/spar-fig13.yaml --renders -o out/fig13",
-    .declare = Declare,
+    .declare = run_verb::Declare,
 };
 
 }  // namespace assay::cli

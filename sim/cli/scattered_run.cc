@@ -26,7 +26,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kSucceeded = "succeeded";
 
-struct Row {
+struct ScatteredRow {
   int number = 0;
   std::string outcome = {};
   std::string reason = {};
@@ -53,7 +53,7 @@ class Scattering {
   }
 
  private:
-  Row RunOne(int number) const {
+  ScatteredRow RunOne(int number) const {
     RandomStream random(run_.seed, fmt::format("scatter/{}", number));
     const std::optional<domain::Problem> problem = domain::Scatter(scenario_.problem, random);
     if (!problem) return {number, "no-room", "no places for all parts were found"};
@@ -70,14 +70,14 @@ class Scattering {
     return {number, std::string(check::Name(trial.verdict.outcome)), trial.verdict.reason, actions};
   }
 
-  static Row WithoutPlan(int number, const plan::PlanResult& result) {
+  static ScatteredRow WithoutPlan(int number, const plan::PlanResult& result) {
     std::string conflict;
     for (const std::string& constraint : result.conflict) {
       conflict += (conflict.empty() ? "" : "; ") + constraint;
     }
     return result.outcome == Outcome::kNone
-               ? Row{number, "no-plan", conflict}
-               : Row{number, "budget", "the planner's budget was spent before an answer"};
+               ? ScatteredRow{number, "no-plan", conflict}
+               : ScatteredRow{number, "budget", "the planner's budget was spent before an answer"};
   }
 
   void WriteTrace(const Trial& trial) const {
@@ -86,7 +86,7 @@ class Scattering {
     WriteFile(run_.folder / fmt::format("trace-{}.jsonl", trial.number), text.str());
   }
 
-  void Keep(Row row) {
+  void Keep(ScatteredRow row) {
     const std::lock_guard lock(mutex_);
     const int number = row.number;
     rows_.emplace(number, std::move(row));
@@ -153,7 +153,7 @@ class Scattering {
   const scenario::Scenario& scenario_;
   const Stopwatch stopwatch_;
   std::mutex mutex_;
-  std::map<int, Row> rows_;  // by number
+  std::map<int, ScatteredRow> rows_;  // by number
   Progress progress_;
 };
 

@@ -23,7 +23,7 @@
 #include "sim/sweep/slurm.h"
 
 namespace assay::cli {
-namespace {
+namespace sweep_verb {
 
 using Json = nlohmann::ordered_json;
 namespace fs = std::filesystem;
@@ -276,7 +276,7 @@ Execution Declare(CLI::App& command) {
   };
 }
 
-}  // namespace
+}  // namespace sweep_verb
 
 const Verb kSweep = {
     .name = "sweep",
@@ -285,7 +285,7 @@ const Verb kSweep = {
         "assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite\n"
         "  assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite --resume\n"
         "\nInterrupted, it ends with 11, and --resume goes on where it was.",
-    .declare = Declare,
+    .declare = sweep_verb::Declare,
 };
 
 }  // namespace assay::cli

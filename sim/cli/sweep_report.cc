@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "sim/cli/models_folder.h"
+#include "sim/cli/json_number.h"
 #include "sim/cli/table.h"
 #include "sim/cli/verdict_tally.h"
 #include "sim/scenario/scenario.h"
@@ -151,49 +150,44 @@ std::string SpeedText(const sweep::RunRecord& run) {
       done.steps, done.seconds, run.jobs, done.StepsPerSecond());
 }
 
-Json ToJson(const sweep::RunRecord& run) {
+Json RunJson(const sweep::RunRecord& run) {
   const sweep::Throughput& done = run.throughput;
   return {{"shard", run.shard},      {"jobs", run.jobs},
           {"trials", done.trials},   {"steps", done.steps},
           {"seconds", done.seconds}, {"steps_per_second", done.StepsPerSecond()}};
 }
 
-Json ToJson(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
-Json ToJson(const sweep::CounterexampleRecord& example, const std::string& database) {
-  const auto number = [](double value) {
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-  };
+Json CounterexampleJson(const sweep::CounterexampleRecord& example, const std::string& database) {
   return {{"claim", example.claim},       {"action", example.action},
           {"name", example.name},         {"unit", example.unit},
-          {"observed", example.observed}, {"low", number(example.low)},
-          {"high", number(example.high)}, {"margin", example.margin},
+          {"observed", example.observed}, {"low", OrNull(example.low)},
+          {"high", OrNull(example.high)}, {"margin", example.margin},
           {"gate", example.gate},         {"noise", example.noise},
           {"steps", example.steps},       {"replayed", example.replayed},
           {"multiple", example.multiple}, {"replay", CommandOf(example.replay, database)}};
 }
 
-Json ToJson(const CellAttack& cell, const std::string& database) {
+Json AttackJson(const CellAttack& cell, const std::string& database) {
   const sweep::AttackRecord& attack = cell.attack;
   Json json = {{"cell", cell.cell},
                {"attempts", attack.attempts},
-               {"verdicts", cli::ToJson(attack.certificates)},
-               {"claims", cli::ToJson(attack.claims)},
+               {"verdicts", ToJson(attack.certificates)},
+               {"claims", ToJson(attack.claims)},
                {"counterexamples", Json::array()},
                {"conservatism", Json::array()}};
   for (const sweep::CounterexampleRecord& example : attack.counterexamples) {
-    json["counterexamples"].push_back(ToJson(example, database));
+    json["counterexamples"].push_back(CounterexampleJson(example, database));
   }
   for (const sweep::ConservatismRecord& ratio : attack.conservatism) {
     json["conservatism"].push_back({{"variable", ratio.variable},
                                     {"guaranteed", ratio.guaranteed},
-                                    {"broken", ToJson(ratio.broken)},
-                                    {"ratio", ToJson(ratio.ratio)}});
+                                    {"broken", OrNull(ratio.broken)},
+                                    {"ratio", OrNull(ratio.ratio)}});
   }
   return json;
 }
 
-Json ToJson(const CellSummary& summary) {
+Json CellJson(const CellSummary& summary) {
   const CellRecord& cell = summary.cell;
   const Interval interval = sweep::WilsonInterval(summary.succeeded, summary.done);
   return {{"cell", cell.cell},
@@ -214,7 +208,7 @@ Json ToJson(const CellSummary& summary) {
           {"succeeded", summary.succeeded},
           {"interval", {interval.low, interval.high}},
           {"failed", summary.failed},
-          {"verdicts", cli::ToJson(summary.certificates)},
+          {"verdicts", ToJson(summary.certificates)},
           {"signalled", summary.with_errors},
           {"recovered", summary.recovered},
           {"operator_called", summary.operator_called}};
@@ -226,8 +220,7 @@ void LoadAll(const sweep::Sweep& sweep, const std::filesystem::path& models) {
     const std::filesystem::path file = sweep.PathOf(name);
     for (const std::optional<double>& clearance : sweep.clearances) {
       for (const double scale : sweep.error_scales) {
-        scenario::Load(file, FindModels(models, file),
-                       {.clearance = clearance, .error_scale = scale});
+        scenario::Load(file, models, {.clearance = clearance, .error_scale = scale});
       }
     }
   }
@@ -296,15 +289,15 @@ Json ToJson(const SweepResults& results) {
   const std::map<std::string, int> failures = Failures(results);
   Json json = {{"database", results.database}, {"trials", results.trials},
                {"done", results.Done()},       {"succeeded", results.Succeeded()},
-               {"failed", failures},           {"verdicts", cli::ToJson(results.Certificates())},
+               {"failed", failures},           {"verdicts", ToJson(results.Certificates())},
                {"replay", Json::array()},      {"cells", Json::array()},
                {"attacks", Json::array()},     {"runs", Json::array()}};
   if (results.first_bad > 0) json["replay"].push_back(ReplayCommand(results));
-  for (const CellSummary& summary : results.cells) json["cells"].push_back(ToJson(summary));
+  for (const CellSummary& summary : results.cells) json["cells"].push_back(CellJson(summary));
   for (const CellAttack& cell : results.attacks) {
-    json["attacks"].push_back(ToJson(cell, results.database));
+    json["attacks"].push_back(AttackJson(cell, results.database));
   }
-  for (const sweep::RunRecord& run : results.runs) json["runs"].push_back(ToJson(run));
+  for (const sweep::RunRecord& run : results.runs) json["runs"].push_back(RunJson(run));
   return json;
 }
 

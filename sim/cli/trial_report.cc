@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <vector>
 
+#include "sim/cli/quantity.h"
 #include "sim/cli/table.h"
 
 namespace assay::cli {
@@ -68,10 +68,9 @@ struct PeoplesUnit {
   double scale = 1;
 };
 
-PeoplesUnit ForPeople(const std::string& unit) {
-  constexpr double kDegrees = 180 / std::numbers::pi;
-  if (unit.starts_with("rad")) return {"deg" + unit.substr(3), kDegrees};
-  if (unit.starts_with("m")) return {"m" + unit, 1000};
+PeoplesUnit PeoplesUnitOf(const std::string& unit) {
+  if (unit.starts_with("rad")) return {kAngleUnit.name + unit.substr(3), kAngleUnit.scale};
+  if (unit.starts_with("m")) return {"m" + unit, kLengthUnit.scale};
   return {unit, 1};
 }
 
@@ -79,7 +78,7 @@ std::string FindingTable(const std::vector<check::Finding>& findings) {
   Table table(
       {{"goal"}, {"value", Align::kRight}, {"limit", Align::kRight}, {"unit"}, {"verdict"}});
   for (const check::Finding& finding : findings) {
-    const PeoplesUnit unit = ForPeople(finding.unit);
+    const PeoplesUnit unit = PeoplesUnitOf(finding.unit);
     table.Add({finding.name, fmt::format("{:.4f}", unit.scale * finding.value),
                fmt::format("{:.4f}", unit.scale * finding.limit), unit.name,
                finding.holds ? "holds" : "violated"});

@@ -26,6 +26,7 @@ struct Verb {
 extern const Verb kBound;
 extern const Verb kCalibrate;
 extern const Verb kCheck;
+extern const Verb kCompletion;
 extern const Verb kDoctor;
 extern const Verb kEnact;
 extern const Verb kExport;

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
+#include "sim/cli/json_number.h"
+#include "sim/cli/quantity.h"
 #include "sim/cli/table.h"
 
 namespace assay::cli {
@@ -16,10 +16,10 @@ using check::Claim;
 using check::VerdictCounts;
 using Json = nlohmann::ordered_json;
 
-constexpr double kDegrees = 180 / std::numbers::pi;
-
-double Scale(const std::string& unit) { return unit == "m" ? 1e3 : unit == "rad" ? kDegrees : 1; }
-const char* PeoplesUnit(const std::string& unit) {
+double ScaleOf(const std::string& unit) {
+  return unit == "m" ? kLengthUnit.scale : unit == "rad" ? kAngleUnit.scale : 1;
+}
+const char* UnitText(const std::string& unit) {
   return unit == "m" ? " mm" : unit == "rad" ? " deg" : "";
 }
 
@@ -27,8 +27,6 @@ const char* PeoplesUnit(const std::string& unit) {
 bool IsAngle(const std::string& name) {
   return name.starts_with("theta") || name.starts_with("tip") || name.starts_with("twist");
 }
-
-Json Finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 std::string Place(const Claim& claim) {
   switch (claim.about) {
@@ -119,12 +117,12 @@ Json ToJson(const VerdictCounts& counts) {
 }
 
 std::string Text(const Claim& claim) {
-  const double scale = Scale(claim.unit);
+  const double scale = ScaleOf(claim.unit);
   const auto number = [&](double value) { return fmt::format("{:+.3f}", scale * value); };
   if (claim.unit.empty()) return claim.name + ": it does not";
   return fmt::format("{}{} {} in [{}, {}]{}, gate {:.3f}", Place(claim), claim.name,
                      number(claim.observed), number(claim.predicted.low),
-                     number(claim.predicted.high), PeoplesUnit(claim.unit), scale * claim.gate);
+                     number(claim.predicted.high), UnitText(claim.unit), scale * claim.gate);
 }
 
 Json ToJson(const plan::Plan& plan, const Claim& claim) {
@@ -132,7 +130,7 @@ Json ToJson(const plan::Plan& plan, const Claim& claim) {
           {"about", check::Name(claim.about)},
           {"claim", claim.name},
           {"unit", claim.unit},
-          {"predicted", {Finite(claim.predicted.low), Finite(claim.predicted.high)}},
+          {"predicted", {OrNull(claim.predicted.low), OrNull(claim.predicted.high)}},
           {"proved", claim.proved},
           {"observed", claim.observed},
           {"margin", claim.margin},

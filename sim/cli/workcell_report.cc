@@ -4,7 +4,6 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "sim/cli/quantity.h"
 #include "sim/cli/table.h"
@@ -33,7 +32,6 @@ std::string NameOf(domain::RecoveryStrategy strategy) {
   return domain::RecoveryStrategyNames()[static_cast<std::size_t>(strategy)];
 }
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::array kRules = {
     Rule{"tool_lean", &WorkcellRules::tool_lean, "deg", kDegree},
     Rule{"approach_step", &WorkcellRules::approach_step, "deg", kDegree},
@@ -53,25 +51,24 @@ std::string NamedOrNothing(const std::string& error) { return error.empty() ? "-
 
 // What the workcell can do about uncertainty.
 std::string OperationsText(const domain::UncertaintyOperations& operations) {
-  const Unit length = UnitOf("dx_");
-  const Unit angle = UnitOf("theta_");
   Table sensors({{"sensor"}, {"x mm"}, {"y mm"}, {"z mm"}, {"theta deg"}, {""}});
   for (const domain::SensorModel& sensor : operations.sensors) {
-    sensors.Add({sensor.name, RangeText(sensor.x, length), RangeText(sensor.y, length),
-                 RangeText(sensor.z, length), RangeText(sensor.theta, angle), sensor.description});
+    sensors.Add({sensor.name, RangeText(sensor.x, kLengthUnit), RangeText(sensor.y, kLengthUnit),
+                 RangeText(sensor.z, kLengthUnit), RangeText(sensor.theta, kAngleUnit),
+                 sensor.description});
   }
   Table verifications({{"verification"}, {"after"}, {"measures"}, {"+-"}, {"less"}, {"more"}});
   for (const domain::VerificationTemplate& check : operations.verifications) {
     verifications.Add({check.name, NameOf(check.after), NameOf(check.quantity),
-                       QuantityText(check.tolerance, length), NamedOrNothing(check.below),
+                       QuantityText(check.tolerance, kLengthUnit), NamedOrNothing(check.below),
                        NamedOrNothing(check.above)});
   }
   Table recoveries({{"recovery from"}, {"strategy"}, {"radius"}, {"pitch"}});
   for (const domain::RecoveryTemplate& recovery : operations.recoveries) {
     const bool searches = recovery.strategy == domain::RecoveryStrategy::kGropingSearch;
     recoveries.Add({recovery.error, NameOf(recovery.strategy),
-                    searches ? QuantityText(recovery.radius, length) : "-",
-                    searches ? QuantityText(recovery.pitch, length) : "-"});
+                    searches ? QuantityText(recovery.radius, kLengthUnit) : "-",
+                    searches ? QuantityText(recovery.pitch, kLengthUnit) : "-"});
   }
   std::string text;
   if (!operations.sensors.empty()) text += fmt::format("\n{}", sensors.Text());

@@ -23,28 +23,27 @@ using geometry::Vector2;
 using geometry::Vector3;
 using kinematics::JointVector;
 
-constexpr double kPitch = 0.05;       // metres between places that are tried
-constexpr int kYaws = 8;              // turns that are tried at each place
-constexpr double kHandRoom = 0.06;    // metres between parts, for fingers that let go
+constexpr double kPlacePitch = 0.05;  // metres between places that are tried
+constexpr double kPlaceRoom = 0.06;   // metres between parts, for fingers that let go
 constexpr double kClearance = 0.015;  // metres: parts are where they are believed up to some errors
-constexpr double kLook = 0.02;        // metres of the tool's way between looks at lines
+constexpr double kLookPitch = 0.02;   // metres of the tool's way between looks at lines
 constexpr int kMostSearches = 20;     // in vain, the whole budget of each
 constexpr std::int64_t kBudget = 20'000;  // postures that a search looks at
-constexpr domain::Range kTilts = {std::numbers::pi / 1800, std::numbers::pi / 2};
+constexpr domain::Range kUprightTilts = {std::numbers::pi / 1800, std::numbers::pi / 2};
 
 // Places on a table, nearest to its middle first.
 std::vector<Vector2> PlacesOn(const domain::Table& table) {
   Eigen::AlignedBox2d box;
   for (const Vector2& corner : table.top) box.extend(corner);
-  const Eigen::Vector2i steps = (box.sizes() / 2 / kPitch).cast<int>();
+  const Eigen::Vector2i steps = (box.sizes() / 2 / kPlacePitch).cast<int>();
   std::vector<Vector2> places;
   for (int i = -steps.x(); i <= steps.x(); ++i) {
     for (int k = -steps.y(); k <= steps.y(); ++k) {
-      places.emplace_back(box.center() + kPitch * Vector2(i, k));
+      places.emplace_back(box.center() + kPlacePitch * Vector2(i, k));
     }
   }
   const auto squared = [&](const Vector2& p) {
-    return std::round((p - box.center()).squaredNorm() / (kPitch * kPitch));
+    return std::round((p - box.center()).squaredNorm() / (kPlacePitch * kPlacePitch));
   };
   std::ranges::stable_sort(places, {}, squared);
   return places;
@@ -107,8 +106,9 @@ class WaySearch {
     }
     std::vector<Pose> free;
     for (const Vector2& place : PlacesOn(table_)) {
-      for (int i = 0; i < kYaws; ++i) {
-        Pose X_WorldPart = geometry::RotationZ(2 * std::numbers::pi * i / kYaws) * X_WorldHeld();
+      for (int i = 0; i < kYawsTried; ++i) {
+        Pose X_WorldPart =
+            geometry::RotationZ(2 * std::numbers::pi * i / kYawsTried) * X_WorldHeld();
         X_WorldPart.translation() = Vector3(place.x(), place.y(), -lowest);
         if (IsFree(part, X_WorldPart, standing)) free.push_back(X_WorldPart);
       }
@@ -122,7 +122,7 @@ class WaySearch {
     const geometry::Polygon footprint = domain::Footprint(part, X_WorldPart);
     return std::ranges::all_of(standing, [&](const domain::PlacedPart& other) {
       const domain::Part& neighbour = situation_.problem().part(other.part);
-      return geometry::Gap(footprint, domain::Footprint(neighbour, other.X_WorldPart)) > kHandRoom;
+      return geometry::Gap(footprint, domain::Footprint(neighbour, other.X_WorldPart)) > kPlaceRoom;
     });
   }
 
@@ -158,7 +158,7 @@ class WaySearch {
   // The same as travels ask on their lines (motion::PlanTravel), so that putting down need not look
   // for another posture.
   bool IsFreeBelow(const JointVector& q, const std::vector<Vector3>& corners) {
-    const auto lines = motion::FollowLines(workcell_, q, corners, kLook);
+    const auto lines = motion::FollowLines(workcell_, q, corners, kLookPitch);
     if (!lines) return false;
     for (motion::MotionCheck* check : {&arm_on_lines_, &robots_on_lines_}) {
       for (std::size_t i = 0; i + 1 < lines->size(); ++i) {
@@ -241,7 +241,7 @@ const SkillWord kCarry = {
       const auto to = map.Find("to");
       const auto upright = map.Find("upright");
       std::optional<double> tilt;
-      if (upright) tilt = domain::ReadWithin(*upright, context.units.angle, kTilts);
+      if (upright) tilt = domain::ReadWithin(*upright, context.units.angle, kUprightTilts);
       return std::make_unique<Carry>(to ? &ReadTable(*to, context.problem) : nullptr, tilt);
     },
 };

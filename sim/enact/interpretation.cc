@@ -15,7 +15,7 @@
 namespace assay::enact {
 namespace {
 
-constexpr domain::Range kTilts = {std::numbers::pi / 18000, std::numbers::pi};
+constexpr domain::Range kSpillTilts = {std::numbers::pi / 18000, std::numbers::pi};
 
 // Reads the key `knowledge`.
 class KnowledgeFile {
@@ -200,7 +200,8 @@ class KnowledgeFile {
                      "a predicate with one");
     }
     RequireMeaningOfParts(predicate);
-    read_.spill = {predicate.Text(), domain::ReadWithin(map.At("beyond"), units_.angle, kTilts)};
+    read_.spill = {predicate.Text(),
+                   domain::ReadWithin(map.At("beyond"), units_.angle, kSpillTilts)};
   }
 
   // What spills is asked of each part, with nothing beside it.
@@ -226,8 +227,7 @@ class KnowledgeFile {
 
 // A scenario without the key `knowledge`: what is to be known are its open poses, and whether steps
 // of its plans went well.
-KnowledgeScenario LoadPlanned(const Document& document, const std::filesystem::path& file,
-                              const std::filesystem::path& models) {
+KnowledgeScenario ReadPlanned(const Document& document, const std::filesystem::path& models) {
   auto planned = std::make_shared<PlannedWorlds>();
   planned->worlds = domain::ReadWorlds(document, models, {});
   planned->assembly = assembly::MakeContingentPlan(planned->worlds, {}, {});
@@ -235,7 +235,8 @@ KnowledgeScenario LoadPlanned(const Document& document, const std::filesystem::p
   for (const domain::OpenPose& open : planned->worlds.front().open_poses) {
     first.poses[planned->worlds.front().part(open.part).name] = 0;
   }
-  KnowledgeScenario loaded{.scenario = scenario::Load(file, models, first), .interpretation = {}};
+  KnowledgeScenario loaded{.scenario = scenario::Read(document, models, first),
+                           .interpretation = {}};
   loaded.interpretation = InterpretationOf(std::move(planned));
   return loaded;
 }
@@ -259,13 +260,16 @@ bool Interpretation::CanSpill(const Truth& truth, PartId part) const {
   return spill && meanings.at(spill->predicate)->IsTrue(truth, {.part = part});
 }
 
-KnowledgeScenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {
-  const Document document = Document::Load(file);
+KnowledgeScenario Read(const Document& document, const std::filesystem::path& models) {
   document.RequireFormat("assay-scenario/1");
-  if (!document.root().Find("knowledge")) return LoadPlanned(document, file, models);
-  KnowledgeScenario loaded{.scenario = scenario::Load(file, models), .interpretation = {}};
+  if (!document.root().Find("knowledge")) return ReadPlanned(document, models);
+  KnowledgeScenario loaded{.scenario = scenario::Read(document, models), .interpretation = {}};
   loaded.interpretation = KnowledgeFile(document.root(), loaded.scenario.problem).Take();
   return loaded;
+}
+
+KnowledgeScenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {
+  return Read(Document::Load(file), models);
 }
 
 }  // namespace assay::enact

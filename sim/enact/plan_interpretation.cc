@@ -14,7 +14,6 @@ namespace {
 
 using assembly::KnowledgeAction;
 using exec::Progress;
-using Kind = KnowledgeAction::Kind;
 using Planned = std::shared_ptr<const PlannedWorlds>;
 
 double AngleBetween(const exec::Pose& a, const exec::Pose& b) {
@@ -143,6 +142,7 @@ class CallOperator : public PlanSkill {
 };
 
 std::unique_ptr<const Skill> SkillOf(const Planned& planned, const KnowledgeAction& action) {
+  using Kind = KnowledgeAction::Kind;
   switch (action.kind) {
     case Kind::kLook:
       return std::make_unique<LookForPose>(planned, action);

@@ -14,9 +14,8 @@ namespace {
 using exec::Pose;
 using geometry::Vector2;
 
-constexpr int kYaws = 8;             // turns that are tried at each spot
-constexpr double kPitch = 0.10;      // metres between spots
-constexpr double kHandRoom = 0.025;  // metres between parts, for errors and fingers that let go
+constexpr double kSpotPitch = 0.10;  // metres between spots
+constexpr double kSpotRoom = 0.025;  // metres between parts, for errors and fingers that let go
 
 // As it is held, with its lowest point on the table.
 Pose StraightBelow(const domain::Part& part, Pose X_WorldPart) {
@@ -32,10 +31,10 @@ Pose StraightBelow(const domain::Part& part, Pose X_WorldPart) {
 std::vector<Vector2> SpotsOf(const domain::Place& place) {
   const Vector2 middle(place.middle.x, place.middle.y);
   std::vector<Vector2> spots = {middle};
-  if (place.radius <= kPitch) return spots;
+  if (place.radius <= kSpotPitch) return spots;
   for (int i = 0; i < 6; ++i) {
     const double angle = place.middle.yaw + i * std::numbers::pi / 3;
-    spots.emplace_back(middle + kPitch * Vector2(std::cos(angle), std::sin(angle)));
+    spots.emplace_back(middle + kSpotPitch * Vector2(std::cos(angle), std::sin(angle)));
   }
   return spots;
 }
@@ -69,8 +68,8 @@ class PutDown : public Skill {
   static std::optional<Pose> FreeSpot(const domain::Place& place, const Pose& below,
                                       Situation& situation) {
     for (const Vector2& spot : SpotsOf(place)) {
-      for (int i = 0; i < kYaws; ++i) {
-        Pose X_WorldPart = geometry::RotationZ(2 * std::numbers::pi * i / kYaws) * below;
+      for (int i = 0; i < kYawsTried; ++i) {
+        Pose X_WorldPart = geometry::RotationZ(2 * std::numbers::pi * i / kYawsTried) * below;
         X_WorldPart.translation() << spot, below.translation().z();
         if (IsFree(X_WorldPart, situation)) return X_WorldPart;
       }
@@ -85,7 +84,7 @@ class PutDown : public Skill {
     for (const domain::PlacedPart& other : others) {
       const double gap = Distance(problem.part(world.held()).model->shape(), X_WorldPart,
                                   problem.part(other.part).model->shape(), other.X_WorldPart);
-      if (gap < kHandRoom) return false;
+      if (gap < kSpotRoom) return false;
     }
     const domain::Workcell& workcell = *problem.workcell;
     const Pose X_WorldTool = X_WorldPart * world.hold().X_PartTool;

@@ -71,6 +71,9 @@ std::span<const SkillWord* const> SkillWords();
 // Throws InputError.
 std::unique_ptr<const Skill> ReadSkill(const Value& map, const SkillContext& context);
 
+// Turns about the vertical that are tried wherever a part may be put down.
+inline constexpr int kYawsTried = 8;
+
 // Runs commands one after the other.
 exec::Progress RunAll(const std::vector<exec::Command>& commands, exec::Execution& execution);
 

@@ -6,13 +6,11 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kClosingSpeed = 0.02;  // m/s of one pad
-constexpr double kTouchSpeed = 0.005;   // m/s of one pad, where it is to meet the part
-constexpr double kTouchMargin = 0.003;  // metres of opening before the expected width
-constexpr double kStill = 1e-4;         // m/s
-constexpr double kStillFor = 0.05;      // seconds
-constexpr double kSettle = 0.05;        // seconds for the arm, before
-constexpr double kLongest = 10;         // seconds
+constexpr double kClosingSpeed = 0.02;   // m/s of one pad
+constexpr double kTouchSpeed = 0.005;    // m/s of one pad, where it is to meet the part
+constexpr double kTouchMargin = 0.003;   // metres of opening before the expected width
+constexpr double kClosingSettle = 0.05;  // seconds for the arm, before
+constexpr double kLongest = 10;          // seconds
 
 // Closes until the gripper has been still for a while under its full force.
 Progress CloseUntilStill(double expected_width, Execution& execution) {
@@ -21,15 +19,15 @@ Progress CloseUntilStill(double expected_width, Execution& execution) {
   double target = scene.Opening(data);
   double still_since = data.time();
   const double end = data.time() + kLongest;
-  while (data.time() < end && data.time() < still_since + kStillFor) {
+  while (data.time() < end && data.time() < still_since + kFingersStillFor) {
     const bool near = target < expected_width + kTouchMargin;
     target = std::max(0.0, target - 2 * (near ? kTouchSpeed : kClosingSpeed) * data.timestep());
     scene.CommandGripper(data, target);
     if (Progress failure = execution.Stay(0, Stepping::kContact)) return failure;
-    if (std::abs(scene.OpeningSpeed(data)) > kStill) still_since = data.time();
+    if (std::abs(scene.OpeningSpeed(data)) > kFingersStill) still_since = data.time();
   }
   scene.CommandGripper(data, 0);
-  return execution.Stay(kStillFor, Stepping::kContact);
+  return execution.Stay(kFingersStillFor, Stepping::kContact);
 }
 
 }  // namespace
@@ -37,7 +35,7 @@ Progress CloseUntilStill(double expected_width, Execution& execution) {
 Progress Run(const CloseGripper& close, std::span<const Command>, Execution& execution) {
   const scene::Scene& scene = execution.scene();
   mujoco::Data& data = execution.data();
-  if (Progress failure = execution.Stay(kSettle, Stepping::kContact)) return failure;
+  if (Progress failure = execution.Stay(kClosingSettle, Stepping::kContact)) return failure;
   if (Progress failure = CloseUntilStill(close.hold.width, execution)) return failure;
   const GraspFact fact = {.time = data.time(),
                           .part = close.part,

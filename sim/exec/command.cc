@@ -12,7 +12,7 @@ std::string PoseText(const Pose& X_WorldTool) {
                      p.z(), z.x(), z.y(), z.z());
 }
 
-struct TextOf {
+struct CommandText {
   const domain::Problem& problem;
 
   std::string operator()(const MoveAtSafeHeight& move) const {
@@ -50,7 +50,7 @@ struct TextOf {
 }  // namespace
 
 std::string Text(const domain::Problem& problem, const Command& command) {
-  return std::visit(TextOf{problem}, command);
+  return std::visit(CommandText{problem}, command);
 }
 
 }  // namespace assay::exec

@@ -43,6 +43,10 @@ struct MoveStraight {
   std::optional<Guard> guard = {};  // felt on the whole way
 };
 
+// Fingers have come to rest that are no faster than this for so long.
+inline constexpr double kFingersStill = 1e-4;     // m/s, of the opening
+inline constexpr double kFingersStillFor = 0.05;  // seconds
+
 // The gripper opens wide. If it held a part, the part is believed to stay where it is let go.
 struct OpenGripper {
   struct Release {

@@ -5,7 +5,7 @@
 namespace assay::exec {
 namespace {
 
-struct TextOf {
+struct ActionText {
   const domain::Problem& problem;
 
   std::string operator()(const plan::Pickup& pickup) const {
@@ -53,7 +53,7 @@ std::string Text(const domain::Problem& problem, const plan::Plan& plan, const C
 }
 
 std::string Text(const domain::Problem& problem, const plan::Action& action) {
-  return std::visit(TextOf{problem}, action);
+  return std::visit(ActionText{problem}, action);
 }
 
 }  // namespace assay::exec

@@ -11,12 +11,12 @@ namespace {
 
 constexpr double kRestDuration = 0.5;  // seconds
 constexpr double kSettling = 0.25;     // seconds
-constexpr double kCalmDown = 0.1;      // seconds before, for the change to small timesteps
+constexpr double kBeforeRest = 0.1;    // seconds, for the change to small timesteps
 
 Progress Rest(Execution& execution) {
   const scene::Scene& scene = execution.scene();
   mujoco::Data& data = execution.data();
-  if (Progress failure = execution.Stay(kCalmDown, Stepping::kContact)) return failure;
+  if (Progress failure = execution.Stay(kBeforeRest, Stepping::kContact)) return failure;
   RestRecord rest{.duration = kRestDuration};
   rest.parts.resize(static_cast<std::size_t>(scene.part_count()));
   const double end = data.time() + kRestDuration;

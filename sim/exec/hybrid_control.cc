@@ -11,9 +11,9 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kStalled = 0.3;   // seconds without way along a crevice
-constexpr double kSeated = 0.002;  // metres from a crevice's end, which is not known better
-constexpr double kNoWay = 1e-9;    // metres, radians
+constexpr double kStalled = 0.3;       // seconds without way along a crevice
+constexpr double kCreviceEnd = 0.002;  // metres from a crevice's end, which is not known better
+constexpr double kNoWay = 1e-9;        // metres, radians
 
 bool CanBeLeft(MatingOutcome error) {
   return error == MatingOutcome::kJammed || error == MatingOutcome::kWrongContact ||
@@ -325,7 +325,7 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
   const double dt = arm_.timestep();
   double gone = 0;
   double stalled = 0;
-  while (gone < length + kSeated && stalled < kStalled) {
+  while (gone < length + kCreviceEnd && stalled < kStalled) {
     const double resistance = std::max(0.0, -direction.dot(arm_.wrench()));
     const bool near = in_doubt_ || std::min(gone, length - gone) < law_.seating_length;
     const double speed = near ? law_.contact_speed : law_.sliding_speed;
@@ -335,7 +335,7 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
     gone += dt * direction.dot(arm_.velocity().yielding);
     stalled = share < 0.02 ? stalled + dt : 0;
   }
-  if (length - gone < kSeated) return std::nullopt;
+  if (length - gone < kCreviceEnd) return std::nullopt;
   return Stuck(direction, length - gone);
 }
 

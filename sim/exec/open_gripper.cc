@@ -8,10 +8,8 @@ namespace {
 constexpr double kOpeningSpeed = 0.02;  // m/s of one pad, no faster than the drive follows
 constexpr double kSlowSpeed = 0.005;    // m/s of one pad, while it leaves what it held
 constexpr double kSlowLength = 0.001;   // metres of opening
-constexpr double kSettle = 0.1;         // seconds for the arm, and for what was let go
+constexpr double kOpeningSettle = 0.1;  // seconds for the arm, and for what was let go
 constexpr double kOpenEnough = 0.0005;  // metres
-constexpr double kStill = 1e-4;         // m/s
-constexpr double kStillFor = 0.05;      // seconds
 
 }  // namespace
 
@@ -20,7 +18,7 @@ Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execu
   mujoco::Data& data = execution.data();
   const double wide = scene.max_opening();
   if (open.release) {
-    if (Progress failure = execution.Stay(kSettle, Stepping::kContact)) return failure;
+    if (Progress failure = execution.Stay(kOpeningSettle, Stepping::kContact)) return failure;
     scene.DetachPart(data, open.release->part);
     execution.world().LetGo(open.release->part, open.release->X_WorldPart);
   }
@@ -28,16 +26,16 @@ Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execu
   const double slow_until = open.release ? target + kSlowLength : target;
   // If something is in the way of the fingers, it ends where they come to rest.
   double still_since = data.time();
-  while (scene.Opening(data) < wide - kOpenEnough && data.time() < still_since + kStillFor) {
+  while (scene.Opening(data) < wide - kOpenEnough && data.time() < still_since + kFingersStillFor) {
     const double speed = target < slow_until ? kSlowSpeed : kOpeningSpeed;
     const Stepping stepping = open.release ? Stepping::kContact : Stepping::kFree;
     target = std::min(wide, target + 2 * speed * data.timestep());
     scene.CommandGripper(data, target);
     if (Progress failure = execution.Stay(0, stepping)) return failure;
-    const bool moves = std::abs(scene.OpeningSpeed(data)) > kStill;
+    const bool moves = std::abs(scene.OpeningSpeed(data)) > kFingersStill;
     if (moves || target < wide) still_since = data.time();
   }
-  return open.release ? execution.Stay(kSettle, Stepping::kContact) : std::nullopt;
+  return open.release ? execution.Stay(kOpeningSettle, Stepping::kContact) : std::nullopt;
 }
 
 }  // namespace assay::exec

@@ -5,7 +5,7 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kLeastForce = 1;  // newtons that tell where they act
+constexpr double kLocatingForce = 1;  // newtons that tell where they act
 
 }  // namespace
 
@@ -61,7 +61,7 @@ double PressedContacts::Unexplained(const Vector6& wrench) const {
 void PressedContacts::Locate(const Vector6& wrench, double share) {
   const Vector6 pressing = WithoutFriction(wrench);
   const Eigen::VectorXd forces = LeastSquares(pressing).cwiseMax(0);
-  if (forces.sum() < kLeastForce) return;
+  if (forces.sum() < kLocatingForce) return;
   const Vector3 torque = (pressing - rows_.transpose() * forces).tail<3>();
   for (Eigen::Index i = 0; i < forces.size(); ++i) {
     plan::StrategyContact& contact = contacts_[static_cast<std::size_t>(i)];

@@ -8,7 +8,7 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kLeastForce = 1;  // newtons that tell of contacts
+constexpr double kTellingForce = 1;  // newtons that tell of contacts
 // What is as unlikely as the other: such an angle (its sine) between a wrench and the signature
 // that it is of; a contact so far beside where it is planned; or so much greater errors.
 constexpr double kUsualSine = 0.1;
@@ -81,7 +81,7 @@ class Weighing {
   const Vector6& wrench_;
 };
 
-bool TellsOfContacts(const Vector6& wrench) { return wrench.head<3>().norm() > kLeastForce; }
+bool TellsOfContacts(const Vector6& wrench) { return wrench.head<3>().norm() > kTellingForce; }
 
 }  // namespace
 

@@ -25,7 +25,7 @@ struct AxisOf {
 // Metres from a rim: it is where it was felt, but the part may lean, and the rim not be level.
 constexpr double kBackOff = 0.0005;
 constexpr double kBeyondRim = 0.0003;
-constexpr double kCalmDown = 0.05;  // seconds for the arm to come to rest
+constexpr double kArmRest = 0.05;  // seconds for the arm to come to rest
 
 // Where the last move of the commands goes.
 Pose LastTarget(const std::vector<Command>& commands) {
@@ -138,7 +138,7 @@ Progress StepExecution::TakeUpNoise() {
   SetTables();
   const Pose error = execution_.options().noise.HandError(step_);
   if (Progress failure = execution_.TakeUpHandError(error)) return Named(failure);
-  if (Progress failure = execution_.Stay(kCalmDown, Stepping::kContact)) return Named(failure);
+  if (Progress failure = execution_.Stay(kArmRest, Stepping::kContact)) return Named(failure);
   Record(Stage::kPoised);
   return std::nullopt;
 }

@@ -39,4 +39,9 @@ struct LegendEntry {
 Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
                    const std::vector<LegendEntry>& legend = {});
 
+// The picture of a drawing that is `samples` times too wide and too high, and whose rows, as
+// OpenGL's, begin at the bottom. OSMesa has no other antialiasing that is the same on every
+// machine.
+Image FromSamples(const Image& drawing, int samples);
+
 }  // namespace assay::render

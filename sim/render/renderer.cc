@@ -9,7 +9,6 @@
 #include "planner/base/input_error.h"
 #include "sim/mujoco/engine_messages.h"
 #include "sim/render/offscreen_context.h"
-#include "sim/render/supersampling.h"
 
 namespace assay::render {
 namespace {

@@ -17,13 +17,13 @@ using finemotion::ContactKey;
 constexpr double kLeft = 48;  // for the dimensions
 constexpr double kTop = 34;
 constexpr double kRow = 92;
-constexpr double kWidth = 620;    // of the graph, at least
-constexpr double kSpacing = 8;    // of its states, at least
-constexpr double kColumn = 74;    // of a state that is not in it
-constexpr double kNumberUp = 10;  // of numbers over their states
+constexpr double kGraphWidth = 620;  // of the graph, at least
+constexpr double kSpacing = 8;       // of its states, at least
+constexpr double kColumn = 74;       // of a state that is not in it
+constexpr double kNumberUp = 10;     // of numbers over their states
 
 // A picture in a file of its own has no page about it; in a page its rules are for it alone.
-constexpr const char* kRules =
+constexpr const char* kGraphRules =
     ".contacts text { font: 12px system-ui, sans-serif; fill: #52606f; } "
     ".contacts .ground { fill: #ffffff; } "
     ".contacts .neighbour { fill: none; stroke: #98a2ad; stroke-width: .5; stroke-opacity: .55; } "
@@ -82,7 +82,7 @@ class Layout {
   }
 
   std::vector<Place> places_;
-  double width_ = kWidth;
+  double width_ = kGraphWidth;
   int least_dimension_ = finemotion::kPoseDimensions;
 };
 
@@ -135,7 +135,7 @@ class Picture {
         .Set("height", height)
         .Set("role", "img")
         .Set("aria-label", "Contact states and the way of the plan through them");
-    svg.Add("style", kRules);
+    svg.Add("style", kGraphRules);
     svg.Add("rect").Set("class", "ground").Set("width", width).Set("height", height);
     for (int dimension = finemotion::kPoseDimensions; dimension >= least_; --dimension) {
       svg.Add("text", fmt::format("{}-D", dimension))

@@ -52,7 +52,7 @@ class Csv {
   CsvFile file_;
 };
 
-CsvFile Outcomes(const Findings& findings) {
+CsvFile OutcomesCsv(const Findings& findings) {
   Csv csv("outcomes.csv",
           "cell,scenario,clearance,error_scale,propagation,resolvers,grasp,sensing,noise,seed,plan,"
           "actions,"
@@ -69,7 +69,7 @@ CsvFile Outcomes(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile Failures(const Findings& findings) {
+CsvFile FailuresCsv(const Findings& findings) {
   Csv csv("failures.csv", "cell,outcome,trials");
   for (const CellFindings& cell : findings.cells) {
     for (const auto& [outcome, count] : cell.summary.failed) {
@@ -79,7 +79,7 @@ CsvFile Failures(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile Recoveries(const Findings& findings) {
+CsvFile RecoveriesCsv(const Findings& findings) {
   Csv csv("recoveries.csv",
           "cell,done,trials_with_errors,errors_signalled,errors_mended,trials_recovered,operator_"
           "called,succeeded_unaided,succeeded");
@@ -92,7 +92,7 @@ CsvFile Recoveries(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile ErrorSets(const Findings& findings) {
+CsvFile ErrorSetsCsv(const Findings& findings) {
   Csv csv("error_sets.csv",
           "cell,step,action,about,name,unit,low,high,proved,gate,contained,inconclusive,violated,"
           "not_claimed,least,lower_quartile,median,upper_quartile,greatest");
@@ -112,7 +112,7 @@ CsvFile ErrorSets(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile Verdicts(const Findings& findings) {
+CsvFile VerdictsCsv(const Findings& findings) {
   Csv csv("verdicts.csv",
           "cell,step,action,contained,inconclusive,violated,not_claimed,worst_verdict,claim,about,"
           "unit,observed,low,high,margin,gate,trial,replay");
@@ -129,7 +129,7 @@ CsvFile Verdicts(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile Attacks(const Findings& findings) {
+CsvFile AttacksCsv(const Findings& findings) {
   Csv csv("attacks.csv",
           "cell,attempts,contained,inconclusive,violated,not_claimed,claims_contained,claims_"
           "inconclusive,claims_violated,claims_not_claimed");
@@ -143,7 +143,7 @@ CsvFile Attacks(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile AttackedClaims(const Findings& findings) {
+CsvFile AttackedClaimsCsv(const Findings& findings) {
   Csv csv(
       "attacked_claims.csv",
       "cell,step,action,about,name,unit,observed,low,high,margin,gate,verdict,phase,attempt,noise");
@@ -158,7 +158,7 @@ CsvFile AttackedClaims(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile Counterexamples(const Findings& findings) {
+CsvFile CounterexamplesCsv(const Findings& findings) {
   Csv csv("counterexamples.csv",
           "cell,number,claim,action,name,unit,observed,low,high,margin,gate,noise,steps,replayed,"
           "multiple,replay");
@@ -174,7 +174,7 @@ CsvFile Counterexamples(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile ConservatismRatios(const Findings& findings) {
+CsvFile ConservatismRatiosCsv(const Findings& findings) {
   Csv csv("conservatism.csv", "cell,variable,guaranteed,broken,ratio");
   for (const CellFindings& cell : findings.cells) {
     if (!cell.attack) continue;
@@ -185,7 +185,7 @@ CsvFile ConservatismRatios(const Findings& findings) {
   return csv.Take();
 }
 
-CsvFile Runs(const Findings& findings) {
+CsvFile RunsCsv(const Findings& findings) {
   Csv csv("runs.csv", "started,shard,jobs,version,machine,cores,os");
   for (const sweep::RunRecord& run : findings.runs) {
     csv.Add(run.started, run.shard, run.jobs, run.version, run.machine, run.cores, run.os);
@@ -196,11 +196,11 @@ CsvFile Runs(const Findings& findings) {
 }  // namespace
 
 std::vector<CsvFile> CsvFiles(const Findings& findings) {
-  return {Outcomes(findings),           Failures(findings),
-          Recoveries(findings),         ErrorSets(findings),
-          Verdicts(findings),           Attacks(findings),
-          AttackedClaims(findings),     Counterexamples(findings),
-          ConservatismRatios(findings), Runs(findings)};
+  return {OutcomesCsv(findings),           FailuresCsv(findings),
+          RecoveriesCsv(findings),         ErrorSetsCsv(findings),
+          VerdictsCsv(findings),           AttacksCsv(findings),
+          AttackedClaimsCsv(findings),     CounterexamplesCsv(findings),
+          ConservatismRatiosCsv(findings), RunsCsv(findings)};
 }
 
 }  // namespace assay::report

@@ -74,7 +74,7 @@ Element StepTable(const StepFindings& step) {
 }
 
 // An example of a row, with what its shapes mean.
-Element Key() {
+Element DrawingKey() {
   ClaimFindings example;
   example.claim.name = std::string("example");
   example.claim.unit = std::string("m");
@@ -102,7 +102,7 @@ Element ErrorSets(const Subject& subject) {
     section.Add("p", "Nothing has been observed yet.");
     return section;
   }
-  section.Add(Key());
+  section.Add(DrawingKey());
   for (const CellFindings* cell : subject.in_full) {
     section.Add("h3", subject.NameOf(*cell));
     for (const StepFindings& step : cell->steps) {

@@ -9,7 +9,7 @@ namespace assay::report {
 namespace {
 
 // A table that is narrow enough stands beside the graph, pictures side by side.
-constexpr const char* kRules = R"css(
+constexpr const char* kMatingRules = R"css(
 .beside { display: flex; flex-wrap: wrap; gap: 1.5rem; align-items: flex-start; }
 .graphs { flex: 1 1 34rem; min-width: 0; }
 .graphs figure { margin: .6rem 0; }
@@ -92,7 +92,7 @@ Element States(const std::vector<MatingSubject::Picture>& pictures) {
 std::string MatingPage(MatingSubject subject) {
   Element page("html");
   Element& head = page.Set("lang", "en").Add(Head(subject.title));
-  head.Add("style", kRules);
+  head.Add("style", kMatingRules);
   Element& body = page.Add("body");
   Element& header = body.Add("header");
   header.Add("h1", subject.title);

@@ -9,7 +9,7 @@ namespace {
 
 // Neither & nor < nor > nor quotes: what is escaped in a page is not in a style
 // sheet.
-constexpr const char* kRules = R"css(
+constexpr const char* kPageRules = R"css(
 * { box-sizing: border-box; }
 html { font: 16px/1.5 system-ui, -apple-system, Segoe UI, Roboto, Noto Sans, DejaVu Sans, sans-serif;
   color: var(--ink); background: var(--ground); -webkit-text-size-adjust: 100%; }
@@ -147,7 +147,7 @@ std::string StyleSheet() {
       " --panel: {}; --ink: #e9eef4; --soft: #a3afbc; --rule: "
       "#2a333e; --rule-strong: #66727f;"
       " --link: #7fbcf0; }} }}\n{}",
-      light, kLightGround, dark, kDarkGround, kRules);
+      light, kLightGround, dark, kDarkGround, kPageRules);
 }
 
 }  // namespace assay::report

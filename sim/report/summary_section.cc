@@ -141,7 +141,7 @@ void AddKey(Element& key, ClaimVerdict verdict, const std::string& words) {
   item.Add("span", words);
 }
 
-Element Key() {
+Element MarkKey() {
   Element key("ul");
   key.Set("class", "key").Set("aria-label", "What the marks mean");
   AddKey(key, ClaimVerdict::kContained, "contained: observed where it was predicted");
@@ -161,7 +161,7 @@ Element SummaryOf(const Subject& subject) {
   section.Add("p", Lead(tally)).Set("class", "lead");
   AddPropagations(section, subject.findings);
   section.Add(Tiles(subject.findings, tally));
-  section.Add(Key());
+  section.Add(MarkKey());
   return section;
 }
 

@@ -34,9 +34,27 @@ scene::GraspMode ReadGrasp(const Value& value) {
                                                 : scene::GraspMode::kWeld;
 }
 
-Simulation ReadSimulation(const Value& root) {
+// For those who plan for one world: open poses are told apart by looking, and a plan is a tree.
+void RequireKnownPoses(const Document& document, const domain::Problem& problem,
+                       const Overrides& overrides) {
+  for (const domain::OpenPose& open : problem.open_poses) {
+    const std::string& name = problem.part(open.part).name;
+    if (overrides.poses.contains(name)) continue;
+    document.root().At("parts").At(name).At("pose").Fail(
+        fmt::format("the pose of '{}' is open, and this is about one world", name),
+        "a pose; or assay plan and assay enact, which make and walk a tree for all worlds");
+  }
+}
+
+std::filesystem::path ModelsOf(const Document& document, const std::filesystem::path& given) {
+  return given.empty() ? FindModels(document.file()) : RequireModels(given);
+}
+
+}  // namespace
+
+Simulation ReadSimulation(const Document& document) {
   Simulation simulation{.cameras = {"overview", "close"}};
-  const std::optional<Value> map = root.Find("simulation");
+  const std::optional<Value> map = document.root().Find("simulation");
   if (!map) return simulation;
   map->AllowOnly({"seed", "grasp", "timestep", "cameras"});
   if (const auto seed = map->Find("seed")) {
@@ -50,46 +68,25 @@ Simulation ReadSimulation(const Value& root) {
   return simulation;
 }
 
-// For those who plan for one world: open poses are told apart by looking, and a plan is a tree.
-void RequireKnownPoses(const Document& document, const domain::Problem& problem,
-                       const Overrides& overrides) {
-  for (const domain::OpenPose& open : problem.open_poses) {
-    const std::string& name = problem.part(open.part).name;
-    if (overrides.poses.contains(name)) continue;
-    document.root().At("parts").At(name).At("pose").Fail(
-        fmt::format("the pose of '{}' is open, and this is about one world", name),
-        "a pose; or assay plan and assay enact, which make and walk a tree for all worlds");
-  }
-}
-
-}  // namespace
-
-Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models,
+Scenario Read(const Document& document, const std::filesystem::path& models,
               const Overrides& overrides) {
-  const Document document = Document::Load(file);
   document.RequireFormat("assay-scenario/1");
-  Simulation simulation = ReadSimulation(document.root());
-  domain::Problem problem = domain::ReadProblem(document, RequireModels(models), overrides);
+  Simulation simulation = ReadSimulation(document);
+  domain::Problem problem = domain::ReadProblem(document, ModelsOf(document, models), overrides);
   RequireKnownPoses(document, problem, overrides);
   return {std::move(problem), std::move(simulation)};
 }
 
-std::vector<domain::Problem> LoadWorlds(const std::filesystem::path& file,
+Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models,
+              const Overrides& overrides) {
+  return Read(Document::Load(file), models, overrides);
+}
+
+std::vector<domain::Problem> ReadWorlds(const Document& document,
                                         const std::filesystem::path& models,
                                         const Overrides& overrides) {
-  const Document document = Document::Load(file);
-  ReadSimulation(document.root());  // must be right
-  return domain::ReadWorlds(document, RequireModels(models), overrides);
-}
-
-Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {
-  return Load(file, models, Overrides{});
-}
-
-Scenario Load(const std::filesystem::path& file) {
-  // A file that cannot be read is to be named before its models are looked for.
-  Document::Load(file);
-  return Load(file, FindModels(file));
+  ReadSimulation(document);  // must be right
+  return domain::ReadWorlds(document, ModelsOf(document, models), overrides);
 }
 
 }  // namespace assay::scenario

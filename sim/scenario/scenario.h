@@ -23,20 +23,21 @@ struct Scenario {
   Simulation simulation;
 };
 
-// Reads a scenario file ("assay-scenario/1") with the models of FindModels. Its key `simulation`:
-// {seed: 0 or more, grasp: friction or weld, timestep: seconds, cameras: [names]}, all of which may
-// be left out. Throws InputError.
-Scenario Load(const std::filesystem::path& file);
-// The same with these models.
-Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models);
-// The same for a sweep: {.clearance: metres instead of the file's, .error_scale: a factor}.
+// Reads a scenario ("assay-scenario/1") with the models of FindModels, if none are given. Its key
+// `simulation`: {seed: 0 or more, grasp: friction or weld, timestep: seconds, cameras: [names]},
+// all of which may be left out. Throws InputError. Overrides are a sweep's: {.clearance: metres
+// instead of the file's, .error_scale: a factor}.
 using domain::Overrides;
-Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models,
-              const Overrides& overrides);
+Scenario Read(const Document& document, const std::filesystem::path& models = {},
+              const Overrides& overrides = {});
+// The same of a file.
+Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models = {},
+              const Overrides& overrides = {});
 // The problems alone, one for each world (domain::ReadWorlds). The others throw InputError if a
 // pose is open.
-std::vector<domain::Problem> LoadWorlds(const std::filesystem::path& file,
-                                        const std::filesystem::path& models,
-                                        const Overrides& overrides);
+std::vector<domain::Problem> ReadWorlds(const Document& document,
+                                        const std::filesystem::path& models = {},
+                                        const Overrides& overrides = {});
+Simulation ReadSimulation(const Document& document);
 
 }  // namespace assay::scenario

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim/render/image.h"
+#include "sim/render/picture_library.h"
 
 namespace assay::sense {
 
@@ -16,10 +16,10 @@ using Color = Eigen::Vector3d;
 // the colour's, its saturation within kSaturation, and it is not too dark to tell.
 class ColorFilter {
  public:
-  static constexpr double kHue = 20;               // degrees
-  static constexpr double kSaturation = 0.2;       // 0: grey, 1: pure
-  static constexpr double kLeastSaturation = 0.2;  // of a colour that has a hue to tell it by
-  static constexpr double kLeastValue = 0.1;       // of a pixel: the greatest of its channels
+  static constexpr float kHue = 20;                // degrees
+  static constexpr float kSaturation = 0.2f;       // 0: grey, 1: pure
+  static constexpr float kLeastSaturation = 0.2f;  // of a colour that has a hue to tell it by
+  static constexpr float kLeastValue = 0.1f;       // of a pixel: the greatest of its channels
 
   explicit ColorFilter(const Color& color);
 
@@ -32,8 +32,10 @@ class ColorFilter {
   std::vector<std::uint8_t> Pass(const render::Image& image) const;
 
  private:
-  double hue_ = 0;  // degrees
-  double saturation_ = 0;
+  bool Passes(const render::HueSaturationValue& pixel) const;
+
+  float hue_ = 0;  // degrees
+  float saturation_ = 0;
 };
 
 }  // namespace assay::sense

@@ -1,10 +1,12 @@
 #include "sim/sense/color_sensor.h"
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <numeric>
-#include <opencv2/imgproc.hpp>
 
 #include "planner/base/check.h"
+#include "sim/render/picture_library.h"
 #include "sim/sense/silhouette.h"
 
 namespace assay::sense {
@@ -23,16 +25,22 @@ std::vector<ColorFilter> FiltersOf(const std::vector<NamedColor>& colors) {
 }
 
 // 255 where the view shows the boxes, else 0.
-cv::Mat1b MaskOf(const std::vector<geometry::Box>& boxes, const View& view) {
-  cv::Mat1b mask(view.size(), view.size(), std::uint8_t{0});
+render::Mask MaskOf(const std::vector<geometry::Box>& boxes, const View& view) {
+  render::Mask mask(view.size(), view.size());
   for (const geometry::Polygon& shadow : Shadows(boxes, view)) {
-    std::vector<cv::Point> corners;
+    std::vector<std::array<int, 2>> corners;
     for (const Vector2& corner : shadow) {
-      corners.emplace_back(static_cast<int>(corner.x()), static_cast<int>(corner.y()));
+      corners.push_back({static_cast<int>(corner.x()), static_cast<int>(corner.y())});
     }
-    cv::fillConvexPoly(mask, corners, cv::Scalar(255));
+    render::Pictures().FillConvexPolygon(corners, 0, mask);
   }
   return mask;
+}
+
+// How many pixels are set in both.
+double CommonArea(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+  return std::transform_reduce(a.begin(), a.end(), b.begin(), 0.0, std::plus(),
+                               [](auto x, auto y) { return x != 0 && y != 0 ? 1 : 0; });
 }
 
 }  // namespace
@@ -47,12 +55,10 @@ std::vector<double> ColorSensor::Shares(const mujoco::Data& data, PartId part,
   std::vector<double> shares(filters_.size(), 0.0);
   double area = 0;
   for (const Sight& sight : eyes_.LookAt(data, part, believed)) {
-    const cv::Mat1b mask = MaskOf(boxes, sight.view);
-    area += cv::countNonZero(mask);
+    const std::vector<std::uint8_t> mask = MaskOf(boxes, sight.view).pixels;
+    area += CommonArea(mask, mask);
     for (std::size_t color = 0; color < filters_.size(); ++color) {
-      std::vector<std::uint8_t> passes = filters_[color].Pass(sight.image);
-      const cv::Mat1b seen(mask.rows, mask.cols, passes.data());
-      shares[color] += cv::countNonZero(seen & mask);
+      shares[color] += CommonArea(filters_[color].Pass(sight.image), mask);
     }
   }
   for (double& share : shares) share /= area;

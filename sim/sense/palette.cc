@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/core.hpp>
 
 #include "planner/base/check.h"
 
@@ -31,23 +30,17 @@ PartId PartOf(const scene::Scene& scene, mujoco::BodyId body) {
   return PartId::None();
 }
 
-struct Chromaticities {
-  cv::Mat brightness;  // sum of the three
-  cv::Mat red;
-  cv::Mat green;
-};
+// A colour whatever the light: red and green as shares of the sum of all three.
+struct Chromaticity {
+  float red = 0;
+  float green = 0;
 
-Chromaticities ChromaticitiesOf(const render::Image& image) {
-  const cv::Mat rgb(image.height, image.width, CV_8UC3,
-                    const_cast<std::uint8_t*>(image.rgb.data()));
-  cv::Mat numbers;
-  rgb.convertTo(numbers, CV_32FC3);
-  std::vector<cv::Mat> channels;
-  cv::split(numbers, channels);
-  const cv::Mat brightness = channels[0] + channels[1] + channels[2];
-  const cv::Mat divisor = cv::max(brightness, 1.0);
-  return {brightness, cv::Mat(channels[0] / divisor), cv::Mat(channels[1] / divisor)};
-}
+  float SquaredDistance(float other_red, float other_green) const {
+    const float red_off = red - other_red;
+    const float green_off = green - other_green;
+    return red_off * red_off + green_off * green_off;
+  }
+};
 
 }  // namespace
 
@@ -86,21 +79,28 @@ Surface Palette::SurfaceOf(const Entry& entry, PartId part) {
   return entry.is_table ? Surface::kTable : Surface::kElse;
 }
 
+Surface Palette::SurfaceIn(const std::uint8_t* rgb, PartId part) const {
+  const auto brightness = static_cast<float>(rgb[0] + rgb[1] + rgb[2]);
+  if (brightness < kLeastBrightness) return Surface::kElse;
+  const Chromaticity seen = {rgb[0] / brightness, rgb[1] / brightness};
+  Surface surface = Surface::kElse;
+  float nearest = kFarthest * kFarthest;
+  for (const Entry& entry : entries_) {
+    const float distance = seen.SquaredDistance(entry.red, entry.green);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    surface = SurfaceOf(entry, part);
+  }
+  return surface;
+}
+
 SurfaceMap Palette::Segment(const render::Image& image, PartId part) const {
   ASSAY_CHECK(image.width == image.height);
-  const Chromaticities seen = ChromaticitiesOf(image);
-  SurfaceMap map{image.width, std::vector<Surface>(image.rgb.size() / 3, Surface::kElse)};
-  cv::Mat1b surfaces(image.height, image.width,
-                     reinterpret_cast<std::uint8_t*>(map.surfaces.data()));
-  cv::Mat nearest(surfaces.size(), CV_32F, cv::Scalar(kFarthest * kFarthest));
-  for (const Entry& entry : entries_) {
-    const cv::Mat red = seen.red - entry.red;
-    const cv::Mat green = seen.green - entry.green;
-    const cv::Mat distance = red.mul(red) + green.mul(green);
-    surfaces.setTo(static_cast<int>(SurfaceOf(entry, part)), distance < nearest);
-    nearest = cv::min(nearest, distance);
+  SurfaceMap map{image.width, {}};
+  map.surfaces.reserve(image.rgb.size() / 3);
+  for (std::size_t i = 0; i < image.rgb.size(); i += 3) {
+    map.surfaces.push_back(SurfaceIn(&image.rgb[i], part));
   }
-  surfaces.setTo(static_cast<int>(Surface::kElse), seen.brightness < kLeastBrightness);
   return map;
 }
 

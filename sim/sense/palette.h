@@ -46,6 +46,7 @@ class Palette {
 
   void Add(const float* rgba, PartId part, bool is_table);
   static Surface SurfaceOf(const Entry& entry, PartId part);
+  Surface SurfaceIn(const std::uint8_t* rgb, PartId part) const;
 
   std::vector<Entry> entries_;
 };

@@ -1,14 +1,16 @@
 #include "sim/sense/placement_search.h"
 
+#include <array>
 #include <cmath>
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
+#include <limits>
+
+#include "sim/render/picture_library.h"
 
 namespace assay::sense {
 namespace {
 
 constexpr int kCell = 6;  // pixels
-constexpr double kStep = 0.002;
+constexpr double kGridStep = 0.002;
 constexpr double kYawStep = 0.035;
 constexpr int kForPart = 2;  // what a cell of the silhouette is worth
 constexpr int kForTable = -1;
@@ -63,20 +65,20 @@ class WorthMap {
 std::vector<Cell> Silhouette(std::span<const geometry::Box> boxes, const View& view, int side) {
   constexpr int kFractionBits = 4;
   constexpr double kFractions = 1 << kFractionBits;
-  cv::Mat1b picture(side, side, std::uint8_t{0});
+  render::Mask picture(side, side);
   for (const geometry::Polygon& outline : Shadows(boxes, view)) {
-    std::vector<cv::Point> corners;
+    std::vector<std::array<int, 2>> corners;
     for (const Vector2& corner : outline) {
       const Vector2 cell = (corner / kCell - Vector2(0.5, 0.5)) * kFractions;
-      corners.emplace_back(static_cast<int>(std::lround(cell.x())),
-                           static_cast<int>(std::lround(cell.y())));
+      corners.push_back(
+          {static_cast<int>(std::lround(cell.x())), static_cast<int>(std::lround(cell.y()))});
     }
-    cv::fillConvexPoly(picture, corners, cv::Scalar(255), cv::LINE_8, kFractionBits);
+    render::Pictures().FillConvexPolygon(corners, kFractionBits, picture);
   }
   std::vector<Cell> cells;
   for (int row = 0; row < side; ++row) {
     for (int column = 0; column < side; ++column) {
-      if (picture(row, column) != 0) cells.push_back({row, column});
+      if (picture.pixels[row * side + column] != 0) cells.push_back({row, column});
     }
   }
   return cells;
@@ -127,8 +129,8 @@ Displacement CoarsePlacement(std::span<const Picture> pictures, const domain::Pa
     for (std::size_t i = 0; i < eyes.size(); ++i) {
       silhouettes.push_back(Silhouette(boxes, pictures[i].view, eyes[i].worth.side()));
     }
-    for (const double x : Outward(kStep, window.distance)) {
-      for (const double y : Outward(kStep, window.distance)) {
+    for (const double x : Outward(kGridStep, window.distance)) {
+      for (const double y : Outward(kGridStep, window.distance)) {
         const int score = Score(eyes, silhouettes, {x, y});
         if (score <= best_score) continue;
         best_score = score;

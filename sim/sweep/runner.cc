@@ -7,20 +7,15 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <chrono>
 #include <exception>
 #include <map>
 #include <mutex>
 #include <optional>
 
+#include "sim/sweep/clock.h"
+
 namespace assay::sweep {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // How many results may wait, for each thread, for a longer trial before them.
 constexpr int kWaitingPerThread = 8;

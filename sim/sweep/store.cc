@@ -3,9 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 #include "planner/base/check.h"
 #include "sim/sweep/grid.h"
@@ -15,13 +13,6 @@ namespace assay::sweep {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string TextOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 bool IsEmptyOrMissing(const fs::path& file) {
   std::error_code error;
@@ -251,7 +242,7 @@ SweepFacts FactsOf(const Sweep& sweep, const std::string& version) {
                       {"version", version},
                       {"trials", std::to_string(TrialCount(Cells(sweep)))}};
   for (const std::string& scenario : sweep.scenarios) {
-    facts["scenario " + scenario] = TextOf(sweep.PathOf(scenario));
+    facts["scenario " + scenario] = FileText(sweep.PathOf(scenario));
   }
   return facts;
 }

@@ -150,13 +150,6 @@ void CheckSize(const Value& root, const Sweep& sweep) {
             fmt::format("{} at most", 100LL * kMostTrials));
 }
 
-std::string TextOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 noise::Mode ModeOf(NoiseKind kind) {
@@ -233,6 +226,13 @@ Sweep ReadSweep(const Document& document, const fs::path& file, std::string text
   return sweep;
 }
 
-Sweep Load(const fs::path& file) { return ReadSweep(Document::Load(file), file, TextOf(file)); }
+std::string FileText(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+Sweep Load(const fs::path& file) { return ReadSweep(Document::Load(file), file, FileText(file)); }
 
 }  // namespace assay::sweep

@@ -3,15 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/plan/plan_file.h"
 #include "sim/check/attack.h"
 #include "sim/check/conservatism.h"
-#include "sim/scenario/models_folder.h"
 #include "sim/sense/overhead_camera.h"
+#include "sim/sweep/clock.h"
 #include "sim/sweep/recording.h"
 #include "sim/sweep/shell.h"
 
@@ -19,11 +18,6 @@ namespace assay::sweep {
 namespace {
 
 namespace fs = std::filesystem;
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 std::string_view OutcomeName(Outcome outcome) {
   switch (outcome) {
@@ -40,7 +34,7 @@ std::string_view OutcomeName(Outcome outcome) {
 scenario::Scenario LoadScenario(const Sweep& sweep, const fs::path& models, const Cell& cell) {
   const fs::path file = sweep.PathOf(cell.scenario);
   scenario::Scenario scenario = scenario::Load(
-      file, models.empty() ? scenario::FindModels(file) : models,
+      file, models,
       {.clearance = cell.clearance, .error_scale = cell.error_scale, .resolvers = cell.resolvers});
   return scenario;
 }

@@ -4,8 +4,8 @@
 namespace assay::domain {
 namespace {
 
-std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& condition,
-                                    PlanVariables& variables) {
+std::vector<ActionTemplate> AchieveByAssembling(const Problem& problem, const Condition& condition,
+                                                PlanVariables& variables) {
   if (condition.predicate != Predicate::kAssembled) return {};
   const Mating& mating = problem.mating(condition.mating);
   const VariableId grasp = variables.AddFree(VariableKind::kGrasp, mating.held);
@@ -36,7 +36,8 @@ std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& con
 
 }  // namespace
 
-const ActionRule kAssembleRule{
-    .name = "assemble", .summary = "mates the held part with one that rests", .achieve = Achieve};
+const ActionRule kAssembleRule{.name = "assemble",
+                               .summary = "mates the held part with one that rests",
+                               .achieve = AchieveByAssembling};
 
 }  // namespace assay::domain

@@ -42,8 +42,8 @@ ActionTemplate Pickup(const Problem& problem, PartId part, PlanVariables& variab
   return pickup;
 }
 
-std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& condition,
-                                    PlanVariables& variables) {
+std::vector<ActionTemplate> AchieveByTaking(const Problem& problem, const Condition& condition,
+                                            PlanVariables& variables) {
   if (condition.predicate != Predicate::kHolding) return {};
   return {Pickup(problem, condition.part, variables)};
 }
@@ -51,6 +51,6 @@ std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& con
 }  // namespace
 
 const ActionRule kPickupRule{
-    .name = "pickup", .summary = "takes a part from where it rests", .achieve = Achieve};
+    .name = "pickup", .summary = "takes a part from where it rests", .achieve = AchieveByTaking};
 
 }  // namespace assay::domain

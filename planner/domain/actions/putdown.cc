@@ -29,8 +29,8 @@ ActionTemplate Putdown(const Problem& problem, PartId part, PlanVariables& varia
 }
 
 // Putting down any part opens the gripper, so there is one putdown for each.
-std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& condition,
-                                    PlanVariables& variables) {
+std::vector<ActionTemplate> AchieveByPuttingDown(const Problem& problem, const Condition& condition,
+                                                 PlanVariables& variables) {
   switch (condition.predicate) {
     case Predicate::kPartLocation:
       return {Putdown(problem, condition.part, variables)};
@@ -50,7 +50,8 @@ std::vector<ActionTemplate> Achieve(const Problem& problem, const Condition& con
 
 }  // namespace
 
-const ActionRule kPutdownRule{
-    .name = "putdown", .summary = "rests the held part on the table", .achieve = Achieve};
+const ActionRule kPutdownRule{.name = "putdown",
+                              .summary = "rests the held part on the table",
+                              .achieve = AchieveByPuttingDown};
 
 }  // namespace assay::domain

@@ -13,7 +13,7 @@
 #include "tests/oracle/dense_search.h"
 #include "tests/oracle/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::bounds_test {
 namespace {
 
 using oracle::ValueAt;
@@ -546,4 +546,4 @@ TEST_P(RandomExpressions, HaveNoValueOutsideTheirBounds) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::bounds_test

@@ -7,7 +7,7 @@
 #include "planner/algebra/nearest_interval.h"
 #include "planner/base/random.h"
 
-namespace assay::algebra {
+namespace assay::algebra::nested_form_test {
 namespace {
 
 constexpr int kAtoms = 6;
@@ -161,4 +161,4 @@ TEST(NestedReduction, PutsInWhatIsKnown) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::nested_form_test

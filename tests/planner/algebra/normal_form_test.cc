@@ -16,7 +16,7 @@
 #include "tests/oracle/random_expression.h"
 #include "tests/planner/algebra/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::normal_form_test {
 namespace {
 
 class NormalFormTest : public testing::Test {
@@ -180,4 +180,4 @@ TEST(KeptNormalForms, AreTheSame) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::normal_form_test

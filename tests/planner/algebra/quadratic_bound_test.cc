@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::algebra {
+namespace assay::algebra::quadratic_bound_test {
 namespace {
 
 SymmetricMatrix Matrix(const std::vector<std::vector<double>>& lower) {
@@ -97,4 +97,4 @@ TEST(QuadraticBound, IsTightWhereTheSummitIsInside) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::quadratic_bound_test

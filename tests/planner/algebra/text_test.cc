@@ -85,6 +85,51 @@ TEST_F(TextTest, EveryExpressionReadsBackAsItself) {
   }
 }
 
+TEST_F(TextTest, WhatExpressionsHaveInCommonIsWrittenOnce) {
+  const Expression wave = Sin(tg_) * x_;
+  const std::vector<Expression> expressions = {2 - wave, Power(wave, 2), x_ + 1, x_ + 1, 7, x_};
+  const SharedTexts texts = TextsOf(expressions);
+  EXPECT_THAT(texts.shared, testing::ElementsAre("sin(theta_g)*x", "x + 1"));
+  EXPECT_THAT(texts.expressions, testing::ElementsAre("2 - #0", "#0^2", "#1", "#1", "7", "x"));
+}
+
+TEST_F(TextTest, WhatIsSharedReadsBackAsItself) {
+  RandomStream random(5, "shared");
+  for (int i = 0; i < 1'000; ++i) {
+    RandomExpressions expressions(random, 3);
+    std::vector<Expression> drawn;
+    for (int k = 0; k < 6; ++k) {
+      const Expression e = expressions.Draw(6);
+      drawn.push_back(k == 0 ? e : e * drawn[random.Index(k)] - drawn.back());
+    }
+    const SharedTexts texts = TextsOf(drawn);
+    const std::vector<Expression> shared = ParseShared(texts.shared, expressions.pool(), {});
+    for (std::size_t k = 0; k < drawn.size(); ++k) {
+      ASSERT_EQ(Parse(texts.expressions[k], expressions.pool(), {}, Layout::kOther, shared),
+                drawn[k])
+          << texts.expressions[k];
+    }
+  }
+}
+
+// 2^40 terms, if it were written in full.
+TEST_F(TextTest, WhatDoublesAtEachLevelIsWrittenInProportionToWhatIsStored) {
+  Expression e = x_;
+  for (int i = 0; i < 40; ++i) e = Sin(e) * Cos(e);
+  const SharedTexts texts = TextsOf({{e}});
+  EXPECT_EQ(texts.shared.size(), 39U);
+  const std::vector<Expression> shared = ParseShared(texts.shared, pool_, {});
+  EXPECT_EQ(Parse(texts.expressions[0], pool_, {}, Layout::kOther, shared), e);
+}
+
+TEST_F(TextTest, OnlyWhatComesBeforeIsShared) {
+  const std::vector<std::string> forward = {"x", "#1"};
+  EXPECT_THROW(ParseShared(forward, pool_, {}), InputError);
+  EXPECT_THAT(ErrorOf("x + #0"), testing::HasSubstr("there is no shared expression #0"));
+  EXPECT_THAT(ErrorOf("#"), testing::HasSubstr("there is no shared expression #"));
+  EXPECT_THAT(ErrorOf("#99999999999999999999"), testing::HasSubstr("no shared expression"));
+}
+
 TEST_F(TextTest, LargeSumsAndProductsReadBack) {
   std::vector<Expression> terms;
   std::vector<Expression> factors = {-2};

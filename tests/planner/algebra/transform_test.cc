@@ -12,7 +12,7 @@
 #include "planner/algebra/text.h"
 #include "planner/base/random.h"
 
-namespace assay::algebra {
+namespace assay::algebra::transform_test {
 namespace {
 
 using Matrix = std::array<std::array<double, 4>, 4>;
@@ -155,4 +155,4 @@ TEST(WorkedExample, GivesThePublishedExpression) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::transform_test

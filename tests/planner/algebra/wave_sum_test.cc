@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::algebra {
+namespace assay::algebra::wave_sum_test {
 namespace {
 
 constexpr int kAngles = 3;
@@ -154,4 +154,4 @@ TEST(WaveSum, KnowsSumsOfAngles) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::wave_sum_test

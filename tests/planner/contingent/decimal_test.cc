@@ -13,7 +13,7 @@
 #include "planner/contingent/tree_check.h"
 #include "tests/planner/contingent/tasks.h"
 
-namespace assay::contingent {
+namespace assay::contingent::decimal_test {
 namespace {
 
 constexpr std::int64_t kBillion = 1'000'000'000;
@@ -99,4 +99,4 @@ TEST(Decimals, InPlansAreExact) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::decimal_test

@@ -11,7 +11,7 @@
 #include "tests/planner/contingent/tasks.h"
 
 // The semantics of PKS (Petrick and Bacchus 2002, 2004), statement by statement.
-namespace assay::contingent {
+namespace assay::contingent::knowledge_base_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -661,4 +661,4 @@ TEST(States, AreCanonical) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::knowledge_base_test

@@ -11,7 +11,7 @@
 #include "planner/contingent/tree_check.h"
 #include "tests/planner/contingent/tasks.h"
 
-namespace assay::contingent {
+namespace assay::contingent::number_marks_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -228,4 +228,4 @@ TEST(NumberMarks, TellWhatAllNumbersTell) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::number_marks_test

@@ -13,7 +13,7 @@
 #include "tests/planner/contingent/mutation.h"
 #include "tests/planner/contingent/tasks.h"
 
-namespace assay::contingent {
+namespace assay::contingent::pddl_file_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -266,4 +266,4 @@ TEST(PddlText, OpenFunctionsHaveExactlyOneValue) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::pddl_file_test

@@ -16,7 +16,7 @@
 #include "tests/planner/contingent/mutation.h"
 #include "tests/planner/contingent/tasks.h"
 
-namespace assay::contingent {
+namespace assay::contingent::pks_file_test {
 namespace {
 
 using ::testing::EndsWith;
@@ -412,4 +412,4 @@ TEST_P(Mutations, AreSurvived) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::pks_file_test

@@ -10,7 +10,7 @@
 #include "tests/oracle/belief_search.h"
 #include "tests/planner/contingent/tasks.h"
 
-namespace assay::contingent {
+namespace assay::contingent::random_domains_test {
 namespace {
 
 constexpr int kAtoms = 4;
@@ -219,4 +219,4 @@ TEST_P(RandomDomains, LeastDepthIsTheOracles) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::random_domains_test

@@ -12,7 +12,7 @@
 // Random domains with all that the language has: functions of objects and numbers, run-time
 // variables, conjunctions in Kw, update rules. There is no oracle for their depth, but each tree
 // must hold.
-namespace assay::contingent {
+namespace assay::contingent::rich_domains_test {
 namespace {
 
 constexpr int kQuarters = 4;  // to run side by side
@@ -176,4 +176,4 @@ TEST_P(RichDomains, TreesHoldInEveryWorld) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::rich_domains_test

@@ -10,7 +10,7 @@
 #include "planner/contingent/tree_text.h"
 #include "tests/planner/contingent/tasks.h"
 
-namespace assay::contingent {
+namespace assay::contingent::tree_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -176,4 +176,4 @@ TEST(TreeFile, ChildrenThatLeadElsewhereAreTold) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::tree_file_test

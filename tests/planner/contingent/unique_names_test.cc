@@ -10,7 +10,7 @@
 #include "tests/planner/contingent/tasks.h"
 
 // A function has one value at most, in all that is known of it.
-namespace assay::contingent {
+namespace assay::contingent::unique_names_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -192,4 +192,4 @@ TEST(TwoValues, AreAnErrorWhereTheyAreEvident) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::unique_names_test

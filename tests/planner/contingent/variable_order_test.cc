@@ -7,7 +7,7 @@
 
 #include "tests/planner/contingent/tasks.h"
 
-namespace assay::contingent {
+namespace assay::contingent::variable_order_test {
 namespace {
 
 // Each illness has a symptom, which a stain shows; what is seen of it is another matter.
@@ -45,4 +45,4 @@ TEST(VariableOrder, SymptomsStandBehindTheirIllness) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::variable_order_test

@@ -6,7 +6,7 @@
 
 #include "tests/oracle/random_pose.h"
 
-namespace assay::domain {
+namespace assay::domain::box_shadow_test {
 namespace {
 
 using geometry::Box;
@@ -59,4 +59,4 @@ TEST(BoxShadowTest, IsTheProjectionOfTheCutBox) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::box_shadow_test

@@ -11,7 +11,7 @@
 #include "tests/planner/domain/parts.h"
 #include "tests/planner/domain/turned_part.h"
 
-namespace assay::domain {
+namespace assay::domain::grasp_test {
 namespace {
 
 using geometry::Box;
@@ -292,4 +292,4 @@ TEST(GraspTest, IsDeterministic) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::grasp_test

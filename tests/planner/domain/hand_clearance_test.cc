@@ -9,7 +9,7 @@
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
 
-namespace assay::domain {
+namespace assay::domain::hand_clearance_test {
 namespace {
 
 using geometry::Box;
@@ -104,4 +104,4 @@ TEST(HandClearanceTest, ApproachAxesAreRightHanded) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::hand_clearance_test

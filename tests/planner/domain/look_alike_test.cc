@@ -7,7 +7,7 @@
 
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::domain {
+namespace assay::domain::look_alike_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -86,4 +86,4 @@ TEST_F(Looking, AnAngleSensorTellsNoPlaces) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::look_alike_test

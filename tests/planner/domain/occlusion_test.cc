@@ -7,7 +7,7 @@
 #include "planner/domain/mating_classes.h"
 #include "planner/domain/problem_file.h"
 
-namespace assay::domain {
+namespace assay::domain::occlusion_test {
 namespace {
 
 using ::testing::Contains;
@@ -93,4 +93,4 @@ TEST(Occlusion, ABlockOnBricksIsInTheClassOfItsStablePose) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::occlusion_test

@@ -3,7 +3,7 @@
 
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::domain {
+namespace assay::domain::open_pose_test {
 namespace {
 
 std::string TextWith(const std::string& first, const std::string& second) {
@@ -61,4 +61,4 @@ TEST(OpenPose, EveryWorldMustBeRight) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::open_pose_test

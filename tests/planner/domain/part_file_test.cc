@@ -5,7 +5,7 @@
 
 #include "tests/planner/domain/parts.h"
 
-namespace assay::domain {
+namespace assay::domain::part_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -195,4 +195,4 @@ TEST(PartFileTest, APocketTurnsWithItsSolid) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::part_file_test

@@ -10,7 +10,7 @@
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
 
-namespace assay::domain {
+namespace assay::domain::part_model_test {
 namespace {
 
 using geometry::Polygon;
@@ -378,4 +378,4 @@ TEST(PartModelTest, PosesAreFoundByName) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::part_model_test

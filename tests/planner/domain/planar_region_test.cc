@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::domain {
+namespace assay::domain::planar_region_test {
 namespace {
 
 using geometry::Polygon;
@@ -76,4 +76,4 @@ TEST(PlanarRegionTest, DifferenceAndIntersectionMakeUpTheWhole) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::planar_region_test

@@ -18,7 +18,7 @@
 #include "planner/domain/resting.h"
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::domain {
+namespace assay::domain::reachability_test {
 namespace {
 
 using geometry::Box;
@@ -473,4 +473,4 @@ TEST(Scenarios, TwoPegsLeaveRoomForTheHand) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::reachability_test

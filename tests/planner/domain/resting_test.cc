@@ -6,7 +6,7 @@
 
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::domain {
+namespace assay::domain::resting_test {
 namespace {
 
 constexpr double kInch = 0.0254;
@@ -100,4 +100,4 @@ TEST_F(Resting, TheBrickStandsWhereTheBlockMustLie) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::resting_test

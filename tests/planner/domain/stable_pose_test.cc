@@ -10,7 +10,7 @@
 #include "tests/planner/domain/parts.h"
 #include "tests/planner/domain/turned_part.h"
 
-namespace assay::domain {
+namespace assay::domain::stable_pose_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 12;
@@ -166,4 +166,4 @@ TEST(StablePoseTest, MovingThePartInItsFilePermutesItsPoses) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::stable_pose_test

@@ -9,7 +9,7 @@
 #include "tests/planner/domain/scenario.h"
 #include "tests/scratch_file.h"
 
-namespace assay::domain {
+namespace assay::domain::tables_test {
 namespace {
 
 using testing::AllOf;
@@ -78,4 +78,4 @@ TEST_F(TwoTables, WrongTablesAreRefused) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::tables_test

@@ -8,7 +8,7 @@
 
 #include "planner/base/input_error.h"
 
-namespace assay::domain {
+namespace assay::domain::uncertainty_operations_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -149,4 +149,4 @@ TEST(UncertaintyOperationsFile, AnErrorWithoutAnyRecoveryIsNamed) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::uncertainty_operations_file_test

@@ -15,7 +15,7 @@
 #include "planner/base/input_error.h"
 #include "tests/scratch_file.h"
 
-namespace assay::domain {
+namespace assay::domain::workcell_test {
 namespace {
 
 using testing::HasSubstr;
@@ -238,4 +238,4 @@ TEST_F(WrongWorkcell, IsRefused) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::workcell_test

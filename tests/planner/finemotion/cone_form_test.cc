@@ -9,7 +9,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::cone_form_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 91;
@@ -203,4 +203,4 @@ TEST(ConeFormDeathTest, RowsThatContradictEachOther) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::cone_form_test

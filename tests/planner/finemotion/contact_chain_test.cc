@@ -13,7 +13,7 @@
 #include "tests/planner/domain/scenario.h"
 #include "tests/planner/finemotion/feasible_contacts.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::contact_chain_test {
 namespace {
 
 using testing::ElementsAre;
@@ -218,4 +218,4 @@ INSTANTIATE_TEST_SUITE_P(Scenarios, PartsChain,
                          });
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::contact_chain_test

@@ -13,7 +13,7 @@
 #include "planner/finemotion/segment.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::contact_finder_test {
 namespace {
 
 using Contacts = std::vector<PrimitiveContact>;
@@ -269,4 +269,4 @@ TEST(ContactFinder, PointsAtEdgesAreRightToFirstOrder) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::contact_finder_test

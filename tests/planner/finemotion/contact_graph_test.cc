@@ -12,7 +12,7 @@
 #include "planner/geometry/pose.h"
 #include "tests/planner/finemotion/feasible_contacts.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::contact_graph_test {
 namespace {
 
 using oracle::FeasibleContacts;
@@ -343,4 +343,4 @@ TEST(ContactSpaceTest, APegOverlapsBelowTheTopBesideTheHole) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::contact_graph_test

@@ -11,7 +11,7 @@
 #include "planner/finemotion/mating.h"
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::exact_replay_test {
 namespace {
 
 using workloads::BoxShape;
@@ -223,4 +223,4 @@ INSTANTIATE_TEST_SUITE_P(Matings, AbsorbedErrors,
                          });
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::exact_replay_test

@@ -10,7 +10,7 @@
 #include "bench/workloads/pegs.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::face_regions_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 74;
@@ -171,4 +171,4 @@ TEST(DistanceToRegion, IsThatOfTheNearestPoint) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::face_regions_test

@@ -8,7 +8,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::force_signature_test {
 namespace {
 
 constexpr double kLength = 0.02;  // m
@@ -213,4 +213,4 @@ TEST(ForceSignature, WedgesWhereContactsAreInEachOthersCones) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::force_signature_test

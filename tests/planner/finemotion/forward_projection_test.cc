@@ -10,7 +10,7 @@
 #include "planner/finemotion/meeting.h"
 #include "tests/planner/finemotion/corners.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::forward_projection_test {
 namespace {
 
 using workloads::ProjectionAndContact;
@@ -211,4 +211,4 @@ TEST(RegionAtContactDeathTest, EveryMotionMustApproach) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::forward_projection_test

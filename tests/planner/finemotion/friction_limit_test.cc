@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace assay::finemotion {
+namespace assay::finemotion::friction_limit_test {
 namespace {
 
 using PoseChange = Eigen::Matrix<double, kPoseDimensions, 1>;
@@ -56,4 +56,4 @@ TEST(FrictionLimit, WithoutFrictionNothingHoldsButWhatIsMovedAgainst) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::friction_limit_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::finemotion {
+namespace assay::finemotion::known_beliefs_test {
 namespace {
 
 const Vector3 kIn = -Vector3::UnitZ();
@@ -64,4 +64,4 @@ TEST_F(KnownBeliefsTest, FreeOfContactThePartMayBeFartherOutButNotFartherIn) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::known_beliefs_test

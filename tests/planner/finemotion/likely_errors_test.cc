@@ -7,7 +7,7 @@
 #include "planner/finemotion/exact_replay.h"
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::likely_errors_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -81,4 +81,4 @@ TEST(LikelyErrors, LeadMostErrorsOutOfTheirErrorStates) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::likely_errors_test

@@ -14,7 +14,7 @@
 
 #include "bench/workloads/projections.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::meeting_test {
 namespace {
 
 using workloads::JudgedProjection;
@@ -454,4 +454,4 @@ TEST(MeetDeathTest, RowsOfAnotherDimensionAreABrokenInvariant) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::meeting_test

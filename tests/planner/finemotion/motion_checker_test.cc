@@ -6,7 +6,7 @@
 
 #include "bench/workloads/pegs.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::motion_checker_test {
 namespace {
 
 using workloads::BoxShape;
@@ -86,4 +86,4 @@ TEST(MotionChecker, MarginsAreToldByRisingScaleWithTheirContacts) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::motion_checker_test

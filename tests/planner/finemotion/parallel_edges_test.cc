@@ -15,7 +15,7 @@
 #include "planner/finemotion/segment.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::parallel_edges_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 73;
@@ -417,4 +417,4 @@ TEST(ParallelEdges, AWantedCornerIsNoTouchOfItsEdges) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::parallel_edges_test

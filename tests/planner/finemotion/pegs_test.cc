@@ -8,7 +8,7 @@
 #include "planner/finemotion/contact_finder.h"
 #include "planner/finemotion/critical_points.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::pegs_test {
 namespace {
 
 constexpr double kHalf = 0.019;
@@ -91,4 +91,4 @@ TEST(Pieces, ABoxIsASquarePrism) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::pegs_test

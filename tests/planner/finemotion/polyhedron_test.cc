@@ -17,7 +17,7 @@
 #include "planner/geometry/hull.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::polyhedron_test {
 namespace {
 
 using geometry::Box;
@@ -601,4 +601,4 @@ TEST(PolyhedronTest, AreaOfRandomPiecesAgainstSampling) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::polyhedron_test

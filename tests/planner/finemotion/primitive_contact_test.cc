@@ -13,7 +13,7 @@
 #include "bench/workloads/pegs.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::primitive_contact_test {
 namespace {
 
 using oracle::RandomPose;
@@ -621,4 +621,4 @@ TEST(ContactNamed, ReadsWhatNameWrites) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::primitive_contact_test

@@ -14,7 +14,7 @@
 #include "bench/workloads/pegs.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::segment_test {
 namespace {
 
 using workloads::BoxShape;
@@ -682,4 +682,4 @@ TEST(Between, IsWhatDisplaces) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::segment_test

@@ -14,7 +14,7 @@
 #include "bench/workloads/pegs.h"
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::strategy_check_test {
 namespace {
 
 using plan::Strategy;
@@ -211,4 +211,4 @@ TEST_F(Tampered, ContactsAreElsewhere) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::strategy_check_test

@@ -16,7 +16,7 @@
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::strategy_search_test {
 namespace {
 
 using workloads::BoxShape;
@@ -494,4 +494,4 @@ INSTANTIATE_TEST_SUITE_P(Matings, ScenarioMatings,
                          });
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::strategy_search_test

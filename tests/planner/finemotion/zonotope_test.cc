@@ -7,7 +7,7 @@
 #include "planner/base/random.h"
 #include "tests/planner/finemotion/corners.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::zonotope_test {
 namespace {
 
 constexpr double kRounding = 1e-12;
@@ -94,4 +94,4 @@ TEST(Zonotope, ScaledGrowsAboutTheCenter) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::zonotope_test

@@ -9,7 +9,7 @@
 
 #include "tests/oracle/random_pose.h"
 
-namespace assay::geometry {
+namespace assay::geometry::box_test {
 namespace {
 
 using oracle::RandomBox;
@@ -253,4 +253,4 @@ TEST(MassTest, BoxesAtOddAnglesWithinATenthOfAPercent) {
 }
 
 }  // namespace
-}  // namespace assay::geometry
+}  // namespace assay::geometry::box_test

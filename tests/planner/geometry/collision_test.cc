@@ -10,7 +10,7 @@
 #include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::geometry {
+namespace assay::geometry::collision_test {
 namespace {
 
 using oracle::RandomBox;
@@ -249,4 +249,4 @@ TEST(CollisionTest, PegInAHoleTouchesNoWallUntilTheClearanceIsUsedUp) {
 }
 
 }  // namespace
-}  // namespace assay::geometry
+}  // namespace assay::geometry::collision_test

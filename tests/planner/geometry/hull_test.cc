@@ -10,7 +10,7 @@
 #include "planner/geometry/box.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::geometry {
+namespace assay::geometry::hull_test {
 namespace {
 
 using oracle::RandomBox;
@@ -186,4 +186,4 @@ TEST(HullDeathTest, FlatPointsStopTheProgram) {
 }
 
 }  // namespace
-}  // namespace assay::geometry
+}  // namespace assay::geometry::hull_test

@@ -9,7 +9,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::geometry {
+namespace assay::geometry::polygon_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 21;
@@ -186,4 +186,4 @@ TEST(PolygonTest, GapIsSymmetricAndAgreesWithBruteForce) {
 }
 
 }  // namespace
-}  // namespace assay::geometry
+}  // namespace assay::geometry::polygon_test

@@ -6,7 +6,7 @@
 
 #include "tests/oracle/random_pose.h"
 
-namespace assay::geometry {
+namespace assay::geometry::pose_test {
 namespace {
 
 using oracle::RandomPose;
@@ -67,4 +67,4 @@ TEST(PoseTest, AngleBetweenIsAMetricOnRotations) {
 }
 
 }  // namespace
-}  // namespace assay::geometry
+}  // namespace assay::geometry::pose_test

@@ -17,7 +17,7 @@
 #include "tests/oracle/forward_kinematics.h"
 #include "tests/scratch_file.h"
 
-namespace assay::kinematics {
+namespace assay::kinematics::arm_test {
 namespace {
 
 using workloads::RandomJoints;
@@ -468,4 +468,4 @@ TEST(ArmFile, MissingJointLeavesTwoRoots) {
 }
 
 }  // namespace
-}  // namespace assay::kinematics
+}  // namespace assay::kinematics::arm_test

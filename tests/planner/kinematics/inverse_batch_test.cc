@@ -11,7 +11,7 @@
 #include "planner/base/random.h"
 #include "planner/kinematics/arctangent.h"
 
-namespace assay::kinematics {
+namespace assay::kinematics::inverse_batch_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -101,4 +101,4 @@ TEST(InverseBatch, LeavesSingularAndUnreachablePosesToTheArm) {
 }
 
 }  // namespace
-}  // namespace assay::kinematics
+}  // namespace assay::kinematics::inverse_batch_test

@@ -8,7 +8,7 @@
 #include "planner/base/input_error.h"
 #include "tests/scratch_file.h"
 
-namespace assay::kinematics {
+namespace assay::kinematics::urdf_model_test {
 namespace {
 
 const std::filesystem::path kModels = std::filesystem::path(ASSAY_SOURCE_DIR) / "models";
@@ -128,4 +128,4 @@ TEST(UrdfModel, MissingFileIsAnInputError) {
 }
 
 }  // namespace
-}  // namespace assay::kinematics
+}  // namespace assay::kinematics::urdf_model_test

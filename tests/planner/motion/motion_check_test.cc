@@ -4,7 +4,7 @@
 
 #include "tests/planner/motion/arm_scene.h"
 
-namespace assay::motion {
+namespace assay::motion::motion_check_test {
 namespace {
 
 double Tilt(const CollisionScene& scene, const JointVector& q) {
@@ -114,4 +114,4 @@ TEST(MotionCheck, RestIsAMotionOfNothing) {
 }
 
 }  // namespace
-}  // namespace assay::motion
+}  // namespace assay::motion::motion_check_test

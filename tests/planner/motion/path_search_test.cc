@@ -5,7 +5,7 @@
 
 #include "tests/planner/motion/arm_scene.h"
 
-namespace assay::motion {
+namespace assay::motion::path_search_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -130,4 +130,4 @@ TEST(PathSearch, SaysWhatIsInTheWayOnTheWay) {
 }
 
 }  // namespace
-}  // namespace assay::motion
+}  // namespace assay::motion::path_search_test

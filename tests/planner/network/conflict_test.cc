@@ -7,7 +7,7 @@
 
 #include "tests/planner/network/random_networks.h"
 
-namespace assay::network {
+namespace assay::network::conflict_test {
 namespace {
 
 Budget Enough() { return Budget(std::numeric_limits<std::int64_t>::max()); }
@@ -121,4 +121,4 @@ TEST(MinimalConflict, ReportsASpentBudget) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::conflict_test

@@ -6,7 +6,7 @@
 
 #include "tests/planner/network/random_networks.h"
 
-namespace assay::network {
+namespace assay::network::forward_checking_test {
 namespace {
 
 constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
@@ -90,4 +90,4 @@ TEST(ForwardChecking, FitsSetsOfOneWordThatAreNotEmpty) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::forward_checking_test

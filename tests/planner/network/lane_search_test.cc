@@ -10,7 +10,7 @@
 #include "planner/network/tree_search.h"
 #include "tests/planner/network/random_networks.h"
 
-namespace assay::network {
+namespace assay::network::lane_search_test {
 namespace {
 
 constexpr std::int64_t kNoLimit = std::numeric_limits<std::int64_t>::max();
@@ -124,4 +124,4 @@ TEST(LaneSearch, DoesNotFitWideOrVeryManySets) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::lane_search_test

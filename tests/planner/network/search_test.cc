@@ -8,7 +8,7 @@
 #include "planner/network/count.h"
 #include "tests/planner/network/random_networks.h"
 
-namespace assay::network {
+namespace assay::network::search_test {
 namespace {
 
 Budget Enough() { return Budget(std::numeric_limits<std::int64_t>::max()); }
@@ -323,4 +323,4 @@ TEST(NetworkFamily, IsDecidedAndCountedAsByBacktracking) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::search_test

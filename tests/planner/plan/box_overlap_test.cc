@@ -7,7 +7,7 @@
 #include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::plan {
+namespace assay::plan::box_overlap_test {
 namespace {
 
 using geometry::Translation;
@@ -84,4 +84,4 @@ TEST(LowestPoint, IsTheLowestCorner) {
 }
 
 }  // namespace
-}  // namespace assay::plan
+}  // namespace assay::plan::box_overlap_test

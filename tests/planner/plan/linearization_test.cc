@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::plan {
+namespace assay::plan::linearization_test {
 namespace {
 
 using Order = std::vector<StepId>;
@@ -71,4 +71,4 @@ TEST(FirstBroken, NamesThePairThatStandsTheWrongWayRound) {
 }
 
 }  // namespace
-}  // namespace assay::plan
+}  // namespace assay::plan::linearization_test

@@ -14,7 +14,7 @@
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/plan/peg_and_block.h"
 
-namespace assay::plan {
+namespace assay::plan::plan_file_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -41,6 +41,7 @@ Certificate SomeCertificate(double number) {
   const ErrorVariable dx = {"dx_block", {-number, 3 * number}};
   return {
       .variables = {dx, {"dtheta_block", {-kInfinity, kInfinity}}},
+      .shared = {"sin(dtheta_block)", "dx_block * #0"},
       .before = {{.part = kBlock,
                   .in_hand = false,
                   .x = dx.range,
@@ -49,14 +50,14 @@ Certificate SomeCertificate(double number) {
                   .theta = {}}},
       .preconditions = {{.condition = "between fingers",
                          .meaning = "contact 2 lies on the inner side of finger 1",
-                         .expression = "1.5 + dx_block * sin(dtheta_block)",
+                         .expression = "1.5 + #1",
                          .relation = Relation::kGreater,
                          .limit = number,
                          .bound = -kInfinity,
                          .margin = -kInfinity,
                          .gap = kInfinity,
                          .rung = "term-wise",
-                         .worst = {{"dx_block", {number, number}}}},
+                         .worst = {{"dx_block", number}}},
                         {.condition = "pad contact",
                          .meaning = "a \"quoted\" meaning",
                          .expression = "dx_block",
@@ -432,4 +433,4 @@ TEST(PlanFile, MutationsAreReadOrRefusedAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace assay::plan
+}  // namespace assay::plan::plan_file_test

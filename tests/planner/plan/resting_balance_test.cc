@@ -6,7 +6,7 @@
 
 #include "tests/oracle/random_pose.h"
 
-namespace assay::plan {
+namespace assay::plan::resting_balance_test {
 namespace {
 
 using geometry::Vector2;
@@ -81,4 +81,4 @@ TEST(FirstOutside, NamesThePointThatIsNotOverThePolygon) {
 }
 
 }  // namespace
-}  // namespace assay::plan
+}  // namespace assay::plan::resting_balance_test

@@ -15,7 +15,7 @@
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/plan/peg_and_block.h"
 
-namespace assay::plan {
+namespace assay::plan::strategy_file_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -250,4 +250,4 @@ TEST(Strategy, TheCheckerLooksAtIt) {
 }
 
 }  // namespace
-}  // namespace assay::plan
+}  // namespace assay::plan::strategy_file_test

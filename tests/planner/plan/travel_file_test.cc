@@ -8,7 +8,7 @@
 #include "planner/base/input_error.h"
 #include "planner/base/random.h"
 
-namespace assay::plan {
+namespace assay::plan::travel_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -48,4 +48,4 @@ TEST(TravelFile, TellsWhatIsWrongAndWhere) {
 }
 
 }  // namespace
-}  // namespace assay::plan
+}  // namespace assay::plan::travel_file_test

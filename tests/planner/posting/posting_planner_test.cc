@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace assay::posting {
+namespace assay::posting::posting_planner_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -307,4 +307,4 @@ TEST(PostingPlanner, MovedAndTurnedPartsGetPlansThatFit) {
 }
 
 }  // namespace
-}  // namespace assay::posting
+}  // namespace assay::posting::posting_planner_test

@@ -13,7 +13,7 @@
 #include "planner/posting/uncertainty_phase.h"
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::posting {
+namespace assay::posting::resolver_test {
 namespace {
 
 using domain::PartId;
@@ -353,4 +353,4 @@ TEST(ResolverInterface, ARemedyWhoseOwnGoalsFailIsNotUsed) {
 }
 
 }  // namespace
-}  // namespace assay::posting
+}  // namespace assay::posting::resolver_test

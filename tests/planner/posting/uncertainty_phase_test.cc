@@ -21,7 +21,7 @@
 #include "planner/posting/squeezing_resolver.h"
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::posting {
+namespace assay::posting::uncertainty_phase_test {
 namespace {
 
 using domain::PartId;
@@ -352,8 +352,11 @@ TEST_P(AugmentedPlans, CarryCertificatesThatCanBeProvedAnew) {
   for (const PlannedStep& step : plan_.steps) {
     algebra::ExpressionPool pool;
     for (const plan::ErrorVariable& v : step.certificate.variables) pool.Declare(v.name, v.range);
+    const std::vector<algebra::Expression> shared =
+        algebra::ParseShared(step.certificate.shared, pool, {});
     for (const plan::CertifiedPrecondition& claim : step.certificate.preconditions) {
-      const algebra::Expression e = algebra::Parse(claim.expression, pool, {});
+      const algebra::Expression e =
+          algebra::Parse(claim.expression, pool, {}, algebra::Layout::kOther, shared);
       const bool less = claim.relation == plan::Relation::kLess;
       const algebra::BoundRequest request = {.limit = claim.limit};
       const algebra::ConstraintSet box = algebra::DeclaredBox(pool);
@@ -363,10 +366,10 @@ TEST_P(AugmentedPlans, CarryCertificatesThatCanBeProvedAnew) {
           << step.name << " " << claim.condition << " " << claim.expression;
       if (claim.worst.empty()) continue;
       std::vector<Interval> corner = box.box;
-      for (const plan::ErrorVariable& v : claim.worst) {
-        const algebra::VariableId id = *pool.Find(v.name);
-        EXPECT_TRUE(algebra::Contains(pool.bounds(id), v.range.low));
-        corner[id.index()] = v.range;
+      for (const auto& [name, value] : claim.worst) {
+        const algebra::VariableId id = *pool.Find(name);
+        EXPECT_TRUE(algebra::Contains(pool.bounds(id), value));
+        corner[id.index()] = {value, value};
       }
       const Interval value = algebra::Evaluate(e, corner);
       const double beyond = less ? value.low - claim.bound : claim.bound - value.high;
@@ -657,4 +660,4 @@ TEST(UncertaintyPhase, WeakerBoundsGiveTheSameCountAsTheirCertificates) {
 }
 
 }  // namespace
-}  // namespace assay::posting
+}  // namespace assay::posting::uncertainty_phase_test

@@ -8,7 +8,7 @@
 
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::posting {
+namespace assay::posting::verification_test {
 namespace {
 
 using domain::MeasuredQuantity;
@@ -169,4 +169,4 @@ TEST_F(Verification, TwoStepsHaveRecoveriesOfTheirOwn) {
 }
 
 }  // namespace
-}  // namespace assay::posting
+}  // namespace assay::posting::verification_test

@@ -7,7 +7,7 @@
 #include "tests/planner/uncertainty/action_lists.h"
 
 // In sound mode no certificate is false: plans are executed thousands of times with drawn errors.
-namespace assay::uncertainty {
+namespace assay::uncertainty::executed_errors_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -113,4 +113,4 @@ TEST(ExecutedErrors, BeyondTheirBoundsContradict) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::executed_errors_test

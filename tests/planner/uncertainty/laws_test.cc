@@ -6,7 +6,7 @@
 #include "tests/planner/uncertainty/part_on_table.h"
 
 // What holds of propagation and certificates whatever the plan.
-namespace assay::uncertainty {
+namespace assay::uncertainty::laws_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -245,4 +245,4 @@ TEST(Squeezing, OnceLeavesTheOtherCoordinateAndTwiceLeavesTheHandsError) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::laws_test

@@ -4,7 +4,7 @@
 
 #include "tests/planner/uncertainty/part_on_table.h"
 
-namespace assay::uncertainty {
+namespace assay::uncertainty::squeezing_test {
 namespace {
 
 HeldError CloseOn(UncertainWorld& world, const plan::Hold& hold) {
@@ -62,4 +62,4 @@ TEST(ClosePads, PadsThatMayJamLeaveTheRotation) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::squeezing_test

@@ -5,7 +5,7 @@
 #include "tests/planner/uncertainty/part_on_table.h"
 
 // What tolerances of clearance and friction do to certificates.
-namespace assay::uncertainty {
+namespace assay::uncertainty::tolerances_test {
 namespace {
 
 constexpr double kRounding = 1e-15;
@@ -184,4 +184,4 @@ TEST(Tolerances, ProveNoMoreTheGreaterTheyAre) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::tolerances_test

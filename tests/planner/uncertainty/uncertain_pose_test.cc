@@ -4,7 +4,7 @@
 
 #include "tests/oracle/random_pose.h"
 
-namespace assay::uncertainty {
+namespace assay::uncertainty::uncertain_pose_test {
 namespace {
 
 void ExpectSame(const Transform& symbolic, const Pose& numeric) {
@@ -67,4 +67,4 @@ TEST(UncertainPose, TheHeldErrorIsAboutTheCommandedHandInPaperModeAndAboutTheTru
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::uncertain_pose_test

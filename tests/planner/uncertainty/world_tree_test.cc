@@ -6,7 +6,7 @@
 
 #include "tests/planner/uncertainty/action_lists.h"
 
-namespace assay::uncertainty {
+namespace assay::uncertainty::world_tree_test {
 namespace {
 
 constexpr double kSame =
@@ -99,4 +99,4 @@ TEST_P(WorldTreeLaws, MeetTheSameMomentAgain) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::world_tree_test

@@ -9,7 +9,7 @@
 #include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"
 
-namespace assay::check {
+namespace assay::check::attack_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 7;
@@ -120,4 +120,4 @@ TEST(PaperPropagation, TheMissingLeverArmIsFoundAndShrunk) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::attack_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace assay::check {
+namespace assay::check::claim_test {
 namespace {
 
 Claim Observed(double observed, double gate) {
@@ -55,4 +55,4 @@ TEST(Claim, TheWorstOfAStepIsByVerdictThenByMargin) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::claim_test

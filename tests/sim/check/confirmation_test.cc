@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::check {
+namespace assay::check::confirmation_test {
 namespace {
 
 // In [-1, 1], judged.
@@ -61,4 +61,4 @@ TEST(Confirmation, WithoutAViolationNothingIsExecutedAgain) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::confirmation_test

@@ -10,7 +10,7 @@
 #include "sim/exec/mating_trial.h"
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::check {
+namespace assay::check::contact_observer_test {
 namespace {
 
 using finemotion::ContactKind;
@@ -169,4 +169,4 @@ TEST(ContactObserver, SeesThePlannedContactsWithoutErrors) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::contact_observer_test

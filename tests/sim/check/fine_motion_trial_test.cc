@@ -13,7 +13,7 @@
 
 // Plans with an assembly by fine motion, executed: a look, a pickup that leaves the peg off by more
 // than its play, and the way in by contacts.
-namespace assay::check {
+namespace assay::check::fine_motion_trial_test {
 namespace {
 
 using testing::Contains;
@@ -92,4 +92,4 @@ TEST_F(FeltAssembly, AFailureTellsHowTheMatingEnded) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::fine_motion_trial_test

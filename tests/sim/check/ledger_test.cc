@@ -11,7 +11,7 @@
 #include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"
 
-namespace assay::check {
+namespace assay::check::ledger_test {
 namespace {
 
 using noise::Effect;
@@ -209,4 +209,4 @@ TEST_F(Alone, WhatASensorTellsIsNotAlwaysBelieved) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::ledger_test

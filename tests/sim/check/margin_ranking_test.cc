@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace assay::check {
+namespace assay::check::margin_ranking_test {
 namespace {
 
 using finemotion::ContactKind;
@@ -97,4 +97,4 @@ TEST(MarginRanking, WhatNoMarginTellsIsBeyondTheLadder) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::margin_ranking_test

@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::check {
+namespace assay::check::sequence_comparison_test {
 namespace {
 
 using finemotion::ContactKind;
@@ -179,4 +179,4 @@ TEST(Compare, WhatIsWaitedForAndDoesNotComeIsLost) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::sequence_comparison_test

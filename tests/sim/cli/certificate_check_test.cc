@@ -84,7 +84,7 @@ TEST_F(CertificateCheck, WhatIsSaidToBeProvedAndIsNot) {
   const double margin = -claim["margin"].get<double>() + 0.001;
   claim["bound"] = claim["limit"].get<double>() - Sign(claim) * margin;
   claim["margin"] = margin;
-  claim["worst"] = Json::array();
+  claim["worst"] = Json::object();
   EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("it is said to be proved, but ")));
 }
 
@@ -115,7 +115,7 @@ TEST_F(CertificateCheck, BoundThatTheExpressionCrosses) {
   claim["bound"] = claim["bound"].get<double>() - Sign(claim) * gain;
   claim["margin"] = claim["margin"].get<double>() + gain;
   EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("the bound is said to be ")));
-  claim["worst"] = Json::array();  // the corner is found again
+  claim["worst"] = Json::object();  // the corner is found again
   EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("but the expression attains ")));
 }
 
@@ -136,13 +136,14 @@ TEST_F(CertificateCheck, CornerThatIsNone) {
   Json& worst = FirstClaim(plan, true)["worst"];
   const Json written = worst;
   ASSERT_THAT(worst, Not(IsEmpty()));
-  worst[0]["range"] = {7, 7};
+  const std::string name = worst.begin().key();
+  worst[name] = 7;
   EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("the worst corner is not in the range of ")));
   worst = written;
-  worst[0]["name"] = "dx_nothing";
+  worst["dx_nothing"] = 0;
   EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("'dx_nothing', which is no variable")));
   worst = written;
-  worst.erase(0);
+  worst.erase(name);
   EXPECT_THAT(FlawsOf(plan), Contains(HasSubstr("the worst corner lacks ")));
 }
 

@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::mate_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -221,4 +221,4 @@ TEST(Mate, PicturesOfTheContactStates) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::mate_test

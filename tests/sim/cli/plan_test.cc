@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::plan_test {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -175,4 +175,4 @@ TEST(Plan, WrongInput) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::plan_test

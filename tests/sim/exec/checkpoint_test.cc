@@ -8,7 +8,7 @@
 #include "sim/noise/sampling.h"
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::exec {
+namespace assay::exec::checkpoint_test {
 namespace {
 
 constexpr plan::StepId kAssemble(0);
@@ -148,4 +148,4 @@ TEST_F(Checkpoints, TwoThreadsGiveTheSameBytesUnderNoise) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::checkpoint_test

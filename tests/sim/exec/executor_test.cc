@@ -11,7 +11,7 @@
 #include "tests/sim/exec/figure15.h"
 #include "tests/sim/exec/trace_schema.h"
 
-namespace assay::exec {
+namespace assay::exec::executor_test {
 namespace {
 
 using testing::HasSubstr;
@@ -218,4 +218,4 @@ TEST_F(Figure15Executed, WorksWithAWeldToo) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::executor_test

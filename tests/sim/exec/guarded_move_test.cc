@@ -8,7 +8,7 @@
 #include "tests/sim/exec/channel.h"
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::exec {
+namespace assay::exec::guarded_move_test {
 namespace {
 
 using noise::Effect;
@@ -142,4 +142,4 @@ TEST_F(GuardedMove, EndsWithoutResistanceWhereThereIsNothing) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::guarded_move_test

@@ -6,7 +6,7 @@
 #include "tests/sim/exec/figure15.h"
 #include "tests/sim/exec/trace_schema.h"
 
-namespace assay::exec {
+namespace assay::exec::look_test {
 namespace {
 
 using noise::Effect;
@@ -160,4 +160,4 @@ TEST_F(Looking, APartThatIsNotFoundEndsTheExecution) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::look_test

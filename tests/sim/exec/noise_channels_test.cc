@@ -9,7 +9,7 @@
 #include "tests/sim/exec/figure15.h"
 
 // Each channel of the noise, alone, moves something by what was drawn, and nothing else.
-namespace assay::exec {
+namespace assay::exec::noise_channels_test {
 namespace {
 
 using noise::Effect;
@@ -269,4 +269,4 @@ TEST_F(Channels, FrictionOfPads) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::noise_channels_test

@@ -10,7 +10,7 @@
 #include "tests/sim/exec/figure15.h"
 #include "tests/sim/exec/trace_schema.h"
 
-namespace assay::exec {
+namespace assay::exec::recovery_test {
 namespace {
 
 using domain::RecoveryStrategy;
@@ -297,4 +297,4 @@ TEST_F(Recovering, APegThatStopsAtTheRimIsGropedIn) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::recovery_test

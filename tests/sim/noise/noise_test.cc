@@ -10,7 +10,7 @@
 #include "tests/oracle/random_pose.h"
 #include "tests/sim/noise/figure15_careful.h"
 
-namespace assay::noise {
+namespace assay::noise::noise_test {
 namespace {
 
 using geometry::Vector3;
@@ -174,4 +174,4 @@ TEST_F(NoiseTest, TakesWhatIsOutsideByRoundingAsTheEnd) {
 }
 
 }  // namespace
-}  // namespace assay::noise
+}  // namespace assay::noise::noise_test

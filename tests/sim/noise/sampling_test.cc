@@ -10,7 +10,7 @@
 #include "planner/base/random.h"
 #include "tests/sim/noise/figure15_careful.h"
 
-namespace assay::noise {
+namespace assay::noise::sampling_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 7;
@@ -203,4 +203,4 @@ TEST(ModeTest, HasANameEach) {
 }
 
 }  // namespace
-}  // namespace assay::noise
+}  // namespace assay::noise::sampling_test

@@ -125,7 +125,7 @@ TEST_F(ScenarioFile, ThatIsNotThereIsNamed) {
 TEST(Scenarios, AllCanBeLoaded) {
   for (const auto& entry : fs::directory_iterator(kRoot / "scenarios")) {
     if (entry.path().extension() != ".yaml") continue;
-    const auto worlds = LoadWorlds(entry.path(), FindModels(entry.path()), {});
+    const auto worlds = ReadWorlds(Document::Load(entry.path()));
     EXPECT_EQ(worlds.front().name, entry.path().stem());
     if (worlds.size() > 1) continue;
     EXPECT_EQ(Load(entry.path()).problem.name, entry.path().stem());

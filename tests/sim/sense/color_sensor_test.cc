@@ -6,7 +6,7 @@
 #include "planner/domain/problem_file.h"
 #include "sim/sense/displacement.h"
 
-namespace assay::sense {
+namespace assay::sense::color_sensor_test {
 namespace {
 
 const std::vector<NamedColor> kColors = {{"full", {0.16, 0.45, 0.22}},
@@ -135,4 +135,4 @@ TEST_F(ColorSensorTest, TheSameSightGivesTheSameShares) {
 }
 
 }  // namespace
-}  // namespace assay::sense
+}  // namespace assay::sense::color_sensor_test

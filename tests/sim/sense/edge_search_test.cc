@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::sense {
+namespace assay::sense::edge_search_test {
 namespace {
 
 constexpr int kSize = 64;
@@ -107,4 +107,4 @@ TEST(EdgeSearch, OfTwoEdgesTheNearer) {
 }
 
 }  // namespace
-}  // namespace assay::sense
+}  // namespace assay::sense::edge_search_test

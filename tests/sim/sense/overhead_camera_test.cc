@@ -8,7 +8,7 @@
 #include "sim/sense/calibration.h"
 #include "tests/sim/scene/peg_and_block.h"
 
-namespace assay::sense {
+namespace assay::sense::overhead_camera_test {
 namespace {
 
 using scene::kDegree;
@@ -159,4 +159,4 @@ TEST_F(RefusalTest, APartThatRestsOtherwiseIsNotFound) {
 }
 
 }  // namespace
-}  // namespace assay::sense
+}  // namespace assay::sense::overhead_camera_test

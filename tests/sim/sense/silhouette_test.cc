@@ -7,7 +7,7 @@
 #include "planner/base/random.h"
 #include "tests/sim/scene/peg_and_block.h"
 
-namespace assay::sense {
+namespace assay::sense::silhouette_test {
 namespace {
 
 using geometry::Box;
@@ -154,4 +154,4 @@ TEST(Silhouette, GoesAroundThroughHoles) {
 }
 
 }  // namespace
-}  // namespace assay::sense
+}  // namespace assay::sense::silhouette_test

@@ -4,7 +4,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::sense {
+namespace assay::sense::view_test {
 namespace {
 
 constexpr int kSize = 480;
@@ -77,4 +77,4 @@ TEST(ViewDeathTest, TheEyeIsOutsideOfTheBall) {
 }
 
 }  // namespace
-}  // namespace assay::sense
+}  // namespace assay::sense::view_test

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+namespace assay::plan {
+
+// JSON as a file holds it: a list or an object that fits stands on one line of 100 columns, what is
+// in longer ones on lines of their own, as many numbers and texts on each as it takes. Numbers have
+// the fewest digits that read back as the same double. Ends with a line break.
+std::string LaidOut(const nlohmann::ordered_json& json);
+
+}  // namespace assay::plan

@@ -1,0 +1,92 @@
+#include "sim/opencv/contact_sheet.h"
+
+#include <algorithm>
+#include <opencv2/imgproc.hpp>
+
+#include "sim/opencv/pixels.h"
+
+namespace assay::opencv {
+namespace {
+
+using render::CaptionedImage;
+using render::Image;
+using render::LegendEntry;
+
+// Layout of a contact sheet, in pixels, for images of one width.
+struct SheetLayout {
+  int margin = 0;
+  int caption = 0;  // height
+  double font_scale = 0;
+  int thickness = 1;
+
+  explicit SheetLayout(int image_width)
+      : margin(std::max(6, image_width / 40)),
+        caption(std::max(18, image_width / 20)),
+        font_scale(caption / 40.0),
+        thickness(std::max(1, caption / 30)) {}
+};
+
+constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
+const cv::Scalar kInk(40, 40, 40);
+
+int TextWidth(const std::string& text, const SheetLayout& layout) {
+  int baseline = 0;
+  return cv::getTextSize(text, kFont, layout.font_scale, layout.thickness, &baseline).width;
+}
+
+std::string Fitted(const std::string& caption, int width, const SheetLayout& layout) {
+  if (TextWidth(caption, layout) <= width) return caption;
+  std::string start = caption;
+  while (!start.empty() && TextWidth(start + "...", layout) > width) start.pop_back();
+  return start + "...";
+}
+
+void DrawCell(const CaptionedImage& cell, const cv::Point& corner, const SheetLayout& layout,
+              cv::Mat& sheet) {
+  const Image& image = cell.image;
+  PixelsOf(image).copyTo(sheet(cv::Rect(corner.x, corner.y, image.width, image.height)));
+  const cv::Point baseline(corner.x, corner.y + image.height + layout.caption * 3 / 4);
+  cv::putText(sheet, Fitted(cell.caption, image.width, layout), baseline, kFont, layout.font_scale,
+              kInk, layout.thickness, cv::LINE_AA);
+}
+
+void DrawLegendEntry(const LegendEntry& entry, const cv::Point& corner, const SheetLayout& layout,
+                     cv::Mat& sheet) {
+  const auto [red, green, blue] = entry.colour.Rgb();
+  const int middle = corner.y + layout.caption / 2;
+  cv::line(sheet, {corner.x, middle}, {corner.x + layout.caption, middle},
+           cv::Scalar(red, green, blue), 2 * layout.thickness, cv::LINE_AA);
+  const int text = corner.x + layout.caption + layout.margin;
+  cv::putText(sheet, Fitted(entry.meaning, sheet.cols - layout.margin - text, layout),
+              {text, corner.y + layout.caption * 3 / 4}, kFont, layout.font_scale, kInk,
+              layout.thickness, cv::LINE_AA);
+}
+
+}  // namespace
+
+Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
+                   const std::vector<LegendEntry>& legend) {
+  const int width = images.front().image.width;
+  const int height = images.front().image.height;
+  const SheetLayout layout(width);
+  const int count = static_cast<int>(images.size());
+  const int used_columns = std::min(columns, count);
+  const int rows = (count + used_columns - 1) / used_columns;
+  const cv::Size step(width + layout.margin, height + layout.caption + layout.margin);
+  const int legend_height = static_cast<int>(legend.size()) * layout.caption;
+  cv::Mat sheet(rows * step.height + layout.margin + legend_height,
+                used_columns * step.width + layout.margin, CV_8UC3, cv::Scalar::all(255));
+  for (int i = 0; i < count; ++i) {
+    const cv::Point corner(layout.margin + i % used_columns * step.width,
+                           layout.margin + i / used_columns * step.height);
+    DrawCell(images[i], corner, layout, sheet);
+  }
+  cv::Point corner(layout.margin, rows * step.height + layout.margin / 2);
+  for (const LegendEntry& entry : legend) {
+    DrawLegendEntry(entry, corner, layout, sheet);
+    corner.y += layout.caption;
+  }
+  return ImageOf(sheet);
+}
+
+}  // namespace assay::opencv

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "sim/render/image.h"
+
+namespace assay::opencv {
+
+// render::ContactSheet, whose arguments have been checked.
+render::Image ContactSheet(const std::vector<render::CaptionedImage>& images, int columns,
+                           const std::vector<render::LegendEntry>& legend);
+
+}  // namespace assay::opencv
