@@ -243,7 +243,7 @@ std::string KindText(const ClaimKind& kind, const CertificateProofs& proofs, boo
   std::string text = fmt::format("\n{}: {}: {}\n", kind.condition, kind.meaning,
                                  StandingText(unproved, all, absorbed));
   if (!in_full) {
-    return text + fmt::format("    {}\n", OneLine(kind.claims.front()->expression)) +
+    return text + fmt::format("    {}\n", OneLine(proofs.ExpressionText(*kind.claims.front()))) +
            ClaimsTable(kind.claims);
   }
   text += ChainText(proofs.Of(*kind.claims.front()));

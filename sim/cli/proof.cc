@@ -63,6 +63,10 @@ bool Proof::IsRefuted() const {
 CertificateProofs::CertificateProofs(const plan::PlannedStep& step, const std::string& file)
     : algebra_(step, file) {}
 
+std::string CertificateProofs::ExpressionText(const CertifiedPrecondition& claim) const {
+  return algebra::Text(algebra::Simplify(algebra_.Read(claim.expression)));
+}
+
 Proof CertificateProofs::Of(const CertifiedPrecondition& claim) const {
   const algebra::ExpressionPool& pool = algebra_.pool();
   const algebra::ConstraintSet& box = algebra_.box();

@@ -44,6 +44,8 @@ class CertificateProofs {
   CertificateProofs(const plan::PlannedStep& step, const std::string& file);
 
   Proof Of(const plan::CertifiedPrecondition& claim) const;
+  // Its expression as a sum, in full.
+  std::string ExpressionText(const plan::CertifiedPrecondition& claim) const;
 
  private:
   CertificateAlgebra algebra_;

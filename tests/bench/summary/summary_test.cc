@@ -14,7 +14,7 @@
 #include "planner/base/input_error.h"
 #include "tests/scratch_file.h"
 
-namespace assay::bench {
+namespace assay::bench::summary_test {
 namespace {
 
 using testing::DoubleNear;
@@ -310,4 +310,4 @@ TEST(Measurements, TellsWhichFileIsNoResult) {
 }
 
 }  // namespace
-}  // namespace assay::bench
+}  // namespace assay::bench::summary_test

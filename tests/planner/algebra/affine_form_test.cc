@@ -9,7 +9,7 @@
 #include "tests/oracle/dense_search.h"
 #include "tests/oracle/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::affine_form_test {
 namespace {
 
 using oracle::ValueAt;
@@ -67,4 +67,4 @@ TEST(AffineForm, HoldsEveryValue) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::affine_form_test

@@ -9,7 +9,7 @@
 #include "planner/algebra/sup_inf.h"
 #include "planner/base/input_error.h"
 
-namespace assay::algebra {
+namespace assay::algebra::bound_file_test {
 namespace {
 
 using testing::AllOf;
@@ -151,4 +151,4 @@ TEST(BoundFile, FilesThatCannotBeReadAreTold) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::bound_file_test

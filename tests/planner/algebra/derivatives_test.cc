@@ -11,7 +11,7 @@
 #include "planner/algebra/probe.h"
 #include "tests/oracle/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::derivatives_test {
 namespace {
 
 std::vector<VariableId> AllVariables(const ExpressionPool& pool) {
@@ -174,4 +174,4 @@ TEST(Concavity, IsSeenWhereItHoldsAllOver) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::derivatives_test

@@ -10,7 +10,7 @@
 #include "planner/algebra/interval_arithmetic.h"
 #include "tests/planner/algebra/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::expression_test {
 namespace {
 
 using testing::ElementsAre;
@@ -197,4 +197,4 @@ TEST_F(ExpressionTest, EvaluatesEveryOperator) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::expression_test

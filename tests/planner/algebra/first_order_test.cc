@@ -10,7 +10,7 @@
 #include "tests/oracle/dense_search.h"
 #include "tests/oracle/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::first_order_test {
 namespace {
 
 using oracle::ValueAt;
@@ -118,4 +118,4 @@ TEST(FirstOrder, IsTheSameForOneAsForOneOfMany) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::first_order_test

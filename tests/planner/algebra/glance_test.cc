@@ -9,7 +9,7 @@
 #include "tests/oracle/dense_search.h"
 #include "tests/oracle/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::glance_test {
 namespace {
 
 using oracle::ValueAt;
@@ -67,4 +67,4 @@ TEST(Glance, HasNoValueOutsideItsBounds) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::glance_test

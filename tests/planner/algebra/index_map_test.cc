@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::algebra {
+namespace assay::algebra::index_map_test {
 namespace {
 
 TEST(IndexMapTest, DoesWhatAMapDoes) {
@@ -24,4 +24,4 @@ TEST(IndexMapTest, DoesWhatAMapDoes) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::index_map_test

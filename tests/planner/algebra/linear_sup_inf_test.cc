@@ -10,7 +10,7 @@
 #include "planner/base/random.h"
 #include "tests/planner/algebra/random_linear_programs.h"
 
-namespace assay::algebra {
+namespace assay::algebra::linear_sup_inf_test {
 namespace {
 
 using testing::ElementsAre;
@@ -162,4 +162,4 @@ TEST(LinearSupInf, KeptColumnsBound) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::linear_sup_inf_test

@@ -9,7 +9,7 @@
 #include "planner/algebra/multiaffine_point.h"
 #include "tests/oracle/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::multiaffine_form_test {
 namespace {
 
 std::optional<MultiaffineForm> FormOf(const Expression& e) {
@@ -120,4 +120,4 @@ TEST(MultiaffineForm, DerivativesByVariables) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::multiaffine_form_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace assay::algebra {
+namespace assay::algebra::rational_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -56,4 +56,4 @@ TEST(Rational, LowestTerms) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::rational_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::algebra {
+namespace assay::algebra::sensitivity_test {
 namespace {
 
 class Sensitivity : public testing::Test {
@@ -61,4 +61,4 @@ TEST_F(Sensitivity, NoneIsNeededWhereTheBoundHolds) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::sensitivity_test

@@ -8,7 +8,7 @@
 #include "planner/algebra/text.h"
 #include "tests/planner/algebra/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::simplify_test {
 namespace {
 
 class SimplifyTest : public testing::Test {
@@ -105,4 +105,4 @@ TEST_F(SimplifyTest, StaysInThePool) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::simplify_test

@@ -11,7 +11,7 @@
 #include "planner/base/random.h"
 #include "tests/planner/algebra/random_linear_programs.h"
 
-namespace assay::algebra {
+namespace assay::algebra::sup_inf_test {
 namespace {
 
 // x, y, z and the constraints between them.
@@ -366,4 +366,4 @@ TEST(SupInfLaws, ConstraintsTighten) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::sup_inf_test

@@ -11,7 +11,7 @@
 
 #include "tests/planner/algebra/random_expression.h"
 
-namespace assay::algebra {
+namespace assay::algebra::text_test {
 namespace {
 
 class TextTest : public testing::Test {
@@ -227,4 +227,4 @@ TEST_F(TextTest, RandomBytesGiveErrorsOnly) {
 }
 
 }  // namespace
-}  // namespace assay::algebra
+}  // namespace assay::algebra::text_test

@@ -20,7 +20,7 @@
 #include "tests/planner/posting/scenarios.h"
 #include "tests/scratch_file.h"
 
-namespace assay::assembly {
+namespace assay::assembly::contingent_assembly_test {
 namespace {
 
 using contingent::PlanNode;
@@ -350,4 +350,4 @@ TEST(ContingentAssembly, PartsAndPosesMayHaveAnyNames) {
 }
 
 }  // namespace
-}  // namespace assay::assembly
+}  // namespace assay::assembly::contingent_assembly_test

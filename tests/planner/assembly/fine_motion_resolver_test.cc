@@ -12,7 +12,7 @@
 #include "tests/oracle/executed_errors.h"
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::assembly {
+namespace assay::assembly::fine_motion_resolver_test {
 namespace {
 
 using geometry::Pose;
@@ -199,4 +199,4 @@ TEST(Resolvers, ComeInThePapersOrder) {
 }
 
 }  // namespace
-}  // namespace assay::assembly
+}  // namespace assay::assembly::fine_motion_resolver_test

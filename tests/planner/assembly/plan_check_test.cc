@@ -9,7 +9,7 @@
 #include "planner/assembly/certified_plan.h"
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::assembly {
+namespace assay::assembly::plan_check_test {
 namespace {
 
 using plan::Strategy;
@@ -67,4 +67,4 @@ TEST(PlanCheck, TakesTheNarrowestHoles) {
 }
 
 }  // namespace
-}  // namespace assay::assembly
+}  // namespace assay::assembly::plan_check_test

@@ -7,7 +7,7 @@
 #include "planner/finemotion/mating.h"
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::assembly {
+namespace assay::assembly::strategy_reach_test {
 namespace {
 
 using geometry::Pose;
@@ -96,4 +96,4 @@ TEST_F(StrategyReachTest, WhereNoGraspReachesItIsToldOfTheOwn) {
 }
 
 }  // namespace
-}  // namespace assay::assembly
+}  // namespace assay::assembly::strategy_reach_test

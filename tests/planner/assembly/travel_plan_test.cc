@@ -13,7 +13,7 @@
 #include "planner/plan/tool_route.h"
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::assembly {
+namespace assay::assembly::travel_plan_test {
 namespace {
 
 using domain::PartId;
@@ -123,4 +123,4 @@ TEST(TravelPlan, TellsWhatIsInTheWay) {
 }
 
 }  // namespace
-}  // namespace assay::assembly
+}  // namespace assay::assembly::travel_plan_test

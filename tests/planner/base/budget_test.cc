@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay {
+namespace assay::budget_test {
 namespace {
 
 TEST(BudgetTest, GrantsExactlyItsLimit) {
@@ -28,4 +28,4 @@ TEST(BudgetTest, StaysExhausted) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::budget_test

@@ -9,7 +9,7 @@
 #include "planner/base/random.h"
 #include "tests/scratch_file.h"
 
-namespace assay {
+namespace assay::document_test {
 namespace {
 
 using ::testing::AllOf;
@@ -501,4 +501,4 @@ TEST(RobustnessTest, AMutatedDocumentParsesOrIsAnInputError) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::document_test

@@ -5,7 +5,7 @@
 #include <type_traits>
 #include <unordered_set>
 
-namespace assay {
+namespace assay::id_test {
 namespace {
 
 using PartId = Id<struct PartTag>;
@@ -40,4 +40,4 @@ TEST(IdTest, CanBeHashed) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::id_test

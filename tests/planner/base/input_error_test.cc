@@ -5,7 +5,7 @@
 #include <exception>
 #include <type_traits>
 
-namespace assay {
+namespace assay::input_error_test {
 namespace {
 
 TEST(InputErrorTest, NamesPlaceFaultAndWhatIsAllowed) {
@@ -37,4 +37,4 @@ TEST(InputErrorTest, IsNotAnEnvironmentError) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::input_error_test

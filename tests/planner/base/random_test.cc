@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace assay {
+namespace assay::random_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 7;
@@ -170,4 +170,4 @@ TEST(IndexDeathTest, NeedsACount) {
 }
 
 }  // namespace
-}  // namespace assay
+}  // namespace assay::random_test

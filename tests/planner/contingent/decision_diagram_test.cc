@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::contingent {
+namespace assay::contingent::decision_diagram_test {
 namespace {
 
 using ::testing::ElementsAreArray;
@@ -167,4 +167,4 @@ TEST_F(Laws, ExactlyOneAndAtLeastOne) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::decision_diagram_test

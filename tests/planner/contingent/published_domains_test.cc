@@ -5,7 +5,7 @@
 #include "planner/contingent/tree_text.h"
 #include "tests/planner/contingent/tasks.h"
 
-namespace assay::contingent {
+namespace assay::contingent::published_domains_test {
 namespace {
 
 // The answers that the literature, or a count by hand, gives of the scenarios in scenarios/know.
@@ -213,4 +213,4 @@ TEST(Plans, RepeatNothingThatStaysAsItIs) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::published_domains_test

@@ -4,7 +4,7 @@
 
 #include "planner/contingent/pks_lexer.h"
 
-namespace assay::contingent {
+namespace assay::contingent::spelling_test {
 namespace {
 
 TEST(Spelling, IsANameOfThePksFormat) {
@@ -36,4 +36,4 @@ TEST(Spelling, UniqueNamesAreTakenOnce) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::spelling_test

@@ -12,7 +12,7 @@
 #include "planner/contingent/world_progression.h"
 #include "tests/planner/contingent/tasks.h"
 
-namespace assay::contingent {
+namespace assay::contingent::tree_check_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -643,4 +643,4 @@ TEST(Worlds, AreDrawnIfTheyAreTooMany) {
 }
 
 }  // namespace
-}  // namespace assay::contingent
+}  // namespace assay::contingent::tree_check_test

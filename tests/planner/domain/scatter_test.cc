@@ -5,7 +5,7 @@
 #include "planner/domain/problem_file.h"
 #include "planner/domain/resting.h"
 
-namespace assay::domain {
+namespace assay::domain::scatter_test {
 namespace {
 
 Problem Load(const std::string& scenario) {
@@ -51,4 +51,4 @@ TEST(Scatter, SaysWhenThereIsNoRoom) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::scatter_test

@@ -11,7 +11,7 @@
 #include "planner/base/random.h"
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::domain {
+namespace assay::domain::tool_path_test {
 namespace {
 
 using geometry::Matrix3;
@@ -175,4 +175,4 @@ TEST(ToolPath, PrefixesOfAPathCanBeFollowed) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::tool_path_test

@@ -8,7 +8,7 @@
 
 #include "planner/geometry/pose.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::critical_points_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -186,4 +186,4 @@ TEST(CriticalPoints, OfWhatTouchesNothing) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::critical_points_test

@@ -7,7 +7,7 @@
 
 // The matings of the repository's parts: where on the way in other faces begin to touch, by the
 // dimensions of the part files.
-namespace assay::finemotion {
+namespace assay::finemotion::model_critical_points_test {
 namespace {
 
 constexpr double kInch = 0.0254;
@@ -64,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::model_critical_points_test

@@ -8,7 +8,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::finemotion {
+namespace assay::finemotion::nonnegative_least_squares_test {
 namespace {
 
 // The least residual over all sets of columns that may be positive.
@@ -52,4 +52,4 @@ TEST(NonnegativeLeastSquares, OfNothing) {
 }
 
 }  // namespace
-}  // namespace assay::finemotion
+}  // namespace assay::finemotion::nonnegative_least_squares_test

@@ -6,7 +6,7 @@
 #include "tests/oracle/box_pair.h"
 #include "tests/oracle/random_pose.h"
 
-namespace assay::geometry {
+namespace assay::geometry::rounded_hull_test {
 namespace {
 
 using oracle::RandomBox;
@@ -97,4 +97,4 @@ TEST(RoundedHull, TheBallHoldsItAll) {
 }
 
 }  // namespace
-}  // namespace assay::geometry
+}  // namespace assay::geometry::rounded_hull_test

@@ -10,7 +10,7 @@
 #include "planner/base/input_error.h"
 #include "tests/scratch_file.h"
 
-namespace assay::kinematics {
+namespace assay::kinematics::gripper_test {
 namespace {
 
 const std::filesystem::path kJaw =
@@ -123,4 +123,4 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 }  // namespace
-}  // namespace assay::kinematics
+}  // namespace assay::kinematics::gripper_test

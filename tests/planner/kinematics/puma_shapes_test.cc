@@ -6,7 +6,7 @@
 #include "planner/base/random.h"
 #include "planner/kinematics/urdf_model.h"
 
-namespace assay::kinematics {
+namespace assay::kinematics::puma_shapes_test {
 namespace {
 
 using geometry::Vector3;
@@ -63,4 +63,4 @@ TEST(PumaShapes, CollisionsHoldWhatIsDrawn) {
 }
 
 }  // namespace
-}  // namespace assay::kinematics
+}  // namespace assay::kinematics::puma_shapes_test

@@ -8,7 +8,7 @@
 #include "planner/geometry/collision.h"
 #include "tests/planner/motion/arm_scene.h"
 
-namespace assay::motion {
+namespace assay::motion::collision_scene_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -158,4 +158,4 @@ TEST(CollisionScene, AnotherRobotStandsAtItsHome) {
 }
 
 }  // namespace
-}  // namespace assay::motion
+}  // namespace assay::motion::collision_scene_test

@@ -5,7 +5,7 @@
 #include "planner/base/random.h"
 #include "tests/planner/motion/arm_scene.h"
 
-namespace assay::motion {
+namespace assay::motion::joint_trajectory_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 31;
@@ -152,4 +152,4 @@ TEST_F(AlongAPath, WaistByAQuarterTurn) {
 }
 
 }  // namespace
-}  // namespace assay::motion
+}  // namespace assay::motion::joint_trajectory_test

@@ -11,7 +11,7 @@
 #include "planner/contingent/tree_text.h"
 #include "planner/domain/problem_file.h"
 
-namespace assay::motion {
+namespace assay::motion::part_reach_test {
 namespace {
 
 constexpr PartId kBottle(0);
@@ -100,4 +100,4 @@ TEST(PartReach, HandOverEmergesFromGeometry) {
 }
 
 }  // namespace
-}  // namespace assay::motion
+}  // namespace assay::motion::part_reach_test

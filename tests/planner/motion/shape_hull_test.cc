@@ -6,7 +6,7 @@
 
 #include "tests/oracle/random_pose.h"
 
-namespace assay::motion {
+namespace assay::motion::shape_hull_test {
 namespace {
 
 using geometry::Facet;
@@ -52,4 +52,4 @@ TEST(ShapeHull, TheBoxIsItself) {
 }
 
 }  // namespace
-}  // namespace assay::motion
+}  // namespace assay::motion::shape_hull_test

@@ -5,7 +5,7 @@
 #include "planner/motion/joint_trajectory.h"
 #include "tests/planner/motion/arm_scene.h"
 
-namespace assay::motion {
+namespace assay::motion::shortening_test {
 namespace {
 
 // A path of motions that are free, at random.
@@ -45,4 +45,4 @@ TEST(Shortening, WithoutEffortThePathStays) {
 }
 
 }  // namespace
-}  // namespace assay::motion
+}  // namespace assay::motion::shortening_test

@@ -8,7 +8,7 @@
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/motion/arm_scene.h"
 
-namespace assay::motion {
+namespace assay::motion::swept_volume_test {
 namespace {
 
 using geometry::Facet;
@@ -192,4 +192,4 @@ TEST(SweptVolume, WhatIsClearOfAVolumeIsClearOfEveryPostureInIt) {
 }
 
 }  // namespace
-}  // namespace assay::motion
+}  // namespace assay::motion::swept_volume_test

@@ -10,7 +10,7 @@
 #include "planner/motion/joint_trajectory.h"
 #include "planner/motion/straight_line.h"
 
-namespace assay::motion {
+namespace assay::motion::travel_test {
 namespace {
 
 const PartId kBlock(0);
@@ -175,4 +175,4 @@ TEST_F(TravelBesideAnArm, LooksAtTheLinesThatFollow) {
 }
 
 }  // namespace
-}  // namespace assay::motion
+}  // namespace assay::motion::travel_test

@@ -4,7 +4,7 @@
 
 #include "tests/planner/network/random_networks.h"
 
-namespace assay::network {
+namespace assay::network::arc_consistency_test {
 namespace {
 
 std::vector<LabelSet> LabelSetsOf(const Network& network) {
@@ -91,4 +91,4 @@ TEST(ArcConsistency, GivesWeightToTheArcOfAWipeOut) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::arc_consistency_test

@@ -8,7 +8,7 @@
 #include "planner/network/component.h"
 #include "tests/planner/network/random_networks.h"
 
-namespace assay::network {
+namespace assay::network::fringe_test {
 namespace {
 
 using testing::ElementsAre;
@@ -79,4 +79,4 @@ TEST(Fringe, IsLabeledWithoutSearchWhereverTheRestIs) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::fringe_test

@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::network {
+namespace assay::network::label_set_test {
 namespace {
 
 TEST(LabelSet, HasAllOrNoLabels) {
@@ -71,4 +71,4 @@ TEST(LabelSetDeathTest, RefusesLabelsOutside) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::label_set_test

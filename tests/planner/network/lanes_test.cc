@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::network {
+namespace assay::network::lanes_test {
 namespace {
 
 template <class Lane>
@@ -107,4 +107,4 @@ TYPED_TEST(Lanes, KeepWhatTheLabelsLeftSupport) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::lanes_test

@@ -7,7 +7,7 @@
 
 #include "planner/network/count.h"
 
-namespace assay::network {
+namespace assay::network::network_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST(NetworkFile, RefusesCountsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::network_file_test

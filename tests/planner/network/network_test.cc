@@ -5,7 +5,7 @@
 #include "planner/network/search.h"
 #include "tests/planner/network/random_networks.h"
 
-namespace assay::network {
+namespace assay::network::network_test {
 namespace {
 
 // All that a caller can tell a network by.
@@ -252,4 +252,4 @@ TEST(NetworkDeathTest, RefusesRelationsOfOtherSizes) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::network_test

@@ -6,7 +6,7 @@
 
 #include "tests/planner/network/random_networks.h"
 
-namespace assay::network {
+namespace assay::network::node_order_test {
 namespace {
 
 // By the definition of dom/wdeg, summed anew: labels per weight of the arcs to open nodes.
@@ -67,4 +67,4 @@ TEST(OpenNodes, KeepsTheWeightsThatAreSummedAnew) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::node_order_test

@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::network {
+namespace assay::network::nodes_by_count_test {
 namespace {
 
 // Beside a plain list of the nodes, in the order in which they were added.
@@ -36,4 +36,4 @@ TEST(NodesByCount, FindsTheLastAddedOfTheFewestLabels) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::nodes_by_count_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace assay::network {
+namespace assay::network::relation_test {
 namespace {
 
 TEST(Relation, IsTheSameHoweverItIsGiven) {
@@ -52,4 +52,4 @@ TEST(RelationDeathTest, RefusesPairsOutside) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::relation_test

@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::network {
+namespace assay::network::support_test {
 namespace {
 
 Word WordOfLength(int labels) { return labels == 0 ? 0 : ~Word{0} >> (kWordBits - labels); }
@@ -34,4 +34,4 @@ TEST(Support, IsThereForLabelsWithACommonBitAndNoOthers) {
 }
 
 }  // namespace
-}  // namespace assay::network
+}  // namespace assay::network::support_test

@@ -4,7 +4,7 @@
 
 #include "tests/planner/plan/peg_and_block.h"
 
-namespace assay::plan {
+namespace assay::plan::pad_contact_test {
 namespace {
 
 using geometry::Vector2;
@@ -84,4 +84,4 @@ TEST(IsOnTable, OnlyForWhatFacesTheTableAndTouchesIt) {
 }
 
 }  // namespace
-}  // namespace assay::plan
+}  // namespace assay::plan::pad_contact_test

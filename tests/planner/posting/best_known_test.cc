@@ -8,7 +8,7 @@
 #include "planner/posting/uncertainty_phase.h"
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::posting {
+namespace assay::posting::best_known_test {
 namespace {
 
 using plan::Plan;
@@ -90,4 +90,4 @@ TEST(BestKnown, BoundsNothingWhereErrorsAreNotAboutZeroOrMayCancel) {
 }
 
 }  // namespace
-}  // namespace assay::posting
+}  // namespace assay::posting::best_known_test

@@ -10,7 +10,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::posting {
+namespace assay::posting::combinations_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -104,4 +104,4 @@ TEST(Combinations, StopWhereTheVisitorSays) {
 }
 
 }  // namespace
-}  // namespace assay::posting
+}  // namespace assay::posting::combinations_test

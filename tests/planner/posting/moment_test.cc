@@ -7,7 +7,7 @@
 
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::posting {
+namespace assay::posting::moment_test {
 namespace {
 
 using domain::PartId;
@@ -155,4 +155,4 @@ TEST(Moment, OfPartsThatAreMatedFromTheStartOnlyTheFixedOneIsFree) {
 }
 
 }  // namespace
-}  // namespace assay::posting
+}  // namespace assay::posting::moment_test

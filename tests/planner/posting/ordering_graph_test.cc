@@ -8,7 +8,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::posting {
+namespace assay::posting::ordering_graph_test {
 namespace {
 
 using Arcs = std::set<std::pair<int, int>>;
@@ -86,4 +86,4 @@ TEST(OrderingGraph, StopsAtAsManyOrdersAsAsked) {
 }
 
 }  // namespace
-}  // namespace assay::posting
+}  // namespace assay::posting::ordering_graph_test

@@ -4,7 +4,7 @@
 
 #include "tests/planner/posting/scenarios.h"
 
-namespace assay::posting {
+namespace assay::posting::partial_plan_test {
 namespace {
 
 using domain::ActionKind;
@@ -173,4 +173,4 @@ TEST_F(ExamplePlan, AnInconsistentConstraintIsRefused) {
 }
 
 }  // namespace
-}  // namespace assay::posting
+}  // namespace assay::posting::partial_plan_test

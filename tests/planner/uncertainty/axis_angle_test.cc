@@ -6,7 +6,7 @@
 
 #include "tests/oracle/random_pose.h"
 
-namespace assay::uncertainty {
+namespace assay::uncertainty::axis_angle_test {
 namespace {
 
 TEST(VerticalInTool, IsTheWorldsZInTheToolsAxes) {
@@ -49,4 +49,4 @@ TEST(TwistAndSwing, AtTheEnds) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::axis_angle_test

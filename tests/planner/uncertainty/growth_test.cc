@@ -9,7 +9,7 @@
 
 // Bounding all preconditions of a plan of n pick-and-place actions on one part grows polynomially
 // in n, where the paper says exponentially. Counted, not timed.
-namespace assay::uncertainty {
+namespace assay::uncertainty::growth_test {
 namespace {
 
 constexpr int kMost = 50;
@@ -80,4 +80,4 @@ TEST_P(Growth, IsPolynomial) {
 INSTANTIATE_TEST_SUITE_P(Tools, Growth, ::testing::Values(0.0, kLean));
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::growth_test

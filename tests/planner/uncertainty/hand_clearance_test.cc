@@ -8,7 +8,7 @@
 #include "planner/uncertainty/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
-namespace assay::uncertainty {
+namespace assay::uncertainty::hand_clearance_test {
 namespace {
 
 // The corners of hand and fingers where the peg is grasped and above it, in the world.
@@ -95,4 +95,4 @@ TEST_F(BesideTheHand, FarOffNothingIsRequired) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::hand_clearance_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace assay::uncertainty {
+namespace assay::uncertainty::precondition_test {
 namespace {
 
 using ::testing::SizeIs;
@@ -34,4 +34,4 @@ TEST(Preconditions, WithinIsBothSides) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::precondition_test

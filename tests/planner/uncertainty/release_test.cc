@@ -4,7 +4,7 @@
 
 #include "tests/planner/uncertainty/part_on_table.h"
 
-namespace assay::uncertainty {
+namespace assay::uncertainty::release_test {
 namespace {
 
 struct Released {
@@ -61,4 +61,4 @@ TEST(Release, LeaningTheYawIsTheTwistOfTheHands) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::release_test

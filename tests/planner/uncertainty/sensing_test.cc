@@ -4,7 +4,7 @@
 
 #include "tests/planner/uncertainty/part_on_table.h"
 
-namespace assay::uncertainty {
+namespace assay::uncertainty::sensing_test {
 namespace {
 
 // The workcell's camera promises 0.3 mm and 0.2 degrees, and does not measure the height.
@@ -62,4 +62,4 @@ TEST(Sensing, AgainTellsNothingNew) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::sensing_test

@@ -11,7 +11,7 @@
 // workcell's gripper opens 4 inches and the block is 3 inches wide, as in the paper. The block
 // stands on its end with its axes along the world's; the gripper comes from above with its y along
 // the world's x, 1 inch along y from the block's origin.
-namespace assay::uncertainty {
+namespace assay::uncertainty::worked_example_test {
 namespace {
 
 using ::testing::Each;
@@ -146,4 +146,4 @@ TEST(WorkedExample, AfterPutdownThePublishedSet) {
 }
 
 }  // namespace
-}  // namespace assay::uncertainty
+}  // namespace assay::uncertainty::worked_example_test

@@ -6,7 +6,7 @@
 
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::check {
+namespace assay::check::certificate_check_test {
 namespace {
 
 using domain::PartId;
@@ -136,4 +136,4 @@ TEST_F(CertificateCheckTest, AStepThatIsProvedComesToItsEnd) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::certificate_check_test

@@ -6,7 +6,7 @@
 #include "sim/check/verdict.h"
 #include "sim/exec/executor.h"
 
-namespace assay::check {
+namespace assay::check::collided_trial_test {
 namespace {
 
 using testing::HasSubstr;
@@ -31,4 +31,4 @@ TEST(CollidedTrial, AForearmThatRunsIntoTheMastHasFailed) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::collided_trial_test

@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::check {
+namespace assay::check::contact_sequence_test {
 namespace {
 
 using finemotion::CertainMotion;
@@ -130,4 +130,4 @@ TEST(PlannedContacts, AreTheStatesBeforeAndAfterEachMotion) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::contact_sequence_test

@@ -8,7 +8,7 @@
 
 #include "planner/domain/problem_file.h"
 
-namespace assay::check {
+namespace assay::check::effective_clearance_test {
 namespace {
 
 // Figure 15 with another clearance, in millimetres.
@@ -50,4 +50,4 @@ TEST(EffectiveClearance, TellsWhenThePartsAreOtherwise) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::effective_clearance_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::check {
+namespace assay::check::error_recognition_test {
 namespace {
 
 using exec::MatingOutcome;
@@ -86,4 +86,4 @@ TEST(ErrorRecognition, WhatWasIgnoredCountsOnce) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::error_recognition_test

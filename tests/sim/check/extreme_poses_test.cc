@@ -8,7 +8,7 @@
 #include "planner/domain/problem_file.h"
 #include "sim/check/observed_error.h"
 
-namespace assay::check {
+namespace assay::check::extreme_poses_test {
 namespace {
 
 using geometry::Pose;
@@ -152,4 +152,4 @@ TEST(ExtremePoses, AreWhereTheErrorsAreObservedAtTheirEnds) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::extreme_poses_test

@@ -8,7 +8,7 @@
 #include "planner/base/random.h"
 #include "planner/domain/problem_file.h"
 
-namespace assay::check {
+namespace assay::check::fit_test {
 namespace {
 
 using geometry::Pose;
@@ -93,4 +93,4 @@ TEST(FitOfParts, ACentredShaftHasTheClearanceOnEachSide) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::fit_test

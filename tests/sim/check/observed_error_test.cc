@@ -4,7 +4,7 @@
 
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::check {
+namespace assay::check::observed_error_test {
 namespace {
 
 using domain::PartId;
@@ -75,4 +75,4 @@ TEST_F(ObservedErrorTest, InTheHandItIsOfTheGraspedPoint) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::observed_error_test

@@ -7,7 +7,7 @@
 
 #include "planner/domain/problem_file.h"
 
-namespace assay::check {
+namespace assay::check::predicate_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
@@ -160,4 +160,4 @@ TEST_F(LocatedPredicate, HasLimitsOfTiltAndHeight) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::predicate_test

@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::check {
+namespace assay::check::rank_correlation_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -67,4 +67,4 @@ TEST(RankCorrelation, NeedsVariation) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::rank_correlation_test

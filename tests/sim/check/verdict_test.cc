@@ -7,7 +7,7 @@
 
 #include "planner/domain/problem_file.h"
 
-namespace assay::check {
+namespace assay::check::verdict_test {
 namespace {
 
 using exec::ExecutionEnd;
@@ -150,4 +150,4 @@ TEST(TrialOutcomeTest, NamesDiffer) {
 }
 
 }  // namespace
-}  // namespace assay::check
+}  // namespace assay::check::verdict_test

@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::bound_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -117,4 +117,4 @@ TEST_F(BoundVerb, WrongCommandLine) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::bound_test

@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::calibrate_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -68,4 +68,4 @@ TEST_F(Calibrate, WantsASensorAndAScenario) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::calibrate_test

@@ -8,7 +8,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::certificate_check_test {
 namespace {
 
 using ::testing::AllOf;
@@ -239,4 +239,4 @@ TEST_F(CertificateCheck, IsAskedBeforeExecution) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::certificate_check_test

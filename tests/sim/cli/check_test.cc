@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::check_test {
 namespace {
 
 using ::testing::AllOf;
@@ -89,4 +89,4 @@ TEST_F(FlawedPlan, IsNotExecuted) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::check_test

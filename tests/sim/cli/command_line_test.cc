@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::command_line_test {
 namespace {
 
 using ::testing::AllOf;
@@ -118,4 +118,4 @@ TEST_F(WrongCommandLine, RequestsThatExcludeEachOther) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::command_line_test

@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::enact_test {
 namespace {
 
 using ::testing::AllOf;
@@ -78,4 +78,4 @@ TEST(Enact, WrongScenarios) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::enact_test

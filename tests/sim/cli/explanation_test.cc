@@ -6,7 +6,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::explanation_test {
 namespace {
 
 using ::testing::AllOf;
@@ -23,8 +23,8 @@ Json Variable(const std::string& name, double low, double high) {
 // expression < limit, with its bound and the corner where it is greatest.
 Json Less(const std::string& condition, const std::string& expression, double limit, double bound,
           const std::vector<std::pair<std::string, double>>& corner) {
-  Json worst = Json::array();
-  for (const auto& [name, value] : corner) worst.push_back(Variable(name, value, value));
+  Json worst = Json::object();
+  for (const auto& [name, value] : corner) worst[name] = value;
   return {{"condition", condition},   {"meaning", "what " + condition + " means"},
           {"expression", expression}, {"relation", "<"},
           {"limit", limit},           {"bound", bound},
@@ -39,6 +39,7 @@ class Explained : public ::testing::Test {
     certificate_["variables"] = {Variable("dx_peg", -0.003, 0.003),
                                  Variable("dy_peg", -0.002, 0.004),
                                  Variable("theta_peg", -0.1, 0.1)};
+    certificate_["shared"] = Json::array();
     certificate_["preconditions"] = Json::array();
   }
 
@@ -183,4 +184,4 @@ TEST(Explain, PlansWithoutCertificatesSaySo) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::explanation_test

@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::know_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -148,4 +148,4 @@ TEST(Know, ReadsThePddlThatExportWrites) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::know_test

@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::label_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -74,4 +74,4 @@ TEST_F(Label, WrongNetwork) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::label_test

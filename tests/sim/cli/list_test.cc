@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::list_test {
 namespace {
 
 using ::testing::AnyOf;
@@ -57,4 +57,4 @@ TEST(Doctor, TellsTheVersionsAndTheRenderer) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::list_test

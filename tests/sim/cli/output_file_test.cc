@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::output_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -58,4 +58,4 @@ TEST(OutputFile, LinksAreFollowed) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::output_file_test

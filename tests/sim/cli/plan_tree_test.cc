@@ -3,7 +3,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::plan_tree_test {
 namespace {
 
 using ::testing::AllOf;
@@ -74,4 +74,4 @@ TEST(PlanTree, VerbsAboutOneWorldRefuseOpenPoses) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::plan_tree_test

@@ -5,7 +5,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::report_test {
 namespace {
 
 using ::testing::Contains;
@@ -45,4 +45,4 @@ TEST(ReportVerb, WrongDatabasesAreErrors) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::report_test

@@ -6,7 +6,7 @@
 
 #include "tests/sim/cli/program.h"
 
-namespace assay::cli {
+namespace assay::cli::run_test {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -234,4 +234,4 @@ TEST(Export, CommandsOfThePrimitives) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::run_test

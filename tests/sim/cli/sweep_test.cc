@@ -14,7 +14,7 @@
 #include "tests/sim/cli/program.h"
 #include "tests/sim/cli/slurm_cluster.h"
 
-namespace assay::cli {
+namespace assay::cli::sweep_test {
 namespace {
 
 using ::testing::AllOf;
@@ -186,4 +186,4 @@ TEST_F(SweepVerb, SlurmDoesItInShards) {
 }
 
 }  // namespace
-}  // namespace assay::cli
+}  // namespace assay::cli::sweep_test

@@ -6,7 +6,7 @@
 #include "sim/enact/tilt_watch.h"
 #include "tests/sim/enact/two_cans.h"
 
-namespace assay::enact {
+namespace assay::enact::audit_test {
 namespace {
 
 using geometry::Pose;
@@ -163,4 +163,4 @@ TEST_F(AuditOfTwoCans, TheGreatestTiltIsKept) {
 }
 
 }  // namespace
-}  // namespace assay::enact
+}  // namespace assay::enact::audit_test

@@ -12,7 +12,7 @@
 #include "sim/render/renderer.h"
 #include "tests/scratch_file.h"
 
-namespace assay::enact {
+namespace assay::enact::bottles_test {
 namespace {
 
 using testing::IsEmpty;
@@ -116,4 +116,4 @@ TEST_F(Bottles, WrongSensingIsCaught) {
 }
 
 }  // namespace
-}  // namespace assay::enact
+}  // namespace assay::enact::bottles_test

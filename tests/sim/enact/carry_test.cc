@@ -5,7 +5,7 @@
 #include "sim/exec/executor.h"
 #include "tests/sim/enact/two_cans.h"
 
-namespace assay::enact {
+namespace assay::enact::carry_test {
 namespace {
 
 using testing::AllOf;
@@ -76,4 +76,4 @@ TEST_F(Carry, NamesThePairThatIsTooNearAtTheStart) {
 }
 
 }  // namespace
-}  // namespace assay::enact
+}  // namespace assay::enact::carry_test

@@ -7,7 +7,7 @@
 
 #include "tests/sim/enact/two_cans.h"
 
-namespace assay::enact {
+namespace assay::enact::enactment_test {
 namespace {
 
 using testing::AllOf;
@@ -180,4 +180,4 @@ TEST(Enactment, WhatCannotBeReachedStopsTheWalk) {
 }
 
 }  // namespace
-}  // namespace assay::enact
+}  // namespace assay::enact::enactment_test

@@ -8,7 +8,7 @@
 #include "planner/base/input_error.h"
 #include "tests/sim/enact/two_cans.h"
 
-namespace assay::enact {
+namespace assay::enact::interpretation_test {
 namespace {
 
 using testing::AllOf;
@@ -123,4 +123,4 @@ TEST(Interpretation, InternalPredicatesMeanNothing) {
 }
 
 }  // namespace
-}  // namespace assay::enact
+}  // namespace assay::enact::interpretation_test

@@ -7,7 +7,7 @@
 
 #include "tests/sim/enact/two_cans.h"
 
-namespace assay::enact {
+namespace assay::enact::leaves_test {
 namespace {
 
 using testing::ElementsAre;
@@ -150,4 +150,4 @@ TEST(Leaves, ThatNoWorldLeadsTo) {
 }
 
 }  // namespace
-}  // namespace assay::enact
+}  // namespace assay::enact::leaves_test

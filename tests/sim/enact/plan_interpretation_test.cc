@@ -19,7 +19,7 @@
 #include "sim/sense/overhead_camera.h"
 #include "tests/scratch_file.h"
 
-namespace assay::enact {
+namespace assay::enact::plan_interpretation_test {
 namespace {
 
 using testing::IsEmpty;
@@ -228,4 +228,4 @@ TEST_F(FallenPeg, AWrongPoseIsAFalseClaim) {
 }
 
 }  // namespace
-}  // namespace assay::enact
+}  // namespace assay::enact::plan_interpretation_test

@@ -10,7 +10,7 @@
 #include "sim/enact/enactment.h"
 #include "tests/sim/enact/two_cans.h"
 
-namespace assay::enact {
+namespace assay::enact::quantity_test {
 namespace {
 
 using contingent::Relation;
@@ -229,4 +229,4 @@ TEST(Quantity, ANumberThatIsSensedNeedsAMeaning) {
 }
 
 }  // namespace
-}  // namespace assay::enact
+}  // namespace assay::enact::quantity_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::exec {
+namespace assay::exec::awaited_contact_test {
 namespace {
 
 constexpr double kTimestep = 5e-4;  // seconds
@@ -65,4 +65,4 @@ TEST(AwaitedContact, LeavesTheMotionThePaceOfWhatKeptContactsStillBear) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::awaited_contact_test

@@ -5,7 +5,7 @@
 
 #include "planner/domain/problem_file.h"
 
-namespace assay::exec {
+namespace assay::exec::collision_watch_test {
 namespace {
 
 using testing::IsEmpty;
@@ -80,4 +80,4 @@ TEST_F(CollisionWatchTest, AHeldPartMayTouchAnythingIfNothingElseIsSaid) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::collision_watch_test

@@ -6,7 +6,7 @@
 #include "sim/exec/action_commands.h"
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::exec {
+namespace assay::exec::command_file_test {
 namespace {
 
 // The kinds of the commands, as letters: safe height, line, open, close, look (W).
@@ -182,4 +182,4 @@ TEST_F(CommandFileTest, TextNamesStepsAndCommands) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::command_file_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace assay::exec {
+namespace assay::exec::holding_test {
 namespace {
 
 using geometry::Vector3;
@@ -53,4 +53,4 @@ TEST(Holding, SteepSidesJamWithFrictionOnly) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::holding_test

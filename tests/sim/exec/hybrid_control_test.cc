@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::exec {
+namespace assay::exec::hybrid_control_test {
 namespace {
 
 // Motions whose contacts are each planned anew, as planners write them.
@@ -39,4 +39,4 @@ TEST(HybridControl, LetsGoOfContactsByTheirNames) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::hybrid_control_test

@@ -9,7 +9,7 @@
 #include "sim/mujoco/contact.h"
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::exec {
+namespace assay::exec::mating_trial_test {
 namespace {
 
 constexpr double kDegree = M_PI / 180;
@@ -437,4 +437,4 @@ TEST_F(MatingTrial, BeyondItsRangeItEndsInAnErrorState) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::mating_trial_test

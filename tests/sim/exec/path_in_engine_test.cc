@@ -18,7 +18,7 @@
 #include "planner/motion/straight_line.h"
 #include "sim/scene/scene.h"
 
-namespace assay::exec {
+namespace assay::exec::path_in_engine_test {
 namespace {
 
 using domain::PartId;
@@ -233,4 +233,4 @@ INSTANTIATE_TEST_SUITE_P(Scenes, PathInEngine,
                          });
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::path_in_engine_test

@@ -10,7 +10,7 @@
 #include "sim/exec/executor.h"
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::exec {
+namespace assay::exec::planned_travel_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -111,4 +111,4 @@ TEST_F(BesideTheMast, APathIsNotFollowedFromElsewhere) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::planned_travel_test

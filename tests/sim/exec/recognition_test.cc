@@ -7,7 +7,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::exec {
+namespace assay::exec::recognition_test {
 namespace {
 
 constexpr double kFriction = 0.2;
@@ -115,4 +115,4 @@ TEST(Recognition, AfterAFreeMotionAnyForceIsUnplanned) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::recognition_test

@@ -5,7 +5,7 @@
 #include "sim/exec/executor.h"
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::exec {
+namespace assay::exec::sense_and_squeeze_test {
 namespace {
 
 constexpr double kStays = 1e-4;  // metres
@@ -114,4 +114,4 @@ TEST_P(CarefullyExecuted, LooksUpdateTheBelief) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::sense_and_squeeze_test

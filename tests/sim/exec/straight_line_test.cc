@@ -5,7 +5,7 @@
 #include "planner/base/random.h"
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::exec {
+namespace assay::exec::straight_line_test {
 namespace {
 
 constexpr std::uint64_t kSeed = 32;
@@ -117,4 +117,4 @@ TEST_F(StraightLine, OfNoLengthTakesNoTime) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::straight_line_test

@@ -7,7 +7,7 @@
 
 #include "tests/sim/exec/trace_schema.h"
 
-namespace assay::exec {
+namespace assay::exec::trace_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -194,4 +194,4 @@ TEST(GraspFactTest, HoldsUpToItsTolerance) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::trace_test

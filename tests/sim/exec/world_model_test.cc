@@ -4,7 +4,7 @@
 
 #include "tests/sim/exec/figure15.h"
 
-namespace assay::exec {
+namespace assay::exec::world_model_test {
 namespace {
 
 TEST(WorldModelTest, FollowsTheCommands) {
@@ -24,4 +24,4 @@ TEST(WorldModelTest, FollowsTheCommands) {
 }
 
 }  // namespace
-}  // namespace assay::exec
+}  // namespace assay::exec::world_model_test

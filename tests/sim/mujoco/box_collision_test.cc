@@ -11,7 +11,7 @@
 #include "planner/geometry/box.h"
 #include "sim/mujoco/contact.h"
 
-namespace assay::mujoco {
+namespace assay::mujoco::box_collision_test {
 namespace {
 
 using geometry::Pose;
@@ -123,4 +123,4 @@ TEST(BoxCollision, APieceIsNotStoppedByTheEndOfAnother) {
 }
 
 }  // namespace
-}  // namespace assay::mujoco
+}  // namespace assay::mujoco::box_collision_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace assay::mujoco {
+namespace assay::mujoco::contact_test {
 namespace {
 
 using geometry::Vector3;
@@ -62,4 +62,4 @@ TEST(Contacts, SwappingTheBodiesTurnsForcesAndNormals) {
 }
 
 }  // namespace
-}  // namespace assay::mujoco
+}  // namespace assay::mujoco::contact_test

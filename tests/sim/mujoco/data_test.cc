@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <limits>
 
-namespace assay::mujoco {
+namespace assay::mujoco::data_test {
 namespace {
 
 // A pile that is kept moving, so that steps depend on contacts, on the solver's start, on a weld,
@@ -217,4 +217,4 @@ TEST(Data, AFreeBodyGoesWithWhatCarriesIt) {
 }
 
 }  // namespace
-}  // namespace assay::mujoco
+}  // namespace assay::mujoco::data_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace assay::mujoco {
+namespace assay::mujoco::model_test {
 namespace {
 
 constexpr char kSlider[] = R"(<mujoco>
@@ -50,4 +50,4 @@ TEST(ModelDeathTest, AbsentNamesAreOurMistake) {
 }
 
 }  // namespace
-}  // namespace assay::mujoco
+}  // namespace assay::mujoco::model_test

@@ -7,7 +7,7 @@
 
 #include "tests/sim/noise/figure15_careful.h"
 
-namespace assay::noise {
+namespace assay::noise::error_box_test {
 namespace {
 
 using testing::ElementsAre;
@@ -131,4 +131,4 @@ TEST_F(ErrorBoxTest, HasTheTolerancesOfTheWorkcell) {
 }
 
 }  // namespace
-}  // namespace assay::noise
+}  // namespace assay::noise::error_box_test

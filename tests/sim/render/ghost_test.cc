@@ -6,7 +6,7 @@
 
 #include "planner/domain/problem_file.h"
 
-namespace assay::render {
+namespace assay::render::ghost_test {
 namespace {
 
 constexpr double kInch = 0.0254;
@@ -60,4 +60,4 @@ TEST(Colour, IsReadAsPagesWriteIt) {
 }
 
 }  // namespace
-}  // namespace assay::render
+}  // namespace assay::render::ghost_test

@@ -8,7 +8,7 @@
 #include "planner/base/random.h"
 #include "tests/scratch_file.h"
 
-namespace assay::render {
+namespace assay::render::image_test {
 namespace {
 
 Image Noise(int width, int height) {
@@ -97,4 +97,4 @@ TEST(ContactSheet, ShowsTheLegendBelowAll) {
 }
 
 }  // namespace
-}  // namespace assay::render
+}  // namespace assay::render::image_test

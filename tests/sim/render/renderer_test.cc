@@ -9,7 +9,7 @@
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 
-namespace assay::render {
+namespace assay::render::renderer_test {
 namespace {
 
 using scene::PegAndBlock;
@@ -204,4 +204,4 @@ TEST_F(RendererDeathTest, RefusesSizesThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace assay::render
+}  // namespace assay::render::renderer_test

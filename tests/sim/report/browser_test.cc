@@ -10,7 +10,7 @@
 #include "tests/scratch_file.h"
 #include "tests/sim/report/sample_database.h"
 
-namespace assay::report {
+namespace assay::report::browser_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -101,4 +101,4 @@ TEST_F(InBrowser, DrawsAPicture) {
 }
 
 }  // namespace
-}  // namespace assay::report
+}  // namespace assay::report::browser_test

@@ -9,7 +9,7 @@
 #include "sim/report/mating_page.h"
 #include "tests/sim/report/markup.h"
 
-namespace assay::report {
+namespace assay::report::contact_graph_picture_test {
 namespace {
 
 using finemotion::ContactKind;
@@ -184,4 +184,4 @@ TEST(MatingPage, TellsWhatTrialsSayOfTheMargins) {
 }
 
 }  // namespace
-}  // namespace assay::report
+}  // namespace assay::report::contact_graph_picture_test

@@ -9,7 +9,7 @@
 #include "sim/report/data_uri.h"
 #include "sim/report/element.h"
 
-namespace assay::report {
+namespace assay::report::figures_test {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -70,4 +70,4 @@ TEST(DataUri, IsBase64) {
 }
 
 }  // namespace
-}  // namespace assay::report
+}  // namespace assay::report::figures_test

@@ -8,7 +8,7 @@
 #include "tests/sim/report/markup.h"
 #include "tests/sim/report/sample_database.h"
 
-namespace assay::report {
+namespace assay::report::page_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -167,4 +167,4 @@ TEST(Csv, HasEveryTable) {
 }
 
 }  // namespace
-}  // namespace assay::report
+}  // namespace assay::report::page_test

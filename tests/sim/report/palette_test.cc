@@ -7,7 +7,7 @@
 #include <cmath>
 #include <string>
 
-namespace assay::report {
+namespace assay::report::palette_test {
 namespace {
 
 using Rgb = std::array<double, 3>;  // linear, 0 to 1
@@ -88,4 +88,4 @@ TEST(Palette, StandsOutFromTheGround) {
 }
 
 }  // namespace
-}  // namespace assay::report
+}  // namespace assay::report::palette_test

@@ -9,7 +9,7 @@
 #include "planner/base/input_error.h"
 #include "sim/scenario/models_folder.h"
 
-namespace assay::scenario {
+namespace assay::scenario::scenario_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -133,4 +133,4 @@ TEST(Scenarios, AllCanBeLoaded) {
 }
 
 }  // namespace
-}  // namespace assay::scenario
+}  // namespace assay::scenario::scenario_test

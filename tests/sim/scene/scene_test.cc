@@ -9,7 +9,7 @@
 #include "tests/sim/scene/peg_and_block.h"
 #include "tests/sim/scene/reach.h"
 
-namespace assay::scene {
+namespace assay::scene::scene_test {
 namespace {
 
 using geometry::AngleBetween;
@@ -207,4 +207,4 @@ TEST(Scene, PartFrictionCanBeReplaced) {
 }
 
 }  // namespace
-}  // namespace assay::scene
+}  // namespace assay::scene::scene_test

@@ -9,7 +9,7 @@
 #include "tests/sim/scene/peg_and_block.h"
 #include "tests/sim/scene/reach.h"
 
-namespace assay::scene {
+namespace assay::scene::servo_test {
 namespace {
 
 constexpr double kLoad = 1.2 * 9.81;  // N
@@ -79,4 +79,4 @@ INSTANTIATE_TEST_SUITE_P(Timesteps, ServoAt, testing::Values(0.0005, 0.002),
                          });
 
 }  // namespace
-}  // namespace assay::scene
+}  // namespace assay::scene::servo_test

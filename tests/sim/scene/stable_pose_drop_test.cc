@@ -6,7 +6,7 @@
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/all_parts.h"
 
-namespace assay::scene {
+namespace assay::scene::stable_pose_drop_test {
 namespace {
 
 using domain::StablePose;
@@ -93,4 +93,4 @@ INSTANTIATE_TEST_SUITE_P(Parts, StablePosesOf, testing::ValuesIn(AllParts()), []
 });
 
 }  // namespace
-}  // namespace assay::scene
+}  // namespace assay::scene::stable_pose_drop_test

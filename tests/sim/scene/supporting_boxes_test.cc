@@ -4,7 +4,7 @@
 
 #include "tests/sim/scene/all_parts.h"
 
-namespace assay::scene {
+namespace assay::scene::supporting_boxes_test {
 namespace {
 
 class SupportingBoxesOf : public testing::TestWithParam<std::string> {
@@ -54,4 +54,4 @@ TEST(SupportingBoxes, FillTheHolesOfTheBlock) {
 }
 
 }  // namespace
-}  // namespace assay::scene
+}  // namespace assay::scene::supporting_boxes_test

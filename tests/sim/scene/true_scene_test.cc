@@ -10,7 +10,7 @@
 #include "tests/sim/scene/peg_and_block.h"
 
 // Scenes whose truth differs from the problem.
-namespace assay::scene {
+namespace assay::scene::true_scene_test {
 namespace {
 
 using geometry::Vector3;
@@ -152,4 +152,4 @@ TEST(TrueScene, BetweenPadAndPartThePadsFrictionCounts) {
 }
 
 }  // namespace
-}  // namespace assay::scene
+}  // namespace assay::scene::true_scene_test

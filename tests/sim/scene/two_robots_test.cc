@@ -5,7 +5,7 @@
 #include "sim/scene/scene.h"
 #include "sim/scene/servo.h"
 
-namespace assay::scene {
+namespace assay::scene::two_robots_test {
 namespace {
 
 constexpr PartId kBottle(0);
@@ -128,4 +128,4 @@ TEST(SceneOfTwoRobots, HasTheColorsOfTheTrial) {
 }
 
 }  // namespace
-}  // namespace assay::scene
+}  // namespace assay::scene::two_robots_test

@@ -4,7 +4,7 @@
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 
-namespace assay::scene {
+namespace assay::scene::two_tables_test {
 namespace {
 
 const domain::Problem& TwoCans() {
@@ -54,4 +54,4 @@ TEST(HiddenMass, IsTheEnginesMass) {
 }
 
 }  // namespace
-}  // namespace assay::scene
+}  // namespace assay::scene::two_tables_test

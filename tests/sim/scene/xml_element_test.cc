@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-namespace assay::scene {
+namespace assay::scene::xml_element_test {
 namespace {
 
 TEST(XmlElement, WritesChildrenInside) {
@@ -35,4 +35,4 @@ TEST(XmlElement, NumbersReadBackToTheSameBits) {
 }
 
 }  // namespace
-}  // namespace assay::scene
+}  // namespace assay::scene::xml_element_test

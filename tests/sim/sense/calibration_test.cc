@@ -8,7 +8,7 @@
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 
-namespace assay::sense {
+namespace assay::sense::calibration_test {
 namespace {
 
 class CalibrationTest : public testing::Test {
@@ -100,4 +100,4 @@ TEST(Promise, IsKeptUpToItsBounds) {
 }
 
 }  // namespace
-}  // namespace assay::sense
+}  // namespace assay::sense::calibration_test

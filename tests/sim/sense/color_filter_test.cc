@@ -6,7 +6,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::sense {
+namespace assay::sense::color_filter_test {
 namespace {
 
 const Color kGreen(0.16, 0.45, 0.22);
@@ -71,4 +71,4 @@ TEST(ColorFilter, GreyHasNoHue) {
 }
 
 }  // namespace
-}  // namespace assay::sense
+}  // namespace assay::sense::color_filter_test

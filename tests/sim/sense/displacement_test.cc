@@ -4,7 +4,7 @@
 
 #include "planner/base/random.h"
 
-namespace assay::sense {
+namespace assay::sense::displacement_test {
 namespace {
 
 using geometry::Pose;
@@ -47,4 +47,4 @@ TEST(Displacement, BetweenFindsItAgain) {
 }
 
 }  // namespace
-}  // namespace assay::sense
+}  // namespace assay::sense::displacement_test

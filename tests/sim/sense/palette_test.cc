@@ -6,7 +6,7 @@
 
 #include "tests/sim/scene/peg_and_block.h"
 
-namespace assay::sense {
+namespace assay::sense::palette_test {
 namespace {
 
 using scene::kBlock;
@@ -63,4 +63,4 @@ TEST_F(PaletteTest, OutsideOfThePictureIsSomethingElse) {
 }
 
 }  // namespace
-}  // namespace assay::sense
+}  // namespace assay::sense::palette_test

@@ -9,7 +9,7 @@
 
 #include "tests/sim/sweep/sweep_folder.h"
 
-namespace assay::sweep {
+namespace assay::sweep::grid_test {
 namespace {
 
 class Grid : public SweepFolder {
@@ -139,4 +139,4 @@ TEST_F(Grid, EveryTrialIsInOneShardAndEveryCellIsCutAlike) {
 }
 
 }  // namespace
-}  // namespace assay::sweep
+}  // namespace assay::sweep::grid_test

@@ -17,7 +17,7 @@
 #include "tests/sim/sweep/sweep_folder.h"
 #include "tests/sim/sweep/tables.h"
 
-namespace assay::sweep {
+namespace assay::sweep::kill_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -150,4 +150,4 @@ TEST_F(BrokenOff, AFullDiskIsToldAndLosesNothing) {
 }
 
 }  // namespace
-}  // namespace assay::sweep
+}  // namespace assay::sweep::kill_test

@@ -7,7 +7,7 @@
 
 #include "sim/sweep/difference.h"
 
-namespace assay::sweep {
+namespace assay::sweep::recording_test {
 namespace {
 
 using check::AttackPhase;
@@ -143,4 +143,4 @@ TEST_F(AttackRecording, DifferencesAreFoundApartFromCommands) {
 }
 
 }  // namespace
-}  // namespace assay::sweep
+}  // namespace assay::sweep::recording_test

@@ -14,7 +14,7 @@
 #include "tests/sim/sweep/sweep_folder.h"
 #include "tests/sim/sweep/tables.h"
 
-namespace assay::sweep {
+namespace assay::sweep::runner_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -326,4 +326,4 @@ TEST_F(Runner, SummariesCountWhatTheTrialsSay) {
 }
 
 }  // namespace
-}  // namespace assay::sweep
+}  // namespace assay::sweep::runner_test

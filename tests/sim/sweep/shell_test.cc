@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace assay::sweep {
+namespace assay::sweep::shell_test {
 namespace {
 
 TEST(Shell, WordsAreQuotedWhereTheyNeedIt) {
@@ -15,4 +15,4 @@ TEST(Shell, WordsAreQuotedWhereTheyNeedIt) {
 }
 
 }  // namespace
-}  // namespace assay::sweep
+}  // namespace assay::sweep::shell_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace assay::sweep {
+namespace assay::sweep::slurm_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -31,4 +31,4 @@ TEST(SlurmScript, ShardsHaveTheirOwnDatabases) {
 }
 
 }  // namespace
-}  // namespace assay::sweep
+}  // namespace assay::sweep::slurm_test

@@ -10,7 +10,7 @@
 #include "tests/sim/sweep/false_work.h"
 #include "tests/sim/sweep/sweep_folder.h"
 
-namespace assay::sweep {
+namespace assay::sweep::store_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -337,4 +337,4 @@ TEST_F(StoreTest, HasOneWriterAtATime) {
 }
 
 }  // namespace
-}  // namespace assay::sweep
+}  // namespace assay::sweep::store_test

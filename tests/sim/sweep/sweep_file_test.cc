@@ -6,7 +6,7 @@
 #include "planner/base/input_error.h"
 #include "tests/sim/sweep/sweep_folder.h"
 
-namespace assay::sweep {
+namespace assay::sweep::sweep_file_test {
 namespace {
 
 using domain::ResolverKind;
@@ -162,4 +162,4 @@ TEST_F(SweepFile, GridsTooLargeToCountAreRefused) {
 }
 
 }  // namespace
-}  // namespace assay::sweep
+}  // namespace assay::sweep::sweep_file_test

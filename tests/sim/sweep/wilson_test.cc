@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace assay::sweep {
+namespace assay::sweep::wilson_test {
 namespace {
 
 // The ends are the rates p from which the observed one is z standard deviations of p away: the
@@ -34,4 +34,4 @@ TEST(WilsonInterval, AllAndNone) {
 }
 
 }  // namespace
-}  // namespace assay::sweep
+}  // namespace assay::sweep::wilson_test
