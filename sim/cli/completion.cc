@@ -220,7 +220,8 @@ std::string ZshFunction(const Word& word, const std::string& name) {
 std::string Zsh(const Word& assay) {
   return "#compdef assay\n# Completion of assay's command line for zsh.\n" +
          ZshFunction(assay, "_assay") +
-         "# zsh reads this file as the function's body at the first completion; sourced, it declares it.\n"
+         "# zsh reads this file as the function's body at the first completion; sourced, it "
+         "declares it.\n"
          "if [[ $funcstack[1] == _assay ]]; then _assay \"$@\"; else compdef _assay assay; fi\n";
 }
 

@@ -163,7 +163,7 @@ TEST(PlanSchema, RefusesWhatTheReaderRefuses) {
     EXPECT_NE(ErrorOf(json), "no error") << json.dump(2);
   };
   expect_refused([](Json& json) { json.erase("format"); });
-  expect_refused([](Json& json) { json["format"] = "assay-plan/2"; });
+  expect_refused([](Json& json) { json["format"] = "assay-plan/1"; });
   expect_refused([](Json& json) { json["outcome"] = "found"; });
   expect_refused([](Json& json) { json["outcome"] = "none"; });
   expect_refused([](Json& json) { json["conflict"] = Json::array(); });

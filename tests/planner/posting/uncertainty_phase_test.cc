@@ -14,11 +14,11 @@
 
 #include "planner/algebra/bounds.h"
 #include "planner/algebra/interval_arithmetic.h"
-#include "planner/algebra/text.h"
 #include "planner/base/random.h"
 #include "planner/plan/checker.h"
 #include "planner/plan/plan_file.h"
 #include "planner/posting/squeezing_resolver.h"
+#include "tests/oracle/certified_expressions.h"
 #include "tests/planner/posting/scenarios.h"
 
 namespace assay::posting::uncertainty_phase_test {
@@ -351,12 +351,11 @@ TEST_P(AugmentedPlans, HandOnWhatIsKnownFromStepToStep) {
 TEST_P(AugmentedPlans, CarryCertificatesThatCanBeProvedAnew) {
   for (const PlannedStep& step : plan_.steps) {
     algebra::ExpressionPool pool;
-    for (const plan::ErrorVariable& v : step.certificate.variables) pool.Declare(v.name, v.range);
-    const std::vector<algebra::Expression> shared =
-        algebra::ParseShared(step.certificate.shared, pool, {});
-    for (const plan::CertifiedPrecondition& claim : step.certificate.preconditions) {
-      const algebra::Expression e =
-          algebra::Parse(claim.expression, pool, {}, algebra::Layout::kOther, shared);
+    const std::vector<algebra::Expression> expressions =
+        oracle::CertifiedExpressions(step.certificate, pool);
+    for (std::size_t k = 0; k < expressions.size(); ++k) {
+      const plan::CertifiedPrecondition& claim = step.certificate.preconditions[k];
+      const algebra::Expression& e = expressions[k];
       const bool less = claim.relation == plan::Relation::kLess;
       const algebra::BoundRequest request = {.limit = claim.limit};
       const algebra::ConstraintSet box = algebra::DeclaredBox(pool);

@@ -4,8 +4,8 @@
 
 #include "bench/pick_and_place.h"
 #include "planner/algebra/bounds.h"
-#include "planner/algebra/text.h"
 #include "planner/uncertainty/certify.h"
+#include "tests/oracle/certified_expressions.h"
 
 // Bounding all preconditions of a plan of n pick-and-place actions on one part grows polynomially
 // in n, where the paper says exponentially. Counted, not timed.
@@ -28,14 +28,16 @@ struct Work {
 };
 
 void Count(const plan::Certificate& certificate, Work& work) {
+  for (const std::string& text : certificate.shared) work.text += std::ssize(text);
+  for (const auto& claim : certificate.preconditions) work.text += std::ssize(claim.expression);
+  if (work.text > kTooMuchText) return;
   algebra::ExpressionPool pool;
-  for (const auto& variable : certificate.variables) pool.Declare(variable.name, variable.range);
+  const std::vector<Expression> expressions = oracle::CertifiedExpressions(certificate, pool);
   work.variables += pool.variable_count();
   const algebra::ConstraintSet box = algebra::DeclaredBox(pool);
-  for (const auto& claim : certificate.preconditions) {
-    work.text += std::ssize(claim.expression);
-    if (work.text > kTooMuchText) return;
-    const Expression e = algebra::Parse(claim.expression, pool, {});
+  for (std::size_t k = 0; k < expressions.size(); ++k) {
+    const plan::CertifiedPrecondition& claim = certificate.preconditions[k];
+    const Expression& e = expressions[k];
     const algebra::BoundRequest request = {.limit = claim.limit};
     const auto bound = claim.relation == plan::Relation::kLess
                            ? algebra::BoundAbove(e, box, request)

@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "planner/algebra/text.h"
 #include "planner/uncertainty/certify.h"
+#include "tests/oracle/certified_expressions.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
 // What holds of propagation and certificates whatever the plan.
@@ -166,13 +166,13 @@ TEST_P(EachMode, TextsReadBackAndReproduceTheirBounds) {
   RandomStream random(3, "texts of certificates");
   for (const CertifiedAction& step : Certify(problem, Actions(problem), GetParam())) {
     algebra::ExpressionPool pool;
+    const std::vector<Expression> expressions =
+        oracle::CertifiedExpressions(step.certificate, pool);
     std::vector<Interval> box;
-    for (const auto& variable : step.certificate.variables) {
-      pool.Declare(variable.name, variable.range);
-      box.push_back(variable.range);
-    }
-    for (const auto& claim : step.certificate.preconditions) {
-      const Expression e = algebra::Parse(claim.expression, pool, {});
+    for (const auto& variable : step.certificate.variables) box.push_back(variable.range);
+    for (std::size_t k = 0; k < expressions.size(); ++k) {
+      const plan::CertifiedPrecondition& claim = step.certificate.preconditions[k];
+      const Expression& e = expressions[k];
       const bool less = claim.relation == plan::Relation::kLess;
       const algebra::BoundRequest request = {.limit = claim.limit};
       const auto again = less ? algebra::BoundAbove(e, algebra::DeclaredBox(pool), request)

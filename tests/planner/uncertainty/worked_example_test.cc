@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "planner/algebra/text.h"
 #include "planner/uncertainty/certify.h"
+#include "tests/oracle/certified_expressions.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 // The worked example of Spar ("Derivation of Uncertainty-Reduction Goals") through CertifyStep: the
@@ -60,12 +60,10 @@ TEST(WorkedExample, TermwiseBoundsOfTheFourPreconditions) {
 TEST(WorkedExample, TheExpressionOfTheCertificateHasTheTrueMinimum) {
   const auto step = CertifyPaper(WorkedExample(), algebra::Rung::kTermwise);
   algebra::ExpressionPool pool;
-  for (const auto& variable : step.certificate.variables) {
-    pool.Declare(variable.name, variable.range);
-  }
+  const std::vector<Expression> expressions = oracle::CertifiedExpressions(step.certificate, pool);
   const auto& claims = step.certificate.preconditions;
   const auto greatest = std::ranges::max_element(claims, {}, &plan::CertifiedPrecondition::bound);
-  const Expression e = algebra::Parse(greatest->expression, pool, {});
+  const Expression& e = expressions[greatest - claims.begin()];
   const auto refined = algebra::BoundBelow(e, algebra::DeclaredBox(pool), {.gap = 1e-9});
   EXPECT_NEAR(refined.value / kInch, 3.279336, 1e-6);
 }

@@ -62,8 +62,9 @@ TEST_F(Completion, FishKnowsVerbsFlagsAndValues) {
 // The shell takes the file for the completion of assay, and finds no fault in its functions.
 TEST_F(Completion, ZshFindsTheFile) {
   const Ended ended =
-      Run("zsh", {"-fc", "fpath=(${1:h} $fpath); autoload -U compinit; compinit -Du; "
-                         "print $_comps[assay]; autoload +X _assay; print $functions[_assay]",
+      Run("zsh", {"-fc",
+                  "fpath=(${1:h} $fpath); autoload -U compinit; compinit -Du; "
+                  "print $_comps[assay]; autoload +X _assay; print $functions[_assay]",
                   "zsh", FileOf("zsh")});
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(ended.err, "");

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/algebra/expression.h"
+#include "planner/algebra/text.h"
+#include "planner/plan/certificate.h"
+
+namespace assay::oracle {
+
+// The expressions of a certificate's preconditions, read back from their texts. `pool` is empty
+// before; then it has the certificate's variables.
+inline std::vector<algebra::Expression> CertifiedExpressions(const plan::Certificate& certificate,
+                                                             algebra::ExpressionPool& pool) {
+  for (const auto& [name, range] : certificate.variables) pool.Declare(name, range);
+  const std::vector<algebra::Expression> shared =
+      algebra::ParseShared(certificate.shared, pool, {});
+  std::vector<algebra::Expression> expressions;
+  for (const plan::CertifiedPrecondition& claim : certificate.preconditions) {
+    expressions.push_back(
+        algebra::Parse(claim.expression, pool, {}, algebra::Layout::kOther, shared));
+  }
+  return expressions;
+}
+
+}  // namespace assay::oracle
