@@ -142,7 +142,12 @@ bool IsPrintable(char32_t c) {
 // yaml-cpp would silently replace wrong UTF-8, and takes the control character 4 for the end.
 void CheckCharacters(std::string_view text, const std::string& file_name) {
   FilePlace place{.file = file_name, .line = 1, .column = 1};
-  while (!text.empty()) {
+  const auto is_plain = [](char c) { return c >= 0x20 && c < 0x7f; };  // most are
+  while (true) {
+    const auto plain = std::ranges::find_if_not(text, is_plain) - text.begin();
+    place.column += static_cast<int>(plain);
+    text.remove_prefix(static_cast<std::size_t>(plain));
+    if (text.empty()) return;
     const CodePoint c = Decode(text);
     if (c.bytes == 0 || !IsPrintable(c.value)) {
       throw InputError(place,

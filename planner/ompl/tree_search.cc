@@ -67,12 +67,14 @@ std::shared_ptr<ob::SpaceInformation> SpaceOf(const Problem& problem) {
     bounds.setHigh(k, problem.upper[k]);
   }
   space->setBounds(bounds);
-  space->setStateSamplerAllocator(
-      [&problem](const ob::StateSpace* of) { return std::make_shared<Sampler>(of, problem); });
   auto information = std::make_shared<ob::SpaceInformation>(space);
   information->setStateValidityChecker([](const ob::State*) { return true; });  // see FreeMotions
   information->setMotionValidator(std::make_shared<FreeMotions>(information.get(), problem));
   information->setup();
+  // Only now: to set up a projection that RRT-Connect has no use for, OMPL draws a hundred states,
+  // which are not to be ours.
+  space->setStateSamplerAllocator(
+      [&problem](const ob::StateSpace* of) { return std::make_shared<Sampler>(of, problem); });
   return information;
 }
 
