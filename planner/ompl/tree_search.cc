@@ -7,6 +7,7 @@
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 
+#include <memory>
 #include <stdexcept>
 #include <utility>
 

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "planner/domain/problem_file.h"
 #include "planner/geometry/collision.h"
 #include "planner/motion/tree_search.h"
