@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing, builds everything and runs the tests: ./test.sh [--all] [CTEST ARGUMENT...]
-# --all: first also every file by itself, the planner without MuJoCo, the sanitizers, and the commands
-# of README.md.
+# --all: first also every file by itself, the planner without MuJoCo and under sanitizers, and the
+# commands of README.md.
 set -euo pipefail
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 source "$root/.ci/setup"
@@ -13,23 +13,16 @@ check_single_files() {
   build single-files
 }
 
-# The planner builds and passes its tests without anything of the simulator. The longest ones run
-# once, in the release build: the code is the same.
-test_planner_only() {
-  configure planner-only
-  build planner-only
-  with_progress "Testing planner-only" \
-    ctest --preset planner-only --exclude-regex '^(algebra|uncertainty|posting)\.'
-}
-
-# The readers of files, under the address and undefined-behaviour sanitizers. By hand, for all tests:
-# cmake --preset asan-ubsan && cmake --build --preset asan-ubsan && ctest --preset asan-ubsan
-test_with_sanitizers() {
-  local libraries=(base algebra network domain plan contingent)
-  configure asan-ubsan
-  build asan-ubsan "${libraries[@]/%/_test}"
+# The planner builds without anything of the simulator. Its readers of files are tested under the
+# address and undefined-behaviour sanitizers. By hand, for all tests of the planner alone:
+# cmake --preset planner-only && cmake --build --preset planner-only && ctest --preset planner-only;
+# for all tests under the sanitizers: the same with asan-ubsan.
+test_planner_with_sanitizers() {
+  local readers=(base algebra network domain plan contingent)
+  configure asan-ubsan -DASSAY_SIM=OFF
+  build asan-ubsan assay_assembly "${readers[@]/%/_test}"
   ASSAY_MUTATIONS=10000 with_progress "Testing with sanitizers" \
-    ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${libraries[*]}"))\."
+    ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${readers[*]}"))\."
 }
 
 # Prints the commands in README.md's ```sh blocks that call the program or the scripts here.
@@ -57,8 +50,7 @@ build release
 if [ "${1:-}" = --all ]; then
   shift
   check_single_files
-  test_planner_only
-  test_with_sanitizers
+  test_planner_with_sanitizers
   test_readme_commands
 fi
 with_output_and_progress "Testing" ctest --preset release "$@"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/cli/console.h"
@@ -40,7 +41,7 @@ Flag FlagOf(const CLI::Option& option) {
   Flag flag{.spellings = {},
             .description = option.get_description(),
             .values = ValuesIn(option.get_type_name()),
-            .takes_value = option.get_type_size_max() > 0};
+            .takes_value = option.get_items_expected_max() > 0};
   for (const std::string& name : option.get_snames()) flag.spellings.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) flag.spellings.push_back("--" + name);
   return flag;
@@ -51,7 +52,14 @@ Word WordOf(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (option->nonpositional()) word.flags.push_back(FlagOf(*option));
   }
-  for (const CLI::App* part : app.get_subcommands({})) word.words.push_back(WordOf(*part));
+  for (const CLI::App* part : app.get_subcommands({})) {
+    Word inner = WordOf(*part);
+    if (inner.name.empty()) {  // a group of options is an App without a name
+      word.flags.insert(word.flags.end(), inner.flags.begin(), inner.flags.end());
+    } else {
+      word.words.push_back(std::move(inner));
+    }
+  }
   return word;
 }
 
@@ -211,7 +219,9 @@ std::string ZshFunction(const Word& word, const std::string& name) {
 
 std::string Zsh(const Word& assay) {
   return "#compdef assay\n# Completion of assay's command line for zsh.\n" +
-         ZshFunction(assay, "_assay") + "compdef _assay assay\n";
+         ZshFunction(assay, "_assay") +
+         "# zsh reads this file as the function's body at the first completion; sourced, it declares it.\n"
+         "if [[ $funcstack[1] == _assay ]]; then _assay \"$@\"; else compdef _assay assay; fi\n";
 }
 
 Execution Declare(CLI::App& command) {

@@ -86,10 +86,10 @@ TEST_F(TextTest, EveryExpressionReadsBackAsItself) {
 }
 
 TEST_F(TextTest, WhatExpressionsHaveInCommonIsWrittenOnce) {
-  const Expression wave = Sin(tg_) * x_;
+  const Expression wave = Sin(tg_ * x_);
   const std::vector<Expression> expressions = {2 - wave, Power(wave, 2), x_ + 1, x_ + 1, 7, x_};
   const SharedTexts texts = TextsOf(expressions);
-  EXPECT_THAT(texts.shared, testing::ElementsAre("sin(theta_g)*x", "x + 1"));
+  EXPECT_THAT(texts.shared, testing::ElementsAre("sin(theta_g*x)", "x + 1"));
   EXPECT_THAT(texts.expressions, testing::ElementsAre("2 - #0", "#0^2", "#1", "#1", "7", "x"));
 }
 

@@ -42,15 +42,20 @@ std::string TextOf(const fs::path& file) {
 
 nlohmann::json JsonOf(const fs::path& file) { return nlohmann::json::parse(TextOf(file)); }
 
-Ended Assay(const std::vector<std::string>& arguments, const std::string& out) {
+Ended Run(const std::string& program, const std::vector<std::string>& arguments,
+          const std::string& out) {
   const Folder streams;
-  std::string command = Quoted(ASSAY_PROGRAM);
+  std::string command = Quoted(program);
   for (const std::string& argument : arguments) command += ' ' + Quoted(argument);
   command += " >" + Quoted(out.empty() ? streams / "out" : out) + " 2>" + Quoted(streams / "err");
   const int status = std::system(command.c_str());
   return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1,
           .out = out.empty() ? TextOf(streams / "out") : "",
           .err = TextOf(streams / "err")};
+}
+
+Ended Assay(const std::vector<std::string>& arguments, const std::string& out) {
+  return Run(ASSAY_PROGRAM, arguments, out);
 }
 
 std::vector<std::string> SchemaErrors(const std::string& schema, const nlohmann::json& document) {

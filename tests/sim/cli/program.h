@@ -29,7 +29,10 @@ struct Ended {
   nlohmann::json Json() const { return nlohmann::json::parse(out); }
 };
 
-// Runs the built program. `out`: where its standard output goes instead of into Ended::out.
+// Runs a program. `out`: where its standard output goes instead of into Ended::out.
+Ended Run(const std::string& program, const std::vector<std::string>& arguments,
+          const std::string& out = "");
+// Runs the built program.
 Ended Assay(const std::vector<std::string>& arguments, const std::string& out = "");
 
 std::string TextOf(const std::filesystem::path& file);
