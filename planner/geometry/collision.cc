@@ -1,14 +1,11 @@
 #include "planner/geometry/collision.h"
 
-#include <fcl/geometry/shape/box.h>
-#include <fcl/narrowphase/detail/primitive_shape_algorithm/box_box.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <algorithm>
 #include <limits>
 #include <vector>
 
 #include "planner/base/check.h"
+#include "planner/geometry/narrow_phase.h"
 
 namespace assay::geometry {
 namespace {
@@ -67,31 +64,14 @@ Vector3 ShrunkSides(const Vector3& half_extents, double inset) {
   return 2 * (half_extents.array() - inset).max(kTouching / 10).matrix();
 }
 
-// FCL's separating axis test (Gottschalk, Lin and Manocha 1996) without the objects around it.
-bool BoxesOverlap(const PreparedBox& a, const Pose& X_ABox, const PreparedBox& b, double inset,
-                  std::vector<fcl::ContactPointd>& contacts) {
-  const Vector3 a_sides = ShrunkSides(a.half_extents, inset);
-  const Vector3 b_sides = ShrunkSides(b.half_extents, inset);
-  Vector3 normal;
-  double depth = 0;
-  int code = 0;
-  fcl::detail::boxBox2(a_sides, a.X_ShapeBox, b_sides, X_ABox, normal, &depth, &code,
-                       /*maxc=*/1, contacts);
-  return code != 0;
+bool BoxesOverlap(const PreparedBox& a, const PreparedBox& b, const Pose& X_ABox, double inset) {
+  return AreOverlapping({ShrunkSides(a.half_extents, inset), a.X_ShapeBox},
+                        {ShrunkSides(b.half_extents, inset), X_ABox});
 }
 
-// FCL's GJK on libccd. With its default tolerance of 1e-6 it stops centimetres short on a few pairs
-// in 10^4, and with 1e-9 micrometres short on nearly parallel faces; with 1e-14 the worst error of
-// 10^6 pairs of boxes of decimetres was 0.1 micrometres. FCL's own GJK solver errs by centimetres
-// at every tolerance.
 double BoxDistance(const PreparedBox& a, const PreparedBox& b, const Pose& X_ABox) {
-  fcl::DistanceRequestd request;
-  request.gjk_solver_type = fcl::GST_LIBCCD;
-  request.distance_tolerance = 1e-14;
-  fcl::DistanceResultd result;
-  const fcl::Boxd a_box(2 * a.half_extents);
-  const fcl::Boxd b_box(2 * b.half_extents);
-  return std::max(0.0, fcl::distance(&a_box, a.X_ShapeBox, &b_box, X_ABox, request, result));
+  return std::max(
+      0.0, Distance(PlacedBox{2 * a.half_extents, a.X_ShapeBox}, {2 * b.half_extents, X_ABox}));
 }
 
 }  // namespace
@@ -122,14 +102,13 @@ bool Overlaps(const CollisionShape& a, const Pose& X_WorldA, const CollisionShap
   if (apart > a_ball.radius + b_ball.radius) return false;
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
   const double inset = (allowance + kTouching) / 2;
-  std::vector<fcl::ContactPointd> contacts;
   for (const PreparedBox& b_box : b.prepared().boxes) {
     const Vector3 center = X_AB * b_box.X_ShapeBox.translation();
     if ((center - a_ball.center).norm() > a_ball.radius + b_box.radius) continue;
     const Pose X_ABox = X_AB * b_box.X_ShapeBox;
     for (const PreparedBox& a_box : a.prepared().boxes) {
       if (DistanceTo(a_box, center) > b_box.radius) continue;
-      if (BoxesOverlap(a_box, X_ABox, b_box, inset, contacts)) return true;
+      if (BoxesOverlap(a_box, b_box, X_ABox, inset)) return true;
     }
   }
   return false;

@@ -1,40 +1,26 @@
 #include "planner/geometry/rounded_hull.h"
 
-#include <fcl/geometry/shape/convex.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <algorithm>
 #include <limits>
 #include <mutex>
-#include <optional>
 
 #include "planner/base/check.h"
+#include "planner/geometry/narrow_phase.h"
 
 namespace assay::geometry {
 
 // Made when it is asked for: most hulls are never so near to another that nearest points matter.
 struct RoundedHull::Prepared {
   mutable std::once_flag made;
-  mutable std::optional<fcl::Convexd> convex;
+  mutable std::shared_ptr<const GjkHull> hull;
 };
 
 namespace {
 
-// FCL's list of faces: each its number of corners, then their indices.
-fcl::Convexd ConvexOf(const ConvexHull& hull) {
-  auto faces = std::make_shared<std::vector<int>>();
-  for (const Facet& facet : hull.facets) {
-    faces->push_back(static_cast<int>(facet.loop.size()));
-    faces->insert(faces->end(), facet.loop.begin(), facet.loop.end());
-  }
-  return fcl::Convexd(std::make_shared<const std::vector<Vector3>>(hull.vertices),
-                      static_cast<int>(hull.facets.size()), faces);
-}
-
-const fcl::Convexd& ConvexOf(const RoundedHull& hull) {
+const GjkHull& GjkHullOf(const RoundedHull& hull) {
   const RoundedHull::Prepared& prepared = hull.prepared();
-  std::call_once(prepared.made, [&] { prepared.convex.emplace(ConvexOf(hull.core())); });
-  return *prepared.convex;
+  std::call_once(prepared.made, [&] { prepared.hull = MakeGjkHull(hull.core()); });
+  return *prepared.hull;
 }
 
 double GreatestAlong(const Vector3& direction, const std::vector<Vector3>& points) {
@@ -74,19 +60,6 @@ bool IsSeenApart(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB, d
          is_enough(-(X_AB.linear() * NormalTowards(a_center_B, b.core())));
 }
 
-// From A's nearest point to B's, in A's frame; zero if the cores overlap. As for boxes
-// (collision.cc), libccd's solver with a fine tolerance is the one that can be relied on.
-Vector3 NearestDifference(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB) {
-  fcl::DistanceRequestd request(/*enable_nearest_points_=*/true);
-  request.gjk_solver_type = fcl::GST_LIBCCD;
-  request.distance_tolerance = 1e-14;
-  fcl::DistanceResultd result;
-  const double distance =
-      fcl::distance(&ConvexOf(a), Pose::Identity(), &ConvexOf(b), X_AB, request, result);
-  if (distance <= 0) return Vector3::Zero();
-  return result.nearest_points[1] - result.nearest_points[0];
-}
-
 }  // namespace
 
 RoundedHull::RoundedHull(ConvexHull core, double radius) : core_(std::move(core)), radius_(radius) {
@@ -122,7 +95,7 @@ double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull&
                   const Pose& X_WorldB, double enough, Vector3& slab) {
   const Pose X_AB = X_WorldA.inverse() * X_WorldB;
   if (IsSeenApart(a, b, X_AB, enough + a.radius() + b.radius(), slab)) return enough;
-  const Vector3 difference = NearestDifference(a, b, X_AB);
+  const Vector3 difference = NearestDifference(GjkHullOf(a), GjkHullOf(b), X_AB);
   if (difference.isZero(0)) return 0;
   slab = difference.normalized();
   return std::max(0.0, SlabWidth(slab, a, b, X_AB) - a.radius() - b.radius());

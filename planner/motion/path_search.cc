@@ -1,12 +1,6 @@
 #include "planner/motion/path_search.h"
 
 #include <fmt/format.h>
-#include <ompl/base/MotionValidator.h>
-#include <ompl/base/spaces/RealVectorStateSpace.h>
-#include <ompl/datastructures/NearestNeighborsLinear.h>
-#include <ompl/geometric/PathGeometric.h>
-#include <ompl/geometric/planners/rrt/RRTConnect.h>
-#include <ompl/util/Console.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,17 +9,15 @@
 
 #include "planner/base/check.h"
 #include "planner/base/random.h"
+#include "planner/motion/tree_search.h"
 
 namespace assay::motion {
 namespace {
 
-namespace ob = ompl::base;
-namespace og = ompl::geometric;
-
 constexpr std::int64_t kUnlikely = 20;  // the budget's divisor where a path is unlikely
 constexpr double kLongestMotion = 1.5;  // of the trees, metres as JointWeights measures
 
-// Joints count by how far they can move the flange: OMPL's distances are then near to metres.
+// Joints count by how far they can move the flange: distances of the trees are then near to metres.
 JointVector JointWeights(const CollisionScene& scene) {
   JointVector weights = JointVector::Zero();
   for (const Body& body : scene.bodies()) {
@@ -34,29 +26,23 @@ JointVector JointWeights(const CollisionScene& scene) {
   return weights;
 }
 
-// OMPL's states hold the joints' values times their weights.
+// Points of the trees hold the joints' values times their weights.
 class WeightedJoints {
  public:
   explicit WeightedJoints(const CollisionScene& scene) : weights_(JointWeights(scene)) {}
 
-  JointVector Read(const ob::State* state) const {
-    const double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
-    return Eigen::Map<const JointVector>(values).cwiseQuotient(weights_);
+  JointVector Posture(const JointVector& point) const { return point.cwiseQuotient(weights_); }
+  JointVector Point(const JointVector& q) const { return weights_.cwiseProduct(q); }
+  // Wider than the limits by rounding, which MotionCheck forgives, too.
+  JointVector Lower(const kinematics::Arm& arm) const {
+    JointVector lower;
+    for (int k = 0; k < 6; ++k) lower[k] = weights_[k] * (arm.limits()[k].lower - 1e-8);
+    return lower;
   }
-  void Write(const JointVector& q, ob::State* state) const {
-    Eigen::Map<JointVector> values(state->as<ob::RealVectorStateSpace::StateType>()->values);
-    values = weights_.cwiseProduct(q);
-  }
-  std::shared_ptr<ob::RealVectorStateSpace> Space(const kinematics::Arm& arm) const {
-    auto space = std::make_shared<ob::RealVectorStateSpace>(6);
-    ob::RealVectorBounds bounds(6);
-    for (int k = 0; k < 6; ++k) {
-      // Wider than the limits by rounding, which MotionCheck forgives, too.
-      bounds.setLow(k, weights_[k] * (arm.limits()[k].lower - 1e-8));
-      bounds.setHigh(k, weights_[k] * (arm.limits()[k].upper + 1e-8));
-    }
-    space->setBounds(bounds);
-    return space;
+  JointVector Upper(const kinematics::Arm& arm) const {
+    JointVector upper;
+    for (int k = 0; k < 6; ++k) upper[k] = weights_[k] * (arm.limits()[k].upper + 1e-8);
+    return upper;
   }
 
  private:
@@ -64,24 +50,16 @@ class WeightedJoints {
 };
 
 // Draws postures from our own stream.
-class PostureSampler : public ob::StateSampler {
+class PostureSampler {
  public:
-  PostureSampler(const ob::StateSpace* space, const CollisionScene& scene,
-                 const PathRequest& request)
-      : StateSampler(space),
-        scene_(scene),
-        joints_(scene),
-        request_(request),
-        random_(request.seed, "gross motion") {}
+  PostureSampler(const CollisionScene& scene, const PathRequest& request)
+      : scene_(scene), request_(request), random_(request.seed, "gross motion") {}
 
-  void sampleUniform(ob::State* state) override {
+  JointVector Draw() {
     JointVector q = Uniform();
     while (request_.rules.upright && !SetUpright(q)) q = Uniform();
-    joints_.Write(q, state);
+    return q;
   }
-  // RRT-Connect never asks for these.
-  void sampleUniformNear(ob::State*, const ob::State*, double) override { ASSAY_CHECK(false); }
-  void sampleGaussian(ob::State*, const ob::State*, double) override { ASSAY_CHECK(false); }
 
  private:
   JointVector Uniform() {
@@ -117,7 +95,6 @@ class PostureSampler : public ob::StateSampler {
   }
 
   const CollisionScene& scene_;
-  WeightedJoints joints_;
   const PathRequest& request_;
   RandomStream random_;
 };
@@ -141,66 +118,29 @@ class ObstructionTally {
   std::vector<std::pair<Obstruction, int>> counts_;  // in the order of their first
 };
 
-// MotionCheck in OMPL's terms.
-class FreeMotions : public ob::MotionValidator {
- public:
-  FreeMotions(ob::SpaceInformation* space, MotionCheck& check, ObstructionTally& tally)
-      : MotionValidator(space), joints_(check.scene()), check_(check), tally_(tally) {}
-
-  bool checkMotion(const ob::State* from, const ob::State* to) const override {
-    const auto obstruction = check_.FindObstruction(joints_.Read(from), joints_.Read(to));
-    if (obstruction) tally_.Count(*obstruction);
-    return !obstruction;
-  }
-  bool checkMotion(const ob::State* from, const ob::State* to,
-                   std::pair<ob::State*, double>& /*last_valid*/) const override {
-    return checkMotion(from, to);
-  }
-
- private:
-  WeightedJoints joints_;
-  MotionCheck& check_;
-  ObstructionTally& tally_;
-};
-
-std::shared_ptr<ob::SpaceInformation> SpaceOf(MotionCheck& check, ObstructionTally& tally,
-                                              const PathRequest& request) {
-  const CollisionScene& scene = check.scene();
-  const auto space = WeightedJoints(scene).Space(scene.arm());
-  space->setStateSamplerAllocator([&scene, &request](const ob::StateSpace* of) {
-    return std::make_shared<PostureSampler>(of, scene, request);
-  });
-  auto information = std::make_shared<ob::SpaceInformation>(space);
-  information->setStateValidityChecker([](const ob::State*) { return true; });  // see FreeMotions
-  information->setMotionValidator(std::make_shared<FreeMotions>(information.get(), check, tally));
-  information->setup();
-  return information;
-}
-
 // RRT-Connect's path; empty if the budget was spent before.
 JointPath Connect(MotionCheck& check, ObstructionTally& tally, const PathRequest& request,
                   std::int64_t budget) {
-  ompl::msg::noOutputHandler();
-  const WeightedJoints joints(check.scene());
-  const auto space = SpaceOf(check, tally, request);
-  const auto problem = std::make_shared<ob::ProblemDefinition>(space);
-  ob::ScopedState<> start(space->getStateSpace());
-  ob::ScopedState<> goal(space->getStateSpace());
-  joints.Write(request.from, start.get());
-  joints.Write(request.to, goal.get());
-  problem->setStartAndGoalStates(start, goal);
-  og::RRTConnect planner(space);
-  planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();  // the others draw random pivots
-  planner.setRange(kLongestMotion);
-  planner.setProblemDefinition(problem);
-  planner.setup();
+  const CollisionScene& scene = check.scene();
+  const WeightedJoints joints(scene);
+  PostureSampler sampler(scene, request);
   const std::int64_t limit = check.postures() + budget;
-  planner.solve(ob::PlannerTerminationCondition([&] { return check.postures() >= limit; }));
-  JointPath path;
-  if (!problem->hasExactSolution()) return path;
-  for (const ob::State* state : problem->getSolutionPath()->as<og::PathGeometric>()->getStates()) {
-    path.push_back(joints.Read(state));
-  }
+  const auto is_free = [&](const JointVector& from, const JointVector& to) {
+    const auto obstruction = check.FindObstruction(joints.Posture(from), joints.Posture(to));
+    if (obstruction) tally.Count(*obstruction);
+    return !obstruction;
+  };
+  JointPath path =
+      TreeSearchOfOmpl().FindPath({.lower = joints.Lower(scene.arm()),
+                                   .upper = joints.Upper(scene.arm()),
+                                   .start = joints.Point(request.from),
+                                   .goal = joints.Point(request.to),
+                                   .longest_motion = kLongestMotion,
+                                   .draw = [&] { return joints.Point(sampler.Draw()); },
+                                   .is_free = is_free,
+                                   .is_over = [&] { return check.postures() >= limit; }});
+  if (path.empty()) return path;
+  for (JointVector& point : path) point = joints.Posture(point);
   path.front() = request.from;
   path.back() = request.to;
   return path;

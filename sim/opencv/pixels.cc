@@ -1,5 +1,7 @@
 #include "sim/opencv/pixels.h"
 
+#include <opencv2/core.hpp>
+
 namespace assay::opencv {
 
 cv::Mat PixelsOf(const render::Image& image) {

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <opencv2/core.hpp>
-
 #include "sim/render/image.h"
+
+namespace cv {
+class Mat;
+}
 
 namespace assay::opencv {
 

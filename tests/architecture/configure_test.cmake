@@ -42,6 +42,7 @@ endfunction()
 
 hidden("liburdfdom-dev liburdfdom-headers-dev libconsole-bridge-dev" -DASSAY_FOUND_urdfdom_model=)
 hidden("libopencv-imgcodecs-dev libopencv-imgproc-dev" -DASSAY_FOUND_opencv_imgcodecs=)
+hidden("libfcl-dev libccd-dev" -DASSAY_FOUND_ccd=)
 hidden("libompl-dev" -DASSAY_FOUND_ompl=)
 # Read from where the packages are asked for, so that none is forgotten.
 foreach(file IN ITEMS CMakeLists.txt tests/CMakeLists.txt bench/CMakeLists.txt)

@@ -500,5 +500,57 @@ TEST(RobustnessTest, AMutatedDocumentParsesOrIsAnInputError) {
   EXPECT_LT(parsed, 2500) << "mutations too tame to test the parser";
 }
 
+// All that can be told of a value.
+std::string Told(const Value& value) {
+  std::string told = value.Place().Text();
+  if (value.IsScalar()) {
+    told += " " + value.Text();
+    try {
+      value.Number();
+      told += " is a number";
+    } catch (const InputError& error) {
+      told += error.what();
+    }
+  } else if (value.IsList()) {
+    told += " list";
+    for (const Value& item : value.Items()) told += "\n" + Told(item);
+  } else if (value.IsMap()) {
+    told += " map";
+    for (const auto& [key, item] : value.Entries()) told += "\n" + Told(key) + ": " + Told(item);
+  }
+  return told + ";";
+}
+
+const char* const kJsonSamples[] = {
+    R"({"format": "assay-plan/1", "outcome": "planned",
+ "actions": [{"id": 0, "name": "pickup", "arguments": {"part": "peg", "at": [1e-3, -2.5, 0]}}],
+ "ordering": [[0, 1], [1, 2]], "errors": 0, "ok": true, "text": "a\n\u00e9\\ \/"}
+)",
+    "[\n  {\"\": [], \"a b\": {}, \"\xc3\xa9\xe2\x82\xac\": \"\xf0\x9f\x98\x80 # no: comment\", "
+    "\"n\": 1 },\n"
+    "-1,\n\"- 1\", [ false ,\n true], {\"x\":{\"y\":[1,2,[\"\\t\\\"'\"]]}}, \"~\", \"\"]\n\n",
+    R"({"a": [1.5E+3, -0.0, "b"], "c": {"d": "e, f", "g": [[], {}, [{}]]}, "h": "i", "j": -7})"};
+
+// What is read without yaml-cpp is what yaml-cpp reads. A comment, which is not JSON, has it read
+// the same text.
+TEST(JsonTest, IsReadAsYamlIs) {
+  RandomStream random(20240522, "JSON mutations");
+  int parsed = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const std::string sample = kJsonSamples[i % 3];
+    const std::string text = i < 3 ? sample : Mutate(sample, random);
+    SCOPED_TRACE(testing::Message() << "mutation " << i << ":\n" << text);
+    std::string told;
+    try {
+      told = Told(Document::Parse(text, "f.yaml").root());
+    } catch (const InputError&) {
+      continue;
+    }
+    ++parsed;
+    EXPECT_EQ(told, Told(Document::Parse(text + "\n#", "f.yaml").root()));
+  }
+  EXPECT_GT(parsed, 300) << "mutations too wild";
+}
+
 }  // namespace
 }  // namespace assay::document_test
