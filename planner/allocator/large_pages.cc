@@ -1,6 +1,6 @@
 #include <mimalloc.h>
 
-// Compiled into programs that have the allocator (assay_allocator in CMakeLists.txt).
+// Compiled into the programs that have the allocator (assay_allocator in CMakeLists.txt).
 
 namespace {
 
