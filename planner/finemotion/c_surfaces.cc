@@ -1,6 +1,6 @@
 #include "planner/finemotion/c_surfaces.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

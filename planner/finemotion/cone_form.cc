@@ -1,9 +1,9 @@
 #include "planner/finemotion/cone_form.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "planner/finemotion/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -35,8 +35,7 @@ class IndependentRows {
   // Column i is orthogonal to every row but the i-th, on which it is 1, and in the span of all.
   Eigen::MatrixXd Dual() const {
     const Eigen::MatrixXd triangular = rows_ * basis_;
-    return basis_ * triangular.triangularView<Eigen::Lower>().solve(
-                        Eigen::MatrixXd::Identity(rows_.rows(), rows_.rows()));
+    return basis_ * InverseOfLowerTriangular(triangular);
   }
 
   const Eigen::MatrixXd& basis() const { return basis_; }
@@ -47,13 +46,6 @@ class IndependentRows {
   Eigen::MatrixXd rows_;   // lower triangular in the basis
   Eigen::VectorXd values_;
 };
-
-Eigen::MatrixXd Complement(const Eigen::MatrixXd& basis) {
-  const Eigen::Index dimensions = basis.rows();
-  if (basis.cols() == 0) return Eigen::MatrixXd::Identity(dimensions, dimensions);
-  const Eigen::MatrixXd q = basis.householderQr().householderQ();
-  return q.rightCols(dimensions - basis.cols());
-}
 
 void CheckRowsAgree(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values,
                     const GeneralizedPoint& z) {
@@ -78,7 +70,7 @@ ConeForm ConeFormOf(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values,
   const Eigen::MatrixXd dual = independent.Dual();
   form.characteristic_point = dual * independent.values();
   form.rays = -dual.rightCols(dual.cols() - equations).colwise().normalized();
-  form.tangents = Complement(independent.basis());
+  form.tangents = OrthogonalComplement(independent.basis());
   CheckRowsAgree(rows, values, form.characteristic_point);
   return form;
 }

@@ -1,6 +1,6 @@
 #include "planner/finemotion/contact_finder.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

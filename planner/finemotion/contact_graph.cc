@@ -1,6 +1,5 @@
 #include "planner/finemotion/contact_graph.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -13,6 +12,7 @@
 #include "planner/base/random.h"
 #include "planner/finemotion/c_surfaces.h"
 #include "planner/finemotion/cone_form.h"
+#include "planner/finemotion/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -85,23 +85,15 @@ Facet FacetOf(const CSurfaces& surfaces, const SurfaceSet& set) {
     facet.tangents = Tangents::Identity(kPoseDimensions, kPoseDimensions);
     return facet;
   }
-  Tangents normals(kPoseDimensions, std::ssize(facet.surfaces));
+  Eigen::MatrixXd normals(kPoseDimensions, std::ssize(facet.surfaces));
   for (Index i = 0; i < facet.surfaces.size(); ++i) {
     normals.col(static_cast<Eigen::Index>(i)) = surfaces.Row(facet.surfaces[i]);
   }
-  Eigen::ColPivHouseholderQR<Tangents> qr(normals.rows(), normals.cols());
-  qr.setThreshold(kDependentRow);
-  qr.compute(normals);
-  const Eigen::Index rank = qr.rank();
-  const Eigen::Matrix<double, kPoseDimensions, kPoseDimensions> q = qr.householderQ();
-  facet.tangents = q.rightCols(kPoseDimensions - rank);
-  for (Eigen::Index i = 0; i < rank; ++i) {
-    const int pivot = qr.colsPermutation().indices()[i];
-    facet.independent.push_back(facet.surfaces[static_cast<Index>(pivot)]);
-  }
-  const Eigen::MatrixXd triangular =
-      qr.matrixR().topLeftCorner(rank, rank).triangularView<Eigen::Upper>();
-  facet.corrections = -q.leftCols(rank) * triangular.transpose().inverse();
+  const IndependentColumns independent = IndependentColumnsOf(normals, kDependentRow);
+  facet.tangents = independent.complement;
+  for (const int column : independent.columns)
+    facet.independent.push_back(facet.surfaces[static_cast<Index>(column)]);
+  facet.corrections = -independent.dual;
   return facet;
 }
 

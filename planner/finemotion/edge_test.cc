@@ -11,8 +11,8 @@ namespace assay::finemotion {
 namespace {
 
 // Whether a point begin + f along, 0 <= f <= 1, is in the contact.
-template <int K>
-bool SegmentMeets(const ImagePoint<K>& begin, const ImagePoint<K>& along) {
+template <class Point>
+bool SegmentMeets(const Point& begin, const Point& along) {
   const double gap = begin[0];
   const double other_gap = gap + along[0];
   if (std::min(gap, other_gap) > kMeetingTolerance || std::max(gap, other_gap) < -kMeetingTolerance)
@@ -33,72 +33,69 @@ bool SegmentMeets(const ImagePoint<K>& begin, const ImagePoint<K>& along) {
   return least <= most;
 }
 
-// Visits center +- each generator, with the set of generators that are added, until a visit says
-// that it is enough; in the order of Gray's code, in which one sign changes at a time.
+// Errors of an image, from one to before another.
+struct ErrorRange {
+  Eigen::Index begin = 0;
+  Eigen::Index end = 0;
+};
+
+// Visits center +- each error, with the set of errors that are added, until a visit says that it is
+// enough; in the order of Gray's code, in which one sign changes at a time.
 template <int K, class Visit>
-bool AnyVertex(const ImagePoint<K>& center, const ImagePoints<K>& generators, const Visit& visit) {
-  ImagePoint<K> vertex = center - generators.rowwise().sum();
-  const std::uint64_t count = std::uint64_t{1} << generators.cols();
+bool AnyVertex(const ImagePoints<K>& image, const Eigen::Matrix<double, K, 1>& center,
+               const ErrorRange& errors, const Visit& visit) {
+  Eigen::Matrix<double, K, 1> vertex = center;
+  for (Eigen::Index i = errors.begin; i < errors.end; ++i) vertex -= image.Error(i);
+  const std::uint64_t count = std::uint64_t{1} << (errors.end - errors.begin);
   std::uint64_t added = 0;
   for (std::uint64_t next = 1;; ++next) {
     if (visit(vertex, added)) return true;
     if (next == count) return false;
     const int i = std::countr_zero(next);
     added ^= std::uint64_t{1} << i;
-    vertex += ((added >> i & 1) != 0 ? 2 : -2) * generators.col(i);
+    vertex += ((added >> i & 1) != 0 ? 2.0 : -2.0) * image.Error(errors.begin + i);
   }
 }
 
-// Whether an edge along a generator meets the contact that begins at this vertex.
+// Whether an edge along an error meets the contact.
 template <int K>
-bool EdgeFromVertexMeets(const ImagePoint<K>& vertex, std::uint64_t added,
-                         const ImagePoints<K>& generators) {
-  for (Eigen::Index i = 0; i < generators.cols(); ++i) {
-    if ((added >> i & 1) == 0 && SegmentMeets<K>(vertex, 2 * generators.col(i))) return true;
-  }
-  return false;
-}
-
-template <int K>
-bool EdgeAlongGeneratorMeets(const ImagePoint<K>& center, const ImagePoints<K>& generators) {
-  return AnyVertex<K>(center, generators, [&](const auto& vertex, auto added) {
-    return EdgeFromVertexMeets<K>(vertex, added, generators);
+bool EdgeAlongErrorMeets(const ImagePoints<K>& image, const Eigen::Matrix<double, K, 1>& center,
+                         const ErrorRange& errors) {
+  return AnyVertex(image, center, errors, [&](const auto& vertex, std::uint64_t added) {
+    for (Eigen::Index i = errors.begin; i < errors.end; ++i, added >>= 1) {
+      if ((added & 1) != 0) continue;
+      const Eigen::Matrix<double, K, 1> along = 2.0 * image.Error(i);
+      if (SegmentMeets(vertex, along)) return true;
+    }
+    return false;
   });
 }
-
-}  // namespace
 
 // Edges of the start, from its vertices to where they move to, and of what has moved for the whole
 // time.
 template <int K>
-bool EdgeMeets(const ProjectionImage<K>& image) {
-  const ImagePoints<K>& near = image.start_generators;
-  if (EdgeAlongGeneratorMeets<K>(image.start, near)) return true;
-  const bool is_between = AnyVertex<K>(image.start, near, [&](const auto& vertex, auto) {
-    return AnyVertex<K>(image.motion, image.motion_generators,
-                        [&](const auto& way, auto) { return SegmentMeets<K>(vertex, way); });
+bool AnyEdgeMeets(const ImagePoints<K>& image) {
+  const ErrorRange of_start{0, image.start_errors()};
+  const ErrorRange of_motion{image.start_errors(), image.errors()};
+  if (EdgeAlongErrorMeets(image, image.start(), of_start)) return true;
+  const bool is_between = AnyVertex(image, image.start(), of_start, [&](const auto& vertex, auto) {
+    return AnyVertex(image, image.motion(), of_motion,
+                     [&](const auto& way, auto) { return SegmentMeets(vertex, way); });
   });
   if (is_between || !image.moves()) return is_between;
-  ImagePoints<K> far(near.rows(), near.cols() + image.motion_generators.cols());
-  far << near, image.motion_generators;
-  return EdgeAlongGeneratorMeets<K>(image.start + image.motion, far);
+  return EdgeAlongErrorMeets<K>(image, image.start() + image.motion(), {0, image.errors()});
 }
-template bool EdgeMeets<1>(const ProjectionImage<1>&);
-template bool EdgeMeets<2>(const ProjectionImage<2>&);
-template bool EdgeMeets<3>(const ProjectionImage<3>&);
-template bool EdgeMeets<4>(const ProjectionImage<4>&);
-template bool EdgeMeets<5>(const ProjectionImage<5>&);
-template bool EdgeMeets<6>(const ProjectionImage<6>&);
-template bool EdgeMeets<7>(const ProjectionImage<7>&);
-template bool EdgeMeets<8>(const ProjectionImage<8>&);
-template bool EdgeMeets<Eigen::Dynamic>(const ProjectionImage<Eigen::Dynamic>&);
+
+}  // namespace
+
+bool EdgeMeets(const ProjectionImage& image) {
+  return WithPoints(image, [](const auto& points) { return AnyEdgeMeets(points); });
+}
 
 bool MeetAtAnEdge(const ForwardProjection& projection, const PrimitiveContact& contact) {
-  CheckDimensions(projection, contact);
   ASSAY_CHECK(projection.start.generators.cols() + projection.velocity.generators.cols() <=
               kMostEdgeTestErrors);
-  return WithImage(projection, contact,
-                   []<int K>(const ProjectionImage<K>& image) { return EdgeMeets(image); });
+  return EdgeMeets(ProjectionImage(projection, contact));
 }
 
 }  // namespace assay::finemotion

@@ -1,6 +1,6 @@
 #include "planner/finemotion/force_signature.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>

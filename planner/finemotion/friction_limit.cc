@@ -1,9 +1,8 @@
 #include "planner/finemotion/friction_limit.h"
 
-#include <Eigen/Dense>
-
 #include "planner/finemotion/force_signature.h"
 #include "planner/finemotion/nonnegative_least_squares.h"
+#include "planner/finemotion/orthogonal_decomposition.h"
 #include "planner/plan/strategy.h"
 
 namespace assay::finemotion {
@@ -19,7 +18,7 @@ bool CanHold(const std::vector<PrimitiveContact>& kept,
              const Eigen::Matrix<double, kPoseDimensions, 1>& displacement, double friction) {
   if (kept.empty()) return false;
   const Eigen::Index n = std::ssize(kept);
-  Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic> normals(kPoseDimensions, n);
+  Eigen::MatrixXd normals(kPoseDimensions, n);
   for (Eigen::Index i = 0; i < n; ++i)
     normals.col(i) = kept[static_cast<std::size_t>(i)].row.head<kPoseDimensions>();
   ForceSignature signature = SignatureOf(kept, friction);
@@ -29,7 +28,7 @@ bool CanHold(const std::vector<PrimitiveContact>& kept,
   signature.rays.bottomRows<3>() /= plan::kTurnLever;
   normals.bottomRows<3>() /= plan::kTurnLever;
   Eigen::MatrixXd columns(n + 1, signature.rays.cols());
-  columns << normals.completeOrthogonalDecomposition().solve(signature.rays), power;
+  columns << ShortestLeastSquares(normals, signature.rays), power;
   const Eigen::VectorXd against = -Eigen::VectorXd::Unit(n + 1, n);
   return (columns * NonnegativeLeastSquares(columns, against) - against).norm() < kHeld;
 }

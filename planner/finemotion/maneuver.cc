@@ -1,9 +1,10 @@
 #include "planner/finemotion/maneuver.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "planner/finemotion/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -65,14 +66,14 @@ bool IsGrazing(const PrimitiveContact& contact, const PoseChange& direction, dou
 std::optional<PoseChange> Complied(const std::vector<const PrimitiveContact*>& kept, Vector3 d,
                                    const Vector3& w) {
   if (!kept.empty()) {
-    Eigen::MatrixX3d normals(std::ssize(kept), 3);
+    Eigen::MatrixXd normals(std::ssize(kept), 3);
     Eigen::VectorXd rates(std::ssize(kept));
     for (Eigen::Index i = 0; i < rates.size(); ++i) {
       const PrimitiveContact& contact = *kept[static_cast<std::size_t>(i)];
       normals.row(i) = contact.normal;
       rates[i] = contact.normal.dot(d) + contact.row.segment<3>(3).dot(w);
     }
-    const Vector3 change = normals.completeOrthogonalDecomposition().solve(-rates);
+    const Vector3 change = ShortestLeastSquares(normals, -rates);
     if ((normals * change + rates).norm() > 1e-9) return std::nullopt;
     d += change;
   }

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
+#include <type_traits>
 #include <vector>
 
 namespace assay::finemotion {
@@ -29,9 +31,9 @@ class NearestPoint {
   NearestPoint(const Set& set, double tolerance, const Point& begin)
       : set_(set),
         tolerance_(tolerance),
-        directions_(begin.size(), begin.size()),
         triangle_(begin.size(), begin.size()),
         projections_(begin.size()) {
+    if constexpr (K == Eigen::Dynamic) directions_.resize(begin.size());
     nearest_ = Outward(begin);
     corral_.reserve(begin.size() + 2);
     corral_.push_back({begin, 1, Element::kPoint});
@@ -42,8 +44,8 @@ class NearestPoint {
 
   // What counts of a point.
   static Point Outward(const Point& at) {
-    Point outward = at.cwiseMax(0);
-    outward.template head<kEqual>() = at.template head<kEqual>();
+    Point outward = at;
+    for (Eigen::Index j = kEqual; j < at.size(); ++j) outward[j] = std::max(at[j], 0.0);
     return outward;
   }
 
@@ -77,7 +79,11 @@ class NearestPoint {
   }
 
   Point Origin() const { return Point::Zero(nearest_.size()); }
-  Point Axis(int j) const { return Point::Unit(nearest_.size(), j); }
+  Point Axis(int j) const {
+    Point axis = Origin();
+    axis[j] = 1;
+    return axis;
+  }
 
   // Takes in a point that lies nearer to 0 than the corral, and the rays that then lead nearer
   // still. Tells whether it came nearer, which rounding can prevent.
@@ -132,8 +138,8 @@ class NearestPoint {
       if (element == base) continue;
       const Point origin = element->is_point() ? base->at : Origin();
       if (!Orthogonalize(element->at - origin, count)) return false;
-      projections_[count] = directions_.col(count).dot(rest);
-      rest -= projections_[count] * directions_.col(count);
+      projections_[count] = Direction(count).dot(rest);
+      rest -= projections_[count] * Direction(count);
       ++count;
     }
     base->wanted = 1;
@@ -141,7 +147,7 @@ class NearestPoint {
       if (&*element == &*base) continue;
       --count;
       element->wanted = projections_[count] / triangle_(count, count);
-      projections_.head(count) -= element->wanted * triangle_.col(count).head(count);
+      for (int i = 0; i < count; ++i) projections_[i] -= element->wanted * triangle_(i, count);
       if (element->is_point()) base->wanted -= element->wanted;
     }
     return true;
@@ -151,25 +157,28 @@ class NearestPoint {
   // it is orthogonal to the others to rounding.
   bool Orthogonalize(Point difference, int count) {
     const double length = difference.norm();
-    triangle_.col(count).setZero();
+    for (int i = 0; i < count; ++i) triangle_(i, count) = 0;
     for (int pass = 0; pass < 2; ++pass) {
       for (int i = 0; i < count; ++i) {
-        const double along = directions_.col(i).dot(difference);
+        const double along = Direction(i).dot(difference);
         triangle_(i, count) += along;
-        difference -= along * directions_.col(i);
+        difference -= along * Direction(i);
       }
     }
     triangle_(count, count) = difference.norm();
-    directions_.col(count) = difference / triangle_(count, count);
+    Direction(count) = difference / triangle_(count, count);
     return triangle_(count, count) > kDependent * length;
   }
+
+  Point& Direction(int i) { return directions_[static_cast<std::size_t>(i)]; }
 
   const Set& set_;
   double tolerance_;
   Point nearest_;
   std::vector<Element> corral_;
-  // Of FindWanted.
-  Eigen::Matrix<double, K, K> directions_;
+  // Of FindWanted. All in points: Eigen's columns of matrices are types of their own, for each K.
+  std::conditional_t<K == Eigen::Dynamic, std::vector<Point>, std::array<Point, std::max(K, 1)>>
+      directions_;
   Eigen::Matrix<double, K, K> triangle_;
   Point projections_;
 };

@@ -1,10 +1,10 @@
 #include "planner/finemotion/nonnegative_least_squares.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <vector>
 
 #include "planner/base/check.h"
+#include "planner/finemotion/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 namespace {
@@ -71,8 +71,8 @@ class Solver {
       free.col(static_cast<Eigen::Index>(columns.size())) = a_.col(i);
       columns.push_back(i);
     }
-    const Eigen::VectorXd of_free =
-        free.leftCols(static_cast<Eigen::Index>(columns.size())).colPivHouseholderQr().solve(b_);
+    free.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(columns.size()));
+    const Eigen::VectorXd of_free = LeastSquaresOfFewest(free, b_);
     Eigen::VectorXd wanted = Eigen::VectorXd::Zero(x_.size());
     for (std::size_t i = 0; i < columns.size(); ++i) {
       wanted[columns[i]] = of_free[static_cast<Eigen::Index>(i)];

@@ -1,11 +1,12 @@
 #include "planner/finemotion/segment.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "planner/finemotion/meeting.h"
+#include "planner/finemotion/orthogonal_decomposition.h"
 #include "planner/finemotion/projection_image.h"
 
 namespace assay::finemotion {
@@ -121,14 +122,17 @@ class KeptDirections {
   // Moved by the least that closes the contacts; the first columns also are tolerances.
   PoseChanges Closed(PoseChanges errors, bool with_tolerances) const {
     if (count_ == 0) return errors;
-    const auto basis = basis_.leftCols(count_);
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kPoseDimensions, Eigen::Dynamic> open =
-        basis.transpose() * lengths_.asDiagonal() * errors;
-    if (with_tolerances && tolerances_.size() > 0) {
-      open.leftCols(tolerances_.size()) +=
-          shifts_.leftCols(count_).transpose() * tolerances_.asDiagonal();
+    for (Eigen::Index j = 0; j < errors.cols(); ++j) {
+      const PoseChange error = errors.col(j);
+      PoseChange closing = PoseChange::Zero();
+      for (int i = 0; i < count_; ++i) {
+        const PoseChange direction = basis_.col(i);
+        double open = direction.cwiseProduct(lengths_).dot(error);
+        if (with_tolerances && j < tolerances_.size()) open += shifts_(j, i) * tolerances_[j];
+        closing += open * lengths_.cwiseInverse().cwiseProduct(direction);
+      }
+      errors.col(j) = error - closing;
     }
-    errors -= lengths_.cwiseInverse().asDiagonal() * basis * open;
     return errors;
   }
 
@@ -327,34 +331,32 @@ class Checker {
   bool Meets(const PrimitiveContact& contact, const RowRange& gap,
              const std::vector<RowRange>& limits) {
     const Eigen::Index rows = std::ssize(limits) + (until_ != nullptr ? 2 : 1);
-    return WithRows(rows, [&]<int K>() {
-      ProjectionImage<K> image(rows, swept_.cols(), drifts_.cols());
-      Eigen::Index row = 0;
-      const auto add = [&](const RowRange& range, double offset, double sign) {
-        image.start[row] = sign * (range.start + offset);
-        image.motion[row] = sign * time_ * range.motion;
-        image.start_generators.row(row) = sign * range.start_errors.transpose();
-        image.motion_generators.row(row) = sign * time_ * range.motion_errors.transpose();
-        ++row;
-      };
-      add(gap, contact.offset, 1);
-      for (std::size_t i = 0; i < limits.size(); ++i) add(limits[i], -contact.limits[i].b, 1);
-      if (until_ != nullptr) add(until_on_the_way_, until_->offset, -1);
-      image.ForgetZeros();
-      return Decide(image);
-    });
+    ProjectionImage image(rows, swept_.cols(), drifts_.cols());
+    Eigen::Index row = 0;
+    const auto add = [&](const RowRange& range, double offset, double sign) {
+      image.start(row) = sign * (range.start + offset);
+      image.motion(row) = sign * time_ * range.motion;
+      for (Eigen::Index i = 0; i < swept_.cols(); ++i)
+        image.start_error(row, i) = sign * range.start_errors[i];
+      for (Eigen::Index i = 0; i < drifts_.cols(); ++i)
+        image.motion_error(row, i) = sign * time_ * range.motion_errors[i];
+      ++row;
+    };
+    add(gap, contact.offset, 1);
+    for (std::size_t i = 0; i < limits.size(); ++i) add(limits[i], -contact.limits[i].b, 1);
+    if (until_ != nullptr) add(until_on_the_way_, until_->offset, -1);
+    image.ForgetZeros();
+    return Decide(image);
   }
 
-  template <int K>
-  bool Decide(const ProjectionImage<K>& image) {
+  bool Decide(const ProjectionImage& image) {
     const auto is_exactly = [&] { return finemotion::Meets(image, kMeetingTolerance); };
     ++check_.comparison.tests;
-    const Eigen::Index errors = image.start_generators.cols() + image.motion_generators.cols();
-    if (model_.test == MeetingTest::kExact || errors > kFewErrors) return is_exactly();
-    if (model_.test == MeetingTest::kEdges) return finemotion::EdgeMeets(image);
+    if (model_.test == MeetingTest::kExact || image.errors() > kFewErrors) return is_exactly();
+    if (model_.test == MeetingTest::kEdges) return EdgeMeets(image);
     const bool meets = is_exactly();
     ++check_.comparison.compared;
-    if (meets && !finemotion::EdgeMeets(image)) ++check_.comparison.missed;
+    if (meets && !EdgeMeets(image)) ++check_.comparison.missed;
     return meets;
   }
 
@@ -457,8 +459,15 @@ class Checker {
     const auto row = contact.row.head<kPoseDimensions>();
     const PoseChange step =  // changes the gap by 1
         command_.displacement / row.dot(command_.displacement);
-    return {-contact.offset * step, errors_ - step * PartsOf(contact.row, errors_).transpose(),
-            drifts_ - step * (row.transpose() * drifts_)};
+    return {-contact.offset * step, Stepped(errors_, PartsOf(contact.row, errors_), step),
+            Stepped(drifts_, drifts_.transpose() * row, step)};
+  }
+
+  // Each back by its part of a step.
+  static PoseChanges Stepped(PoseChanges changes, const Eigen::VectorXd& parts,
+                             const PoseChange& step) {
+    for (Eigen::Index i = 0; i < changes.cols(); ++i) changes.col(i) -= parts[i] * step;
+    return changes;
   }
 
   Belief After() const {
@@ -535,8 +544,7 @@ PoseChange Closing(const std::vector<const PrimitiveContact*>& contacts, const P
                    double radius) {
   PoseChange closing = PoseChange::Zero();
   if (contacts.empty()) return closing;
-  Eigen::Matrix<double, Eigen::Dynamic, kPoseDimensions> rows(std::ssize(contacts),
-                                                              kPoseDimensions);
+  Eigen::MatrixXd rows(std::ssize(contacts), kPoseDimensions);
   Eigen::VectorXd gaps(rows.rows());
   for (Eigen::Index i = 0; i < rows.rows(); ++i) {
     const PrimitiveContact& contact = *contacts[static_cast<std::size_t>(i)];
@@ -544,7 +552,7 @@ PoseChange Closing(const std::vector<const PrimitiveContact*>& contacts, const P
     gaps[i] = contact.offset + rows.row(i).dot(z);
   }
   rows.rightCols<3>() /= radius;
-  closing = rows.completeOrthogonalDecomposition().solve(-gaps);
+  closing = ShortestLeastSquares(rows, -gaps);
   closing.tail<3>() /= radius;
   return closing;
 }

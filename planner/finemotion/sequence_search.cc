@@ -1,10 +1,10 @@
 #include "planner/finemotion/sequence_search.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 
 #include "planner/finemotion/force_signature.h"
+#include "planner/finemotion/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -193,8 +193,8 @@ double SequenceSearch::GuidanceOf(const Node& node) const {
   errors.bottomRows<3>() *= problem_.options.radius;
   using Spread = Eigen::Matrix<double, kPoseDimensions, kPoseDimensions>;
   const Spread spread = errors * errors.transpose();
-  const Eigen::SelfAdjointEigenSolver<Spread> axes(spread, Eigen::EigenvaluesOnly);
-  const auto thick = (axes.eigenvalues().array() > kThin * kThin).count();
+  const auto thick = std::ranges::count_if(EigenvaluesOfSymmetric(spread),
+                                           [](double e) { return e > kThin * kThin; });
   const Maneuvering& here = ManeuveringAt(node.point);
   const double turn = here.ToUpright(node.belief.X_StationaryMoving).norm();
   return kPerCriticalPoint * (problem_.passage.critical_points() - node.point) +

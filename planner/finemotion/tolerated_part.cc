@@ -1,11 +1,11 @@
 #include "planner/finemotion/tolerated_part.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/finemotion/orthogonal_decomposition.h"
 
 namespace assay::finemotion {
 
@@ -54,7 +54,7 @@ class Shifts {
   Shift Of(const std::vector<int>& faces) const {
     Shift shift = Shift::Zero(3, std::ssize(tolerances_));
     if (tolerances_.empty()) return shift;
-    Eigen::MatrixX3d normals(faces.size(), 3);
+    Eigen::MatrixXd normals(faces.size(), 3);
     Eigen::MatrixXd outward = Eigen::MatrixXd::Zero(normals.rows(), shift.cols());
     for (Eigen::Index row = 0; row < normals.rows(); ++row) {
       const int face = faces[static_cast<Index>(row)];
@@ -65,11 +65,7 @@ class Shifts {
         outward(row, column) = std::ranges::count(tolerance.faces, face) > 0 ? 1 : 0;
       }
     }
-    Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> decomposition;
-    decomposition.setThreshold(kSameDirection);
-    decomposition.compute(normals);
-    shift = decomposition.solve(outward);
-    return shift;
+    return ShortestLeastSquares(normals, outward, kSameDirection);
   }
 
  private:
