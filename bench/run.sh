@@ -55,9 +55,17 @@ for name in "${all[@]}"; do
 done
 ((${#programs[@]})) || refuse "--only $only matches none of the programs: ${all[*]}"
 
+root=$PWD
+source .ci/setup
+install_missing_packages program benchmarks
+# Where tests are built as well, they go on to be.
+if [[ -e build/release/CMakeCache.txt ]]; then
+  configure release -DASSAY_BENCH=ON
+else
+  configure release -DASSAY_BENCH=ON -DASSAY_TESTS=OFF
+fi
+build release bench/all
 read -r load_before _ </proc/loadavg
-cmake --preset release >/dev/null
-cmake --build --preset release --target bench/all
 results=$build/results
 rm -rf "$results"
 mkdir -p "$results" "$plots"

@@ -1,0 +1,169 @@
+#include <algorithm>
+
+#include "planner/base/decimal_text.h"
+#include "planner/base/document_tree.h"
+
+namespace assay {
+
+class Value::Node::JsonReader {
+ public:
+  explicit JsonReader(Tree& tree) : tree_(tree), rest_(tree.text) {}
+
+  // The root; null if yaml-cpp is to read it.
+  const Node* Read();
+
+ private:
+  using List = std::vector<const Node*>;
+
+  void SkipSpace();
+  bool Take(char c);  // after space
+  Node& Make(Kind kind) const;
+  const Node* ReadValue(std::size_t depth);
+  const Node* ReadList(std::size_t depth);
+  const Node* ReadMap(std::size_t depth);
+  const Node* ReadKey();
+  const Node* ReadQuoted();
+  const Node* ReadPlain();
+  bool ReadEscapes(std::string_view written, std::string& meant) const;
+
+  Tree& tree_;
+  std::string_view rest_;
+  int line_ = 1;
+  const char* line_start_ = rest_.data();
+};
+
+const Value::Node* Value::Node::JsonReader::Read() {
+  SkipSpace();
+  if (!rest_.starts_with('{') && !rest_.starts_with('[')) return nullptr;
+  const Node* const root = ReadValue(0);
+  SkipSpace();
+  return rest_.empty() ? root : nullptr;
+}
+
+void Value::Node::JsonReader::SkipSpace() {
+  while (!rest_.empty()) {
+    const char c = rest_.front();
+    if (c != ' ' && c != '\n') return;
+    rest_.remove_prefix(1);
+    if (c == ' ') continue;
+    ++line_;
+    line_start_ = rest_.data();
+  }
+}
+
+bool Value::Node::JsonReader::Take(char c) {
+  SkipSpace();
+  if (!rest_.starts_with(c)) return false;
+  rest_.remove_prefix(1);
+  return true;
+}
+
+// At what comes next.
+Value::Node& Value::Node::JsonReader::Make(Kind kind) const {
+  return tree_.Add(kind, line_, static_cast<int>(rest_.data() - line_start_) + 1);
+}
+
+const Value::Node* Value::Node::JsonReader::ReadValue(std::size_t depth) {
+  SkipSpace();
+  if (rest_.starts_with('[')) return ReadList(depth);
+  if (rest_.starts_with('{')) return ReadMap(depth);
+  return rest_.starts_with('"') ? ReadQuoted() : ReadPlain();
+}
+
+const Value::Node* Value::Node::JsonReader::ReadList(std::size_t depth) {
+  if (depth == kMaxDepth) return nullptr;
+  Node& list = Make(Kind::kList);
+  rest_.remove_prefix(1);
+  if (Take(']')) return &list;
+  List items;
+  do {
+    items.push_back(ReadValue(depth + 1));
+    if (items.back() == nullptr) return nullptr;
+  } while (Take(','));
+  list.items = tree_.Keep(items);
+  return Take(']') ? &list : nullptr;
+}
+
+const Value::Node* Value::Node::JsonReader::ReadMap(std::size_t depth) {
+  if (depth == kMaxDepth) return nullptr;
+  Node& map = Make(Kind::kMap);
+  rest_.remove_prefix(1);
+  if (Take('}')) return &map;
+  List keys, items;
+  do {
+    keys.push_back(ReadKey());
+    if (keys.back() == nullptr) return nullptr;
+    items.push_back(ReadValue(depth + 1));
+    if (items.back() == nullptr) return nullptr;
+  } while (Take(','));
+  std::vector<std::string_view> names;
+  for (const Node* key : keys) names.push_back(key->text);
+  std::ranges::sort(names);
+  if (std::ranges::adjacent_find(names) != names.end()) return nullptr;
+  map.keys = tree_.Keep(keys);
+  map.items = tree_.Keep(items);
+  return Take('}') ? &map : nullptr;
+}
+
+// With its colon, which stands directly behind. yaml-cpp takes no longer keys than a kilobyte.
+const Value::Node* Value::Node::JsonReader::ReadKey() {
+  constexpr std::size_t kLongest = 1000;
+  SkipSpace();
+  if (!rest_.starts_with('"')) return nullptr;
+  const std::size_t before = rest_.size();
+  const Node* const key = ReadQuoted();
+  if (key == nullptr || before - rest_.size() > kLongest || !rest_.starts_with(':')) return nullptr;
+  rest_.remove_prefix(1);
+  return key;
+}
+
+const Value::Node* Value::Node::JsonReader::ReadQuoted() {
+  std::size_t end = 1;
+  bool is_escaped = false;
+  for (; end < rest_.size() && rest_[end] != '"'; ++end) {
+    if (static_cast<unsigned char>(rest_[end]) < 0x20) return nullptr;
+    if (rest_[end] != '\\') continue;
+    is_escaped = true;
+    ++end;
+  }
+  if (end >= rest_.size()) return nullptr;
+  Node& quoted = Make(Kind::kScalar);
+  quoted.style = Style::kQuoted;
+  quoted.text = rest_.substr(1, end - 1);
+  if (is_escaped) {
+    std::string meant;
+    if (!ReadEscapes(quoted.text, meant)) return nullptr;
+    quoted.text = tree_.Keep(std::move(meant));
+  }
+  rest_.remove_prefix(end + 1);
+  return &quoted;
+}
+
+bool Value::Node::JsonReader::ReadEscapes(std::string_view written, std::string& meant) const {
+  constexpr std::string_view kNames = "\"\\/bfnrt";
+  constexpr std::string_view kMeanings = "\"\\/\b\f\n\r\t";
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    if (written[i] != '\\') {
+      meant += written[i];
+      continue;
+    }
+    const std::size_t name = kNames.find(written[++i]);
+    if (name == std::string_view::npos) return false;
+    meant += kMeanings[name];
+  }
+  return true;
+}
+
+// A number, true or false. Null is left to yaml-cpp: no format here has it.
+const Value::Node* Value::Node::JsonReader::ReadPlain() {
+  const std::string_view written = rest_.substr(0, rest_.find_first_of(",]} \n"));
+  if (written != "true" && written != "false" && !IsDecimal(written)) return nullptr;
+  Node& plain = Make(Kind::kScalar);
+  plain.text = written;
+  rest_.remove_prefix(written.size());
+  return &plain;
+}
+
+const Value::Node* Value::Node::ReadJson(Tree& tree) { return JsonReader(tree).Read(); }
+
+}  // namespace assay

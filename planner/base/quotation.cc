@@ -1,0 +1,64 @@
+#include "planner/base/quotation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace assay {
+namespace {
+
+std::size_t Utf8Length(unsigned char lead) {
+  if (lead < 0x80) return 1;
+  if (lead >> 5 == 0x06) return 2;
+  if (lead >> 4 == 0x0e) return 3;
+  if (lead >> 3 == 0x1e) return 4;
+  return 0;
+}
+
+std::string Visible(char32_t control) {
+  if (control == U'\n') return "\\n";
+  if (control == U'\r') return "\\r";
+  if (control == U'\t') return "\\t";
+  return fmt::format("\\x{:02x}", static_cast<std::uint32_t>(control));
+}
+
+}  // namespace
+
+CodePoint Decode(std::string_view text) {
+  constexpr std::array<char32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
+  const auto lead = static_cast<unsigned char>(text[0]);
+  const std::size_t bytes = Utf8Length(lead);
+  if (bytes == 0 || bytes > text.size()) return {};
+  char32_t value = bytes == 1 ? lead : lead & (0x7fu >> bytes);
+  for (std::size_t i = 1; i < bytes; ++i) {
+    const auto next = static_cast<unsigned char>(text[i]);
+    if (next >> 6 != 0x02) return {};
+    value = value << 6 | (next & 0x3fu);
+  }
+  const bool surrogate = value >= 0xd800 && value <= 0xdfff;
+  if (value < kLeast[bytes] || surrogate || value > 0x10ffff) return {};
+  return {.value = value, .bytes = bytes};
+}
+
+bool IsControl(char32_t c) { return c < 0x20 || (c >= 0x7f && c < 0xa0); }
+
+std::string Show(std::string_view text, std::size_t limit) {
+  std::string shown;
+  for (std::size_t i = 0; i < limit && !text.empty(); ++i) {
+    const CodePoint c = Decode(text);
+    const std::size_t bytes = std::max<std::size_t>(c.bytes, 1);
+    const char32_t control = c.bytes > 0 ? c.value : static_cast<unsigned char>(text[0]);
+    shown +=
+        c.bytes == 0 || IsControl(c.value) ? Visible(control) : std::string(text.substr(0, bytes));
+    text.remove_prefix(bytes);
+  }
+  return text.empty() ? shown : shown + "...";
+}
+
+std::string Quote(std::string_view text) {
+  return fmt::format("'{}'", Show(text, kQuotedCharacters));
+}
+
+}  // namespace assay
