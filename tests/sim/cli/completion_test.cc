@@ -21,12 +21,13 @@ class Completion : public ::testing::Test {
     for (const std::string& word : words) script += " '" + word + "'";
     script += "); COMP_CWORD=" + std::to_string(words.size() - 1) +
               "; _assay; printf '%s\n' \"${COMPREPLY[@]}\"";
-    return Run("bash", {"-euo", "pipefail", "-c", script});
+    return cli::Run("bash", {"-euo", "pipefail", "-c", script});
   }
   // What fish offers at the end of the line.
   Ended InFish(const std::string& line) {
-    return Run("fish", {"--no-config", "-c",
-                        "source " + FileOf("fish") + "; complete --do-complete '" + line + "'"});
+    return cli::Run("fish",
+                    {"--no-config", "-c",
+                     "source " + FileOf("fish") + "; complete --do-complete '" + line + "'"});
   }
   std::string FileOf(const std::string& shell) {
     const Ended ended = Assay({"completion", shell});
@@ -62,10 +63,10 @@ TEST_F(Completion, FishKnowsVerbsFlagsAndValues) {
 // The shell takes the file for the completion of assay, and finds no fault in its functions.
 TEST_F(Completion, ZshFindsTheFile) {
   const Ended ended =
-      Run("zsh", {"-fc",
-                  "fpath=(${1:h} $fpath); autoload -U compinit; compinit -Du; "
-                  "print $_comps[assay]; autoload +X _assay; print $functions[_assay]",
-                  "zsh", FileOf("zsh")});
+      cli::Run("zsh", {"-fc",
+                       "fpath=(${1:h} $fpath); autoload -U compinit; compinit -Du; "
+                       "print $_comps[assay]; autoload +X _assay; print $functions[_assay]",
+                       "zsh", FileOf("zsh")});
   EXPECT_EQ(ended.code, 0);
   EXPECT_EQ(ended.err, "");
   EXPECT_THAT(ended.out, HasSubstr("_assay\n"));
