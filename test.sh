@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds everything and runs the tests: ./test.sh [--all] [CTEST ARGUMENT...]
-# --all: first also every file by itself, the planner without MuJoCo and under sanitizers, and the
-# commands of README.md.
+# Installs what is missing, builds everything and runs the tests:
+#   ./test.sh [--ci | --all] [CTEST ARGUMENT...]
+# --ci: first also the readers of files under sanitizers, and the commands of README.md.
+# --all: before that every file by itself.
 set -euo pipefail
 root=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 source "$root/.ci/setup"
@@ -13,14 +14,14 @@ check_single_files() {
   build single-files
 }
 
-# The planner builds without anything of the simulator. Its readers of files are tested under the
-# address and undefined-behaviour sanitizers. By hand, for all tests of the planner alone:
+# What reads files is tested under the address and undefined-behaviour sanitizers, in a build of the
+# planner without anything of the simulator. By hand, for all tests of the planner alone:
 # cmake --preset planner-only && cmake --build --preset planner-only && ctest --preset planner-only;
 # for all tests under the sanitizers: the same with asan-ubsan.
-test_planner_with_sanitizers() {
+test_readers_with_sanitizers() {
   local readers=(base algebra network domain plan contingent)
   configure asan-ubsan -DASSAY_SIM=OFF
-  build asan-ubsan assay_assembly "${readers[@]/%/_test}"
+  build asan-ubsan "${readers[@]/%/_test}"
   ASSAY_MUTATIONS=10000 with_progress "Testing with sanitizers" \
     ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${readers[*]}"))\."
 }
@@ -47,10 +48,11 @@ test_readme_commands() {
 install_missing_packages
 configure release -DASSAY_TESTS=ON -DASSAY_BENCH=ON
 build release
-if [ "${1:-}" = --all ]; then
+stage=${1:-}
+[[ $stage != --all ]] || check_single_files
+if [[ $stage == --all || $stage == --ci ]]; then
   shift
-  check_single_files
-  test_planner_with_sanitizers
+  test_readers_with_sanitizers
   test_readme_commands
 fi
 with_output_and_progress "Testing" ctest --preset release "$@"
