@@ -45,7 +45,7 @@ CertificateAlgebra::CertificateAlgebra(const plan::PlannedStep& step, const std:
 }
 
 algebra::Expression CertificateAlgebra::Read(const std::string& text) const {
-  return algebra::Parse(text, *pool_, {place_, 1, 1}, algebra::Layout::kOther, shared_);
+  return algebra::Parse(text, *pool_, {place_, 1, 1}, algebra::Layout::kAsInFile, shared_);
 }
 
 }  // namespace assay::cli

@@ -10,7 +10,9 @@ unset ASSAY_BENCH_SEED ASSAY_BENCH_TINY ASSAY_CONTINGENT
 fail() { echo "$*" >&2; exit 1; }
 
 prepare() {
-  mkdir -p "$here"/{bin,bench,build/release/bench}
+  mkdir -p "$here"/{.ci,bin,bench,build/release/bench}
+  cp "$source/.ci/setup" "$here/.ci"
+  touch "$here/packages.txt"
   cp "$source/bench/run.sh" "$here/bench"
   cp "$summarize" "$here/build/release/bench"
   touch "$here"/bench/{bounds,labeling,sweep}_bench.cc "$here/build/release/CMakeCache.txt"
