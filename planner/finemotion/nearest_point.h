@@ -176,7 +176,8 @@ class NearestPoint {
   double tolerance_;
   Point nearest_;
   std::vector<Element> corral_;
-  // Of FindWanted. All in points: Eigen's columns of matrices are types of their own, for each K.
+  // What FindWanted works with, as points: a column of a matrix would be one more of Eigen's types
+  // for each K.
   std::conditional_t<K == Eigen::Dynamic, std::vector<Point>, std::array<Point, std::max(K, 1)>>
       directions_;
   Eigen::Matrix<double, K, K> triangle_;

@@ -17,7 +17,7 @@ namespace assay::finemotion {
 Eigen::MatrixXd ShortestLeastSquares(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
                                      std::optional<double> threshold = {});
 
-// Of all x for which |a x - b| is least one that is 0 where a's columns depend on others.
+// An x for which |a x - b| is least: the one that is 0 where a's columns depend on others.
 Eigen::VectorXd LeastSquaresOfFewest(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
 // Orthonormal columns, orthogonal to the independent ones of `basis`, as many as there can be.

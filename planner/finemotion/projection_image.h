@@ -70,7 +70,7 @@ class ImagePoints {
   bool moves() const { return image_.moves(); }
   Eigen::Index start_errors() const { return image_.start_errors_; }
   Eigen::Index errors() const { return image_.errors(); }
-  // Of the start, then of the motion.
+  // The start's errors come first, then the motion's.
   Eigen::Map<const Point> Error(Eigen::Index i) const {
     return PointAt(ProjectionImage::kErrors + i);
   }

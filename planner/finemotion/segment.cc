@@ -336,10 +336,12 @@ class Checker {
     const auto add = [&](const RowRange& range, double offset, double sign) {
       image.start(row) = sign * (range.start + offset);
       image.motion(row) = sign * time_ * range.motion;
-      for (Eigen::Index i = 0; i < swept_.cols(); ++i)
+      for (Eigen::Index i = 0; i < swept_.cols(); ++i) {
         image.start_error(row, i) = sign * range.start_errors[i];
-      for (Eigen::Index i = 0; i < drifts_.cols(); ++i)
+      }
+      for (Eigen::Index i = 0; i < drifts_.cols(); ++i) {
         image.motion_error(row, i) = sign * time_ * range.motion_errors[i];
+      }
       ++row;
     };
     add(gap, contact.offset, 1);
