@@ -14,16 +14,16 @@ check_single_files() {
   build single-files
 }
 
-# What reads files is tested under the address and undefined-behaviour sanitizers, in a build of the
-# planner without anything of the simulator. By hand, for all tests of the planner alone:
-# cmake --preset planner-only && cmake --build --preset planner-only && ctest --preset planner-only;
-# for all tests under the sanitizers: the same with asan-ubsan.
+# What reads files is tested under the address and undefined-behaviour sanitizers, and fuzzed. By
+# hand, for all tests under the sanitizers: cmake --preset asan-ubsan &&
+# cmake --build --preset asan-ubsan && ctest --preset asan-ubsan; for all tests of the planner
+# without MuJoCo: likewise with planner-only.
 test_readers_with_sanitizers() {
   local readers=(base algebra network domain plan contingent)
-  configure asan-ubsan -DASSAY_SIM=OFF
-  build asan-ubsan "${readers[@]/%/_test}"
-  ASSAY_MUTATIONS=10000 with_progress "Testing with sanitizers" \
-    ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${readers[*]}"))\."
+  configure asan-ubsan
+  build asan-ubsan "${readers[@]/%/_test}" tests/fuzz/all
+  ASSAY_MUTATIONS=2000 with_progress "Testing with sanitizers" \
+    ctest --preset asan-ubsan --tests-regex "^($(IFS='|' && echo "${readers[*]}"))\.|^fuzz\."
 }
 
 # Prints the commands in README.md's ```sh blocks that call the program or the scripts here.

@@ -15,8 +15,8 @@
 namespace assay::motion {
 namespace {
 
-constexpr MotionRules kWay = {.clearance = 0.01};    // metres
-constexpr MotionRules kWork = {.clearance = 0.001};  // where hand and fingers come near the table
+const MotionRules kWay = {.clearance = 0.01};    // metres
+const MotionRules kWork = {.clearance = 0.001};  // where hand and fingers come near the table
 constexpr SweepAccuracy kVolume = {.sagitta = 0.0005};
 constexpr double kWayStep = 0.02;  // metres
 

@@ -163,7 +163,8 @@ void Database::Fail(int code) const {
     throw InputError({.file = file_.string()}, "not a database",
                      "a database that assay sweep has written");
   }
-  if (kind == SQLITE_CORRUPT) {
+  // SQLite says of a damaged list of tables that it is an error of the query.
+  if (kind == SQLITE_CORRUPT || kind == SQLITE_ERROR) {
     throw InputError({.file = file_.string()},
                      fmt::format("the database is damaged ({})", sqlite3_errmsg(handle_.get())),
                      "an undamaged one; sqlite3's .recover saves what can be read");

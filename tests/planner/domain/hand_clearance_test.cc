@@ -58,7 +58,8 @@ void ExpectAgreement(const PartModel& part, const Pose& X_PartMiddle, double wid
   for (int trial = 0; trial < kTrials; ++trial) {
     const double length = random.Uniform(0, 0.1);
     const Approach approach = Approach::At(random.Uniform(0, 2 * std::numbers::pi), length);
-    const Vector2 center(random.Uniform(-0.12, 0.2), random.Uniform(-0.12, 0.2));
+    const double y = random.Uniform(-0.12, 0.2);
+    const Vector2 center(random.Uniform(-0.12, 0.2), y);
     const auto obstacles = clearance.ObstaclesOf(approach);
     const bool blocked = std::ranges::any_of(
         obstacles, [&](const CObstacle& obstacle) { return obstacle.Contains(center); });

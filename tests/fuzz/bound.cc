@@ -1,0 +1,18 @@
+// Expressions to be bounded: read, and bounded with a small budget.
+
+#include "planner/algebra/bound_file.h"
+#include "planner/algebra/bounds.h"
+#include "planner/base/check.h"
+#include "tests/fuzz/reader_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace assay;
+  return fuzz::RefusesOrDoes([&] {
+    const algebra::BoundProblem problem =
+        algebra::ReadBoundProblem(fuzz::TextOf(data, size), "bounds.yaml");
+    for (const auto& question : problem.questions) {
+      algebra::PreparedExpression prepared(question.expression);
+      prepared.Both(problem.constraints, {.evaluations = 200});
+    }
+  });
+}

@@ -1,0 +1,17 @@
+// The database of a sweep: opened, summed up and reported.
+
+#include "sim/report/findings.h"
+#include "sim/report/page.h"
+#include "sim/sweep/store.h"
+#include "sim/sweep/summary.h"
+#include "tests/fuzz/reader_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace assay;
+  const std::filesystem::path file = fuzz::FileOf(fuzz::TextOf(data, size), "fuzzed.sqlite");
+  return fuzz::RefusesOrDoes([&] {
+    const sweep::Store store = sweep::Store::Open(file);
+    sweep::Summarize(store);
+    report::Page(report::ReadFindings(store, "fuzzed.sqlite"), {});
+  });
+}

@@ -1,0 +1,19 @@
+// A part file: read, its stable poses and its grasps computed.
+
+#include "planner/domain/grasp.h"
+#include "planner/domain/part_file.h"
+#include "planner/domain/stable_pose.h"
+#include "planner/domain/workcell.h"
+#include "tests/fuzz/reader_input.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace assay;
+  static const auto workcell =
+      domain::Workcell::Load(fuzz::kModels / "workcells" / "puma762-table" / "workcell.yaml");
+  return fuzz::RefusesOrDoes([&] {
+    const Document document = Document::Parse(fuzz::TextOf(data, size), "part.yaml");
+    const auto model = domain::PartFile::Read(document, 0.0005);
+    domain::ComputeGrasps(*model, workcell->gripper(),
+                          {.approach_step = workcell->rules().approach_step});
+  });
+}

@@ -1,0 +1,29 @@
+// A plan tree of the two cans: read, and run in every world.
+
+#include "planner/contingent/externs.h"
+#include "planner/contingent/grounding.h"
+#include "planner/contingent/task_file.h"
+#include "planner/contingent/tree_check.h"
+#include "planner/contingent/tree_file.h"
+#include "tests/fuzz/reader_input.h"
+
+namespace {
+
+assay::contingent::GroundTask TwoCans() {
+  const std::filesystem::path folder = std::filesystem::path(ASSAY_SOURCE_DIR) / "scenarios/know";
+  auto [domain, problem] =
+      assay::contingent::LoadTask(folder / "force-sensing.pks", folder / "two-cans.pks");
+  assay::contingent::Externs externs;
+  return assay::contingent::Ground(domain, problem, externs);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace assay;
+  static const contingent::GroundTask task = TwoCans();
+  return fuzz::RefusesOrDoes([&] {
+    const Document document = Document::Parse(fuzz::TextOf(data, size), "tree.json");
+    contingent::CheckTree(task, contingent::ReadTree(document.root(), task), {.worlds = 20});
+  });
+}

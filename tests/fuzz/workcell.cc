@@ -1,0 +1,30 @@
+// A workcell file, beside robots and grippers that it may name.
+
+#include "planner/domain/workcell.h"
+#include "tests/fuzz/reader_input.h"
+
+namespace {
+
+using assay::fuzz::kModels;
+
+// A folder of models in which the robots and the grippers are the repository's.
+void PrepareModels() {
+  namespace fs = std::filesystem;
+  for (const char* folder : {"robots", "grippers"}) {
+    const fs::path link = assay::ScratchFile("models/" + std::string(folder));
+    fs::create_directories(link.parent_path());
+    if (!fs::exists(link)) fs::create_directory_symlink(kModels / folder, link);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace assay;
+  static const bool is_prepared = (PrepareModels(), true);
+  static_cast<void>(is_prepared);
+  return fuzz::RefusesOrDoes([&] {
+    domain::Workcell::Load(
+        fuzz::FileOf(fuzz::TextOf(data, size), "models/workcells/fuzzed/workcell.yaml"));
+  });
+}
