@@ -73,6 +73,7 @@ class StepCertifier {
   void operator()(const plan::Pickup& pickup) {
     const ManipulatorError draw = world_.DrawManipulator();
     const HeldError held = RequireGrasp(pickup.part, pickup.hold, draw);
+    RequireHolding(pickup.part, pickup.hold, held, Turning::kNone);
     world_.SetHeld(pickup.part, held);
     After(pickup.part, PossibleGrasp(held, draw, world_.propagation()));
   }
@@ -102,6 +103,7 @@ class StepCertifier {
     if (decides()) {
       Require(LandingPreconditions(world_, putdown.part, putdown.hold, grasp, X_WorldPart, table,
                                    error));
+      RequireHolding(putdown.part, putdown.hold, world_.held(), Turning::kAny);
       RequireHandClear({putdown.part}, X_WorldPart * putdown.hold.X_PartTool, PartId::None(),
                        putdown.hold, draw);
     }
@@ -121,6 +123,7 @@ class StepCertifier {
       if (decides() && strategy_ != nullptr) {
         Require(TipPreconditions(world_, assemble.mating, assemble.hold, grasp, *strategy_));
       }
+      RequireHolding(mating.held, assemble.hold, world_.held(), Turning::kAny);
       RequireHandClear({mating.held, mating.fixed}, X_WorldHeld * assemble.hold.X_PartTool,
                        mating.fixed, assemble.hold, draw);
     }
@@ -166,6 +169,11 @@ class StepCertifier {
       RequireHandClear({part}, world_.X_WorldPart(part) * hold.X_PartTool, part, hold, draw);
     }
     return held;
+  }
+
+  void RequireHolding(PartId part, const plan::Hold& hold, const HeldError& held, Turning turning) {
+    if (!decides() || world_.propagation() == Propagation::kPaper) return;
+    Require(HoldingPreconditions(world_, part, hold, held, turning));
   }
 
   // `guide`: the part by whose believed pose the hand goes; None where it goes as planned.

@@ -11,7 +11,7 @@ namespace assay::uncertainty {
 struct Precondition {
   std::string condition;  // which: "between fingers"
   std::string meaning;    // for people: "contact 1 lies on the inner side of finger 1"
-  Expression expression;  // metres or radians
+  Expression expression;  // metres, radians, or a ratio
   plan::Relation relation = plan::Relation::kLess;
   double limit = 0;
 };
@@ -77,6 +77,19 @@ std::vector<Precondition> MatingPreconditions(const UncertainWorld& world, domai
 std::vector<Precondition> TipPreconditions(const UncertainWorld& world, domain::MatingId mating,
                                            const plan::Hold& hold, const Transform& X_ToolGrasp,
                                            const plan::Strategy& strategy);
+
+// Of every action with a part in the hand, in sound mode:
+//   holding          the load on the pads over what they bear is below 1: their friction
+//                    (pad_friction.h), the least within its tolerance, under the grip force against
+//                    weight, accelerations (planner/plan/carrying.h) and the lever from the pads to
+//                    the centre of mass
+enum class Turning {
+  kNone,  // as where it was taken: lifted
+  kAny,   // however the hand may lean on its way
+};
+std::vector<Precondition> HoldingPreconditions(const UncertainWorld& world, PartId part,
+                                               const plan::Hold& hold, const HeldError& held,
+                                               Turning turning);
 
 // Of every action with the hand, in sound mode:
 //   hand clear       a plane keeps each piece of hand and fingers, on the straight way to and from

@@ -9,6 +9,7 @@
 #include "planner/algebra/simplify.h"
 #include "planner/domain/part_model.h"
 #include "planner/uncertainty/axis_angle.h"
+#include "planner/uncertainty/possible_masses.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -36,18 +37,6 @@ SymbolicVector GraspedPoint(const UncertainWorld& world, PartId part, const plan
 // Smoother pads let the part slip until it lies flat, which is among what jammed ones may leave.
 double GreatestPadFriction(const domain::Problem& problem) {
   return problem.workcell->rules().pad_friction + problem.tolerances.pad_friction;
-}
-
-// As the problem says, and with the least and the greatest clearance. Between them the centre of
-// mass moves on a line that is straight to first order.
-std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& problem, PartId part) {
-  const domain::PartModel& model = *problem.part(part).model;
-  std::vector<geometry::MassProperties> masses = {model.mass()};
-  if (problem.tolerances.clearance == 0) return masses;
-  for (const double error : {-problem.tolerances.clearance, problem.tolerances.clearance}) {
-    masses.push_back(model.MassWithClearance(problem.clearance + error));
-  }
-  return masses;
 }
 
 // What the closing of the pads does to the part at most. Angles in radians, lengths in metres,

@@ -31,12 +31,14 @@ Unit UnitOf(const std::string& variable) {
 }
 
 Unit UnitOf(const plan::CertifiedPrecondition& precondition) {
+  if (precondition.condition == "holding") return kRatioUnit;
   const bool is_angle = precondition.condition == "tilt" || precondition.condition == "tip turn";
   return is_angle ? kAngleUnit : kLengthUnit;
 }
 
 std::string QuantityText(double value, const Unit& unit) {
-  return fmt::format("{} {}", NumberText(unit.scale * value), unit.name);
+  const std::string number = NumberText(unit.scale * value);
+  return *unit.name == 0 ? number : fmt::format("{} {}", number, unit.name);
 }
 
 std::string RangeText(const Interval& range, const Unit& unit) {

@@ -15,6 +15,7 @@ struct Unit {
 };
 inline constexpr Unit kLengthUnit = {"mm", 1000};
 inline constexpr Unit kAngleUnit = {"deg", 180 / std::numbers::pi};
+inline constexpr Unit kRatioUnit = {"", 1};
 inline constexpr double kDegree = std::numbers::pi / 180;  // radians
 
 // Of what an error variable measures: theta, skew, tip, twist and turn are angles, all else

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 
+#include "planner/domain/part_model.h"
+#include "planner/motion/carrying.h"
 #include "sim/exec/straight_line.h"
 
 namespace assay::exec {
@@ -31,6 +33,14 @@ Trace EmptyTrace(const domain::Problem& problem) {
   Trace trace{.problem = problem.name};
   for (const domain::Part& part : problem.parts) trace.parts.push_back(part.name);
   return trace;
+}
+
+// As slow as a part in the hand asks for.
+JointTrajectory AsCarried(const JointTrajectory& asked, const domain::Problem& problem,
+                          const WorldModel& world) {
+  if (world.held().IsNone()) return asked;
+  const Vector3& center = problem.part(world.held()).model->mass().center;
+  return motion::Carrying(asked, *problem.workcell, world.hold().X_PartTool.inverse() * center);
 }
 
 }  // namespace
@@ -109,7 +119,9 @@ Progress Execution::TakeUpHandError(const Pose& error) {
 
 // The servos bring the arm to a state by the time the step begins: after it, the arm is where the
 // trajectory is one step later.
-Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from) {
+Progress Execution::Follow(const JointTrajectory& asked, double fine_from) {
+  const JointTrajectory trajectory = AsCarried(asked, problem_, world_);
+  if (asked.duration() > 0) fine_from *= trajectory.duration() / asked.duration();
   double time = 0;
   while (time < trajectory.duration()) {
     SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);

@@ -24,7 +24,7 @@ constexpr char kSolref[] = "0.0001 1";
 constexpr char kSolimp[] = "0.99 0.9999 0.00001";
 // Small against every part's: of two frictions the engine takes the larger.
 constexpr double kGroundFriction = 0.01;
-// The engine's defaults; contacts of parts have no torsion or roll, those of pads no roll.
+// The engine's defaults; contacts of parts have no torsion or roll, those of pads neither.
 constexpr double kTorsionFriction = 0.005;
 constexpr double kRollFriction = 0.0001;
 
@@ -214,7 +214,9 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   const domain::WorkcellRules& rules = problem.workcell->rules();
   const GripperRules gripper = {
       .grip_force = rules.grip_force,
-      .pad_friction = TrueFriction(rules.pad_friction, options.pad_friction_error)};
+      .pad_friction = TrueFriction(rules.pad_friction, options.pad_friction_error),
+      // A weld bears what pads would; beside it, many contacts only press against each other.
+      .pad_tiles = options.grasp == GraspMode::kWeld ? 1 : 2};
   for (const domain::Robot& robot : robots) AddRobot(robot, gripper, worldbody);
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
     const domain::PartId part(i);

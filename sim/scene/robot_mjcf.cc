@@ -17,11 +17,11 @@ using kinematics::RobotModel;
 
 // Fingers: fast enough to close in a second, slow enough that a light part which one finger meets
 // first does not coast away (v^2 / (2 mu g) = 0.3 mm at friction 0.25).
-constexpr double kFingerSpeed = 0.04;          // m/s under the grip force
-constexpr double kFingerStiffness = 4e4;       // N/m, until the grip force
-constexpr double kFingerArmature = 0.5;        // kg, of the drive
-constexpr double kFingerFriction = 0.2;        // of the fingers' steel and of the hand
-constexpr double kPadTorsionFriction = 0.005;  // m
+constexpr double kFingerSpeed = 0.04;       // m/s under the grip force
+constexpr double kFingerStiffness = 4e4;    // N/m, until the grip force
+constexpr double kFingerArmature = 0.5;     // kg, of the drive
+constexpr double kFingerFriction = 0.2;     // of the fingers' steel and of the hand
+constexpr double kTorsionOfFinger = 0.005;  // m
 
 constexpr std::array kFingers = {"finger_left", "finger_right"};
 
@@ -58,20 +58,38 @@ void AddVisuals(const Link& link, XmlElement& body) {
   }
 }
 
-void AddCollisions(const Link& link, const std::string& geom_class, double pad_friction,
+void AddPad(const kinematics::Collision& pad, const std::string& geom_class,
+            const GripperRules& rules, XmlElement& body) {
+  const geometry::Vector3 size = std::get<kinematics::BoxShape>(pad.shape).size;
+  const double n = rules.pad_tiles;
+  const geometry::Vector3 tile(size.x() / n, size.y(), size.z() / n);
+  for (int i = 0; i < rules.pad_tiles; ++i) {
+    for (int j = 0; j < rules.pad_tiles; ++j) {
+      const geometry::Vector3 middle((i + 0.5) * tile.x() - size.x() / 2, 0,
+                                     (j + 0.5) * tile.z() - size.z() / 2);
+      // First by priority: else the engine would take the greater friction, which is the part's.
+      body.Add("geom")
+          .Set("class", geom_class)
+          .Set("type", "box")
+          .Set("size", geometry::Vector3(tile / 2))
+          .SetPose(pad.X_LinkShape * geometry::Translation(middle))
+          .Set("priority", "1")
+          .Set("friction", {rules.pad_friction, kTorsionOfFinger, 0.0001});
+    }
+  }
+}
+
+void AddCollisions(const Link& link, const std::string& geom_class, const GripperRules& rules,
                    XmlElement& body) {
   for (const kinematics::Collision& collision : link.collisions) {
+    if (collision.name == "pad") {
+      AddPad(collision, geom_class, rules, body);
+      continue;
+    }
     XmlElement& geom = body.Add("geom").Set("class", geom_class);
     std::visit(ShapeWriter{geom}, collision.shape);
-    geom.SetPose(collision.X_LinkShape);
-    if (collision.name == "pad") {
-      // First by priority: else the engine would take the greater friction, which is the part's.
-      geom.Set("condim", "4")
-          .Set("priority", "1")
-          .Set("friction", {pad_friction, kPadTorsionFriction, 0.0001});
-    } else {
-      geom.Set("friction", {kFingerFriction, kPadTorsionFriction, 0.0001});
-    }
+    geom.SetPose(collision.X_LinkShape)
+        .Set("friction", {kFingerFriction, kTorsionOfFinger, 0.0001});
   }
 }
 
@@ -79,11 +97,11 @@ void AddCollisions(const Link& link, const std::string& geom_class, double pad_f
 class RobotWriter {
  public:
   RobotWriter(const Robot& robot, const RobotModel& model, const std::string& prefix,
-              double pad_friction)
+              const GripperRules& rules)
       : model_(model),
         prefix_(robot.Prefix() + prefix),
         collision_class_(CollisionClass(robot)),
-        pad_friction_(pad_friction) {}
+        rules_(rules) {}
 
   XmlElement& AddRoot(const geometry::Pose& X_ParentRoot, XmlElement& parent) const {
     return AddLink(model_.links.front(), X_ParentRoot, parent);
@@ -115,19 +133,19 @@ class RobotWriter {
     XmlElement& body = parent.Add("body").Set("name", prefix_ + link.name).SetPose(X_ParentLink);
     if (link.inertial) AddInertial(*link.inertial, body);
     AddVisuals(link, body);
-    AddCollisions(link, collision_class_, pad_friction_, body);
+    AddCollisions(link, collision_class_, rules_, body);
     return body;
   }
 
   const RobotModel& model_;
   std::string prefix_;
   std::string collision_class_;
-  double pad_friction_;
+  const GripperRules& rules_;
 };
 
 void AddGripper(const Robot& robot, const GripperRules& rules, XmlElement& flange) {
   const RobotModel& model = robot.gripper->model();
-  const RobotWriter writer(robot, model, "gripper/", rules.pad_friction);
+  const RobotWriter writer(robot, model, "gripper/", rules);
   XmlElement& hand = writer.AddRoot(geometry::Pose::Identity(), flange);
   hand.Add("site").Set("name", robot.Prefix() + "wrist").Set("class", "mark");
   hand.Add("site")
@@ -158,7 +176,7 @@ std::string CollisionClass(const Robot& robot) { return robot.Prefix() + "collis
 void AddRobot(const Robot& robot, const GripperRules& rules, XmlElement& worldbody) {
   const RobotModel& model = robot.arm->model();
   ASSAY_CHECK(model.joints.size() == kServoGains.size());
-  const RobotWriter writer(robot, model, "arm/", rules.pad_friction);
+  const RobotWriter writer(robot, model, "arm/", rules);
   XmlElement* body = &writer.AddRoot(robot.X_WorldBase, worldbody);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     body = &writer.AddMoved(model.joints[i], *body);

@@ -17,6 +17,10 @@ std::string CollisionClass(const domain::Robot& robot);
 struct GripperRules {
   double grip_force = 0;    // newtons
   double pad_friction = 0;  // of the pads against whatever they touch
+  // Tiles along each side of a pad. The engine presses on the corners of each patch alone: of one
+  // patch as large as the pad these would bear nearly twice the torsion of an even pressure, of
+  // two by two tiles an eighth more.
+  int pad_tiles = 2;
 };
 void AddRobot(const domain::Robot& robot, const GripperRules& rules, XmlElement& worldbody);
 

@@ -263,7 +263,7 @@ TEST_F(Channels, FrictionOfPads) {
     ASSERT_EQ(said.size(), truth.size());
     double changed = 0;
     for (std::size_t g = 0; g < said.size(); ++g) changed += truth[g] - said[g];
-    EXPECT_NEAR(changed, -0.05, 1e-12) << "one geom of each finger";
+    EXPECT_NEAR(changed, 4 * -0.05, 1e-12) << "the four tiles of each finger's pad";
   }
   EXPECT_EQ(Frictions(rough, rough.Body(peg())), Frictions(scene(), scene().Body(peg())));
 }

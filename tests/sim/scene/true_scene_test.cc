@@ -102,7 +102,7 @@ std::vector<double> PadFrictions(const SceneOptions& options) {
   return frictions;
 }
 
-// Of each finger only the pad.
+// Of each finger only the pad, which is four tiles.
 TEST(TrueScene, PadsAreRougherByTheErrorOfTheirFriction) {
   const std::vector<double> said = PadFrictions({});
   const std::vector<double> truth = PadFrictions({.pad_friction_error = 0.2});
@@ -115,7 +115,7 @@ TEST(TrueScene, PadsAreRougherByTheErrorOfTheirFriction) {
     EXPECT_NEAR(truth[g], pads + 0.2, 1e-12);
     ++rougher;
   }
-  EXPECT_EQ(rougher, 2);
+  EXPECT_EQ(rougher, 2 * 4);
   EXPECT_EQ(PadFrictions({.friction_error = 0.2}), said);
 }
 

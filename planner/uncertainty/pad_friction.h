@@ -1,0 +1,54 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/geometry/pose.h"
+
+namespace assay::uncertainty {
+
+using geometry::Vector2;
+
+// What acts in the plane of the pads: a force (newtons), and a moment about the pads' normal
+// (newton metres, positive from the plane's first axis to its second).
+struct PlaneLoad {
+  Vector2 force = Vector2::Zero();
+  double torsion = 0;
+};
+
+// A small piece of a pad, and the greatest friction that it exerts, in newtons.
+struct PadCell {
+  Vector2 at;  // metres, in the plane of the pads
+  double friction = 0;
+};
+
+// The forces and torsions that the friction of pads bears without slipping: the inside of the limit
+// surface of Goyal, Ruina and Papadopoulos (1991), under Coulomb's law and a pressure that is even
+// over each pad's touching patch. The pressure of a cell acts in its middle here, which bears
+// less than the same pressure spread over the cell: friction's power in a rotation is a convex
+// function of the place.
+class PadFriction {
+ public:
+  explicit PadFriction(std::vector<PadCell> cells);
+
+  const Vector2& center() const { return center_; }  // of the friction
+
+  // The load over what is borne of its kind, or more: below 1 the pads do not slip. The limit
+  // surface is convex, so that the loads at which the pads turn about points on one line span a
+  // polygon inside; what is off the line counts as a force of its own. Infinite without friction.
+  double RatioOf(const PlaneLoad& load) const;  // the torsion about the center
+
+ private:
+  struct Node {
+    double force = 0;  // along the line's force
+    double aside = 0;  // across it, newtons
+    double torsion = 0;
+  };
+  Node TurningAbout(double distance, const Vector2& along) const;
+
+  std::vector<PadCell> cells_;  // about the center
+  Vector2 center_ = Vector2::Zero();
+  double friction_ = 0;  // of all cells, newtons
+  double reach_ = 0;     // mean distance of the friction from the center, metres
+};
+
+}  // namespace assay::uncertainty

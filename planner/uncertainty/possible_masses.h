@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/domain/problem.h"
+
+namespace assay::uncertainty {
+
+// As the problem says, and with the least and the greatest clearance. Between them the centre of
+// mass moves on a line that is straight to first order.
+std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& problem,
+                                                     domain::PartId part);
+
+}  // namespace assay::uncertainty
