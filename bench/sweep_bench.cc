@@ -111,7 +111,9 @@ struct Recording {
 
 // Records the steps of a simulation while it lives, one at a time. The engine calls mjcb_control at
 // the end of mj_step1, which ends each of our steps: then the controls of the step are still there,
-// and the state is the one before the next step.
+// and the state is the one before the next step. Only the quaternions in qpos are not yet as they
+// are then: the engine has normalised them, which mujoco::Data undoes after mj_step1. A second
+// normalisation can change their last bit, so that qpos is taken after the step.
 class Recorder {
  public:
   explicit Recorder(const mujoco::Data& data) {
@@ -133,17 +135,22 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
+  void EndStep(const mujoco::Data& data) { std::ranges::copy(data.qpos(), state_.begin()); }
+
   Recording Take() { return std::move(recording_); }
 
  private:
   void See(const mjModel& m, const mjData& d) {
     if (d.time > time_) {
       AddStep(m, d);
-    } else if (!std::equal(geom_pos_.begin(), geom_pos_.end(), m.geom_pos)) {
+      KeepState(d);
+      return;
+    }
+    contacts_ = d.ncon;
+    if (!std::equal(geom_pos_.begin(), geom_pos_.end(), m.geom_pos)) {
       geom_pos_.assign(m.geom_pos, m.geom_pos + 3 * m.ngeom);
       recording_.raised.push_back({recording_.load.steps, geom_pos_});
     }
-    KeepState(d);
   }
 
   void AddStep(const mjModel& m, const mjData& d) {
@@ -182,6 +189,7 @@ Recording Record(const sweep::PlannedCell& cell, int number) {
   options.sample_rate = 0;
   options.noise = noise;
   Recorder recorder(data);
+  options.on_timestep = [&](const mujoco::Data& now) { recorder.EndStep(now); };
   const exec::Trace trace =
       exec::Execute(scenario.problem, cell.preparation->plan, scene, data, options);
   Recording recording = recorder.Take();
