@@ -50,7 +50,7 @@ int FreePort() {
 
 SlurmCluster::SlurmCluster() {
   if (!Installed()) {
-    trouble_ = "Slurm is not installed (apt-get install slurm-wlm)";
+    trouble_ = "Slurm is not installed (apt-get install slurmctld slurmd slurm-client munge)";
     return;
   }
   if (geteuid() != 0) {
