@@ -38,6 +38,10 @@ ContingentPlan MakePlan(const GroundTask& task, Wanted wanted, Budget& budget) {
   KnowledgeSpace space(task, budget);
   ContingentPlan plan = wanted == Wanted::kFirst ? First(space) : Exhaustive(space);
   plan.states = static_cast<std::int64_t>(space.size());
+  if (plan.outcome == Outcome::kNone && !space.doubt().empty()) {
+    plan.outcome = Outcome::kBudget;
+    plan.doubt = space.doubt();
+  }
   return plan;
 }
 

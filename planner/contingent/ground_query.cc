@@ -1,5 +1,7 @@
 #include "planner/contingent/ground_query.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -70,6 +72,62 @@ bool AsksOfTheWorld(const GroundQuery& query) {
 bool HasBound(const GroundQuery& query) {
   return query.kind == GroundQuery::Kind::kBoundKnown ||
          std::ranges::any_of(query.operands, HasBound);
+}
+
+bool HasNegation(const GroundQuery& query) {
+  return query.kind == GroundQuery::Kind::kNot || std::ranges::any_of(query.operands, HasNegation);
+}
+
+namespace {
+
+bool AnyNegated(const std::vector<GroundEffect>& effects) {
+  return std::ranges::any_of(
+      effects, [](const GroundEffect& effect) { return HasNegation(effect.condition); });
+}
+
+// In parentheses where it stands beside others.
+std::string OperandText(const GroundTask& task, const GroundQuery& operand) {
+  const std::string text = TextOf(task, operand);
+  return operand.operands.size() > 1 ? "(" + text + ")" : text;
+}
+
+std::string JoinedText(const GroundTask& task, const GroundQuery& query, const char* word) {
+  std::vector<std::string> texts;
+  for (const GroundQuery& operand : query.operands) texts.push_back(OperandText(task, operand));
+  return fmt::format("{}", fmt::join(texts, word));
+}
+
+}  // namespace
+
+bool AsksForIgnorance(const GroundTask& task) {
+  return HasNegation(task.goal) || AnyNegated(task.updates) ||
+         std::ranges::any_of(task.actions, [](const GroundAction& action) {
+           return HasNegation(action.precondition) || AnyNegated(action.effects);
+         });
+}
+
+std::string TextOf(const GroundTask& task, const GroundQuery& query) {
+  using Kind = GroundQuery::Kind;
+  switch (query.kind) {
+    case Kind::kAnd:
+      return query.IsTrue() ? "true" : JoinedText(task, query, " & ");
+    case Kind::kOr:
+      return query.IsFalse() ? "false" : JoinedText(task, query, " | ");
+    case Kind::kNot:
+      return "!" + OperandText(task, query.operands.front());
+    case Kind::kKnown:
+      return "K(" + TextOf(task, query.literal) + ")";
+    case Kind::kBoundKnown:
+      return "K(" + TextOf(task, Formula{.literals = {}, .bound = query.bound}) + ")";
+    case Kind::kKnownWhether:
+      return "Kw(" + TextOf(task, task.formulas[query.formula.index()]) + ")";
+    case Kind::kValueSensed: {
+      const std::string& function = task.functions[query.function.index()].text;
+      return query.within ? fmt::format("Kv({} within {})", function, *query.within)
+                          : fmt::format("Kv({})", function);
+    }
+  }
+  return "";
 }
 
 }  // namespace assay::contingent

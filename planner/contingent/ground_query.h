@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "planner/contingent/ground_task.h"
@@ -18,5 +19,11 @@ GroundQuery BoundKnown(const Bound& bound);
 // Whether it asks K alone, of literals and bounds, so that it can be asked of a world.
 bool AsksOfTheWorld(const GroundQuery& query);
 bool HasBound(const GroundQuery& query);
+bool HasNegation(const GroundQuery& query);
+// Whether anything of the task asks for what is not known: only then can more knowledge do harm.
+bool AsksForIgnorance(const GroundTask& task);
+
+// "K(on(a, b))", "!(Kw(p) | K(n > 2))".
+std::string TextOf(const GroundTask& task, const GroundQuery& query);
 
 }  // namespace assay::contingent

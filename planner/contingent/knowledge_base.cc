@@ -64,7 +64,10 @@ const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
     is_at_rest = true;
     for (const GroundEffect& update : task_.updates) {
       if (!MayHold(update.condition, state)) continue;
-      if (!Holds(update.condition, state)) return &update;
+      if (!Holds(update.condition, state)) {
+        has_doubted_ = true;
+        return &update;
+      }
       std::optional<KnowledgeState> next = progression_.AfterCertain(update, state);
       if (!next || !CanLast(lasting, *next)) return &update;
       Canonicalize(*next);

@@ -66,6 +66,10 @@ class KnowledgeBase {
   std::vector<GroundLiteral> UndeterminedLiterals(FormulaId formula,
                                                   const KnowledgeState& state) const;
 
+  // Whether a state was ever refused because it could not be told what happens there, and not
+  // because what would happen contradicts what is known.
+  bool has_doubted() const { return has_doubted_ || progression_.has_doubted(); }
+
  private:
   // The first of the relations that contradicts what is known or those before; null: none does.
   const InitialRelation* RelateAll(KnowledgeState& state,
@@ -88,6 +92,7 @@ class KnowledgeBase {
   AtomKnowledge atoms_;
   KnowledgeQueries queries_;
   KnowledgeProgression progression_;
+  bool has_doubted_ = false;
 };
 
 }  // namespace assay::contingent

@@ -169,7 +169,12 @@ bool KnowledgeProgression::MayGiveTwoValues(const Changes& changes, const Knowle
 
 std::optional<KnowledgeState> KnowledgeProgression::After(const Changes& changes,
                                                           const KnowledgeState& before) {
-  if (!changes.are_told || MayGiveTwoValues(changes, before)) return std::nullopt;
+  const auto doubted = [&] {
+    has_doubted_ = true;
+    return std::nullopt;
+  };
+  if (!changes.are_told) return doubted();
+  if (MayGiveTwoValues(changes, before)) return std::nullopt;
   KnowledgeState state = before;
   if (!changes.possible.empty()) atoms_.Change(state, changes.possible, changes.bounds);
   for (const int now : {0, 1, 2, 3, 4}) {
@@ -178,7 +183,7 @@ std::optional<KnowledgeState> KnowledgeProgression::After(const Changes& changes
     }
     if (now != RankOf({.kind = GroundChange::Kind::kAssign})) continue;
     ApplyUnsettled(changes, before, state);
-    if (!CanTellBounds(changes, state)) return std::nullopt;
+    if (!CanTellBounds(changes, state)) return doubted();
   }
   for (const GroundChange* change : changes.certain) {
     if (!Relate(*change, state)) return std::nullopt;

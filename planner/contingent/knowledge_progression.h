@@ -31,6 +31,9 @@ class KnowledgeProgression {
   std::optional<KnowledgeState> AfterCertain(const GroundEffect& effect,
                                              const KnowledgeState& before);
 
+  // Whether a state was ever refused because it could not be told what happens.
+  bool has_doubted() const { return has_doubted_; }
+
  private:
   struct Changes {
     OpenBounds bounds;
@@ -64,6 +67,7 @@ class KnowledgeProgression {
   KnowledgeQueries queries_;
   NumberKnowledge numbers_;
   AtomKnowledge& atoms_;
+  bool has_doubted_ = false;
 };
 
 }  // namespace assay::contingent

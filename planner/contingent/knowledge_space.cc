@@ -1,6 +1,9 @@
 #include "planner/contingent/knowledge_space.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "planner/contingent/ground_query.h"
 
 namespace assay::contingent {
 
@@ -16,7 +19,22 @@ PlanNode NodeOf(const Transition& transition, const std::vector<NodeId>& childre
 }
 
 KnowledgeSpace::KnowledgeSpace(const GroundTask& task, Budget& budget)
-    : knowledge_(task), budget_(budget) {}
+    : knowledge_(task), budget_(budget), asks_for_ignorance_(AsksForIgnorance(task)) {}
+
+const std::string& KnowledgeSpace::doubt() {
+  if (doubt_.empty() && knowledge_.has_doubted()) {
+    doubt_ = "of some actions it cannot be told whether their effects happen";
+  }
+  return doubt_;
+}
+
+bool KnowledgeSpace::Surely(const GroundQuery& query, const KnowledgeState& state) {
+  if (knowledge_.Holds(query, state)) return true;
+  if (knowledge_.MayHold(query, state)) {
+    doubt_ = "numbers that depend on each other, or on facts, may tell more than the planner keeps";
+  }
+  return false;
+}
 
 StateId KnowledgeSpace::initial() { return Intern(knowledge_.Initial()); }
 
@@ -63,13 +81,20 @@ const Transition* KnowledgeSpace::Take(StateId id, std::size_t step) {
 std::vector<Step> KnowledgeSpace::FindSteps(StateId id) {
   const KnowledgeState& from = state(id);
   const FormulaId formula = knowledge_.FormulaToBranch(from);
-  if (!formula.IsNone()) return {{.kind = PlanNode::Kind::kWhether, .formula = formula}};
+  if (!formula.IsNone()) {
+    if (asks_for_ignorance_) {
+      doubt_ =
+          "what a sensor has told is always asked at once, though something asks for what is "
+          "not known";
+    }
+    return {{.kind = PlanNode::Kind::kWhether, .formula = formula}};
+  }
   std::vector<Step> steps;
   for (const FunctionId function : knowledge_.FunctionsToBranch(from)) {
     steps.push_back({.kind = PlanNode::Kind::kValue, .function = function});
   }
   for (std::size_t a = 0; a < task().actions.size(); ++a) {
-    if (knowledge_.Holds(task().actions[a].precondition, from)) {
+    if (Surely(task().actions[a].precondition, from)) {
       steps.push_back({.kind = PlanNode::Kind::kAct, .action = ActionId(a)});
     }
   }

@@ -2,6 +2,7 @@
 
 #include <deque>
 #include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -46,7 +47,11 @@ class KnowledgeSpace {
   StateId initial();
   const KnowledgeState& state(StateId id) const { return states_[id.index()]; }
   std::size_t size() const { return states_.size(); }
-  bool IsGoal(StateId id) const { return knowledge_.Holds(task().goal, state(id)); }
+  bool IsGoal(StateId id) { return Surely(task().goal, state(id)); }
+
+  // Why all that was met proves nothing of what was not met, in words; empty: every step that any
+  // plan can take was among those that were told.
+  const std::string& doubt();
 
   // The steps from a state, in the order of the task. Where a formula of Kw branches, that is the
   // only step: at run time its truth is known from then on, so that nothing is lost by telling its
@@ -66,6 +71,8 @@ class KnowledgeSpace {
   };
 
   StateId Intern(KnowledgeState state);
+  // Where it may hold, and it cannot be told whether it does, that is a doubt.
+  bool Surely(const GroundQuery& query, const KnowledgeState& state);
   // False if there is none: then the step cannot be taken.
   bool AddOutcome(std::optional<KnowledgeState> state, Transition& transition);
   Expansion& ExpansionOf(StateId id);
@@ -77,6 +84,8 @@ class KnowledgeSpace {
   std::deque<KnowledgeState> states_;
   algebra::InternTable ids_;
   std::unordered_map<StateId, Expansion> expansions_;
+  const bool asks_for_ignorance_;
+  std::string doubt_;  // the first
 };
 
 }  // namespace assay::contingent

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "planner/contingent/ground_query.h"
 #include "planner/contingent/initial_worlds.h"
 #include "planner/contingent/symbolic_check.h"
 #include "planner/contingent/tree_text.h"
@@ -25,10 +26,6 @@ constexpr std::size_t kMostReturns = 100'000;
 constexpr std::size_t kMostBeginnings = 1'000;
 // Of worlds of which each is followed among the others.
 constexpr std::size_t kMostFollowed = 2'000;
-
-bool HasNegation(const GroundQuery& query) {
-  return query.kind == GroundQuery::Kind::kNot || std::ranges::any_of(query.operands, HasNegation);
-}
 
 // Whether something happens because it is known or not known, so that what happens in a world
 // depends on the others.

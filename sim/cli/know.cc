@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "planner/contingent/contingent_planner.h"
+#include "planner/contingent/goal_conflict.h"
+#include "planner/contingent/ground_query.h"
 #include "planner/contingent/grounding.h"
 #include "planner/contingent/knowledge_base.h"
 #include "planner/contingent/task_file.h"
@@ -27,6 +29,8 @@ namespace know_verb {
 
 using Json = nlohmann::ordered_json;
 using contingent::ContingentPlan;
+using contingent::GoalConflict;
+using contingent::GroundQuery;
 using contingent::GroundTask;
 using contingent::Guarantee;
 using contingent::TreeCheck;
@@ -55,6 +59,7 @@ struct Answer {
   ContingentPlan plan;
   bool is_from_file = false;
   std::optional<TreeCheck> check;
+  std::optional<GoalConflict> conflict;  // where there is no plan
   double seconds = 0;
 };
 
@@ -110,6 +115,10 @@ Answer MakeAnswer(const Options& options) {
   answer.task = contingent::Ground(task.domain, task.problem, externs);
   answer.plan = PlanOrLoad(answer.task, options);
   answer.is_from_file = !options.tree.empty();
+  if (answer.plan.outcome == Outcome::kNone) {
+    Budget budget(options.budget);
+    answer.conflict = contingent::FindGoalConflict(answer.task, budget);
+  }
   answer.seconds = stopwatch.Seconds();
   if ((options.check || answer.is_from_file) && answer.plan.outcome == Outcome::kFound) {
     answer.check = contingent::CheckTree(answer.task, answer.plan.tree, {.worlds = options.worlds});
@@ -128,6 +137,12 @@ Json ToJson(const TreeCheck& check) {
   return json;
 }
 
+Json ToJson(const GroundTask& task, const GoalConflict& conflict) {
+  Json parts = Json::array();
+  for (const GroundQuery& part : conflict.parts) parts.push_back(TextOf(task, part));
+  return {{"goal", std::move(parts)}, {"minimal", conflict.is_minimal}};
+}
+
 std::string JsonText(const Answer& answer) {
   Json json = {{"outcome", Word(answer.plan.outcome)}};
   if (answer.plan.outcome == Outcome::kFound) {
@@ -141,6 +156,8 @@ std::string JsonText(const Answer& answer) {
     json["nodes"] = size.nodes;
     json["repeats"] = size.repeats;
   }
+  if (!answer.plan.doubt.empty()) json["doubt"] = answer.plan.doubt;
+  if (answer.conflict) json["conflict"] = ToJson(answer.task, *answer.conflict);
   if (answer.check) json["check"] = ToJson(*answer.check);
   json["expanded"] = answer.plan.states;
   json["seconds"] = answer.seconds;
@@ -156,10 +173,26 @@ std::string CheckText(const TreeCheck& check) {
       check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
 }
 
+std::string WhyNone(const Answer& answer) {
+  std::string text = fmt::format("There is no plan. {}:\n",
+                                 answer.conflict->parts.size() == 1
+                                     ? "No plan reaches this part of the goal"
+                                     : "No plan reaches these parts of the goal together");
+  for (const GroundQuery& part : answer.conflict->parts) {
+    text += "  " + TextOf(answer.task, part) + "\n";
+  }
+  if (!answer.conflict->is_minimal) text += "  (perhaps even fewer of them)\n";
+  return text;
+}
+
 std::string PlanText(const Answer& answer, const Options& options) {
   const ContingentPlan& plan = answer.plan;
-  if (plan.outcome == Outcome::kNone) return "There is no plan.\n";
+  if (plan.outcome == Outcome::kNone) return WhyNone(answer);
   if (plan.outcome == Outcome::kBudget) {
+    if (!plan.doubt.empty()) {
+      return fmt::format("No plan was found. That is no proof that there is none: {}.\n",
+                         plan.doubt);
+    }
     return fmt::format("No plan within {} knowledge states.\n", options.budget);
   }
   const TreeSize size = contingent::SizeOf(plan.tree);

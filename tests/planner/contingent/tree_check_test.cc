@@ -425,7 +425,7 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
   EXPECT_EQ(outcome("action set effects: K(p) => add(Kf, m = 5); add(Kf, first)\n"
                     "action look preconds: K(first) effects: add(Kf, looked), add(Kw, m > 2)\n",
                     "p"),
-            Outcome::kNone);
+            Outcome::kBudget);
   // By another atom that the same number has decided.
   const std::string deciding =
       "action decide effects: K(n > 2) => add(Kf, q); add(Kf, first)\n"
@@ -434,7 +434,7 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
   EXPECT_EQ(outcome(deciding + "action look preconds: K(second)\n"
                                "  effects: add(Kf, looked), add(Kw, p)\n",
                     "q"),
-            Outcome::kNone);
+            Outcome::kBudget);
   // By what it has decided before, of which nothing is left.
   EXPECT_EQ(outcome("action decide effects: K(n > 2) => add(Kf, p); K(n <= 2) => add(Kf, !p);\n"
                     "  add(Kf, first)\n"
@@ -443,7 +443,7 @@ TEST(NotKnown, IsNotSaidOfWhatNumbersTell) {
                     "  add(Kf, second)\n"
                     "action look preconds: K(second) effects: add(Kf, looked), add(Kw, n > 2)\n",
                     "q"),
-            Outcome::kNone);
+            Outcome::kBudget);
   // What is looked at has to do with no number that decides q.
   EXPECT_EQ(outcome(deciding + "action look preconds: K(first)\n"
                                "  effects: add(Kf, looked), add(Kw, p)\n",
@@ -462,7 +462,7 @@ TEST(NotKnown, IsNotSaidOfValuesThatNumbersDecide) {
   const PlanTree tree = {.nodes = {ActOf(task, "lose", 1), ActOf(task, "set", 2), PlanNode{}},
                          .root = NodeId(0)};
   EXPECT_THAT(CheckTree(task, tree).failure, HasSubstr("the goal is not known"));
-  EXPECT_EQ(PlanFor(task, Wanted::kLeastDepth).outcome, Outcome::kNone);
+  EXPECT_EQ(PlanFor(task, Wanted::kLeastDepth).outcome, Outcome::kBudget);
 }
 
 // Kw(p & q) holds where it is told that not both hold, though Kw of neither does.
