@@ -6,16 +6,14 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string_view>
-#include <system_error>
 
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/name.h"
 #include "planner/algebra/text.h"
 #include "planner/base/document.h"
+#include "planner/base/input_file.h"
 
 namespace assay::algebra {
 namespace {
@@ -187,18 +185,6 @@ void ReadQuestions(const Value& expressions, const Source& source, BoundProblem&
   }
 }
 
-std::string TextOf(const std::filesystem::path& file) {
-  constexpr std::size_t kMostBytes = std::size_t{16} << 20;  // more than a document may have
-  std::ifstream in(file, std::ios::binary);
-  std::string text(kMostBytes, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(kMostBytes));
-  std::error_code ignored;
-  const bool is_read = in.is_open() && !in.bad() && !std::filesystem::is_directory(file, ignored);
-  if (!is_read) Document::Load(file);  // says why
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
-
 }  // namespace
 
 BoundProblem ReadBoundProblem(const std::string& text, const std::string& file_name) {
@@ -222,7 +208,7 @@ BoundProblem ReadBoundProblem(const std::string& text, const std::string& file_n
 }
 
 BoundProblem LoadBoundProblem(const std::filesystem::path& file) {
-  return ReadBoundProblem(TextOf(file), file.string());
+  return ReadBoundProblem(ReadInput(file, "a YAML or JSON file that can be read"), file.string());
 }
 
 }  // namespace assay::algebra

@@ -5,9 +5,12 @@
 
 namespace assay {
 
-void CheckFailed(const char* file, int line, const char* condition, const std::string& message) {
-  fmt::print(stderr, "{}:{}: broken invariant: {}{}{}\n", file, line, condition,
-             message.empty() ? "" : ": ", message);
+void CheckFailed(const char* file, int line_number, const char* condition,
+                 const std::string& message) {
+  const std::string line = fmt::format("{}:{}: broken invariant: {}{}{}\n", file, line_number,
+                                       condition, message.empty() ? "" : ": ", message);
+  // Not fmt::print, which throws where standard error cannot be written.
+  std::fputs(line.c_str(), stderr);
   std::fflush(stderr);
   std::abort();
 }

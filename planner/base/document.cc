@@ -5,19 +5,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdint>
-#include <fstream>
 #include <limits>
-#include <system_error>
 
 #include "planner/base/check.h"
 #include "planner/base/decimal_text.h"
 #include "planner/base/document_tree.h"
+#include "planner/base/input_file.h"
 #include "planner/base/quotation.h"
 
 namespace assay {
 namespace {
-
-constexpr std::size_t kMaxBytes = std::size_t{8} << 20;
 
 std::string Join(const std::vector<std::string>& names) {
   return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
@@ -36,45 +33,6 @@ std::optional<T> Convert(std::string_view digits) {
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc()) return std::nullopt;
   return value;
-}
-
-// What YAML calls printable, which leaves out NUL and with it binary files and UTF-16.
-bool IsPrintable(char32_t c) {
-  return c == U'\t' || c == U'\n' || c == U'\r' || c == 0x85 || (!IsControl(c) && c < 0xfffe) ||
-         c >= 0x10000;
-}
-
-// yaml-cpp would silently replace wrong UTF-8, and takes the control character 4 for the end.
-void CheckCharacters(std::string_view text, const std::string& file_name) {
-  FilePlace place{.file = file_name, .line = 1, .column = 1};
-  const auto is_plain = [](char c) { return c >= 0x20 && c < 0x7f; };  // most are
-  while (true) {
-    const auto plain = std::ranges::find_if_not(text, is_plain) - text.begin();
-    place.column += static_cast<int>(plain);
-    text.remove_prefix(static_cast<std::size_t>(plain));
-    if (text.empty()) return;
-    const CodePoint c = Decode(text);
-    if (c.bytes == 0 || !IsPrintable(c.value)) {
-      throw InputError(place,
-                       fmt::format("the byte 0x{:02x} is not part of a text",
-                                   static_cast<unsigned char>(text[0])),
-                       "UTF-8 without control characters");
-    }
-    place.column = c.value == U'\n' ? 1 : place.column + static_cast<int>(c.bytes);
-    place.line += c.value == U'\n' ? 1 : 0;
-    text.remove_prefix(c.bytes);
-  }
-}
-
-// At most one block more than Parse takes, so that Parse finds a file too large.
-std::string ReadAll(std::istream& in) {
-  std::string text;
-  std::vector<char> block(std::size_t{1} << 16);
-  while (in && text.size() <= kMaxBytes) {
-    in.read(block.data(), static_cast<std::streamsize>(block.size()));
-    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
-  }
-  return text;
 }
 
 // The optimal string alignment distance (Damerau 1964): insertions, deletions, substitutions and
@@ -139,7 +97,9 @@ double Value::Number() const {
 }
 
 int Value::Integer(int low, int high) const {
-  const std::string allowed = fmt::format("an integer from {} to {}, not quoted", low, high);
+  const std::string allowed = low > high
+                                  ? "nothing: there is none that a number could name"
+                                  : fmt::format("an integer from {} to {}, not quoted", low, high);
   const bool plain = IsScalar() && node_->style == Node::Style::kPlain;
   if (!plain || !IsInteger(node_->text)) Fail(node_->Describe() + " is not an integer", allowed);
   const std::optional<int> number = Convert<int>(node_->text);
@@ -226,8 +186,7 @@ void Value::AllowOnly(std::initializer_list<std::string_view> keys) const {
 }
 
 void Value::Fail(const std::string& what, const std::string& allowed) const {
-  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
-  throw InputError(Place(), Show(what, kAll), Show(allowed, kAll));
+  throw InputError(Place(), what, allowed);
 }
 
 FilePlace Value::Place() const {
@@ -235,25 +194,16 @@ FilePlace Value::Place() const {
 }
 
 Document Document::Load(const std::filesystem::path& file) {
-  const FilePlace place{.file = file.string()};
-  const std::string allowed = "a YAML or JSON file that can be read";
-  std::error_code error;
-  const auto status = std::filesystem::status(file, error);
-  if (!std::filesystem::exists(status)) throw InputError(place, "no such file", allowed);
-  if (std::filesystem::is_directory(status)) throw InputError(place, "is a directory", allowed);
-  std::ifstream in(file, std::ios::binary);
-  const std::string text = ReadAll(in);
-  if (in.bad() || !in.is_open()) throw InputError(place, "cannot be read", allowed);
-  return Parse(text, place.file);
+  return Parse(ReadInput(file, "a YAML or JSON file that can be read"), file.string());
 }
 
 Document Document::Parse(const std::string& text, const std::string& file_name) {
-  if (text.size() > kMaxBytes) {
+  if (text.size() > kMostInputBytes) {
     throw InputError({.file = file_name}, "the file is too large",
-                     fmt::format("{} bytes", kMaxBytes));
+                     fmt::format("{} bytes", kMostInputBytes));
   }
   const std::string body = text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;  // the BOM
-  CheckCharacters(body, file_name);
+  RequireText(body, file_name);
   const auto tree = std::make_shared<Value::Node::Tree>(file_name, body);
   const Value::Node* root = Value::Node::ReadJson(*tree);
   if (root == nullptr) root = Value::Node::ReadYaml(tree);

@@ -2,16 +2,19 @@
 
 #include <fmt/format.h>
 
+#include "planner/base/quotation.h"
+
 namespace assay {
 
 std::string FilePlace::Text() const {
-  return line > 0 ? fmt::format("{}:{}:{}", file, line, column) : file;
+  const std::string shown = Show(file);
+  return line > 0 ? fmt::format("{}:{}:{}", shown, line, column) : shown;
 }
 
 InputError::InputError(FilePlace place, const std::string& what, const std::string& allowed)
-    : std::runtime_error(allowed.empty()
-                             ? fmt::format("{}: {}", place.Text(), what)
-                             : fmt::format("{}: {}; allowed: {}", place.Text(), what, allowed)),
+    : std::runtime_error(allowed.empty() ? fmt::format("{}: {}", place.Text(), Show(what))
+                                         : fmt::format("{}: {}; allowed: {}", place.Text(),
+                                                       Show(what), Show(allowed))),
       place_(std::move(place)) {}
 
 }  // namespace assay

@@ -14,7 +14,8 @@ struct FilePlace {
   std::string Text() const;  // "file:line:column", "file" without a line
 };
 
-// What a user wrote is wrong. The message reads "file:line:column: what; allowed: ...".
+// What a user wrote is wrong. The message reads "file:line:column: what; allowed: ...", each shown
+// as quotation.h says: texts of the user may stand in it as they are.
 class InputError : public std::runtime_error {
  public:
   InputError(FilePlace place, const std::string& what, const std::string& allowed);

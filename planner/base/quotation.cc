@@ -24,6 +24,15 @@ std::string Visible(char32_t control) {
   return fmt::format("\\x{:02x}", static_cast<std::uint32_t>(control));
 }
 
+// Takes the first character off a text that is not empty, and returns how it is shown.
+std::string TakeShown(std::string_view& text) {
+  const CodePoint c = Decode(text);
+  const std::string_view bytes = text.substr(0, std::max<std::size_t>(c.bytes, 1));
+  text.remove_prefix(bytes.size());
+  if (c.bytes == 0) return Visible(static_cast<unsigned char>(bytes[0]));
+  return Disturbs(c.value) ? Visible(c.value) : std::string(bytes);
+}
+
 }  // namespace
 
 CodePoint Decode(std::string_view text) {
@@ -44,21 +53,34 @@ CodePoint Decode(std::string_view text) {
 
 bool IsControl(char32_t c) { return c < 0x20 || (c >= 0x7f && c < 0xa0); }
 
+bool Disturbs(char32_t c) {
+  const bool is_direction = c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) ||
+                            (c >= 0x2066 && c <= 0x2069);
+  const bool is_line_break = c == 0x2028 || c == 0x2029;
+  return IsControl(c) || is_direction || is_line_break;
+}
+
 std::string Show(std::string_view text, std::size_t limit) {
   std::string shown;
-  for (std::size_t i = 0; i < limit && !text.empty(); ++i) {
-    const CodePoint c = Decode(text);
-    const std::size_t bytes = std::max<std::size_t>(c.bytes, 1);
-    const char32_t control = c.bytes > 0 ? c.value : static_cast<unsigned char>(text[0]);
-    shown +=
-        c.bytes == 0 || IsControl(c.value) ? Visible(control) : std::string(text.substr(0, bytes));
-    text.remove_prefix(bytes);
-  }
+  for (std::size_t i = 0; i < limit && !text.empty(); ++i) shown += TakeShown(text);
   return text.empty() ? shown : shown + "...";
 }
 
 std::string Quote(std::string_view text) {
   return fmt::format("'{}'", Show(text, kQuotedCharacters));
+}
+
+std::string ShowLines(std::string_view text) {
+  std::string shown;
+  shown.reserve(text.size());
+  const auto is_plain = [](char c) { return (c >= 0x20 && c < 0x7f) || c == '\n' || c == '\t'; };
+  while (true) {
+    const auto plain = std::ranges::find_if_not(text, is_plain) - text.begin();
+    shown += text.substr(0, static_cast<std::size_t>(plain));
+    text.remove_prefix(static_cast<std::size_t>(plain));
+    if (text.empty()) return shown;
+    shown += TakeShown(text);
+  }
 }
 
 }  // namespace assay

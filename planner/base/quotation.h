@@ -6,9 +6,13 @@
 
 namespace assay {
 
-// How texts of files are quoted in messages: on one line, without control characters, cut.
+// The one place that makes texts from outside (of files, databases, the command line, libraries)
+// fit to be printed: control characters and what is not UTF-8 become visible (\x1b), so that no
+// text moves a terminal's cursor or looks like a line of ours, and long texts are cut. Showing what
+// is shown already changes nothing.
 
-inline constexpr std::size_t kQuotedCharacters = 60;  // of the offending text in a message
+inline constexpr std::size_t kQuotedCharacters = 60;     // of the offending text in a message
+inline constexpr std::size_t kMessageCharacters = 2000;  // of a message, or a part of it
 
 struct CodePoint {
   char32_t value = 0;
@@ -19,10 +23,14 @@ struct CodePoint {
 CodePoint Decode(std::string_view text);
 
 bool IsControl(char32_t c);
+// A control character, or one that changes the order or place of what stands around it.
+bool Disturbs(char32_t c);
 
 // At most `limit` characters of the text, on one line.
-std::string Show(std::string_view text, std::size_t limit);
+std::string Show(std::string_view text, std::size_t limit = kMessageCharacters);
 // At most kQuotedCharacters of it, between quotes.
 std::string Quote(std::string_view text);
+// All of it; line breaks and tabs stay.
+std::string ShowLines(std::string_view text);
 
 }  // namespace assay

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,8 @@ struct TypedName {
 
 // Levels of conditions, effects and lists in a file: so none overflows the stack.
 inline constexpr int kDeepestNesting = 100;
+// Characters of a word in a file: messages repeat words.
+inline constexpr std::size_t kLongestWord = 1000;
 
 inline constexpr const char* kNumberType = "number";  // of functions whose value is an interval
 

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <utility>
 
+#include "planner/base/input_file.h"
 #include "planner/contingent/pks_lexer.h"
 
 namespace assay::contingent {
@@ -578,11 +577,9 @@ Problem ReadPksProblem(const std::string& text, const std::string& file) {
 }
 
 std::string TextOfFile(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream || std::filesystem::is_directory(file)) {
-    throw InputError({file.string()}, "cannot be read", "a file with text");
-  }
-  return {std::istreambuf_iterator<char>(stream), {}};
+  std::string text = ReadInput(file, "a file with text");
+  RequireText(text, file.string());
+  return text;
 }
 
 }  // namespace assay::contingent

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "planner/base/quotation.h"
+
 namespace assay::contingent {
 namespace {
 
@@ -111,6 +113,11 @@ class Lexer {
 
   Token Take(Token::Kind kind, std::size_t length) {
     Token token{kind, std::string(text_.substr(at_, length)), here_};
+    if (length > kLongestWord) {
+      throw InputError({file_, here_.line, here_.column},
+                       fmt::format("{} has {} characters", Quote(token.text), length),
+                       fmt::format("words of {} characters", kLongestWord));
+    }
     Advance(length);
     return token;
   }

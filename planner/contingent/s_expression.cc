@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "planner/base/quotation.h"
+
 namespace assay::contingent {
 namespace {
 
@@ -55,6 +57,11 @@ class SExpressionReader {
         const char c = text_[at_];
         read.word += 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
         Advance();
+      }
+      if (read.word.size() > kLongestWord) {
+        here_ = read.place;
+        Fail(fmt::format("{} has {} characters", Quote(read.word), read.word.size()),
+             fmt::format("words of {} characters", kLongestWord));
       }
       return read;
     }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/base/quotation.h"
 #include "planner/domain/goal_file.h"
 #include "planner/domain/initial_poses_file.h"
 #include "planner/domain/mating_errors_file.h"
@@ -104,8 +105,9 @@ ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& 
   root.AllowOnly({"format", "title", "description", "units", "workcell", "rules", "clearance",
                   "tolerances", "parts", "gripper", "sensing", "resolvers", "mating_errors",
                   "initially", "goal", "simulation", "knowledge"});
-  problem_.name = std::filesystem::path(root.Place().file).stem().string();
-  problem_.title = ReadOptionalText(root, "title");
+  // Both are told on one line.
+  problem_.name = Show(std::filesystem::path(root.Place().file).stem().string());
+  problem_.title = Show(ReadOptionalText(root, "title"));
   problem_.description = ReadOptionalText(root, "description");
   units_ = ReadUnits(root);
   ReadClearance(root);

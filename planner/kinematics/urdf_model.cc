@@ -5,11 +5,12 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <Eigen/Eigenvalues>
-#include <fstream>
 #include <mutex>
-#include <sstream>
+#include <numbers>
 
 #include "planner/base/input_error.h"
+#include "planner/base/input_file.h"
+#include "planner/kinematics/xml_outline.h"
 
 namespace assay::kinematics {
 namespace {
@@ -35,24 +36,24 @@ class ErrorCollector : public console_bridge::OutputHandler {
   std::string errors_;
 };
 
-std::string ReadText(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  if (text.view().empty()) {
-    throw InputError({.file = file.string()}, "cannot be read or is empty", "a URDF file");
-  }
-  return text.str();
-}
+// What is beyond these is a slip, and would overflow later: metres, radians, kilograms, their
+// products, and their changes in a second.
+constexpr double kLeastExtent = 1e-6;
+constexpr double kMostLength = 100;
+constexpr double kMostAngle = 4 * std::numbers::pi;
+constexpr double kMostMass = 1e5;
+constexpr double kMostVelocity = 1e3;
+constexpr double kMostEffort = 1e6;
+constexpr std::size_t kMostLinks = 1000;
 
-urdf::ModelInterfaceSharedPtr Parse(const std::filesystem::path& file) {
+urdf::ModelInterfaceSharedPtr Parse(const std::string& text, const XmlOutline& outline) {
   // console_bridge has one output handler for the whole process: one file at a time.
   static std::mutex one_at_a_time;
-  const std::string text = ReadText(file);
   const std::lock_guard lock(one_at_a_time);
   const ErrorCollector collector;
   urdf::ModelInterfaceSharedPtr parsed = urdf::parseURDF(text);
   if (!parsed || !parsed->getRoot() || !collector.errors().empty()) {
-    throw InputError({.file = file.string()},
+    throw InputError(outline.PlaceOfMention(collector.errors()),
                      fmt::format("is not a URDF file: {}", collector.errors()), "");
   }
   return parsed;
@@ -60,34 +61,50 @@ urdf::ModelInterfaceSharedPtr Parse(const std::filesystem::path& file) {
 
 Vector3 ToVector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-Pose ToPose(const urdf::Pose& pose) {
-  const urdf::Rotation& r = pose.rotation;
-  Pose X = Pose::Identity();
-  X.linear() = Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized().toRotationMatrix();
-  X.translation() = ToVector(pose.position);
-  return X;
-}
-
-// Turns urdfdom's tree into ours, depth first, with the file's name on every complaint.
+// Turns urdfdom's tree into ours, depth first, with the place of the link or joint on every
+// complaint.
 class Converter {
  public:
-  Converter(const std::filesystem::path& file, const urdf::ModelInterface& parsed) {
-    model_.file = file.string();
+  Converter(const XmlOutline& outline, const urdf::ModelInterface& parsed) : outline_(outline) {
+    model_.place = outline.root();
     model_.name = parsed.getName();
+    if (parsed.links_.size() > kMostLinks) {
+      Fail(fmt::format("has {} links", parsed.links_.size()), fmt::format("{} links", kMostLinks));
+    }
     AddLink(*parsed.getRoot(), JointId::None());
   }
 
   RobotModel Take() { return std::move(model_); }
 
  private:
+  [[noreturn]] void Fail(const std::string& what, const std::string& allowed = "") const {
+    throw InputError(at_, what, allowed);
+  }
+
+  Pose ToPose(const urdf::Pose& pose) const {
+    const urdf::Rotation& r = pose.rotation;
+    Pose X = Pose::Identity();
+    X.linear() = Eigen::Quaterniond(r.w, r.x, r.y, r.z).normalized().toRotationMatrix();
+    X.translation() = ToVector(pose.position);
+    const double farthest = X.translation().cwiseAbs().maxCoeff();
+    if (!(farthest <= kMostLength) || !X.translation().allFinite() || !X.linear().allFinite()) {
+      Fail(fmt::format("an origin at ({}, {}, {})", pose.position.x, pose.position.y,
+                       pose.position.z),
+           fmt::format("lengths of at most {} m either way", kMostLength));
+    }
+    return X;
+  }
+
   void AddLink(const urdf::Link& parsed, JointId parent_joint) {
     const LinkId id(model_.links.size());
+    at_ = outline_.PlaceOf("link", parsed.name);
     model_.links.push_back(ConvertLink(parsed, parent_joint));
     for (const urdf::JointSharedPtr& joint : parsed.child_joints) AddJoint(parsed, *joint, id);
   }
 
   void AddJoint(const urdf::Link& parent, const urdf::Joint& parsed, LinkId parent_id) {
     const JointId id(model_.joints.size());
+    at_ = outline_.PlaceOf("joint", parsed.name);
     model_.joints.push_back(ConvertJoint(parsed, parent_id));
     for (const urdf::LinkSharedPtr& child : parent.child_links) {
       if (child->name == parsed.child_link_name) AddLink(*child, id);
@@ -95,7 +112,7 @@ class Converter {
   }
 
   Link ConvertLink(const urdf::Link& parsed, JointId parent_joint) const {
-    Link link{.name = parsed.name, .parent_joint = parent_joint};
+    Link link{.name = parsed.name, .parent_joint = parent_joint, .place = at_};
     if (parsed.inertial) link.inertial = ConvertInertial(*parsed.inertial, parsed.name);
     for (const urdf::VisualSharedPtr& visual : parsed.visual_array) {
       link.visuals.push_back({visual->name, ToPose(visual->origin),
@@ -119,16 +136,22 @@ class Converter {
     inertial.inertia << parsed.ixx, parsed.ixy, parsed.ixz,  //
         parsed.ixy, parsed.iyy, parsed.iyz,                  //
         parsed.ixz, parsed.iyz, parsed.izz;
-    if (!(parsed.mass > 0)) {
-      model_.Fail(fmt::format("link '{}' has mass {}", link, parsed.mass), "a positive mass");
+    if (!(parsed.mass > 0 && parsed.mass <= kMostMass)) {
+      Fail(fmt::format("link '{}' has mass {}", link, parsed.mass),
+           fmt::format("a positive mass, at most {} kg", kMostMass));
     }
     // The principal moments of a body are positive, and none is above the sum of the others.
+    const double most = kMostMass * kMostLength * kMostLength;
+    if (!(inertial.inertia.cwiseAbs().maxCoeff() <= most) || !inertial.inertia.allFinite()) {
+      Fail(fmt::format("link '{}' has an inertia beyond measure", link),
+           fmt::format("at most {} kg m^2", most));
+    }
     const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertial.inertia, Eigen::EigenvaluesOnly);
     const Vector3& moments = solver.eigenvalues();  // ascending
     if (!(moments[0] > 0) || moments[2] > (moments[0] + moments[1]) * (1 + 1e-9)) {
-      model_.Fail(fmt::format("link '{}' has principal moments of inertia {}, {}, {}", link,
-                              moments[0], moments[1], moments[2]),
-                  "positive moments, the largest at most the sum of the others");
+      Fail(fmt::format("link '{}' has principal moments of inertia {}, {}, {}", link, moments[0],
+                       moments[1], moments[2]),
+           "positive moments, the largest at most the sum of the others");
     }
     return inertial;
   }
@@ -144,14 +167,14 @@ class Converter {
     if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(parsed.get())) {
       return SphereShape{Extent(Vector3::Constant(sphere->radius), link).x()};
     }
-    model_.Fail(fmt::format("link '{}' has a shape that is not supported", link),
-                "box, cylinder, sphere");
+    Fail(fmt::format("link '{}' has a shape that is not supported", link), "box, cylinder, sphere");
   }
 
   Vector3 Extent(const Vector3& extent, const std::string& link) const {
-    if (!(extent.minCoeff() > 0)) {
-      model_.Fail(fmt::format("link '{}' has a shape of extent {}", link, extent.minCoeff()),
-                  "positive extents");
+    for (const double length : extent) {
+      if (length >= kLeastExtent && length <= kMostLength) continue;
+      Fail(fmt::format("link '{}' has a shape of extent {}", link, length),
+           fmt::format("positive extents, {} to {} m", kLeastExtent, kMostLength));
     }
     return extent;
   }
@@ -161,11 +184,12 @@ class Converter {
                 .type = TypeOf(parsed),
                 .parent = parent,
                 .child = LinkId(model_.links.size()),
-                .X_ParentJoint = ToPose(parsed.parent_to_joint_origin_transform)};
+                .X_ParentJoint = ToPose(parsed.parent_to_joint_origin_transform),
+                .place = at_};
     if (joint.type == JointType::kFixed) return joint;
     joint.axis = ToVector(parsed.axis);
     if (!(joint.axis.norm() > 1e-6)) {
-      model_.Fail(fmt::format("joint '{}' has an axis without direction", joint.name));
+      Fail(fmt::format("joint '{}' has an axis without direction", joint.name));
     }
     joint.axis.normalize();
     joint.limits = LimitsOf(parsed);
@@ -173,26 +197,33 @@ class Converter {
   }
 
   JointType TypeOf(const urdf::Joint& parsed) const {
-    if (parsed.mimic) model_.Fail(fmt::format("joint '{}' mimics another", parsed.name));
+    if (parsed.mimic) Fail(fmt::format("joint '{}' mimics another", parsed.name));
     if (parsed.type == urdf::Joint::FIXED) return JointType::kFixed;
     if (parsed.type == urdf::Joint::REVOLUTE) return JointType::kRevolute;
     if (parsed.type == urdf::Joint::PRISMATIC) return JointType::kPrismatic;
-    model_.Fail(fmt::format("joint '{}' has a type that is not supported", parsed.name),
-                "fixed, revolute, prismatic");
+    Fail(fmt::format("joint '{}' has a type that is not supported", parsed.name),
+         "fixed, revolute, prismatic");
   }
 
   JointLimits LimitsOf(const urdf::Joint& parsed) const {
-    if (!parsed.limits) model_.Fail(fmt::format("joint '{}' has no limits", parsed.name));
-    const urdf::JointLimits& limits = *parsed.limits;
-    if (!(limits.lower < limits.upper) || !(limits.velocity > 0) || !(limits.effort > 0)) {
-      model_.Fail(
-          fmt::format("joint '{}' has lower {}, upper {}, velocity {}, effort {}", parsed.name,
-                      limits.lower, limits.upper, limits.velocity, limits.effort),
-          "lower below upper, velocity and effort positive");
+    if (!parsed.limits) Fail(fmt::format("joint '{}' has no limits", parsed.name));
+    const auto& [lower, upper, effort, velocity] = *parsed.limits;
+    const double most = parsed.type == urdf::Joint::REVOLUTE ? kMostAngle : kMostLength;
+    const bool is_range = lower < upper && lower >= -most && upper <= most;
+    const bool is_power =
+        velocity > 0 && velocity <= kMostVelocity && effort > 0 && effort <= kMostEffort;
+    if (!is_range || !is_power) {
+      Fail(fmt::format("joint '{}' has lower {}, upper {}, velocity {}, effort {}", parsed.name,
+                       lower, upper, velocity, effort),
+           fmt::format("lower below upper, both from {:.4g} to {:.4g}; velocity and effort "
+                       "positive, at most {} and {}",
+                       -most, most, kMostVelocity, kMostEffort));
     }
-    return {limits.lower, limits.upper, limits.velocity, limits.effort};
+    return {lower, upper, velocity, effort};
   }
 
+  const XmlOutline& outline_;
+  FilePlace at_ = outline_.root();  // what is being converted
   RobotModel model_;
 };
 
@@ -227,12 +258,14 @@ JointId RobotModel::FindJoint(std::string_view joint_name) const {
 }
 
 void RobotModel::Fail(const std::string& what, const std::string& allowed) const {
-  throw InputError({.file = file}, what, allowed);
+  throw InputError(place, what, allowed);
 }
 
 RobotModel ReadUrdf(const std::filesystem::path& file) {
-  const urdf::ModelInterfaceSharedPtr parsed = Parse(file);
-  return Converter(file, *parsed).Take();
+  const std::string text = ReadInput(file, "a URDF file");
+  RequireText(text, file.string());
+  const XmlOutline outline(text, file.string());
+  return Converter(outline, *Parse(text, outline)).Take();
 }
 
 }  // namespace assay::kinematics

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planner/base/id.h"
+#include "planner/base/input_error.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::kinematics {
@@ -69,6 +70,7 @@ struct Link {
   std::optional<Inertial> inertial = {};   // none: a massless frame
   std::vector<Visual> visuals = {};
   std::vector<Collision> collisions = {};
+  FilePlace place = {};
 };
 
 enum class JointType { kFixed, kRevolute, kPrismatic };
@@ -89,6 +91,7 @@ struct Joint {
   Pose X_ParentJoint = Pose::Identity();  // the child's frame in the parent's at joint value 0
   Vector3 axis = Vector3::UnitZ();        // unit, in the child's frame; means nothing if fixed
   JointLimits limits = {};                // zeros if fixed
+  FilePlace place = {};
 
   // The pose of the child's frame in the parent's at a joint value, which a fixed joint ignores.
   Pose X_ParentChild(double value) const;
@@ -97,7 +100,7 @@ struct Joint {
 // A robot as its URDF file tells it, in plain data. Parents stand before their children: links[0]
 // is the root and joints[i] leads to links[i + 1].
 struct RobotModel {
-  std::string file;
+  FilePlace place;  // of the robot in its file
   std::string name;
   std::vector<Link> links;
   std::vector<Joint> joints;
@@ -107,13 +110,14 @@ struct RobotModel {
   LinkId FindLink(std::string_view link_name) const;     // None if there is none
   JointId FindJoint(std::string_view joint_name) const;  // None if there is none
 
-  // Throws InputError about this file.
+  // Throws InputError about the robot as a whole.
   [[noreturn]] void Fail(const std::string& what, const std::string& allowed = "") const;
 };
 
 // Reads a URDF file (no meshes, no xacro; joints fixed, revolute or prismatic). Throws InputError
-// that names the file if it cannot be read, is not URDF, or holds what is not supported or cannot
-// be (no joint limits, a negative mass, an inertia that no body has, a shape without extent).
+// with line and column if it cannot be read, is not URDF, or holds what is not supported or cannot
+// be (no joint limits, a negative mass, an inertia that no body has, a shape without extent,
+// lengths over 100 m).
 RobotModel ReadUrdf(const std::filesystem::path& file);
 
 }  // namespace assay::kinematics

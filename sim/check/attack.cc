@@ -34,6 +34,7 @@ struct Sample {
   std::vector<double> values;  // of the free channels
   AttackPhase phase = AttackPhase::kVertices;
   StepAttempt attempt;
+  bool was_made = false;  // not if the attack was stopped before
 };
 
 // Of one step: all its samples, in their order.
@@ -88,7 +89,7 @@ class Attacker {
     const std::vector<plan::StepId> order = experiment_.plan.ExecutionOrder();
     std::vector<Start> starts;
     for (const AttackedWorld& world : worlds_) starts.push_back({&world, world.noise, nullptr});
-    for (std::size_t i = 0; i < order.size() && !starts.empty(); ++i) {
+    for (std::size_t i = 0; i < order.size() && !starts.empty() && !Stops(); ++i) {
       const auto done = static_cast<std::int64_t>(i);
       const auto steps = static_cast<std::int64_t>(order.size());
       const std::int64_t budget =
@@ -110,6 +111,8 @@ class Attacker {
     noise::Noise noise;
     std::shared_ptr<const exec::Checkpoint> from;
   };
+
+  bool Stops() const { return options_.stop && options_.stop(); }
 
   template <class Work>
   void InParallel(std::size_t count, const Work& work) {
@@ -143,13 +146,16 @@ class Attacker {
       samples.push_back({&from, step.At(point), phase, {}});
     }
     InParallel(samples.size(), [&](std::size_t i) { Try(step, samples[i]); });
+    std::erase_if(samples, [](const Sample& sample) { return !sample.was_made; });
     SearchLocally(step, budget - vertices - even);
   }
 
   static int Count(Step& step) { return static_cast<int>(step.poised().size()); }
 
   void Try(const Step& step, Sample& sample) {
+    if (Stops()) return;
     sample.attempt = step.attack().Attempt(*sample.from, sample.values);
+    sample.was_made = true;
     const std::int64_t made = ++made_;
     if (!options_.progress) return;
     const std::lock_guard lock(mutex_);
@@ -200,6 +206,7 @@ class Attacker {
         [&](const std::vector<double>& point) {
           Sample sample{start.from, step.At(point), AttackPhase::kLocalSearch, {}};
           Try(step, sample);
+          if (!sample.was_made) throw nlopt::forced_stop();
           const Claim* claim = Find(sample.attempt.claims, key);
           const double value = claim == nullptr ? 1 : Length(*claim);
           samples.push_back(std::move(sample));
@@ -236,6 +243,8 @@ class Attacker {
       search.optimize(point, least);
     } catch (const nlopt::roundoff_limited&) {
       // It cannot be done better than that.
+    } catch (const nlopt::forced_stop&) {
+      // The attack was stopped.
     }
   }
 
@@ -308,8 +317,16 @@ class Attacker {
     });
     const auto count = std::min(violations.size(), static_cast<std::size_t>(options_.shrunk));
     std::vector<Counterexample> examples(count);
-    InParallel(count, [&](std::size_t i) { examples[i] = Shrunk(experiment_, *violations[i]); });
+    InParallel(count, [&](std::size_t i) {
+      examples[i] = Stops() ? AsFound(*violations[i]) : Shrunk(experiment_, *violations[i]);
+    });
     result_.counterexamples = std::move(examples);
+  }
+
+  Counterexample AsFound(const WorstClaim& violation) const {
+    return {.claim = violation.claim,
+            .noise = violation.noise,
+            .steps = experiment_.plan.step(violation.claim.step).executed};
   }
 
   const Experiment& experiment_;

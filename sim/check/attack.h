@@ -17,6 +17,9 @@ struct AttackOptions {
   int shrunk = 3;  // at most so many violations are shrunk to counterexamples
   // Told of how many attempts were made so far; from one thread at a time.
   std::function<void(std::int64_t)> progress = {};
+  // Asked before each attempt, from any thread: true ends the attack with what it has until then,
+  // whose violations are not shrunk. Empty: never.
+  std::function<bool()> stop = {};
 };
 
 // How points of the error box were chosen.

@@ -134,6 +134,9 @@ Threshold FindThreshold(const std::function<bool(double)>& fails, double greates
   return threshold;
 }
 
+// Ends the comparison of a variable from inside.
+struct Stopped {};
+
 class Comparison {
  public:
   Comparison(const Experiment& experiment, const ConservatismOptions& options)
@@ -152,15 +155,31 @@ class Comparison {
     return variables;
   }
 
+  // None: the comparison was stopped before.
+  std::optional<ConservatismRatio> UnlessStopped(const std::string& variable) const {
+    try {
+      return Of(variable);
+    } catch (const Stopped&) {
+      return std::nullopt;
+    }
+  }
+
+ private:
   ConservatismRatio Of(const std::string& variable) const {
-    const auto unproved = [&](double multiple) { return !Proves(variable, multiple); };
+    const auto unproved = [&](double multiple) {
+      BreakOffIfStopped();
+      return !Proves(variable, multiple);
+    };
     const auto fails = [&](double multiple) { return Fails(variable, multiple); };
     return {.variable = variable,
             .guaranteed = FindThreshold(unproved, options_.greatest, options_.precision / 4).holds,
             .broken = FindThreshold(fails, options_.greatest, options_.precision).fails};
   }
 
- private:
+  void BreakOffIfStopped() const {
+    if (options_.stop && options_.stop()) throw Stopped();
+  }
+
   bool Proves(const std::string& variable, double multiple) const {
     const domain::Problem problem = ScaledProblem(experiment_.problem, variable).At(multiple);
     uncertainty::UncertainWorld world(problem, uncertainty::Propagation::kSound);
@@ -191,6 +210,7 @@ class Comparison {
     const int dimensions = static_cast<int>(varied.size());
     const int trials = std::min(options_.corners, dimensions == 1 ? 2 : options_.corners);
     for (int number = 1; number <= trials; ++number) {
+      BreakOffIfStopped();
       std::vector<double> values(box.size(), 0);
       const auto corner = noise::CornerPoint(dimensions, options_.seed, number);
       for (std::size_t i = 0; i < varied.size(); ++i) {
@@ -223,11 +243,15 @@ std::vector<ConservatismRatio> Conservatism(const Experiment& experiment,
   const Comparison comparison(experiment, options);
   const std::vector<std::string> variables =
       options.variables.empty() ? comparison.Variables() : options.variables;
-  std::vector<ConservatismRatio> ratios(variables.size());
+  std::vector<std::optional<ConservatismRatio>> found(variables.size());
   tbb::task_arena(options.jobs).execute([&] {
     tbb::parallel_for(std::size_t{0}, variables.size(),
-                      [&](std::size_t i) { ratios[i] = comparison.Of(variables[i]); });
+                      [&](std::size_t i) { found[i] = comparison.UnlessStopped(variables[i]); });
   });
+  std::vector<ConservatismRatio> ratios;
+  for (std::optional<ConservatismRatio>& ratio : found) {
+    if (ratio) ratios.push_back(*std::move(ratio));
+  }
   return ratios;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct ConservatismOptions {
   double greatest = 64;                     // multiple that is tried
   double precision = 0.1;                   // of the multiples, relative
   std::vector<std::string> variables = {};  // only these; empty: every one, and all together
+  // Asked before each trial, from any thread: true ends the comparison with those variables that
+  // are done. Empty: never.
+  std::function<bool()> stop = {};
 };
 
 // How much of what physics forgives the planner guarantees, for one variable alone ("x of peg",

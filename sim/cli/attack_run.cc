@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "planner/plan/json_layout.h"
 #include "sim/check/attack.h"
 #include "sim/check/conservatism.h"
 #include "sim/cli/console.h"
+#include "sim/cli/interruption.h"
 #include "sim/cli/json_number.h"
 #include "sim/cli/noisy_run.h"
 #include "sim/cli/output_file.h"
@@ -15,6 +17,7 @@
 #include "sim/cli/table.h"
 #include "sim/cli/verdict_tally.h"
 #include "sim/exec/command_file.h"
+#include "sim/sweep/shell.h"
 
 namespace assay::cli {
 namespace {
@@ -31,6 +34,7 @@ class AttackReport {
         tally_(plan_) {}
 
   ExitCode Execute() {
+    const Interruption interruption;
     {
       Progress progress("attacking");
       check::AttackOptions options = {
@@ -38,10 +42,12 @@ class AttackReport {
       options.progress = [&](std::int64_t made) {
         progress.Tell(fmt::format("{} of {} attempts", made, run_.attempts));
       };
+      options.stop = Interruption::Requested;
       result_ = check::Attack(experiment_, options);
       if (run_.conservatism) {
         progress.Tell("how much more noise it takes");
-        ratios_ = check::Conservatism(experiment_, {.seed = run_.seed, .jobs = run_.jobs});
+        ratios_ = check::Conservatism(
+            experiment_, {.seed = run_.seed, .jobs = run_.jobs, .stop = Interruption::Requested});
       }
     }
     for (std::size_t i = 0; i < result_.certificates.size(); ++i) {
@@ -52,14 +58,15 @@ class AttackReport {
     const Json result = Result();
     Json printed = result;
     printed["seconds"] = stopwatch_.Seconds();
-    Print(run_.json ? printed.dump(2) + "\n" : Report());
-    if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", result.dump(2) + "\n");
-    return tally_.Total().violated == 0 ? ExitCode::kDone : ExitCode::kFailed;
+    PrintAndWrite(run_.json ? plan::JsonText(printed) : Report(), [&] {
+      if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", plan::JsonText(result));
+    });
+    return Interruption::CodeOr(tally_.Total().violated == 0 ? ExitCode::kDone : ExitCode::kFailed);
   }
 
  private:
   std::string ReplayCommand(const noise::Noise& noise) const {
-    return fmt::format("{} --errors '{}'", run_.command, noise::Text(noise));
+    return fmt::format("{} --errors {}", run_.command, sweep::Quoted(noise::Text(noise)));
   }
 
   Json Result() const {
@@ -74,6 +81,7 @@ class AttackReport {
                    {"grasp", scene::Name(run_.planned.simulation.scene.grasp)},
                    {"noise", "attack"},
                    {"gate", ToJson(plan_, experiment_.gate)}};
+    if (Interruption::Requested()) result["interrupted"] = true;
     for (const check::WorstClaim& worst : result_.worst) {
       Json row = ToJson(plan_, worst.claim);
       row["phase"] = check::Name(worst.phase);
@@ -148,6 +156,11 @@ class AttackReport {
     text += total.violated == 0 ? fmt::format("\nnot falsified in {} attempts\n", result_.attempts)
                                 : fmt::format("\nviolated in {} of {} attempts\n", total.violated,
                                               result_.attempts);
+    text += Interruption::Text(result_.attempts, run_.attempts, "attempts");
+    if (Interruption::Requested() && run_.conservatism) {
+      text += fmt::format("how much more noise it takes was measured of {} variables\n",
+                          ratios_.size());
+    }
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }

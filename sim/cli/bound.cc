@@ -15,6 +15,7 @@
 #include "planner/algebra/sup_inf.h"
 #include "planner/algebra/text.h"
 #include "planner/base/document.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
@@ -145,7 +146,7 @@ Json ToJson(const Answer& answer) {
 std::string JsonText(const std::vector<Answer>& answers) {
   Json list = Json::array();
   for (const Answer& answer : answers) list.push_back(ToJson(answer));
-  return Json{{"expressions", list}}.dump(2) + "\n";
+  return plan::JsonText(Json{{"expressions", list}});
 }
 
 double ParsedNumber(const std::string& text) {
@@ -232,8 +233,8 @@ bool IsBudgetSpent(const Bound& bound, const BoundRequest& request) {
 }
 
 ExitCode Execute(const Options& options) {
-  if (!options.output.empty()) RequireWritable(options.output);
   const BoundProblem problem = algebra::LoadBoundProblem(options.problem);
+  RequireWritable(options.output);
   const std::set<VariableId> keep = KeptVariables(problem, options);
   BoundRequest request = options.request;
   if (options.rung == "termwise") request.highest = Rung::kTermwise;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "planner/base/input_error.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
@@ -73,7 +74,7 @@ class Calibration {
     MeasureAll();
     Json result = Result();
     result["seconds"] = stopwatch_.Seconds();
-    Print(options_.json ? result.dump(2) + "\n" : ForPeople());
+    Print(options_.json ? plan::JsonText(result) : ForPeople());
     return Failed().empty() ? ExitCode::kDone : ExitCode::kFailed;
   }
 

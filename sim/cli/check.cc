@@ -11,6 +11,7 @@
 #include "planner/assembly/contingent_assembly.h"
 #include "planner/base/input_error.h"
 #include "planner/domain/part_file.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/file_format.h"
 #include "sim/cli/models_folder.h"
@@ -110,9 +111,10 @@ ExitCode Execute(const Options& options) {
   RequireWritable(options.output);
   Summary summary;
   for (const fs::path& file : options.files) summary.Add(file, options);
-  const std::string json = Json{{"files", summary.files}}.dump(2) + "\n";
-  Print(options.json ? json : summary.text);
-  if (!options.output.empty()) WriteFile(options.output, json);
+  const std::string json = plan::JsonText(Json{{"files", summary.files}});
+  PrintAndWrite(options.json ? json : summary.text, [&] {
+    if (!options.output.empty()) WriteFile(options.output, json);
+  });
   if (!summary.all_right) return ExitCode::kWrongInput;
   return summary.all_hold ? ExitCode::kDone : ExitCode::kFailed;
 }

@@ -4,13 +4,17 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <new>
 #include <sstream>
 #include <system_error>
 
 #include "planner/base/document.h"
 #include "planner/base/input_error.h"
+#include "planner/base/quotation.h"
 #include "sim/cli/console.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
@@ -21,11 +25,33 @@ namespace {
 constexpr const char* kDescription =
     "assay plans assemblies, executes the plans in physics and checks what they promise.";
 
-std::string InQuotes(const std::string& text) { return fmt::format("'{}'", text); }
+std::string InQuotes(const std::string& text) { return Quote(text); }
 
 std::string DidYouMean(const std::string& text, const std::vector<std::string>& names) {
   const std::string nearest = NearestName(text, names);
   return nearest.empty() ? "" : fmt::format("; did you mean {}?", InQuotes(nearest));
+}
+
+// Ranges let NaN through: nothing is less than it.
+std::string ExplainNumber(const std::string& value) {
+  double number = 0;
+  const bool is_nan = CLI::detail::lexical_cast(value, number) && std::isnan(number);
+  return is_nan ? fmt::format("{} is no number", InQuotes(value)) : std::string();
+}
+
+// Of numbers that do not fit the nearest would be taken.
+template <class Integer>
+std::string ExplainInteger(const std::string& value) {
+  Integer number = 0;
+  const char* const end = value.data() + value.size();
+  const auto [rest, error] = std::from_chars(value.data(), end, number);
+  if (error != std::errc::result_out_of_range) return "";
+  return fmt::format("{} is out of range; allowed: {} to {}", InQuotes(value),
+                     std::numeric_limits<Integer>::min(), std::numeric_limits<Integer>::max());
+}
+
+std::string ExplainText(const std::string& value) {
+  return value.empty() ? "an empty text is no value" : "";
 }
 
 class CommandLine {
@@ -63,21 +89,23 @@ class CommandLine {
     CLI::App* const command = app_.add_subcommand(verb.name, verb.summary);
     command->footer(fmt::format("Example:\n  {}", verb.example));
     Execution execution = verb.declare(*command);
-    RefuseWhatIsNoNumber(*command);
+    CheckValues(*command);
     command->final_callback([this, execution] { execution_ = execution; });
   }
 
-  // Ranges let NaN through: nothing is less than it.
-  static void RefuseWhatIsNoNumber(CLI::App& command) {
+  // What the library lets through.
+  static void CheckValues(CLI::App& command) {
     for (CLI::Option* const option : command.get_options()) {
-      if (option->get_type_name().find("FLOAT") == std::string::npos) continue;
-      option->check([](const std::string& value) {
-        double number = 0;
-        const bool is_nan = CLI::detail::lexical_cast(value, number) && std::isnan(number);
-        return is_nan ? fmt::format("{} is no number", InQuotes(value)) : std::string();
-      });
+      const std::string type = option->get_type_name();
+      const auto is = [&](const char* name) { return type.find(name) != std::string::npos; };
+      if (is("FLOAT")) option->check(ExplainNumber);
+      if (is("INT"))
+        option->check(is("UINT") ? ExplainInteger<std::uint64_t> : ExplainInteger<std::int64_t>);
+      // No errors at all are errors, too.
+      const bool may_be_empty = option->check_lname("errors");
+      if (is("TEXT") && !may_be_empty) option->check(ExplainText);
     }
-    for (CLI::App* const part : command.get_subcommands({})) RefuseWhatIsNoNumber(*part);
+    for (CLI::App* const part : command.get_subcommands({})) CheckValues(*part);
   }
 
   void Parse() {
@@ -143,6 +171,11 @@ ExitCode RunCommandLine(const std::vector<std::string>& arguments) {
     PrintError(error.what());
   } catch (const std::bad_alloc&) {
     PrintError("out of memory");
+  } catch (const std::exception& error) {
+    PrintError(fmt::format("an error that nothing was prepared for, which is a fault of assay: {}",
+                           error.what()));
+  } catch (...) {
+    PrintError("an error that nothing was prepared for, which is a fault of assay");
   }
   return ExitCode::kEnvironment;
 }

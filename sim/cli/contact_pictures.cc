@@ -54,7 +54,7 @@ std::string CaptionOf(int number, const plan::Strategy& strategy,
 }
 
 void Write(const render::Image& image, const std::filesystem::path& file) {
-  WriteFileBy(file, [&](const std::filesystem::path& to) { render::WritePng(image, to); });
+  WriteFile(file, render::EncodedPng(image));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "planner/base/input_error.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/models_folder.h"
 #include "sim/cli/table.h"
@@ -69,7 +70,7 @@ ExitCode Execute(const Options& options) {
   const std::vector<std::string> remedies = Remedies(facts);
   if (options.json) {
     facts["missing"] = remedies;
-    Print(facts.dump(2) + "\n");
+    Print(plan::JsonText(facts));
   } else {
     Print(ForPeople(facts, remedies));
   }

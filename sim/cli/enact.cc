@@ -12,9 +12,11 @@
 
 #include "planner/contingent/contingent_planner.h"
 #include "planner/contingent/tree_text.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/enactment_report.h"
 #include "sim/cli/film.h"
+#include "sim/cli/interruption.h"
 #include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_tree_report.h"
@@ -76,6 +78,7 @@ class Enacting {
   ExitCode Execute() {
     const std::vector<int> numbers = Numbers();
     study_.trials.resize(numbers.size());
+    const Interruption interruption;
     ForEachTrial(static_cast<int>(numbers.size()), options_.jobs, [&](int nth) {
       const int number = numbers[static_cast<std::size_t>(nth - 1)];
       const bool is_pictured = nth == 1 && !options_.pictures.empty();
@@ -84,9 +87,15 @@ class Enacting {
       progress_->Tell(fmt::format("enacting, {} of {} trials", ++done_, numbers.size()));
     });
     progress_.reset();
+    // Those that were not made have no number.
+    std::erase_if(study_.trials, [](const EnactedTrial& trial) { return trial.number == 0; });
     study_.seconds = stopwatch_.Seconds();
-    Print(options_.json ? ToJson(study_).dump(2) + "\n" : TextOf(study_));
-    return study_.Failed() == 0 ? ExitCode::kDone : ExitCode::kFailed;
+    Json json = ToJson(study_);
+    if (Interruption::Requested()) json["interrupted"] = true;
+    Print(options_.json ? plan::JsonText(json)
+                        : TextOf(study_) +
+                              Interruption::Text(std::ssize(study_.trials), std::ssize(numbers)));
+    return Interruption::CodeOr(study_.Failed() == 0 ? ExitCode::kDone : ExitCode::kFailed);
   }
 
  private:
@@ -138,20 +147,21 @@ class Enacting {
   EnactedTrial Run(int number, bool is_pictured) const {
     enact::TrialSettings settings{.seed = seed_, .sensing_errors = options_.sensing_errors};
     std::optional<Film> film;
-    if (is_pictured) {
-      settings.on_step_end = [&](const enact::StepPicture& step) {
-        if (!film) {
-          film.emplace(FilmSubject{scenario_.scenario.problem, kNoPlan, step.scene},
-                       scenario_.scenario.simulation.cameras, options_.picture);
-          film->TakeStart(step.data);
-        } else {
-          film->TakeStepEnd(step.action, step.data);
-        }
-      };
-    }
+    settings.on_step_end = [&](const enact::StepPicture& step) {
+      if (is_pictured) Take(step, film);
+      Interruption::BreakOffIfRequested();
+    };
+
     EnactedTrial trial = enact::RunTrial(scenario_, tree_, {number, WorldOf(number)}, settings);
     if (film) film->Write(options_.pictures);
     return trial;
+  }
+
+  void Take(const enact::StepPicture& step, std::optional<Film>& film) const {
+    if (film) return film->TakeStepEnd(step.action, step.data);
+    film.emplace(FilmSubject{scenario_.scenario.problem, kNoPlan, step.scene},
+                 scenario_.scenario.simulation.cameras, options_.picture);
+    film->TakeStart(step.data);
   }
 
   static const plan::Plan kNoPlan;
@@ -175,7 +185,7 @@ ExitCode Refuse(Outcome outcome, const Options& options) {
                               ? "There is no plan."
                               : fmt::format("No plan within {} knowledge states.", kBudget);
   const Json json = {{"outcome", outcome == Outcome::kNone ? "none" : "budget"}};
-  Print(options.json ? json.dump(2) + "\n" : why + "\n");
+  Print(options.json ? plan::JsonText(json) : why + "\n");
   return ExitCodeOf(outcome);
 }
 
@@ -229,7 +239,7 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--pictures", options->pictures,
                      "folder for pictures of the first trial: its start and the end of each step");
-  AddPictureOptions(command, options->picture);
+  AddPictureOptions(command, options->picture, "--pictures");
   command.add_flag("--json", options->json, "print the result as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

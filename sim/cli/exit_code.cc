@@ -21,6 +21,9 @@ constexpr std::array kMeanings = {
             "proved that there is no plan (label: no labeling; mate: looked through all)"},
     Meaning{ExitCode::kBudgetSpent, "the budget was spent before an answer"},
     Meaning{ExitCode::kFailed, "a prediction or check was violated, or a trial failed"},
+    Meaning{ExitCode::kInterrupted,
+            "interrupted (Ctrl-C); what was done until then is printed and written"},
+    Meaning{ExitCode::kTerminated, "the same after SIGTERM or SIGHUP"},
 };
 
 }  // namespace
@@ -40,7 +43,7 @@ ExitCode ExitCodeOf(Outcome outcome) {
 std::string ExitCodeTable() {
   std::string text = "Exit codes:\n";
   for (const Meaning& meaning : kMeanings) {
-    text += fmt::format("  {:2}  {}\n", static_cast<int>(meaning.code), meaning.text);
+    text += fmt::format(" {:3}  {}\n", static_cast<int>(meaning.code), meaning.text);
   }
   return text;
 }

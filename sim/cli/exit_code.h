@@ -15,6 +15,8 @@ enum class ExitCode {
   kNoPlan = 10,
   kBudgetSpent = 11,
   kFailed = 12,
+  kInterrupted = 130,
+  kTerminated = 143,
 };
 
 ExitCode ExitCodeOf(Outcome outcome);

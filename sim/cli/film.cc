@@ -74,7 +74,7 @@ std::string FileName(const std::string& action) {
 
 }  // namespace
 
-void AddPictureOptions(CLI::App& command, PictureOptions& options) {
+void AddPictureOptions(CLI::App& command, PictureOptions& options, const std::string& with) {
   command.add_option("--camera", options.cameras, "cameras; the scenario's if left out");
   command.add_option("--size", options.size, "size of each picture in pixels")
       ->type_name("WIDTHxHEIGHT")
@@ -87,6 +87,10 @@ void AddPictureOptions(CLI::App& command, PictureOptions& options) {
       ->capture_default_str();
   command.add_flag("--no-ghosts", options.hides_ghosts,
                    "leave out the ghosts: parts at the extremes of their predicted error sets");
+  if (with.empty()) return;
+  for (const char* name : {"--camera", "--size", "--samples", "--no-ghosts"}) {
+    command.get_option(name)->needs(command.get_option(with));
+  }
 }
 
 Film::Film(const FilmSubject& subject, const std::vector<std::string>& cameras_of_scenario,
@@ -125,16 +129,15 @@ void Film::TakeStepEnd(const std::string& action, const mujoco::Data& data) {
 }
 
 void Film::Write(const std::filesystem::path& folder) const {
+  if (sheet_.empty()) return;  // interrupted before the start
   for (const Picture& picture : pictures_) {
-    WriteFileBy(folder / picture.file,
-                [&](const std::filesystem::path& file) { render::WritePng(picture.image, file); });
+    WriteFile(folder / picture.file, render::EncodedPng(picture.image));
   }
   const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(sheet_.size()))));
   std::vector<render::LegendEntry> legend;
   if (has_ghosts_) legend.push_back({render::kPredicted, "ghosts: predicted error set"});
-  WriteFileBy(folder / kContactSheet, [&](const std::filesystem::path& file) {
-    render::WritePng(render::ContactSheet(sheet_, columns, legend), file);
-  });
+  WriteFile(folder / kContactSheet,
+            render::EncodedPng(render::ContactSheet(sheet_, columns, legend)));
 }
 
 std::vector<std::string> Film::FileNames() const {

@@ -26,8 +26,9 @@ struct PictureOptions {
   bool hides_ghosts = false;              // of the predicted error sets
 };
 
-// Adds --camera, --size, --samples and --no-ghosts.
-void AddPictureOptions(CLI::App& command, PictureOptions& options);
+// Adds --camera, --size, --samples and --no-ghosts. `with`: an option of the command without which
+// there are no pictures; empty: there always are.
+void AddPictureOptions(CLI::App& command, PictureOptions& options, const std::string& with = "");
 
 // What is executed, and where.
 struct FilmSubject {

@@ -1,9 +1,17 @@
 #pragma once
 
+#include <string>
+
+#include "sim/cli/exit_code.h"
+
 namespace assay::cli {
 
-// While it lives, SIGINT and SIGTERM (a key, a cluster's time limit) do not end the program but are
-// taken down, so that what is being written can be finished; the second one ends it. One at a time.
+// What ends a trial from inside once an interruption is requested; its result is lost.
+struct BrokenOff {};
+
+// While it lives, SIGINT, SIGTERM and SIGHUP (a key, a cluster's time limit, a terminal that is
+// closed) do not end the program but are taken down, so that what is there can be printed and
+// written; the second one ends it. Signals that were ignored before (nohup) stay so. One at a time.
 class Interruption {
  public:
   Interruption();
@@ -11,7 +19,14 @@ class Interruption {
   Interruption(const Interruption&) = delete;
   Interruption& operator=(const Interruption&) = delete;
 
-  static bool Requested();  // from any thread
+  // From any thread.
+  static bool Requested();
+  static void BreakOffIfRequested();  // throws BrokenOff
+
+  // How the program ends: `code`, unless it was interrupted.
+  static ExitCode CodeOr(ExitCode code);
+  // "interrupted: 3 of 20 trials were made\n"; empty if it was not.
+  static std::string Text(long long made, long long wanted, const char* what = "trials");
 };
 
 }  // namespace assay::cli

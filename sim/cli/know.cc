@@ -16,6 +16,7 @@
 #include "planner/contingent/tree_check.h"
 #include "planner/contingent/tree_file.h"
 #include "planner/contingent/tree_text.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/dot.h"
 #include "sim/cli/output_file.h"
@@ -108,6 +109,7 @@ ContingentPlan PlanOrLoad(const GroundTask& task, const Options& options) {
 
 Answer MakeAnswer(const Options& options) {
   const contingent::Task task = contingent::LoadTask(options.domain, options.problem);
+  RequireWritable(options.output);
   const Progress progress("planning " + options.problem.string());
   const Stopwatch stopwatch;
   contingent::Externs externs;
@@ -161,7 +163,7 @@ std::string JsonText(const Answer& answer) {
   if (answer.check) json["check"] = ToJson(*answer.check);
   json["expanded"] = answer.plan.states;
   json["seconds"] = answer.seconds;
-  return json.dump(2) + "\n";
+  return plan::JsonText(json);
 }
 
 std::string CheckText(const TreeCheck& check) {
@@ -215,7 +217,6 @@ std::string PlanText(const Answer& answer, const Options& options) {
 }
 
 ExitCode Execute(const Options& options) {
-  RequireWritable(options.output);
   const Answer answer = MakeAnswer(options);
   const bool is_found = answer.plan.outcome == Outcome::kFound;
   std::string text;

@@ -8,6 +8,7 @@
 
 #include "planner/network/count.h"
 #include "planner/network/network_file.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
@@ -65,15 +66,15 @@ Json ToJson(const network::LabelReport& report, LabelRequest request, double sec
 }
 
 ExitCode Execute(const Options& options) {
-  RequireWritable(options.output);
   const network::NamedNetwork named = network::LoadNetwork(options.network);
+  RequireWritable(options.output);
   const Stopwatch stopwatch;
   Budget budget(options.budget);
   const network::LabelReport report = [&] {
     const Progress progress("labeling " + options.network.string());
     return network::LabelNetwork(named, options.request, budget);
   }();
-  const std::string text = ToJson(report, options.request, stopwatch.Seconds()).dump(2) + "\n";
+  const std::string text = plan::JsonText(ToJson(report, options.request, stopwatch.Seconds()));
   if (options.output.empty()) {
     Print(text);
   } else {

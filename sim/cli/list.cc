@@ -3,11 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "planner/base/document.h"
+#include "planner/base/input_error.h"
 #include "planner/domain/action_template.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/models_folder.h"
 #include "sim/cli/table.h"
@@ -29,7 +32,8 @@ struct Options {
 
 struct Entry {
   std::string name;
-  std::string text;  // one line
+  std::string text;        // one line
+  std::string error = {};  // why there is no text
 };
 using Entries = std::vector<Entry>;
 
@@ -46,13 +50,32 @@ std::string TextAt(const Document& document, const char* key) {
   return value ? value->Text() : "";
 }
 
+// A file that cannot be read hides no others: its error is told in its place.
+Entry EntryOf(std::string name, const std::function<std::string()>& text) {
+  try {
+    return {.name = std::move(name), .text = text()};
+  } catch (const InputError& error) {
+    return {.name = std::move(name), .text = "", .error = error.what()};
+  }
+}
+
 Entries ListScenarios(const fs::path& models) {
   Entries entries;
   for (const fs::path& file : SortedContents(models.parent_path() / "scenarios")) {
     if (file.extension() != ".yaml") continue;
-    entries.push_back({file.string(), TextAt(Document::Load(file), "title")});
+    entries.push_back(
+        EntryOf(file.string(), [&] { return TextAt(Document::Load(file), "title"); }));
   }
   return entries;
+}
+
+std::string FeaturesIn(const fs::path& part_file) {
+  std::vector<std::string> features;
+  const Document document = Document::Load(part_file);
+  for (const auto& [number, feature] : document.root().At("features").Entries()) {
+    if (const auto what = feature.Find("what")) features.push_back(what->Text());
+  }
+  return fmt::format("{}", fmt::join(features, ", "));
 }
 
 // The features in the part file's words.
@@ -60,12 +83,8 @@ Entries ListParts(const fs::path& models) {
   Entries entries;
   for (const fs::path& folder : SortedContents(models / "parts")) {
     if (!fs::exists(folder / "part.yaml")) continue;
-    std::vector<std::string> features;
-    const Document document = Document::Load(folder / "part.yaml");
-    for (const auto& [number, feature] : document.root().At("features").Entries()) {
-      if (const auto what = feature.Find("what")) features.push_back(what->Text());
-    }
-    entries.push_back({folder.filename().string(), fmt::format("{}", fmt::join(features, ", "))});
+    entries.push_back(
+        EntryOf(folder.filename().string(), [&] { return FeaturesIn(folder / "part.yaml"); }));
   }
   return entries;
 }
@@ -84,12 +103,14 @@ Entries ListWorkcells(const fs::path& models) {
   for (const fs::path& folder : SortedContents(models / "workcells")) {
     const fs::path file = folder / "workcell.yaml";
     if (!fs::exists(file)) continue;
-    const Document document = Document::Load(file);
-    std::string text = TextAt(document, "description");
-    for (const char* section : {"sensors", "verifications", "recoveries"}) {
-      text += NamesIn(document, section);
-    }
-    entries.push_back({folder.filename().string(), std::move(text)});
+    entries.push_back(EntryOf(folder.filename().string(), [&] {
+      const Document document = Document::Load(file);
+      std::string text = TextAt(document, "description");
+      for (const char* section : {"sensors", "verifications", "recoveries"}) {
+        text += NamesIn(document, section);
+      }
+      return text;
+    }));
   }
   return entries;
 }
@@ -97,7 +118,7 @@ Entries ListWorkcells(const fs::path& models) {
 Entries ListActions(const fs::path&) {
   Entries entries;
   for (const domain::ActionRule& rule : domain::ActionRules()) {
-    entries.push_back({std::string(rule.name), std::string(rule.summary)});
+    entries.push_back({.name = std::string(rule.name), .text = std::string(rule.summary)});
   }
   return entries;
 }
@@ -106,7 +127,7 @@ template <class Words>
 Entries ListWords(const Words& words) {
   Entries entries;
   for (const auto* word : words) {
-    entries.push_back({std::string(word->name), std::string(word->summary)});
+    entries.push_back({.name = std::string(word->name), .text = std::string(word->summary)});
   }
   return entries;
 }
@@ -128,7 +149,9 @@ constexpr std::array kKinds = {Kind{"scenarios", ListScenarios}, Kind{"parts", L
 
 std::string ForPeople(const char* kind, const Entries& entries) {
   Table table({{kind}, {""}});
-  for (const Entry& entry : entries) table.Add({entry.name, entry.text});
+  for (const Entry& entry : entries) {
+    table.Add({entry.name, entry.error.empty() ? entry.text : "cannot be read: " + entry.error});
+  }
   return table.Text();
 }
 
@@ -141,11 +164,13 @@ ExitCode Execute(const Options& options) {
     const Entries entries = kind.list(models);
     json[kind.name] = Json::array();
     for (const Entry& entry : entries) {
-      json[kind.name].push_back({{"name", entry.name}, {"text", entry.text}});
+      Json row = {{"name", entry.name}, {"text", entry.text}};
+      if (!entry.error.empty()) row["error"] = entry.error;
+      json[kind.name].push_back(std::move(row));
     }
     text += (text.empty() ? "" : "\n") + ForPeople(kind.name, entries);
   }
-  Print(options.json ? json.dump(2) + "\n" : text);
+  Print(options.json ? plan::JsonText(json) : text);
   return ExitCode::kDone;
 }
 

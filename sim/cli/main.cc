@@ -1,9 +1,7 @@
-#include <csignal>
-
 #include "sim/cli/command_line.h"
+#include "sim/cli/console.h"
 
 int main(int argc, char** argv) {
-  // A file that may not grow further is an error of the write, told like a full disk.
-  std::signal(SIGXFSZ, SIG_IGN);
+  assay::cli::PrepareStreams();
   return static_cast<int>(assay::cli::RunCommandLine({argv, argv + argc}));
 }

@@ -12,9 +12,11 @@
 #include "planner/assembly/strategy_reach.h"
 #include "planner/domain/mating_errors_file.h"
 #include "planner/finemotion/likely_errors.h"
+#include "planner/plan/json_layout.h"
 #include "sim/check/margin_ranking.h"
 #include "sim/cli/console.h"
 #include "sim/cli/contact_chain_report.h"
+#include "sim/cli/interruption.h"
 #include "sim/cli/mating_pictures.h"
 #include "sim/cli/mating_report.h"
 #include "sim/cli/mating_task.h"
@@ -26,6 +28,7 @@
 #include "sim/cli/trial.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
+#include "sim/sweep/shell.h"
 
 namespace assay::cli {
 namespace mate_verb {
@@ -102,7 +105,7 @@ finemotion::StrategyOptions SearchOptions(const Options& options, const domain::
 // What makes the trials again, up to the number of one.
 std::string ReplayCommand(const Options& options) {
   const Options usual;
-  std::string command = fmt::format("assay mate {}", options.scenario.string());
+  std::string command = fmt::format("assay mate {}", sweep::Word(options.scenario.string()));
   const auto add = [&](const char* name, const auto& value, const auto& default_value) {
     if (value != default_value) command += fmt::format(" --{} {}", name, value);
   };
@@ -122,7 +125,9 @@ std::string ReplayCommand(const Options& options) {
   add("search-seed", options.search_seed, usual.search_seed);
   add("nodes", options.nodes, usual.nodes);
   add("grasp", scene::Name(options.grasp), scene::Name(usual.grasp));
-  if (!options.models.empty()) command += fmt::format(" --models {}", options.models.string());
+  if (!options.models.empty()) {
+    command += fmt::format(" --models {}", sweep::Word(options.models.string()));
+  }
   return command + " --trial ";
 }
 
@@ -191,12 +196,19 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
                     .straight = std::vector<MatedTrial>(numbers.size()),
                     .covered = of.plan.absorbed,
                     .replay = ReplayCommand(options)};
+  const Interruption interruption;
   ForEachTrial(static_cast<int>(numbers.size()), options.jobs, [&](int nth) {
     const auto i = static_cast<std::size_t>(nth - 1);
-    study.strategy[i] = trials.RunStrategy(numbers[i], contacts);
+    MatedTrial strategy = trials.RunStrategy(numbers[i], contacts);
+    Interruption::BreakOffIfRequested();
     study.straight[i] = trials.RunStraight(numbers[i]);
+    study.strategy[i] = std::move(strategy);
     progress.Tell(fmt::format("mating in physics, trial {} of {}", nth, numbers.size()));
   });
+  // Those that were not made have no number.
+  for (std::vector<MatedTrial>* made : {&study.strategy, &study.straight}) {
+    std::erase_if(*made, [](const MatedTrial& trial) { return trial.number == 0; });
+  }
   std::vector<check::SequenceComparison> comparisons;
   for (const MatedTrial& trial : study.strategy) comparisons.push_back(trial.sequence->comparison);
   study.ranking = check::RankMargins(of.geometry.passage, of.plan, of.search.reach, comparisons);
@@ -209,7 +221,9 @@ void Try(const kinematics::JointVector& near, const Options& options, Planning& 
   of.study = Tried(of, near, options);
   of.json["seconds"]["trials"] = trying.Seconds();
   of.text += TextOf(*of.study);
+  of.text += Interruption::Text(std::ssize(of.study->strategy), std::ssize(NumbersOf(options)));
   of.json["trials"] = ToJson(*of.study);
+  if (Interruption::Requested()) of.json["interrupted"] = true;
   if (of.plan.found() && of.study->CoveredFailures() > 0) of.code = ExitCode::kFailed;
 }
 
@@ -252,8 +266,8 @@ ExitCode Execute(const Options& options) {
     Execute(options, planning);
     if (!options.pictures.empty()) Picture(options.pictures, planning);
   }
-  Print(options.json ? planning.json.dump(2) + "\n" : planning.text);
-  return planning.code;
+  Print(options.json ? plan::JsonText(planning.json) : planning.text);
+  return Interruption::CodeOr(planning.code);
 }
 
 void AddUncertainty(CLI::App& command, Options& options) {

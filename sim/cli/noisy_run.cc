@@ -11,9 +11,11 @@
 #include <vector>
 
 #include "planner/base/input_error.h"
+#include "planner/plan/json_layout.h"
 #include "sim/check/ledger.h"
 #include "sim/check/noisy_trial.h"
 #include "sim/cli/console.h"
+#include "sim/cli/interruption.h"
 #include "sim/cli/ledger_report.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
@@ -24,6 +26,7 @@
 #include "sim/cli/verdict_tally.h"
 #include "sim/exec/command_file.h"
 #include "sim/sense/overhead_camera.h"
+#include "sim/sweep/shell.h"
 #include "sim/sweep/wilson.h"
 
 namespace assay::cli {
@@ -56,34 +59,35 @@ class NoisyTrials {
                     check::MeasureGate(run.planned.problem, plan_, run.planned.simulation.scene)} {}
 
   ExitCode Execute() {
-    if (run_.only) {
-      Keep(*run_.only, RunOne(*run_.only));
-    } else {
-      ForEachTrial(run_.trials, run_.jobs, [this](int number) { Keep(number, RunOne(number)); });
-    }
+    const Interruption interruption;
+    ForEachTrial(Wanted(), run_.jobs, [this](int nth) {
+      const int number = run_.only.value_or(nth);
+      Keep(number, RunOne(number));
+    });
     progress_.reset();
     const Json result = Result();
     Json printed = result;
     printed["seconds"] = stopwatch_.Seconds();
-    Print(run_.json ? printed.dump(2) + "\n" : Report());
-    if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", result.dump(2) + "\n");
-    return Failed() == 0 ? ExitCode::kDone : ExitCode::kFailed;
+    PrintAndWrite(run_.json ? plan::JsonText(printed) : Report(), [&] {
+      if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", plan::JsonText(result));
+    });
+    return Interruption::CodeOr(Failed() == 0 ? ExitCode::kDone : ExitCode::kFailed);
   }
 
  private:
-  bool IsSingle() const { return run_.only || run_.trials == 1; }
+  int Wanted() const { return run_.only ? 1 : run_.trials; }
+  bool IsSingle() const { return Wanted() == 1; }
 
   noise::Noise NoiseOf(int number) const {
-    if (!run_.errors) return noise::Sample(box_, run_.mode, run_.seed, number);
-    try {
-      return noise::ParseNoise(*run_.errors, box_);
-    } catch (const InputError& error) {
-      throw UsageError(fmt::format("run: --errors: {}", error.what()));
-    }
+    return run_.errors ? NoiseFrom(*run_.errors, run_.planned)
+                       : noise::Sample(box_, run_.mode, run_.seed, number);
   }
 
   NoisyTrial RunOne(int number) const {
     exec::ExecutorOptions options;
+    options.on_step_end = [](const exec::StepEnd&, const mujoco::Data&) {
+      Interruption::BreakOffIfRequested();
+    };
     const bool traces = !run_.folder.empty();
     if (!traces) options.sample_rate = 0;
     const noise::Noise noise = NoiseOf(number);
@@ -102,7 +106,7 @@ class NoisyTrials {
     WriteFile(run_.folder / fmt::format("trace-{}.jsonl", number), text.str());
     if (IsSingle()) return;
     const Json ledger = ToJson(check::LedgerOf(experiment_, trial.noise, trial.trace));
-    WriteFile(run_.folder / fmt::format("ledger-{}.json", number), ledger.dump(2) + "\n");
+    WriteFile(run_.folder / fmt::format("ledger-{}.json", number), plan::JsonText(ledger));
   }
 
   void Keep(int number, NoisyTrial trial) {
@@ -118,7 +122,7 @@ class NoisyTrials {
     const std::lock_guard lock(mutex_);
     claims_.emplace(number, std::move(trial.claims));
     rows_.emplace(number, row);
-    progress_->Tell(fmt::format("{} of {} trials", rows_.size(), run_.trials));
+    progress_->Tell(fmt::format("{} of {} trials", rows_.size(), Wanted()));
   }
 
   std::map<std::string, int> Outcomes() const {
@@ -139,7 +143,7 @@ class NoisyTrials {
 
   std::string ReplayCommand(int number) const {
     std::string command = run_.command;
-    if (run_.errors) return fmt::format("{} --errors '{}'", command, *run_.errors);
+    if (run_.errors) return fmt::format("{} --errors {}", command, sweep::Quoted(*run_.errors));
     return fmt::format("{} --noise {}{} --seed {} --trial {}", command, noise::Name(run_.mode),
                        run_.camera ? " --sensing camera" : "", run_.seed, number);
   }
@@ -168,6 +172,7 @@ class NoisyTrials {
                    {"sensing", run_.camera ? "camera" : "drawn"},
                    {"gate", ToJson(plan_, experiment_.gate)},
                    {"rows", Json::array()}};
+    if (Interruption::Requested()) result["interrupted"] = true;
     for (const auto& [number, row] : rows_) {
       if (row.Failed()) result["replay"].push_back(ReplayCommand(number));
       result["rows"].push_back({{"trial", number},
@@ -219,6 +224,7 @@ class NoisyTrials {
           signalled, Count([](const NoisyRow& row) { return row.recovered > 0; }),
           Count([](const NoisyRow& row) { return row.operator_called; }));
     }
+    text += Interruption::Text(trials, Wanted());
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }
@@ -236,6 +242,14 @@ class NoisyTrials {
 };
 
 }  // namespace
+
+noise::Noise NoiseFrom(const std::string& errors, const PlannedProblem& planned) {
+  try {
+    return noise::ParseNoise(errors, noise::ErrorBox(planned.problem, planned.result.plan));
+  } catch (const InputError& error) {
+    throw UsageError(fmt::format("run: --errors: {}", error.what()));
+  }
+}
 
 ExitCode RunNoisy(const NoisyRun& run) { return NoisyTrials(run).Execute(); }
 

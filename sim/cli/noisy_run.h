@@ -28,6 +28,9 @@ struct NoisyRun {
 
 ExitCode RunNoisy(const NoisyRun& run);
 
+// The errors of a command line (noise::Text) for this plan. Throws UsageError.
+noise::Noise NoiseFrom(const std::string& errors, const PlannedProblem& planned);
+
 // The same plan attacked (check/attack.h).
 struct AttackRun {
   const PlannedProblem& planned;

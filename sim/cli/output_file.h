@@ -6,13 +6,17 @@
 
 namespace assay::cli {
 
-// All throw EnvironmentError, with the path and the system's words, if they cannot do it.
+// The one place that opens files to write. Everything here throws EnvironmentError, with the path
+// and the system's words, if it cannot be done, and UsageError if it would overwrite a file that
+// this command has read, by whatever path or link (planner/base/input_file.h).
 
 // Asked before work begins whose result is to be written there.
 void RequireWritable(const std::filesystem::path& file);
 
-// Replaces the file as a whole: written under a temporary name beside it, then renamed, so that
-// nobody ever sees a part of it, and what was there before stays if the disk is full.
+// Replaces the file as a whole: written beside it, brought to the disk, then renamed, so that
+// nobody ever sees a part of it, and what was there before stays if the disk is full or the power
+// fails. Links are followed. What is no regular file (a device, a pipe) is written into, and so is
+// a file that is standard output or standard error.
 void WriteFile(const std::filesystem::path& file, std::string_view text);
 
 // The same for what `write` writes to the path that it is given, which has the file's ending.

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "planner/assembly/contingent_assembly.h"
+#include "planner/base/quotation.h"
 #include "planner/plan/json_layout.h"
 #include "planner/plan/plan_file.h"
 #include "sim/cli/console.h"
@@ -41,7 +42,7 @@ struct Options {
   std::int64_t budget = posting::PlannerOptions().partial_plans;
   std::string propagation = "sound";
   std::vector<std::string> resolvers = {};           // empty: the scenario's
-  std::optional<int> explain;                        // place of a step, from 1
+  std::optional<std::string> explain;                // a step: its place, from 1, or its id
   std::vector<const CLI::Option*> of_planning = {};  // of no use with a plan file
 };
 
@@ -49,7 +50,7 @@ posting::PlannerOptions PlannerOptionsFrom(const Options& options) {
   posting::PlannerOptions planner;
   planner.partial_plans = options.budget;
   if (options.trace) {
-    planner.trace = [](const std::string& line) { fmt::print(stderr, "{}\n", line); };
+    planner.trace = [](const std::string& line) { Remark(assay::Show(line) + "\n"); };
   }
   return planner;
 }
@@ -88,13 +89,15 @@ Json InstanceToJson(const plan::Plan& instance, const domain::Problem& problem) 
   return {{"actions", plan["actions"]}, {"ordering", plan["ordering"]}};
 }
 
-plan::StepId StepToExplain(const plan::Plan& plan, int place) {
+plan::StepId StepToExplain(const plan::Plan& plan, const std::string& named) {
   const std::vector<plan::StepId> order = plan.ExecutionOrder();
-  if (place < 1 || place > std::ssize(order)) {
-    throw UsageError(
-        fmt::format("--explain: there is no step {}; allowed: 1 to {}", place, order.size()));
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (named == plan.step(order[i]).name || named == std::to_string(i + 1)) return order[i];
   }
-  return order[place - 1];
+  throw UsageError(fmt::format(
+      "plan: --explain: there is no step {}; allowed: 1 to {}, or an id such as {} (see assay plan "
+      "--help)",
+      Quote(named), order.size(), order.empty() ? "action_1" : plan.step(order.front()).name));
 }
 
 std::string CountersText(const plan::PlanResult& result, double seconds) {
@@ -151,7 +154,7 @@ ExitCode ExecuteTree(const std::vector<domain::Problem>& worlds, const Options& 
   }();
   Json json = ToJson(worlds, assembly);
   json["seconds"] = stopwatch.Seconds();
-  Print(options.json ? json.dump(2) + "\n" : Text(worlds, assembly));
+  Print(options.json ? plan::JsonText(json) : Text(worlds, assembly));
   return ExitCodeOf(assembly.outcome);
 }
 
@@ -180,14 +183,15 @@ ExitCode ExecutePlan(const PlannedProblem& planned, double seconds, const Option
   }
   json["seconds"] = seconds;
   if (!options.explain) text += CountersText(result, seconds);
-  Print(options.json ? plan::LaidOut(json) : text);
-  if (!options.output.empty()) WriteFile(options.output, plan_file);
+  PrintAndWrite(options.json ? plan::LaidOut(json) : text, [&] {
+    if (!options.output.empty()) WriteFile(options.output, plan_file);
+  });
   return holds ? ExitCodeOf(result.outcome) : ExitCode::kFailed;
 }
 
 ExitCode Execute(const Options& options) {
-  RequireWritable(options.output);
   const Document document = Document::Load(options.input);
+  RequireWritable(options.output);
   const Stopwatch stopwatch;
   // A plan file is shown as it is.
   if (IsPlanFile(document)) {
@@ -231,7 +235,8 @@ Execution Declare(CLI::App& command) {
       command.add_flag("--json", options->json, "print the plan as JSON, with the seconds it took");
   command
       .add_option("--explain", options->explain,
-                  "instead of the plan, tell why this step of it is safe or not")
+                  "instead of the plan, tell why this step of it, named by its place or id, is "
+                  "safe or not")
       ->type_name("STEP")
       ->excludes(json);
   command.add_flag("--check", options->check,
@@ -251,7 +256,7 @@ const Verb kPlan = {
     .summary = "makes a plan for a scenario, with certificates",
     .example =
         "assay plan scenarios/spar-fig13.yaml -o plan.json\n"
-        "  assay plan plan.json --explain 3",
+        "  assay plan plan.json --explain action_3",
     .declare = plan_verb::Declare,
 };
 

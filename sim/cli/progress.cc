@@ -1,10 +1,11 @@
 #include "sim/cli/progress.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
-#include <cstdio>
+
+#include "planner/base/quotation.h"
+#include "sim/cli/console.h"
 
 namespace assay::cli {
 namespace {
@@ -20,7 +21,7 @@ double SecondsSince(Clock::time_point start) {
 }  // namespace
 
 Progress::Progress(std::string what) : what_(std::move(what)) {
-  if (isatty(STDERR_FILENO) == 0) return;
+  if (!RemarksAreSeen()) return;
   thread_ = std::jthread([this](std::stop_token stop) { Show(std::move(stop)); });
 }
 
@@ -37,10 +38,9 @@ void Progress::Show(std::stop_token stop) {
   const auto stopped = [&stop] { return stop.stop_requested(); };
   if (ended_.wait_for(lock, stop, kSilence, stopped)) return;
   do {
-    fmt::print(stderr, "\r{} ({:.0f} s)\033[K", what_, SecondsSince(start));
-    std::fflush(stderr);
+    Remark(fmt::format("\r{} ({:.0f} s)\033[K", assay::Show(what_), SecondsSince(start)));
   } while (!ended_.wait_for(lock, stop, kInterval, stopped));
-  fmt::print(stderr, "\r\033[K");
+  Remark("\r\033[K");
 }
 
 }  // namespace assay::cli

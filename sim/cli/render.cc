@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
 #include "sim/cli/output_file.h"
@@ -56,7 +57,7 @@ ExitCode Execute(const Options& options) {
   }();
   film.Write(options.folder);
   const exec::ExecutionEnd& end = trial.trace.end();
-  Print(options.json ? ToJson(film, end).dump(2) + "\n" : ForPeople(film, end));
+  Print(options.json ? plan::JsonText(ToJson(film, end)) : ForPeople(film, end));
   const bool done = end.outcome == exec::ExecutionOutcome::kDone;
   return done ? ExitCode::kDone : ExitCode::kFailed;
 }

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "planner/base/input_error.h"
+#include "planner/plan/json_layout.h"
 #include "sim/check/ledger.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
@@ -45,7 +46,7 @@ struct Options {
 };
 
 TrialRecord FindTrial(const sweep::Store& store, int trial) {
-  const int trials = std::stoi(store.Facts().at("trials"));
+  const int trials = store.TrialsInAll();
   if (trial > trials) {
     throw UsageError(fmt::format("replay: there is no trial {}; allowed: 1 to {}", trial, trials));
   }
@@ -210,7 +211,7 @@ ExitCode Execute(const Options& options) {
                      {"stored", ToJson(stored)},
                      {"again", ToJson(again.record)},
                      {"ledger", cli::ToJson(again.ledger)}};
-  Print(options.json ? json.dump(2) + "\n" : ForPeople(stored, again));
+  Print(options.json ? plan::JsonText(json) : ForPeople(stored, again));
   return equal ? ExitCode::kDone : ExitCode::kFailed;
 }
 
@@ -224,7 +225,7 @@ Execution Declare(CLI::App& command) {
       command.add_option("-o,--output", options->folder, "folder for pictures");
   command.add_flag("--renders", options->renders, "take pictures of the start and each step's end")
       ->needs(folder);
-  AddPictureOptions(command, options->pictures);
+  AddPictureOptions(command, options->pictures, "--renders");
   command.add_flag("--json", options->json, "print the result as JSON");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);

@@ -81,9 +81,9 @@ void WriteTables(const report::Findings& findings, const fs::path& folder) {
 }
 
 ExitCode Execute(const Options& options) {
+  const sweep::Store store = sweep::Store::Open(options.database);
   RequireWritable(options.page);
   if (!options.tables.empty()) MakeFolder(options.tables);
-  const sweep::Store store = sweep::Store::Open(options.database);
   const report::Findings findings = [&] {
     const Progress progress("reading " + options.database.string());
     return report::ReadFindings(store, options.database.string());
@@ -109,11 +109,9 @@ Execution Declare(CLI::App& command) {
                   "how many cells have their certificates told step by step, at most")
       ->check(CLI::Range(0, 1000))
       ->capture_default_str();
-  CLI::Option* const pictures =
-      command.add_flag("--pictures", options->pictures,
-                       "execute the best, the typical and the worst trial again, with pictures");
-  AddPictureOptions(command, options->picture);
-  for (const char* name : {"--camera", "--size"}) command.get_option(name)->needs(pictures);
+  command.add_flag("--pictures", options->pictures,
+                   "execute the best, the typical and the worst trial again, with pictures");
+  AddPictureOptions(command, options->picture, "--pictures");
   command.add_option("--models", options->models, "folder with parts/ and workcells/")
       ->check(CLI::ExistingDirectory);
   return [options] { return Execute(*options); };

@@ -14,6 +14,7 @@
 #include "planner/plan/plan_file.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
+#include "sim/cli/interruption.h"
 #include "sim/cli/noisy_run.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_report.h"
@@ -27,6 +28,7 @@
 #include "sim/cli/trial_report.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
+#include "sim/sweep/shell.h"
 
 namespace assay::cli {
 namespace run_verb {
@@ -63,6 +65,8 @@ bool IsNoisy(const Options& options) { return options.noise || options.errors; }
 struct Summary {
   check::TrialOutcome outcome;
   std::string reason;
+
+  bool Succeeded() const { return outcome == check::TrialOutcome::kSucceeded; }
 };
 
 class Run {
@@ -71,8 +75,7 @@ class Run {
       : options_(options),
         planned_(planned),
         seed_(options.seed.value_or(planned.simulation.seed)),
-        scene_(planned.problem, SceneOptions()),
-        summaries_(options.trials) {}
+        scene_(planned.problem, SceneOptions()) {}
 
   ExitCode Execute() {
     std::optional<Film> film;
@@ -80,6 +83,7 @@ class Run {
       film.emplace(FilmSubject{planned_.problem, planned_.result.plan, scene_},
                    planned_.simulation.cameras, options_.pictures);
     }
+    const Interruption interruption;
     RunTrials({planned_.problem, planned_.result.plan, scene_},
               {options_.trials, options_.jobs, film ? &*film : nullptr},
               [this](Trial trial) { Keep(std::move(trial)); });
@@ -87,12 +91,12 @@ class Run {
     const Json result = Result();
     Json printed = result;
     printed["seconds"] = stopwatch_.Seconds();
-    Print(options_.json ? printed.dump(2) + "\n" : Report());
-    if (!options_.folder.empty()) {
-      WriteFile(options_.folder / "result.json", result.dump(2) + "\n");
+    PrintAndWrite(options_.json ? plan::JsonText(printed) : Report(), [&] {
+      if (options_.folder.empty()) return;
+      WriteFile(options_.folder / "result.json", plan::JsonText(result));
       if (film) film->Write(options_.folder);
-    }
-    return Succeeded() == options_.trials ? ExitCode::kDone : ExitCode::kFailed;
+    });
+    return Interruption::CodeOr(Succeeded() == Trials() ? ExitCode::kDone : ExitCode::kFailed);
   }
 
  private:
@@ -105,8 +109,8 @@ class Run {
   void Keep(Trial trial) {
     if (!options_.folder.empty()) WriteTrace(trial);
     const std::lock_guard lock(mutex_);
-    summaries_[trial.number - 1] = {trial.verdict.outcome, trial.verdict.reason};
-    progress_->Tell(fmt::format("{} of {} trials", ++done_, options_.trials));
+    summaries_[trial.number] = {trial.verdict.outcome, trial.verdict.reason};
+    progress_->Tell(fmt::format("{} of {} trials", Trials(), options_.trials));
     if (trial.number == 1) first_ = std::move(trial);
   }
 
@@ -118,57 +122,62 @@ class Run {
     WriteFile(options_.folder / name, text.str());
   }
 
+  int Trials() const { return static_cast<int>(summaries_.size()); }
   int Succeeded() const {
-    return static_cast<int>(
-        std::ranges::count(summaries_, check::TrialOutcome::kSucceeded, &Summary::outcome));
+    return static_cast<int>(std::ranges::count_if(
+        summaries_, [](const auto& entry) { return entry.second.Succeeded(); }));
   }
 
   // The failures by their name.
   std::map<std::string, int> Failures() const {
     std::map<std::string, int> failures;
-    for (const Summary& summary : summaries_) {
-      if (summary.outcome == check::TrialOutcome::kSucceeded) continue;
-      ++failures[std::string(check::Name(summary.outcome))];
+    for (const auto& [number, summary] : summaries_) {
+      if (!summary.Succeeded()) ++failures[std::string(check::Name(summary.outcome))];
     }
     return failures;
   }
 
   // The command that executes again what failed.
   std::string ReplayCommand() const {
-    std::string command = fmt::format("assay run {} --seed {}", options_.input.string(), seed_);
+    std::string command =
+        fmt::format("assay run {} --seed {}", sweep::Word(options_.input.string()), seed_);
     if (options_.grasp) command += fmt::format(" --grasp {}", scene::Name(*options_.grasp));
-    if (!options_.models.empty()) command += fmt::format(" --models {}", options_.models.string());
+    if (!options_.models.empty()) {
+      command += fmt::format(" --models {}", sweep::Word(options_.models.string()));
+    }
     return command;
   }
 
   Json Result() const {
     const int succeeded = Succeeded();
-    Json result = {{"trials", options_.trials},
+    Json result = {{"trials", Trials()},
                    {"succeeded", succeeded},
                    {"failed", Failures()},
                    {"verdicts", {{"contained", 0}, {"violated", 0}, {"inconclusive", 0}}},
                    {"worst", Json::array()},
                    {"replay", Json::array()}};
-    if (succeeded < options_.trials) result["replay"].push_back(ReplayCommand());
+    if (Interruption::Requested()) result["interrupted"] = true;
+    if (succeeded < Trials()) result["replay"].push_back(ReplayCommand());
     result["scenario"] = planned_.scenario;
     result["seed"] = seed_;
     result["grasp"] = scene::Name(scene_.options().grasp);
-    result["first"] = ToJson(planned_.problem, planned_.result.plan, *first_);
+    if (first_) result["first"] = ToJson(planned_.problem, planned_.result.plan, *first_);
     return result;
   }
 
   std::string Report() const {
-    std::string text = ForPeople(planned_.problem, planned_.result.plan, *first_);
+    std::string text =
+        first_ ? ForPeople(planned_.problem, planned_.result.plan, *first_) + "\n" : "";
     const int succeeded = Succeeded();
-    text += fmt::format("\n{} of {} trials succeeded\n", succeeded, options_.trials);
+    text += fmt::format("{} of {} trials succeeded\n", succeeded, Trials());
     for (const auto& [name, count] : Failures()) text += fmt::format("{}: {}\n", name, count);
-    if (succeeded < options_.trials) {
-      const auto failed = std::ranges::find_if(summaries_, [](const Summary& summary) {
-        return summary.outcome != check::TrialOutcome::kSucceeded;
-      });
-      text += fmt::format("trial {}: {}\nagain: {}\n", failed - summaries_.begin() + 1,
-                          failed->reason, ReplayCommand());
+    if (succeeded < Trials()) {
+      const auto failed = std::ranges::find_if(
+          summaries_, [](const auto& entry) { return !entry.second.Succeeded(); });
+      text += fmt::format("trial {}: {}\nagain: {}\n", failed->first, failed->second.reason,
+                          ReplayCommand());
     }
+    text += Interruption::Text(Trials(), options_.trials);
     if (!options_.folder.empty()) text += fmt::format("files in {}\n", options_.folder.string());
     return text;
   }
@@ -179,15 +188,14 @@ class Run {
   const scene::Scene scene_;
   const Stopwatch stopwatch_;
   std::mutex mutex_;
-  std::vector<Summary> summaries_;  // by number, less 1
+  std::map<int, Summary> summaries_;  // by number
   std::optional<Trial> first_;
-  int done_ = 0;
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing the plan");
 };
 
 // Says why nothing is executed.
 ExitCode Refuse(const std::string& text, const Json& json, const Options& options, ExitCode code) {
-  Print(options.json ? json.dump(2) + "\n" : text);
+  Print(options.json ? plan::JsonText(json) : text);
   return code;
 }
 
@@ -227,14 +235,16 @@ PlannedProblem Planned(const Options& options) {
 
 // What makes the same plan again.
 std::string CommandFor(const Options& options) {
-  std::string command = "assay run " + options.input.string();
+  std::string command = "assay run " + sweep::Word(options.input.string());
   if (options.propagation != "sound") command += " --propagation " + options.propagation;
   if (!options.resolvers.empty()) {
     command += fmt::format(" --resolvers {}", fmt::join(options.resolvers, ","));
   }
   if (options.error_scale != 1) command += fmt::format(" --error-scale {}", options.error_scale);
   if (options.grasp) command += fmt::format(" --grasp {}", scene::Name(*options.grasp));
-  if (!options.models.empty()) command += fmt::format(" --models {}", options.models.string());
+  if (!options.models.empty()) {
+    command += fmt::format(" --models {}", sweep::Word(options.models.string()));
+  }
   return command;
 }
 
@@ -266,16 +276,26 @@ ExitCode ExecuteNoisy(const Options& options, PlannedProblem& planned) {
                    .json = options.json});
 }
 
+// A plan that was read from there stays there as it is.
+void KeepPlan(const PlannedProblem& planned, const Json& plan_file, const Options& options) {
+  if (options.folder.empty()) return;
+  const fs::path file = options.folder / "plan.json";
+  std::error_code ignored;
+  if (!planned.plan_file.empty() && fs::equivalent(planned.plan_file, file, ignored)) return;
+  WriteFile(file, plan::LaidOut(plan_file));
+}
+
 ExitCode Execute(const Options& options) {
   if (!options.folder.empty()) MakeFolder(options.folder);
   if (options.scatter) return ExecuteScattered(options);
   PlannedProblem planned = Planned(options);
   const plan::PlanResult& result = planned.result;
   Json plan_file = plan::ToJson(result, planned.problem, planned.scenario);
-  if (!options.folder.empty()) WriteFile(options.folder / "plan.json", plan::LaidOut(plan_file));
+  KeepPlan(planned, plan_file, options);
   if (result.outcome != Outcome::kFound) {
     return Refuse(Text(planned.problem, result), plan_file, options, ExitCodeOf(result.outcome));
   }
+  if (options.errors) NoiseFrom(*options.errors, planned);  // refused before what takes its time
   const plan::CheckReport check =
       planned.plan_file.empty() ? CheckPlan(planned.problem, result.plan) : CheckPlan(planned);
   if (!check.flaws.empty()) {
@@ -335,7 +355,7 @@ Execution Declare(CLI::App& command) {
       ->transform(CLI::CheckedTransformer(kGraspModes));
   command.add_flag("--renders", options->renders, "take pictures of the start and each step's end")
       ->needs(folder);
-  AddPictureOptions(command, options->pictures);
+  AddPictureOptions(command, options->pictures, "--renders");
   CLI::Option* const scatter = command.add_flag(
       "--scatter", options->scatter,
       "in each trial the parts lie at other places, drawn from the seed, and a plan is made anew");

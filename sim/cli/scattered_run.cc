@@ -11,13 +11,16 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/domain/scatter.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
+#include "sim/cli/interruption.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/table.h"
 #include "sim/cli/trial.h"
+#include "sim/sweep/shell.h"
 
 namespace assay::cli {
 namespace {
@@ -39,20 +42,21 @@ class Scattering {
       : run_(run), scenario_(scenario), progress_("planning and executing") {}
 
   ExitCode Execute() {
-    if (run_.only) {
-      Keep(RunOne(*run_.only));
-    } else {
-      ForEachTrial(run_.trials, run_.jobs, [this](int number) { Keep(RunOne(number)); });
-    }
+    const Interruption interruption;
+    ForEachTrial(Wanted(), run_.jobs, [this](int nth) { Keep(RunOne(run_.only.value_or(nth))); });
     const Json result = Result();
     Json printed = result;
     printed["seconds"] = stopwatch_.Seconds();
-    Print(run_.json ? printed.dump(2) + "\n" : Report());
-    if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", result.dump(2) + "\n");
-    return Succeeded() == static_cast<int>(rows_.size()) ? ExitCode::kDone : ExitCode::kFailed;
+    PrintAndWrite(run_.json ? plan::JsonText(printed) : Report(), [&] {
+      if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", plan::JsonText(result));
+    });
+    const bool all_succeeded = Succeeded() == static_cast<int>(rows_.size());
+    return Interruption::CodeOr(all_succeeded ? ExitCode::kDone : ExitCode::kFailed);
   }
 
  private:
+  int Wanted() const { return run_.only ? 1 : run_.trials; }
+
   ScatteredRow RunOne(int number) const {
     RandomStream random(run_.seed, fmt::format("scatter/{}", number));
     const std::optional<domain::Problem> problem = domain::Scatter(scenario_.problem, random);
@@ -90,7 +94,7 @@ class Scattering {
     const std::lock_guard lock(mutex_);
     const int number = row.number;
     rows_.emplace(number, std::move(row));
-    progress_.Tell(fmt::format("{} of {} trials", rows_.size(), run_.trials));
+    progress_.Tell(fmt::format("{} of {} trials", rows_.size(), Wanted()));
   }
 
   std::map<std::string, int> Outcomes() const {
@@ -107,9 +111,10 @@ class Scattering {
   bool Welds() const { return scenario_.simulation.scene.grasp == scene::GraspMode::kWeld; }
 
   std::string ReplayCommand(int number) const {
-    return fmt::format("assay run {} --scatter --seed {} --trial {}{}{}", run_.scenario.string(),
-                       run_.seed, number, Welds() ? " --grasp weld" : "",
-                       run_.models.empty() ? "" : " --models " + run_.models.string());
+    return fmt::format("assay run {} --scatter --seed {} --trial {}{}{}",
+                       sweep::Word(run_.scenario.string()), run_.seed, number,
+                       Welds() ? " --grasp weld" : "",
+                       run_.models.empty() ? "" : " --models " + sweep::Word(run_.models.string()));
   }
 
   Json Result() const {
@@ -125,6 +130,7 @@ class Scattering {
                    {"seed", run_.seed},
                    {"grasp", Welds() ? "weld" : "friction"},
                    {"rows", Json::array()}};
+    if (Interruption::Requested()) result["interrupted"] = true;
     for (const auto& [number, row] : rows_) {
       if (row.outcome != kSucceeded) result["replay"].push_back(ReplayCommand(number));
       result["rows"].push_back({{"trial", number},
@@ -145,6 +151,7 @@ class Scattering {
                           ReplayCommand(number));
     }
     text += fmt::format("\n{} of {} trials succeeded\n", Succeeded(), rows_.size());
+    text += Interruption::Text(std::ssize(rows_), Wanted());
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }

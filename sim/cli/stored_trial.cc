@@ -20,13 +20,28 @@ sweep::Sweep SweepOf(const sweep::Store& store) {
   return sweep;
 }
 
+namespace {
+
+// What is wrong in a stored plan is wrong in the database.
+sweep::PlannedCell Restored(const sweep::Store& store, const sweep::Sweep& sweep,
+                            const fs::path& models, const sweep::Cell& cell,
+                            const sweep::CellRecord& record) {
+  try {
+    return sweep::RealWork(sweep, models).restore(cell, record);
+  } catch (const InputError& error) {
+    throw InputError({.file = store.file().string()}, error.what(), "");
+  }
+}
+
+}  // namespace
+
 sweep::PlannedCell RestoredCell(const sweep::Store& store, const sweep::TrialRecord& trial,
                                 const fs::path& models) {
   const sweep::Sweep sweep = SweepOf(store);
   const std::vector<sweep::Cell> cells = sweep::Cells(sweep);
   const sweep::Cell& cell = cells[sweep::PlaceOf(cells, trial.trial).cell];
   for (const sweep::CellRecord& record : store.Cells()) {
-    if (record.cell == cell.number) return sweep::RealWork(sweep, models).restore(cell, record);
+    if (record.cell == cell.number) return Restored(store, sweep, models, cell, record);
   }
   throw InputError({.file = store.file().string()}, fmt::format("cell {} is missing", cell.number),
                    "a database as it was written");

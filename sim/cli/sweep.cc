@@ -1,7 +1,9 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,8 @@
 #include <thread>
 
 #include "planner/base/input_error.h"
+#include "planner/base/quotation.h"
+#include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/interruption.h"
 #include "sim/cli/output_file.h"
@@ -72,6 +76,9 @@ class Narrator {
 
   void Tell(const sweep::Advance& advance) {
     if (advance.trials == 0 && advance.attempts == 0) {
+      if (advance.cells > 0 && advance.cells_planned == 0) {
+        Line(fmt::format("planning {} cells", advance.cells));
+      }
       progress_.Tell(fmt::format("{} of {} cells planned", advance.cells_planned, advance.cells));
       return;
     }
@@ -110,7 +117,7 @@ class Narrator {
 
   // Wipes what the progress has on the line.
   static void Line(const std::string& text) {
-    fmt::print(stderr, "{}{}\n", isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "", text);
+    Remark(fmt::format("{}{}\n", RemarksAreSeen() ? "\r\033[K" : "", text));
   }
 
   const int jobs_;
@@ -120,9 +127,47 @@ class Narrator {
   Progress progress_{"planning"};
 };
 
+// A plan that is being made cannot be broken off, and nothing of it could be kept: if the program
+// is interrupted while plans are made, this ends it within a second or two. What was planned before
+// is on the disk, where transactions leave nothing half done.
+class PlanningWatch {
+ public:
+  explicit PlanningWatch(const fs::path& database)
+      : database_(database), thread_([this](const std::stop_token& end) { Watch(end); }) {}
+
+  void Tell(const sweep::Advance& advance) {
+    cells_ = advance.cells;
+    cells_planned_ = advance.cells_planned;
+    is_planning_ = advance.trials == 0 && advance.attempts == 0;
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds kInterval{100};
+  static constexpr int kPatience = 10;  // intervals
+
+  void Watch(const std::stop_token& end) {
+    for (int waited = 0; !end.stop_requested() && waited < kPatience;) {
+      std::this_thread::sleep_for(kInterval);
+      waited = Interruption::Requested() && is_planning_ ? waited + 1 : 0;
+    }
+    if (end.stop_requested()) return;
+    PrintError(
+        fmt::format("interrupted: {} of {} cells are planned, in {}; the same command with "
+                    "--resume goes on",
+                    cells_planned_.load(), cells_.load(), database_.string()));
+    std::_Exit(static_cast<int>(Interruption::CodeOr(ExitCode::kDone)));
+  }
+
+  const fs::path database_;
+  std::atomic<bool> is_planning_ = true;
+  std::atomic<int> cells_ = 0;
+  std::atomic<int> cells_planned_ = 0;
+  std::jthread thread_;  // last: it uses the others
+};
+
 ExitCode Show(const sweep::Store& store, const fs::path& database, bool json) {
   const SweepResults results = ResultsOf(store, database.string());
-  Print(json ? ToJson(results).dump(2) + "\n" : ForPeople(results));
+  Print(json ? plan::JsonText(ToJson(results)) : ForPeople(results));
   return ExitCodeOf(results);
 }
 
@@ -131,15 +176,25 @@ sweep::RunEnd RunShard(const sweep::Sweep& sweep, const sweep::Shard& shard, swe
   const sweep::Work work = sweep::RealWork(sweep, options.models);
   const Interruption interruption;
   Narrator narrator(options.jobs, store.MeanSeconds());
+  PlanningWatch watch(store.file());
   return sweep::RunSweep(sweep, work, store,
                          {.jobs = options.jobs,
                           .shard = shard,
                           .stop = Interruption::Requested,
-                          .tell = [&](const sweep::Advance& advance) { narrator.Tell(advance); }});
+                          .tell = [&](const sweep::Advance& advance) {
+                            narrator.Tell(advance);
+                            watch.Tell(advance);
+                          }});
+}
+
+void RequireDiskFile(const fs::path& database) {
+  if (database != ":memory:") return;
+  throw UsageError("sweep: --db: ':memory:' would be lost at the end; allowed: a file");
 }
 
 ExitCode Execute(const Options& options) {
   const sweep::Shard shard = ShardFrom(options.shard);
+  RequireDiskFile(options.database);
   const sweep::Sweep sweep = sweep::Load(options.sweep);
   const fs::path database = options.Database();
   const sweep::SweepFacts facts = sweep::FactsOf(sweep, ASSAY_VERSION);
@@ -154,7 +209,7 @@ ExitCode Execute(const Options& options) {
         fmt::format("interrupted: {} trials are written to {}, {} are left; the same "
                     "command with --resume goes on",
                     end.before + end.done, database.string(), end.left));
-    return ExitCode::kBudgetSpent;
+    return Interruption::CodeOr(ExitCode::kBudgetSpent);
   }
   return Show(sweep::Store::Open(database), database, options.json);
 }
@@ -168,7 +223,7 @@ ExitCode ExecuteMerge(const Options& options) {
   RequireWritable(options.out);
   WriteFileBy(options.out, [&](const fs::path& path) { sweep::Merge(path, options.parts); });
   const SweepResults results = ResultsOf(sweep::Store::Open(options.out), options.out.string());
-  Print(options.json ? ToJson(results).dump(2) + "\n"
+  Print(options.json ? plan::JsonText(ToJson(results))
                      : fmt::format("{} of {} trials from {} databases\n", results.Done(),
                                    results.trials, options.parts.size()));
   return ExitCode::kDone;
@@ -179,8 +234,22 @@ ExitCode ExecuteShow(const Options& options) {
   return ExitCode::kDone;
 }
 
+// A script's comments end where a line does, and what is printed shows other control characters.
+void RequirePlainName(const fs::path& path) {
+  if (path.empty()) return;
+  const std::string absolute = fs::absolute(path).string();
+  if (absolute.find('\n') == std::string::npos && ShowLines(absolute) == absolute) return;
+  throw UsageError(
+      fmt::format("sweep: slurm: {} cannot stand in a script; allowed: names without "
+                  "line breaks and control characters",
+                  Quote(absolute)));
+}
+
 ExitCode ExecuteSlurm(const Options& options) {
   sweep::Load(options.sweep);
+  for (const fs::path& path : {options.sweep, options.Database(), options.models}) {
+    RequirePlainName(path);
+  }
   Print(sweep::SlurmScript({.program = fs::read_symlink("/proc/self/exe"),
                             .sweep = options.sweep,
                             .database = options.Database(),
@@ -284,7 +353,7 @@ const Verb kSweep = {
     .example =
         "assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite\n"
         "  assay sweep scenarios/sweeps/spar-fig15.yaml --db fig15.sqlite --resume\n"
-        "\nInterrupted, it ends with 11, and --resume goes on where it was.",
+        "\nInterrupted, it ends with 130 or 143, and --resume goes on where it was.",
     .declare = sweep_verb::Declare,
 };
 

@@ -250,7 +250,7 @@ check::VerdictCounts SweepResults::Certificates() const {
 
 SweepResults ResultsOf(const sweep::Store& store, const std::string& database) {
   SweepResults results = {.database = database,
-                          .trials = std::stoi(store.Facts().at("trials")),
+                          .trials = store.TrialsInAll(),
                           .cells = sweep::Summarize(store),
                           .runs = store.Runs(),
                           .first_bad = static_cast<int>(store.database().Integer(

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "planner/base/quotation.h"
 
 namespace assay::cli {
 namespace {
@@ -19,6 +20,7 @@ int WidthOf(const std::string& text) {
 
 void Table::Add(std::vector<std::string> row) {
   ASSAY_CHECK(row.size() == columns_.size(), "{} cells in {} columns", row.size(), columns_.size());
+  for (std::string& cell : row) cell = Show(cell);
   rows_.push_back(std::move(row));
 }
 

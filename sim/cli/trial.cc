@@ -7,6 +7,7 @@
 #include <thread>
 #include <vector>
 
+#include "sim/cli/interruption.h"
 #include "sim/exec/executor.h"
 
 namespace assay::cli {
@@ -17,7 +18,7 @@ class Queue {
  public:
   explicit Queue(int trials) : trials_(trials) {}
 
-  int Next() { return failed_ ? trials_ + 1 : ++last_; }
+  int Next() { return failed_ || Interruption::Requested() ? trials_ + 1 : ++last_; }
   bool Has(int number) const { return number <= trials_; }
 
   void Fail(std::exception_ptr error) {
@@ -41,13 +42,12 @@ class Queue {
 
 Trial RunTrial(const Experiment& experiment, int number, Film* film) {
   mujoco::Data data = experiment.scene.Start();
+  if (film != nullptr) film->TakeStart(data);
   exec::ExecutorOptions options;
-  if (film != nullptr) {
-    film->TakeStart(data);
-    options.on_step_end = [film](const exec::StepEnd& end, const mujoco::Data& at_end) {
-      film->TakeStepEnd(end, at_end);
-    };
-  }
+  options.on_step_end = [film](const exec::StepEnd& end, const mujoco::Data& at_end) {
+    if (film != nullptr) film->TakeStepEnd(end, at_end);
+    Interruption::BreakOffIfRequested();
+  };
   exec::Trace trace =
       exec::Execute(experiment.problem, experiment.plan, experiment.scene, data, options);
   check::Verdict verdict = check::Judge(experiment.problem, trace, {});
@@ -59,6 +59,8 @@ void ForEachTrial(int trials, int jobs, const std::function<void(int)>& work) {
   const auto work_through = [&](int first) {
     try {
       for (int number = first; queue.Has(number); number = queue.Next()) work(number);
+    } catch (const BrokenOff&) {
+      // So are all others.
     } catch (...) {
       queue.Fail(std::current_exception());
     }

@@ -26,11 +26,13 @@ struct Trial {
   check::Verdict verdict;
 };
 
-// `film` takes pictures, unless it is null.
+// `film` takes pictures, unless it is null. Throws BrokenOff at the end of a step if an
+// interruption is requested (interruption.h).
 Trial RunTrial(const Experiment& experiment, int number, Film* film);
 
-// Calls `work` with the numbers 1 .. trials on that many threads; number 1 on this one. Throws what
-// `work` threw first, after which no more numbers are handed out.
+// Calls `work` with the numbers 1 .. trials on that many threads; number 1 on this one. No more
+// numbers are handed out once an interruption is requested, or once `work` threw, what is thrown on
+// at the end. BrokenOff ends nothing but its thread.
 void ForEachTrial(int trials, int jobs, const std::function<void(int number)>& work);
 
 struct TrialPlan {
@@ -40,8 +42,8 @@ struct TrialPlan {
 };
 
 // Runs the trials on that many threads; the first one on this thread. `done` gets each as it ends,
-// in any order and from any thread: what the trials come to does not depend on it. Throws what a
-// trial or `done` threw.
+// in any order and from any thread: what the trials come to does not depend on it. An interruption
+// ends them early. Throws what a trial or `done` threw.
 void RunTrials(const Experiment& experiment, const TrialPlan& plan,
                const std::function<void(Trial)>& done);
 

@@ -17,12 +17,16 @@ void RequireEveryPixel(const Image& image) {
 
 }  // namespace
 
-void WritePng(const Image& image, const std::filesystem::path& file) {
+std::string EncodedPng(const Image& image) {
   RequireEveryPixel(image);
   const std::vector<std::uint8_t> bytes = Pictures().EncodePng(image);
+  return {bytes.begin(), bytes.end()};
+}
+
+void WritePng(const Image& image, const std::filesystem::path& file) {
+  const std::string bytes = EncodedPng(image);
   std::ofstream stream(file, std::ios::binary);
-  stream.write(reinterpret_cast<const char*>(bytes.data()),
-               static_cast<std::streamsize>(bytes.size()));
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   stream.close();
   if (!stream) throw EnvironmentError(file.string() + ": cannot be written");
 }

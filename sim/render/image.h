@@ -18,6 +18,7 @@ struct Image {
   bool operator==(const Image&) const = default;
 };
 
+std::string EncodedPng(const Image& image);  // the contents of a PNG file
 // Throws EnvironmentError if the file cannot be written completely.
 void WritePng(const Image& image, const std::filesystem::path& file);
 // Throws InputError if the file is not a readable picture.

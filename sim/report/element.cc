@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "planner/base/quotation.h"
+
 namespace assay::report {
 namespace {
 
@@ -40,20 +42,14 @@ std::string_view Replacement(char c) {
   }
 }
 
-bool IsControl(char c) {
-  return (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f;
-}
-
 }  // namespace
 
 std::string Escaped(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());
-  for (const char c : text) {
+  for (const char c : ShowLines(text)) {
     if (const std::string_view replacement = Replacement(c); !replacement.empty()) {
       escaped += replacement;
-    } else if (IsControl(c)) {
-      escaped += "\xEF\xBF\xBD";
     } else {
       escaped += c;
     }

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <limits>
 #include <system_error>
+#include <utility>
 
 #include "planner/base/check.h"
 #include "planner/base/input_error.h"
+#include "planner/base/input_file.h"
 
 namespace assay::sweep {
 namespace {
@@ -104,6 +106,15 @@ std::int64_t Statement::Integer(int column) const {
   return sqlite3_column_int64(statement_.get(), column);
 }
 
+int Statement::Int(int column) const {
+  const std::int64_t value = Integer(column);
+  if (std::in_range<int>(value)) return static_cast<int>(value);
+  throw InputError(
+      {.file = database_->file().string()},
+      fmt::format("{} is {}", sqlite3_column_name(statement_.get(), column), value),
+      fmt::format("{} to {}", std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
+}
+
 double Statement::Real(int column) const {
   if (sqlite3_column_type(statement_.get(), column) == SQLITE_NULL) {
     return std::numeric_limits<double>::quiet_NaN();
@@ -119,16 +130,19 @@ std::string Statement::Text(int column) const {
 
 void Database::Closer::operator()(sqlite3* handle) const { sqlite3_close_v2(handle); }
 
+// SQLite takes names that begin with a colon for databases in memory.
 Database::Database(const std::filesystem::path& file, Access access) : file_(file) {
   const int flags =
       access == Access::kRead ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   sqlite3* handle = nullptr;
-  const int code = sqlite3_open_v2(file.c_str(), &handle, flags | SQLITE_OPEN_EXRESCODE, nullptr);
+  const int code = sqlite3_open_v2(std::filesystem::absolute(file).c_str(), &handle,
+                                   flags | SQLITE_OPEN_EXRESCODE, nullptr);
   handle_.reset(handle);
   if (code != SQLITE_OK) Fail(code);
   sqlite3_busy_timeout(handle, kPatienceMilliseconds);
   if (access == Access::kWrite && sqlite3_db_readonly(handle, "main") == 1) Fail(SQLITE_READONLY);
   if (access == Access::kWrite) KeepOtherWritersOut();
+  if (access == Access::kRead) RememberInput(file);
 }
 
 // The system lets go of the lock when the program ends, however that comes about. Where the file

@@ -29,7 +29,7 @@ class Statement {
   void Run();   // a statement without rows
 
   std::int64_t Integer(int column) const;
-  int Int(int column) const { return static_cast<int>(Integer(column)); }
+  int Int(int column) const;      // throws InputError if it is none
   double Real(int column) const;  // NULL is NaN
   std::string Text(int column) const;
 

@@ -1,6 +1,45 @@
 #include "sim/sweep/schema.h"
 
+#include <array>
+
 namespace assay::sweep {
+namespace {
+
+constexpr std::array kRules = {
+    ContentRule{"SELECT 'the sweep has no ' || column1 FROM"
+                " (VALUES ('format'), ('path'), ('text'), ('version'), ('trials'))"
+                " WHERE column1 NOT IN (SELECT key FROM sweep)",
+                "format, path, text, version and trials in table sweep"},
+    ContentRule{"SELECT 'the sweep has ' || value || ' trials' FROM sweep WHERE key = 'trials'"
+                " AND (CAST(value AS INTEGER) || '' <> value"
+                " OR CAST(value AS INTEGER) NOT BETWEEN 1 AND 1000000000)",
+                "a number from 1 to 1000000000"},
+    ContentRule{"SELECT 'cell ' || cell || ' has the outcome ' || outcome FROM cell"
+                " WHERE outcome NOT IN ('planned', 'none', 'budget')",
+                "planned, none, budget"},
+    ContentRule{"SELECT 'there is a cell ' || cell || ' of ' || trials || ' trials' FROM cell"
+                " WHERE cell < 1 OR trials < 0",
+                "numbers from 1 on"},
+    ContentRule{"SELECT 'there is a trial ' || trial || ', number ' || number || ' of its cell'"
+                " FROM trial WHERE number < 1 OR trial NOT BETWEEN 1 AND"
+                " (SELECT CAST(value AS INTEGER) FROM sweep WHERE key = 'trials')",
+                "numbers from 1 on, up to those of the sweep"},
+    ContentRule{"SELECT 'trial ' || trial || ' has counts below 0' FROM trial WHERE"
+                " min(contained, inconclusive, violated, not_claimed, errors_signalled, recovered,"
+                " coalesce(steps, 0)) < 0",
+                "0 or more"},
+    ContentRule{"SELECT 'a verdict of trial ' || trial || ' is ' || verdict FROM verdict WHERE"
+                " verdict NOT IN ('contained', 'violated', 'inconclusive', 'not-claimed')",
+                "contained, violated, inconclusive, not-claimed"},
+    ContentRule{"SELECT 'a verdict of the attack on cell ' || cell || ' is ' || verdict FROM"
+                " attack_worst WHERE"
+                " verdict NOT IN ('contained', 'violated', 'inconclusive', 'not-claimed')",
+                "contained, violated, inconclusive, not-claimed"},
+};
+
+}  // namespace
+
+const std::span<const ContentRule> kContentRules = kRules;
 
 // Lengths are metres, angles radians, times seconds; gate.id is a StepId; run.steps are of the
 // engine, in run.seconds of sampled trials. A broken or ratio that is NULL: nothing broke. Keys are

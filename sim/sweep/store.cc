@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "planner/base/check.h"
+#include "planner/base/input_file.h"
 #include "sim/sweep/grid.h"
 #include "sim/sweep/schema.h"
 
@@ -242,7 +245,7 @@ SweepFacts FactsOf(const Sweep& sweep, const std::string& version) {
                       {"version", version},
                       {"trials", std::to_string(TrialCount(Cells(sweep)))}};
   for (const std::string& scenario : sweep.scenarios) {
-    facts["scenario " + scenario] = FileText(sweep.PathOf(scenario));
+    facts["scenario " + scenario] = ReadInput(sweep.PathOf(scenario), "a scenario file");
   }
   return facts;
 }
@@ -296,25 +299,80 @@ void Store::Initialize(const SweepFacts& facts) {
   transaction.Commit();
 }
 
+void Store::Refuse(const std::string& what, const std::string& allowed) const {
+  throw InputError({.file = file().string()}, what, allowed);
+}
+
 void Store::RequireFormat() const {
   if (database_->Integer("PRAGMA application_id") != kApplicationId) {
-    throw InputError({.file = file().string()}, "a database of another program",
-                     "a database that assay sweep has written");
+    Refuse("a database of another program", "a database that assay sweep has written");
   }
   const std::int64_t version = database_->Integer("PRAGMA user_version");
   if (version != kFormatVersion) {
-    throw InputError({.file = file().string()},
-                     fmt::format("written in version {} of the format, by {} assay", version,
-                                 version < kFormatVersion ? "an older" : "a newer"),
-                     fmt::format("version {}: do the sweep again, into a new file, or read it "
-                                 "with the program that has written it",
-                                 kFormatVersion));
+    Refuse(fmt::format("written in version {} of the format, by {} assay", version,
+                       version < kFormatVersion ? "an older" : "a newer"),
+           fmt::format("version {}: do the sweep again, into a new file, or read it with the "
+                       "program that has written it",
+                       kFormatVersion));
   }
   Statement check = database_->Prepare("PRAGMA quick_check(1)");
   if (check.Next() && check.Text(0) != "ok") {
-    throw InputError({.file = file().string()},
-                     fmt::format("the database is damaged ({})", check.Text(0)),
-                     "an undamaged one; sqlite3's .recover saves what can be read");
+    Refuse(fmt::format("the database is damaged ({})", check.Text(0)),
+           "an undamaged one; sqlite3's .recover saves what can be read");
+  }
+  RequireTables();
+  RequireTypes();
+  RequireContents();
+}
+
+// SQLite keeps the statements that made them.
+void Store::RequireTables() const {
+  Statement made = database_->Prepare("SELECT count(*) FROM sqlite_schema WHERE sql = ?");
+  for (std::string_view rest = kSchema; rest.find(';') != std::string_view::npos;) {
+    std::string_view statement = rest.substr(0, rest.find(';'));
+    rest.remove_prefix(statement.size() + 1);
+    statement.remove_prefix(std::min(statement.find("CREATE"), statement.size()));
+    made.Bind(statement);
+    const bool is_there = made.Next() && made.Integer(0) == 1;
+    if (is_there) continue;
+    Refuse(fmt::format("it does not have what this makes: {}",
+                       statement.substr(0, statement.find('('))),
+           "the tables as assay sweep makes them");
+  }
+}
+
+// SQLite keeps any value in any column.
+void Store::RequireTypes() const {
+  const std::map<std::string, std::string> allowed = {{"INTEGER", "'integer', 'null'"},
+                                                      {"REAL", "'real', 'integer', 'null'"},
+                                                      {"TEXT", "'text', 'null'"}};
+  Statement columns = database_->Prepare(
+      "SELECT m.name, c.name, c.type FROM sqlite_schema m, pragma_table_info(m.name) c"
+      " WHERE m.type = 'table' ORDER BY m.name, c.cid");
+  while (columns.Next()) {
+    const std::string table = columns.Text(0);
+    const std::string column = columns.Text(1);
+    const auto types = allowed.find(columns.Text(2));
+    if (types == allowed.end()) continue;  // of another's table
+    const std::int64_t wrong = database_->Integer(
+        fmt::format("SELECT count(*) FROM \"{}\" WHERE typeof(\"{}\") NOT IN ({})", table, column,
+                    types->second));
+    if (wrong == 0) continue;
+    Refuse(fmt::format("column {} of table {} has {} values of another type", column, table, wrong),
+           types->first);
+  }
+}
+
+void Store::RequireContents() const {
+  Statement orphans = database_->Prepare("PRAGMA foreign_key_check");
+  if (orphans.Next()) {
+    Refuse(fmt::format("a row of table {} belongs to no row of table {}", orphans.Text(0),
+                       orphans.Text(2)),
+           "rows as assay sweep writes them");
+  }
+  for (const auto& [query, allowed] : kContentRules) {
+    Statement wrong = database_->Prepare(query);
+    if (wrong.Next()) Refuse(wrong.Text(0), allowed);
   }
 }
 
@@ -460,6 +518,9 @@ SweepFacts Store::Facts() const {
   while (rows.Next()) facts[rows.Text(0)] = rows.Text(1);
   return facts;
 }
+
+// As RequireContents has found it.
+int Store::TrialsInAll() const { return std::stoi(Facts().at("trials")); }
 
 std::vector<RunRecord> Store::Runs() const {
   std::vector<RunRecord> runs;

@@ -61,7 +61,8 @@ class Store {
   // One that is to be gone on with; if the file is not there or still empty, a new one. Throws
   // InputError if it belongs to another sweep.
   static Store Resume(const std::filesystem::path& file, const SweepFacts& facts);
-  // One that is only read.
+  // One that is only read. Like Resume it throws InputError unless the file is a database of ours,
+  // of this version, undamaged, with all tables and with contents that can be (schema.h).
   static Store Open(const std::filesystem::path& file);
 
   // Throws InputError if it belongs to another sweep.
@@ -78,6 +79,7 @@ class Store {
   void Close();
 
   SweepFacts Facts() const;
+  int TrialsInAll() const;  // of the sweep, done or not
   std::vector<RunRecord> Runs() const;
   std::vector<CellRecord> Cells() const;  // by number
   std::vector<ClaimRecord> Claims(int cell) const;
@@ -94,6 +96,10 @@ class Store {
   Store(const std::filesystem::path& file, Database::Access access);
   void Initialize(const SweepFacts& facts);
   void RequireFormat() const;
+  void RequireTables() const;
+  void RequireTypes() const;
+  void RequireContents() const;
+  [[noreturn]] void Refuse(const std::string& what, const std::string& allowed) const;
   void WriteCell(const CellRecord& cell);
   void WriteGate(int cell, int id, const check::StepGate& gate);
   void WriteTrial(const TimedTrial& trial);

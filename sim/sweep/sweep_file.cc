@@ -3,12 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "planner/base/check.h"
+#include "planner/base/input_file.h"
 #include "planner/domain/units.h"
 
 namespace assay::sweep {
@@ -226,13 +225,10 @@ Sweep ReadSweep(const Document& document, const fs::path& file, std::string text
   return sweep;
 }
 
-std::string FileText(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
+Sweep Load(const fs::path& file) {
+  std::string text = ReadInput(file, "a YAML or JSON file that can be read");
+  const Document document = Document::Parse(text, file.string());
+  return ReadSweep(document, file, std::move(text));
 }
-
-Sweep Load(const fs::path& file) { return ReadSweep(Document::Load(file), file, FileText(file)); }
 
 }  // namespace assay::sweep

@@ -69,9 +69,6 @@ struct Sweep {
   std::filesystem::path PathOf(const std::string& scenario) const;
 };
 
-// Byte for byte; empty if it cannot be read.
-std::string FileText(const std::filesystem::path& file);
-
 // All throw InputError.
 Sweep Load(const std::filesystem::path& file);
 // `text`: of the document.

@@ -159,8 +159,13 @@ TimedTrial RunAttack(const Sweep& sweep, const PlannedCell& cell, const AttackCo
   const check::AttackResult result = check::Attack(experiment, options);
   std::vector<check::ConservatismRatio> ratios;
   if (sweep.conservatism) {
-    if (control.progress) control.progress(result.attempts);
-    ratios = check::Conservatism(experiment, {.seed = cell.cell.seed, .jobs = control.jobs});
+    // Told before each of its trials, progress may throw, as it may before each attempt.
+    const auto tell = [&] {
+      if (control.progress) control.progress(result.attempts);
+      return false;
+    };
+    ratios = check::Conservatism(experiment,
+                                 {.seed = cell.cell.seed, .jobs = control.jobs, .stop = tell});
   }
   TimedTrial timed = Recorded(
       cell.preparation->plan,

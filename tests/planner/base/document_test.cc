@@ -144,6 +144,8 @@ TEST(IntegerTest, RefusesEverythingElseWithTheRange) {
         AllOf(StartsWith("f.yaml:1:"), EndsWith("; allowed: an integer from -3 to 4, not quoted")))
         << text;
   }
+  EXPECT_THAT(Error([] { Root("a: 5").At("a").Integer(0, -1); }),
+              HasSubstr("out of range; allowed: nothing"));
   EXPECT_THAT(Error([] { Root("a: 5").At("a").Integer(-3, 4); }),
               StartsWith("f.yaml:1:4: '5' is out of range"));
 }

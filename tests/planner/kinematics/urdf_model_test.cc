@@ -81,6 +81,7 @@ struct WrongFile {
   const char* from;
   const char* to;
   const char* message;
+  const char* place = "";  // line and column
 };
 
 class WrongUrdf : public testing::TestWithParam<WrongFile> {};
@@ -95,7 +96,9 @@ TEST_P(WrongUrdf, IsRefusedQuietly) {
     ReadUrdf(path);
     ADD_FAILURE() << "accepted";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr(path.string()));
+    EXPECT_THAT(error.what(), testing::StartsWith(path.string() + ":" + GetParam().place));
+    EXPECT_GT(error.place().line, 0);
+    EXPECT_GT(error.place().column, 0);
     EXPECT_THAT(error.what(), testing::HasSubstr(GetParam().message));
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
@@ -118,6 +121,22 @@ INSTANTIATE_TEST_SUITE_P(
         WrongFile{"floating", "type=\"prismatic\"", "type=\"floating\"", "fixed, revolute"},
         WrongFile{"empty_range", "upper=\"2\"", "upper=\"-1\"", "lower below upper"},
         WrongFile{"no_speed", "velocity=\"3\"", "velocity=\"0\"", "velocity"},
+        WrongFile{"no_number_has_its_place", "mass value=\"2\"", "mass value=\"two\"", "two",
+                  "4:36: "},
+        WrongFile{"a_link_has_its_place", "mass value=\"2\"", "mass value=\"0\"", "mass 0",
+                  "3:3: "},
+        WrongFile{"a_joint_has_its_place", "effort=\"4\"", "effort=\"0\"", "effort 0", "12:3: "},
+        WrongFile{"far_joint", "origin xyz=\"0 0 2\"", "origin xyz=\"0 0 1e9\"", "at most 100 m"},
+        WrongFile{"far_shape", "xyz=\"1 2 3\"", "xyz=\"1 -101 3\"", "at most 100 m"},
+        WrongFile{"far_center", "xyz=\"0 0 1\"", "xyz=\"0 0 101\"", "at most 100 m"},
+        WrongFile{"no_place", "origin xyz=\"0 0 2\"", "origin xyz=\"0 0 nan\"", ""},
+        WrongFile{"vast_shape", "size=\"1 2 3\"", "size=\"1 2 1e300\"", "to 100 m"},
+        WrongFile{"minute_shape", "radius=\"0.3\"", "radius=\"1e-300\"", "positive extents"},
+        WrongFile{"vast_mass", "mass value=\"2\"", "mass value=\"1e300\"", "at most 100000 kg"},
+        WrongFile{"vast_inertia", "iyy=\"4\"", "iyy=\"1e300\"", "beyond measure"},
+        WrongFile{"vast_range", "upper=\"2\"", "upper=\"101\"", "from -100 to 100"},
+        WrongFile{"vast_speed", "velocity=\"3\"", "velocity=\"1e9\"", "at most 1000"},
+        WrongFile{"not_utf8", "name=\"two\"", "name=\"\xff\"", "0xff", "1:14: "},
         WrongFile{"no_limits", "<limit lower=\"-1\" upper=\"2\" velocity=\"3\" effort=\"4\"/>", "",
                   "limits"}),
     [](const testing::TestParamInfo<WrongFile>& wrong) { return std::string(wrong.param.name); });

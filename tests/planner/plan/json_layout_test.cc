@@ -15,6 +15,39 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::uint64_t kSeed = 29;
 
+// Texts of any bytes: the JSON can be read, and has nothing that a terminal obeys.
+TEST(Json, IsTextWhateverTheBytes) {
+  RandomStream random(kSeed, "bytes");
+  const std::string likely = "\x1b\x7f\n\xc2\x9b\xe2\x80\xae\xff\xc0\x80\"\\";
+  for (int i = 0; i < 1000; ++i) {
+    std::string bytes;
+    for (int n = random.Index(30); n > 0; --n) {
+      bytes += random.Index(2) == 0
+                   ? likely[static_cast<std::size_t>(random.Index(static_cast<int>(likely.size())))]
+                   : static_cast<char>(random.Index(256));
+    }
+    const Json json = {{"key " + bytes, bytes}, {"list", {bytes, 1}}};
+    for (const std::string& text : {LaidOut(json), JsonText(json), JsonLine(json)}) {
+      const Json read = Json::parse(text);  // which checks that it is UTF-8
+      EXPECT_EQ(read["list"][1], 1);
+      for (std::size_t at = 0; at < text.size(); ++at) {
+        const auto byte = static_cast<unsigned char>(text[at]);
+        EXPECT_TRUE(byte >= 0x20 || byte == '\n');
+        EXPECT_NE(byte, 0x7f);
+        EXPECT_FALSE(byte == 0xc2 && static_cast<unsigned char>(text[at + 1]) < 0xa0);
+        EXPECT_NE(text.compare(at, 3, "\xe2\x80\xae"), 0);
+      }
+    }
+  }
+}
+
+TEST(Json, KeepsTextsThatAreOnes) {
+  const Json json = {{"ä", "\x1b\xc2\x9b\n组装"}};
+  EXPECT_EQ(Json::parse(JsonText(json)), json);
+  EXPECT_EQ(Json::parse(LaidOut(json)), json);
+  EXPECT_EQ(JsonLine(json), "{\"ä\":\"\\u001b\\u009b\\n组装\"}");
+}
+
 TEST(LaidOut, WhatFitsStandsOnOneLine) {
   EXPECT_EQ(LaidOut({{"a", {1, 2.5, "three"}}, {"b", Json::object()}}),
             "{\"a\": [1, 2.5, \"three\"], \"b\": {}}\n");

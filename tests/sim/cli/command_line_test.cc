@@ -33,6 +33,12 @@ TEST(Help, OfEveryVerbHasAnExampleOfTheVerb) {
   }
 }
 
+// The least number too large for a seed has the greatest one below it.
+TEST(Seeds, AreWhole) {
+  const auto json = Assay({"run", kTwoActions, "--seed", "18446744073709551615", "--json"}).Json();
+  EXPECT_EQ(json["seed"], 18446744073709551615ULL);
+}
+
 TEST(Version, IsPrinted) {
   const Ended ended = Assay({"--version"});
   EXPECT_EQ(ended.code, 0);
@@ -84,6 +90,10 @@ TEST_F(WrongCommandLine, ValuesOutOfRange) {
   Error({"run", kTwoActions, "--trials", "0"});
   Error({"run", kTwoActions, "--jobs", "0"});
   Error({"run", kTwoActions, "--seed", "-1"});
+  Error({"run", kTwoActions, "--seed", "18446744073709551616"});
+  Error({"run", kTwoActions, "--attempts", "9223372036854775808"});
+  Error({"enact", kTwoActions, "--seed", "18446744073709551616"});
+  Error({"run", kTwoActions, "--camera", "nope"});
   Error({"run", kTwoActions, "--grasp", "glue"});
   Error({"plan", kTwoActions, "--models", "/no/such/folder"});
   Error({"list", "robots"});

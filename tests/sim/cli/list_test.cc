@@ -21,6 +21,25 @@ TEST(List, HasEverythingWithALine) {
   EXPECT_EQ(json["actions"].size(), 3);
 }
 
+// It is told among the others.
+TEST(List, AFileThatCannotBeReadHidesNoOther) {
+  const Folder folder;
+  std::filesystem::copy(kTree / "models", folder / "models",
+                        std::filesystem::copy_options::recursive);
+  std::filesystem::create_directories(folder / "scenarios");
+  folder.Write("scenarios/bad.yaml", "format: [\n");
+  folder.Write("scenarios/good.yaml", "title: all is well\n");
+  folder.Write("models/parts/peg/part.yaml", "\xff");
+  const Ended ended = Assay({"list", "--models", folder / "models"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("all is well"));
+  EXPECT_THAT(ended.out, HasSubstr("cannot be read: "));
+  EXPECT_THAT(ended.out, HasSubstr("bad.yaml:2:1: "));
+  const auto json = Assay({"list", "--json", "--models", folder / "models"}).Json();
+  EXPECT_THAT(json["scenarios"][0]["error"].get<std::string>(), HasSubstr("bad.yaml:2:1: "));
+  EXPECT_EQ(json["scenarios"][1]["text"], "all is well");
+}
+
 TEST(List, OneKind) {
   const Ended ended = Assay({"list", "actions", "--models", kTree / "models"});
   EXPECT_EQ(ended.code, 0) << ended.err;

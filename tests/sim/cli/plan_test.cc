@@ -66,6 +66,12 @@ TEST(Plan, TellsOfTheStrategyThatAbsorbsErrors) {
   EXPECT_THAT(ended.out, HasSubstr("Every precondition is proved or absorbed."));
   EXPECT_THAT(SchemaErrors(kSchema, JsonOf(folder / "plan.json")), IsEmpty());
   const Ended explained = Assay({"plan", folder / "plan.json", "--explain", "3"});
+  // By the id that is printed it is the same step.
+  for (const nlohmann::json& action : JsonOf(folder / "plan.json")["actions"]) {
+    if (action["executed"] != 3) continue;
+    const std::string id = action["id"];
+    EXPECT_EQ(Assay({"plan", folder / "plan.json", "--explain", id}).out, explained.out) << id;
+  }
   EXPECT_THAT(explained.out, HasSubstr("not proved, and absorbed by fine motion\n"));
   EXPECT_THAT(explained.out, HasSubstr("tip shift: the tip is displaced by less than"));
   const Ended without = Assay({"plan", scenario, "--resolvers", "sensing,squeezing"});

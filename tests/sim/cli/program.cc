@@ -5,9 +5,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "tests/oracle/json_schema.h"
 
@@ -56,6 +59,45 @@ Ended Run(const std::string& program, const std::vector<std::string>& arguments,
 
 Ended Assay(const std::vector<std::string>& arguments, const std::string& out) {
   return Run(ASSAY_PROGRAM, arguments, out);
+}
+
+Running::Running(const std::vector<std::string>& arguments) {
+  static int count = 0;
+  streams_ = fs::path(::testing::TempDir()) /
+             ("assay-running-" + std::to_string(getpid()) + "-" + std::to_string(++count));
+  fs::create_directories(streams_);
+  const std::string out = streams_ / "out";
+  const std::string err = streams_ / "err";
+  std::vector<std::string> words = {ASSAY_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  process_ = fork();
+  if (process_ != 0) return;
+  const bool has_streams = std::freopen(out.c_str(), "w", stdout) != nullptr &&
+                           std::freopen(err.c_str(), "w", stderr) != nullptr;
+  if (has_streams) execv(argv.front(), argv.data());
+  _exit(126);
+}
+
+Running::~Running() {
+  if (process_ > 0) {
+    Signal(SIGKILL);
+    Wait();
+  }
+  std::error_code ignored;
+  fs::remove_all(streams_, ignored);
+}
+
+void Running::Signal(int signal) const { kill(process_, signal); }
+
+Ended Running::Wait() {
+  int status = 0;
+  waitpid(std::exchange(process_, -1), &status, 0);
+  return {.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+          .out = TextOf(streams_ / "out"),
+          .err = TextOf(streams_ / "err")};
 }
 
 std::vector<std::string> SchemaErrors(const std::string& schema, const nlohmann::json& document) {

@@ -35,6 +35,23 @@ Ended Run(const std::string& program, const std::vector<std::string>& arguments,
 // Runs the built program.
 Ended Assay(const std::vector<std::string>& arguments, const std::string& out = "");
 
+// The built program while it runs, with files for its streams.
+class Running {
+ public:
+  explicit Running(const std::vector<std::string>& arguments);
+  ~Running();  // kills it if nobody has waited
+  Running(const Running&) = delete;
+  Running& operator=(const Running&) = delete;
+
+  void Signal(int signal) const;
+  // Its end; `code` is that of its exit, or the negative of the signal that ended it.
+  Ended Wait();
+
+ private:
+  std::filesystem::path streams_;
+  int process_ = -1;
+};
+
 std::string TextOf(const std::filesystem::path& file);
 nlohmann::json JsonOf(const std::filesystem::path& file);
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -106,6 +107,36 @@ TEST_F(SweepVerb, WrongDatabasesAreErrors) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out.sqlite"));
 }
 
+TEST_F(SweepVerb, IsOnADisk) {
+  const Ended ended = Sweep(":memory:", {});
+  EXPECT_EQ(Assay(WithModels({"sweep", sweep_, "--db", ":memory:"})).code, 2);
+  EXPECT_EQ(ended.code, 0) << "a file of that name in a folder is one: " << ended.err;
+}
+
+// In the script's comments a line break would begin a command.
+TEST_F(SweepVerb, ScriptsHaveNoStrangeNames) {
+  for (const char* name : {"a\nrm -rf x", "a\x1b[31m", "a\xff"}) {
+    const std::string sweep = folder_.Write(name, TextOf(sweep_));
+    const Ended ended = Assay(WithModels({"sweep", "slurm", sweep}));
+    EXPECT_EQ(ended.code, 2) << ended.out;
+    EXPECT_EQ(ended.out, "");
+    EXPECT_THAT(ended.err, HasSubstr("cannot stand in a script"));
+  }
+}
+
+TEST_F(SweepVerb, NeedsNoStreams) {
+  for (const char* streams : {">/dev/null 2>&-", ">/dev/null 2>/dev/full", "<&- >&- 2>&-"}) {
+    const std::string database = folder_ / "streams.sqlite";
+    const std::string line =
+        fmt::format("'{}' sweep '{}' --db '{}' --models '{}' {}", ASSAY_PROGRAM, sweep_, database,
+                    (kTree / "models").string(), streams);
+    cli::Run("/bin/sh", {"-c", line});
+    const nlohmann::json shown = Assay({"sweep", "show", database, "--json"}).Json();
+    EXPECT_EQ(shown["done"], shown["trials"]) << streams;
+    std::filesystem::remove(database);
+  }
+}
+
 TEST_F(SweepVerb, WrongSharesAreErrors) {
   for (const char* shard : {"0/2", "3/2", "1", "a/b", "1/0"}) {
     const Ended ended = Sweep("a.sqlite", {"--shard", shard});
@@ -149,7 +180,7 @@ TEST_F(SweepVerb, InterruptedItTellsHowToGoOn) {
   int status = 0;
   waitpid(child, &status, 0);
   ASSERT_TRUE(WIFEXITED(status));
-  EXPECT_EQ(WEXITSTATUS(status), 11);
+  EXPECT_EQ(WEXITSTATUS(status), 143);
   EXPECT_THAT(TextOf(err), HasSubstr("--resume goes on"));
   EXPECT_EQ(Assay({"sweep", "show", database}).code, 0);
 }

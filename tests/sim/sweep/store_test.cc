@@ -77,6 +77,72 @@ TEST_F(StoreTest, TrialsAreReadAsTheyWereWritten) {
   EXPECT_EQ(store.FindTrial(TrialCount(cells_) + 1), std::nullopt);
 }
 
+struct Tampering {
+  const char* sql;
+  const char* message;
+};
+
+// Each change makes of a whole database one that nothing of ours has written.
+TEST_F(StoreTest, WhatCannotBeIsRefusedWhenItIsOpened) {
+  for (const Tampering& tampering : {
+           Tampering{"UPDATE sweep SET value = 'x' WHERE key = 'trials'", "the sweep has x trials"},
+           Tampering{"UPDATE sweep SET value = '-1' WHERE key = 'trials'", "has -1 trials"},
+           Tampering{"UPDATE sweep SET value = '99999999999999999999' WHERE key = 'trials'",
+                     "99999999999999999999 trials"},
+           Tampering{"DELETE FROM sweep WHERE key = 'path'", "the sweep has no path"},
+           Tampering{"UPDATE sweep SET value = x'ff' WHERE key = 'text'",
+                     "column value of table sweep has 1 values of another type"},
+           Tampering{"UPDATE cell SET clearance = 'wide'", "column clearance of table cell"},
+           Tampering{"UPDATE cell SET outcome = 'fine'", "the outcome fine"},
+           Tampering{"UPDATE trial SET number = 'one' WHERE trial = 3",
+                     "column number of table trial"},
+           Tampering{"UPDATE trial SET number = 0 WHERE trial = 3", "trial 3, number 0"},
+           Tampering{"UPDATE trial SET contained = -1 WHERE trial = 3", "counts below 0"},
+           Tampering{"PRAGMA foreign_keys = OFF; UPDATE trial SET cell = 77 WHERE trial = 3",
+                     "a row of table trial belongs to no row of table cell"},
+           Tampering{"PRAGMA foreign_keys = OFF; DELETE FROM trial WHERE trial = 3",
+                     "belongs to no row of table trial"},
+           Tampering{
+               "INSERT INTO trial SELECT 21000, cell, number, noise, outcome, reason, simulated,"
+               " steps, errors_signalled, recovered, operator_called, warnings, contained,"
+               " inconclusive, violated, not_claimed, replay FROM trial WHERE trial = 3",
+               "there is a trial 21000"},
+           Tampering{"UPDATE verdict SET verdict = 'proved'", "is proved"},
+           Tampering{"ALTER TABLE trial RENAME COLUMN outcome TO result", "CREATE TABLE trial"},
+           Tampering{"ALTER TABLE cell ADD COLUMN more", "CREATE TABLE cell"},
+           Tampering{"DROP TABLE observation", "CREATE TABLE observation"},
+           Tampering{"DROP INDEX trial_of_cell", "CREATE INDEX trial_of_cell"},
+       }) {
+    fs::remove(file_);
+    Fill(file_);
+    Database(file_, Database::Access::kWrite).Execute(tampering.sql);
+    for (const auto& open : {std::function<void()>([&] { Store::Open(file_); }),
+                             std::function<void()>([&] { Store::Resume(file_, facts_); })}) {
+      EXPECT_THAT(
+          MessageOf<InputError>(open),
+          AllOf(HasSubstr(file_.string()), HasSubstr("allowed: "), HasSubstr(tampering.message)))
+          << tampering.sql;
+    }
+  }
+}
+
+TEST_F(StoreTest, NumbersThatDoNotFitAreRefused) {
+  Fill(file_);
+  Database(file_, Database::Access::kWrite).Execute("UPDATE trial SET recovered = 1 << 40");
+  EXPECT_THAT(MessageOf<InputError>([&] { Store::Open(file_).FindTrial(1); }),
+              HasSubstr("recovered is 1099511627776; allowed: "));
+}
+
+// SQLite knows it as the name of a database in memory.
+TEST_F(StoreTest, AFileMayHaveAnyName) {
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  Fill(":memory:");
+  EXPECT_EQ(Store::Open(":memory:").Trials().size(), 21u);
+  fs::current_path(before);
+  EXPECT_TRUE(fs::is_regular_file(folder_ / ":memory:"));
+}
+
 TEST_F(StoreTest, CellsAreReadAsTheyWereWritten) {
   Fill(file_);
   const std::vector<CellRecord> stored = Store::Open(file_).Cells();

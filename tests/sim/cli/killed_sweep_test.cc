@@ -1,0 +1,95 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <random>
+#include <thread>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli::killed_sweep_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+// How often the real program is killed; more with ASSAY_KILLS in the environment.
+int Kills() {
+  const char* const wanted = std::getenv("ASSAY_KILLS");
+  return wanted == nullptr ? 3 : std::atoi(wanted);
+}
+
+// Sweeps of two plans with real trials.
+class KilledSweep : public ::testing::Test {
+ protected:
+  KilledSweep() {
+    std::filesystem::copy(kTwoActions, folder_ / "s.yaml");
+    folder_.Write("sweep.yaml",
+                  "format: assay-sweep/1\nscenarios: [s.yaml]\nnoise: [none, uniform, attack]\n"
+                  "error_scales: [1, 0.5]\ntrials: 6\nattempts: 10\n");
+  }
+
+  std::vector<std::string> Command(const std::string& database) const {
+    return {
+        "sweep",    folder_ / "sweep.yaml", "--db", folder_ / database, "--jobs", "2", "--resume",
+        "--models", kTree / "models"};
+  }
+  int DoneIn(const std::string& database) const {
+    const Ended shown = Assay({"sweep", "show", folder_ / database, "--json"});
+    return shown.code == 0 ? shown.Json()["done"].get<int>() : 0;
+  }
+  // Merging refuses rows that contradict each other, and adds those that one of them has not.
+  void ExpectEqual(const std::string& a, const std::string& b) const {
+    for (const auto& [first, second] : {std::pair(a, b), std::pair(b, a)}) {
+      const std::string merged = folder_ / ("merged-" + first);
+      const Ended ended = Assay({"sweep", "merge", merged, folder_ / first, folder_ / second});
+      EXPECT_EQ(ended.code, 0) << ended.err;
+      EXPECT_EQ(DoneIn("merged-" + first), DoneIn(first));
+      std::filesystem::remove(merged);
+    }
+  }
+
+  const Folder folder_;
+};
+
+TEST_F(KilledSweep, GoesOnToTheSameTables) {
+  const auto start = std::chrono::steady_clock::now();
+  Assay(Command("whole.sqlite"));
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  std::mt19937_64 random(7);
+  int after_trials = 0;
+  for (int kill = 1; kill <= Kills(); ++kill) {
+    Running running(Command("killed.sqlite"));
+    const double share = static_cast<double>(random()) / static_cast<double>(random.max());
+    std::this_thread::sleep_for(taken * (0.1 + 0.8 * share));
+    running.Signal(SIGKILL);
+    const Ended ended = running.Wait();
+    if (DoneIn("killed.sqlite") > 0) ++after_trials;
+    if (ended.code != -SIGKILL) std::filesystem::remove(folder_ / "killed.sqlite");
+  }
+  const Ended ended = Assay(Command("killed.sqlite"));
+  EXPECT_TRUE(ended.code == 0 || ended.code == 12) << ended.err;
+  EXPECT_EQ(DoneIn("killed.sqlite"), DoneIn("whole.sqlite"));
+  ExpectEqual("killed.sqlite", "whole.sqlite");
+  RecordProperty("killed after trials were stored", after_trials);
+}
+
+// The second is told so, and the first loses nothing.
+TEST_F(KilledSweep, TwoAtOnceOnOneDatabase) {
+  Running first(Command("two.sqlite"));
+  while (!std::filesystem::exists(folder_ / "two.sqlite")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  const Ended second = Assay(Command("two.sqlite"));
+  EXPECT_EQ(second.code, 4) << second.err;
+  EXPECT_THAT(second.err, HasSubstr("locked by another program; wait until that has ended"));
+  const Ended ended = first.Wait();
+  EXPECT_TRUE(ended.code == 0 || ended.code == 12) << ended.err;
+  Assay(Command("whole.sqlite"));
+  EXPECT_EQ(DoneIn("two.sqlite"), DoneIn("whole.sqlite"));
+  ExpectEqual("two.sqlite", "whole.sqlite");
+}
+
+}  // namespace
+}  // namespace assay::cli::killed_sweep_test
