@@ -1,4 +1,4 @@
-#include "planner/uncertainty/shaft_fit.h"
+#include "planner/domain/shaft_fit.h"
 
 #include <fmt/format.h>
 
@@ -6,22 +6,16 @@
 #include <cmath>
 #include <numbers>
 
-#include "planner/algebra/interval_arithmetic.h"
 #include "planner/base/check.h"
 
-namespace assay::uncertainty {
+namespace assay::domain {
 namespace {
 
-using algebra::kInfinity;
-using domain::Feature;
-using domain::Part;
-using domain::PartModel;
 using geometry::Polygon;
-using geometry::Vector2;
 
 constexpr double kWide = 1e3;  // metres: beyond every part
 constexpr double kFarthestTurn = std::numbers::pi / 8;
-constexpr double kTurnStep = 1e-4;  // radians
+constexpr double kTurnLook = 1e-4;  // radians
 
 bool IsHole(const Feature& feature) { return !feature.mouths.empty(); }
 bool IsShaft(const Feature& feature) { return !IsHole(feature) && !feature.is_plain_face(); }
@@ -40,42 +34,14 @@ ShaftFit FitOf(const Part& shaft_part, const Feature& shaft, const Part& hole_pa
           .depth = std::max(0.0, -X_MouthTip.translation().z())};
 }
 
-struct Extent {
-  double low = kInfinity;
-  double high = -kInfinity;
-
-  double width() const { return high - low; }
-};
-
-// Of a shaft's section along a direction of the hole's part, turned about the shaft's axis.
-Extent ExtentOf(const ShaftFit& fit, const Polygon& section, const Vector3& along, double turn) {
-  Extent extent;
-  for (const Vector2& corner : section) {
-    const Vector2 turned = Eigen::Rotation2Dd(turn) * corner;
-    const Vector3 p = fit.shaft.X_PartFeature * Vector3(turned.x(), turned.y(), 0);
-    const double at = along.dot(fit.X_HoleShaft * p);
-    extent.low = std::min(extent.low, at);
-    extent.high = std::max(extent.high, at);
+// How far the shaft may be off for each metre that it may be across every slot: into the corner
+// between the two that are nearest to perpendicular.
+double FarthestIntoCorner(const std::vector<Slot>& slots) {
+  double least = 1;
+  for (const Slot& a : slots) {
+    for (const Slot& b : slots) least = std::min(least, std::abs(a.across.dot(b.across)));
   }
-  return extent;
-}
-
-// Two walls that face each other.
-struct Slot {
-  Vector3 across;
-  double low = 0;
-  double high = 0;
-};
-
-std::vector<Slot> SlotsOf(const std::vector<SideWall>& walls) {
-  std::vector<Slot> slots;
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    for (std::size_t j = i + 1; j < walls.size(); ++j) {
-      if (walls[i].normal.dot(walls[j].normal) > kParallel - 1) continue;
-      slots.push_back({walls[i].normal, walls[i].offset, -walls[j].offset});
-    }
-  }
-  return slots;
+  return std::sqrt(2 / (1 - least));
 }
 
 struct FitPlay {
@@ -87,11 +53,11 @@ struct FitPlay {
 // The play of one fit; none if there is no shaft inside, or a side is open.
 std::optional<FitPlay> PlayOf(const ShaftFit& fit, double widening) {
   const std::vector<Slot> slots = SlotsOf(SideWalls(fit, -widening));
-  if (slots.size() < 2 || !(fit.depth > 0)) return std::nullopt;
+  if (!HoldAllAround(slots) || !(fit.depth > 0)) return std::nullopt;
   const Polygon section = CrossSection(fit);
   double lateral = 0;
   for (const Slot& slot : slots) {
-    const Extent extent = ExtentOf(fit, section, slot.across, 0);
+    const Extent extent = ExtentOf(fit, section, slot.across);
     lateral = std::max({lateral, extent.low - slot.low, slot.high - extent.high});
   }
   const auto fits = [&](double turn) {
@@ -100,8 +66,8 @@ std::optional<FitPlay> PlayOf(const ShaftFit& fit, double widening) {
              ExtentOf(fit, section, slot.across, -turn).width() <= slot.high - slot.low;
     });
   };
-  double turn = kTurnStep;
-  while (turn < kFarthestTurn && fits(turn)) turn += kTurnStep;
+  double turn = kTurnLook;
+  while (turn < kFarthestTurn && fits(turn)) turn += kTurnLook;
   if (turn >= kFarthestTurn) turn = std::numbers::pi;  // as good as round
 
   // Both ends of what is inside stay within the play.
@@ -109,15 +75,40 @@ std::optional<FitPlay> PlayOf(const ShaftFit& fit, double widening) {
   const Pose X_HeldFeature = fit.shaft_is_held ? fit.shaft.X_PartFeature
                                                : fit.X_HoleShaft.inverse() * fit.hole.X_PartFeature;
   const Vector3 to_origin = X_HeldFeature.inverse().translation();
-  return FitPlay{.shift = std::numbers::sqrt2 * lateral + turn * to_origin.head<2>().norm() +
+  return FitPlay{.shift = FarthestIntoCorner(slots) * lateral + turn * to_origin.head<2>().norm() +
                           tilt * to_origin.norm(),
                  .turn = turn,
                  .tilt = tilt};
 }
 
+bool AreParallel(const Vector3& a, const Vector3& b) {
+  return std::abs(a.dot(b)) > 1 - kUnitProduct;
+}
+
+// What the fit leaves the held part across a slot of the hole.
+FitGap GapOf(const ShaftFit& fit, const Polygon& section, const Slot& slot) {
+  const Extent extent = ExtentOf(fit, section, slot.across);
+  const double low = extent.low - slot.low;
+  const double high = slot.high - extent.high;
+  if (fit.shaft_is_held) return {slot.across, low, high};
+  return {fit.X_HoleShaft.linear().transpose() * slot.across, high, low};
+}
+
+void Narrow(std::vector<FitGap>& gaps, FitGap gap) {
+  const auto known = std::ranges::find_if(
+      gaps, [&](const FitGap& other) { return AreParallel(other.across, gap.across); });
+  if (known == gaps.end()) {
+    gaps.push_back(std::move(gap));
+    return;
+  }
+  if (known->across.dot(gap.across) < 0) std::swap(gap.low, gap.high);
+  known->low = std::min(known->low, gap.low);
+  known->high = std::min(known->high, gap.high);
+}
+
 }  // namespace
 
-std::vector<ShaftFit> FitsOf(const domain::Problem& problem, const domain::Mating& mating) {
+std::vector<ShaftFit> FitsOf(const Problem& problem, const Mating& mating) {
   const Part& held_part = problem.part(mating.held);
   const Part& fixed_part = problem.part(mating.fixed);
   std::vector<ShaftFit> fits;
@@ -137,13 +128,62 @@ std::vector<ShaftFit> FitsOf(const domain::Problem& problem, const domain::Matin
 std::vector<SideWall> SideWalls(const ShaftFit& fit, double narrowing) {
   const Vector3 axis = fit.hole.X_PartFeature.linear().col(2);
   std::vector<SideWall> walls;
-  for (const domain::Wall& wall : fit.hole.walls) {
-    const domain::Face& face = fit.hole_model.faces()[wall.face.index()];
-    if (std::abs(face.normal.dot(axis)) >= kParallel) continue;
+  for (const Wall& wall : fit.hole.walls) {
+    const Face& face = fit.hole_model.faces()[wall.face.index()];
+    if (std::abs(face.normal.dot(axis)) >= kUnitProduct) continue;
     walls.push_back({face.normal, face.offset});
     if (wall.moves_with_clearance) walls.back().offset += narrowing;
   }
   return walls;
+}
+
+std::vector<Slot> SlotsOf(const std::vector<SideWall>& walls) {
+  std::vector<Slot> slots;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    for (std::size_t j = i + 1; j < walls.size(); ++j) {
+      if (walls[i].normal.dot(walls[j].normal) > kUnitProduct - 1) continue;
+      Slot slot = {walls[i].normal, walls[i].offset, -walls[j].offset};
+      const auto known = std::ranges::find_if(
+          slots, [&](const Slot& other) { return AreParallel(other.across, slot.across); });
+      if (known == slots.end()) {
+        slots.push_back(std::move(slot));
+        continue;
+      }
+      if (known->across.dot(slot.across) < 0) slot = {-slot.across, -slot.high, -slot.low};
+      known->low = std::max(known->low, slot.low);
+      known->high = std::min(known->high, slot.high);
+    }
+  }
+  return slots;
+}
+
+bool HoldAllAround(const std::vector<Slot>& slots) { return slots.size() >= 2; }
+
+bool HasShaftInHole(const Problem& problem, const Mating& mating) {
+  return std::ranges::any_of(FitsOf(problem, mating), [](const ShaftFit& fit) {
+    return HoldAllAround(SlotsOf(SideWalls(fit, 0)));
+  });
+}
+
+Extent ExtentOf(const ShaftFit& fit, const Polygon& section, const Vector3& along, double turn) {
+  Extent extent;
+  for (const Vector2& corner : section) {
+    const Vector2 turned = Eigen::Rotation2Dd(turn) * corner;
+    const Vector3 p = fit.shaft.X_PartFeature * Vector3(turned.x(), turned.y(), 0);
+    const double at = along.dot(fit.X_HoleShaft * p);
+    extent.low = std::min(extent.low, at);
+    extent.high = std::max(extent.high, at);
+  }
+  return extent;
+}
+
+std::vector<FitGap> GapsOf(const Problem& problem, const Mating& mating) {
+  std::vector<FitGap> gaps;
+  for (const ShaftFit& fit : FitsOf(problem, mating)) {
+    const Polygon section = CrossSection(fit);
+    for (const Slot& slot : SlotsOf(SideWalls(fit, 0))) Narrow(gaps, GapOf(fit, section, slot));
+  }
+  return gaps;
 }
 
 Polygon CrossSection(const ShaftFit& fit) {
@@ -151,10 +191,10 @@ Polygon CrossSection(const ShaftFit& fit) {
   const Feature& shaft = fit.shaft;
   const Pose X_FeaturePart = shaft.X_PartFeature.inverse();
   Polygon section;
-  for (const domain::FaceId id : shaft.faces) {
-    const domain::Face& face = model.faces()[id.index()];
+  for (const FaceId id : shaft.faces) {
+    const Face& face = model.faces()[id.index()];
     const Vector3 normal = X_FeaturePart.linear() * face.normal;
-    if (normal.z() < 1 - kParallel) continue;
+    if (normal.z() < 1 - kUnitProduct) continue;
     std::vector<Vector2> points;
     for (const Polygon& patch : face.patches) {
       for (const Vector2& p : patch) {
@@ -163,10 +203,10 @@ Polygon CrossSection(const ShaftFit& fit) {
     }
     section = geometry::Hull2(points);
   }
-  for (const domain::FaceId id : shaft.faces) {
-    const domain::Face& face = model.faces()[id.index()];
+  for (const FaceId id : shaft.faces) {
+    const Face& face = model.faces()[id.index()];
     const Vector3 normal = X_FeaturePart.linear() * face.normal;
-    if (std::abs(normal.z()) > kParallel) continue;
+    if (std::abs(normal.z()) > kUnitProduct) continue;
     const Vector2 n = normal.head<2>();
     const Vector2 along(-n.y(), n.x());
     const double offset = face.offset - face.normal.dot(shaft.X_PartFeature.translation());
@@ -178,7 +218,7 @@ Polygon CrossSection(const ShaftFit& fit) {
   return section;
 }
 
-SeatPlay PlayInSeat(const domain::Problem& problem, const domain::Mating& mating, double widening) {
+SeatPlay PlayInSeat(const Problem& problem, const Mating& mating, double widening) {
   std::optional<FitPlay> least;
   double turn = std::numbers::pi;
   for (const ShaftFit& fit : FitsOf(problem, mating)) {
@@ -191,4 +231,4 @@ SeatPlay PlayInSeat(const domain::Problem& problem, const domain::Mating& mating
   return {least->shift, turn + least->tilt};
 }
 
-}  // namespace assay::uncertainty
+}  // namespace assay::domain
