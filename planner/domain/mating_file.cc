@@ -22,6 +22,8 @@ constexpr double kMatingStep = 0.005;           // metres between looks along a 
 constexpr double kSeatGap = 1e-4;               // metres that mated parts may be apart
 constexpr double kLeastDepth = 1e-4;            // metres that a shaft must be in its hole
 constexpr double kBesideWall = 1e-6;            // metres of a seated shaft in a wall: rounding
+constexpr double kMostTurn = 0.4;               // radians that a seated part is tried to turn
+constexpr double kPlayShare = 0.98;             // of the play, within which nothing else is met
 constexpr double kAxisTurn = 1e-3;              // radians between axes that should be one
 
 std::string NameOf(const Feature& feature) {
@@ -84,6 +86,7 @@ class MatingFile {
   void CheckShaftIsInside(const Value& value, const ShaftFit& fit) const;
   void CheckWayIn(const Value& vector, const Mating& mating, const ShaftFit& fit) const;
   void CheckEnd(const Value& pose, const Mating& mating) const;
+  void CheckNothingElseFits(const Value& features, const Mating& mating) const;
   double InFileUnits(double metres) const { return metres / units_.length; }
 
   const Problem& problem_;
@@ -113,6 +116,7 @@ Mating MatingFile::Read(const Value& value) const {
     CheckWayIn(value.At("mating_vector"), mating, fit);
   }
   CheckEnd(value.At("pose"), mating);
+  CheckNothingElseFits(value.At("features"), mating);
   return mating;
 }
 
@@ -278,6 +282,49 @@ void MatingFile::CheckEnd(const Value& pose, const Mating& mating) const {
   pose.Fail("the parts do not touch where the mating motion ends",
             fmt::format("a mated pose in which the fixed part is at most {:.4g} ahead",
                         InFileUnits(kSeatGap)));
+}
+
+// Poses of the seated held part in which its shafts and holes have almost all the play that the
+// features leave: to both sides across each pair of walls, and turned about the mating motion.
+std::vector<Pose> PosesWithinPlay(const Problem& problem, const Mating& mating) {
+  const std::vector<ShaftFit> fits = FitsOf(problem, mating);
+  std::vector<Pose> poses;
+  if (fits.empty()) return poses;
+  for (const auto& [across, low, high] : GapsOf(problem, mating)) {
+    poses.push_back(geometry::Translation(kPlayShare * high * across) * mating.X_FixedHeld);
+    poses.push_back(geometry::Translation(-kPlayShare * low * across) * mating.X_FixedHeld);
+  }
+  const ShaftFit& first = fits.front();
+  const Vector3 about = first.shaft_is_held
+                            ? Vector3(first.hole.X_PartFeature.translation())
+                            : mating.X_FixedHeld * first.hole.X_PartFeature.translation();
+  const Vector3 axis = mating.mating_vector.normalized();
+  for (const double sense : {-1.0, 1.0}) {
+    const auto turned = [&](double by) {
+      return geometry::Translation(about) * Pose(Eigen::AngleAxisd(sense * by, axis)) *
+             geometry::Translation(-about) * mating.X_FixedHeld;
+    };
+    double inside = 0;
+    double outside = kMostTurn;
+    for (int i = 0; i < 12; ++i) {
+      const double middle = (inside + outside) / 2;
+      (FitsInside(fits, turned(middle)) ? inside : outside) = middle;
+    }
+    poses.push_back(turned(kPlayShare * inside));
+  }
+  return poses;
+}
+
+// What is proved of the features that are named must be all that there is to prove: where their
+// play ends, nothing else of the parts has met before.
+void MatingFile::CheckNothingElseFits(const Value& features, const Mating& mating) const {
+  const auto& held = problem_.part(mating.held).model->shape();
+  const auto& fixed = problem_.part(mating.fixed).model->shape();
+  for (const Pose& X_FixedHeld : PosesWithinPlay(problem_, mating)) {
+    if (!Overlaps(held, X_FixedHeld, fixed, Pose::Identity(), kBesideWall)) continue;
+    features.Fail("something else of the parts meets within the play that these features leave",
+                  "all shafts and holes that meet in the mating");
+  }
 }
 
 }  // namespace

@@ -218,6 +218,25 @@ Polygon CrossSection(const ShaftFit& fit) {
   return section;
 }
 
+bool FitsInside(const std::vector<ShaftFit>& fits, const Pose& X_FixedHeld) {
+  const auto is_inside = [&](const ShaftFit& fit) {
+    const Pose X_HoleShaft = fit.shaft_is_held ? X_FixedHeld : X_FixedHeld.inverse();
+    const std::vector<SideWall> walls = SideWalls(fit, 0);
+    for (const Vector2& corner : CrossSection(fit)) {
+      for (const double behind : {0.0, fit.depth}) {
+        const Vector3 p =
+            X_HoleShaft * fit.shaft.X_PartFeature * Vector3(corner.x(), corner.y(), -behind);
+        const auto is_beyond = [&](const SideWall& wall) {
+          return wall.normal.dot(p) < wall.offset;
+        };
+        if (std::ranges::any_of(walls, is_beyond)) return false;
+      }
+    }
+    return true;
+  };
+  return std::ranges::all_of(fits, is_inside);
+}
+
 SeatPlay PlayInSeat(const Problem& problem, const Mating& mating, double widening) {
   std::optional<FitPlay> least;
   double turn = std::numbers::pi;

@@ -76,6 +76,10 @@ struct FitGap {
 };
 std::vector<FitGap> GapsOf(const Problem& problem, const Mating& mating);
 
+// Whether the held part, with the fixed part at rest, has all its shafts between the walls of their
+// holes, and the holes about theirs, at this pose: at the tip and at the seat's mouth.
+bool FitsInside(const std::vector<ShaftFit>& fits, const Pose& X_FixedHeld);
+
 // How far a seated shaft may be out of the middle of its hole, whatever holds it.
 struct SeatPlay {
   double shift = 0;  // of the held part's origin, in any direction, metres

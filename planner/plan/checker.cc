@@ -53,21 +53,6 @@ std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
   return flaws;
 }
 
-// Of certificates: whether each covers what its step needs. If one step has one, all have.
-std::vector<Flaw> FlawsOfCoverage(const Plan& plan) {
-  const auto is_certified = [](const PlannedStep& step) {
-    return step.certificate != Certificate{};
-  };
-  std::vector<Flaw> flaws;
-  if (std::ranges::none_of(plan.steps, is_certified)) return flaws;
-  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    for (std::string& what : FlawsOfCoverage(plan.steps[i])) {
-      flaws.push_back({StepId(i), std::move(what)});
-    }
-  }
-  return flaws;
-}
-
 // What makes a plan no plan at all, so that no order of it can be gone through.
 std::vector<Flaw> FlawsOfPlanForm(const domain::Problem& problem, const Plan& plan) {
   std::vector<Flaw> flaws;
@@ -156,6 +141,20 @@ class Simulation {
 };
 
 }  // namespace
+
+std::vector<Flaw> FlawsOfCoverage(const Plan& plan) {
+  const auto is_certified = [](const PlannedStep& step) {
+    return step.certificate != Certificate{};
+  };
+  std::vector<Flaw> flaws;
+  if (std::ranges::none_of(plan.steps, is_certified)) return flaws;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    for (std::string& what : FlawsOfCoverage(plan.steps[i])) {
+      flaws.push_back({StepId(i), std::move(what)});
+    }
+  }
+  return flaws;
+}
 
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations) {
   CheckReport report{.flaws = FlawsOfPlanForm(problem, plan)};

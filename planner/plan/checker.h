@@ -28,4 +28,7 @@ struct CheckReport {
 // strategies, too, and planner/uncertainty/certify.h computes certificates anew.
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations);
 
+// Of certificates: whether each covers what its step needs. If one step has one, all have.
+std::vector<Flaw> FlawsOfCoverage(const Plan& plan);
+
 }  // namespace assay::plan

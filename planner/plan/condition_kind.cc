@@ -137,8 +137,13 @@ std::vector<const ConditionKind*> KindsNeeded(const Action& action, const Strate
 std::vector<NotNeeded> NotNeededIn(const std::vector<CertifiedPrecondition>& preconditions,
                                    const Action& action, const Strategy* strategy,
                                    bool as_published) {
+  const std::vector<const ConditionKind*> needed = KindsNeeded(action, strategy);
+  for (const CertifiedPrecondition& claim : preconditions) {
+    ASSAY_CHECK(std::ranges::count(needed, claim.condition, &ConditionKind::name) > 0,
+                "the table of conditions has no '{}' for such an action", claim.condition);
+  }
   std::vector<NotNeeded> lacking;
-  for (const ConditionKind* kind : KindsNeeded(action, strategy)) {
+  for (const ConditionKind* kind : needed) {
     if (Has(preconditions, kind->name)) continue;
     const std::string_view reason =
         as_published && !kind->is_published ? kNotPublished : kind->may_lack;

@@ -47,7 +47,8 @@ bool IsAsPublished(const Plan& plan);
 std::vector<const ConditionKind*> KindsNeeded(const Action& action, const Strategy* strategy);
 
 // Of the kinds that the step needs, those without a precondition, each with its reason. The kinds
-// that may not be lacking must be there (checked).
+// that may not be lacking must be there, and no others (checked): so the planner refuses what it
+// would leave unproved without a word.
 std::vector<NotNeeded> NotNeededIn(const std::vector<CertifiedPrecondition>& preconditions,
                                    const Action& action, const Strategy* strategy,
                                    bool as_published);

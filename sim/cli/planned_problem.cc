@@ -98,6 +98,7 @@ plan::CheckReport CheckPlan(const PlannedProblem& planned) {
 std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned) {
   std::vector<plan::Flaw> flaws = assembly::FlawsOfStrategies(planned.problem, planned.result.plan);
   std::ranges::move(ClaimFlaws(planned), std::back_inserter(flaws));
+  std::ranges::move(plan::FlawsOfCoverage(planned.result.plan), std::back_inserter(flaws));
   const bool can_be_executed = plan::Check(planned.problem, planned.result.plan, 1).flaws.empty();
   if (flaws.empty() && can_be_executed) flaws = Differences(planned);
   return flaws;

@@ -180,7 +180,7 @@ TEST(PartFileTest, SolidsHangTogether) {
   EXPECT_EQ(with_lug("[[20, 10, 10], [40, 30, 50]]"), "no error") << "in a volume";
   EXPECT_EQ(with_lug("[[59.9, 10, 20], [90, 30, 50]]"), "no error") << "in a strip of a face";
   EXPECT_THAT(with_lug("[[20, 10, 20.01], [40, 30, 50]]"),
-              HasSubstr("part.yaml:9:3: solid 'lug' hangs together with no chain of solids from "
+              HasSubstr("part.yaml:9:8: solid 'lug' hangs together with no chain of solids from "
                         "'body'"));
   EXPECT_THAT(with_lug("[[274, 10, 20], [294, 30, 50]]"), HasSubstr("solid 'lug'"));
   EXPECT_THAT(with_lug("[[60, 10, 20], [90, 30, 50]]"), HasSubstr("solid 'lug'")) << "in an edge";

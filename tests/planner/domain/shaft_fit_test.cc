@@ -117,12 +117,13 @@ Mating Seated(int of_bolt, int of_nut) {
           .mating_vector = Vector3(0, 0, -0.05)};
 }
 
-TEST(ShaftFit, AHexagonIsHeldAcrossItsThreePairsOfSides) {
+// Across its three pairs of sides, and into the corners at which the body's own pocket ends.
+TEST(ShaftFit, AHexagonIsHeldAllAround) {
   const Problem problem = BoltInNut();
   const Mating mating = Seated(1, 1);
   EXPECT_TRUE(HasShaftInHole(problem, mating));
   const std::vector<FitGap> gaps = GapsOf(problem, mating);
-  ASSERT_THAT(gaps, SizeIs(3));
+  ASSERT_THAT(gaps, SizeIs(4));
   for (const auto& [across, low, high] : gaps) {
     EXPECT_NEAR(low, kClearance, 1e-9);
     EXPECT_NEAR(high, kClearance, 1e-9);
@@ -151,6 +152,23 @@ TEST(ShaftFit, NothingThatFitsIsFartherOffThanThePlay) {
   };
   while (is_turned_in(turn)) turn += 1e-4;
   EXPECT_LE(turn - 1e-4, play.turn);
+}
+
+// At its ends the play is used up.
+TEST(ShaftFit, FitsInsideAsFarAsTheGaps) {
+  for (const char* scenario : {"keyed", "uncertain-sensing", "mate-stepped"}) {
+    const Problem problem = Load(scenario);
+    const Mating& mating = problem.matings.front();
+    const std::vector<ShaftFit> fits = FitsOf(problem, mating);
+    EXPECT_TRUE(FitsInside(fits, mating.X_FixedHeld)) << scenario;
+    for (const auto& [across, low, high] : GapsOf(problem, mating)) {
+      const auto moved = [&](double by) {
+        return FitsInside(fits, geometry::Translation(by * across) * mating.X_FixedHeld);
+      };
+      EXPECT_TRUE(moved(high - 1e-9) && moved(-low + 1e-9)) << scenario;
+      EXPECT_FALSE(moved(high + 1e-9) || moved(-low - 1e-9)) << scenario;
+    }
+  }
 }
 
 TEST(ShaftFit, FacesHaveNoFit) {
