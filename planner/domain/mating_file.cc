@@ -315,15 +315,23 @@ std::vector<Pose> PosesWithinPlay(const Problem& problem, const Mating& mating) 
   return poses;
 }
 
-// What is proved of the features that are named must be all that there is to prove: where their
-// play ends, nothing else of the parts has met before.
+// What is proved of the features that are named must be all that there is to prove: seated and on
+// the way in, nothing else of the parts meets before the play of the features ends.
 void MatingFile::CheckNothingElseFits(const Value& features, const Mating& mating) const {
   const auto& held = problem_.part(mating.held).model->shape();
   const auto& fixed = problem_.part(mating.fixed).model->shape();
+  double depth = 0;
+  for (const ShaftFit& fit : FitsOf(problem_, mating)) depth = std::max(depth, fit.depth);
   for (const Pose& X_FixedHeld : PosesWithinPlay(problem_, mating)) {
-    if (!Overlaps(held, X_FixedHeld, fixed, Pose::Identity(), kBesideWall)) continue;
-    features.Fail("something else of the parts meets within the play that these features leave",
-                  "all shafts and holes that meet in the mating");
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+      const Vector3 back = -share * depth * mating.mating_vector.normalized();
+      if (!Overlaps(held, geometry::Translation(back) * X_FixedHeld, fixed, Pose::Identity(),
+                    kBesideWall)) {
+        continue;
+      }
+      features.Fail("something else of the parts meets within the play that these features leave",
+                    "all shafts and holes that meet in the mating");
+    }
   }
 }
 

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <random>
 #include <stdexcept>
 
-#include "planner/base/random.h"
 #include "tests/sim/cli/program.h"
 
 namespace assay::cli::certificate_check_test {
@@ -251,9 +251,9 @@ TEST_F(CertificateCheck, EveryEditIsFound) {
     if (is_claim || is_pose) places.push_back(place);
   }
   ASSERT_GT(places.size(), 1000u);
-  RandomStream random(29, "edits");
+  std::mt19937 random(29);
   for (int i = 0; i < edits; ++i) {
-    const std::string& place = places[random.Index(static_cast<int>(places.size()))];
+    const std::string& place = places[random() % places.size()];
     Json plan = whole;
     Json& value = plan["actions"][Json::json_pointer(place)];
     if (value.is_number_float()) {
