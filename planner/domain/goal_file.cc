@@ -40,6 +40,8 @@ void ReadGoal(const Value& goal, const Units& units, Problem& problem) {
     if (std::ranges::find(problem.goals, Goal(id)) != problem.goals.end()) {
       assembled->Fail("this goal is given twice", "each goal once");
     }
+    const bool is_to_be_made = std::ranges::count(problem.assembled, id) == 0;
+    if (is_to_be_made) RequireShaftInHole(*assembled, problem, id);
     problem.goals.emplace_back(id);
   } else {
     problem.goals.emplace_back(ReadLocated(goal.At("located"), problem));

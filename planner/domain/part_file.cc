@@ -24,6 +24,7 @@ constexpr double kLeastTilt = 2 * kDegree;
 constexpr double kFarthestName = 30 * kDegree;  // of a named direction from the pose that it names
 constexpr double kShortestSide = 1e-4;          // of a box in the file, metres
 constexpr double kThinnestWall = 1e-5;          // that a pocket may leave, metres
+constexpr double kJointDepth = 1e-6;            // metres, of a test whether pieces touch
 constexpr double kLeastCut = 1e-12;             // of a pocket, cubic metres
 constexpr double kAligned = 1e-6;               // between unit vectors that should be equal
 constexpr Range kChamfers = {0, 0.02};          // metres
@@ -195,6 +196,52 @@ std::vector<Wall> WallsOf(const PartModel& model, const Hollow& hollow) {
   return walls;
 }
 
+// A convex piece, to be tried for whether it hangs together with others: in a volume, or in a face
+// at least, as edges and corners hold nothing. Each of its sides is pushed out a little by itself;
+// those of the other are drawn in, by a little less.
+struct Joint {
+  geometry::CollisionShape reaching;
+  geometry::CollisionShape drawn_in;
+
+  explicit Joint(const Box& piece) : reaching(Reaching(piece)), drawn_in(DrawnIn(piece)) {}
+
+  bool HoldsTo(const Joint& other) const {
+    return Overlaps(reaching, Pose::Identity(), other.drawn_in, Pose::Identity(), 0);
+  }
+
+ private:
+  static geometry::CollisionShape Reaching(const Box& piece) {
+    std::array<Box, 3> boxes = {piece, piece, piece};
+    for (int axis = 0; axis < 3; ++axis) {
+      boxes[static_cast<std::size_t>(axis)].half_extents[axis] += 1.2 * kJointDepth;
+    }
+    return geometry::CollisionShape(boxes);
+  }
+  static geometry::CollisionShape DrawnIn(Box piece) {
+    piece.half_extents.array() -= kJointDepth;
+    return geometry::CollisionShape({&piece, 1});
+  }
+};
+
+// The first piece that does not hang together with the first of all, by way of others; -1: none.
+int FirstApart(const std::vector<Box>& pieces) {
+  const std::vector<Joint> joints(pieces.begin(), pieces.end());
+  std::vector<bool> is_reached(pieces.size());
+  std::vector<std::size_t> to_look_from = {0};
+  is_reached[0] = true;
+  while (!to_look_from.empty()) {
+    const Joint& from = joints[to_look_from.back()];
+    to_look_from.pop_back();
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (is_reached[i] || !from.HoldsTo(joints[i])) continue;
+      is_reached[i] = true;
+      to_look_from.push_back(i);
+    }
+  }
+  const auto apart = std::ranges::find(is_reached, false);
+  return apart == is_reached.end() ? -1 : static_cast<int>(apart - is_reached.begin());
+}
+
 StablePoseId NearestTo(const std::vector<StablePose>& poses, const Vector3& direction) {
   const auto likeness = [&](const StablePose& pose) {
     return -direction.dot(pose.X_TablePart.linear().row(2).transpose());
@@ -240,6 +287,7 @@ std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double
   model->friction_ = ReadWithin(root.At("friction"), 1, {.low = 0.001, .high = 10});
   PartFile file(clearance);
   file.ReadPieces(root);
+  file.CheckHangsTogether(root.At("solids"));
   file.BuildShape(*model, ReadDensity(root));
   if (const auto features = root.Find("features")) file.ReadFeatures(*features, *model);
   model->stable_poses_ = ComputeStablePoses(*model, kLeastTilt);
@@ -347,6 +395,25 @@ std::vector<Box> PartFile::Pieces() const {
     pieces.insert(pieces.end(), solid.pieces.begin(), solid.pieces.end());
   }
   return pieces;
+}
+
+void PartFile::CheckHangsTogether(const Value& solids) const {
+  int apart = FirstApart(Pieces());
+  if (apart < 0) return;
+  auto solid = solids_.begin();
+  while (apart >= std::ssize(solid->pieces)) {
+    apart -= static_cast<int>(solid->pieces.size());
+    ++solid;
+  }
+  const Value place = solids.At(solid->name);
+  if (FirstApart(solid->pieces) >= 0) {
+    place.Fail(fmt::format("the pockets cut solid '{}' into pieces that nothing holds together",
+                           solid->name),
+               "one part that hangs together");
+  }
+  place.Fail(fmt::format("solid '{}' hangs together with no chain of solids from '{}'", solid->name,
+                         solids_.front().name),
+             "solids that overlap, or touch in a face");
 }
 
 void PartFile::BuildShape(PartModel& model, double density) const {

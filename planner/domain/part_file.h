@@ -51,6 +51,7 @@ class PartFile {
   geometry::Box ReadBox(const Value& corners) const;
 
   std::vector<geometry::Box> Pieces() const;
+  void CheckHangsTogether(const Value& solids) const;
   void BuildShape(PartModel& model, double density) const;
 
   void ReadFeatures(const Value& features, PartModel& model) const;

@@ -61,6 +61,14 @@ struct CertifiedPrecondition {
   bool operator==(const CertifiedPrecondition&) const = default;
 };
 
+// A kind of precondition (condition_kind.h) that such steps need and this one has none of.
+struct NotNeeded {
+  std::string condition;
+  std::string reason;  // for people and programs: one that the kind allows
+
+  bool operator==(const NotNeeded&) const = default;
+};
+
 // What was done about preconditions that could not be proved at first.
 struct Resolution {
   std::string resolver;            // "sensing", "squeezing", "verification"
@@ -78,6 +86,8 @@ struct Certificate {
   std::vector<std::string> shared = {};
   std::vector<ErrorSet> before = {};  // of the parts that the step is about
   std::vector<CertifiedPrecondition> preconditions = {};
+  // With the preconditions: all kinds that the step needs.
+  std::vector<NotNeeded> not_needed = {};
   std::vector<ErrorSet> after = {};  // output error sets of the same parts
   std::vector<Resolution> resolutions = {};
 

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "planner/base/check.h"
+#include "planner/plan/condition_kind.h"
 
 namespace assay::plan {
 namespace {
@@ -96,7 +98,9 @@ Json PreconditionToJson(const CertifiedPrecondition& precondition) {
 CertifiedPrecondition ReadPrecondition(const Value& value) {
   value.AllowOnly({"condition", "meaning", "expression", "relation", "limit", "bound", "margin",
                    "gap", "rung", "worst"});
-  return {.condition = value.At("condition").Text(),
+  std::vector<std::string> kinds;
+  for (const ConditionKind& kind : ConditionKinds()) kinds.emplace_back(kind.name);
+  return {.condition = kinds[value.At("condition").OneOf(kinds)],
           .meaning = value.At("meaning").Text(),
           .expression = value.At("expression").Text(),
           .relation = static_cast<Relation>(value.At("relation").OneOf(kRelations)),
@@ -106,6 +110,34 @@ CertifiedPrecondition ReadPrecondition(const Value& value) {
           .gap = ReadNumber(value.At("gap")),
           .rung = value.At("rung").Text(),
           .worst = ReadPoint(value.At("worst"))};
+}
+
+// What the certificate covers: of each kind, how many preconditions there are, or why none.
+Json CoverageToJson(const Certificate& certificate) {
+  Json covers = Json::object();
+  for (const CertifiedPrecondition& claim : certificate.preconditions) {
+    covers[claim.condition] = covers.value(claim.condition, 0) + 1;
+  }
+  for (const auto& [condition, reason] : certificate.not_needed) covers[condition] = reason;
+  return covers;
+}
+
+// The number that is said of each kind is the one that there is.
+std::vector<NotNeeded> ReadCoverage(const Value& covers,
+                                    const std::vector<CertifiedPrecondition>& preconditions) {
+  std::vector<NotNeeded> not_needed;
+  for (const auto& [kind, value] : covers.Entries()) {
+    const std::string name = kind.Text();
+    const auto count = std::ranges::count(preconditions, name, &CertifiedPrecondition::condition);
+    if (count == 0) {
+      not_needed.push_back({name, value.Text()});
+    } else if (value.Text() != std::to_string(count)) {
+      value.Fail(fmt::format("'{}' of '{}'", value.Text(), name),
+                 fmt::format("{}, as many as there are", count));
+    }
+  }
+  for (const CertifiedPrecondition& claim : preconditions) covers.At(claim.condition);
+  return not_needed;
 }
 
 Json ErrorSetToJson(const ErrorSet& errors, const domain::Problem& problem) {
@@ -153,6 +185,7 @@ Json ToJson(const Certificate& certificate, const domain::Problem& problem,
   return {{"variables", ListToJson(certificate.variables, VariableToJson)},
           {"shared", certificate.shared},
           {"before", ListToJson(certificate.before, set)},
+          {"covers", CoverageToJson(certificate)},
           {"preconditions", ListToJson(certificate.preconditions, PreconditionToJson)},
           {"after", ListToJson(certificate.after, set)},
           {"resolutions", ListToJson(certificate.resolutions, resolution)}};
@@ -160,17 +193,20 @@ Json ToJson(const Certificate& certificate, const domain::Problem& problem,
 
 Certificate ReadCertificate(const Value& value, const domain::Problem& problem,
                             const std::vector<std::string>& step_names) {
-  value.AllowOnly({"variables", "shared", "before", "preconditions", "after", "resolutions"});
+  value.AllowOnly(
+      {"variables", "shared", "before", "covers", "preconditions", "after", "resolutions"});
   const auto set = [&](const Value& errors) { return ReadErrorSet(errors, problem); };
   const auto resolution = [&](const Value& r) { return ReadResolution(r, step_names); };
   const auto text = [](const Value& t) { return t.Text(); };
-  return {
+  Certificate certificate = {
       .variables = ReadList<ErrorVariable>(value.At("variables"), ReadVariable),
       .shared = ReadList<std::string>(value.At("shared"), text),
       .before = ReadList<ErrorSet>(value.At("before"), set),
       .preconditions = ReadList<CertifiedPrecondition>(value.At("preconditions"), ReadPrecondition),
       .after = ReadList<ErrorSet>(value.At("after"), set),
       .resolutions = ReadList<Resolution>(value.At("resolutions"), resolution)};
+  certificate.not_needed = ReadCoverage(value.At("covers"), certificate.preconditions);
+  return certificate;
 }
 
 }  // namespace assay::plan

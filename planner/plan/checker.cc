@@ -8,6 +8,7 @@
 #include <set>
 
 #include "planner/plan/action_check.h"
+#include "planner/plan/condition_kind.h"
 #include "planner/plan/goal_check.h"
 #include "planner/plan/label_check.h"
 #include "planner/plan/linearization.h"
@@ -141,6 +142,20 @@ class Simulation {
 
 }  // namespace
 
+std::vector<Flaw> FlawsOfCoverage(const Plan& plan) {
+  const auto is_certified = [](const PlannedStep& step) {
+    return step.certificate != Certificate{};
+  };
+  std::vector<Flaw> flaws;
+  if (std::ranges::none_of(plan.steps, is_certified)) return flaws;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    for (std::string& what : FlawsOfCoverage(plan.steps[i])) {
+      flaws.push_back({StepId(i), std::move(what)});
+    }
+  }
+  return flaws;
+}
+
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations) {
   CheckReport report{.flaws = FlawsOfPlanForm(problem, plan)};
   if (!report.flaws.empty()) return report;
@@ -160,6 +175,7 @@ CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_lin
                                           });
   report.flaws = simulation.TakeFlaws();
   std::ranges::move(FlawsOfStrategies(plan), std::back_inserter(report.flaws));
+  std::ranges::move(FlawsOfCoverage(plan), std::back_inserter(report.flaws));
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
     for (std::string& label : MisleadingLabels(problem, plan.steps[i].action)) {
       report.flaws.push_back({StepId(i), std::move(label)});

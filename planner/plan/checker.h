@@ -23,8 +23,12 @@ struct CheckReport {
 // Checks a plan from the scenario alone, with its own model of what the actions do and its own
 // geometry: it shares no code with the planner and trusts no label. Every linearization of the
 // ordering is gone through, up to `most_linearizations`; the order of execution always is. Goals
-// must hold at the end of each. Of strategies the form alone is checked (FlawsOfForm);
-// planner/assembly/plan_check.h replays them, too.
+// must hold at the end of each. Of strategies the form alone is checked (FlawsOfForm), and of
+// certificates what they cover (condition_kind.h); planner/assembly/plan_check.h replays the
+// strategies, too, and planner/uncertainty/certify.h computes certificates anew.
 CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations);
+
+// Of certificates: whether each covers what its step needs. If one step has one, all have.
+std::vector<Flaw> FlawsOfCoverage(const Plan& plan);
 
 }  // namespace assay::plan

@@ -10,6 +10,7 @@
 #include <tuple>
 
 #include "planner/base/check.h"
+#include "planner/plan/condition_kind.h"
 #include "planner/posting/best_known.h"
 #include "planner/posting/combinations.h"
 #include "planner/posting/sensing_resolver.h"
@@ -82,8 +83,9 @@ std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goal
 
 std::string WhyUnproved(const plan::CertifiedPrecondition& claim) {
   const bool less = claim.relation == plan::Relation::kLess;
-  const bool is_angle = claim.condition == "tilt" || claim.condition == "tip turn";
-  const bool is_ratio = claim.condition == "holding";
+  const plan::Quantity quantity = plan::QuantityOf(claim.condition);
+  const bool is_angle = quantity == plan::Quantity::kAngle;
+  const bool is_ratio = quantity == plan::Quantity::kRatio;
   const double scale = is_ratio ? 1 : is_angle ? 180 / std::numbers::pi : 1000;
   return fmt::format("not proved that {}: {} {:.4g}, must be {} {:.4g}{}", claim.meaning,
                      less ? "SUP" : "INF", scale * claim.bound, less ? "<" : ">",

@@ -8,6 +8,7 @@
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/text.h"
 #include "planner/base/check.h"
+#include "planner/plan/condition_kind.h"
 #include "planner/uncertainty/release.h"
 #include "planner/uncertainty/sensing.h"
 #include "planner/uncertainty/squeezing.h"
@@ -285,7 +286,23 @@ CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request, const plan::Strategy* strategy) {
   StepCertifier certifier(world, Effort::kCertify, request, strategy);
   std::visit(certifier, action);
-  return certifier.Take();
+  CertifiedStep step = certifier.Take();
+  step.certificate.not_needed = plan::NotNeededIn(step.certificate.preconditions, action, strategy,
+                                                  world.propagation() == Propagation::kPaper);
+  return step;
+}
+
+std::vector<plan::Certificate> CertificatesAnew(const domain::Problem& problem,
+                                                const plan::Plan& plan, Propagation propagation,
+                                                const algebra::BoundRequest& request) {
+  std::vector<plan::Certificate> certificates(plan.steps.size());
+  UncertainWorld world(problem, propagation);
+  for (const plan::StepId id : plan.ExecutionOrder()) {
+    const plan::PlannedStep& step = plan.step(id);
+    const plan::Strategy* strategy = step.strategy ? &*step.strategy : nullptr;
+    certificates[id.index()] = CertifyStep(world, step.action, request, strategy).certificate;
+  }
+  return certificates;
 }
 
 std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& action,

@@ -32,9 +32,16 @@ CertifiedStep CertifyStep(UncertainWorld& world, const plan::Action& action,
                           const algebra::BoundRequest& request,
                           const plan::Strategy* strategy = nullptr);
 
-// The same, only for the answer what is not proved: the claims have no texts and no worst corners,
-// and their bounds need not be as tight as a certificate's. Looks no further than at the first that
-// is not, if that is enough to know.
+// The certificates of all steps of a plan, computed anew from the problem and the actions, without
+// resolutions; by StepId. The plan must be one that can be executed (planner/plan/checker.h), and
+// its matings must have a shaft in a hole.
+std::vector<plan::Certificate> CertificatesAnew(const domain::Problem& problem,
+                                                const plan::Plan& plan, Propagation propagation,
+                                                const algebra::BoundRequest& request);
+
+// The same as CertifyStep, only for the answer what is not proved: the claims have no texts and no
+// worst corners, and their bounds need not be as tight as a certificate's. Looks no further than at
+// the first that is not, if that is enough to know.
 enum class Wanted { kFirstUnproved, kAllUnproved };
 std::vector<Unproved> DecideStep(UncertainWorld& world, const plan::Action& action,
                                  const algebra::BoundRequest& request, Wanted wanted,

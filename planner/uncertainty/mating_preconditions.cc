@@ -6,15 +6,16 @@
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/simplify.h"
 #include "planner/base/check.h"
+#include "planner/domain/shaft_fit.h"
 #include "planner/uncertainty/precondition.h"
-#include "planner/uncertainty/shaft_fit.h"
 
 namespace assay::uncertainty {
 namespace {
 
 using algebra::kInfinity;
-using domain::Feature;
-using domain::PartModel;
+using domain::kUnitProduct;
+using domain::ShaftFit;
+using domain::SideWall;
 using geometry::Polygon;
 using geometry::Vector2;
 
@@ -46,8 +47,8 @@ class FitConditions {
         compliance_(world.problem().workcell->rules().lateral_compliance),
         worst_(WorstOf(world)),
         conditions_(conditions),
-        walls_(SideWalls(fit, worst_.narrowing)),
-        section_(CrossSection(fit)) {
+        walls_(domain::SideWalls(fit, worst_.narrowing)),
+        section_(domain::CrossSection(fit)) {
     ASSAY_CHECK(!walls_.empty() && !section_.empty(), "nothing to prove of {}", fit.name);
   }
 
@@ -102,9 +103,9 @@ class FitConditions {
     const SideWall* opposite = nullptr;
     for (const SideWall& other : walls_) {
       const double facing = other.normal.dot(wall.normal);
-      if (facing < kParallel - 1) {
+      if (facing < kUnitProduct - 1) {
         opposite = &other;
-      } else if (facing < 1 - kParallel && std::abs(facing) > kParallel) {
+      } else if (facing < 1 - kUnitProduct && std::abs(facing) > kUnitProduct) {
         return nullptr;
       }
     }
@@ -116,41 +117,16 @@ class FitConditions {
     Transform turn = seated.possible;
     turn.translation = {0, 0, 0};
     const SymbolicVector direction = turn * AsVector(axis);
-    for (const int column : {0, 1}) {
-      const Vector3 across = fit_.hole.X_PartFeature.linear().col(column);
-      const auto [clearance, width] = ClearanceAlong(across, seated.nominal);
-      if (!std::isfinite(clearance) || !(depth > 0)) continue;
+    for (const domain::Slot& slot : domain::SlotsOf(walls_)) {
+      const Vector3& across = slot.across;
+      const double width = domain::ExtentOf(fit_, section_, across).width();
+      const double clearance = slot.high - slot.low - width;
       const double wedging =
           worst_.friction > 0 ? clearance / (worst_.friction * width) : kInfinity;
       conditions_.Within("tilt", fmt::format("{} neither touches twice nor wedges", fit_.name),
                          algebra::Dot(AsVector(across), direction),
                          std::min(clearance / depth, wedging));
     }
-  }
-
-  // The play of the shaft between the walls across a direction (infinite if a side is open), and
-  // the shaft's width there.
-  struct Play {
-    double clearance = 0;
-    double width = 0;
-  };
-  Play ClearanceAlong(const Vector3& across, const Pose& X_HoleShaft) const {
-    double low = -kInfinity;
-    double high = kInfinity;
-    for (const SideWall& wall : walls_) {
-      const double facing = wall.normal.dot(across);
-      if (facing > 1 - kParallel) low = std::max(low, wall.offset);
-      if (facing < kParallel - 1) high = std::min(high, -wall.offset);
-    }
-    double least = kInfinity;
-    double most = -kInfinity;
-    for (const Vector2& corner : section_) {
-      const double at =
-          across.dot(X_HoleShaft * fit_.shaft.X_PartFeature * Vector3(corner.x(), corner.y(), 0));
-      least = std::min(least, at);
-      most = std::max(most, at);
-    }
-    return {high - low - (most - least), most - least};
   }
 
   const ShaftFit& fit_;
@@ -174,7 +150,7 @@ class MatingConditions {
         seated_(Seated()) {}
 
   std::vector<Precondition> Run() {
-    for (const ShaftFit& fit : FitsOf(world_.problem(), mating_)) RequireFit(fit);
+    for (const ShaftFit& fit : domain::FitsOf(world_.problem(), mating_)) RequireFit(fit);
     RequireSeat();
     return conditions_.Take();
   }

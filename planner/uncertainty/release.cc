@@ -6,8 +6,8 @@
 
 #include "planner/algebra/simplify.h"
 #include "planner/domain/part_model.h"
+#include "planner/domain/shaft_fit.h"
 #include "planner/uncertainty/axis_angle.h"
-#include "planner/uncertainty/shaft_fit.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -109,7 +109,7 @@ RestingError LedToSeat(UncertainWorld& world, domain::MatingId id) {
   const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
   const RestingError& fixed = world.resting(mating.fixed);
   const SymbolicVector origin = AsVector(mating.X_FixedHeld.translation());
-  const SeatPlay play = PlayInSeat(problem, mating, problem.tolerances.clearance);
+  const domain::SeatPlay play = domain::PlayInSeat(problem, mating, problem.tolerances.clearance);
   const std::string name = world.SymbolName(mating.held);
   const auto declare = [&](const char* what, double magnitude) {
     return world.Declare(fmt::format("{}_{}", what, name), {-magnitude, magnitude}, mating.held);

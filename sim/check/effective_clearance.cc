@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "planner/base/check.h"
+#include "planner/domain/shaft_fit.h"
 #include "sim/scene/scene.h"
 
 namespace assay::check {
@@ -24,9 +24,10 @@ const Pose kX_WorldFixed = geometry::Translation(0.6, 0.7, 0.9);
 
 class PlayMeasurement {
  public:
-  PlayMeasurement(const Problem& problem, const Mating& mating)
+  PlayMeasurement(const Problem& problem, const Mating& mating, const domain::ShaftFit& fit)
       : problem_(problem),
         mating_(mating),
+        middle_(Middle(fit, mating)),
         scene_(problem, {.grasp = scene::GraspMode::kWeld}),
         data_(scene_.Start()) {
     const mujoco::Model& model = scene_.model();
@@ -44,34 +45,29 @@ class PlayMeasurement {
 
  private:
   // The middle between the tip of the shaft and the mouth of the hole, in the held part.
-  Vector3 Middle() const {
-    const auto& [of_held, of_fixed] = mating_.features.front();
-    const domain::Feature* shaft = problem_.part(mating_.held).model->FindFeature(of_held);
-    const domain::Feature* hole = problem_.part(mating_.fixed).model->FindFeature(of_fixed);
-    ASSAY_CHECK(shaft != nullptr && hole != nullptr);
-    return (shaft->X_PartFeature.translation() +
-            mating_.X_FixedHeld.inverse() * Vector3(hole->X_PartFeature.translation())) /
-           2;
+  static Vector3 Middle(const domain::ShaftFit& fit, const Mating& mating) {
+    const Vector3 tip = fit.X_HoleShaft * fit.shaft.X_PartFeature.translation();
+    const Vector3 in_hole = (tip + fit.hole.X_PartFeature.translation()) / 2;
+    return fit.shaft_is_held ? mating.X_FixedHeld.inverse() * in_hole : in_hole;
   }
 
   // Where the middle comes to a stop when pushed that way, in the fixed part.
   Vector3 Stop(const Vector3& direction_Fixed) {
     data_.Restore(start_);
-    const Vector3 middle = Middle();
     int still = 0;
     while (still < kStillSteps && data_.time() < start_.time + kLongest) {
-      Push(scene_.TruePose(data_, mating_.fixed).linear() * direction_Fixed, middle);
+      Push(scene_.TruePose(data_, mating_.fixed).linear() * direction_Fixed);
       data_.Step();
       const bool is_still = scene_.TrueTwist(data_, mating_.held).linear.norm() < kStill;
       still = is_still ? still + 1 : 0;
     }
     return scene_.TruePose(data_, mating_.fixed).inverse() *
-           (scene_.TruePose(data_, mating_.held) * middle);
+           (scene_.TruePose(data_, mating_.held) * middle_);
   }
 
   // Generalized forces of the free joint: a force at the part's origin in the world, a torque about
   // it in the part. Weight is taken away, motion damped.
-  void Push(const Vector3& direction_World, const Vector3& middle) {
+  void Push(const Vector3& direction_World) {
     const geometry::MassProperties& mass = problem_.part(mating_.held).model->mass();
     const geometry::Matrix3 R = scene_.TruePose(data_, mating_.held).linear();
     const scene::Twist twist = scene_.TrueTwist(data_, mating_.held);
@@ -80,7 +76,7 @@ class PlayMeasurement {
     const Vector3 at_middle = mass.mass * kPush * direction_World;
     const Vector3 force = at_center + at_middle;
     const Vector3 torque = mass.center.cross(R.transpose() * at_center) +
-                           middle.cross(R.transpose() * at_middle) -
+                           middle_.cross(R.transpose() * at_middle) -
                            kDamping * mass.inertia * R.transpose() * twist.angular;
     for (int i = 0; i < 3; ++i) {
       data_.qfrc_applied()[dof_ + i] = force[i];
@@ -90,6 +86,7 @@ class PlayMeasurement {
 
   const Problem& problem_;
   const Mating& mating_;
+  Vector3 middle_;
   scene::Scene scene_;
   mujoco::Data data_;
   mujoco::State start_;
@@ -100,18 +97,16 @@ class PlayMeasurement {
 
 double Play::RelativeDifference() const { return (measured - nominal) / nominal; }
 
-std::array<Play, 2> EffectiveClearance(const Problem& problem, domain::MatingId id) {
+std::vector<Play> EffectiveClearance(const Problem& problem, domain::MatingId id) {
   const Mating& mating = problem.mating(id);
-  const domain::Feature* hole =
-      problem.part(mating.fixed).model->FindFeature(mating.features.front().second);
-  ASSAY_CHECK(hole != nullptr);
-  PlayMeasurement measurement(problem, mating);
-  std::array<Play, 2> plays = {};
-  for (int i = 0; i < 2; ++i) {
-    plays[static_cast<std::size_t>(i)].axis = hole->X_PartFeature.linear().col(i);
-    plays[static_cast<std::size_t>(i)].nominal = 2 * problem.clearance;
-    plays[static_cast<std::size_t>(i)].measured =
-        measurement.PlayAlong(plays[static_cast<std::size_t>(i)].axis);
+  const std::vector<domain::ShaftFit> fits = domain::FitsOf(problem, mating);
+  if (fits.empty()) return {};
+  PlayMeasurement measurement(problem, mating, fits.front());
+  std::vector<Play> plays;
+  for (const domain::FitGap& gap : domain::GapsOf(problem, mating)) {
+    plays.push_back({.axis = gap.across,
+                     .nominal = gap.low + gap.high,
+                     .measured = measurement.PlayAlong(gap.across)});
   }
   return plays;
 }

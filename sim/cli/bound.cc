@@ -225,11 +225,24 @@ std::string TableText(const std::vector<Answer>& answers, const BoundProblem& pr
   return table.Text() + explanations;
 }
 
-// The bound holds, but is not known to be as tight as was asked for. An infinite one is an answer:
-// no gap was promised.
-bool IsBudgetSpent(const Bound& bound, const BoundRequest& request) {
+// The bound holds, but is not known to be as tight as was asked for: more evaluations were needed
+// than it may take, or doubles resolve no better. An infinite one is an answer: no gap was
+// promised.
+bool IsLoose(const Bound& bound, const BoundRequest& request) {
   return request.highest == Rung::kBranchAndBound && std::isfinite(bound.value) &&
-         bound.gap > request.gap && bound.evaluations >= request.evaluations;
+         bound.gap > request.gap;
+}
+
+void TellLoose(const Answer& answer, const BoundRequest& request) {
+  for (const Bound* bound : {&answer.inf, &answer.sup}) {
+    if (!IsLoose(*bound, request)) continue;
+    PrintError(fmt::format("{} of {} is known to within {:.3g}, not {:.3g}: {}",
+                           bound == &answer.inf ? "INF" : "SUP", ShortText(answer.question.text),
+                           bound->gap, request.gap,
+                           bound->evaluations >= request.evaluations
+                               ? "more evaluations are needed (--evaluations)"
+                               : "numbers of such magnitude have no finer rounding"));
+  }
 }
 
 ExitCode Execute(const Options& options) {
@@ -253,10 +266,11 @@ ExitCode Execute(const Options& options) {
   } else {
     WriteFile(options.output, text);
   }
-  const bool is_spent = std::ranges::any_of(answers, [&](const Answer& answer) {
-    return IsBudgetSpent(answer.inf, request) || IsBudgetSpent(answer.sup, request);
+  for (const Answer& answer : answers) TellLoose(answer, request);
+  const bool is_loose = std::ranges::any_of(answers, [&](const Answer& answer) {
+    return IsLoose(answer.inf, request) || IsLoose(answer.sup, request);
   });
-  return is_spent ? ExitCode::kBudgetSpent : ExitCode::kDone;
+  return is_loose ? ExitCode::kBudgetSpent : ExitCode::kDone;
 }
 
 Execution Declare(CLI::App& command) {

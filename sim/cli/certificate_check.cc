@@ -146,21 +146,6 @@ class ClaimCheck {
   std::vector<std::string> flaws_;
 };
 
-struct VerifiedActionOf {
-  using Verified = std::optional<domain::VerifiedAction>;
-  Verified operator()(const plan::Pickup&) const { return domain::VerifiedAction::kPickup; }
-  Verified operator()(const plan::Putdown&) const { return domain::VerifiedAction::kPutdown; }
-  Verified operator()(const plan::Assemble&) const { return domain::VerifiedAction::kAssemble; }
-  Verified operator()(const plan::Sense&) const { return std::nullopt; }
-  Verified operator()(const plan::Squeeze&) const { return std::nullopt; }
-};
-
-bool IsUnproved(const plan::PlannedStep& step) {
-  return !std::ranges::all_of(step.certificate.preconditions, [&](const auto& claim) {
-    return claim.holds() || plan::Absorbs(step.strategy, claim.condition);
-  });
-}
-
 // What is absorbed is so for the errors that the strategy takes for granted: at every step that has
 // one these must be proved.
 bool LacksTipErrors(const plan::PlannedStep& step) {
@@ -191,14 +176,6 @@ bool ExceedsTipErrors(const plan::PlannedStep& step) {
          !IsProvedWithin(step, "tip turn", uncertainty::SinesWithin(certificate.w));
 }
 
-bool LacksVerification(const domain::Problem& problem, const plan::Plan& plan, plan::StepId id) {
-  const auto action = std::visit(VerifiedActionOf(), plan.step(id).action);
-  const auto& templates = problem.workcell->uncertainty_operations().verifications;
-  return IsUnproved(plan.step(id)) && action &&
-         std::ranges::count(templates, *action, &domain::VerificationTemplate::after) > 0 &&
-         std::ranges::count(plan.verifications, id, &plan::Verification::step) == 0;
-}
-
 void CheckClaims(plan::StepId id, const plan::PlannedStep& step, const std::string& file,
                  std::vector<plan::Flaw>& flaws) {
   const CertificateAlgebra algebra(step, file);
@@ -213,13 +190,21 @@ void CheckClaims(plan::StepId id, const plan::PlannedStep& step, const std::stri
 
 }  // namespace
 
-std::vector<plan::Flaw> CertificateFlaws(const domain::Problem& problem, const plan::Plan& plan,
-                                         const std::string& file) {
-  std::vector<plan::Flaw> flaws;
-  const bool is_certified = std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {
+bool IsCertified(const plan::Plan& plan) {
+  return std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {
     return step.certificate != plan::Certificate{};
   });
-  if (!is_certified) return flaws;
+}
+
+bool IsUnproved(const plan::PlannedStep& step) {
+  return !std::ranges::all_of(step.certificate.preconditions, [&](const auto& claim) {
+    return claim.holds() || plan::Absorbs(step.strategy, claim.condition);
+  });
+}
+
+std::vector<plan::Flaw> CertificateFlaws(const plan::Plan& plan, const std::string& file) {
+  std::vector<plan::Flaw> flaws;
+  if (!IsCertified(plan)) return flaws;
   const auto unproved = std::ranges::count_if(plan.steps, IsUnproved);
   if (plan.errors != unproved) {
     flaws.push_back(
@@ -236,9 +221,6 @@ std::vector<plan::Flaw> CertificateFlaws(const domain::Problem& problem, const p
     if (ExceedsTipErrors(plan.step(id))) {
       flaws.push_back(
           {id, "limits of the tip's errors are wider than what its strategy is certain for"});
-    }
-    if (LacksVerification(problem, plan, id)) {
-      flaws.push_back({id, "preconditions of it are not proved, and no verification follows it"});
     }
   }
   return flaws;

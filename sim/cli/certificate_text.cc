@@ -1,10 +1,12 @@
 #include "sim/cli/certificate_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "planner/plan/condition_kind.h"
 #include "sim/cli/quantity.h"
 
 namespace assay::cli {
@@ -47,6 +49,16 @@ std::string VerificationText(const plan::Plan& plan, const plan::Verification& v
 bool AnyStrategy(const plan::Plan& plan) {
   return std::ranges::any_of(
       plan.steps, [](const plan::PlannedStep& step) { return step.strategy.has_value(); });
+}
+
+// What the certificates leave open, if they are made as published.
+std::string UnaskedText(const plan::Plan& plan) {
+  if (!plan::IsAsPublished(plan)) return "";
+  std::vector<std::string_view> unasked;
+  for (const plan::ConditionKind& kind : plan::ConditionKinds()) {
+    if (!kind.is_published) unasked.push_back(kind.name);
+  }
+  return fmt::format(" It does not ask for: {}.", fmt::join(unasked, ", "));
 }
 
 // How great errors the strategy absorbs, and what would be the first to go wrong.
@@ -101,7 +113,9 @@ std::string UncertaintyText(const plan::Plan& plan) {
   }
   const std::string summary =
       plan.errors == 0
-          ? fmt::format("Every precondition is proved{}.", AnyStrategy(plan) ? " or absorbed" : "")
+          ? fmt::format("Every precondition{} is proved{}.{}",
+                        plan::IsAsPublished(plan) ? " of the paper" : "",
+                        AnyStrategy(plan) ? " or absorbed" : "", UnaskedText(plan))
           : fmt::format("Not all preconditions of {} are proved: {} and {} stand by.",
                         Counted(plan.errors, "step", "steps"),
                         Counted(plan.verifications.size(), "verification", "verifications"),

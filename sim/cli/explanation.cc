@@ -267,6 +267,9 @@ std::string PreconditionsText(const PlannedStep& step, const std::string& file) 
     text += KindText(kind, proofs, absorbed, !absorbed && (kind.unproved() > 0 || is_tightest));
     is_tightest &= absorbed;
   }
+  for (const auto& [condition, reason] : step.certificate.not_needed) {
+    text += fmt::format("\n{}: not needed: {}\n", condition, reason);
+  }
   return text;
 }
 

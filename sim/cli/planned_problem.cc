@@ -7,6 +7,7 @@
 #include "planner/assembly/plan_check.h"
 #include "planner/plan/plan_file.h"
 #include "sim/cli/certificate_check.h"
+#include "sim/cli/certificate_comparison.h"
 #include "sim/cli/progress.h"
 
 namespace assay::cli {
@@ -22,7 +23,15 @@ fs::path FindScenario(const fs::path& named, const fs::path& plan_file) {
 
 std::vector<plan::Flaw> ClaimFlaws(const PlannedProblem& planned) {
   const Progress progress("checking the certificates for " + planned.problem.name);
-  return CertificateFlaws(planned.problem, planned.result.plan, planned.file());
+  return CertificateFlaws(planned.result.plan, planned.file());
+}
+
+// Of a plan without other flaws.
+std::vector<plan::Flaw> Differences(const PlannedProblem& planned) {
+  const plan::Plan& plan = planned.result.plan;
+  if (planned.plan_file.empty() || !IsCertified(plan)) return {};
+  const Progress progress("computing the certificates anew for " + planned.problem.name);
+  return DifferencesFromAnew(planned.problem, plan, planned.file());
 }
 
 void RequireGoal(const Document& document, const domain::Problem& problem) {
@@ -82,12 +91,16 @@ plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& pl
 plan::CheckReport CheckPlan(const PlannedProblem& planned) {
   plan::CheckReport report = CheckPlan(planned.problem, planned.result.plan);
   std::ranges::move(ClaimFlaws(planned), std::back_inserter(report.flaws));
+  if (report.flaws.empty()) report.flaws = Differences(planned);
   return report;
 }
 
 std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned) {
   std::vector<plan::Flaw> flaws = assembly::FlawsOfStrategies(planned.problem, planned.result.plan);
   std::ranges::move(ClaimFlaws(planned), std::back_inserter(flaws));
+  std::ranges::move(plan::FlawsOfCoverage(planned.result.plan), std::back_inserter(flaws));
+  const bool can_be_executed = plan::Check(planned.problem, planned.result.plan, 1).flaws.empty();
+  if (flaws.empty() && can_be_executed) flaws = Differences(planned);
   return flaws;
 }
 

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
+#include <variant>
 
+#include "planner/domain/mating_classes.h"
 #include "planner/domain/reachability.h"
 #include "sim/check/effective_clearance.h"
 #include "sim/cli/part_report.h"
@@ -66,6 +70,42 @@ void AddParts(const Problem& problem, Draft& report) {
   report.text += table.Text();
 }
 
+// What the goals want moved, and no grasp of the gripper can move: no plan exists then.
+struct Unmovable {
+  PartId part;
+  std::string why;
+};
+
+std::optional<Unmovable> UnmovableFor(const Problem& problem, domain::MatingId id) {
+  const domain::Mating& mating = problem.mating(id);
+  if (std::ranges::count(problem.assembled, id) > 0) return std::nullopt;
+  if (problem.part(mating.held).grasps->empty()) {
+    return Unmovable{mating.held, "no grasp of the gripper holds it"};
+  }
+  if (!domain::GraspList(problem, mating).empty()) return std::nullopt;
+  return Unmovable{mating.held, "every grasp of it hides a feature that is to mate"};
+}
+
+std::optional<Unmovable> UnmovableFor(const Problem& problem, const domain::LocatedGoal& goal) {
+  const domain::Part& part = problem.part(goal.part);
+  const bool is_there = std::ranges::count(goal.stable_poses, part.resting) > 0;
+  if (is_there || !part.grasps->empty()) return std::nullopt;
+  return Unmovable{goal.part, "no grasp of the gripper holds it"};
+}
+
+void AddUnmovable(const Problem& problem, Draft& report) {
+  report.json["unmovable"] = Json::array();
+  for (const domain::Goal& goal : problem.goals) {
+    const auto unmovable =
+        std::visit([&](const auto& wanted) { return UnmovableFor(problem, wanted); }, goal);
+    if (!unmovable) continue;
+    const std::string& name = problem.part(unmovable->part).name;
+    report.text += fmt::format("\na goal wants {} moved, and {}\n", name, unmovable->why);
+    report.json["unmovable"].push_back({{"part", name}, {"why", unmovable->why}});
+    report.holds = false;
+  }
+}
+
 void AddStablePoses(const Problem& problem, Draft& report) {
   std::set<std::string> told;
   for (const domain::Part& part : problem.parts) {
@@ -73,13 +113,6 @@ void AddStablePoses(const Problem& problem, Draft& report) {
     report.text +=
         fmt::format("\nstable poses of {}\n{}", part.model->name(), StablePoseTable(*part.model));
   }
-}
-
-// Whether something of the held part goes into a hole of the fixed part, where it has play.
-bool HasPlay(const Problem& problem, const domain::Mating& mating) {
-  const auto& [of_held, of_fixed] = mating.features.front();
-  return problem.part(mating.held).model->FindFeature(of_held)->mouths.empty() &&
-         !problem.part(mating.fixed).model->FindFeature(of_fixed)->mouths.empty();
 }
 
 bool Holds(const check::Play& play) {
@@ -108,14 +141,19 @@ void AddClearances(const Problem& problem, Draft& report) {
                {"in the engine", Align::kRight},
                {"off by %", Align::kRight},
                {"verdict"}});
+  std::string without_play;
   Json& json = report.json["clearances"] = Json::array();
   for (std::size_t m = 0; m < problem.matings.size(); ++m) {
     const domain::Mating& mating = problem.matings[m];
-    if (!HasPlay(problem, mating)) continue;
     const std::string& held = problem.part(mating.held).name;
     const std::string& fixed = problem.part(mating.fixed).name;
-    for (const check::Play& play : check::EffectiveClearance(problem, domain::MatingId(m))) {
-      table.Add({fmt::format("{} in {}", held, fixed), DirectionText(play.axis),
+    const std::vector<check::Play> plays = check::EffectiveClearance(problem, domain::MatingId(m));
+    if (plays.empty()) {
+      without_play +=
+          fmt::format("no play of {} on {}: no shaft is in a hole there\n", held, fixed);
+    }
+    for (const check::Play& play : plays) {
+      table.Add({fmt::format("{} with {}", held, fixed), DirectionText(play.axis),
                  fmt::format("{:.3f}", 1000 * play.nominal),
                  fmt::format("{:.3f}", 1000 * play.measured),
                  fmt::format("{:.1f}", 100 * play.RelativeDifference()),
@@ -130,6 +168,7 @@ void AddClearances(const Problem& problem, Draft& report) {
     }
   }
   if (!json.empty()) report.text += fmt::format("\n{}", table.Text());
+  if (!without_play.empty()) report.text += fmt::format("\n{}", without_play);
 }
 
 }  // namespace
@@ -144,6 +183,7 @@ Report ReportOn(const Problem& problem) {
                  {"workcell", problem.workcell->name()},
                  {"goals", problem.goals.size()}};
   AddParts(problem, report);
+  AddUnmovable(problem, report);
   AddStablePoses(problem, report);
   AddTolerances(problem, report);
   AddClearances(problem, report);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "planner/plan/condition_kind.h"
+
 namespace assay::cli {
 namespace {
 
@@ -31,9 +33,15 @@ Unit UnitOf(const std::string& variable) {
 }
 
 Unit UnitOf(const plan::CertifiedPrecondition& precondition) {
-  if (precondition.condition == "holding") return kRatioUnit;
-  const bool is_angle = precondition.condition == "tilt" || precondition.condition == "tip turn";
-  return is_angle ? kAngleUnit : kLengthUnit;
+  switch (plan::QuantityOf(precondition.condition)) {
+    case plan::Quantity::kLength:
+      return kLengthUnit;
+    case plan::Quantity::kAngle:
+      return kAngleUnit;
+    case plan::Quantity::kRatio:
+      return kRatioUnit;
+  }
+  return kRatioUnit;
 }
 
 std::string QuantityText(double value, const Unit& unit) {

@@ -1,5 +1,6 @@
 #include "planner/domain/part_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -145,7 +146,7 @@ TEST(PartFileTest, EachSlipIsNamed) {
 
 // A plug in the mouth, or a cap over it, closes a hole.
 TEST(PartFileTest, AMouthMustBeOpen) {
-  for (const char* box : {"[[55, 8, 4], [60, 20, 16]]", "[[60, 15, 8], [70, 25, 12]]"}) {
+  for (const char* box : {"[[55, 8, 4], [60, 20, 16]]", "[[60, 5, 8], [70, 25, 12]]"}) {
     const std::string text = With("pockets:", std::string("  plug: {box: ") + box + "}\npockets:");
     EXPECT_THAT(ErrorOf(text), HasSubstr("no open mouth")) << box;
   }
@@ -169,6 +170,54 @@ TEST(PartFileTest, AHoleMayGoThroughSeveralSolids) {
   ASSERT_EQ(hole.mouths.size(), 1u);
   EXPECT_NEAR(geometry::Area(hole.mouths[0].outline), 10 * 10 * 1e-6, 1e-12)
       << "y from 15 to 25 of the bore, z from 5 to 15 of the slot";
+}
+
+// The lug stands on the body at z = 20.
+TEST(PartFileTest, SolidsHangTogether) {
+  const auto with_lug = [](const char* lug) {
+    return ErrorOf(With("[[20, 10, 20], [40, 30, 50]]", lug));
+  };
+  EXPECT_EQ(with_lug("[[20, 10, 10], [40, 30, 50]]"), "no error") << "in a volume";
+  EXPECT_EQ(with_lug("[[59.9, 10, 20], [90, 30, 50]]"), "no error") << "in a strip of a face";
+  EXPECT_THAT(with_lug("[[20, 10, 20.01], [40, 30, 50]]"),
+              HasSubstr("part.yaml:9:8: solid 'lug' hangs together with no chain of solids from "
+                        "'body'"));
+  EXPECT_THAT(with_lug("[[274, 10, 20], [294, 30, 50]]"), HasSubstr("solid 'lug'"));
+  EXPECT_THAT(with_lug("[[60, 10, 20], [90, 30, 50]]"), HasSubstr("solid 'lug'")) << "in an edge";
+  EXPECT_THAT(with_lug("[[60, 40, 20], [90, 60, 50]]"), HasSubstr("solid 'lug'")) << "in a corner";
+}
+
+// A bridge makes one part of two.
+TEST(PartFileTest, SolidsHangTogetherByOthers) {
+  const std::string apart = With("[[20, 10, 20], [40, 30, 50]]", "[[20, 10, 60], [40, 30, 90]]");
+  EXPECT_THAT(ErrorOf(apart), HasSubstr("solid 'lug'"));
+  std::string bridged = apart;
+  bridged.insert(bridged.find("pockets:"), "  bridge: {box: [[0, 0, 20], [20, 20, 70]]}\n");
+  EXPECT_EQ(ErrorOf(bridged), "no error");
+}
+
+TEST(PartFileTest, PocketsLeaveSolidsInOnePiece) {
+  EXPECT_THAT(ErrorOf(With("[[45, 10, 5], [60, 30, 15]]", "[[10, -1, -1], [15, 41, 21]]")),
+              HasSubstr("the pockets cut solid 'body' into pieces that nothing holds together"));
+}
+
+// Whatever way all of it is turned.
+TEST(PartFileTest, TurnedSolidsHangTogether) {
+  for (const char* axis : {"[0, 0, 1]", "[1, 2, 3]", "[-2, 1, 0.3]"}) {
+    for (const double angle : {0.0, 12.3, 45.0, 77.0, 100.0}) {
+      const auto with_lug = [&](const std::string& lug) {
+        std::string text = With("color: [1, 0, 0, 1]}",
+                                fmt::format("turn: {{axis: {}, angle: {}}}}}", axis, angle));
+        text.replace(text.find("features:"), std::string::npos, "");
+        return ErrorOf(
+            text.replace(text.find("[[20, 10, 20], [40, 30, 50]]}"), 29,
+                         fmt::format("{}, turn: {{axis: {}, angle: {}}}}}", lug, axis, angle)));
+      };
+      EXPECT_EQ(with_lug("[[20, 10, 20], [40, 30, 50]]"), "no error") << axis << " " << angle;
+      EXPECT_THAT(with_lug("[[20, 10, 20.01], [40, 30, 50]]"), HasSubstr("solid 'lug'"));
+      EXPECT_THAT(with_lug("[[60, 10, 20], [90, 30, 50]]"), HasSubstr("solid 'lug'"));
+    }
+  }
 }
 
 TEST(PartFileTest, APocketTurnsWithItsSolid) {

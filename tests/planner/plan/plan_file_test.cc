@@ -10,6 +10,7 @@
 
 #include "planner/base/random.h"
 #include "planner/plan/checker.h"
+#include "planner/plan/condition_kind.h"
 #include "tests/oracle/json_schema.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/plan/peg_and_block.h"
@@ -67,6 +68,10 @@ Certificate SomeCertificate(double number) {
                          .margin = 1 - number / 3,
                          .gap = 0,
                          .rung = ""}},
+      .not_needed = {{"finger clear", std::string(kNotPublished)},
+                     {"fingertip", std::string(kNotPublished)},
+                     {"holding", std::string(kNotPublished)},
+                     {"hand clear", "no other part is near enough to be met"}},
       .after = {{.part = kPeg, .in_hand = true, .x = {}, .y = {}, .z = {}, .theta = {0.1, 0.2}}},
       .resolutions = {{"sensing", {StepId(4), StepId(5)}, "between fingers: -inf > 0"},
                       {"verification", {}, ""}}};
@@ -83,7 +88,7 @@ PlanResult Augmented() {
   plan.ordering.emplace_back(StepId(4), StepId(5));
   plan.ordering.emplace_back(StepId(5), StepId(0));
   plan.steps[0].certificate = SomeCertificate(0.1);
-  plan.steps[5].certificate.after = plan.steps[0].certificate.before;
+  plan.steps[5].certificate = SomeCertificate(0.2);
   plan.verifications = {
       {.step = StepId(0),
        .name = "gripper-opening",
@@ -213,6 +218,10 @@ TEST(PlanSchema, RefusesAugmentationsThatTheReaderRefuses) {
   expect_certificate_refused([](Json& json) { json["preconditions"][0].erase("condition"); });
   expect_certificate_refused([](Json& json) { json["preconditions"][1]["gap"] = nullptr; });
   expect_certificate_refused([](Json& json) { json["resolutions"][0].erase("steps"); });
+  expect_certificate_refused([](Json& json) { json["preconditions"][0]["condition"] = "luck"; });
+  expect_certificate_refused([](Json& json) { json.erase("covers"); });
+  expect_certificate_refused([](Json& json) { json["covers"].erase("pad contact"); });
+  expect_certificate_refused([](Json& json) { json["covers"]["pad contact"] = "proved"; });
 }
 
 TEST(PlanFile, AugmentationsThatFitNoStepOrPartAreRefused) {
@@ -237,6 +246,8 @@ TEST(PlanFile, AugmentationsThatFitNoStepOrPartAreRefused) {
                 j["before"][0]["x"] = {2, 1};
               }),
               HasSubstr("the range goes down"));
+  EXPECT_THAT(certificate_error_after([](Json& j) { j["covers"]["pad contact"] = 2; }),
+              HasSubstr("'2' of 'pad contact'; allowed: 1, as many as there are"));
   EXPECT_THAT(certificate_error_after([](Json& j) {
                 j["before"][0]["x"] = {"inf", 1};
               }),
@@ -255,6 +266,8 @@ TEST(PlanFile, CertificatesAreWrittenOnlyWhereThereAreAny) {
   EXPECT_EQ(certificate["variables"][1]["range"], Json::parse(R"(["-inf", "inf"])"));
   EXPECT_EQ(certificate["before"][0]["part"], "block");
   EXPECT_EQ(certificate["preconditions"][0]["relation"], ">");
+  EXPECT_EQ(certificate["covers"]["pad contact"], 1);
+  EXPECT_EQ(certificate["covers"]["hand clear"], "no other part is near enough to be met");
   EXPECT_EQ(certificate["resolutions"][0]["steps"], Json::parse(R"(["action_5", "action_6"])"));
   EXPECT_FALSE(json["verifications"][1].contains("below"));
   EXPECT_FALSE(json["recoveries"][1].contains("radius"));

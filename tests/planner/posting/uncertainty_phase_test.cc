@@ -16,6 +16,7 @@
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/base/random.h"
 #include "planner/plan/checker.h"
+#include "planner/plan/condition_kind.h"
 #include "planner/plan/plan_file.h"
 #include "planner/posting/squeezing_resolver.h"
 #include "tests/oracle/certified_expressions.h"
@@ -655,6 +656,42 @@ TEST(UncertaintyPhase, WeakerBoundsGiveTheSameCountAsTheirCertificates) {
     options.instances = 1;
     const Plan plan = CertifiedPlan(LoadScenario("uncertain-squeezing"), options);
     EXPECT_EQ(plan.errors, std::ssize(Unproved(plan))) << algebra::Name(rung);
+  }
+}
+
+plan::PlanResult ReadBack(const plan::PlanResult& result, const domain::Problem& problem) {
+  const std::string text = plan::ToJson(result, problem, "scenario.yaml").dump();
+  return plan::ReadPlan(Document::Parse(text, "plan.json"), problem);
+}
+
+// Who has the scenario and the actions, as a plan file keeps them, has the certificates.
+TEST(UncertaintyPhase, CertificatesAreTheSameComputedAnew) {
+  for (const char* name :
+       {"uncertain-known", "uncertain-squeezing", "uncertain-failing", "spar-fig15"}) {
+    for (const Propagation propagation : {Propagation::kSound, Propagation::kPaper}) {
+      const domain::Problem problem = LoadScenario(name);
+      const plan::PlanResult made = MakeCertifiedPlan(problem, {}, In(propagation));
+      ASSERT_EQ(made.outcome, Outcome::kFound) << name;
+      const Plan plan = ReadBack(made, problem).plan;
+      const auto anew = uncertainty::CertificatesAnew(problem, plan, propagation, {});
+      for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+        plan::Certificate expected = plan.steps[i].certificate;
+        expected.resolutions.clear();
+        EXPECT_TRUE(anew[i] == expected) << name << ", " << plan.steps[i].name;
+      }
+    }
+  }
+}
+
+TEST(UncertaintyPhase, CertificatesStateWhatTheyCover) {
+  for (const char* name : {"uncertain-known", "uncertain-squeezing", "spar-fig13"}) {
+    for (const Propagation propagation : {Propagation::kSound, Propagation::kPaper}) {
+      const Plan plan = CertifiedPlan(LoadScenario(name), In(propagation));
+      EXPECT_EQ(plan::IsAsPublished(plan), propagation == Propagation::kPaper) << name;
+      for (const PlannedStep& step : plan.steps) {
+        EXPECT_THAT(plan::FlawsOfCoverage(step), IsEmpty()) << name << ", " << step.name;
+      }
+    }
   }
 }
 

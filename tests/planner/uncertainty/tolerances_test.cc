@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "planner/domain/shaft_fit.h"
 #include "planner/uncertainty/precondition.h"
 #include "planner/uncertainty/squeezing.h"
 #include "tests/planner/uncertainty/part_on_table.h"
@@ -73,6 +76,18 @@ TEST(ToleranceOfClearance, CountsTwiceForTheWidth) {
   for (std::size_t i = 0; i < exact.size(); ++i) {
     EXPECT_NEAR(tolerant[i].limit - exact[i].limit, 2 * kTolerance, kRounding);
   }
+}
+
+// An octagon leans between four pairs of walls, of which two stand at 45 degrees to its axes.
+TEST(Tilt, IsAskedForAcrossEveryPairOfWalls) {
+  const domain::Problem problem = LoadScenario("mate-octagonal");
+  std::size_t slots = 0;
+  for (const domain::ShaftFit& fit : domain::FitsOf(problem, problem.matings.front())) {
+    slots += domain::SlotsOf(domain::SideWalls(fit, 0)).size();
+  }
+  EXPECT_EQ(slots, 4u);
+  const std::vector<Precondition> all = OfMating(problem);
+  EXPECT_EQ(std::ranges::count(all, "tilt", &Precondition::condition), 8);
 }
 
 // Of all limits of tilt the least: a wedged shaft is short and wide.

@@ -54,6 +54,15 @@ TEST_F(BoundVerb, LinearWithInfiniteEnds) {
   EXPECT_EQ(bounds[1]["sup"], 5);
 }
 
+// Doubles near 1e16 lie 2 apart.
+TEST_F(BoundVerb, AGapThatRoundingLeavesIsNoAnswer) {
+  const std::string file = folder_.Write("gap.json", R"({"variables": {"x": [99999999, 100000001]},
+                      "expressions": ["x*x - 2*100000000*x + 1e16"]})");
+  EXPECT_GT(Bounds({file}, 11)[0]["gap"].get<double>(), 1e-6);
+  EXPECT_THAT(Assay({"bound", file}).err, HasSubstr("no finer rounding"));
+  EXPECT_LE(Bounds({file, "--gap", "10"})[0]["gap"].get<double>(), 10);
+}
+
 TEST_F(BoundVerb, TableForPeople) {
   const Ended ended = Assay({"bound", kSparPickup});
   EXPECT_EQ(ended.code, 0) << ended.err;

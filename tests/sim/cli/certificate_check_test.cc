@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
+#include <random>
 #include <stdexcept>
 
 #include "tests/sim/cli/program.h"
@@ -179,8 +182,11 @@ TEST_F(CertificateCheck, UnprovedStepsAreVerified) {
   Json plan = PlanOf(kUnproved);
   ASSERT_THAT(plan["verifications"], SizeIs(2));
   plan["verifications"].erase(0);
-  EXPECT_THAT(FlawsOf(plan), Contains("preconditions of it are not proved, and no verification "
-                                      "follows it"));
+  EXPECT_THAT(FlawsOf(plan),
+              Contains("plan.verifications: 1 entries in the file, 2 entries computed anew"));
+  plan = PlanOf(kUnproved);
+  plan["recoveries"][0]["strategy"] = "retry";
+  EXPECT_THAT(FlawsOf(plan), Contains(StartsWith("plan.recoveries[0].strategy: \"retry\" in")));
 }
 
 TEST_F(CertificateCheck, WhatDoesNotReadIsToldWithTheFile) {
@@ -191,6 +197,102 @@ TEST_F(CertificateCheck, WhatDoesNotReadIsToldWithTheFile) {
   EXPECT_THAT(ended.err,
               AllOf(StartsWith("assay: " + (folder_ / "plan.json") + ": certificate of "),
                     HasSubstr("ends too early")));
+}
+
+// A set that is half as wide makes every later claim about the part too strong, though nothing in
+// the file contradicts it.
+TEST_F(CertificateCheck, SetsAreComputedAnew) {
+  for (const char* when : {"before", "after"}) {
+    for (const char* what : {"x", "y", "z", "theta"}) {
+      Json plan = PlanOf(kTwoLooks);
+      Json& set = plan["actions"].back()["certificate"][when][0];
+      const double high = set[what][1];
+      set[what][1] = high / 2;
+      EXPECT_EQ(FlawsOf(plan).size(), high != 0) << when << " " << what;
+    }
+  }
+}
+
+// Each kind of condition: left out, and left out with a reason that is not true.
+TEST_F(CertificateCheck, WhatACertificateCovers) {
+  const Json whole = PlanOf(kTwoLooks);
+  for (std::size_t a = 0; a < whole["actions"].size(); ++a) {
+    for (const auto& [kind, count] : whole["actions"][a]["certificate"]["covers"].items()) {
+      Json plan = whole;
+      Json& certificate = plan["actions"][a]["certificate"];
+      Json kept = Json::array();
+      for (const Json& claim : certificate["preconditions"]) {
+        if (claim["condition"] != kind) kept.push_back(claim);
+      }
+      certificate["preconditions"] = kept;
+      certificate["covers"].erase(kind);
+      EXPECT_THAT(FlawsOf(plan),
+                  Contains("the certificate covers no '" + kind + "', which such a step needs"));
+      if (count.is_string()) continue;
+      certificate["covers"][kind] = "no other part is near enough to be met";
+      EXPECT_THAT(FlawsOf(plan), Not(IsEmpty())) << kind;
+    }
+  }
+}
+
+// What a certificate says, one thing after another of a sample that is drawn: numbers become
+// greater by a hundredth and a micrometre, texts something else, lists lose an entry. ASSAY_EDITS:
+// how many.
+TEST_F(CertificateCheck, EveryEditIsFound) {
+  const char* const asked = std::getenv("ASSAY_EDITS");
+  const int edits = asked == nullptr ? 20 : std::atoi(asked);
+  const Json whole = PlanOf(kTwoLooks);
+  std::vector<std::string> places;
+  for (const auto& [place, value] : whole["actions"].flatten().items()) {
+    const bool is_claim = place.find("/certificate/") != std::string::npos &&
+                          place.find("/resolutions/") == std::string::npos;
+    const bool is_pose =
+        place.find("/hold/") != std::string::npos || place.find("/place/") != std::string::npos;
+    if (is_claim || is_pose) places.push_back(place);
+  }
+  ASSERT_GT(places.size(), 1000u);
+  std::mt19937 random(29);
+  for (int i = 0; i < edits; ++i) {
+    const std::string& place = places[random() % places.size()];
+    Json plan = whole;
+    Json& value = plan["actions"][Json::json_pointer(place)];
+    if (value.is_number_float()) {
+      value = value.get<double>() + std::abs(value.get<double>()) / 100 + 1e-6;
+    } else if (value.is_number()) {
+      value = value.get<int>() + 1;
+    } else if (value.is_boolean()) {
+      value = !value.get<bool>();
+    } else if (value.is_string()) {
+      value = value.get<std::string>() + " + 1";
+    } else {
+      value.push_back("more");  // to an empty list
+    }
+    const int code = Check(plan).code;
+    EXPECT_TRUE(code == 12 || code == 3) << place << " became " << value << ", exit " << code;
+  }
+}
+
+TEST_F(CertificateCheck, ListsThatLoseAnEntry) {
+  const Json whole = PlanOf(kTwoActions);
+  for (const char* list : {"variables", "before", "after", "preconditions", "shared"}) {
+    Json plan = whole;
+    Json& entries = plan["actions"][0]["certificate"][list];
+    ASSERT_THAT(entries, Not(IsEmpty())) << list;
+    entries.erase(entries.size() - 1);
+    EXPECT_NE(Check(plan).code, 0) << list;
+  }
+}
+
+// Written in another way, an expression is the same function.
+TEST_F(CertificateCheck, ExpressionsAreComparedAsFunctions) {
+  Json plan = PlanOf(kTwoActions);
+  Json& claim = FirstClaim(plan, true);
+  const std::string written = claim["expression"];
+  claim["expression"] = "0.5*(" + written + ") + 0.5*(" + written + ")";
+  EXPECT_THAT(FlawsOf(plan), IsEmpty());
+  const std::string name = claim["worst"].begin().key();
+  claim["expression"] = written + " + 0.001*" + name + "^2";
+  EXPECT_THAT(FlawsOf(plan), Not(IsEmpty()));
 }
 
 // Shown all the same, with a warning.

@@ -25,7 +25,7 @@ TEST(Check, ScenarioHoldsWithItsClearances) {
   EXPECT_GT(report["parts"][1]["reachable_at_start"], 0);
   ASSERT_THAT(report["clearances"], SizeIs(2));  // along both sides of the hole
   for (const auto& clearance : report["clearances"]) {
-    EXPECT_EQ(clearance["nominal"], 0.0005);
+    EXPECT_NEAR(clearance["nominal"].get<double>(), 0.0005, 1e-9);
     EXPECT_NEAR(clearance["effective"], 0.0005, 0.05 * 0.0005);
   }
 }
@@ -38,6 +38,67 @@ TEST(Check, EveryScenarioHolds) {
   const Ended ended = Assay(arguments);
   EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
   EXPECT_EQ(ended.Json()["files"].size(), arguments.size() - 2);
+}
+
+// The sleeve, which has the hole, is put over the post.
+TEST(Check, ClearancesAreMeasuredWhicheverPartHasTheHole) {
+  const Ended ended = Assay({"check", kTwoLooks, "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto clearances = ended.Json()["files"][0]["clearances"];
+  ASSERT_THAT(clearances, SizeIs(2));
+  for (const auto& clearance : clearances) {
+    EXPECT_EQ(clearance["held"], "sleeve");
+    EXPECT_NEAR(clearance["effective"], clearance["nominal"],
+                0.01 * clearance["nominal"].get<double>());
+  }
+}
+
+TEST(Check, SaysWhyNoClearanceIsMeasured) {
+  const Folder folder;
+  const std::string scenario = folder.Write("stacked.yaml", R"(format: assay-scenario/1
+workcell: puma762-table
+parts:
+  lower: {model: brick, pose: {stable: upright, at: [0.6, 0]}}
+  upper: {model: brick}
+initially:
+  - assembled: {held: upper, fixed: lower, features: [[6], [5]], mating_vector: [0, 0, -0.02],
+                pose: {columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], [0, 0, 0.1016]]}}
+goal:
+  - located: {part: lower, stable: [upright]}
+)");
+  const Ended ended = Assay({"check", scenario, "--models", kTree / "models"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("no play of upper on lower: no shaft is in a hole there"));
+}
+
+// Wider than the gripper opens, whichever way.
+TEST(Check, TellsWhatNoGraspCanMove) {
+  const Folder folder;
+  const std::filesystem::path models = folder / "models";
+  std::filesystem::copy(kTree / "models", models, std::filesystem::copy_options::recursive);
+  std::filesystem::create_directory(models / "parts/boulder");
+  folder.Write("models/parts/boulder/part.yaml", R"(format: assay-part/1
+name: boulder
+initial: BO
+units: {length: mm}
+density: 700
+friction: 0.25
+solids: {body: {box: [[0, 0, 0], [120, 130, 110]]}}
+stable_poses: {upright: [0, 0, -1], on-side: [0, -1, 0]}
+)");
+  const auto scenario = [&](const std::string& wanted) {
+    return folder.Write("boulder.yaml", R"(format: assay-scenario/1
+workcell: puma762-table
+parts: {rock: {model: boulder, pose: {stable: upright, at: [0.55, -0.1]}}}
+goal: [{located: {part: rock, stable: [)" + wanted +
+                                            "]}}]\n");
+  };
+  const Ended moved = Assay({"check", scenario("on-side"), "--models", models});
+  EXPECT_EQ(moved.code, 12) << moved.err;
+  EXPECT_THAT(moved.out,
+              HasSubstr("a goal wants rock moved, and no grasp of the gripper holds it"));
+  const Ended stays = Assay({"check", scenario("upright"), "--models", models});
+  EXPECT_EQ(stays.code, 0) << stays.err;
 }
 
 TEST(Check, PartsAndWorkcells) {

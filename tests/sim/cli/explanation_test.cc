@@ -44,6 +44,11 @@ class Explained : public ::testing::Test {
   }
 
   Ended Explain() {
+    certificate_["covers"] = Json::object();
+    for (const Json& claim : certificate_["preconditions"]) {
+      Json& count = certificate_["covers"][claim["condition"].get<std::string>()];
+      count = count.is_null() ? 1 : count.get<int>() + 1;
+    }
     plan_["actions"][1]["certificate"] = certificate_;
     return Assay({"plan", folder_.Write("plan.json", plan_.dump()), "--explain", "1"});
   }
@@ -57,11 +62,13 @@ class Explained : public ::testing::Test {
 // less than 5 mm if dx_peg is within (5 - 0.9983) / 2 = 2.0008 mm: 0.666 of 3 mm to three digits.
 TEST_F(Explained, UnprovedWithItsWorstCornerSharesAndRemedy) {
   const double sup = 0.006 + 0.01 * std::sin(0.1);
-  certificate_["preconditions"].push_back(Less("reach", "2*dx_peg + 0.01*sin(theta_peg)", 0.005,
-                                               sup, {{"dx_peg", 0.003}, {"theta_peg", 0.1}}));
+  certificate_["preconditions"].push_back(Less("between fingers", "2*dx_peg + 0.01*sin(theta_peg)",
+                                               0.005, sup,
+                                               {{"dx_peg", 0.003}, {"theta_peg", 0.1}}));
   const Ended ended = Explain();
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("reach: what reach means: 1 of 1 NOT PROVED\n"));
+  EXPECT_THAT(ended.out,
+              HasSubstr("between fingers: what between fingers means: 1 of 1 NOT PROVED\n"));
   EXPECT_THAT(ended.out, HasSubstr("SUP 6.998 mm, must be < 5 mm: 1.998 mm short; at the worst "
                                    "corner it is false\n"));
   EXPECT_THAT(ended.out, HasSubstr("0 mm if all is as believed, 6.998 mm at the worst corner; "
@@ -74,8 +81,8 @@ TEST_F(Explained, UnprovedWithItsWorstCornerSharesAndRemedy) {
 
 // Half of the sum would still be too much, from either variable.
 TEST_F(Explained, UnprovedWhereNoSingleRangeIsEnough) {
-  certificate_["preconditions"].push_back(
-      Less("reach", "dx_peg + dy_peg", 0.0005, 0.007, {{"dx_peg", 0.003}, {"dy_peg", 0.004}}));
+  certificate_["preconditions"].push_back(Less("between fingers", "dx_peg + dy_peg", 0.0005, 0.007,
+                                               {{"dx_peg", 0.003}, {"dy_peg", 0.004}}));
   const std::string text = Explain().out;
   EXPECT_THAT(text, HasSubstr("Tightening one variable's range alone is not enough.\n"));
   EXPECT_THAT(text, ContainsRegex("dy_peg +-2 to 4 mm +4 mm +3 mm\n"));
@@ -84,27 +91,28 @@ TEST_F(Explained, UnprovedWhereNoSingleRangeIsEnough) {
 // A bound that no known corner comes near is a loose bound, not a false precondition.
 TEST_F(Explained, LooseBoundIsNotCalledFalse) {
   certificate_["preconditions"].push_back(
-      Less("reach", "dx_peg - dx_peg^3", 0.0031, 0.0032, {{"dx_peg", 0.003}}));
+      Less("between fingers", "dx_peg - dx_peg^3", 0.0031, 0.0032, {{"dx_peg", 0.003}}));
   EXPECT_THAT(Explain().out, HasSubstr("0.1 mm short; no corner is known where it is false\n"));
 }
 
 TEST_F(Explained, UnprovedComesFirstAndProvedIsShorter) {
-  certificate_["preconditions"] = {Less("proved", "dx_peg", 0.004, 0.003, {{"dx_peg", 0.003}}),
-                                   Less("tilt", "theta_peg", 0.2, 0.1, {{"theta_peg", 0.1}}),
-                                   Less("unproved", "dy_peg", 0.003, 0.004, {{"dy_peg", 0.004}}),
-                                   Less("proved", "-dx_peg", 0.004, 0.003, {{"dx_peg", -0.003}})};
+  certificate_["preconditions"] = {
+      Less("pad contact", "dx_peg", 0.004, 0.003, {{"dx_peg", 0.003}}),
+      Less("tilt", "theta_peg", 0.2, 0.1, {{"theta_peg", 0.1}}),
+      Less("fingertip", "dy_peg", 0.003, 0.004, {{"dy_peg", 0.004}}),
+      Less("pad contact", "-dx_peg", 0.004, 0.003, {{"dx_peg", -0.003}})};
   const std::string text = Explain().out;
   EXPECT_THAT(text, HasSubstr("3 of 4 proved, the tightest first"));
-  EXPECT_LT(text.find("unproved: what unproved means: 1 of 1 NOT PROVED\n"),
-            text.find("\nproved: what proved means: 2 proved\n"));
+  EXPECT_LT(text.find("fingertip: what fingertip means: 1 of 1 NOT PROVED\n"),
+            text.find("\npad contact: what pad contact means: 2 proved\n"));
   EXPECT_THAT(text, ContainsRegex("2 +SUP 3 mm +< 4 mm +1 mm +termwise +0 mm\n"));
   EXPECT_THAT(text, ContainsRegex("1 +SUP 5.73 deg +< 11.46 deg +5.73 deg +termwise +0 deg\n"));
-  EXPECT_EQ(text.find("worst corner", text.find("\nproved:")), std::string::npos);
+  EXPECT_EQ(text.find("worst corner", text.find("\npad contact:")), std::string::npos);
 }
 
 TEST_F(Explained, InfiniteBounds) {
   certificate_["variables"][0]["range"] = {"-inf", "inf"};
-  Json precondition = Less("reach", "dx_peg + dy_peg", 0.005, 0, {});
+  Json precondition = Less("between fingers", "dx_peg + dy_peg", 0.005, 0, {});
   precondition["bound"] = precondition["gap"] = "inf";
   precondition["margin"] = "-inf";
   certificate_["preconditions"].push_back(precondition);
@@ -118,7 +126,7 @@ TEST_F(Explained, LongExpressionsAreFolded) {
   std::string sum = "dy_peg";
   for (int i = 1; i <= 60; ++i)
     sum += " + " + std::to_string(i) + ".25*dx_peg*cos(theta_peg)^" + std::to_string(i);
-  certificate_["preconditions"].push_back(Less("reach", sum, 1, 0.5, {}));
+  certificate_["preconditions"].push_back(Less("between fingers", sum, 1, 0.5, {}));
   const std::string text = Explain().out;
   EXPECT_THAT(text, ContainsRegex("\\.\\.\\. and [0-9]+ terms more that vary less\n"));
   std::istringstream lines(text);
@@ -135,7 +143,7 @@ TEST_F(Explained, ErrorSetsAreInMillimetresAndDegrees) {
 }
 
 TEST_F(Explained, WrongExpressionsAndNamesAreTold) {
-  certificate_["preconditions"].push_back(Less("reach", "dx_peg + dx_pgeg", 1, 0.5, {}));
+  certificate_["preconditions"].push_back(Less("between fingers", "dx_peg + dx_pgeg", 1, 0.5, {}));
   Ended ended = Explain();
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err, AllOf(HasSubstr("certificate of action_2:1:10: "), HasSubstr("dx_peg")));
