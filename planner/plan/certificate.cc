@@ -1,9 +1,16 @@
 #include "planner/plan/certificate.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace assay::plan {
+
+bool IsRatio(std::string_view condition) {
+  constexpr std::array<std::string_view, 6> kRatios = {"holding", "upright",      "standing",
+                                                       "pressed", "fixed stands", "fixed stays"};
+  return std::ranges::count(kRatios, condition) > 0;
+}
 
 double DoubtOfContact(const Certificate& certificate, double guarded_travel) {
   std::optional<double> margin;

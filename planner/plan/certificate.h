@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "planner/base/id.h"
@@ -60,6 +61,9 @@ struct CertifiedPrecondition {
   bool holds() const { return margin > 0; }
   bool operator==(const CertifiedPrecondition&) const = default;
 };
+
+// Whether the numbers of a condition of this name are ratios: of a load to what bears it.
+bool IsRatio(std::string_view condition);
 
 // What was done about preconditions that could not be proved at first.
 struct Resolution {

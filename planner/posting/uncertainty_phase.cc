@@ -83,7 +83,7 @@ std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goal
 std::string WhyUnproved(const plan::CertifiedPrecondition& claim) {
   const bool less = claim.relation == plan::Relation::kLess;
   const bool is_angle = claim.condition == "tilt" || claim.condition == "tip turn";
-  const bool is_ratio = claim.condition == "holding";
+  const bool is_ratio = plan::IsRatio(claim.condition);
   const double scale = is_ratio ? 1 : is_angle ? 180 / std::numbers::pi : 1000;
   return fmt::format("not proved that {}: {} {:.4g}, must be {} {:.4g}{}", claim.meaning,
                      less ? "SUP" : "INF", scale * claim.bound, less ? "<" : ">",

@@ -31,7 +31,7 @@ Unit UnitOf(const std::string& variable) {
 }
 
 Unit UnitOf(const plan::CertifiedPrecondition& precondition) {
-  if (precondition.condition == "holding") return kRatioUnit;
+  if (plan::IsRatio(precondition.condition)) return kRatioUnit;
   const bool is_angle = precondition.condition == "tilt" || precondition.condition == "tip turn";
   return is_angle ? kAngleUnit : kLengthUnit;
 }

@@ -1,0 +1,333 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "planner/domain/part_model.h"
+#include "planner/domain/resting.h"
+#include "planner/plan/pushing.h"
+#include "planner/uncertainty/axis_angle.h"
+#include "planner/uncertainty/possible_masses.h"
+#include "planner/uncertainty/precondition.h"
+#include "planner/uncertainty/release.h"
+#include "planner/uncertainty/support.h"
+#include "planner/uncertainty/touching_cells.h"
+
+namespace assay::uncertainty {
+namespace {
+
+constexpr double kPushed = 1e-12;  // metres: less is no push
+
+double MostOf(const UncertainWorld& world, const Expression& e) {
+  return Magnitude(world.RangeOf(e));
+}
+
+// By how much any point of a part may be elsewhere, metres, in the plane of the table.
+double ReachOf(const UncertainWorld& world, PartId part, const RestingError& error) {
+  return std::hypot(MostOf(world, error.displacement[0]), MostOf(world, error.displacement[1])) +
+         world.problem().part(part).model->shape().radius() * MostOf(world, error.theta);
+}
+
+// ---- Closing pads ---------------------------------------------------------------------------
+
+class ClosingConditions {
+ public:
+  ClosingConditions(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                    const ManipulatorError& draw, const HeldError& held)
+      : world_(world),
+        part_(part),
+        hold_(hold),
+        X_WorldPart_(world.X_WorldPart(part)),
+        X_WorldTool_(X_WorldPart_ * hold.X_PartTool),
+        hand_turn_(MostOf(world, draw.theta)),
+        hand_(std::hypot(MostOf(world, draw.x), MostOf(world, draw.y), MostOf(world, draw.z))),
+        off_(OffInHandOf(world, held)),
+        before_(world.about_plan(part)) {}
+
+  // The pads push at the same heights from either side: along `outward` the one on the other side.
+  double ToppleRatio() const {
+    const double turn = MostOf(world_, before_.theta) + hand_turn_;
+    if (ReachOf(world_, part_, before_) + hand_ + turn < kPushed) return 0;
+    const std::vector<Standing> standings = StandingsOf(world_, part_, X_WorldPart_);
+    const std::vector<TippingEdge> edges = TippingEdgesOf(standings);
+    if (edges.empty()) return kNothingBorne;
+    const double level = standings.front().at.front().z();
+    double ratio = 0;
+    for (const double side : {1.0, -1.0}) {
+      const Vector3 way = -side * X_WorldTool_.linear().col(1);
+      const double height = HighestOfLowest(side) - level + off_.shift.norm() + hand_;
+      for (const TippingEdge& edge : edges) {
+        ratio = std::max(ratio, RatioAbout(edge, way, turn, height));
+      }
+    }
+    return ratio;
+  }
+
+  // Metres that are left to the nearest neighbour; infinite without one.
+  double Room() const {
+    const domain::Problem& problem = world_.problem();
+    const geometry::Polygon own = domain::Footprint(problem.part(part_), X_WorldPart_);
+    const BeliefShift shift = world_.ShiftAt(part_, X_WorldTool_.translation());
+    const double moved =
+        std::hypot(MostOf(world_, shift.displacement[0]), MostOf(world_, shift.displacement[1])) +
+        hand_ + off_.shift.norm() +
+        problem.part(part_).model->shape().radius() *
+            (MostOf(world_, shift.turn) + hand_turn_ + off_.turn);
+    const double reach = std::max(moved, ReachOf(world_, part_, before_));
+    double room = std::numeric_limits<double>::infinity();
+    for (int p = 0; p < static_cast<int>(problem.parts.size()); ++p) {
+      const PartId other(p);
+      if (other == part_ || other == world_.in_hand()) continue;
+      const double gap =
+          geometry::Gap(own, domain::Footprint(problem.part(other), world_.X_WorldPart(other)));
+      room = std::min(room, gap - reach - ReachOf(world_, other, world_.about_plan(other)));
+    }
+    return room;
+  }
+
+ private:
+  // Where a pad surely touches as the part topples: the lowest of its cells; of a hand that leans
+  // any of them may be the first.
+  double HighestOfLowest(double side) const {
+    const domain::PartModel& model = *world_.problem().part(part_).model;
+    const Vector2& pad = world_.problem().workcell->gripper().pad_half_extents();
+    const Vector2 half = pad / kCellsPerSide;
+    const bool is_straight = std::abs(VerticalInTool(X_WorldTool_).z()) == 1;
+    std::map<double, double> lowest;  // by the tool's x: of each column of cells
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Vector2& cell : TouchingCells(model, hold_, side, pad, {})) {
+      const Vector3 middle(cell.x(), side * hold_.width / 2, cell.y());
+      const double height = (X_WorldTool_ * middle).z() + (is_straight ? -half.y() : half.sum());
+      highest = std::max(highest, height);
+      const auto [column, is_new] = lowest.try_emplace(cell.x(), height);
+      if (!is_new) column->second = std::min(column->second, height);
+    }
+    if (lowest.empty()) return std::numeric_limits<double>::infinity();
+    if (!is_straight) return highest;
+    return std::ranges::max_element(lowest, {}, [](const auto& c) { return c.second; })->second;
+  }
+
+  double TableFriction() const {
+    return world_.problem().part(part_).model->friction() + world_.problem().tolerances.friction;
+  }
+
+  // A pad that pushes along `way`, to within `turn`, exerts what the friction of the table takes:
+  // of a pad that is not upright also a vertical force, which helps friction or lifts the part.
+  double RatioAbout(const TippingEdge& edge, const Vector3& way, double turn, double height) const {
+    const double level = way.head<2>().norm();
+    const double vertical = std::abs(way.z());
+    const double friction = TableFriction();
+    const double sliding = level - friction * vertical;
+    if (!(sliding > 0) || !std::isfinite(height)) return kNothingBorne;
+    const double aside = std::acos(std::clamp(edge.outward.dot(way.head<2>()) / level, -1.0, 1.0));
+    const double along = std::cos(std::max(0.0, aside - turn));
+    if (!(along > 0) && vertical == 0) return 0;
+    double ratio = 0;
+    for (const geometry::MassProperties& mass : PossibleMasses(world_.problem(), part_)) {
+      const double inside = -edge.Beyond(X_WorldPart_ * mass.center);
+      if (!(inside > 0)) return kNothingBorne;
+      const double across = 2 * world_.problem().part(part_).model->shape().radius();
+      const double moment =
+          friction / sliding * (level * height * std::max(0.0, along) + vertical * across);
+      ratio = std::max(ratio, moment / inside);
+    }
+    return std::min(ratio, kNothingBorne);
+  }
+
+  const UncertainWorld& world_;
+  PartId part_;
+  const plan::Hold& hold_;
+  Pose X_WorldPart_;
+  Pose X_WorldTool_;
+  double hand_turn_;  // radians
+  double hand_;       // metres
+  OffInHand off_;
+  RestingError before_;
+};
+
+// ---- What is let go -------------------------------------------------------------------------
+
+class StandingConditions {
+ public:
+  StandingConditions(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                     const Pose& X_WorldPart, const RestingError& released)
+      : world_(world),
+        part_(part),
+        hold_(hold),
+        X_WorldPart_(X_WorldPart),
+        standings_(StandingsOf(world, part, X_WorldPart)),
+        edges_(TippingEdgesOf(standings_)),
+        off_(OnParts() ? ReachOf(world, part, released) + ReachOfSupports() : 0) {}
+
+  // Leaning by `tilt`, the part falls back.
+  double FallRatio(double tilt) const {
+    return WorstOf([&](const TippingEdge& edge, const geometry::MassProperties& mass) {
+      const Vector3 center = X_WorldPart_ * mass.center;
+      const double inside = -edge.Beyond(center) - off_;
+      if (!(inside > 0)) return kNothingBorne;
+      return (center.z() - Level()) * std::tan(std::min(tilt, kSteep)) / inside;
+    });
+  }
+
+  // Pads that slide down on the part press on it in the middle of what they touch.
+  double PressRatio() const {
+    const std::optional<Vector3> middle = MiddleOfPads();
+    if (!middle) return kNothingBorne;
+    const OffInHand off = OffInHandOf(world_, world_.held());
+    const double beside = off.shift.norm() + off.turn * hold_.width + off_;
+    return WorstOf([&](const TippingEdge& edge, const geometry::MassProperties& mass) {
+      const double inside = -edge.Beyond(X_WorldPart_ * mass.center) - off_;
+      if (!(inside > 0)) return kNothingBorne;
+      const double beyond = std::max(0.0, edge.Beyond(*middle) + beside);
+      return GreatestPress() * beyond / (mass.mass * kGravity * inside);
+    });
+  }
+
+ private:
+  static constexpr double kSteep = 1.5;  // radians
+
+  template <class Ratio>
+  double WorstOf(const Ratio& ratio_of) const {
+    if (edges_.empty()) return kNothingBorne;
+    double ratio = 0;
+    for (const geometry::MassProperties& mass : PossibleMasses(world_.problem(), part_)) {
+      for (const TippingEdge& edge : edges_) ratio = std::max(ratio, ratio_of(edge, mass));
+    }
+    return std::min(ratio, kNothingBorne);
+  }
+
+  double Level() const { return standings_.front().at.front().z(); }
+
+  bool OnParts() const {
+    return std::ranges::any_of(standings_, [](const Standing& s) { return !s.on.IsNone(); });
+  }
+  double ReachOfSupports() const {
+    double reach = 0;
+    for (const Standing& standing : standings_) {
+      if (standing.on.IsNone()) continue;
+      reach = std::max(reach, ReachOf(world_, standing.on, world_.resting(standing.on)));
+    }
+    return reach;
+  }
+
+  double GreatestPress() const {
+    const domain::WorkcellRules& rules = world_.problem().workcell->rules();
+    const double friction = rules.pad_friction + world_.problem().tolerances.pad_friction;
+    return std::min(plan::kGreatestPush, 2 * friction * rules.grip_force);
+  }
+
+  // World; none where a pad may touch nothing.
+  std::optional<Vector3> MiddleOfPads() const {
+    const domain::PartModel& model = *world_.problem().part(part_).model;
+    const Vector2& pad = world_.problem().workcell->gripper().pad_half_extents();
+    const OffInHand off = OffInHandOf(world_, world_.held());
+    Vector3 sum = Vector3::Zero();
+    for (const double side : {1.0, -1.0}) {
+      const std::vector<Vector2> cells = TouchingCells(model, hold_, side, pad, off);
+      if (cells.empty()) return std::nullopt;
+      for (const Vector2& cell : cells) {
+        sum += Vector3(cell.x(), 0, cell.y()) / static_cast<double>(2 * cells.size());
+      }
+    }
+    return X_WorldPart_ * hold_.X_PartTool * sum;
+  }
+
+  const UncertainWorld& world_;
+  PartId part_;
+  const plan::Hold& hold_;
+  Pose X_WorldPart_;
+  std::vector<Standing> standings_;
+  std::vector<TippingEdge> edges_;
+  double off_;  // by which other parts that it stands on may be elsewhere, metres
+};
+
+// ---- The fixed part of a mating -------------------------------------------------------------
+
+// What the mating does to the fixed part: along its vector where the parts touch at the end; by
+// fine motion in any direction, wherever they may touch on the way.
+Push PushOf(const UncertainWorld& world, const domain::Mating& mating,
+            const plan::Strategy* strategy) {
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  const double weight = GreatestWeight(world.problem(), mating.held);
+  Push push;
+  for (const Standing& standing :
+       StandingsOf(world, mating.held, X_WorldFixed * mating.X_FixedHeld)) {
+    if (standing.on == mating.fixed) push.at = standing.at;
+  }
+  if (strategy != nullptr) {
+    push.at.push_back(X_WorldFixed * strategy->X_FixedStart.translation());
+    push.down = weight + plan::kStrategyPush;
+    push.aside = plan::kStrategyPush;
+    return push;
+  }
+  const Vector3 way = X_WorldFixed.linear() * mating.mating_vector.normalized();
+  push.down = weight + plan::kGreatestPush * -way.z();
+  push.aside = plan::kGreatestPush * way.head<2>().norm();
+  return push;
+}
+
+// The parts that already stand on one, each somewhere where they touch.
+std::vector<Push> WeightsOn(const UncertainWorld& world, PartId part) {
+  std::vector<Push> weights;
+  for (int p = 0; p < static_cast<int>(world.problem().parts.size()); ++p) {
+    const PartId other(p);
+    if (other == part || other == world.in_hand()) continue;
+    for (const Standing& standing : StandingsOf(world, other, world.X_WorldPart(other))) {
+      if (standing.on != part) continue;
+      weights.push_back({standing.at, GreatestWeight(world.problem(), other), 0});
+    }
+  }
+  return weights;
+}
+
+}  // namespace
+
+std::vector<Precondition> ClosingPreconditions(const UncertainWorld& world, PartId part,
+                                               const plan::Hold& hold, const ManipulatorError& draw,
+                                               const HeldError& held) {
+  const ClosingConditions closing(world, part, hold, draw, held);
+  Preconditions conditions;
+  conditions.Less("upright", "the part slides before a pad and does not topple",
+                  closing.ToppleRatio(), 1);
+  const double room = closing.Room();
+  if (std::isfinite(room)) {
+    conditions.Greater("neighbour clear", "closing pads push the part into no neighbour", room, 0);
+  }
+  return conditions.Take();
+}
+
+std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, PartId part,
+                                                const plan::Hold& hold,
+                                                const ManipulatorError& draw,
+                                                const Pose& X_WorldPart,
+                                                const RestingError& released, double play) {
+  const StandingConditions standing(world, part, hold, X_WorldPart, released);
+  const Vector3 up = VerticalInTool(X_WorldPart * hold.X_PartTool);
+  const double tilt = std::max(play, LeaningOf(world, up, draw).tilt);
+  Preconditions conditions;
+  conditions.Less("standing", "let go, the part stands", standing.FallRatio(tilt), 1);
+  conditions.Less("pressed", "pads that press the part down do not tip it", standing.PressRatio(),
+                  1);
+  return conditions.Take();
+}
+
+std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain::MatingId id,
+                                             const RestingError& released,
+                                             const plan::Strategy* strategy) {
+  const domain::Problem& problem = world.problem();
+  const domain::Mating& mating = problem.mating(id);
+  const double off = ReachOf(world, mating.held, released) +
+                     ReachOf(world, mating.fixed, world.resting(mating.fixed));
+  std::vector<Push> pushes = WeightsOn(world, mating.fixed);
+  pushes.push_back(PushOf(world, mating, strategy));
+  const bool touch = !pushes.back().at.empty();
+  Preconditions conditions;
+  conditions.Less("fixed stands", "the push of the mating does not tip the fixed part",
+                  touch ? TippingRatio(world, mating.fixed, pushes, off) : kNothingBorne, 1);
+  conditions.Less("fixed stays", "the push of the mating does not push the fixed part aside",
+                  SlidingRatio(problem, mating.fixed, pushes), 1);
+  return conditions.Take();
+}
+
+}  // namespace assay::uncertainty
