@@ -14,6 +14,7 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr int kDirections = 8;  // of a half circle of accelerations
+constexpr int kLeans = 12;      // from the plane of the pads to straight across
 
 // How two pads that press on a part with one newton each hold it.
 struct Grip {
@@ -77,6 +78,18 @@ Weighing WeighingOf(const Grip& grip, const Vector2& lever, double weight, const
   return {grip.friction.RatioOf(ActingAt(lever, in_plane)), weight * std::abs(up.y())};
 }
 
+// However the tool leans: so much of the weight acts in the plane of the pads, and so much across
+// it, at some lean within each step from the plane to straight across.
+std::vector<Weighing> AnyWeighing(double any_force, double weight) {
+  std::vector<Weighing> weighings;
+  for (int i = 0; i < kLeans; ++i) {
+    const double step = std::numbers::pi / 2 / kLeans;
+    weighings.push_back(
+        {weight * any_force * std::cos(i * step), weight * std::sin((i + 1) * step)});
+  }
+  return weighings;
+}
+
 // The load over what the grip bears with `force` newtons on each pad. `up`: the vertical, as the
 // tool sees it, to within `sway` radians; null where the hand may turn as it likes.
 //
@@ -91,17 +104,23 @@ double LoadRatio(const Grip& grip, double force, const Carried& carried, const V
   const double inertial = carried.mass.mass * plan::kCarryingAcceleration + weight * sway;
   const double turning = carried.mass.inertia.norm() * plan::kCarryingTurn;
   const double off = (weight + inertial) * carried.off + turning;  // newton metres
-  const Weighing weighing =
-      up != nullptr ? WeighingOf(grip, lever, weight, *up) : Weighing{weight * any_force, weight};
-  const double across = weighing.across + inertial;
-  const double pressing = force - across / 2;
-  if (!(pressing > 0)) return kNothingBorne;
-  const double slipping =
-      weighing.in_plane + inertial * any_force + grip.friction.RatioOf({.torsion = off});
-  const double moment =
-      across * lever.norm() + (weight + inertial) * std::abs(carried.center.y()) + off;
-  const double tilting = moment / (2 * grip.reach.minCoeff());
-  return std::min(kNothingBorne, (slipping + tilting) / pressing);
+  const auto ratio_of = [&](const Weighing& weighing) {
+    const double across = weighing.across + inertial;
+    const double pressing = force - across / 2;
+    if (!(pressing > 0)) return kNothingBorne;
+    const double slipping =
+        weighing.in_plane + inertial * any_force + grip.friction.RatioOf({.torsion = off});
+    const double moment =
+        across * lever.norm() + (weight + inertial) * std::abs(carried.center.y()) + off;
+    const double tilting = moment / (2 * grip.reach.minCoeff());
+    return std::min(kNothingBorne, (slipping + tilting) / pressing);
+  };
+  if (up != nullptr) return ratio_of(WeighingOf(grip, lever, weight, *up));
+  double greatest = 0;
+  for (const Weighing& weighing : AnyWeighing(any_force, weight)) {
+    greatest = std::max(greatest, ratio_of(weighing));
+  }
+  return greatest;
 }
 
 }  // namespace

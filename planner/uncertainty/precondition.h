@@ -106,7 +106,8 @@ std::vector<Precondition> ClosingPreconditions(const UncertainWorld& world, Part
 // have the error `released`, and lean by at most `play` radians besides what it leans in the hand.
 //   standing         let go, it falls back on what it stands on, however it leans
 //   pressed          pads that slide down on it do not press it over an edge of that
-// both ratios below 1.
+// both ratios below 1; and
+//   fingertip        the fingers stay above the table and beside what the part stands on
 std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, PartId part,
                                                 const plan::Hold& hold,
                                                 const ManipulatorError& draw,

@@ -6,6 +6,7 @@
 
 #include "planner/domain/part_model.h"
 #include "planner/domain/resting.h"
+#include "planner/kinematics/gripper.h"
 #include "planner/plan/pushing.h"
 #include "planner/uncertainty/axis_angle.h"
 #include "planner/uncertainty/possible_masses.h"
@@ -151,8 +152,11 @@ class ClosingConditions {
 class StandingConditions {
  public:
   StandingConditions(const UncertainWorld& world, PartId part, const plan::Hold& hold,
-                     const Pose& X_WorldPart, const RestingError& released)
+                     const ManipulatorError& draw, const Pose& X_WorldPart,
+                     const RestingError& released)
       : world_(world),
+        draw_(draw),
+        released_(released),
         part_(part),
         hold_(hold),
         X_WorldPart_(X_WorldPart),
@@ -168,6 +172,27 @@ class StandingConditions {
       if (!(inside > 0)) return kNothingBorne;
       return (center.z() - Level()) * std::tan(std::min(tilt, kSteep)) / inside;
     });
+  }
+
+  // Metres that the fingers stay above the table and beside what the part stands on, when it does.
+  double RoomOfFingers() const {
+    const domain::Problem& problem = world_.problem();
+    const Pose X_WorldTool = X_WorldPart_ * hold_.X_PartTool;
+    const geometry::CollisionShape hand = problem.workcell->HandShape(hold_.width);
+    double room = std::numeric_limits<double>::infinity();
+    for (const geometry::Box& box : problem.workcell->gripper().FingerBoxes(hold_.width)) {
+      for (const Vector3& corner : box.Corners()) room = std::min(room, (X_WorldTool * corner).z());
+    }
+    for (const Standing& standing : standings_) {
+      if (standing.on.IsNone()) continue;
+      room = std::min(
+          room, geometry::Distance(hand, X_WorldTool, problem.part(standing.on).model->shape(),
+                                   world_.X_WorldPart(standing.on)) -
+                    off_);
+    }
+    const OffInHand off = OffInHandOf(world_, world_.held());
+    const double turn = off.turn + (OnParts() ? MostOf(world_, draw_.theta) : 0);
+    return room - off.shift.norm() - turn * hand.radius() - SlideOfPads();
   }
 
   // Pads that slide down on the part press on it in the middle of what they touch.
@@ -211,6 +236,16 @@ class StandingConditions {
     return reach;
   }
 
+  // Metres that pads go down on a part that already stands: none if they bear what stops them.
+  double SlideOfPads() const {
+    const domain::WorkcellRules& rules = world_.problem().workcell->rules();
+    const double friction = rules.pad_friction - world_.problem().tolerances.pad_friction;
+    if (2 * friction * rules.grip_force > plan::kResistance) return 0;
+    const double doubt = MostOf(world_, draw_.z) + MostOf(world_, released_.displacement[2]) +
+                         OffInHandOf(world_, world_.held()).shift.norm();
+    return 2 * std::min(doubt, rules.guarded_travel) + plan::kBeyondContact;
+  }
+
   double GreatestPress() const {
     const domain::WorkcellRules& rules = world_.problem().workcell->rules();
     const double friction = rules.pad_friction + world_.problem().tolerances.pad_friction;
@@ -234,6 +269,8 @@ class StandingConditions {
   }
 
   const UncertainWorld& world_;
+  const ManipulatorError& draw_;
+  const RestingError& released_;
   PartId part_;
   const plan::Hold& hold_;
   Pose X_WorldPart_;
@@ -302,13 +339,15 @@ std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, Par
                                                 const ManipulatorError& draw,
                                                 const Pose& X_WorldPart,
                                                 const RestingError& released, double play) {
-  const StandingConditions standing(world, part, hold, X_WorldPart, released);
+  const StandingConditions standing(world, part, hold, draw, X_WorldPart, released);
   const Vector3 up = VerticalInTool(X_WorldPart * hold.X_PartTool);
   const double tilt = std::max(play, LeaningOf(world, up, draw).tilt);
   Preconditions conditions;
   conditions.Less("standing", "let go, the part stands", standing.FallRatio(tilt), 1);
   conditions.Less("pressed", "pads that press the part down do not tip it", standing.PressRatio(),
                   1);
+  conditions.Greater("fingertip", "the fingers stay above what the part is set on",
+                     standing.RoomOfFingers(), 0);
   return conditions.Take();
 }
 
