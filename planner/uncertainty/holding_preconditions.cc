@@ -5,48 +5,15 @@
 #include "planner/domain/part_model.h"
 #include "planner/plan/carrying.h"
 #include "planner/uncertainty/axis_angle.h"
-#include "planner/uncertainty/pad_friction.h"
+#include "planner/uncertainty/grip.h"
 #include "planner/uncertainty/possible_masses.h"
 #include "planner/uncertainty/precondition.h"
-#include "planner/uncertainty/touching_cells.h"
 
 namespace assay::uncertainty {
 namespace {
 
 constexpr int kDirections = 8;  // of a half circle of accelerations
 constexpr int kLeans = 12;      // from the plane of the pads to straight across
-
-// How two pads that press on a part with one newton each hold it.
-struct Grip {
-  PadFriction friction;
-  Vector2 reach;  // of the pressure from the center of friction, in any sense; metres
-};
-
-Grip GripOf(const std::vector<Vector2>& left, const std::vector<Vector2>& right, double friction,
-            const Vector2& cell) {
-  if (left.empty() || right.empty()) return {PadFriction({}), Vector2::Zero()};
-  std::vector<PadCell> cells;
-  Vector2 low = left.front();
-  Vector2 high = left.front();
-  for (const std::vector<Vector2>* pad : {&left, &right}) {
-    if (pad == &right && left == right) continue;
-    const double share = friction / static_cast<double>(pad->size());
-    for (const Vector2& at : *pad) {
-      cells.push_back({at, left == right ? 2 * share : share});
-      low = low.cwiseMin(at - cell);
-      high = high.cwiseMax(at + cell);
-    }
-  }
-  PadFriction pads(std::move(cells));
-  const Vector2 reach = (high - pads.center()).cwiseMin(pads.center() - low);
-  return {std::move(pads), reach};
-}
-
-// Unit forces in the plane of the pads, and the torsion that each has by acting at `lever` from
-// the center of friction.
-PlaneLoad ActingAt(const Vector2& lever, const Vector2& force) {
-  return {.force = force, .torsion = lever.x() * force.y() - lever.y() * force.x()};
-}
 
 // The greatest ratio of a unit force in any direction: of the corners of a polygon around the
 // circle, since the ratio is a norm.
@@ -92,10 +59,6 @@ std::vector<Weighing> AnyWeighing(double any_force, double weight) {
 
 // The load over what the grip bears with `force` newtons on each pad. `up`: the vertical, as the
 // tool sees it, to within `sway` radians; null where the hand may turn as it likes.
-//
-// Forces along the closing direction are borne by the pads' pressures, one of which they lower;
-// moments about the other axes by pressure that moves to an edge of each pad, whose friction then
-// counts for nothing.
 double LoadRatio(const Grip& grip, double force, const Carried& carried, const Vector3* up,
                  double sway) {
   const Vector2 lever = Vector2(carried.center.x(), carried.center.z()) - grip.friction.center();
@@ -106,14 +69,12 @@ double LoadRatio(const Grip& grip, double force, const Carried& carried, const V
   const double off = (weight + inertial) * carried.off + turning;  // newton metres
   const auto ratio_of = [&](const Weighing& weighing) {
     const double across = weighing.across + inertial;
-    const double pressing = force - across / 2;
-    if (!(pressing > 0)) return kNothingBorne;
-    const double slipping =
-        weighing.in_plane + inertial * any_force + grip.friction.RatioOf({.torsion = off});
-    const double moment =
-        across * lever.norm() + (weight + inertial) * std::abs(carried.center.y()) + off;
-    const double tilting = moment / (2 * grip.reach.minCoeff());
-    return std::min(kNothingBorne, (slipping + tilting) / pressing);
+    return grip.RatioOf({.slipping = weighing.in_plane + inertial * any_force +
+                                     grip.friction.RatioOf({.torsion = off}),
+                         .across = across,
+                         .tilting = across * lever.norm() +
+                                    (weight + inertial) * std::abs(carried.center.y()) + off},
+                        force);
   };
   if (up != nullptr) return ratio_of(WeighingOf(grip, lever, weight, *up));
   double greatest = 0;
@@ -130,12 +91,8 @@ std::vector<Precondition> HoldingPreconditions(const UncertainWorld& world, Part
                                                Turning turning) {
   const domain::Problem& problem = world.problem();
   const domain::WorkcellRules& rules = problem.workcell->rules();
-  const domain::PartModel& model = *problem.part(part).model;
-  const Vector2& pad = problem.workcell->gripper().pad_half_extents();
   const OffInHand off = OffInHandOf(world, held);
-  const Grip grip =
-      GripOf(TouchingCells(model, hold, 1, pad, off), TouchingCells(model, hold, -1, pad, off),
-             rules.pad_friction - problem.tolerances.pad_friction, pad / kCellsPerSide);
+  const Grip grip = GripOf(problem, part, hold, off);
   const Vector3 up = VerticalInTool(world.X_WorldPart(part) * hold.X_PartTool);
   double ratio = 0;
   for (const geometry::MassProperties& mass : PossibleMasses(problem, part)) {

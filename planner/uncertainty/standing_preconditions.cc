@@ -2,13 +2,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 #include "planner/domain/part_model.h"
 #include "planner/domain/resting.h"
 #include "planner/kinematics/gripper.h"
 #include "planner/plan/pushing.h"
 #include "planner/uncertainty/axis_angle.h"
+#include "planner/uncertainty/grip.h"
 #include "planner/uncertainty/possible_masses.h"
 #include "planner/uncertainty/precondition.h"
 #include "planner/uncertainty/release.h"
@@ -174,38 +174,40 @@ class StandingConditions {
     });
   }
 
-  // Metres that the fingers stay above the table and beside what the part stands on, when it does.
+  // Metres that the fingers stay above the table, and above or beside what the part stands on.
   double RoomOfFingers() const {
     const domain::Problem& problem = world_.problem();
-    const Pose X_WorldTool = X_WorldPart_ * hold_.X_PartTool;
     const geometry::CollisionShape hand = problem.workcell->HandShape(hold_.width);
-    double room = std::numeric_limits<double>::infinity();
-    for (const geometry::Box& box : problem.workcell->gripper().FingerBoxes(hold_.width)) {
-      for (const Vector3& corner : box.Corners()) room = std::min(room, (X_WorldTool * corner).z());
-    }
+    const OffInHand off = OffInHandOf(world_, world_.held());
+    const double around =
+        off_ + off.shift.norm() + hand.radius() * (off.turn + MostOf(world_, draw_.theta));
+    double room = LowestFinger();
     for (const Standing& standing : standings_) {
       if (standing.on.IsNone()) continue;
-      room = std::min(
-          room, geometry::Distance(hand, X_WorldTool, problem.part(standing.on).model->shape(),
-                                   world_.X_WorldPart(standing.on)) -
-                    off_);
+      const Pose& X_WorldOther = world_.X_WorldPart(standing.on);
+      const geometry::CollisionShape& other = problem.part(standing.on).model->shape();
+      const double beside =
+          geometry::Distance(hand, X_WorldPart_ * hold_.X_PartTool, other, X_WorldOther) - around;
+      room = std::min(room, std::max(LowestFinger() - HighestOf(standing.on), beside));
     }
-    const OffInHand off = OffInHandOf(world_, world_.held());
-    const double turn = off.turn + (OnParts() ? MostOf(world_, draw_.theta) : 0);
-    return room - off.shift.norm() - turn * hand.radius() - SlideOfPads();
+    return room - SlideOfPads();
   }
 
-  // Pads that slide down on the part press on it in the middle of what they touch.
+  // Pads that slide down on the part press on it in the middle of what they touch. Beyond an edge
+  // they turn it over, unless its weight holds it, or they bear what the edge gives back.
   double PressRatio() const {
-    const std::optional<Vector3> middle = MiddleOfPads();
-    if (!middle) return kNothingBorne;
     const OffInHand off = OffInHandOf(world_, world_.held());
+    const Grip grip = GripOf(world_.problem(), part_, hold_, off);
+    if (!(grip.reach.minCoeff() > 0)) return kNothingBorne;
+    const Vector2& center = grip.friction.center();
+    const Vector3 middle = X_WorldPart_ * hold_.X_PartTool * Vector3(center.x(), 0, center.y());
     const double beside = off.shift.norm() + off.turn * hold_.width + off_;
     return WorstOf([&](const TippingEdge& edge, const geometry::MassProperties& mass) {
       const double inside = -edge.Beyond(X_WorldPart_ * mass.center) - off_;
       if (!(inside > 0)) return kNothingBorne;
-      const double beyond = std::max(0.0, edge.Beyond(*middle) + beside);
-      return GreatestPress() * beyond / (mass.mass * kGravity * inside);
+      const double beyond = std::max(0.0, edge.Beyond(middle) + beside);
+      const double by_weight = GreatestPress() * beyond / (mass.mass * kGravity * inside);
+      return std::min(by_weight, GivenBackRatio(grip, edge, beyond));
     });
   }
 
@@ -236,6 +238,34 @@ class StandingConditions {
     return reach;
   }
 
+  // World z, as the part is off in the hand: to first order by what each axis of the tool turns it,
+  // and the rest.
+  double LowestFinger() const {
+    const kinematics::Gripper& gripper = world_.problem().workcell->gripper();
+    const Pose X_WorldTool = X_WorldPart_ * hold_.X_PartTool;
+    const Vector3 up = VerticalInTool(X_WorldTool);
+    const HeldError& held = world_.held();
+    const Vector3 turns(MostOf(world_, held.tip), MostOf(world_, held.twist),
+                        MostOf(world_, held.skew));
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const geometry::Box& box : gripper.FingerBoxes(hold_.width)) {
+      for (const Vector3& corner : box.Corners()) {
+        const double swung =
+            turns.dot(corner.cross(up).cwiseAbs()) + turns.sum() * turns.sum() / 2 * corner.norm();
+        lowest = std::min(lowest, (X_WorldTool * corner).z() - swung);
+      }
+    }
+    return lowest - up.cwiseAbs().dot(OffInHandOf(world_, held).shift);
+  }
+
+  double HighestOf(PartId part) const {
+    double highest = -std::numeric_limits<double>::infinity();
+    for (const Vector3& v : world_.problem().part(part).model->hull().vertices) {
+      highest = std::max(highest, (world_.X_WorldPart(part) * v).z());
+    }
+    return highest;
+  }
+
   // Metres that pads go down on a part that already stands: none if they bear what stops them.
   double SlideOfPads() const {
     const domain::WorkcellRules& rules = world_.problem().workcell->rules();
@@ -252,20 +282,17 @@ class StandingConditions {
     return std::min(plan::kGreatestPush, 2 * friction * rules.grip_force);
   }
 
-  // World; none where a pad may touch nothing.
-  std::optional<Vector3> MiddleOfPads() const {
-    const domain::PartModel& model = *world_.problem().part(part_).model;
-    const Vector2& pad = world_.problem().workcell->gripper().pad_half_extents();
-    const OffInHand off = OffInHandOf(world_, world_.held());
-    Vector3 sum = Vector3::Zero();
-    for (const double side : {1.0, -1.0}) {
-      const std::vector<Vector2> cells = TouchingCells(model, hold_, side, pad, off);
-      if (cells.empty()) return std::nullopt;
-      for (const Vector2& cell : cells) {
-        sum += Vector3(cell.x(), 0, cell.y()) / static_cast<double>(2 * cells.size());
-      }
-    }
-    return X_WorldPart_ * hold_.X_PartTool * sum;
+  // The push of an edge, as far beside the middle of the pads as it is, over what they bear.
+  double GivenBackRatio(const Grip& grip, const TippingEdge& edge, double beyond) const {
+    const geometry::Matrix3 R_ToolWorld = (X_WorldPart_ * hold_.X_PartTool).linear().transpose();
+    const Vector3 push = plan::kGreatestPush * R_ToolWorld.col(2);
+    const Vector3 lever = -beyond * (R_ToolWorld * Vector3(edge.outward.x(), edge.outward.y(), 0));
+    const Vector3 moment = lever.cross(push);
+    const PlaneLoad in_plane = ActingAt({lever.x(), lever.z()}, Vector2(push.x(), push.z()));
+    return grip.RatioOf({.slipping = grip.friction.RatioOf(in_plane),
+                         .across = std::abs(push.y()),
+                         .tilting = std::hypot(moment.x(), moment.z())},
+                        world_.problem().workcell->rules().grip_force);
   }
 
   const UncertainWorld& world_;

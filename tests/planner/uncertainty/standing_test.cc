@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -183,15 +184,24 @@ double PressedAside(double aside, double grip_force) {
   return RatioOf(world, conditions, "pressed");
 }
 
-// Pads that press with the most that they can, as far beyond the stem as they are.
-TEST(Standing, PadsBesideTheSupportTipIt) {
+// Weak pads press with the most that they can, as far beyond the stem as they are. Strong ones
+// bear what the stem's edge gives back: the torsion of that push over the mean distance of their
+// friction, at least.
+TEST(Pressed, PadsBesideTheSupportTipItOrBearIt) {
   const double weight = LetterT()->mass().mass * kGravity;
-  const double friction = UprightBlock({}).workcell->rules().pad_friction;
+  const domain::Problem problem = UprightBlock({});
+  const double friction = problem.workcell->rules().pad_friction;
+  const double a = problem.workcell->gripper().pad_half_extents().x();
   const double aside = 2 * kInch;
-  const double lever = (aside - kInch / 2) / (kInch / 2);
+  const double beyond = aside - kInch / 2;
   EXPECT_EQ(PressedAside(0, 100), 0);
-  EXPECT_NEAR(PressedAside(aside, 20), 2 * friction * 20 * lever / weight, 1e-9);
-  EXPECT_NEAR(PressedAside(aside, 1000), plan::kGreatestPush * lever / weight, 1e-9);
+  EXPECT_NEAR(PressedAside(aside, 20), 2 * friction * 20 * beyond / (kInch / 2) / weight, 1e-9);
+  const double torsion = 2 * friction * (std::sqrt(2.0) + std::asinh(1.0)) / 3 * a;  // a newton's
+  for (const double force : {1000.0, 10000.0}) {
+    const double ratio = PressedAside(aside, force);
+    EXPECT_GE(ratio, plan::kGreatestPush * beyond / (torsion * force));
+    EXPECT_LE(ratio, 1.5 * plan::kGreatestPush * beyond / (torsion * force));
+  }
 }
 
 // Leaning by as much as its half width over the height of its centre of mass, it would fall.
