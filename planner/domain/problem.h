@@ -30,6 +30,8 @@ struct Part {
   std::vector<FeatureNumber> hidden = {};
   StablePoseId position_class = StablePoseId::None();
   PoseError error;
+  // With which a fixture presses it down while something is mated with it; 0: it has none. Newtons.
+  double clamp = 0;
 };
 
 // That a part is in one of several poses at the start, and that only a look at it tells which.

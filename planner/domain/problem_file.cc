@@ -24,6 +24,7 @@ namespace {
 
 constexpr double kDefaultClearance = 0.0005;  // metres
 constexpr Range kClearances = {1e-6, 0.01};   // metres
+constexpr Range kClampForces = {0, 1e5};      // newtons
 
 // The folders of `folder` that hold `file`, by name.
 std::vector<std::string> FoldersWith(const std::filesystem::path& folder, const char* file) {
@@ -173,10 +174,11 @@ void ProblemFile::ReadParts(const Value& parts) {
 }
 
 void ProblemFile::ReadPart(const std::string& name, const Value& entry) {
-  entry.AllowOnly({"model", "pose", "error"});
+  entry.AllowOnly({"model", "pose", "error", "clamp"});
   Part part;
   part.name = name;
   part.error = ReadError(entry);
+  if (const auto clamp = entry.Find("clamp")) part.clamp = ReadWithin(*clamp, 1, kClampForces);
   const Model model = ReadModel(entry.At("model"));
   part.model = model.part;
   part.grasps = model.grasps;

@@ -15,8 +15,10 @@ constexpr std::string_view kNothingNear = "no other part is near enough to be me
 constexpr auto kKinds = std::to_array<ConditionKind>({
     {"between fingers", Quantity::kLength, NeededBy::kGrasp, true},
     {"finger clear", Quantity::kLength, NeededBy::kGrasp, false},
-    {"fingertip", Quantity::kLength, NeededBy::kGrasp, false},
+    {"fingertip", Quantity::kLength, NeededBy::kHandWork, false},
     {"pad contact", Quantity::kLength, NeededBy::kGrasp, false},
+    {"upright", Quantity::kRatio, NeededBy::kGrasp, false},
+    {"pushed clear", Quantity::kLength, NeededBy::kGrasp, false, kNothingNear},
     {"landing height", Quantity::kLength, NeededBy::kPutdown, true},
     {"footprint", Quantity::kLength, NeededBy::kPutdown, true},
     {"neighbour clear", Quantity::kLength, NeededBy::kPutdown, true, kNothingNear},
@@ -24,8 +26,12 @@ constexpr auto kKinds = std::to_array<ConditionKind>({
     {"slide-in", Quantity::kLength, NeededBy::kMating, true},
     {"tilt", Quantity::kAngle, NeededBy::kMating, true},
     {"seat", Quantity::kLength, NeededBy::kMating, true},
+    {"fixed stands", Quantity::kRatio, NeededBy::kMating, false},
+    {"fixed stays", Quantity::kRatio, NeededBy::kMating, false},
     {"tip shift", Quantity::kLength, NeededBy::kStrategy, true},
     {"tip turn", Quantity::kAngle, NeededBy::kStrategy, true},
+    {"standing", Quantity::kRatio, NeededBy::kRelease, false},
+    {"pressed", Quantity::kRatio, NeededBy::kRelease, false},
     {"holding", Quantity::kRatio, NeededBy::kCarrying, false},
     {"hand clear", Quantity::kLength, NeededBy::kHandWork, false, kNothingNear},
 });
@@ -43,6 +49,8 @@ bool Needs(NeededBy who, const Action& action, const Strategy* strategy) {
       return !std::holds_alternative<Sense>(action);
     case NeededBy::kPutdown:
       return is_putdown;
+    case NeededBy::kRelease:
+      return is_putdown || is_assemble;
     case NeededBy::kMating:
       return is_assemble;
     case NeededBy::kStrategy:

@@ -18,6 +18,7 @@ enum class NeededBy {
   kCarrying,  // what has a part in the hand as the hand travels: pickup, putdown, assemble
   kHandWork,  // everything with the hand: all but sense
   kPutdown,   //
+  kRelease,   // what lets a part go where it stays: putdown, assemble
   kMating,    // assemble, straight or by a strategy
   kStrategy,  // assemble by a strategy
 };

@@ -8,6 +8,7 @@
 #include "planner/algebra/interval_arithmetic.h"
 #include "planner/algebra/text.h"
 #include "planner/base/check.h"
+#include "planner/domain/shaft_fit.h"
 #include "planner/plan/condition_kind.h"
 #include "planner/uncertainty/release.h"
 #include "planner/uncertainty/sensing.h"
@@ -108,6 +109,9 @@ class StepCertifier {
       RequireHandClear({putdown.part}, X_WorldPart * putdown.hold.X_PartTool, PartId::None(),
                        putdown.hold, draw);
     }
+    RequireSound([&] {
+      return StandingPreconditions(world_, putdown.part, putdown.hold, draw, X_WorldPart, error, 0);
+    });
     world_.SetResting(putdown.part, X_WorldPart, error, {});
     After(putdown.part);
   }
@@ -131,6 +135,8 @@ class StepCertifier {
     const RestingError error =
         strategy_ != nullptr ? LedToSeat(world_, assemble.mating)
                              : ReleaseInSeat(world_, assemble.mating, assemble.hold, grasp, draw);
+    RequireStanding(assemble, draw, X_WorldHeld, error);
+    if (strategy_ == nullptr) DragFixed(world_, assemble.mating, assemble.hold, draw);
     world_.SetResting(mating.held, X_WorldHeld, error,
                       world_.ShiftAt(mating.fixed, X_WorldHeld.translation()));
     After(mating.held);
@@ -169,12 +175,33 @@ class StepCertifier {
       Require(GraspPreconditions(world_, part, hold, draw, held));
       RequireHandClear({part}, world_.X_WorldPart(part) * hold.X_PartTool, part, hold, draw);
     }
+    RequireSound([&] { return ClosingPreconditions(world_, part, hold, draw, held); });
     return held;
   }
 
   void RequireHolding(PartId part, const plan::Hold& hold, const HeldError& held, Turning turning) {
+    RequireSound([&] { return HoldingPreconditions(world_, part, hold, held, turning); });
+  }
+
+  // What the paper does not ask for.
+  template <class Conditions>
+  void RequireSound(const Conditions& conditions) {
     if (!decides() || world_.propagation() == Propagation::kPaper) return;
-    Require(HoldingPreconditions(world_, part, hold, held, turning));
+    Require(conditions());
+  }
+
+  // Of what was mated, and of what it was mated with.
+  void RequireStanding(const plan::Assemble& assemble, const ManipulatorError& draw,
+                       const Pose& X_WorldHeld, const RestingError& released) {
+    const domain::Problem& problem = world_.problem();
+    const domain::Mating& mating = problem.mating(assemble.mating);
+    RequireSound([&] {
+      const double play =
+          strategy_ == nullptr ? 0 : PlayInSeat(problem, mating, problem.tolerances.clearance).turn;
+      return StandingPreconditions(world_, mating.held, assemble.hold, draw, X_WorldHeld, released,
+                                   play);
+    });
+    RequireSound([&] { return FixedPreconditions(world_, assemble.mating, released, strategy_); });
   }
 
   // `guide`: the part by whose believed pose the hand goes; None where it goes as planned.

@@ -1,5 +1,7 @@
 #include "planner/uncertainty/possible_masses.h"
 
+#include <algorithm>
+
 namespace assay::uncertainty {
 
 std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& problem,
@@ -11,6 +13,14 @@ std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& prob
     masses.push_back(model.MassWithClearance(problem.clearance + error));
   }
   return masses;
+}
+
+double GreatestWeight(const domain::Problem& problem, domain::PartId part) {
+  double greatest = 0;
+  for (const geometry::MassProperties& mass : PossibleMasses(problem, part)) {
+    greatest = std::max(greatest, mass.mass);
+  }
+  return greatest * kGravity;
 }
 
 }  // namespace assay::uncertainty

@@ -16,6 +16,9 @@ struct Precondition {
   double limit = 0;
 };
 
+// The ratio of a load to what bears it, where nothing does.
+inline constexpr double kNothingBorne = 1e6;
+
 // The preconditions of one action. Those that say the same of the same expression are kept once.
 class Preconditions {
  public:
@@ -90,6 +93,35 @@ enum class Turning {
 std::vector<Precondition> HoldingPreconditions(const UncertainWorld& world, PartId part,
                                                const plan::Hold& hold, const HeldError& held,
                                                Turning turning);
+
+// Of pickup and of squeezing, in sound mode: `held` is what closing the pads will leave.
+//   upright          the part slides before a pad and does not topple: the moment of the push about
+//                    every edge that it stands on, over that of its weight, is below 1
+//   pushed clear     and it is pushed into no neighbour
+std::vector<Precondition> ClosingPreconditions(const UncertainWorld& world, PartId part,
+                                               const plan::Hold& hold, const ManipulatorError& draw,
+                                               const HeldError& held);
+
+// Of putdown and assemble, in sound mode: the part in the hand comes to X_WorldPart, and will then
+// have the error `released`, and lean by at most `play` radians besides what it leans in the hand.
+//   standing         let go, it falls back on what it stands on, however it leans
+//   pressed          pads that slide down on it do not press it over an edge of that
+// both ratios below 1; and
+//   fingertip        the fingers stay above the table and beside what the part stands on
+std::vector<Precondition> StandingPreconditions(const UncertainWorld& world, PartId part,
+                                                const plan::Hold& hold,
+                                                const ManipulatorError& draw,
+                                                const Pose& X_WorldPart,
+                                                const RestingError& released, double play);
+
+// Of assemble, in sound mode:
+//   fixed stands     the push of the mating, wherever the parts touch, tips neither the fixed part
+//                    nor what that stands on
+//   fixed stays      nor does it push the fixed part aside
+// both ratios below 1.
+std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain::MatingId mating,
+                                             const RestingError& released,
+                                             const plan::Strategy* strategy);
 
 // Of every action with the hand, in sound mode:
 //   hand clear       a plane keeps each piece of hand and fingers, on the straight way to and from

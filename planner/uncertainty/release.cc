@@ -2,42 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 #include "planner/algebra/simplify.h"
 #include "planner/domain/part_model.h"
 #include "planner/domain/shaft_fit.h"
+#include "planner/plan/pushing.h"
 #include "planner/uncertainty/axis_angle.h"
+#include "planner/uncertainty/possible_masses.h"
 
 namespace assay::uncertainty {
 namespace {
 
 Expression SameOrOppositeSense(const Vector3& up, const Expression& theta) {
   return up.z() < 0 ? -theta : theta;
-}
-
-// Of a part in the hand: how much of its rotation is about the vertical, and how much it leans.
-struct Leaning {
-  double twist = 0;  // radians
-  double tilt = 0;
-};
-
-// Rotations one after the other about axes that make these angles with the vertical: twists add up,
-// and leaning this way and that adds less than the square of all that leans.
-Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw) {
-  const HeldError& held = world.held();
-  Leaning leaning;
-  const auto add = [&](const Expression& angle, double cosine) {
-    const double most = Magnitude(world.RangeOf(angle));
-    leaning.twist += TwistOf(most, cosine);
-    leaning.tilt += SwingOf(most, cosine);
-  };
-  add(draw.theta, up.z());
-  add(held.skew, up.z());
-  add(held.tip, up.x());
-  add(held.twist, up.y());
-  leaning.twist += leaning.tilt * leaning.tilt;
-  return leaning;
 }
 
 // Adds what a leaning part does when the table sets it upright.
@@ -59,7 +40,48 @@ void Yield(UncertainWorld& world, PartId part, RestingError& error) {
   }
 }
 
+// Whether the push of a mating may drag its fixed part along the table.
+bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
+  const domain::Part& fixed = problem.part(mating.fixed);
+  const double own = fixed.model->friction();
+  const double between = std::max(own, problem.part(mating.held).model->friction());
+  double keeping = std::numeric_limits<double>::infinity();  // newtons, of weight
+  for (const geometry::MassProperties& mass : PossibleMasses(problem, mating.fixed)) {
+    keeping = std::min(keeping, mass.mass * kGravity);
+  }
+  keeping += fixed.clamp + plan::kGreatestPush;
+  return (between + problem.tolerances.friction) * plan::kGreatestPush >=
+         (own - problem.tolerances.friction) * keeping;
+}
+
+// By how much a part turns that is dragged so far at any of its points, as a pad turns one that it
+// pushes (squeezing.h).
+double TurnOfDrag(const domain::Part& part, const Pose& X_WorldPart, double way) {
+  constexpr double kTurn = 0.55;  // per radius of gyration
+  const geometry::MassProperties& mass = part.model->mass();
+  const Vector3 up = X_WorldPart.linear().transpose() * Vector3::UnitZ();
+  return std::min(std::numbers::pi, kTurn * way / std::sqrt(up.dot(mass.inertia * up) / mass.mass));
+}
+
 }  // namespace
+
+// Rotations one after the other about axes that make these angles with the vertical: twists add up,
+// and leaning this way and that adds less than the square of all that leans.
+Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw) {
+  const HeldError& held = world.held();
+  Leaning leaning;
+  const auto add = [&](const Expression& angle, double cosine) {
+    const double most = Magnitude(world.RangeOf(angle));
+    leaning.twist += TwistOf(most, cosine);
+    leaning.tilt += SwingOf(most, cosine);
+  };
+  add(draw.theta, up.z());
+  add(held.skew, up.z());
+  add(held.tip, up.x());
+  add(held.twist, up.y());
+  leaning.twist += leaning.tilt * leaning.tilt;
+  return leaning;
+}
 
 bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pose& X_WorldPart) {
   const HeldError& held = world.held();
@@ -120,6 +142,30 @@ RestingError LedToSeat(UncertainWorld& world, domain::MatingId id) {
   for (Expression& along : error.displacement) along = along + declare("play", play.shift);
   error.theta = fixed.theta + declare("turn", play.turn);
   return error;
+}
+
+void DragFixed(UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+               const ManipulatorError& draw) {
+  if (world.propagation() == Propagation::kPaper) return;
+  const domain::Problem& problem = world.problem();
+  const domain::Mating& mating = problem.mating(id);
+  const Pose X_WorldHeld = world.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
+  double way = problem.workcell->rules().lateral_compliance;
+  if (!ComesUpright(world, hold, X_WorldHeld)) {
+    const Vector3 up = VerticalInTool(X_WorldHeld * hold.X_PartTool);
+    way += problem.part(mating.held).model->shape().radius() * LeaningOf(world, up, draw).tilt;
+  }
+  if (way == 0 || !Drags(problem, mating)) return;
+  RestingError error = world.resting(mating.fixed);
+  const std::string name = world.SymbolName(mating.fixed);
+  for (const int axis : {0, 1}) {
+    error.displacement[axis] =
+        error.displacement[axis] + world.Declare("drag_" + name, {-way, way}, mating.fixed);
+  }
+  const double turn = TurnOfDrag(problem.part(mating.fixed), world.X_WorldPart(mating.fixed), way);
+  error.theta = error.theta + world.Declare("theta_drag_" + name, {-turn, turn}, mating.fixed);
+  const BeliefShift shift = world.shift(mating.fixed);
+  world.SetResting(mating.fixed, Pose(world.X_WorldPart(mating.fixed)), error, shift);
 }
 
 }  // namespace assay::uncertainty

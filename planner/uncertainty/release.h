@@ -13,6 +13,15 @@ namespace assay::uncertainty {
 // again, which leaves the twist about the vertical, and moves the part by at most the tilt times
 // its greatest radius (paper mode leaves both out).
 bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pose& X_WorldPart);
+
+// Of a part in the hand, whose tool sees the vertical as `up`: how much of its rotation is about
+// the vertical, and how much it leans.
+struct Leaning {
+  double twist = 0;  // radians
+  double tilt = 0;
+};
+Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw);
+
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);
@@ -25,5 +34,11 @@ RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId mating, const
 // The same of a part that a strategy has led in: the walls have it, whatever the hand does, so that
 // it is displaced like the fixed part, but for the play between them.
 RestingError LedToSeat(UncertainWorld& world, domain::MatingId mating);
+
+// What lands leaning in its seat, or yields to the seat's walls, drags the fixed part along by as
+// much where friction between the two is more than what keeps the fixed part: that becomes an error
+// of the fixed part.
+void DragFixed(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
+               const ManipulatorError& draw);
 
 }  // namespace assay::uncertainty

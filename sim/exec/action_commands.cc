@@ -43,6 +43,19 @@ bool IsLeftByPath(const plan::Plan& plan, plan::StepId step) {
 
 }  // namespace
 
+double BeyondContact(const domain::Problem& problem, const plan::Certificate& certificate) {
+  const double travel = problem.workcell->rules().guarded_travel;
+  return std::min(travel, plan::DoubtOfContact(certificate, travel) + plan::kBeyondContact);
+}
+
+void ClampFixed(const domain::Problem& problem, const domain::Mating& mating,
+                StepCommands& commands) {
+  const double clamp = problem.part(mating.fixed).clamp;
+  if (clamp == 0) return;
+  commands.advance.insert(commands.advance.begin(), Clamp{mating.fixed, clamp});
+  commands.depart.insert(commands.depart.begin() + 1, Clamp{mating.fixed, 0});
+}
+
 std::vector<Command> StepCommands::InOrder() const {
   std::vector<Command> commands;
   for (const auto* phase : {&approach, &advance, &act, &depart}) {

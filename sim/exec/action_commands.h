@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "planner/plan/pushing.h"
 #include "planner/plan/tool_route.h"
 #include "sim/exec/command.h"
 #include "sim/exec/world_model.h"
@@ -29,7 +30,7 @@ struct StepCommands {
 // The commands of a step of a plan, from where the parts are believed to be. Straight lines down
 // and up are vertical; the last piece to a part and the first away from it are along the tool's
 // axis, as long as the workcell's approach distance. Parts that are put down or mated go on until
-// they meet resistance, up to the workcell's guarded travel beyond where that is expected. Where
+// they meet resistance, or until they must have met it (BeyondContact). Where
 // the plan holds a path to the step, the arm comes by it from where the step before has left the
 // tool (plan::RouteOf), and neither goes up.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
@@ -40,15 +41,15 @@ Command HomingOf(const domain::Problem& problem, const plan::Plan& plan);
 // The same with the usual travel.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step);
-// Of the actions. `certificate`: what is known of the step; empty: nothing.
+// Of the actions. `certificate`: what is known of the step; empty: nothing. The fixed part of a
+// mating is clamped by its fixture, if it has one (domain::Part::clamp).
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Pickup& pickup, const plan::Certificate& certificate = {});
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Putdown& putdown, const plan::Certificate& certificate = {});
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Assemble& assemble, const plan::Certificate& certificate = {});
-// The same by fine motion. The fixed part is clamped: it lies on the table by little more than its
-// weight, and to be felt it must stay.
+// The same by fine motion.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Assemble& assemble, const plan::Strategy& strategy);
 // The arm first goes to its home, so that it hangs over no part that does not lie there.
@@ -58,8 +59,15 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Squeeze& squeeze, const plan::Certificate& certificate = {});
 
-// What a guarded move takes for resistance. Less than what the pads can hold against (twice
-// friction times grip force), more than what starting and stopping the hand exerts. Newtons.
-inline constexpr double kResistance = 15;
+// What a guarded move takes for resistance: more than what starting and stopping the hand exerts.
+using plan::kResistance;
+
+// How far a guarded move goes beyond where contact is expected, metres: until it must have been
+// made, so that pads that bear less than the resistance slide no farther on the part; no farther
+// than the workcell's guarded travel.
+double BeyondContact(const domain::Problem& problem, const plan::Certificate& certificate);
+// Adds that the fixed part's fixture, if it has one, clamps it until the held part is let go.
+void ClampFixed(const domain::Problem& problem, const domain::Mating& mating,
+                StepCommands& commands);
 
 }  // namespace assay::exec

@@ -10,18 +10,21 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
   const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
   const Vector3 vector = X_WorldFixed.linear() * mating.mating_vector;
   const double travel = workcell.rules().guarded_travel;
-  const Vector3 beyond = travel * vector.normalized();
-  const Pace pace = MatingPace(travel + plan::DoubtOfContact(certificate, travel));
+  const double farther = BeyondContact(problem, certificate);
+  const Vector3 beyond = farther * vector.normalized();
+  const Pace pace = MatingPace(farther + plan::DoubtOfContact(certificate, travel));
   const plan::ToolRoute route = plan::RouteOf(problem, assemble, X_WorldFixed);
   const Pose& start = route.poised;
   const Pose& mated = route.to_work.back();
   const Pose& retreated = route.left();
-  return {
+  StepCommands commands = {
       .approach = {MoveAtSafeHeight{AtSafeHeight(workcell, start)}, MoveStraight{start, kFreePace}},
       .advance = {MoveStraight{geometry::Translation(beyond) * mated, pace, Guard{kResistance}}},
       .depart = {OpenGripper{OpenGripper::Release{mating.held, X_WorldHeld}},
                  MoveStraight{retreated, kFingersPace},
                  MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}}};
+  ClampFixed(problem, mating, commands);
+  return commands;
 }
 
 }  // namespace assay::exec

@@ -12,12 +12,15 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
   const Pose& above = route.poised;
   const Pose& start = route.to_work.back();
   const Pose& retreated = route.left();
-  return {.approach = {MoveAtSafeHeight{AtSafeHeight(workcell, above)},
-                       MoveStraight{above, kFreePace}, MoveStraight{start, kFreePace}},
-          .advance = {Clamp{mating.fixed, kClampForce}, FollowStrategy{strategy, mating.fixed}},
-          .depart = {OpenGripper{OpenGripper::Release{mating.held, X_WorldHeld}},
-                     Clamp{mating.fixed, 0}, MoveStraight{retreated, kFingersPace},
-                     MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}}};
+  StepCommands commands = {
+      .approach = {MoveAtSafeHeight{AtSafeHeight(workcell, above)}, MoveStraight{above, kFreePace},
+                   MoveStraight{start, kFreePace}},
+      .advance = {FollowStrategy{strategy, mating.fixed}},
+      .depart = {OpenGripper{OpenGripper::Release{mating.held, X_WorldHeld}},
+                 MoveStraight{retreated, kFingersPace},
+                 MoveStraight{AtSafeHeight(workcell, retreated), kFreePace}}};
+  ClampFixed(problem, mating, commands);
+  return commands;
 }
 
 }  // namespace assay::exec

@@ -72,8 +72,7 @@ struct Look {
   } takes = {};
 };
 
-// A clamp presses a part down on the table; with no force, it lets go.
-inline constexpr double kClampForce = 300;  // newtons, on the fixed part of a mating by contacts
+// A part's fixture presses it down on the table; with no force, it lets go.
 struct Clamp {
   PartId part;
   double force = 0;  // newtons

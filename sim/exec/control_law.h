@@ -1,5 +1,7 @@
 #pragma once
 
+#include "planner/plan/pushing.h"
+
 namespace assay::exec {
 
 // The numbers of hybrid control. Lengths in metres, forces in newtons, times in seconds.
@@ -11,7 +13,7 @@ struct ControlLaw {
   double turning_speed = 0.12;    // rad/s
   double contact_turning_speed = 0.05;
   double pressing_force = 4;        // on each contact that is kept
-  double pushing_force = 25;        // along a crevice, at most
+  double pushing_force = plan::kStrategyPush;  // along a crevice, at most
   double touching_force = 3;        // on a contact that counts as made, where others are kept
   double first_touching_force = 1;  // where no others are
   double obstructing_force = 15;    // that no contact explains

@@ -48,7 +48,7 @@ class Trial {
         data_(scene.Start()),
         execution_(problem, scene, data_, options_) {
     scene.SetPart(data_, mating_.fixed, RestingPoses(problem, scene)[mating_.fixed.index()]);
-    scene.Clamp(data_, mating_.fixed, kClampForce);
+    scene.Clamp(data_, mating_.fixed, problem.part(mating_.fixed).clamp);
     execution_.world().Believe(mating_.fixed, scene.TruePose(data_, mating_.fixed));
   }
 

@@ -8,11 +8,12 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel&,
   const double travel = workcell.rules().guarded_travel;
   const plan::ToolRoute route = plan::RouteOf(problem, putdown);
   const Pose& placed = route.to_work.back();
-  const Pose lowest = geometry::Translation(0, 0, -travel) * placed;
+  const double beyond = BeyondContact(problem, certificate);
+  const Pose lowest = geometry::Translation(0, 0, -beyond) * placed;
   const Pose& retreated = route.left();
   return {.approach = {MoveAtSafeHeight{AtSafeHeight(workcell, placed)}},
           .advance = {MoveStraight{lowest,
-                                   LandingPace(travel + plan::DoubtOfContact(certificate, travel)),
+                                   LandingPace(beyond + plan::DoubtOfContact(certificate, travel)),
                                    Guard{kResistance}}},
           .depart = {OpenGripper{OpenGripper::Release{putdown.part, putdown.to.X_WorldPart}},
                      MoveStraight{retreated, kFingersPace},

@@ -60,11 +60,14 @@ TEST(ConditionKind, WhatActsNeedsAndWhatLooksDoesNot) {
   EXPECT_THAT(NamesNeeded(Steps().at("sense")), IsEmpty());
   EXPECT_THAT(
       NamesNeeded(Steps().at("squeeze")),
-      ElementsAre("between fingers", "finger clear", "fingertip", "pad contact", "hand clear"));
+      ElementsAre("between fingers", "finger clear", "fingertip", "pad contact", "upright",
+                  "pushed clear", "hand clear"));
   EXPECT_THAT(NamesNeeded(Steps().at("assemble")),
-              ElementsAre("entry", "slide-in", "tilt", "seat", "holding", "hand clear"));
+              ElementsAre("fingertip", "entry", "slide-in", "tilt", "seat", "fixed stands",
+                          "fixed stays", "standing", "pressed", "holding", "hand clear"));
   EXPECT_THAT(NamesNeeded(Steps().at("felt in")),
-              ElementsAre("entry", "slide-in", "tilt", "seat", "tip shift", "tip turn", "holding",
+              ElementsAre("fingertip", "entry", "slide-in", "tilt", "seat", "fixed stands",
+                          "fixed stays", "tip shift", "tip turn", "standing", "pressed", "holding",
                           "hand clear"));
 }
 

@@ -86,6 +86,35 @@ TEST_F(CommandFileTest, PutdownGoesOnUntilItMeetsResistance) {
   EXPECT_TRUE(Line(down.depart, 1).isApprox(Line(up.approach, 2), 1e-12));
 }
 
+// Where heights are certain to a millimetre, pads have no farther to slide.
+TEST_F(CommandFileTest, PutdownEndsWhereItMustHaveMetTheTable) {
+  const auto pickup = std::get<plan::Pickup>(plan_.steps[1].action);
+  const plan::Putdown putdown{pickup.part, pickup.hold, pickup.from};
+  const double doubt = 0.001;
+  plan::CertifiedPrecondition landing;
+  landing.condition = "landing height";
+  landing.margin = Rules().guarded_travel - doubt;
+  plan::Certificate certificate;
+  certificate.preconditions = {landing};
+  const StepCommands usual = CommandsFor(problem_, world_, putdown);
+  const StepCommands certain = CommandsFor(problem_, world_, putdown, certificate);
+  const Vector3 less =
+      Line(certain.advance, 0).translation() - Line(usual.advance, 0).translation();
+  const double beyond = doubt + plan::kBeyondContact;
+  EXPECT_TRUE(less.isApprox(Vector3(0, 0, Rules().guarded_travel - beyond), 1e-9));
+  EXPECT_GE(std::get<MoveStraight>(certain.advance[0]).pace.final_length, doubt + beyond);
+}
+
+// From before the parts may touch until the held one is let go.
+TEST_F(CommandFileTest, AFixtureClampsTheFixedPart) {
+  const auto assemble = std::get<plan::Assemble>(plan_.steps[0].action);
+  problem_.parts[problem_.mating(assemble.mating).fixed.index()].clamp = 120;
+  const StepCommands commands = CommandsFor(problem_, world_, assemble);
+  EXPECT_EQ(std::get<Clamp>(commands.advance.front()).force, 120);
+  ASSERT_TRUE(std::holds_alternative<OpenGripper>(commands.depart[0]));
+  EXPECT_EQ(std::get<Clamp>(commands.depart[1]).force, 0);
+}
+
 TEST_F(CommandFileTest, AssembleGoesAlongTheMatingVector) {
   const auto assemble = std::get<plan::Assemble>(plan_.steps[0].action);
   const domain::Mating& mating = problem_.mating(assemble.mating);

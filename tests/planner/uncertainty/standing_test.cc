@@ -1,0 +1,225 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "planner/plan/pushing.h"
+#include "planner/uncertainty/possible_masses.h"
+#include "planner/uncertainty/precondition.h"
+#include "planner/uncertainty/squeezing.h"
+#include "planner/uncertainty/support.h"
+#include "tests/planner/uncertainty/part_on_table.h"
+
+namespace assay::uncertainty::standing_test {
+namespace {
+
+constexpr double kPad = 0.008;  // half extent of a pad, metres, at least
+
+// Spar's block, 3 by 3 inches and 6.5 high, on its end, its origin's y axis in its middle.
+struct OnEnd {
+  domain::Problem problem = UprightBlock({});
+  UncertainWorld world{problem, Propagation::kSound};
+  const Pose& X_WorldPart() const { return problem.part(kBlock).X_WorldPart; }
+  double Weight() const { return GreatestWeight(problem, kBlock); }
+  Vector3 Center() const { return X_WorldPart() * problem.part(kBlock).model->mass().center; }
+};
+
+Push Down(const Vector3& at, double newtons) { return {{at}, newtons, 0}; }
+
+// The lever beyond the edge over the weight's lever inside it, exactly.
+TEST(Support, APushBeyondAnEdgeIsHeldByTheWeight) {
+  const OnEnd block;
+  const double edge = block.X_WorldPart().translation().x() + 3 * kInch;
+  const Vector3 at(edge + 0.01, block.Center().y(), 0.1);
+  const double ratio = TippingRatio(block.world, kBlock, {Down(at, 20)}, 0);
+  EXPECT_NEAR(ratio, 20 * 0.01 / (block.Weight() * (edge - block.Center().x())), 1e-9);
+  EXPECT_EQ(TippingRatio(block.world, kBlock, {Down(block.Center(), 1000)}, 0), 0);
+  EXPECT_NEAR(TippingRatio(block.world, kBlock, {Down(at - Vector3(0.005, 0, 0), 20)}, 0.005),
+              ratio, 1e-9)
+      << "what may be elsewhere is";
+}
+
+TEST(Support, AClampHoldsBesides) {
+  OnEnd block;
+  const Push push = {{block.Center() + Vector3(0.05, 0, 0)}, 20, 3};
+  const double free = TippingRatio(block.world, kBlock, {push}, 0);
+  const double sliding = SlidingRatio(block.problem, kBlock, {push});
+  block.problem.parts[kBlock.index()].clamp = block.Weight();
+  const UncertainWorld clamped(block.problem, Propagation::kSound);
+  EXPECT_NEAR(TippingRatio(clamped, kBlock, {push}, 0), free / 2, 1e-9);
+  const double least = block.problem.part(kBlock).model->friction();
+  EXPECT_NEAR(3 / sliding, least * (20 + block.Weight()), 1e-9);
+  EXPECT_NEAR(3 / SlidingRatio(block.problem, kBlock, {push}), least * (20 + 2 * block.Weight()),
+              1e-9);
+}
+
+// Two blocks, the upper one on the lower one's end, half an inch aside.
+TEST(Support, WhatStandsOnAnotherPassesItsPushOn) {
+  domain::Problem problem = UprightBlock({});
+  domain::Part upper = problem.part(kBlock);
+  upper.name = "upper";
+  upper.X_WorldPart = geometry::Translation(kInch / 2, 0, 6.5 * kInch) * upper.X_WorldPart;
+  problem.parts.push_back(upper);
+  const PartId top(static_cast<int>(problem.parts.size()) - 1);
+  const UncertainWorld world(problem, Propagation::kSound);
+  const std::vector<Standing> standings = StandingsOf(world, top, upper.X_WorldPart);
+  ASSERT_EQ(standings.size(), 1);
+  EXPECT_EQ(standings.front().on, kBlock);
+  for (const Vector3& p : standings.front().at) EXPECT_NEAR(p.z(), 6.5 * kInch, 1e-9);
+  EXPECT_EQ(TippingEdgesOf(standings).size(), 4);
+  // Nothing of it is beyond the lower one's edges, and it stands by itself.
+  EXPECT_NEAR(TippingRatio(world, top, {}, 0), 0, 1e-6);
+  const Vector3 beyond = upper.X_WorldPart * Vector3(3 * kInch, 0, 0);
+  EXPECT_GT(TippingRatio(world, top, {Down(beyond, 5)}, 0), 0);
+}
+
+double RatioOf(const UncertainWorld& world, const std::vector<Precondition>& conditions,
+               const std::string& condition) {
+  for (const Precondition& c : conditions) {
+    if (c.condition == condition) return world.RangeOf(c.expression).high;
+  }
+  ADD_FAILURE() << "no " << condition;
+  return 0;
+}
+
+struct Closing {
+  domain::Problem problem;
+  std::vector<Precondition> conditions;
+  double upright = 0;
+};
+
+Closing Close(const domain::Problem& problem, const plan::Hold& hold) {
+  UncertainWorld world(problem, Propagation::kSound);
+  const ManipulatorError draw = world.DrawManipulator();
+  const HeldError held = ClosePads(world, kBlock, hold, draw);
+  Closing closing = {problem, ClosingPreconditions(world, kBlock, hold, draw, held), 0};
+  closing.upright = RatioOf(world, closing.conditions, "upright");
+  return closing;
+}
+
+plan::Hold HoldAtHeight(const domain::Problem& problem, double height) {
+  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
+  hold.X_PartTool.translation().z() = height;
+  return hold;
+}
+
+// Friction pushes back at the table, the pad at the height of its lower edge: it topples where
+// friction times height is more than half the depth.
+TEST(Upright, FrictionTimesHeightOverHalfTheDepth) {
+  const domain::Problem problem = UprightBlock({.length = 0.0002, .angle = 0.001, .hand = 1e-5});
+  const double friction = problem.part(kBlock).model->friction();
+  for (const double height : {0.05, 0.1, 0.14}) {
+    const double ratio = Close(problem, HoldAtHeight(problem, height)).upright;
+    EXPECT_GT(ratio, friction * (height - 2 * kPad) / (1.5 * kInch));
+    EXPECT_LT(ratio, friction * (height + 0.002) / (1.5 * kInch));
+  }
+}
+
+TEST(Upright, NothingIsPushedWhereNothingErrs) {
+  const domain::Problem exact = UprightBlock({.length = 0, .angle = 0, .hand = 0});
+  EXPECT_EQ(Close(exact, HoldAtHeight(exact, 0.15)).upright, 0);
+}
+
+TEST(Upright, RougherTablesToppleMore) {
+  domain::Problem problem = UprightBlock({.length = 0.0002, .angle = 0.001, .hand = 1e-5});
+  const double said = Close(problem, HoldAtHeight(problem, 0.1)).upright;
+  problem.tolerances.friction = problem.part(kBlock).model->friction();
+  EXPECT_NEAR(Close(problem, HoldAtHeight(problem, 0.1)).upright, 2 * said, 1e-9);
+}
+
+TEST(NeighbourClear, GoesDownAsANeighbourComesNearer) {
+  domain::Problem problem = UprightBlock({.length = 0.002, .angle = 0.01, .hand = 1e-4});
+  ASSERT_EQ(problem.parts.size(), 2);
+  const auto room_at = [&](double gap) {
+    problem.parts[1] = problem.parts[0];
+    problem.parts[1].error = {};
+    problem.parts[1].X_WorldPart =
+        geometry::Translation(3 * kInch + gap, 0, 0) * problem.parts[0].X_WorldPart;
+    const Closing closing = Close(problem, HoldAtHeight(problem, 0.1));
+    return RatioOf(UncertainWorld(problem, Propagation::kSound), closing.conditions,
+                   "pushed clear");
+  };
+  EXPECT_NEAR(room_at(0.05) - room_at(0.02), 0.03, 1e-9);
+  EXPECT_LT(room_at(0.002), 0) << "the part itself may be as far aside";
+  EXPECT_GT(room_at(0.05), 0.05 - 0.01) << "errors of millimetres";
+}
+
+// A T that stands on its stem of a square inch, its bar 6 inches long.
+std::shared_ptr<const domain::PartModel> LetterT() {
+  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "letter-t.yaml";
+  std::ofstream(file) << R"(format: assay-part/1
+name: letter-t
+initial: T
+units: {length: inch, angle: degree}
+density: 700
+friction: 0.25
+solids:
+  stem: {box: [[-0.5, -0.5, 0], [0.5, 0.5, 2]], color: [1, 1, 1, 1]}
+  bar: {box: [[-3, -0.5, 2], [3, 0.5, 3]], color: [1, 1, 1, 1]}
+features:
+  1: {face: bar, normal: [0, 0, 1], what: top}
+stable_poses: {upside-down: [0, 0, 1]}
+)";
+  return domain::PartModel::Load(file, 0.001);
+}
+
+// What "pads that press" says of the T where they hold it `aside` of its middle.
+double PressedAside(double aside, double grip_force) {
+  domain::Problem problem = UprightBlock({});
+  domain::Part& part = problem.parts[kBlock.index()];
+  part.model = LetterT();
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.grip_force = grip_force;
+  problem.workcell = problem.workcell->WithRules(rules);
+  UncertainWorld world(problem, Propagation::kSound);
+  plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
+  hold.X_PartTool.translation() = Vector3(aside, 0, 2.5 * kInch);
+  hold.width = kInch;
+  world.SetHeld(kBlock, {.x = 0, .z = 0});
+  const ManipulatorError draw = world.DrawManipulator();
+  const auto conditions =
+      StandingPreconditions(world, kBlock, hold, draw, part.X_WorldPart, {{0, 0, 0}, 0}, 0);
+  EXPECT_EQ(RatioOf(world, conditions, "standing"), 0) << "it comes upright";
+  return RatioOf(world, conditions, "pressed");
+}
+
+// Weak pads press with the most that they can, as far beyond the stem as they are. Strong ones
+// bear what the stem's edge gives back: the torsion of that push over the mean distance of their
+// friction, at least.
+TEST(Pressed, PadsBesideTheSupportTipItOrBearIt) {
+  const double weight = LetterT()->mass().mass * kGravity;
+  const domain::Problem problem = UprightBlock({});
+  const double friction = problem.workcell->rules().pad_friction;
+  const double a = problem.workcell->gripper().pad_half_extents().x();
+  const double aside = 2 * kInch;
+  const double beyond = aside - kInch / 2;
+  EXPECT_EQ(PressedAside(0, 100), 0);
+  EXPECT_NEAR(PressedAside(aside, 20), 2 * friction * 20 * beyond / (kInch / 2) / weight, 1e-9);
+  const double torsion = 2 * friction * (std::sqrt(2.0) + std::asinh(1.0)) / 3 * a;  // a newton's
+  for (const double force : {1000.0, 10000.0}) {
+    const double ratio = PressedAside(aside, force);
+    EXPECT_GE(ratio, plan::kGreatestPush * beyond / (torsion * force));
+    EXPECT_LE(ratio, 1.5 * plan::kGreatestPush * beyond / (torsion * force));
+  }
+}
+
+// Leaning by as much as its half width over the height of its centre of mass, it would fall.
+TEST(Standing, WhatLeansFallsBackUnlessItIsTooTall) {
+  domain::Problem problem = UprightBlock({});
+  domain::Part& part = problem.parts[kBlock.index()];
+  part.model = LetterT();
+  const plan::Hold hold = HoldFromAbove(problem, Vector3::UnitY());
+  UncertainWorld world(problem, Propagation::kSound);
+  world.SetHeld(kBlock, {.x = 0, .z = 0});
+  const ManipulatorError draw = world.DrawManipulator();
+  const double steep = kInch / 2 / part.model->mass().center.z();
+  for (const double share : {0.5, 0.99, 1.01, 2.0}) {
+    const auto conditions = StandingPreconditions(world, kBlock, hold, draw, part.X_WorldPart,
+                                                  {{0, 0, 0}, 0}, std::atan(share * steep));
+    EXPECT_NEAR(RatioOf(world, conditions, "standing"), share, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace assay::uncertainty::standing_test

@@ -1,0 +1,194 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "planner/assembly/certified_plan.h"
+#include "planner/base/random.h"
+#include "planner/domain/problem_file.h"
+#include "sim/check/noisy_trial.h"
+#include "sim/noise/error_box.h"
+#include "sim/noise/sampling.h"
+
+// That a hand holds what it holds, asked of the engine: parts of all weights between pads of all
+// frictions and forces.
+namespace assay::check::held_parts_test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kSeed = 27;
+const fs::path kModels = ASSAY_SOURCE_DIR "/models";
+
+// So many scenes, and corners of each that is proved; more of them with ASSAY_HELD_SCENES=500 and
+// ASSAY_HELD_CORNERS=20.
+int Asked(const char* name, int otherwise) {
+  const char* count = std::getenv(name);
+  return count == nullptr ? otherwise : std::atoi(count);
+}
+
+// What differs from scene to scene. Frictions have tolerances of this share of them.
+struct Draw {
+  double density = 1;  // of the peg, in that of the stock one
+  double pad_friction = 0.15;
+  double grip_force = 100;  // newtons
+  double tolerance = 0;
+  double block_yaw = 30;  // degrees
+  double peg_yaw = -120;
+  bool mates = true;  // else the peg is put down elsewhere
+
+  std::string Text() const {
+    return fmt::format(
+        "seed {}: density x {:.4g}, pads {:.4g} +- {:.4g}, {:.4g} N, yaws {:.4g} and {:.4g}, {}",
+        kSeed, density, pad_friction, tolerance * pad_friction, grip_force, block_yaw, peg_yaw,
+        mates ? "mated" : "put down");
+  }
+};
+
+double Between(RandomStream& random, double low, double high) {
+  return std::exp(random.Uniform(std::log(low), std::log(high)));
+}
+
+Draw DrawScene(RandomStream& random) {
+  Draw draw;
+  draw.density = Between(random, 0.05, 20);
+  draw.pad_friction = Between(random, 0.02, 1);
+  draw.grip_force = Between(random, 5, 150);
+  draw.tolerance = random.Uniform(0, 1) < 0.3 ? 0 : random.Uniform(0, 1);
+  draw.block_yaw = random.Uniform(-180, 180);
+  draw.peg_yaw = random.Uniform(-180, 180);
+  draw.mates = random.Uniform(0, 1) < 0.7;
+  return draw;
+}
+
+// The stock models, but that the peg is denser.
+fs::path ModelsWith(double density) {
+  const fs::path folder = fs::path(testing::TempDir()) / fmt::format("models-{:.17g}", density);
+  fs::create_directories(folder / "parts/peg");
+  for (const char* same : {"grippers", "robots", "workcells", "parts/block"}) {
+    if (!fs::exists(folder / same)) fs::create_directory_symlink(kModels / same, folder / same);
+  }
+  std::ifstream stock(kModels / "parts/peg/part.yaml");
+  std::ofstream own(folder / "parts/peg/part.yaml");
+  for (std::string line; std::getline(stock, line);) {
+    const bool is_density = line.starts_with("density:");
+    own << (is_density ? fmt::format("density: {:.17g}", 700 * density) : line) << "\n";
+  }
+  return folder;
+}
+
+domain::Problem ProblemOf(const Draw& draw) {
+  const std::string text = fmt::format(
+      R"(format: assay-scenario/1
+units: {{length: mm, angle: degree}}
+workcell: puma762-table
+clearance: 1
+rules: {{grip_force: {}, pad_friction: {}}}
+tolerances: {{clearance: {}, friction: {}, pad_friction: {}}}
+parts:
+  block:
+    model: block
+    pose: {{stable: on-back, at: [600, 50], yaw: {}}}
+    error: {{x: 0.05, y: 0.05, z: 0.02, theta: 0.02}}
+  peg:
+    model: peg
+    pose: {{stable: on-side, at: [500, -200], yaw: {}}}
+    error: {{x: 0.05, y: 0.05, z: 0.02, theta: 0.02}}
+gripper: {{error: {{x: 0.02, y: 0.02, z: 0.02, theta: 0.01}}}}
+sensing: [overhead-camera]
+resolvers: [sensing, squeezing]
+goal:
+)",
+      draw.grip_force, draw.pad_friction, 0.3 * draw.tolerance, 0.2 * draw.tolerance,
+      draw.tolerance * draw.pad_friction * 0.999, draw.block_yaw, draw.peg_yaw);
+  const char* goal = draw.mates ? R"(  - assembled:
+      held: peg
+      fixed: block
+      features: [[7, 8], [7, 8]]
+      pose: {columns: [[-1, 0, 0], [0, 1, 0], [0, 0, -1], [76.2, 0, 82.55]]}
+      mating_vector: [-101.6, 0, 0]
+)"
+                                : R"(  - located: {part: peg, stable: [shaft-up]}
+)";
+  return domain::ReadProblem(Document::Parse(text + goal, "held-parts.yaml"),
+                             ModelsWith(draw.density));
+}
+
+struct Planned {
+  domain::Problem problem;
+  plan::Plan plan;
+  bool is_proved = false;
+};
+
+Planned PlanFor(const Draw& draw) {
+  Planned planned{ProblemOf(draw), {}, false};
+  const plan::PlanResult result = assembly::MakeCertifiedPlan(planned.problem, {}, {});
+  planned.is_proved = result.outcome == Outcome::kFound && result.plan.errors == 0;
+  planned.plan = result.plan;
+  return planned;
+}
+
+Verdict AtCorner(const Planned& planned, int corner) {
+  const Experiment experiment{planned.problem, planned.plan};
+  const auto box = noise::ErrorBox(planned.problem, planned.plan);
+  exec::ExecutorOptions options;
+  options.sample_rate = 0;
+  return RunNoisyTrial(experiment, noise::Sample(box, noise::Mode::kVertices, kSeed, corner),
+                       options)
+      .verdict;
+}
+
+// Every corner of a plan that is all proved succeeds: nothing falls, slips or topples.
+TEST(HeldParts, WhatIsProvedKeepsToItAtTheCorners) {
+  RandomStream random(kSeed, "held parts");
+  const int corners = Asked("ASSAY_HELD_CORNERS", 1);
+  int proved = 0;
+  const int scenes = Asked("ASSAY_HELD_SCENES", 4);
+  for (int scene = 0; scene < scenes; ++scene) {
+    const Draw draw = DrawScene(random);
+    const Planned planned = PlanFor(draw);
+    if (!planned.is_proved) continue;
+    ++proved;
+    for (int corner = 1; corner <= corners; ++corner) {
+      const Verdict verdict = AtCorner(planned, corner);
+      EXPECT_EQ(verdict.outcome, TrialOutcome::kSucceeded)
+          << draw.Text() << ", scene " << scene << ", corner " << corner << ": " << verdict.reason;
+    }
+  }
+  EXPECT_GT(proved, 0);
+  RecordProperty("proved", proved);
+  std::cout << proved << " of " << scenes << " scenes are proved\n";
+}
+
+// The least grip force that is proved, to within a hundredth.
+double LeastProvedForce(Draw draw) {
+  double low = 0.1;
+  double high = 1000;
+  while (high > 1.01 * low) {
+    draw.grip_force = std::sqrt(low * high);
+    (PlanFor(draw).is_proved ? high : low) = draw.grip_force;
+  }
+  return high;
+}
+
+TEST(HeldParts, TheLeastForceThatIsProvedIsNearThatAtWhichPartsFall) {
+  RandomStream random(kSeed, "least force");
+  for (int scene = 0; scene < Asked("ASSAY_HELD_SCENES", 1); ++scene) {
+    Draw draw = DrawScene(random);
+    draw.tolerance = 0;
+    draw.mates = false;
+    const double least = LeastProvedForce(draw);
+    draw.grip_force = least;
+    EXPECT_EQ(AtCorner(PlanFor(draw), 1).outcome, TrialOutcome::kSucceeded) << draw.Text();
+    draw.grip_force = least / 1.5;
+    EXPECT_NE(AtCorner(PlanFor(draw), 1).outcome, TrialOutcome::kSucceeded) << draw.Text();
+  }
+}
+
+}  // namespace
+}  // namespace assay::check::held_parts_test
