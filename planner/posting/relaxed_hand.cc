@@ -63,10 +63,15 @@ RelaxedHand::ConditionTable RelaxedHand::TableOf(const Part& gripped, const Part
 
 void RelaxedHand::AddPart(PartId id) {
   const Part& part = problem_.part(id);
+  // Parts of one model differ in where they start alone.
+  const auto alike = std::ranges::find(problem_.parts, part.model, &Part::model);
+  const PartId first(static_cast<std::size_t>(alike - problem_.parts.begin()));
   parts_.push_back(TableOf(part, part, [&](GraspId grasp, int position) {
-    return position == domain::InitialLabel(part)
-               ? BrokenAt(problem_, id, grasp, part.X_WorldPart)
-               : BrokenIn(problem_, id, grasp, StablePoseId(position));
+    if (position == domain::InitialLabel(part)) {
+      return BrokenAt(problem_, id, grasp, part.X_WorldPart);
+    }
+    return first == id ? BrokenIn(problem_, id, grasp, StablePoseId(position))
+                       : Broken(first, grasp.index(), position);
   }));
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "planner/base/check.h"
@@ -28,13 +29,19 @@ namespace {
 
 constexpr double kWiderThanAnyPart = 1e3;  // metres
 
+// Parts of one model share their grasps.
 Problem WithMisses(Problem problem) {
+  std::map<const domain::PartModel*, std::shared_ptr<const std::vector<domain::Grasp>>> found;
   for (Part& part : problem.parts) {
-    part.grasps = std::make_shared<const std::vector<domain::Grasp>>(
-        ComputeGrasps(*part.model, problem.workcell->gripper(),
-                      {.approach_step = problem.workcell->rules().approach_step,
-                       .widest = kWiderThanAnyPart,
-                       .with_misfits = true}));
+    auto& grasps = found[part.model.get()];
+    if (!grasps) {
+      grasps = std::make_shared<const std::vector<domain::Grasp>>(
+          ComputeGrasps(*part.model, problem.workcell->gripper(),
+                        {.approach_step = problem.workcell->rules().approach_step,
+                         .widest = kWiderThanAnyPart,
+                         .with_misfits = true}));
+    }
+    part.grasps = grasps;
   }
   return problem;
 }
@@ -59,6 +66,9 @@ class FixedPoint {
     do {
       grown_ = false;
       for (const HoldOption& hold : holds_) Try(hold);
+      for (std::size_t m = 0; m < problem_.matings.size(); ++m) {
+        if (now_.unfollowed[problem_.matings[m].held.index()]) Mate(MatingId(m));
+      }
     } while (grown_);
   }
 
@@ -150,9 +160,11 @@ class FixedPoint {
     }
   }
 
-  // Whether the conditions hold but for those that are left out or waived; `all`: even without
-  // these.
-  enum class Standing { kFails, kHolds, kHoldsAll };
+  enum class Standing {
+    kFails,
+    kHolds,    // since a condition is left out or waived
+    kHoldsAll  // whatever is left out
+  };
   Standing StandingOf(const HoldOption& hold, int asked) const {
     const int broken = relaxed_.Broken(hold) & asked;
     if (broken == 0) return Standing::kHoldsAll;
@@ -177,7 +189,6 @@ class FixedPoint {
 
   bool CanMate(const HoldOption& hold) const {
     const Mating& mating = problem_.mating(hold.mating);
-    if (now_.unfollowed[mating.held.index()]) return true;
     if (!now_.held[hold.robot][mating.held.index()][hold.grasp]) return false;
     const bool off_pads = LeavesMatingFeaturesFree(relaxed_.hands()[hold.robot]->problem(), mating,
                                                    GraspId(hold.grasp));

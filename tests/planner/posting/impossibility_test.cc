@@ -229,7 +229,9 @@ TEST(Impossibility, IsProvedExactlyWhereTryingEverythingFindsNothing) {
       EXPECT_THAT(result.conflict, Not(IsEmpty()));
       EXPECT_THAT(result.hypotheses, Not(IsEmpty()));
     }
-    if (result.outcome == Outcome::kFound) EXPECT_EQ(truth, Answer::kPlan);
+    if (result.outcome == Outcome::kFound) {
+      EXPECT_EQ(truth, Answer::kPlan);
+    }
     if (truth == Answer::kNone) {
       EXPECT_TRUE(result.outcome == Outcome::kNone || !result.limits.empty()) << both;
     }
