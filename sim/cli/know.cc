@@ -158,7 +158,11 @@ std::string CheckText(const TreeCheck& check) {
 
 std::string PlanText(const Answer& answer, const Options& options) {
   const ContingentPlan& plan = answer.plan;
-  if (plan.outcome == Outcome::kNone) return "There is no plan.\n";
+  if (plan.outcome == Outcome::kNone) {
+    return "There is no plan: no tree of these actions leads surely to the goal without repeats, "
+           "for "
+           "what a knowledge state can say of the world.\n";
+  }
   if (plan.outcome == Outcome::kBudget) {
     return fmt::format("No plan within {} knowledge states.\n", options.budget);
   }
