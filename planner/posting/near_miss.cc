@@ -144,8 +144,9 @@ std::string FrictionConeText(const Problem& problem, MatingId id) {
   }
   if (texts.empty()) return "";
   const Limited any = MatingLean(problem, mating, poses.front().X_TablePart);
-  return fmt::format("the mating vector into {} may lean at most {} from straight down, and leans: {}",
-                     fixed.name, Degrees(any.limit), fmt::join(texts, ", "));
+  return fmt::format(
+      "the mating vector into {} may lean at most {} from straight down, and leans: {}", fixed.name,
+      Degrees(any.limit), fmt::join(texts, ", "));
 }
 
 }  // namespace

@@ -159,9 +159,8 @@ std::string CheckText(const TreeCheck& check) {
 std::string PlanText(const Answer& answer, const Options& options) {
   const ContingentPlan& plan = answer.plan;
   if (plan.outcome == Outcome::kNone) {
-    return "There is no plan: no tree of these actions leads surely to the goal without repeats, "
-           "for "
-           "what a knowledge state can say of the world.\n";
+    return "There is no plan: for what a knowledge state can say of the world, no tree of these "
+           "actions without repeats leads surely to the goal.\n";
   }
   if (plan.outcome == Outcome::kBudget) {
     return fmt::format("No plan within {} knowledge states.\n", options.budget);
