@@ -76,10 +76,8 @@ class WorldPlanner {
     const plan::PlanResult blind = assembly::MakeCertifiedPlan(worlds_[w], planner_, uncertainty_);
     if (blind.outcome != Outcome::kFound) {
       assembly_.outcome = blind.outcome;
-      assembly_.conflict = blind.conflict;
-      if (!worlds_[w].open_poses.empty()) {
-        assembly_.conflict.push_back("the world is: " + NameOf(worlds_[w]));
-      }
+      assembly_.unplanned = blind;
+      if (!worlds_[w].open_poses.empty()) TellWorld(NameOf(worlds_[w]));
       return;
     }
     PlanOfWorlds planned = {WorldsOf(blind.plan, w), blind.plan};
@@ -91,6 +89,13 @@ class WorldPlanner {
     }
     assembly_.errors += planned.plan.errors;
     assembly_.plans.push_back(std::move(planned));
+  }
+
+  // Only that the world is this one makes its constraints conflict.
+  void TellWorld(const std::string& world) {
+    plan::PlanResult& unplanned = assembly_.unplanned;
+    auto& reasons = unplanned.outcome == Outcome::kNone ? unplanned.conflict : unplanned.limits;
+    if (!reasons.empty()) reasons.push_back("the world is: " + world);
   }
 
   std::vector<int> WorldsOf(const plan::Plan& plan, int made_for) const {
@@ -108,13 +113,18 @@ class WorldPlanner {
     Budget budget(kKnowledgeStates);
     contingent::ContingentPlan contingent =
         contingent::MakePlan(assembly_.knowledge.task, contingent::Wanted::kFirst, budget);
-    assembly_.outcome = contingent.outcome;
     assembly_.tree = std::move(contingent.tree);
-    if (contingent.outcome != Outcome::kNone) return;
-    for (const domain::OpenPose& open : worlds_.front().open_poses) AddConflict(open);
+    if (contingent.outcome != Outcome::kNone) {
+      assembly_.outcome = contingent.outcome;
+      return;
+    }
+    assembly_.outcome = Outcome::kBudget;
+    assembly_.unplanned.limits.push_back(
+        "of all plans for a world one is looked at, and its steps tell nothing of the world");
+    for (const domain::OpenPose& open : worlds_.front().open_poses) AddLimits(open);
   }
 
-  void AddConflict(const domain::OpenPose& open) {
+  void AddLimits(const domain::OpenPose& open) {
     const domain::Problem& first = worlds_.front();
     const std::string& part = first.part(open.part).name;
     bool is_told = false;
@@ -122,13 +132,13 @@ class WorldPlanner {
       const auto alike = FindAlike(worlds_, open.part, sensor);
       is_told |= !alike;
       if (!alike) continue;
-      assembly_.conflict.push_back(
+      assembly_.unplanned.limits.push_back(
           fmt::format("{} cannot tell {} {} from {}: they look alike, as far as their errors and "
                       "its promise go",
                       sensor, part, alike->first, alike->second));
     }
     if (!is_told) {
-      assembly_.conflict.push_back(fmt::format("no sensor tells which pose {} has", part));
+      assembly_.unplanned.limits.push_back(fmt::format("no sensor tells which pose {} has", part));
     }
   }
 

@@ -16,9 +16,12 @@ struct ContingentAssembly {
   Outcome outcome = Outcome::kBudget;
   std::vector<PlanOfWorlds> plans;  // each world is in one of them
   PlanKnowledge knowledge;
-  contingent::PlanTree tree;          // at kFound
-  std::vector<std::string> conflict;  // at kNone: what cannot hold together, in which world
-  int errors = 0;                     // steps that could not be proved, in all plans
+  contingent::PlanTree tree;  // at kFound
+  // At other outcomes: why there is none. At kNone of the world that has no plan, which is told; at
+  // kBudget the limits that were met: one plan for each world is looked at, so that it is no proof
+  // if no sensor tells when to follow which.
+  plan::PlanResult unplanned = {};
+  int errors = 0;  // steps that could not be proved, in all plans
 };
 
 // "peg standing, block on-back": what tells the world from the others.

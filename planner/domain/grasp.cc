@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <tuple>
@@ -86,10 +87,10 @@ struct Spot {
   double clearance = 0;  // distance to the border of the region, or less
 };
 
-// The room for pads on a pair of faces: a convex outline less convex gaps.
-class PadRoom {
+// Where pads can be on a pair of faces: a convex outline less convex gaps.
+class PadRegion {
  public:
-  explicit PadRoom(const Patches& region) : outline_(Hull(region)), gaps_({outline_}) {
+  explicit PadRegion(const Patches& region) : outline_(Hull(region)), gaps_({outline_}) {
     for (const Polygon& patch : region) gaps_ = Without(gaps_, patch);
   }
 
@@ -111,6 +112,20 @@ class PadRoom {
     return least;
   }
 
+  // What a pad that sticks out by `overhang` lacks most, across one of the outline's edges; where
+  // the outline would have room for it, a gap has not.
+  PadRoom Lacking(const Polygon& pad, double overhang) const {
+    PadRoom least;
+    for (std::size_t i = 0; i < outline_.size(); ++i) {
+      const Vector2 along = (outline_[(i + 1) % outline_.size()] - outline_[i]).normalized();
+      const Vector2 across(-along.y(), along.x());
+      const PadRoom room = {ExtentOf(pad, across), ExtentOf(outline_, across)};
+      if (i == 0 || room.needed - room.available > least.needed - least.available) least = room;
+    }
+    if (least.fits()) least.available = least.needed - 2 * overhang;
+    return least;
+  }
+
   Eigen::AlignedBox2d Bounds() const {
     Eigen::AlignedBox2d bounds;
     for (const Vector2& p : outline_) bounds.extend(p);
@@ -118,13 +133,19 @@ class PadRoom {
   }
 
  private:
+  static double ExtentOf(const Polygon& polygon, const Vector2& direction) {
+    const auto height = [&](const Vector2& p) { return direction.dot(p); };
+    const auto [low, high] = std::ranges::minmax(polygon, {}, height);
+    return height(high) - height(low);
+  }
+
   Polygon outline_;
   Patches gaps_;
 };
 
 // The positions on a grid through the region's centroid, and under the centre of mass, that are in
 // the region, nearest to the centre of mass first.
-std::vector<Spot> SpotsOf(const FacePair& pair, const PadRoom& room, const Vector2& mass_center) {
+std::vector<Spot> SpotsOf(const FacePair& pair, const PadRegion& room, const Vector2& mass_center) {
   std::vector<Spot> spots;
   const auto add = [&](const Vector2& p) {
     const double clearance = room.ClearanceAt(p);
@@ -160,14 +181,16 @@ Polygon PadAt(const Vector2& center, const Approach& approach, const Vector2& ha
 // All grasps of one pair of faces.
 class PairSearch {
  public:
-  PairSearch(const PartModel& part, const kinematics::Gripper& gripper, FacePair pair)
+  PairSearch(const PartModel& part, const kinematics::Gripper& gripper, FacePair pair,
+             bool with_misfits)
       : part_(part),
         pads_(gripper.pad_half_extents()),
         pair_(std::move(pair)),
-        room_(pair_.region),
-        clearance_(part, gripper, pair_.X_PartMiddle, pair_.width, kAllowance) {
+        region_(pair_.region),
+        clearance_(part, gripper, pair_.X_PartMiddle, pair_.width, kAllowance),
+        least_margin_(with_misfits ? std::numeric_limits<double>::lowest() : -2 * kEqual) {
     const Vector3 mass_center = pair_.X_PartMiddle.inverse() * part.mass().center;
-    spots_ = SpotsOf(pair_, room_, mass_center.head<2>());
+    spots_ = SpotsOf(pair_, region_, mass_center.head<2>());
   }
 
   // The grasp that stands for its class; none if there is no room, or no way in.
@@ -175,24 +198,27 @@ class PairSearch {
     const Approach approach = Approach::At(angle, ExtentAlong(angle));
     const std::optional<Vector2> center = BestCenter(approach);
     if (!center) return std::nullopt;
+    const Polygon pad = PadAt(*center, approach, pads_);
     Grasp grasp;
     grasp.X_PartTool = pair_.X_PartMiddle * ToolInMiddle(*center, approach);
     grasp.width = pair_.width;
-    grasp.hidden = HiddenBy(PadAt(*center, approach, pads_));
+    grasp.hidden = HiddenBy(pad);
+    const double margin = region_.MarginOf(pad);
+    if (margin <= -kEqual) grasp.room = region_.Lacking(pad, -margin);
     return grasp;
   }
 
  private:
   double MarginAt(const Spot& spot, const Approach& approach) const {
     if (spot.clearance >= pads_.norm() + kDeepEnough) return kDeepEnough;
-    return room_.MarginOf(PadAt(spot.center, approach, pads_));
+    return region_.MarginOf(PadAt(spot.center, approach, pads_));
   }
 
   // The spots come nearest to the centre of mass first, so a later one must lie deeper.
   std::optional<Vector2> BestCenter(const Approach& approach) const {
     const std::vector<CObstacle> obstacles = clearance_.ObstaclesOf(approach);
     const Spot* best = nullptr;
-    double best_margin = -2 * kEqual;  // pads may end at the border
+    double best_margin = least_margin_;
     for (const Spot& spot : spots_) {
       if (best_margin >= kDeepEnough - kEqual) break;
       const auto blocks = [&](const CObstacle& o) { return o.Contains(spot.center); };
@@ -236,8 +262,9 @@ class PairSearch {
   const PartModel& part_;
   Vector2 pads_;  // half extents along the tool's x and z
   FacePair pair_;
-  PadRoom room_;
+  PadRegion region_;
   HandClearance clearance_;
+  double least_margin_;  // of the pads in the faces; they may end at the border
   std::vector<Spot> spots_;
 };
 
@@ -252,7 +279,7 @@ std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Grippe
   const int directions = static_cast<int>(std::ceil(turns - kRounding));
   std::vector<Grasp> grasps;
   for (FacePair& pair : PairsOf(part, search.widest)) {
-    const PairSearch pair_search(part, gripper, std::move(pair));
+    const PairSearch pair_search(part, gripper, std::move(pair), search.with_misfits);
     for (int i = 0; i < directions; ++i) {
       std::optional<Grasp> grasp = pair_search.Along(i * search.approach_step);
       if (!grasp) continue;

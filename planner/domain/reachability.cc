@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "planner/base/check.h"
@@ -93,10 +94,13 @@ const std::vector<FeatureNumber>& HiddenAt(const Part& part, const Pose& X_World
   return resting.IsNone() ? part.hidden : part.model->stable_poses()[resting.index()].hidden;
 }
 
+// The angle from straight down.
+double LeanOf(const Vector3& direction) {
+  return std::atan2(direction.head<2>().norm(), -direction.z());
+}
+
 bool LeansLittle(const Workcell& workcell, const Pose& X_WorldTool) {
-  const Vector3 approach = X_WorldTool.linear().col(2);
-  const double lean = std::atan2(approach.head<2>().norm(), -approach.z());
-  return lean <= workcell.rules().tool_lean + kRounding;
+  return LeanOf(X_WorldTool.linear().col(2)) <= workcell.rules().tool_lean + kRounding;
 }
 
 double LowestPoint(const geometry::Box& box, const Pose& X_WorldTool) {
@@ -105,19 +109,24 @@ double LowestPoint(const geometry::Box& box, const Pose& X_WorldTool) {
          X_WorldBox.linear().row(2).cwiseAbs().dot(box.half_extents.transpose());
 }
 
-bool StaysAbove(std::span<const geometry::Box> boxes, const Pose& X_WorldTool, double height) {
-  return std::ranges::all_of(boxes, [&](const geometry::Box& box) {
-    return LowestPoint(box, X_WorldTool) >= height - kRounding;
-  });
+double LowestPoint(std::span<const geometry::Box> boxes, const Pose& X_WorldTool) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const geometry::Box& box : boxes) lowest = std::min(lowest, LowestPoint(box, X_WorldTool));
+  return lowest;
 }
 
-// The retreat of a tool that leans allowably goes up, so its end is its lowest point.
-bool ClearsTable(const Workcell& workcell, const Grasp& grasp, const Pose& X_WorldTool) {
+// The height of hand and fingers, open and closed, above the table. The retreat of a tool that
+// leans allowably goes up, so its end is its lowest point.
+double HandHeight(const Workcell& workcell, const Grasp& grasp, const Pose& X_WorldTool) {
   const kinematics::Gripper& gripper = workcell.gripper();
-  const double height = -workcell.rules().contact_allowance;
-  return StaysAbove(gripper.HandBoxes(), X_WorldTool, height) &&
-         StaysAbove(gripper.FingerBoxes(gripper.max_opening()), X_WorldTool, height) &&
-         StaysAbove(gripper.FingerBoxes(ClosedOpening(workcell, grasp)), X_WorldTool, height);
+  return std::min({LowestPoint(gripper.HandBoxes(), X_WorldTool),
+                   LowestPoint(gripper.FingerBoxes(gripper.max_opening()), X_WorldTool),
+                   LowestPoint(gripper.FingerBoxes(ClosedOpening(workcell, grasp)), X_WorldTool)});
+}
+
+bool ClearsTable(const Workcell& workcell, const Grasp& grasp, const Pose& X_WorldTool) {
+  return HandHeight(workcell, grasp, X_WorldTool) >=
+         -workcell.rules().contact_allowance - kRounding;
 }
 
 Pose Moved(const Pose& X, const Vector3& by) { return geometry::Translation(by) * X; }
@@ -204,6 +213,7 @@ GraspConditions Broken(const Problem& problem, GraspId id, const Location& locat
   const Pose X_WorldTool = location.X_WorldPart * grasp.X_PartTool;
   Findings findings(ask);
   findings.Require(GraspCondition::kOpening, [&] { return OpensFor(workcell, grasp); });
+  findings.Require(GraspCondition::kPadsFit, [&] { return grasp.room.fits(); });
   findings.Require(GraspCondition::kFacesFree, [&] { return AreDisjoint(grasp.hidden, hidden); });
   findings.Require(GraspCondition::kToolLean, [&] { return LeansLittle(workcell, X_WorldTool); });
   findings.Require(GraspCondition::kTableClear,
@@ -225,6 +235,7 @@ GraspConditions BrokenMating(const Problem& problem, const Mating& mating, Grasp
   const Vector3 vector_World = location.X_WorldPart.linear() * mating.mating_vector;
   Findings findings(ask);
   findings.Require(GraspCondition::kOpening, [&] { return OpensFor(workcell, grasp); });
+  findings.Require(GraspCondition::kPadsFit, [&] { return grasp.room.fits(); });
   findings.Require(GraspCondition::kToolLean, [&] { return LeansLittle(workcell, X_WorldTool); });
   findings.Require(GraspCondition::kTableClear, [&] {
     return ClearsTable(workcell, grasp, X_WorldTool) &&
@@ -364,9 +375,32 @@ double LeastMatingFriction(const Problem& problem) {
 
 // -v_z >= |v| cos(atan(mu)): the vector points into the cone about straight down.
 bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
-  const Vector3 v = X_WorldFixed.linear() * mating.mating_vector;
-  const double angle = std::atan2(v.head<2>().norm(), -v.z());
-  return angle <= std::atan(LeastMatingFriction(problem)) + kRounding;
+  return MatingLean(problem, mating, X_WorldFixed).excess() <= kRounding;
+}
+
+Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
+  return {.value = LeanOf(X_WorldFixed.linear() * mating.mating_vector),
+          .limit = std::atan(LeastMatingFriction(problem))};
+}
+
+std::optional<Limited> Measure(const Problem& problem, GraspCondition condition, const Grasp& grasp,
+                               const Pose& X_WorldTool) {
+  const Workcell& workcell = *problem.workcell;
+  switch (condition) {
+    case GraspCondition::kOpening:
+      return Limited{grasp.width, workcell.gripper().max_opening()};
+    case GraspCondition::kPadsFit:
+      return Limited{grasp.room.needed, grasp.room.available};
+    case GraspCondition::kToolLean:
+      return Limited{LeanOf(X_WorldTool.linear().col(2)), workcell.rules().tool_lean};
+    case GraspCondition::kTableClear:
+      return Limited{-HandHeight(workcell, grasp, X_WorldTool), workcell.rules().contact_allowance};
+    case GraspCondition::kFacesFree:
+    case GraspCondition::kReach:
+    case GraspCondition::kMateClear:
+      break;
+  }
+  return std::nullopt;
 }
 
 bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp) {
@@ -382,6 +416,8 @@ std::string Describe(const Problem& problem, GraspCondition condition) {
     case GraspCondition::kOpening:
       return fmt::format("the gripper opens at most {:.4g} mm",
                          Millimetres(workcell.gripper().max_opening()));
+    case GraspCondition::kPadsFit:
+      return "the pads lie wholly on the faces that they hold";
     case GraspCondition::kFacesFree:
       return "the held faces are not on the table";
     case GraspCondition::kToolLean:

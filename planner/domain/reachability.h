@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ enum class GraspCondition : std::uint16_t {
   kReach = 16,      // the arm goes the action's straight ways, from the safe height and back to
                     // it, within its joint limits and in one configuration
   kMateClear = 32,  // hand and fingers do not go through the part that is mated with
+  kPadsFit = 64,    // the pads lie wholly on the faces: of grasps without misfits always true
 };
 using GraspConditions = std::uint16_t;  // a set of them
 constexpr GraspConditions operator|(GraspCondition a, GraspCondition b) {
@@ -54,6 +56,22 @@ bool IsMatingPlaceReachableAt(const Problem& problem, MatingId mating, GraspId g
                               const Pose& X_WorldFixed);
 bool IsMatingPlaceReachableIn(const Problem& problem, MatingId mating, GraspId grasp,
                               StablePoseId pose_of_fixed);
+
+// A quantity that a condition limits, in metres or radians.
+struct Limited {
+  double value = 0;
+  double limit = 0;  // the greatest value with which the condition holds
+
+  double excess() const { return value - limit; }
+};
+
+// Of the part that is held with `grasp` while the tool is at X_WorldTool: the width between the
+// pads, what the pads need of the faces, the tool's lean, or how deep hand and fingers are in the
+// table. None for conditions that are no matter of more or less.
+std::optional<Limited> Measure(const Problem& problem, GraspCondition condition, const Grasp& grasp,
+                               const Pose& X_WorldTool);
+// How far the mating vector is from straight down, and the friction cone's half angle.
+Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed);
 
 // Whether the arm can bring the tool to X_WorldTool by a straight line of `approach` (world frame,
 // ending there) within joint limits and without changing its configuration on the way.

@@ -133,7 +133,7 @@ struct Plan {
 };
 
 // What a planner answers. `conflict` is there if and only if the outcome is kNone: constraints in
-// the scenario's words that cannot hold together, none of which can be left out.
+// the scenario's words that cannot hold together, none of which can be left out; never empty.
 struct PlanResult {
   Outcome outcome = Outcome::kBudget;
   Plan plan;
@@ -142,6 +142,13 @@ struct PlanResult {
   // What was in the way of the first plan instance, if the arm could execute none: a sentence. With
   // kBudget: no path was found, which is no proof that there is none.
   std::string obstruction = {};
+  // At kNone: what "no plan exists" is said of (robots, actions, grasps, places), one sentence
+  // each.
+  std::vector<std::string> hypotheses = {};
+  // At kNone: by how much constraints of the conflict fail at least.
+  std::vector<std::string> near_misses = {};
+  // At kBudget: what the planner does not do, and a plan may need.
+  std::vector<std::string> limits = {};
 };
 
 }  // namespace assay::plan

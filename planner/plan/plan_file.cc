@@ -306,15 +306,30 @@ Ordering ReadOrdering(const Value& ordering, const std::vector<PlannedStep>& ste
   return pairs;
 }
 
-std::vector<std::string> ReadConflict(const Value& root, Outcome outcome) {
+std::vector<std::string> ReadTexts(const std::optional<Value>& texts) {
+  std::vector<std::string> read;
+  if (!texts) return read;
+  for (const Value& text : texts->Items()) read.push_back(text.Text());
+  return read;
+}
+
+// Why there is no plan, or what the planner does not do.
+void ReadReasons(const Value& root, PlanResult& result) {
+  const bool is_none = result.outcome == Outcome::kNone;
   const std::optional<Value> conflict = root.Find("conflict");
-  if (conflict.has_value() != (outcome == Outcome::kNone)) {
+  if (conflict.has_value() != is_none) {
     root.Fail("a conflict is given if and only if the outcome is 'none'");
   }
-  std::vector<std::string> constraints;
-  if (!conflict) return constraints;
-  for (const Value& constraint : conflict->Items()) constraints.push_back(constraint.Text());
-  return constraints;
+  result.conflict = ReadTexts(conflict);
+  if (is_none && result.conflict.empty()) conflict->Fail("an empty conflict", "at least one");
+  const auto read = [&](const std::string& key, bool may_be_given, std::vector<std::string>& into) {
+    const std::optional<Value> texts = root.Find(key);
+    if (texts && !may_be_given) texts->Fail("not with this outcome");
+    into = ReadTexts(texts);
+  };
+  read("hypotheses", is_none, result.hypotheses);
+  read("near_misses", is_none, result.near_misses);
+  read("limits", result.outcome == Outcome::kBudget, result.limits);
 }
 
 std::map<std::string, std::int64_t> ReadCounters(const Value& counters) {
@@ -367,7 +382,12 @@ Json ToJson(const PlanResult& result, const domain::Problem& problem, const std:
                {"recoveries", recoveries},
                {"errors", plan.errors}};
   if (plan.homing) json["homing"] = ToJson(*plan.homing);
-  if (result.outcome == Outcome::kNone) json["conflict"] = result.conflict;
+  if (result.outcome == Outcome::kNone) {
+    json["conflict"] = result.conflict;
+    json["hypotheses"] = result.hypotheses;
+    json["near_misses"] = result.near_misses;
+  }
+  if (!result.limits.empty()) json["limits"] = result.limits;
   if (!result.obstruction.empty()) json["obstruction"] = result.obstruction;
   json["counters"] = Json::object();
   for (const auto& [name, count] : result.counters) json["counters"][name] = count;
@@ -383,8 +403,9 @@ PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
   plan_file.RequireFormat(kFormat);
   const Value& root = plan_file.root();
   root.AllowOnly({"format", "scenario", "problem", "outcome", "actions", "ordering",
-                  "verifications", "recoveries", "errors", "homing", "conflict", "obstruction",
-                  "counters", "seconds", "instances", "check"});
+                  "verifications", "recoveries", "errors", "homing", "conflict", "hypotheses",
+                  "near_misses", "limits", "obstruction", "counters", "seconds", "instances",
+                  "check"});
   root.At("scenario").Text();
   PlanResult result;
   result.plan.problem = root.At("problem").Text();
@@ -396,7 +417,7 @@ PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
   result.plan.ordering = ReadOrdering(root.At("ordering"), result.plan.steps);
   ReadAugmentation(root, problem, result.plan);
   if (const auto homing = root.Find("homing")) result.plan.homing = ReadTravel(*homing);
-  result.conflict = ReadConflict(root, result.outcome);
+  ReadReasons(root, result);
   if (const auto obstruction = root.Find("obstruction")) result.obstruction = obstruction->Text();
   result.counters = ReadCounters(root.At("counters"));
   return result;

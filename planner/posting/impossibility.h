@@ -1,15 +1,34 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "planner/domain/problem.h"
+#include "planner/posting/relaxed_problem.h"
 
 namespace assay::posting {
 
-// For a problem without a plan of any length (least_actions.h): constraints that cannot hold
-// together, in the scenario's own words. Leaving any one of them out would leave a way for every
-// part to where it must go.
-std::vector<std::string> WhyImpossible(const domain::Problem& problem);
+// A proof that no plan of any length exists: what it is said of, what can at most come true
+// (relaxed_problem.h), which misses a goal, and why. All of it in the scenario's words but for what
+// is attainable, which is there to be checked (impossibility_check.h).
+struct Impossibility {
+  // What "no plan" is said of: robots, actions, grasps, places.
+  std::vector<std::string> hypotheses = {};
+  Attainable attainable = {};
+  // Constraints that cannot hold together under the hypotheses; never empty, and without any one
+  // of them the relaxed problem is possible.
+  std::vector<std::string> conflict = {};
+  // By how much single constraints of the conflict fail at least, and where.
+  std::vector<std::string> near_misses = {};
+};
+
+// The answer for a problem in which no plan was found.
+struct ImpossibilityAnswer {
+  std::optional<Impossibility> proof = {};
+  // Without a proof: limits of this planner that a plan may need to pass, if there are such.
+  std::vector<std::string> limits = {};
+};
+ImpossibilityAnswer ProveImpossible(const domain::Problem& problem);
 
 }  // namespace assay::posting

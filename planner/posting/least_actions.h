@@ -23,7 +23,9 @@ struct LabelGeometry {
   std::vector<std::vector<int>> position_list;
 };
 
-// A lower bound on the number of actions of any plan; nothing if no plan of any length exists.
+// A lower bound on the number of actions of any of this planner's plans; nothing if it can find
+// none. That is no proof that none exists: of parts that are mated it knows less than a plan could
+// do with them (impossibility.h).
 //
 // A part gets from one position to the next only by a grasp that is reachable in both, so its ways
 // are the paths of a graph over positions: its regrasp graph (Tournassoud, Lozano-Perez and Mazer

@@ -7,7 +7,6 @@
 #include <set>
 
 #include "planner/base/budget.h"
-#include "planner/base/check.h"
 #include "planner/domain/mating_classes.h"
 #include "planner/posting/impossibility.h"
 #include "planner/posting/instance.h"
@@ -32,12 +31,11 @@ class PostingPlanner {
   plan::PlanResult Run() {
     const std::optional<int> least = LeastActions(problem_, Geometry());
     plan::PlanResult result;
-    if (!least) {
-      result.outcome = Outcome::kNone;
-      result.conflict = WhyImpossible(problem_);
-    } else {
-      result.outcome = Deepen(*least);
-      if (plan_) result.plan = std::move(*plan_);
+    if (least && Deepen(*least)) {
+      result.outcome = Outcome::kFound;
+      result.plan = std::move(*plan_);
+    } else if (instances_ == 0) {
+      TellWhy(ProveImpossible(problem_), result);
     }
     result.counters = {{"partial_plans", partial_plans_.spent()},
                        {"instance_choices", instance_choices_.spent()},
@@ -69,16 +67,25 @@ class PostingPlanner {
     return geometry;
   }
 
-  Outcome Deepen(int least) {
+  // False if the budget was spent, or if every refinement was tried and none needed more actions
+  // than it was allowed. Neither is a proof: refinements do not cover all that a plan could do.
+  bool Deepen(int least) {
     const PartialPlan null_plan(problem_, relations_);
     for (limit_ = least;; ++limit_) {
       cut_off_ = false;
       Trace("plans of at most {} actions", limit_);
-      if (Refine(null_plan)) return Outcome::kFound;
-      if (partial_plans_.Exhausted() || instance_choices_.Exhausted()) return Outcome::kBudget;
-      // Every refinement was tried, and none needed more actions than it was allowed.
-      ASSAY_CHECK(cut_off_, "a finite lower bound promises paths that the search must find");
+      if (Refine(null_plan)) return true;
+      if (!cut_off_ || partial_plans_.Exhausted() || instance_choices_.Exhausted()) return false;
     }
+  }
+
+  static void TellWhy(ImpossibilityAnswer answer, plan::PlanResult& result) {
+    result.limits = std::move(answer.limits);
+    if (!answer.proof) return;
+    result.outcome = Outcome::kNone;
+    result.conflict = std::move(answer.proof->conflict);
+    result.hypotheses = std::move(answer.proof->hypotheses);
+    result.near_misses = std::move(answer.proof->near_misses);
   }
 
   // Refines the partial plan so that it satisfies one more goal, in every way until one leads to a

@@ -176,10 +176,9 @@ std::string CheckText(const TreeCheck& check) {
 }
 
 std::string WhyNone(const Answer& answer) {
-  std::string text = fmt::format("There is no plan. {}:\n",
-                                 answer.conflict->parts.size() == 1
-                                     ? "No plan reaches this part of the goal"
-                                     : "No plan reaches these parts of the goal together");
+  std::string text = fmt::format(
+      "There is no plan: no tree of these actions without repeats leads surely to {}:\n",
+      answer.conflict->parts.size() == 1 ? "this part of the goal" : "these parts of the goal");
   for (const GroundQuery& part : answer.conflict->parts) {
     text += "  " + TextOf(answer.task, part) + "\n";
   }

@@ -227,9 +227,10 @@ void Try(const kinematics::JointVector& near, const Options& options, Planning& 
   if (of.plan.found() && of.study->CoveredFailures() > 0) of.code = ExitCode::kFailed;
 }
 
+// No proof: another strategy, or another place for the parts, may be one that the arm can execute.
 void Refuse(const assembly::Unreached& unreached, Planning& of) {
-  of.code = ExitCode::kNoPlan;
-  of.json["outcome"] = "none";
+  of.code = ExitCode::kBudgetSpent;
+  of.json["outcome"] = "budget";
   of.json["unreached"] = ToJson(of.task, unreached);
   of.text += TextOf(of.task, unreached);
 }

@@ -86,7 +86,8 @@ std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOption
       plan.obstacle ? "; in the way: " + UnwantedText(*plan.obstacle) : "";
   const std::string looked =
       plan.outcome == Outcome::kNone
-          ? fmt::format("looked through all sequences from {} starts", search.starts)
+          ? fmt::format("looked through all sequences of the planner's maneuvers from {} starts",
+                        search.starts)
           : fmt::format(
                 "not all sequences were looked through with {} nodes for each critical point; "
                 "--nodes raises that",

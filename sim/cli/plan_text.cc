@@ -60,6 +60,12 @@ std::string TravelText(const plan::Plan& plan) {
   return text.empty() ? text : "\npaths around what is in the way\n" + text;
 }
 
+// A heading and a line for each item; nothing if there is none.
+std::string Listed(const std::string& heading, const std::vector<std::string>& items) {
+  if (items.empty()) return "";
+  return fmt::format("{}:\n  - {}\n", heading, fmt::join(items, "\n  - "));
+}
+
 }  // namespace
 
 std::string Text(const Problem& problem, const plan::Action& action) {
@@ -88,11 +94,18 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
       return PlanTable(problem, result.plan) + TravelText(result.plan) +
              UncertaintyText(result.plan);
     case Outcome::kNone:
-      return fmt::format("No plan exists. These cannot hold together:\n  - {}\n",
-                         fmt::join(result.conflict, "\n  - "));
+      return "No plan exists" + Listed(", with", result.hypotheses) +
+             Listed(result.hypotheses.empty() ? ". These cannot hold together"
+                                              : "These cannot hold together",
+                    result.conflict) +
+             Listed("What is missed by least", result.near_misses);
     case Outcome::kBudget:
       if (!result.obstruction.empty()) {
         return fmt::format("The arm can execute no plan that was found: {}.\n", result.obstruction);
+      }
+      if (!result.limits.empty()) {
+        return Listed("No plan was found, and none is proved not to exist. This planner's limits",
+                      result.limits);
       }
       return "The budget was spent before an answer; --budget gives a greater one.\n";
   }

@@ -86,12 +86,7 @@ std::map<std::string, std::string> ActionWords(const std::vector<domain::Problem
 }
 
 std::string Text(const std::vector<domain::Problem>& worlds, const ContingentAssembly& assembly) {
-  if (assembly.outcome != Outcome::kFound) {
-    plan::PlanResult none;
-    none.outcome = assembly.outcome;
-    none.conflict = assembly.conflict;
-    return Text(worlds.front(), none);
-  }
+  if (assembly.outcome != Outcome::kFound) return Text(worlds.front(), assembly.unplanned);
   std::string text = TreeText(worlds, assembly);
   for (std::size_t p = 0; p < assembly.plans.size(); ++p) {
     const auto& [of, plan] = assembly.plans[p];
@@ -104,10 +99,7 @@ std::string Text(const std::vector<domain::Problem>& worlds, const ContingentAss
 
 Json ToJson(const std::vector<domain::Problem>& worlds, const ContingentAssembly& assembly) {
   if (assembly.outcome != Outcome::kFound) {
-    plan::PlanResult none;
-    none.outcome = assembly.outcome;
-    none.conflict = assembly.conflict;
-    return plan::ToJson(none, worlds.front(), "");
+    return plan::ToJson(assembly.unplanned, worlds.front(), "");
   }
   Json json = {{"outcome", "planned"}};
   json["tree"] = contingent::ToJson(assembly.knowledge.task, assembly.tree);

@@ -1,6 +1,7 @@
 #include "sim/cli/scattered_run.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <map>
 #include <mutex>
@@ -78,6 +79,9 @@ class Scattering {
     std::string conflict;
     for (const std::string& constraint : result.conflict) {
       conflict += (conflict.empty() ? "" : "; ") + constraint;
+    }
+    if (!result.limits.empty()) {
+      return {number, "budget", fmt::format("{}", fmt::join(result.limits, "; "))};
     }
     return result.outcome == Outcome::kNone
                ? ScatteredRow{number, "no-plan", conflict}

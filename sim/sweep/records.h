@@ -32,7 +32,7 @@ struct CellRecord {
   int actions = 0;
   int errors = 0;  // steps not all of whose preconditions are proved
   bool proved = false;
-  std::string conflict;  // constraints that cannot hold together, one a line
+  std::string conflict;  // constraints that cannot hold together, or limits, one a line
   std::string plan;      // plan.json on one line
   check::HonestyGate gate = {};
 };

@@ -77,7 +77,8 @@ CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
           .actions = static_cast<int>(result.plan.steps.size()),
           .errors = result.plan.errors,
           .proved = found && result.plan.errors == 0,
-          .conflict = fmt::format("{}", fmt::join(result.conflict, "\n")),
+          .conflict = fmt::format(
+              "{}", fmt::join(result.limits.empty() ? result.conflict : result.limits, "\n")),
           .plan = plan::ToJson(result, problem, cell.scenario).dump()};
 }
 

@@ -122,6 +122,8 @@ PlanResult NoPlan() {
   result.outcome = Outcome::kNone;
   result.plan.problem = FigureFourteen().name;
   result.conflict = {"peg: every grasp hides feature 7", "a \\ and a \n"};
+  result.hypotheses = {"grasps: 3 of peg"};
+  result.near_misses = {"the tool would lean 3 deg more"};
   return result;
 }
 
@@ -172,6 +174,10 @@ TEST(PlanSchema, RefusesWhatTheReaderRefuses) {
   expect_refused([](Json& json) { json["outcome"] = "found"; });
   expect_refused([](Json& json) { json["outcome"] = "none"; });
   expect_refused([](Json& json) { json["conflict"] = Json::array(); });
+  expect_refused([](Json& json) {
+    json = ToJson(NoPlan());
+    json["conflict"] = Json::array();
+  });
   expect_refused([](Json& json) { json["remark"] = "none"; });
   expect_refused([](Json& json) { json["counters"]["nodes"] = 1.5; });
   expect_refused([](Json& json) { json["ordering"][0].push_back("action_4"); });

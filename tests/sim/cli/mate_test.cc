@@ -125,8 +125,9 @@ TEST(Mate, TheFixedPartLiesWhereThePlanHasPutIt) {
   EXPECT_EQ(ended.Json()["trials"]["strategy"]["seated"], 1);
 }
 
-// At the edge of its reach the arm comes straight to the hole, but not with every tilt.
-TEST(Mate, WhereTheArmDoesNotReachThereIsNoPlan) {
+// At the edge of its reach the arm comes straight to the hole, but not with every tilt. That is no
+// proof: the search from another seed may find a strategy that the arm can execute.
+TEST(Mate, WhereTheArmDoesNotReachNoPlanIsFound) {
   const Folder folder;
   std::string text = TextOf(kSquare);
   const std::string at = "at: [600, 50]";
@@ -139,14 +140,14 @@ TEST(Mate, WhereTheArmDoesNotReachThereIsNoPlan) {
     const Ended told = Assay(command);
     if (told.code == 0) continue;
     ++unreached;
-    EXPECT_EQ(told.code, 10) << told.out;
+    EXPECT_EQ(told.code, 11) << told.out;
     EXPECT_THAT(told.out, HasSubstr("the arm cannot execute it with any grasp"));
     EXPECT_THAT(told.out, HasSubstr("where "));
     std::vector<std::string> with_trials = command;
     with_trials.insert(with_trials.end(), {"--trials", "1", "--json"});
     const nlohmann::json result = Assay(with_trials).Json();
     EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
-    EXPECT_EQ(result["outcome"], "none");
+    EXPECT_EQ(result["outcome"], "budget");
     EXPECT_TRUE(result["unreached"]["obstacle"].is_null());
     EXPECT_FALSE(result.contains("trials"));
   }

@@ -157,10 +157,14 @@ TEST(Plan, ProofThatThereIsNoneListsTheConflict) {
   const Folder folder;
   const Ended ended = Assay({"plan", kImpossible, "-o", folder / "plan.json"});
   EXPECT_EQ(ended.code, 10) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("No plan exists, with:\n  - actions: pickup, putdown"));
   EXPECT_THAT(ended.out, HasSubstr("  - block starts face-down"));
+  EXPECT_THAT(ended.out, HasSubstr("more than the limit of 10 deg"));
   const auto json = JsonOf(folder / "plan.json");
   EXPECT_EQ(json["outcome"], "none");
   EXPECT_GE(json["conflict"].size(), 2);
+  EXPECT_GE(json["hypotheses"].size(), 3);
+  EXPECT_GE(json["near_misses"].size(), 1);
 }
 
 TEST(Plan, SpentBudget) {
