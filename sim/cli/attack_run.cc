@@ -6,6 +6,7 @@
 
 #include "sim/check/attack.h"
 #include "sim/check/conservatism.h"
+#include "sim/cli/certificate_text.h"
 #include "sim/cli/console.h"
 #include "sim/cli/json_number.h"
 #include "sim/cli/noisy_run.h"
@@ -148,6 +149,7 @@ class AttackReport {
     text += total.violated == 0 ? fmt::format("\nnot falsified in {} attempts\n", result_.attempts)
                                 : fmt::format("\nviolated in {} of {} attempts\n", total.violated,
                                               result_.attempts);
+    text += NotCoveredText(plan_);
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }

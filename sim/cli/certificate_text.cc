@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "planner/plan/not_covered.h"
 #include "sim/cli/quantity.h"
 
 namespace assay::cli {
@@ -90,6 +91,12 @@ std::string CertificateText(const plan::PlannedStep& step) {
   return absorbed == 0 ? text : fmt::format("{}, {} absorbed", text, absorbed);
 }
 
+std::string NotCoveredText(const plan::Plan& plan) {
+  const std::vector<std::string> names = plan::NotCovered(plan);
+  if (names.empty()) return "";
+  return fmt::format("not covered by any precondition:\n  - {}\n", fmt::join(names, "\n  - "));
+}
+
 std::string UncertaintyText(const plan::Plan& plan) {
   const bool is_certified = std::ranges::any_of(
       plan.steps, [](const plan::PlannedStep& step) { return !step.certificate.before.empty(); });
@@ -106,8 +113,9 @@ std::string UncertaintyText(const plan::Plan& plan) {
                         Counted(plan.errors, "step", "steps"),
                         Counted(plan.verifications.size(), "verification", "verifications"),
                         Counted(plan.recoveries.size(), "recovery", "recoveries"));
-  return done.empty() ? fmt::format("\n{} Nothing was inserted.\n", summary)
-                      : fmt::format("\nuncertainty\n{}{}\n", done, summary);
+  const std::string text = done.empty() ? fmt::format("\n{} Nothing was inserted.\n", summary)
+                                        : fmt::format("\nuncertainty\n{}{}\n", done, summary);
+  return text + NotCoveredText(plan);
 }
 
 std::string StepsText(const plan::Plan& plan, const std::vector<StepId>& steps) {

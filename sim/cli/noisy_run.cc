@@ -13,6 +13,7 @@
 #include "planner/base/input_error.h"
 #include "sim/check/ledger.h"
 #include "sim/check/noisy_trial.h"
+#include "sim/cli/certificate_text.h"
 #include "sim/cli/console.h"
 #include "sim/cli/ledger_report.h"
 #include "sim/cli/output_file.h"
@@ -219,6 +220,7 @@ class NoisyTrials {
           signalled, Count([](const NoisyRow& row) { return row.recovered > 0; }),
           Count([](const NoisyRow& row) { return row.operator_called; }));
     }
+    text += NotCoveredText(plan_);
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }

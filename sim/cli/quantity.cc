@@ -32,7 +32,8 @@ Unit UnitOf(const std::string& variable) {
 
 Unit UnitOf(const plan::CertifiedPrecondition& precondition) {
   if (precondition.condition == "holding") return kRatioUnit;
-  const bool is_angle = precondition.condition == "tilt" || precondition.condition == "tip turn";
+  const bool is_angle = precondition.condition == "tilt" || precondition.condition == "tip turn" ||
+                        precondition.condition == "reach";
   return is_angle ? kAngleUnit : kLengthUnit;
 }
 

@@ -12,6 +12,7 @@
 
 #include "planner/plan/json_layout.h"
 #include "planner/plan/plan_file.h"
+#include "sim/cli/certificate_text.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
 #include "sim/cli/noisy_run.h"
@@ -169,6 +170,7 @@ class Run {
       text += fmt::format("trial {}: {}\nagain: {}\n", failed - summaries_.begin() + 1,
                           failed->reason, ReplayCommand());
     }
+    text += NotCoveredText(planned_.result.plan);
     if (!options_.folder.empty()) text += fmt::format("files in {}\n", options_.folder.string());
     return text;
   }
