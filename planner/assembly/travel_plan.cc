@@ -315,13 +315,13 @@ void KeepOrder(plan::Plan& plan) {
   }
 }
 
-// The way home belongs to the last step. What begins to matter first stands first.
+// The way home belongs to the last step.
 void AddConditions(StepId id, const WayCertainty& certainty, plan::Plan& plan) {
   const StepId owner = id.IsNone() ? plan.ExecutionOrder().back() : id;
   std::vector<plan::CertifiedPrecondition>& all =
       plan.steps[owner.index()].certificate.preconditions;
   const auto conditions = WayConditions(certainty, id.IsNone() ? Whither::kHome : Whither::kWork);
-  all.insert(id.IsNone() ? all.end() : all.begin(), conditions.begin(), conditions.end());
+  all.insert(all.end(), conditions.begin(), conditions.end());
 }
 
 void TakeAwayConditions(plan::Plan& plan) {

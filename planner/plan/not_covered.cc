@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
+#include <utility>
 
 namespace assay::plan {
 namespace {
@@ -32,31 +34,32 @@ struct NotCoveredOf {
   std::vector<std::string> operator()(const Squeeze&) const { return {kTopples, kOneFinger}; }
 };
 
-bool IsClaimed(const PlannedStep& step, std::string_view condition) {
-  return std::ranges::count(step.certificate.preconditions, condition,
-                            &CertifiedPrecondition::condition) > 0;
+// The steps that do not claim it; the last one does so twice, also of the way home.
+std::vector<int> StepsWithout(std::string_view condition, const Plan& plan) {
+  std::vector<int> steps;
+  for (const StepId id : plan.ExecutionOrder()) {
+    const PlannedStep& step = plan.step(id);
+    const bool is_last = step.executed == static_cast<int>(plan.steps.size());
+    const auto claims = std::ranges::count(step.certificate.preconditions, condition,
+                                           &CertifiedPrecondition::condition);
+    if (claims < (is_last ? 2 : 1)) steps.push_back(step.executed);
+  }
+  return steps;
 }
 
 // What of the arm's ways could not be proved, or was never asked.
 std::vector<std::string> WaysNotCovered(const Plan& plan) {
-  std::vector<int> reach;
-  std::vector<int> clear;
-  for (const StepId id : plan.ExecutionOrder()) {
-    const PlannedStep& step = plan.step(id);
-    if (!IsClaimed(step, "reach")) reach.push_back(step.executed);
-    if (!IsClaimed(step, "way clear")) clear.push_back(step.executed);
-  }
+  constexpr std::array<std::pair<const char*, const char*>, 2> kWays = {{
+      {"reach",
+       "errors that lead the arm to the end of a joint's range, or into another configuration"},
+      {"way clear", "errors that lead the arm into something on its way"},
+  }};
   std::vector<std::string> names;
-  if (!reach.empty()) {
-    names.push_back(fmt::format(
-        "an arm that errors lead to the end of a joint's range, or into another configuration "
-        "than planned: steps {}",
-        fmt::join(reach, ", ")));
-  }
-  if (!clear.empty()) {
-    names.push_back(
-        fmt::format("errors of the arm that lead it into something on its way: steps {}",
-                    fmt::join(clear, ", ")));
+  for (const auto& [condition, name] : kWays) {
+    const std::vector<int> steps = StepsWithout(condition, plan);
+    if (steps.empty()) continue;
+    names.push_back(fmt::format("{}: {} {}", name, steps.size() == 1 ? "step" : "steps",
+                                fmt::join(steps, ", ")));
   }
   return names;
 }

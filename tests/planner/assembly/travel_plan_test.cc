@@ -105,7 +105,7 @@ TEST(TravelPlan, WhatIsClaimedOfWaysIsComputedAnew) {
 TEST(TravelPlan, ErrorsThatTheArmCannotFollowAreNotClaimed) {
   domain::Problem problem = posting::LoadScenario("uncertain-known");
   plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
-  EXPECT_THAT(plan::NotCovered(plan), Each(Not(HasSubstr("steps"))));
+  EXPECT_THAT(plan::NotCovered(plan), Each(Not(HasSubstr(": step"))));
   problem.gripper_error.x = {-0.3, 0.3};
   ASSERT_FALSE(AddTravels(problem, {}, plan));
   EXPECT_EQ(Claim(plan.steps[0], "reach"), nullptr);
