@@ -15,14 +15,17 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
   }
   plan::PlanResult result = posting::MakeCertifiedPlan(problem, planner, uncertainty);
   if (result.outcome != Outcome::kFound) return result;
-  const std::optional<std::string> obstruction = AddTravels(problem, {}, result.plan);
+  const std::optional<std::string> obstruction =
+      AddTravels(problem, {}, result.plan, uncertainty.propagation);
   if (!obstruction) return result;
   // What a path is not found for before looks and squeezes are inserted has none with them.
-  uncertainty.can_be_executed = [&](plan::Plan instance) {
-    return !AddTravels(problem, {}, instance);
+  uncertainty.can_be_executed = [&, propagation = uncertainty.propagation](plan::Plan instance) {
+    return !AddTravels(problem, {}, instance, propagation);
   };
   result = posting::MakeCertifiedPlan(problem, planner, uncertainty);
-  if (result.outcome == Outcome::kFound && !AddTravels(problem, {}, result.plan)) return result;
+  if (result.outcome == Outcome::kFound &&
+      !AddTravels(problem, {}, result.plan, uncertainty.propagation))
+    return result;
   result.outcome = Outcome::kBudget;
   result.plan = {};
   result.obstruction = *obstruction;

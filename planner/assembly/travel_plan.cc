@@ -7,16 +7,18 @@
 #include <variant>
 
 #include "planner/assembly/part_doubts.h"
+#include "planner/assembly/plan_walk.h"
+#include "planner/assembly/way_conditions.h"
+#include "planner/base/check.h"
 #include "planner/motion/path_search.h"
 #include "planner/motion/straight_line.h"
+#include "planner/motion/sway.h"
 #include "planner/motion/travel.h"
-#include "planner/plan/tool_route.h"
-#include "planner/plan/world_state.h"
+#include "planner/plan/condition_kind.h"
 
 namespace assay::assembly {
 namespace {
 
-using domain::PartId;
 using geometry::Pose;
 using geometry::Vector3;
 using kinematics::JointVector;
@@ -25,6 +27,7 @@ using motion::JointPath;
 using motion::MotionCheck;
 using motion::MotionRules;
 using motion::Obstruction;
+using motion::SwayAlong;
 using plan::StepId;
 using plan::ToolRoute;
 
@@ -32,16 +35,17 @@ constexpr double kLineStep = 0.02;          // metres between postures that are 
 constexpr double kFurthestClearance = 0.1;  // that is told of a path, metres
 constexpr double kAccuracy = 5e-4;          // of what is told, metres
 constexpr double kSameOrientation = 1e-9;
+constexpr char kNotStraight[] = "the arm does not go straight on from there";
+constexpr double kSamePosture = 1e-6;  // radians
+constexpr double kSameClaim = 1e-6;    // metres or radians
+
+bool IsTurned(const domain::Workcell& workcell, const Pose& X_WorldTool, const JointVector& q) {
+  return geometry::AngleBetween(motion::ToolAt(workcell, q).linear(), X_WorldTool.linear()) >
+         kSameOrientation;
+}
 
 // Straight to a pose of the tool, from the last posture of the path on. False if the arm cannot.
 bool AppendLine(const domain::Workcell& workcell, const Pose& X_WorldTool, JointPath& path) {
-  const Pose now = motion::ToolAt(workcell, path.back());
-  if (geometry::AngleBetween(now.linear(), X_WorldTool.linear()) > kSameOrientation) {
-    // By a strategy, which is checked otherwise.
-    const auto q = motion::NearestPosture(workcell, X_WorldTool, path.back());
-    if (q) path.push_back(*q);
-    return q.has_value();
-  }
   const auto line = motion::FollowLine(workcell, path.back(), X_WorldTool.translation(), kLineStep);
   if (line.path) path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
   return line.path.has_value();
@@ -54,191 +58,237 @@ std::optional<Obstruction> FindObstruction(MotionCheck& check, const JointPath& 
   return std::nullopt;
 }
 
-// What travels are about: what is where, how well that is known, and where the arm is.
-class Walk {
- public:
-  Walk(const domain::Problem& problem, const plan::Plan& plan)
-      : problem_(problem),
-        workcell_(*problem.workcell),
-        plan_(plan),
-        state_(plan::InitialState(problem)),
-        doubts_(problem),
-        arm_(motion::ArmBodies(workcell_.arm())),
-        clearance_(kTravelClearance + HandDoubt(problem)),
-        left_(plan::HomeTool(workcell_)) {}
+// A travel with the straight lines that belong to it, and those of the work after it.
+struct Way {
+  JointPath rise;                    // from where the step before leaves the arm
+  JointPath over;                    // the travel's path
+  JointPath down;                    // to where the tool is poised
+  std::vector<JointPath> work = {};  // from there on; the tool keeps its orientation in each
+  motion::Sway sway = {};
 
-  double clearance() const { return clearance_; }
-  const domain::Workcell& workcell() const { return workcell_; }
-  const domain::Problem& problem() const { return problem_; }
-  // Where the tool is when the travel begins.
-  const Pose& left() const { return left_; }
-
-  // None: home, after the last step.
-  ToolRoute RouteTo(StepId id) const {
-    if (id.IsNone()) return {.poised = plan::HomeTool(workcell_)};
-    const plan::Action& action = plan_.step(id).action;
-    return plan::RouteOf(problem_, plan_.step(id),
-                         state_.part(plan::PartOf(problem_, action)).X_WorldPart);
+  const JointVector& after() const { return work.back().back(); }
+  JointPath AllOfWork() const {
+    JointPath all;
+    for (const JointPath& section : work) all.insert(all.end(), section.begin(), section.end());
+    return all;
   }
-
-  // Before the travel to a step.
-  void ComeTo(StepId id) {
-    if (!id.IsNone()) doubts_.Take(plan_.step(id).certificate.before);
-  }
-  motion::Surroundings Surroundings() const {
-    motion::Surroundings surroundings{.doubts = doubts_.In(state_),
-                                      .opening = workcell_.gripper().max_opening()};
-    for (std::size_t p = 0; p < state_.parts.size(); ++p) {
-      if (PartId(p) == state_.in_hand) continue;
-      surroundings.parts.push_back({PartId(p), state_.parts[p].X_WorldPart});
-    }
-    if (!state_.in_hand.IsNone()) {
-      surroundings.held = motion::HeldPart{state_.in_hand, state_.hold.X_PartTool};
-      surroundings.opening = state_.hold.width;
-    }
-    return surroundings;
-  }
-  CollisionScene Scene() const { return {problem_, Surroundings(), arm_}; }
-  void Do(StepId id) {
-    left_ = RouteTo(id).left();
-    state_ = plan::StateAfter(problem_, std::move(state_), plan_.step(id).action, id);
-    doubts_.Take(plan_.step(id).certificate.after);
-  }
-
- private:
-  const domain::Problem& problem_;
-  const domain::Workcell& workcell_;
-  const plan::Plan& plan_;
-  plan::WorldState state_;
-  PartDoubts doubts_;
-  const std::vector<motion::Body> arm_;
-  double clearance_;
-  Pose left_;
 };
 
 // One travel, and the straight lines of the step after it.
 class TravelSearch {
  public:
-  TravelSearch(const Walk& walk, const ToolRoute& route, const JointVector& from)
+  TravelSearch(const PlanWalk& walk, StepId id, const JointVector& from)
       : walk_(walk),
         workcell_(walk.workcell()),
         surroundings_(walk.Surroundings()),
         scene_(walk.Scene()),
-        route_(route),
+        route_(walk.RouteTo(id)),
+        doubt_(walk.DoubtOn(id)),
+        is_guarded_(walk.IsGuarded(id)),
+        clearance_(kTravelClearance + HandDoubt(walk.problem())),
         from_(from) {}
 
-  // The arm after the step; none: the usual travel is not free.
-  std::optional<JointVector> GoUsually() {
-    JointPath path = {from_};
-    if (!AppendLine(workcell_, plan::AtSafeHeight(workcell_, walk_.left()), path)) return {};
-    const Pose above = plan::AtSafeHeight(workcell_, route_.poised);
-    const motion::TravelResult over = motion::PlanTravel(walk_.problem(), surroundings_,
-                                                         {.from = path.back(),
-                                                          .X_WorldTool = above,
-                                                          .corners = Corners(Up::kToSafeHeight),
-                                                          .line_step = kLineStep});
-    if (std::holds_alternative<std::string>(over)) return {};
-    const auto& way = std::get<JointPath>(over);
-    path.insert(path.end(), way.begin() + 1, way.end());
-    if (!AppendLine(workcell_, route_.poised, path)) return {};
-    MotionCheck check(scene_, Rules(path.back()));
-    if (FindObstruction(check, path)) return {};
-    return AfterWork(path.back());
-  }
+  const ToolRoute& route() const { return route_; }
+  double clearance() const { return clearance_; }  // that travels must keep
 
-  // A path, and where the arm is after the step.
   struct Found {
     plan::Travel travel;
-    JointVector after;
+    JointVector after;  // the arm, after the step
+    WayCertainty certainty;
   };
-  std::variant<Found, std::string> Search(const TravelEffort& effort) {
-    std::string why = "no configuration of the arm comes there and goes on straight";
-    int tried = 0;
-    for (const JointVector& end : motion::PosturesAt(workcell_, route_.poised, from_)) {
-      if (!motion::FollowLines(workcell_, end, Corners(Up::kNo), kLineStep)) continue;
-      const auto after = AfterWork(end);
-      if (!after) {
-        why = in_the_way_;
-        continue;
-      }
-      if (tried++ == effort.destinations) break;
-      motion::PathResult result = FindPath(
-          scene_, {.from = from_, .to = end, .rules = Rules(end), .budget = effort.budget});
-      if (auto* path = std::get_if<JointPath>(&result)) {
-        return Found{{std::move(*path), 0}, *after};
-      }
-      why = std::get<motion::PathFailure>(result).what;
-    }
-    return why;
+
+  // None: the usual way is not free.
+  std::optional<Found> GoUsually() {
+    JointPath rise = {from_};
+    if (!Rise(rise)) return std::nullopt;
+    const motion::TravelResult over = motion::PlanTravel(walk_.problem(), surroundings_,
+                                                         {.from = rise.back(),
+                                                          .X_WorldTool = Above(),
+                                                          .corners = Corners(),
+                                                          .line_step = kLineStep});
+    const auto* path = std::get_if<JointPath>(&over);
+    if (path == nullptr) return std::nullopt;
+    const plan::Travel travel = {*path, clearance_, true};
+    const std::optional<Way> way = WayBy(travel);
+    const auto certainty = way ? CertaintyOf(*way, clearance_) : std::nullopt;
+    if (!certainty) return std::nullopt;
+    return Found{travel, way->after(), *certainty};
   }
 
-  std::optional<Obstruction> Check(const plan::Travel& travel) {
-    MotionRules rules = Rules(travel.path.back());
-    rules.clearance = travel.clearance;
-    MotionCheck check(scene_, rules);
-    return FindObstruction(check, travel.path);
+  // Around what is in the way; or why not.
+  std::variant<Found, std::string> Search(const TravelEffort& effort) {
+    in_the_way_ = "no configuration of the arm comes there and goes on straight";
+    int tried = 0;
+    for (const JointVector& end : motion::PosturesAt(workcell_, route_.poised, from_)) {
+      std::optional<Way> way = WayBy({{from_, end}, clearance_, false});
+      if (!way || !IsFree(way->AllOfWork(), AtWork({}))) continue;
+      if (tried++ == effort.destinations) break;
+      motion::PathResult result = FindPath(
+          scene_,
+          {.from = from_, .to = end, .rules = OnTheWay(*way, clearance_), .budget = effort.budget});
+      if (auto* path = std::get_if<JointPath>(&result)) {
+        way->over = *path;
+        const auto certainty = CertaintyOf(*way, clearance_);
+        ASSAY_CHECK(certainty, "a path that was found keeps to its rules");
+        return Found{{*path, ClearanceOf(*way), false}, way->after(), *certainty};
+      }
+      in_the_way_ = std::get<motion::PathFailure>(result).what;
+    }
+    return in_the_way_;
   }
+
+  // None: the arm cannot follow the straight lines, and why is told.
+  std::optional<Way> WayBy(const plan::Travel& travel) {
+    Way way = {.rise = {from_}, .over = travel.path, .down = {travel.path.back()}};
+    const bool comes_down = travel.is_usual && !route_.to_work.empty();
+    in_the_way_ = kNotStraight;
+    if (travel.is_usual && !Rise(way.rise)) return std::nullopt;
+    if (comes_down && !AppendLine(workcell_, route_.poised, way.down)) return std::nullopt;
+    way.work = {{way.down.back()}};
+    if (!Work(way.work)) return std::nullopt;
+    way.sway = SwayAlong(workcell_, way.rise, walk_.doubt_left());
+    Take(way.down, way.sway);
+    for (const JointPath& section : way.work) Take(section, way.sway);
+    return way;
+  }
+
+  // None: something is in the way even if the arm does not err, and what is told.
+  std::optional<WayCertainty> CertaintyOf(const Way& way, double clearance) {
+    const WayCertainty certainty = {way.sway, kTravelClearance};
+    if (!IsFree(way.over, OnTheWay(way, clearance))) return std::nullopt;
+    if (certainty.Reaches() && AreLinesFree(way, ErrorsOf(way))) return certainty;
+    if (!AreLinesFree(way, {})) return std::nullopt;
+    return WayCertainty{way.sway, 0};
+  }
+  const std::string& in_the_way() const { return in_the_way_; }  // of what was looked at last
+
+ private:
+  // What errors of the tool's pose do to the arm's joints, and to what it carries.
+  struct ArmErrors {
+    JointVector joints = JointVector::Zero();
+    double carried = 0;
+  };
+
+  // Where the tool comes to at safe height before its work, or home.
+  Pose Above() const {
+    return route_.to_work.empty() ? route_.poised : plan::AtSafeHeight(workcell_, route_.poised);
+  }
+  bool Rise(JointPath& path) const {
+    return !walk_.rises() ||
+           AppendLine(workcell_, plan::AtSafeHeight(workcell_, walk_.left()), path);
+  }
+
+  // The sway of another line.
+  void Take(const JointPath& line, motion::Sway& sway) const {
+    if (!sway.is_bounded) return;
+    const motion::Sway other = SwayAlong(workcell_, line, doubt_);
+    sway = {other.is_bounded, sway.turn.cwiseMax(other.turn), std::min(sway.room, other.room)};
+  }
+  ArmErrors ErrorsOf(const Way& way) const {
+    const plan::ToolDoubt doubt = doubt_.Or(walk_.doubt_left());
+    const double radius = CarriedRadius();
+    return {way.sway.turn, doubt.shift.norm() + (doubt.turn + doubt.spin) * radius};
+  }
+  // Of a ball about the tool that holds hand and held part, metres.
+  double CarriedRadius() const {
+    const Vector3 tool = workcell_.gripper().X_FlangeTool().translation();
+    double radius = 0;
+    for (int i = 0; i < static_cast<int>(scene_.bodies().size()); ++i) {
+      const motion::Body& body = scene_.body(motion::BodyId(i));
+      if (!scene_.IsCarried(motion::BodyId(i))) continue;
+      radius = std::max(radius, (body.center - tool).norm() + body.ball_radius);
+    }
+    return radius;
+  }
+
+  // The arm itself goes along a travel as it is planned.
+  MotionRules OnTheWay(const Way& way, double clearance) const {
+    return {.clearance = clearance, .given = {from_, way.down.back()}};
+  }
+  MotionRules OnLines(const Way& way, const ArmErrors& errors) const {
+    return {.clearance = clearance_,
+            .sway = errors.joints,
+            .carried_sway = errors.carried,
+            .given = {from_, way.down.back()}};
+  }
+  MotionRules AtWork(const ArmErrors& errors) const {
+    return {.clearance = clearance_,
+            .sway = errors.joints,
+            .carried_sway = errors.carried,
+            .bodies = MotionRules::Bodies::kArm};
+  }
+
+  bool IsFree(const JointPath& path, const MotionRules& rules) {
+    if (path.size() < 2) return true;
+    MotionCheck check(scene_, rules);
+    const auto obstruction = FindObstruction(check, path);
+    if (!obstruction) return true;
+    const bool is_work = rules.bodies == MotionRules::Bodies::kArm;
+    in_the_way_ = fmt::format("on the {}, {}", is_work ? "straight lines of its work" : "path",
+                              motion::Describe(scene_, {}, *obstruction));
+    return false;
+  }
+  bool AreLinesFree(const Way& way, const ArmErrors& errors) {
+    const MotionRules rules = OnLines(way, errors);
+    return IsFree(way.rise, rules) && IsFree(way.down, rules) &&
+           IsFree(way.AllOfWork(), AtWork(errors));
+  }
+
   // The greatest clearance that the path surely keeps, up to `kFurthestClearance`.
-  double ClearanceOf(plan::Travel travel) {
-    double kept = walk_.clearance();
+  double ClearanceOf(const Way& way) {
+    double kept = clearance_;
     double refused = kFurthestClearance;
     while (refused - kept > kAccuracy) {
-      travel.clearance = (kept + refused) / 2;
-      (Check(travel) ? refused : kept) = travel.clearance;
+      const double middle = (kept + refused) / 2;
+      (IsFree(way.over, OnTheWay(way, middle)) ? kept : refused) = middle;
     }
     return kept;
   }
-  std::string Describe(const Obstruction& obstruction) const {
-    return motion::Describe(scene_, {}, obstruction);
-  }
 
- private:
-  enum class Up { kToSafeHeight, kNo };
-
-  MotionRules Rules(const JointVector& end) const {
-    return {.clearance = walk_.clearance(), .given = {from_, end}};
-  }
-
-  // As the executor goes on.
-  std::vector<Vector3> Corners(Up up) const {
-    std::vector<Vector3> corners;
-    if (up == Up::kToSafeHeight) corners.push_back(route_.poised.translation());
+  // As the executor goes on from above.
+  std::vector<Vector3> Corners() const {
+    std::vector<Vector3> corners = {route_.poised.translation()};
     for (const Pose& pose : route_.to_work) corners.push_back(pose.translation());
-    if (up == Up::kNo && !corners.empty()) corners.back() += Beyond();
     for (const Pose& pose : route_.away) corners.push_back(pose.translation());
     return corners;
   }
 
-  // How much farther than where it works a guarded move may lead the tool.
-  Vector3 Beyond() const {
-    const Vector3 way = route_.to_work.back().translation() - route_.poised.translation();
-    return workcell_.rules().guarded_travel * way.normalized();
-  }
-
-  // Along the straight lines, whatever hand and held part touch there.
-  std::optional<JointVector> AfterWork(const JointVector& poised) {
-    JointPath path = {poised};
-    for (const auto* poses : {&route_.to_work, &route_.away}) {
-      for (const Pose& pose : *poses) {
-        if (AppendLine(workcell_, pose, path)) continue;
-        in_the_way_ = "the arm does not go straight on from there";
-        return std::nullopt;
+  // Along the straight lines of the work, also to the end of a guarded move; where a strategy has
+  // turned the tool, from the nearest posture on: how it gets there is checked otherwise.
+  bool Work(std::vector<JointPath>& sections) {
+    std::vector<Pose> poses = route_.to_work;
+    if (is_guarded_) {
+      poses.push_back(Beyond());
+      poses.push_back(route_.to_work.back());
+    }
+    poses.insert(poses.end(), route_.away.begin(), route_.away.end());
+    for (const Pose& pose : poses) {
+      if (!IsTurned(workcell_, pose, sections.back().back())) {
+        if (!AppendLine(workcell_, pose, sections.back())) return false;
+        continue;
       }
+      const auto q = motion::NearestPosture(workcell_, pose, sections.back().back());
+      if (!q) return false;
+      sections.push_back({*q});
     }
-    MotionCheck check(scene_,
-                      {.clearance = walk_.clearance(), .bodies = MotionRules::Bodies::kArm});
-    if (const auto obstruction = FindObstruction(check, path)) {
-      in_the_way_ = "on the straight lines of its work, " + Describe(*obstruction);
-      return std::nullopt;
-    }
-    return path.back();
+    return true;
   }
 
-  const Walk& walk_;
+  // As far beyond where it works as a guarded move may lead the tool.
+  Pose Beyond() const {
+    const Pose& work = route_.to_work.back();
+    const Vector3 way = work.translation() - route_.poised.translation();
+    return geometry::Translation(workcell_.rules().guarded_travel * way.normalized()) * work;
+  }
+
+  const PlanWalk& walk_;
   const domain::Workcell& workcell_;
   motion::Surroundings surroundings_;
   CollisionScene scene_;
-  const ToolRoute& route_;
+  ToolRoute route_;
+  plan::ToolDoubt doubt_;
+  bool is_guarded_;
+  double clearance_;
   JointVector from_;
   std::string in_the_way_;
 };
@@ -257,7 +307,7 @@ std::string NameOfStep(StepId id, const plan::Plan& plan) {
   return id.IsNone() ? "home" : plan.step(id).name;
 }
 
-// Travels hold for the order that they were planned for.
+// Other ways than the usual one are only known to be free in the order that they were planned for.
 void KeepOrder(plan::Plan& plan) {
   const std::vector<StepId> order = plan.ExecutionOrder();
   plan.ordering.clear();
@@ -266,70 +316,141 @@ void KeepOrder(plan::Plan& plan) {
   }
 }
 
-std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const Walk& walk,
-                                       const ToolRoute& route) {
-  if (travel.path.size() < 2) return {"a path of less than two postures"};
-  std::vector<std::string> flaws;
-  const auto tool = [&](const JointVector& q) { return motion::ToolAt(walk.workcell(), q); };
-  if (!plan::PosesAgree(tool(travel.path.front()), walk.left())) {
+// The way home belongs to the last step.
+void AddConditions(StepId id, const WayCertainty& certainty, plan::Plan& plan) {
+  const StepId owner = id.IsNone() ? plan.ExecutionOrder().back() : id;
+  plan::Certificate& certificate = plan.steps[owner.index()].certificate;
+  if (certificate == plan::Certificate{}) return;  // made without regard to uncertainty
+  std::vector<plan::CertifiedPrecondition>& all = certificate.preconditions;
+  const auto conditions = WayConditions(certainty, id.IsNone() ? Whither::kHome : Whither::kWork);
+  all.insert(all.end(), conditions.begin(), conditions.end());
+}
+
+// What is not proved of a way is said not to be.
+void AddExcuses(plan::Plan& plan, uncertainty::Propagation propagation) {
+  for (plan::PlannedStep& step : plan.steps) {
+    if (step.certificate == plan::Certificate{}) continue;
+    step.certificate.not_needed = plan::NotNeededIn(
+        step.certificate.preconditions, step.action, step.strategy ? &*step.strategy : nullptr,
+        propagation == uncertainty::Propagation::kPaper);
+  }
+}
+
+bool IsAtEnds(const plan::Travel& travel, const PlanWalk& walk, const ToolRoute& route,
+              std::vector<std::string>& flaws) {
+  const domain::Workcell& workcell = walk.workcell();
+  const auto high = [&](bool is_high, const Pose& X_WorldTool) {
+    return is_high ? plan::AtSafeHeight(workcell, X_WorldTool) : X_WorldTool;
+  };
+  const Pose start = high(travel.is_usual && walk.rises(), walk.left());
+  const Pose end = high(travel.is_usual && !route.to_work.empty(), route.poised);
+  if (!plan::PosesAgree(motion::ToolAt(workcell, travel.path.front()), start)) {
     flaws.push_back("the path does not start where the step before leaves the tool");
   }
-  if (!plan::PosesAgree(tool(travel.path.back()), route.poised)) {
+  if (!plan::PosesAgree(motion::ToolAt(workcell, travel.path.back()), end)) {
     flaws.push_back("the path does not end where the tool is poised");
   }
-  if (travel.clearance < walk.clearance()) {
+  return flaws.empty();
+}
+
+// What is claimed of a way and does not come out when it is computed anew.
+void CheckClaims(const WayCertainty& certainty, Whither whither, const plan::PlannedStep& step,
+                 std::vector<std::string>& flaws) {
+  const auto anew = WayConditions(certainty, whither);
+  for (const plan::CertifiedPrecondition& claim : step.certificate.preconditions) {
+    if (!IsWayCondition(claim.condition) || WhitherOf(claim) != whither) continue;
+    const auto own =
+        std::ranges::find(anew, claim.condition, &plan::CertifiedPrecondition::condition);
+    if (own != anew.end() && claim.bound <= own->bound + kSameClaim) continue;
+    flaws.push_back(fmt::format("{} is said to be above {:.6g}, which does not come out anew",
+                                claim.condition, claim.bound));
+  }
+}
+
+// Goes on with the posture after the step; none if that is not known.
+std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const PlanWalk& walk, StepId id,
+                                       std::optional<JointVector>& posture) {
+  if (travel.path.size() < 2) return {"a path of less than two postures"};
+  std::vector<std::string> flaws;
+  if (!posture) {
+    posture = motion::PostureLike(walk.workcell(), walk.left(), travel.path.front());
+    if (!posture) return {"the arm is not left so that the path can start"};
+  }
+  TravelSearch search(walk, id, *std::exchange(posture, std::nullopt));
+  const std::optional<Way> way = search.WayBy(travel);
+  if (!IsAtEnds(travel, walk, search.route(), flaws)) return flaws;
+  if (!way) return {search.in_the_way()};
+  if (!(travel.path.front() - way->rise.back()).isZero(kSamePosture)) {
+    flaws.push_back("the path does not start in the posture in which the arm then is");
+  }
+  if (travel.clearance < search.clearance()) {
     flaws.push_back(fmt::format("a clearance of {:.2f} mm is less than {:.2f} mm",
-                                1e3 * travel.clearance, 1e3 * walk.clearance()));
+                                1e3 * travel.clearance, 1e3 * search.clearance()));
   }
-  TravelSearch search(walk, route, travel.path.front());
-  if (const auto obstruction = search.Check(travel)) {
-    flaws.push_back("on the path, " + search.Describe(*obstruction));
+  const auto certainty = search.CertaintyOf(*way, travel.clearance);
+  if (!certainty) {
+    flaws.push_back(search.in_the_way());
+    return flaws;
   }
+  const StepId owner = id.IsNone() ? walk.plan().ExecutionOrder().back() : id;
+  CheckClaims(*certainty, id.IsNone() ? Whither::kHome : Whither::kWork, walk.plan().step(owner),
+              flaws);
+  posture = way->after();
   return flaws;
+}
+
+bool SaysWhatIsCertain(const plan::Plan& plan) {
+  return std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {
+    return std::ranges::any_of(step.certificate.preconditions,
+                               [](const auto& claim) { return IsWayCondition(claim.condition); });
+  });
 }
 
 }  // namespace
 
 std::optional<std::string> AddTravels(const domain::Problem& problem, const TravelEffort& effort,
-                                      plan::Plan& plan) {
-  Walk walk(problem, plan);
+                                      plan::Plan& plan, uncertainty::Propagation propagation) {
+  for (plan::PlannedStep& step : plan.steps) RemoveWayConditions(step.certificate);
+  PlanWalk walk(problem, plan, propagation);
   JointVector posture = problem.workcell->home();
-  bool planned = false;
+  bool only_in_this_order = false;
   for (const StepId id : WithHoming(plan)) {
     walk.ComeTo(id);
-    const ToolRoute route = walk.RouteTo(id);
-    TravelSearch search(walk, route, posture);
-    std::optional<plan::Travel>& travel = TravelTo(id, plan);
-    travel.reset();
-    if (const auto after = search.GoUsually()) {
-      posture = *after;
-    } else {
+    TravelSearch search(walk, id, posture);
+    std::optional<TravelSearch::Found> found = search.GoUsually();
+    if (!found) {
       auto result = search.Search(effort);
       if (const auto* why = std::get_if<std::string>(&result)) {
         return fmt::format("no way to {} was found: {}", NameOfStep(id, plan), *why);
       }
-      auto& found = std::get<TravelSearch::Found>(result);
-      found.travel.clearance = search.ClearanceOf(found.travel);
-      travel = std::move(found.travel);
-      planned = true;
-      posture = found.after;
+      found = std::get<TravelSearch::Found>(std::move(result));
     }
+    posture = found->after;
+    only_in_this_order |= !found->travel.is_usual;
+    TravelTo(id, plan) = std::move(found->travel);
+    if (propagation == uncertainty::Propagation::kSound) AddConditions(id, found->certainty, plan);
     if (!id.IsNone()) walk.Do(id);
   }
-  if (planned) KeepOrder(plan);
+  AddExcuses(plan, propagation);
+  if (only_in_this_order) KeepOrder(plan);
   return std::nullopt;
 }
 
 std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const plan::Plan& plan) {
   std::vector<plan::Flaw> flaws;
-  Walk walk(problem, plan);
+  PlanWalk walk(problem, plan,
+                SaysWhatIsCertain(plan) ? uncertainty::Propagation::kSound
+                                        : uncertainty::Propagation::kPaper);
+  std::optional<JointVector> posture = problem.workcell->home();
   for (const StepId id : WithHoming(plan)) {
     walk.ComeTo(id);
     const std::optional<plan::Travel>& travel = id.IsNone() ? plan.homing : plan.step(id).travel;
     if (travel) {
-      for (std::string& what : FlawsOfTravel(*travel, walk, walk.RouteTo(id))) {
+      for (std::string& what : FlawsOfTravel(*travel, walk, id, posture)) {
         flaws.push_back({id, "the travel: " + std::move(what)});
       }
+    } else {
+      posture.reset();
     }
     if (!id.IsNone()) walk.Do(id);
   }

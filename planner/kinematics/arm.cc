@@ -415,4 +415,10 @@ std::vector<JointVector> Arm::Representatives(const JointVector& q) const {
   return found;
 }
 
+JointVector NearestByTurns(const JointVector& q, const JointVector& reference) {
+  JointVector nearest = q;
+  for (int k = 0; k < 6; ++k) nearest[k] += kTurn * std::round((reference[k] - q[k]) / kTurn);
+  return nearest;
+}
+
 }  // namespace assay::kinematics

@@ -126,4 +126,8 @@ class Arm {
   std::array<JointLimits, 6> limits_;
 };
 
+// The joint vector that differs from q by whole turns and is the nearest to the reference's in
+// every joint, whatever the limits.
+JointVector NearestByTurns(const JointVector& q, const JointVector& reference);
+
 }  // namespace assay::kinematics

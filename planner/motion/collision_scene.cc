@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/domain/floor.h"
 #include "planner/motion/shape_hull.h"
 
 namespace assay::motion {
@@ -57,10 +58,6 @@ std::array<double, 6> ReachOf(const Body& body, const kinematics::RobotModel& ro
     ball += offset.norm();
   }
   return reach;
-}
-
-double LowestPoint(const std::vector<RoundedHull>& hulls) {
-  return -GreatestOverVertices(hulls, [](const Vector3& p) { return -p.z(); });
 }
 
 Body BodyOf(std::string name, int link, std::vector<RoundedHull> hulls,
@@ -142,15 +139,16 @@ void CollisionScene::AddGripper(double opening) {
 }
 
 void CollisionScene::AddStage() {
+  const Pose X_BaseWorld = workcell_->X_WorldBase().inverse();
   for (const domain::Table& table : workcell_->tables()) {
-    Add(table.name, 0, {TableHull(table, workcell_->X_WorldBase().inverse())});
+    Add(table.name, 0, {TableHull(table, X_BaseWorld)});
   }
-  const Body& base = bodies_.front();
-  if (base.link != 0) return;
-  const double height = LowestPoint(base.hulls);
-  const Box floor = Box::FromCorners({-kFloorReach, -kFloorReach, height - kFloorDepth},
-                                     {kFloorReach, kFloorReach, height});
-  Add("floor", 0, HullsOf(std::span(&floor, 1), Pose::Identity()));
+  const Vector3 base = workcell_->X_WorldBase().translation();
+  const double height = domain::FloorHeight(*workcell_);
+  const Box floor =
+      Box::FromCorners({base.x() - kFloorReach, base.y() - kFloorReach, height - kFloorDepth},
+                       {base.x() + kFloorReach, base.y() + kFloorReach, height});
+  Add("floor", 0, HullsOf(std::span(&floor, 1), X_BaseWorld));
 }
 
 void CollisionScene::AddOtherRobots(const std::vector<StandingRobot>& said) {

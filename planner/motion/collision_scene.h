@@ -75,8 +75,8 @@ struct Surroundings {
 // sides).
 std::vector<Body> ArmBodies(const kinematics::Arm& arm);
 
-// The workcell as bodies: the arm's links, hand, fingers, held part, table, floor (where the arm's
-// base stands), parts, and the workcell's other robots ("forearm of right").
+// The workcell as bodies: the arm's links, hand, fingers, held part, table, floor
+// (domain::FloorHeight), parts, and the workcell's other robots ("forearm of right").
 //
 // Not tested, since they touch or are kept apart by construction: what is fixed to the same link
 // (so the held part against fingers and hand), and links of the arm that one joint connects. Two

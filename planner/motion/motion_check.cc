@@ -54,8 +54,7 @@ std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
     if (rules_.bodies == MotionRules::Bodies::kRobots && !scene_.IsOfAnotherRobot(pair.first)) {
       continue;
     }
-    double clearance =
-        rules_.clearance + scene_.body(pair.first).doubt + scene_.body(pair.second).doubt;
+    double clearance = rules_.clearance + ErrorsOf(pair);
     if (carried) {
       for (const LinkPoses& X_BaseLink : given) {
         const double near = kShareOfGiven * scene_.Separation(pair, X_BaseLink, clearance);
@@ -65,6 +64,15 @@ std::vector<MotionCheck::WatchedPair> MotionCheck::WatchedPairs() const {
     watched.push_back({pair, clearance});
   }
   return watched;
+}
+
+double MotionCheck::ErrorsOf(const BodyPair& pair) const {
+  const Body& first = scene_.body(pair.first);
+  const Body& second = scene_.body(pair.second);
+  double errors = first.doubt + second.doubt;
+  if (!scene_.IsCarried(pair.second)) return errors + scene_.GreatestMotion(pair, rules_.sway);
+  for (int k = 0; k < first.link; ++k) errors += rules_.sway[k] * first.reach[k];
+  return errors + rules_.carried_sway;
 }
 
 double MotionCheck::Tilt(const LinkPoses& X_BaseLink) const {

@@ -20,6 +20,10 @@ struct MotionRules {
   // Of every pair of bodies, metres, >= 0; beyond their doubts (Body::doubt).
   double clearance = 0.01;
   std::optional<Upright> upright = {};
+  // Each joint may be so far from where the motion has it, radians: the arm's links keep the
+  // clearance all the same. What it carries may be so far from there, metres.
+  JointVector sway = JointVector::Zero();
+  double carried_sway = 0;
   // Postures that are given, as those where straight lines end: what the arm carries may come to
   // anything nearly as near as it is in one of these.
   std::vector<JointVector> given = {};
@@ -87,6 +91,8 @@ class MotionCheck {
   };
 
   std::vector<WatchedPair> WatchedPairs() const;
+  // By how much the pair may be nearer than it seems, metres.
+  double ErrorsOf(const BodyPair& pair) const;
   double Tilt(const LinkPoses& X_BaseLink) const;  // radians
   std::vector<OpenPair> OpenPairs(const JointVector& turn);
   // Takes from the interval what the posture in its middle, q, shows to be free all along it.

@@ -68,6 +68,16 @@ std::optional<JointVector> NearestPosture(const domain::Workcell& workcell, cons
   return nearest;
 }
 
+std::optional<JointVector> PostureLike(const domain::Workcell& workcell, const Pose& X_WorldTool,
+                                       const JointVector& like) {
+  const kinematics::Arm& arm = workcell.arm();
+  const auto q = arm.Inverse(workcell.FlangeFor(X_WorldTool), arm.IndicatorsOf(like), like);
+  if (!q) return std::nullopt;
+  const JointVector nearest = kinematics::NearestByTurns(*q, like);
+  if (!arm.InRange(nearest)) return std::nullopt;
+  return nearest;
+}
+
 LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from, const Vector3& end,
                       double step) {
   const Pose X_WorldTool = ToolAt(workcell, from);

@@ -36,6 +36,11 @@ LineResult FollowLine(const domain::Workcell& workcell, const JointVector& from,
 std::optional<JointVector> NearestPosture(const domain::Workcell& workcell, const Pose& X_WorldTool,
                                           const JointVector& near);
 
+// The joint values that bring the tool there in the configuration of `like`, no joint half a turn
+// or more from where it is there; none if the arm does not reach it so, within its limits.
+std::optional<JointVector> PostureLike(const domain::Workcell& workcell, const Pose& X_WorldTool,
+                                       const JointVector& like);
+
 // X_WorldTool with these joint values.
 Pose ToolAt(const domain::Workcell& workcell, const JointVector& q);
 

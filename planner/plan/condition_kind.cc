@@ -11,6 +11,8 @@ namespace assay::plan {
 namespace {
 
 constexpr std::string_view kNothingNear = "no other part is near enough to be met";
+constexpr std::string_view kToldAsNotCovered =
+    "it is not proved, and the plan names the step among what is not covered";
 
 constexpr auto kKinds = std::to_array<ConditionKind>({
     {"between fingers", Quantity::kLength, NeededBy::kGrasp, true},
@@ -34,6 +36,8 @@ constexpr auto kKinds = std::to_array<ConditionKind>({
     {"pressed", Quantity::kRatio, NeededBy::kRelease, false},
     {"holding", Quantity::kRatio, NeededBy::kCarrying, false},
     {"hand clear", Quantity::kLength, NeededBy::kHandWork, false, kNothingNear},
+    {"reach", Quantity::kAngle, NeededBy::kWay, false, kToldAsNotCovered},
+    {"way clear", Quantity::kLength, NeededBy::kWay, false, kToldAsNotCovered},
 });
 
 bool Needs(NeededBy who, const Action& action, const Strategy* strategy) {
@@ -47,6 +51,8 @@ bool Needs(NeededBy who, const Action& action, const Strategy* strategy) {
       return is_pickup || is_putdown || is_assemble;
     case NeededBy::kHandWork:
       return !std::holds_alternative<Sense>(action);
+    case NeededBy::kWay:
+      return true;
     case NeededBy::kPutdown:
       return is_putdown;
     case NeededBy::kRelease:

@@ -17,6 +17,7 @@ enum class NeededBy {
   kGrasp,     // pickup, squeeze
   kCarrying,  // what has a part in the hand as the hand travels: pickup, putdown, assemble
   kHandWork,  // everything with the hand: all but sense
+  kWay,       // whatever the arm goes to: every step
   kPutdown,   //
   kRelease,   // what lets a part go where it stays: putdown, assemble
   kMating,    // assemble, straight or by a strategy

@@ -72,15 +72,18 @@ struct Squeeze {
 
 using Action = std::variant<Pickup, Putdown, Assemble, Sense, Squeeze>;
 
-// How the arm comes to where it is poised before its work, where the usual way (straight up, over
-// at safe height, straight down) is not free.
+// How the arm comes to where it is poised before its work: by the usual way (straight up, over at
+// safe height, straight down), or, where that is not free, by another. Also in which of the
+// postures that bring the tool there.
 struct Travel {
   // Straight in joint space from each to the next: from where the step before leaves the tool after
-  // its retreat (plan::RouteOf) to where this one is poised; at least two, radians.
+  // its retreat (plan::RouteOf) to where this one is poised; of the usual way what is between the
+  // straight lines. At least two, radians.
   std::vector<kinematics::JointVector> path;
   // What bodies keep from each other all along, wherever the parts are within their errors, metres;
   // hand and held part may be as near to parts and table as they are at an end of the path.
   double clearance = 0;
+  bool is_usual = false;
 };
 
 struct PlannedStep {
@@ -91,7 +94,7 @@ struct PlannedStep {
   Certificate certificate = {};
   std::optional<Strategy> strategy =
       {};                             // of assemble: how fine motion executes it; none: straight
-  std::optional<Travel> travel = {};  // none: up, over and down
+  std::optional<Travel> travel = {};  // none: the usual way, in any posture
 };
 
 // A check after a step whose preconditions could not be proved: a measured quantity against what it
@@ -126,7 +129,7 @@ struct Plan {
   std::vector<Verification> verifications = {};
   std::vector<Recovery> recoveries = {};
   int errors = 0;  // actions whose uncertainty-reduction goals are not met (Spar's error count)
-  std::optional<Travel> homing = {};  // after the last step, to the arm's home; none: up and over
+  std::optional<Travel> homing = {};  // after the last step, to the arm's home; none: the usual way
 
   const PlannedStep& step(StepId id) const { return steps[id.index()]; }
   std::vector<StepId> ExecutionOrder() const;

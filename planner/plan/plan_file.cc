@@ -11,6 +11,7 @@
 #include "planner/base/check.h"
 #include "planner/plan/certificate_file.h"
 #include "planner/plan/linearization.h"
+#include "planner/plan/not_covered.h"
 #include "planner/plan/pose_file.h"
 #include "planner/plan/recovery_file.h"
 #include "planner/plan/strategy_file.h"
@@ -380,7 +381,8 @@ Json ToJson(const PlanResult& result, const domain::Problem& problem, const std:
                {"ordering", OrderingToJson(plan)},
                {"verifications", verifications},
                {"recoveries", recoveries},
-               {"errors", plan.errors}};
+               {"errors", plan.errors},
+               {"not_covered", NotCovered(plan)}};
   if (plan.homing) json["homing"] = ToJson(*plan.homing);
   if (result.outcome == Outcome::kNone) {
     json["conflict"] = result.conflict;
@@ -403,9 +405,9 @@ PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
   plan_file.RequireFormat(kFormat);
   const Value& root = plan_file.root();
   root.AllowOnly({"format", "scenario", "problem", "outcome", "actions", "ordering",
-                  "verifications", "recoveries", "errors", "homing", "conflict", "hypotheses",
-                  "near_misses", "limits", "obstruction", "counters", "seconds", "instances",
-                  "check"});
+                  "verifications", "recoveries", "errors", "not_covered", "homing", "conflict",
+                  "hypotheses", "near_misses", "limits", "obstruction", "counters", "seconds",
+                  "instances", "check"});
   root.At("scenario").Text();
   PlanResult result;
   result.plan.problem = root.At("problem").Text();

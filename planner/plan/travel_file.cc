@@ -23,11 +23,11 @@ JointVector ReadPosture(const Value& value) {
 Json ToJson(const Travel& travel) {
   Json path = Json::array();
   for (const JointVector& q : travel.path) path.push_back(Json(std::vector(q.begin(), q.end())));
-  return {{"path", std::move(path)}, {"clearance", travel.clearance}};
+  return {{"path", std::move(path)}, {"clearance", travel.clearance}, {"usual", travel.is_usual}};
 }
 
 Travel ReadTravel(const Value& value) {
-  value.AllowOnly({"path", "clearance"});
+  value.AllowOnly({"path", "clearance", "usual"});
   Travel travel;
   const Value path = value.At("path");
   for (const Value& posture : path.Items()) travel.path.push_back(ReadPosture(posture));
@@ -37,6 +37,7 @@ Travel ReadTravel(const Value& value) {
   const Value clearance = value.At("clearance");
   travel.clearance = clearance.Number();
   if (travel.clearance < 0) clearance.Fail("a clearance below 0", "a length in metres");
+  if (const auto usual = value.Find("usual")) travel.is_usual = usual->Flag();
   return travel;
 }
 

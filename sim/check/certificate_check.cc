@@ -81,20 +81,30 @@ class CertificateCheck {
     });
   }
 
-  // A step whose preconditions hold comes to its end. That the arm reaches everything, no
-  // certificate says; nor what the engine does when its numbers go bad.
+  // A step whose preconditions hold comes to its end; that the arm reaches everything is one of
+  // them (assembly::WayConditions), if the plan was made with them. What the engine does when its
+  // numbers go bad, no certificate says.
   void CheckStopped() {
     const auto* end = std::get_if<exec::ExecutionEnd>(&trace_.events.back());
     if (end == nullptr) return;
-    const bool about_it = end->outcome == exec::ExecutionOutcome::kOverload ||
-                          end->outcome == exec::ExecutionOutcome::kOperatorCalled;
+    const bool about_it =
+        end->outcome == exec::ExecutionOutcome::kOverload ||
+        end->outcome == exec::ExecutionOutcome::kOperatorCalled ||
+        (end->outcome == exec::ExecutionOutcome::kUnreachable && SaysThatTheArmReaches());
     if (!about_it) return;
     Add({.step = step_,
          .about = Claimed::kAfter,
          .name = "comes to its end",
          .unit = "",
          .predicted = {1, 1},
+         .proved = end->outcome != exec::ExecutionOutcome::kUnreachable ||
+                   IsProved("reach", plan_.step(step_).certificate),
          .observed = 0});
+  }
+
+  bool SaysThatTheArmReaches() const {
+    return std::ranges::count(plan_.step(step_).certificate.preconditions, "reach",
+                              &plan::CertifiedPrecondition::condition) > 0;
   }
 
   void Add(Claim claim) {

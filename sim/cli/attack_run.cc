@@ -7,6 +7,7 @@
 #include "planner/plan/json_layout.h"
 #include "sim/check/attack.h"
 #include "sim/check/conservatism.h"
+#include "sim/cli/certificate_text.h"
 #include "sim/cli/console.h"
 #include "sim/cli/interruption.h"
 #include "sim/cli/json_number.h"
@@ -161,6 +162,7 @@ class AttackReport {
       text += fmt::format("how much more noise it takes was measured of {} variables\n",
                           ratios_.size());
     }
+    text += NotCoveredText(plan_);
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }

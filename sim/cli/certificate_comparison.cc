@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "planner/assembly/way_conditions.h"
 #include "planner/base/random.h"
 #include "planner/domain/shaft_fit.h"
 #include "planner/plan/certificate_file.h"
@@ -212,11 +213,12 @@ std::vector<Flaw> DifferencesFromAnew(const domain::Problem& problem, const plan
   const uncertainty::Propagation propagation = plan::IsAsPublished(plan)
                                                    ? uncertainty::Propagation::kPaper
                                                    : uncertainty::Propagation::kSound;
-  const std::vector<Certificate> anew =
-      uncertainty::CertificatesAnew(problem, plan, propagation, {});
+  std::vector<Certificate> anew = uncertainty::CertificatesAnew(problem, plan, propagation, {});
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
-    for (std::string& what :
-         CertificateComparison(problem, plan.steps[i], anew[i], file).Differences()) {
+    PlannedStep step = plan.steps[i];
+    assembly::RemoveWayConditions(step.certificate);
+    assembly::RemoveWayConditions(anew[i]);
+    for (std::string& what : CertificateComparison(problem, step, anew[i], file).Differences()) {
       flaws.push_back({plan::StepId(i), std::move(what)});
     }
   }

@@ -13,6 +13,7 @@ namespace assay::cli {
 // computed anew from the scenario and the plan's actions: each with its place in the step
 // ("certificate.before[0].x[1]"), with what the file says and what comes out. Numbers may differ by
 // rounding; expressions are compared as functions, where their texts differ at random points.
+// What is said of the arm's ways is computed anew elsewhere (assembly::FlawsOfTravels).
 // Resolutions, which tell what was done about goals that were not proved before, are not compared.
 //
 // The plan must have no flaws otherwise. `file`: where it comes from.

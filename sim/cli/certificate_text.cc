@@ -7,6 +7,7 @@
 
 #include "planner/base/check.h"
 #include "planner/plan/condition_kind.h"
+#include "planner/plan/not_covered.h"
 #include "sim/cli/quantity.h"
 
 namespace assay::cli {
@@ -102,6 +103,12 @@ std::string CertificateText(const plan::PlannedStep& step) {
   return absorbed == 0 ? text : fmt::format("{}, {} absorbed", text, absorbed);
 }
 
+std::string NotCoveredText(const plan::Plan& plan) {
+  const std::vector<std::string> names = plan::NotCovered(plan);
+  if (names.empty()) return "";
+  return fmt::format("not covered by any precondition:\n  - {}\n", fmt::join(names, "\n  - "));
+}
+
 std::string UncertaintyText(const plan::Plan& plan) {
   const bool is_certified = std::ranges::any_of(
       plan.steps, [](const plan::PlannedStep& step) { return !step.certificate.before.empty(); });
@@ -120,8 +127,9 @@ std::string UncertaintyText(const plan::Plan& plan) {
                         Counted(plan.errors, "step", "steps"),
                         Counted(plan.verifications.size(), "verification", "verifications"),
                         Counted(plan.recoveries.size(), "recovery", "recoveries"));
-  return done.empty() ? fmt::format("\n{} Nothing was inserted.\n", summary)
-                      : fmt::format("\nuncertainty\n{}{}\n", done, summary);
+  const std::string text = done.empty() ? fmt::format("\n{} Nothing was inserted.\n", summary)
+                                        : fmt::format("\nuncertainty\n{}{}\n", done, summary);
+  return text + NotCoveredText(plan);
 }
 
 std::string StepsText(const plan::Plan& plan, const std::vector<StepId>& steps) {

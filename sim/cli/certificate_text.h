@@ -15,6 +15,8 @@ std::string CertificateText(const plan::PlannedStep& step);
 // What was inserted for which step and why, what could not be proved, and what stands by for it.
 // Empty if the plan was made without regard to uncertainty.
 std::string UncertaintyText(const plan::Plan& plan);
+// What may fail though every precondition is proved (plan::NotCovered), a line each.
+std::string NotCoveredText(const plan::Plan& plan);
 
 // "steps 2, 4": by their places in the order of execution.
 std::string StepsText(const plan::Plan& plan, const std::vector<plan::StepId>& steps);

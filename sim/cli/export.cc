@@ -43,9 +43,13 @@ void Deliver(const std::string& text, const Options& options) {
   }
 }
 
+// Of several worlds the first. Whoever reads it steps it with the engine as it is.
 ExitCode ExportMjcf(const Options& options) {
-  const scenario::Scenario scenario = scenario::Load(options.input, options.models);
-  Deliver(scene::ToMjcf(scenario.problem, scenario.simulation.scene), options);
+  const Document document = Document::Load(options.input);
+  const domain::Problem first = scenario::ReadWorlds(document, options.models).front();
+  scene::SceneOptions scene = scenario::ReadSimulation(document).scene;
+  scene.endless_tables = true;
+  Deliver(scene::ToMjcf(first, scene), options);
   return ExitCode::kDone;
 }
 
@@ -136,7 +140,9 @@ Execution Declare(CLI::App& command) {
                   "scenario file; for --dot and --commands also a plan file; for --pddl a domain")
       ->required();
   CLI::Option_group* const what = command.add_option_group("what");
-  what->add_flag("--mjcf", options->mjcf, "the scene as a model for MuJoCo");
+  what->add_flag("--mjcf", options->mjcf,
+                 "the scene as a model for MuJoCo, with the key frame home; where a pose is open, "
+                 "as in the first of its worlds");
   what->add_flag("--dot", options->dot,
                  "the plan's ordering graph for Graphviz; with --contacts or --network that graph, "
                  "which they write without it, too");

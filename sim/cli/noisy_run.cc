@@ -14,6 +14,7 @@
 #include "planner/plan/json_layout.h"
 #include "sim/check/ledger.h"
 #include "sim/check/noisy_trial.h"
+#include "sim/cli/certificate_text.h"
 #include "sim/cli/console.h"
 #include "sim/cli/interruption.h"
 #include "sim/cli/ledger_report.h"
@@ -225,6 +226,7 @@ class NoisyTrials {
           Count([](const NoisyRow& row) { return row.operator_called; }));
     }
     text += Interruption::Text(trials, Wanted());
+    text += NotCoveredText(plan_);
     if (!run_.folder.empty()) text += fmt::format("files in {}\n", run_.folder.string());
     return text;
   }

@@ -49,6 +49,7 @@ struct ActionText {
 std::string TravelText(const plan::Plan& plan) {
   std::string text;
   const auto tell = [&](const std::string& to, const plan::Travel& travel) {
+    if (travel.is_usual) return;
     text += fmt::format("  to {}: {} postures, {:.1f} mm clear\n", to, travel.path.size(),
                         1e3 * travel.clearance);
   };

@@ -12,6 +12,7 @@
 
 #include "planner/plan/json_layout.h"
 #include "planner/plan/plan_file.h"
+#include "sim/cli/certificate_text.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
 #include "sim/cli/interruption.h"
@@ -178,6 +179,7 @@ class Run {
                           ReplayCommand());
     }
     text += Interruption::Text(Trials(), options_.trials);
+    text += NotCoveredText(planned_.result.plan);
     if (!options_.folder.empty()) text += fmt::format("files in {}\n", options_.folder.string());
     return text;
   }

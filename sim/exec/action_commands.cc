@@ -10,19 +10,28 @@ bool GoesTo(const Command& command, const Pose& X_WorldTool) {
   return line != nullptr && line->X_WorldTool.isApprox(X_WorldTool);
 }
 
+Command& TravelOf(std::vector<Command>& commands) {
+  return *std::ranges::find_if(commands, [](const Command& command) {
+    return std::holds_alternative<MoveAtSafeHeight>(command);
+  });
+}
+
 // The path in place of all moves up to where the tool is poised.
 void ComeByPath(const std::vector<kinematics::JointVector>& path, const plan::ToolRoute& route,
                 StepCommands& commands) {
   std::erase_if(commands.approach,
                 [&](const Command& command) { return GoesTo(command, route.poised); });
-  const auto travel = std::ranges::find_if(commands.approach, [](const Command& command) {
-    return std::holds_alternative<MoveAtSafeHeight>(command);
-  });
-  *travel = FollowPath{path, route.poised};
+  TravelOf(commands.approach) = FollowPath{path, route.poised};
   for (Command& command : commands.withdraw) {
     auto* line = std::get_if<MoveStraight>(&command);
     if (line != nullptr) line->X_WorldTool = route.poised;
   }
+}
+
+// The usual way, in the planned postures.
+void ComeOver(const std::vector<kinematics::JointVector>& path, StepCommands& commands) {
+  Command& travel = TravelOf(commands.approach);
+  travel = FollowPath{path, std::get<MoveAtSafeHeight>(travel).X_WorldTool};
 }
 
 // The last line goes no higher than the retreat.
@@ -36,9 +45,10 @@ void StayLow(const plan::ToolRoute& route, StepCommands& commands) {
 
 bool IsLeftByPath(const plan::Plan& plan, plan::StepId step) {
   const int place = plan.step(step).executed;
-  if (place == static_cast<int>(plan.steps.size())) return plan.homing.has_value();
+  const bool is_last = place == static_cast<int>(plan.steps.size());
   const auto next = std::ranges::find(plan.steps, place + 1, &plan::PlannedStep::executed);
-  return next->travel.has_value();
+  const std::optional<plan::Travel>& travel = is_last ? plan.homing : next->travel;
+  return travel && !travel->is_usual;
 }
 
 }  // namespace
@@ -80,7 +90,8 @@ StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world
   StepCommands commands = CommandsFor(problem, world, step);
   const Pose& X_WorldPart = world.PartPose(plan::PartOf(problem, step.action));
   const plan::ToolRoute route = plan::RouteOf(problem, step, X_WorldPart);
-  if (step.travel) ComeByPath(step.travel->path, route, commands);
+  if (step.travel && step.travel->is_usual) ComeOver(step.travel->path, commands);
+  if (step.travel && !step.travel->is_usual) ComeByPath(step.travel->path, route, commands);
   if (IsLeftByPath(plan, id)) StayLow(route, commands);
   return commands;
 }

@@ -30,9 +30,9 @@ struct StepCommands {
 // The commands of a step of a plan, from where the parts are believed to be. Straight lines down
 // and up are vertical; the last piece to a part and the first away from it are along the tool's
 // axis, as long as the workcell's approach distance. Parts that are put down or mated go on until
-// they meet resistance, or until they must have met it (BeyondContact). Where
-// the plan holds a path to the step, the arm comes by it from where the step before has left the
-// tool (plan::RouteOf), and neither goes up.
+// they meet resistance, or until they must have met it (BeyondContact). The arm comes as the plan's
+// travel has it: the usual way, or by a path from where the step before has left the tool
+// (plan::RouteOf), and then neither goes up.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Plan& plan, plan::StepId step);
 // After the last step.

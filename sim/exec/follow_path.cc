@@ -1,36 +1,36 @@
+#include <cmath>
+
 #include "planner/motion/straight_line.h"
 #include "sim/exec/execution.h"
 
 namespace assay::exec {
 namespace {
 
-// Radians by which an end of a path may differ from where it was planned: errors that are sensed
-// make for hundredths. More is another configuration of the arm.
-constexpr double kGreatestCorrection = 0.2;
-
-bool IsNear(const JointVector& a, const JointVector& b) {
-  return (a - b).cwiseAbs().maxCoeff() < kGreatestCorrection;
+// Whole turns apart, or in another of the arm's configurations: then what was found of the path
+// says nothing of the way that would be gone.
+bool IsOtherPosture(const kinematics::Arm& arm, const JointVector& a, const JointVector& b) {
+  return arm.IndicatorsOf(a) != arm.IndicatorsOf(b) || (a - b).cwiseAbs().maxCoeff() > M_PI;
 }
 
 }  // namespace
 
-// The path's ends are moved, and with them its first and its last motion: none of their postures by
-// more than its end, which the clearance of the path has room for.
+// The arm goes from where errors have it to where the path starts, along the path, and from its end
+// to where they now want it: what was found of the path holds for the way that is gone, and the two
+// short motions are of the tool as errors may have it anyway ("reach", "way clear").
 Progress Run(const FollowPath& follow, std::span<const Command>, Execution& execution) {
   const domain::Workcell& workcell = *execution.problem().workcell;
   motion::JointPath path = follow.path;
-  const Pose X_WorldTool = execution.Erring(follow.X_WorldTool);
-  const auto end = motion::NearestPosture(workcell, X_WorldTool, path.back());
-  if (!end || !IsNear(*end, path.back())) {
+  if (IsOtherPosture(workcell.arm(), execution.commanded(), path.front())) {
     return Failure{ExecutionOutcome::kUnreachable,
-                   "the planned path ends elsewhere than it now would have to"};
+                   "the arm is not in the configuration in which the planned path starts"};
   }
-  if (!IsNear(execution.commanded(), path.front())) {
+  const auto end = motion::PostureLike(workcell, execution.Erring(follow.X_WorldTool), path.back());
+  if (!end) {
     return Failure{ExecutionOutcome::kUnreachable,
-                   "the arm is not in the posture in which the planned path starts"};
+                   "the arm does not reach the end of the planned path in its configuration"};
   }
-  path.front() = execution.commanded();
-  path.back() = *end;
+  path.insert(path.begin(), execution.commanded());
+  path.push_back(*end);
   const JointTrajectory way = motion::AlongPath(path, motion::RatesOf(workcell));
   return execution.Follow(way, way.duration());
 }

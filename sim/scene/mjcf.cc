@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <vector>
 
 #include "sim/scene/robot_mjcf.h"
 #include "sim/scene/stage_mjcf.h"
@@ -14,6 +16,7 @@ namespace {
 
 using domain::Part;
 using domain::Problem;
+using domain::Robot;
 
 // As stiff as the timestep allows: the engine raises the time constant to two timesteps. With half
 // a millisecond a part of 1 kg sinks in by less than a micrometre. A longer time constant would
@@ -182,6 +185,27 @@ void AddWelds(const Problem& problem, const domain::Robot& robot, XmlElement& eq
   }
 }
 
+void Append(const kinematics::JointVector& q, const Robot& robot, std::vector<double>& values) {
+  values.insert(values.end(), q.begin(), q.end());
+  values.insert(values.end(), 2, robot.gripper->max_opening() / 2);
+}
+
+void Append(const geometry::Pose& X_WorldPart, std::vector<double>& values) {
+  const geometry::Vector3 p = X_WorldPart.translation();
+  const Eigen::Quaterniond turn(X_WorldPart.linear());
+  values.insert(values.end(), {p.x(), p.y(), p.z(), turn.w(), turn.x(), turn.y(), turn.z()});
+}
+
+// All arms at their homes, grippers open, parts at their initial poses; in the order in which
+// bodies and servos were added.
+void AddHome(const Problem& problem, XmlElement& keyframe) {
+  std::vector<double> qpos;
+  for (const Robot& robot : problem.workcell->robots()) Append(robot.home, robot, qpos);
+  const std::vector<double> ctrl = qpos;
+  for (const Part& part : problem.parts) Append(part.X_WorldPart, qpos);
+  keyframe.Add("key").Set("name", "home").Set("qpos", qpos).Set("ctrl", ctrl);
+}
+
 }  // namespace
 
 std::string_view Name(GraspMode mode) {
@@ -220,7 +244,7 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   for (const domain::Robot& robot : robots) AddRobot(robot, gripper, worldbody);
   for (std::size_t i = 0; i < problem.parts.size(); ++i) {
     const domain::PartId part(i);
-    AddPartTables(problem, {part, TableBit(part)}, worldbody);
+    AddPartTables(problem, {part, TableBit(part), options.endless_tables}, worldbody);
     AddPart(problem, part, options, worldbody);
   }
   XmlElement& equality = mujoco.Add("equality");
@@ -232,6 +256,7 @@ std::string ToMjcf(const Problem& problem, const SceneOptions& options) {
   for (const domain::Robot& robot : robots) AddServos(robot, gripper, actuator);
   XmlElement& sensor = mujoco.Add("sensor");
   for (const domain::Robot& robot : robots) AddWristSensors(robot, sensor);
+  AddHome(problem, mujoco.Add("keyframe"));
   return mujoco.Text();
 }
 

@@ -29,6 +29,10 @@ struct SceneOptions {
   // tell of what is hidden in it.
   std::map<domain::PartId, Eigen::Vector4d> part_colors = {};
   double light = 1;  // of all lamps, as a factor
+  // What parts rest on are planes without end, not boxes: for programs with the engine's own
+  // collision of boxes, which shoots parts away that lie flat on a box
+  // (mujoco::CheckBoxCollisions).
+  bool endless_tables = false;
   // Truth minus what the problem says. No true friction is below 0.
   double clearance_error = 0;     // metres on each side of a mated shaft
   double friction_error = 0;      // of parts: than the part files' values, or part_friction
@@ -39,7 +43,8 @@ struct SceneOptions {
 // parts as free bodies at their initial poses, sensors, cameras. Names: part NAME is body
 // "part/NAME"; arm links and joints have their URDF names after "arm/", those of the gripper after
 // "gripper/"; the tables are geoms of the world (TableGeom). With several robots, those names and
-// the wrist's begin with the robot's own: "left/arm/".
+// the wrist's begin with the robot's own: "left/arm/". The key frame "home" is where Scene::Start
+// is.
 std::string ToMjcf(const domain::Problem& problem, const SceneOptions& options);
 
 // The name of a table as a geom, for the hand: the table's own. For a part: "table/NAME", what the

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 
 #include "planner/base/check.h"
+#include "planner/domain/floor.h"
 #include "sim/scene/mjcf.h"
 
 namespace assay::scene {
@@ -34,23 +34,6 @@ Rectangle TableRectangle(const domain::Table& table) {
   return r;
 }
 
-// The height of the floor: where the lowest shape of the robots' roots stands.
-double FloorHeight(const domain::Workcell& workcell) {
-  double floor = std::numeric_limits<double>::infinity();
-  for (const domain::Robot& robot : workcell.robots()) {
-    double lowest = 0;
-    for (const kinematics::Visual& visual : robot.arm->model().links.front().visuals) {
-      double half_height = 0;
-      if (const auto* box = std::get_if<kinematics::BoxShape>(&visual.shape)) {
-        half_height = box->size.z() / 2;
-      }
-      lowest = std::min(lowest, visual.X_LinkShape.translation().z() - half_height);
-    }
-    floor = std::min(floor, robot.X_WorldBase.translation().z() + lowest);
-  }
-  return floor;
-}
-
 XmlElement& AddTableTop(const domain::Table& table, const std::string& name,
                         XmlElement& worldbody) {
   const Rectangle r = TableRectangle(table);
@@ -62,10 +45,23 @@ XmlElement& AddTableTop(const domain::Table& table, const std::string& name,
       .Set("pos", {r.center().x(), r.center().y(), -table.thickness / 2});
 }
 
+// The engine draws a plane as large as it is said to be, but it has no end.
+XmlElement& AddEndlessTableTop(const domain::Table& table, const std::string& name,
+                               XmlElement& worldbody) {
+  const Rectangle r = TableRectangle(table);
+  const Vector2 half = r.half_extents();
+  return worldbody.Add("geom")
+      .Set("name", name)
+      .Set("class", "table")
+      .Set("type", "plane")
+      .Set("size", {half.x(), half.y(), 1})
+      .Set("pos", {r.center().x(), r.center().y(), 0});
+}
+
 void AddTable(const domain::Workcell& workcell, const domain::Table& table, XmlElement& worldbody) {
   const Rectangle r = TableRectangle(table);
   AddTableTop(table, TableGeom(table), worldbody);
-  const double leg = (-table.thickness - FloorHeight(workcell)) / 2;
+  const double leg = (-table.thickness - domain::FloorHeight(workcell)) / 2;
   if (leg <= 0) return;
   constexpr double kLegHalfWidth = 0.03;
   for (const double x : {r.low.x() + 2 * kLegHalfWidth, r.high.x() - 2 * kLegHalfWidth}) {
@@ -217,7 +213,7 @@ void AddStage(const Problem& problem, double light, XmlElement& worldbody) {
   worldbody.Add("geom")
       .Set("name", "floor")
       .Set("class", "floor")
-      .Set("pos", {0, 0, FloorHeight(workcell)});
+      .Set("pos", {0, 0, domain::FloorHeight(workcell)});
   for (const domain::Table& table : workcell.tables()) AddTable(workcell, table, worldbody);
   AddLights(problem, light, worldbody);
   AddCameras(problem, worldbody);
@@ -226,10 +222,10 @@ void AddStage(const Problem& problem, double light, XmlElement& worldbody) {
 
 void AddPartTables(const Problem& problem, const PartTable& own, XmlElement& worldbody) {
   for (const domain::Table& table : problem.workcell->tables()) {
-    AddTableTop(table, TableGeom(table, problem.part(own.part).name), worldbody)
-        .Set("contype", fmt::format("{}", own.bit))
-        .Set("conaffinity", "0")
-        .Set("group", "3");
+    const std::string name = TableGeom(table, problem.part(own.part).name);
+    XmlElement& top = own.is_endless ? AddEndlessTableTop(table, name, worldbody)
+                                     : AddTableTop(table, name, worldbody);
+    top.Set("contype", fmt::format("{}", own.bit)).Set("conaffinity", "0").Set("group", "3");
   }
 }
 

@@ -20,6 +20,7 @@ void AddStage(const domain::Problem& problem, double light, XmlElement& worldbod
 struct PartTable {
   domain::PartId part;
   int bit = 0;  // that it is, and that the part touches
+  bool is_endless = false;
 };
 // The engine has 31 bits: parts from the 23rd on share a table, robots from the
 // 4th on a bit.

@@ -10,6 +10,7 @@
 #include "planner/assembly/plan_check.h"
 #include "planner/motion/motion_check.h"
 #include "planner/motion/straight_line.h"
+#include "planner/plan/not_covered.h"
 #include "planner/plan/tool_route.h"
 #include "tests/planner/posting/scenarios.h"
 
@@ -19,9 +20,11 @@ namespace {
 using domain::PartId;
 using kinematics::JointVector;
 using ::testing::Contains;
+using ::testing::Each;
 using ::testing::Field;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 const PartId kMast(2);
 
@@ -35,25 +38,83 @@ const plan::Plan& PlanBesideTheMast() {
   return plan;
 }
 
-std::vector<plan::StepId> StepsWithTravel(const plan::Plan& plan) {
+// Those that the arm comes to by another than the usual way.
+std::vector<plan::StepId> StepsByPath(const plan::Plan& plan) {
   std::vector<plan::StepId> steps;
   for (const plan::StepId id : plan.ExecutionOrder()) {
-    if (plan.step(id).travel) steps.push_back(id);
+    if (!plan.step(id).travel->is_usual) steps.push_back(id);
   }
   return steps;
 }
 
-// Nothing is in the way in the paper's figures: plans stay as they were.
-TEST(TravelPlan, LeavesFreeTravelsAsTheyAre) {
+const plan::CertifiedPrecondition* Claim(const plan::PlannedStep& step, const char* condition) {
+  const auto& claims = step.certificate.preconditions;
+  const auto found = std::ranges::find(claims, condition, &plan::CertifiedPrecondition::condition);
+  return found == claims.end() ? nullptr : &*found;
+}
+
+// Nothing is in the way in the paper's figures.
+TEST(TravelPlan, GoesTheUsualWayWhereItIsFree) {
   const domain::Problem problem = posting::LoadScenario("spar-fig15");
   const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
   ASSERT_EQ(result.outcome, Outcome::kFound);
-  EXPECT_THAT(StepsWithTravel(result.plan), IsEmpty());
-  EXPECT_FALSE(result.plan.homing);
+  EXPECT_THAT(StepsByPath(result.plan), IsEmpty());
+  EXPECT_TRUE(result.plan.homing->is_usual);
+  EXPECT_THAT(FlawsOfTravels(problem, result.plan), IsEmpty());
+}
+
+TEST(TravelPlan, SaysOfEachStepWhetherTheArmReaches) {
+  for (const char* name : {"uncertain-known", "uncertain-squeezing"}) {
+    const domain::Problem problem = posting::LoadScenario(name);
+    const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
+    for (const plan::PlannedStep& step : plan.steps) {
+      for (const char* condition : {"reach", "way clear"}) {
+        const plan::CertifiedPrecondition* claim = Claim(step, condition);
+        ASSERT_NE(claim, nullptr) << step.name << ", " << condition;
+        EXPECT_TRUE(claim->holds()) << step.name << ", " << condition;
+      }
+    }
+  }
+}
+
+TEST(TravelPlan, InPaperModeNothingIsSaidOfTheArm) {
+  const domain::Problem problem = posting::LoadScenario("spar-fig15");
+  const plan::Plan plan =
+      MakeCertifiedPlan(problem, {}, {.propagation = uncertainty::Propagation::kPaper}).plan;
+  for (const plan::PlannedStep& step : plan.steps) EXPECT_EQ(Claim(step, "reach"), nullptr);
+  EXPECT_THAT(FlawsOfTravels(problem, plan), IsEmpty());
+}
+
+// A claim that says more than can be computed anew; a posture on the other side of the shoulder.
+TEST(TravelPlan, WhatIsClaimedOfWaysIsComputedAnew) {
+  const domain::Problem problem = posting::LoadScenario("uncertain-known");
+  const plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
+  plan::Plan bragging = plan;
+  for (auto& claim : bragging.steps[0].certificate.preconditions) {
+    if (claim.condition == "reach") claim.bound = claim.margin = 2 * claim.bound;
+  }
+  EXPECT_THAT(FlawsOfTravels(problem, bragging),
+              Contains(Field(&plan::Flaw::what, HasSubstr("reach is said to be above"))));
+  plan::Plan turned = plan;
+  turned.steps[0].travel->path.front()[5] += 2 * M_PI;
+  EXPECT_THAT(FlawsOfTravels(problem, turned),
+              Contains(Field(&plan::Flaw::what, HasSubstr("in the posture in which"))));
+}
+
+// Where errors may lead a joint beyond its range, nothing is claimed, and the plan says so.
+TEST(TravelPlan, ErrorsThatTheArmCannotFollowAreNotClaimed) {
+  domain::Problem problem = posting::LoadScenario("uncertain-known");
+  plan::Plan plan = MakeCertifiedPlan(problem, {}, {}).plan;
+  EXPECT_THAT(plan::NotCovered(plan), Each(Not(HasSubstr(": step"))));
+  problem.gripper_error.x = {-0.3, 0.3};
+  ASSERT_FALSE(AddTravels(problem, {}, plan));
+  EXPECT_EQ(Claim(plan.steps[0], "reach"), nullptr);
+  EXPECT_EQ(Claim(plan.steps[0], "way clear"), nullptr);
+  EXPECT_THAT(plan::NotCovered(plan), Contains(HasSubstr("joint's range")));
 }
 
 TEST(TravelPlan, GoesAroundTheMast) {
-  EXPECT_FALSE(StepsWithTravel(PlanBesideTheMast()).empty());
+  EXPECT_FALSE(StepsByPath(PlanBesideTheMast()).empty());
   EXPECT_THAT(FlawsOfTravels(Mast(), PlanBesideTheMast()), IsEmpty());
   EXPECT_THAT(assembly::Check(Mast(), PlanBesideTheMast(), 10).flaws, IsEmpty());
 }
@@ -66,7 +127,7 @@ TEST(TravelPlan, PathsKeepTheirClearance) {
     surroundings.parts.push_back({PartId(p), Mast().parts[p].X_WorldPart});
   }
   const motion::CollisionScene scene(Mast(), surroundings);
-  for (const plan::StepId id : StepsWithTravel(PlanBesideTheMast())) {
+  for (const plan::StepId id : StepsByPath(PlanBesideTheMast())) {
     const plan::Travel& travel = *PlanBesideTheMast().step(id).travel;
     EXPECT_GE(travel.clearance, kTravelClearance);
     for (std::size_t i = 0; i + 1 < travel.path.size(); ++i) {
@@ -85,7 +146,7 @@ TEST(TravelPlan, PathsKeepTheirClearance) {
 
 // A path starts where the step before leaves the tool, and the executor goes on from its end.
 TEST(TravelPlan, PathsJoinTheStraightLines) {
-  for (const plan::StepId id : StepsWithTravel(PlanBesideTheMast())) {
+  for (const plan::StepId id : StepsByPath(PlanBesideTheMast())) {
     const plan::PlannedStep& step = PlanBesideTheMast().step(id);
     if (std::holds_alternative<plan::Sense>(step.action)) continue;
     const PartId part = plan::PartOf(Mast(), step.action);
@@ -97,7 +158,7 @@ TEST(TravelPlan, PathsJoinTheStraightLines) {
 }
 
 TEST(TravelPlan, FlawsAreTold) {
-  const plan::StepId step = StepsWithTravel(PlanBesideTheMast()).front();
+  const plan::StepId step = StepsByPath(PlanBesideTheMast()).front();
   const auto expect = [&](const std::function<void(plan::Travel&)>& change, const char* words) {
     plan::Plan tampered = PlanBesideTheMast();
     change(*tampered.steps[step.index()].travel);

@@ -14,8 +14,7 @@
 #include "planner/base/random.h"
 #include "tests/planner/domain/scenario.h"
 
-namespace assay::domain {
-
+namespace assay::domain::problem_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -410,4 +409,4 @@ TEST_P(Mutations, AreSurvived) {
 }
 
 }  // namespace
-}  // namespace assay::domain
+}  // namespace assay::domain::problem_file_test

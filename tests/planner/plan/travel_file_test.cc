@@ -19,7 +19,7 @@ Travel Read(const std::string& json) {
 
 TEST(TravelFile, ReadsBackTheVerySameNumbers) {
   RandomStream random(71, "travel");
-  Travel travel{.path = {}, .clearance = random.Uniform()};
+  Travel travel{.path = {}, .clearance = random.Uniform(), .is_usual = true};
   for (int i = 0; i < 4; ++i) {
     kinematics::JointVector q;
     for (int j = 0; j < 6; ++j) q[j] = random.Uniform(-3, 3);
@@ -28,6 +28,7 @@ TEST(TravelFile, ReadsBackTheVerySameNumbers) {
   const Travel again = Read(ToJson(travel).dump());
   EXPECT_EQ(again.path, travel.path);
   EXPECT_EQ(again.clearance, travel.clearance);
+  EXPECT_TRUE(again.is_usual);
 }
 
 TEST(TravelFile, TellsWhatIsWrongAndWhere) {
@@ -45,6 +46,7 @@ TEST(TravelFile, TellsWhatIsWrongAndWhere) {
   expect(R"({"path": [)" + q + R"(, [0, 0]], "clearance": 0})", "2 joint values");
   expect(R"({"path": [)" + q + "," + q + R"(], "clearance": -1})", "below 0");
   expect(R"({"path": [)" + q + "," + q + R"(], "clearance": 0, "speed": 1})", "speed");
+  expect(R"({"path": [)" + q + "," + q + R"(], "clearance": 0, "usual": 1})", "true or false");
 }
 
 }  // namespace

@@ -1,0 +1,116 @@
+#include "planner/assembly/plan_walk.h"
+
+#include <utility>
+
+#include "planner/uncertainty/certify.h"
+#include "planner/uncertainty/tool_doubt.h"
+
+namespace assay::assembly {
+namespace {
+
+using domain::PartId;
+using plan::StepId;
+
+// By whose believed pose the hand goes; None: where the plan has it.
+struct GuideOf {
+  const domain::Problem& problem;
+
+  PartId operator()(const plan::Pickup& pickup) const { return pickup.part; }
+  PartId operator()(const plan::Squeeze& squeeze) const { return squeeze.part; }
+  PartId operator()(const plan::Assemble& assemble) const {
+    return problem.mating(assemble.mating).fixed;
+  }
+  PartId operator()(const plan::Putdown&) const { return PartId::None(); }
+  PartId operator()(const plan::Sense&) const { return PartId::None(); }
+};
+
+}  // namespace
+
+PlanWalk::PlanWalk(const domain::Problem& problem, const plan::Plan& plan,
+                   uncertainty::Propagation propagation)
+    : problem_(problem),
+      plan_(plan),
+      state_(plan::InitialState(problem)),
+      world_(problem, propagation),
+      doubts_(problem),
+      arm_(motion::ArmBodies(problem.workcell->arm())),
+      left_(plan::HomeTool(*problem.workcell)) {
+  doubt_left_ = uncertainty::ToolDoubtAt(world_, PartId::None(), left_);
+}
+
+plan::ToolRoute PlanWalk::RouteTo(StepId id) const {
+  if (id.IsNone()) return {.poised = plan::HomeTool(workcell())};
+  const plan::Action& action = plan_.step(id).action;
+  return plan::RouteOf(problem_, plan_.step(id),
+                       state_.part(plan::PartOf(problem_, action)).X_WorldPart);
+}
+
+// The route is of straight lines, so that a belief that turns shifts none of its points farther
+// than one of its ends.
+plan::ToolDoubt PlanWalk::DoubtOn(StepId id) const {
+  const plan::ToolRoute route = RouteTo(id);
+  const PartId guide =
+      id.IsNone() ? PartId::None() : std::visit(GuideOf{problem_}, plan_.step(id).action);
+  plan::ToolDoubt doubt = uncertainty::ToolDoubtAt(world_, guide, route.poised);
+  for (const auto* poses : {&route.to_work, &route.away}) {
+    for (const plan::Pose& pose : *poses) {
+      doubt = doubt.Or(uncertainty::ToolDoubtAt(world_, guide, pose));
+    }
+  }
+  return doubt;
+}
+
+bool PlanWalk::IsGuarded(StepId id) const {
+  if (id.IsNone()) return false;
+  const plan::PlannedStep& step = plan_.step(id);
+  return std::holds_alternative<plan::Putdown>(step.action) ||
+         (std::holds_alternative<plan::Assemble>(step.action) && !step.strategy);
+}
+
+void PlanWalk::ComeTo(StepId id) {
+  if (!id.IsNone()) doubts_.Take(plan_.step(id).certificate.before);
+  TakeRestingDoubts();
+}
+
+// Certificates tell errors about where parts are believed to be by then.
+void PlanWalk::TakeRestingDoubts() {
+  std::vector<plan::ErrorSet> about_plan;
+  for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+    const PartId part(p);
+    if (part == state_.in_hand) continue;
+    const uncertainty::RestingError error = world_.about_plan(part);
+    about_plan.push_back({.part = part,
+                          .x = world_.RangeOf(error.displacement[0]),
+                          .y = world_.RangeOf(error.displacement[1]),
+                          .z = world_.RangeOf(error.displacement[2]),
+                          .theta = world_.RangeOf(error.theta)});
+  }
+  doubts_.Take(about_plan);
+}
+
+motion::Surroundings PlanWalk::Surroundings() const {
+  motion::Surroundings surroundings{.doubts = doubts_.In(state_),
+                                    .opening = workcell().gripper().max_opening()};
+  for (std::size_t p = 0; p < state_.parts.size(); ++p) {
+    if (PartId(p) == state_.in_hand) continue;
+    surroundings.parts.push_back({PartId(p), state_.parts[p].X_WorldPart});
+  }
+  if (!state_.in_hand.IsNone()) {
+    surroundings.held = motion::HeldPart{state_.in_hand, state_.hold.X_PartTool};
+    surroundings.opening = state_.hold.width;
+  }
+  return surroundings;
+}
+
+void PlanWalk::Do(StepId id) {
+  const plan::PlannedStep& step = plan_.step(id);
+  const plan::ToolRoute route = RouteTo(id);
+  doubt_left_ = DoubtOn(id);
+  left_ = route.left();
+  rises_ = !route.away.empty();
+  state_ = plan::StateAfter(problem_, std::move(state_), step.action, id);
+  uncertainty::Propagate(world_, step.action, step.strategy ? &*step.strategy : nullptr);
+  doubts_.Take(step.certificate.after);
+}
+
+}  // namespace assay::assembly

@@ -1,0 +1,62 @@
+#include "planner/assembly/way_conditions.h"
+
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "planner/algebra/bounds.h"
+#include "planner/algebra/text.h"
+
+namespace assay::assembly {
+namespace {
+
+// That a number, which bounds what errors can do already, is above 0.
+plan::CertifiedPrecondition IsPositive(std::string condition, std::string meaning, double least) {
+  return {.condition = std::move(condition),
+          .meaning = std::move(meaning),
+          .expression = algebra::Text(algebra::Expression(least)),
+          .relation = plan::Relation::kGreater,
+          .limit = 0,
+          .bound = least,
+          .margin = least,
+          .gap = 0,
+          .rung = std::string(algebra::Name(algebra::Rung::kLinear))};
+}
+
+constexpr char kReach[] = "reach";
+constexpr char kWayClear[] = "way clear";
+constexpr char kOnTheWayHome[] = " on the way home";
+
+}  // namespace
+
+std::vector<plan::CertifiedPrecondition> WayConditions(const WayCertainty& certainty,
+                                                       Whither whither) {
+  const std::string on = whither == Whither::kHome ? kOnTheWayHome : "";
+  std::vector<plan::CertifiedPrecondition> conditions;
+  if (!certainty.Reaches()) return conditions;
+  conditions.push_back(
+      IsPositive(kReach, "joints stay within their ranges and the arm in its configuration" + on,
+                 certainty.sway.room));
+  if (certainty.kept > 0) {
+    conditions.push_back(IsPositive(
+        kWayClear, "the arm and what it carries stay clear of everything" + on, certainty.kept));
+  }
+  return conditions;
+}
+
+bool IsWayCondition(std::string_view condition) {
+  return condition == kReach || condition == kWayClear;
+}
+
+void RemoveWayConditions(plan::Certificate& certificate) {
+  std::erase_if(certificate.preconditions,
+                [](const auto& claim) { return IsWayCondition(claim.condition); });
+  std::erase_if(certificate.not_needed,
+                [](const auto& lacking) { return IsWayCondition(lacking.condition); });
+}
+
+Whither WhitherOf(const plan::CertifiedPrecondition& way_condition) {
+  return way_condition.meaning.ends_with(kOnTheWayHome) ? Whither::kHome : Whither::kWork;
+}
+
+}  // namespace assay::assembly
