@@ -62,12 +62,18 @@ class OverheadCameraTest : public testing::Test {
 class CalibratedPair : public OverheadCameraTest,
                        public testing::WithParamInterface<std::pair<const char*, const char*>> {};
 
-// As `assay calibrate` does with any number of placements.
+// More by hand: ASSAY_CALIBRATION_PLACEMENTS=1000.
+int Placements() {
+  const char* count = std::getenv("ASSAY_CALIBRATION_PLACEMENTS");
+  return count == nullptr ? 8 : std::stoi(count);
+}
+
+// As `assay calibrate` does, which also says what is promised.
 TEST_P(CalibratedPair, KeepsItsPromise) {
   const auto& [first, second] = GetParam();
   Cell cell({{first, "on-side"}, {second, "on-side"}});
   constexpr std::uint64_t kSeed = 20;
-  for (int number = 1; number <= 12; ++number) {
+  for (int number = 1; number <= Placements(); ++number) {
     const auto placement = DrawCalibrationPlacement(cell.problem, kSeed, number);
     ASSERT_TRUE(placement);
     const auto error = MeasuredError(cell.scene, *placement, cell.camera);
