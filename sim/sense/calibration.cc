@@ -21,12 +21,10 @@ using domain::Problem;
 constexpr int kMostDraws = 10'000;
 constexpr double kDegree = std::numbers::pi / 180;
 
-// Where scenarios put parts, as far as there is a table.
-Eigen::AlignedBox2d DrawnPlaces(const domain::Table& table) {
-  Eigen::AlignedBox2d places;
-  for (const geometry::Vector2& corner : table.top) places.extend(corner);
-  return places.intersection(Eigen::AlignedBox2d(geometry::Vector2(0.45, -0.45),  //
-                                                 geometry::Vector2(0.95, 0.45)));
+Eigen::AlignedBox2d BoxAround(const geometry::Polygon& polygon) {
+  Eigen::AlignedBox2d box;
+  for (const geometry::Vector2& corner : polygon) box.extend(corner);
+  return box;
 }
 
 Pose DrawPose(const domain::PartModel& model, domain::StablePoseId resting,
@@ -60,8 +58,8 @@ const Displacement& CalibratedDisplacement() {
 
 std::optional<CalibrationPlacement> DrawCalibrationPlacement(const Problem& problem,
                                                              std::uint64_t seed, int number) {
-  RandomStream random(seed, fmt::format("calibrate/{}", number));
-  const Eigen::AlignedBox2d places = DrawnPlaces(problem.workcell->table());
+  RandomStream random(seed, fmt::format("calibrate/{}/{}", problem.name, number));
+  const Eigen::AlignedBox2d places = BoxAround(problem.workcell->table().top);
   const bool at_corner = number % 2 == 0;
   CalibrationPlacement placement{.part =
                                      PartId(random.Index(static_cast<int>(problem.parts.size())))};

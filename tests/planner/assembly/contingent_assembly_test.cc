@@ -185,10 +185,11 @@ TEST(ContingentAssembly, EveryScenarioHasATreeThatHoldsInAllWorlds) {
 }
 
 // Spar's figures 15 and 16 with their errors, so that plans begin with looks.
-std::string Uncertain(const std::string& block_pose, const std::string& peg_pose) {
+std::string Uncertain(const std::string& block_pose, const std::string& peg_pose,
+                      const std::string& sensor = "overhead-camera") {
   constexpr const char* kErrors = ", error: {x: 0.11, y: 0.11, z: 0.11, theta: 5.5}";
-  return Exact(block_pose + kErrors, peg_pose + kErrors) +
-         "sensing: [overhead-camera]\nresolvers: [sensing, squeezing]\n";
+  return Exact(block_pose + kErrors, peg_pose + kErrors) + "sensing: [" + sensor +
+         "]\nresolvers: [sensing, squeezing]\n";
 }
 
 constexpr const char* kBlockHereOrThere =
@@ -213,8 +214,8 @@ TEST(ContingentAssembly, APartWhosePoseIsKnownIsLookedAtInAStep) {
 
 // One look at the first part, then one at the other in either case, with nothing looked at twice.
 TEST(ContingentAssembly, TwoOpenPosesAreLookedAtOnceEach) {
-  const ContingentAssembly assembly =
-      MakeContingentPlan(WorldsFrom(Uncertain(kBlockHereOrThere, kLyingOrStanding)), {}, {});
+  const ContingentAssembly assembly = MakeContingentPlan(
+      WorldsFrom(Uncertain(kBlockHereOrThere, kLyingOrStanding, "coarse-camera")), {}, {});
   ASSERT_EQ(assembly.outcome, Outcome::kFound);
   // A few of the 5,832 worlds: of each, repeats are followed in all worlds that forgetting leaves.
   const auto check =
@@ -302,7 +303,7 @@ std::vector<domain::Problem> FallenPegWith(const Names& names) {
 // What no .pks file can spell, and what means something else there: a section, a step; two that are
 // spelled alike.
 TEST(ContingentAssembly, SensorsAndErrorsMayHaveAnyNames) {
-  const Names names = {{"overhead-camera", "\"camera no. 1 (\u00fcber dem Tisch)\""},
+  const Names names = {{"coarse-camera", "\"camera no. 1 (\u00fcber dem Tisch)\""},
                        {"error1", "\"goal\""},
                        {"error2", "\"plan1-action_1\""},
                        {"error3", "\"2nd try?\""},

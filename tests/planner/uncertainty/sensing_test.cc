@@ -7,13 +7,13 @@
 namespace assay::uncertainty::sensing_test {
 namespace {
 
-// The workcell's camera promises 0.3 mm and 0.2 degrees, and does not measure the height.
+// The workcell's coarse camera promises 0.3 mm and 0.2 degrees, and does not measure the height.
 constexpr double kCamera = 0.0003;
 constexpr double kCameraAngle = 0.2 * kDegree;
 
 plan::ErrorSet AfterALook(const domain::Problem& problem, Propagation mode) {
   UncertainWorld world(problem, mode);
-  ApplySensing(world, kBlock, "overhead-camera");
+  ApplySensing(world, kBlock, "coarse-camera");
   return ErrorSetOf(world, kBlock);
 }
 
@@ -41,7 +41,7 @@ TEST(Sensing, InSoundModeTheSensorsAxesTurnWithTheBelief) {
   const Errors errors;
   const domain::Problem problem = UprightBlock(errors);
   UncertainWorld world(problem, Propagation::kSound);
-  ApplySensing(world, kBlock, "overhead-camera");
+  ApplySensing(world, kBlock, "coarse-camera");
   const plan::ErrorSet set = ErrorSetOf(world, kBlock);
   EXPECT_NEAR(set.x.high, kCamera, 1e-12);
   EXPECT_NEAR(set.y.low, -kCamera, 1e-12);
@@ -55,9 +55,9 @@ TEST(Sensing, InSoundModeTheSensorsAxesTurnWithTheBelief) {
 TEST(Sensing, AgainTellsNothingNew) {
   const domain::Problem problem = UprightBlock({});
   UncertainWorld world(problem, Propagation::kSound);
-  ApplySensing(world, kBlock, "overhead-camera");
+  ApplySensing(world, kBlock, "coarse-camera");
   const plan::ErrorSet once = ErrorSetOf(world, kBlock);
-  ApplySensing(world, kBlock, "overhead-camera");
+  ApplySensing(world, kBlock, "coarse-camera");
   EXPECT_EQ(ErrorSetOf(world, kBlock), once);
 }
 

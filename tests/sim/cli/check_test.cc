@@ -7,6 +7,7 @@ namespace assay::cli::check_test {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ContainsRegex;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::Not;
@@ -106,7 +107,7 @@ TEST(Check, PartsAndWorkcells) {
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("face-down"), HasSubstr("BG1 "), HasSubstr("tool_lean")));
   EXPECT_THAT(ended.out,
-              AllOf(HasSubstr("overhead-camera  +-0.3  +-0.3  unknown  +-0.2"),
+              AllOf(ContainsRegex(R"(coarse-camera +\+-0\.3 +\+-0\.3 +unknown +\+-0\.2)"),
                     HasSubstr("gripper-opening  pickup    gripper-opening  1 mm  error1"),
                     HasSubstr("error1         groping-search  10 mm   3 mm")));
 }

@@ -10,7 +10,9 @@
 namespace assay::noise::error_box_test {
 namespace {
 
+using testing::Contains;
 using testing::ElementsAre;
+using testing::Not;
 
 constexpr double kInch = 0.0254;
 constexpr double kDegree = std::numbers::pi / 180;
@@ -45,14 +47,14 @@ class ErrorBoxTest : public testing::Test {
 };
 
 // Parts first, then what each step draws, in the order of execution: the hand's errors anew for
-// each step that manipulates, the sensor's for a look, the table's height for a putdown. The camera
-// tells nothing of heights, so it cannot err in them.
+// each step that manipulates, the sensor's for a look, the table's height for a putdown.
 TEST_F(ErrorBoxTest, HasEveryErrorThatThePlannerAssumes) {
   EXPECT_THAT(
       Names(Box()),
       ElementsAre("dx_block", "dy_block", "dz_block", "theta_block",  //
                   "dx_peg", "dy_peg", "dz_peg", "theta_peg",          //
-                  "dx_sensed@action_6", "dy_sensed@action_6", "theta_sensed@action_6",
+                  "dx_sensed@action_6", "dy_sensed@action_6", "dz_sensed@action_6",
+                  "theta_sensed@action_6",  //
                   "dx_hand@action_5", "dy_hand@action_5", "dz_hand@action_5", "theta_hand@action_5",
                   "dx_hand@action_4", "dy_hand@action_4", "dz_hand@action_4", "theta_hand@action_4",
                   "dx_hand@action_3", "dy_hand@action_3", "dz_hand@action_3", "theta_hand@action_3",
@@ -60,6 +62,14 @@ TEST_F(ErrorBoxTest, HasEveryErrorThatThePlannerAssumes) {
                   "dx_hand@action_2", "dy_hand@action_2", "dz_hand@action_2", "theta_hand@action_2",
                   "dx_hand@action_1", "dy_hand@action_1", "dz_hand@action_1",
                   "theta_hand@action_1"));
+}
+
+TEST_F(ErrorBoxTest, ACameraThatTellsNothingOfHeightsCannotErrInThem) {
+  for (plan::PlannedStep& step : plan_.steps) {
+    if (auto* look = std::get_if<plan::Sense>(&step.action)) look->sensor = "coarse-camera";
+  }
+  EXPECT_THAT(Names(Box()), Contains("dy_sensed@action_6"));
+  EXPECT_THAT(Names(Box()), Not(Contains("dz_sensed@action_6")));
 }
 
 // As the scenario file says: 0.11 inch and 5.5 degrees, the hand a thousandth of an inch.
@@ -81,9 +91,12 @@ TEST_F(ErrorBoxTest, HasTheBoundsOfTheScenario) {
 
 // As the workcell file says.
 TEST_F(ErrorBoxTest, HasThePromisesOfTheSensor) {
-  ExpectRange("dx_sensed@action_6", -0.0003, 0.0003);
-  ExpectRange("dy_sensed@action_6", -0.0003, 0.0003);
-  ExpectRange("theta_sensed@action_6", -0.2 * kDegree, 0.2 * kDegree);
+  const domain::SensorModel& camera =
+      *problem_.workcell->uncertainty_operations().FindSensor("overhead-camera");
+  EXPECT_EQ(At("dx_sensed@action_6").range, camera.x);
+  EXPECT_EQ(At("dy_sensed@action_6").range, camera.y);
+  EXPECT_EQ(At("dz_sensed@action_6").range, camera.z);
+  EXPECT_EQ(At("theta_sensed@action_6").range, camera.theta);
 }
 
 // The very object that the planner used, also where it is not symmetric.
@@ -114,7 +127,7 @@ TEST_F(ErrorBoxTest, LeavesOutWhatHasNoWidth) {
   problem_.parts[1].error.z = {};
   problem_.gripper_error.x = {};
   const std::vector<std::string> names = Names(Box());
-  EXPECT_EQ(names.size(), 32u - 4 - 2 - 5);
+  EXPECT_EQ(names.size(), 33u - 4 - 2 - 5);
   for (const std::string& name : names) {
     EXPECT_FALSE(name.starts_with("d") && name.ends_with("_block")) << name;
     EXPECT_FALSE(name.starts_with("dz_peg") || name.starts_with("dx_hand")) << name;

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <string>
 #include <vector>
 
 #include "sim/sense/calibration.h"
@@ -62,24 +64,37 @@ class OverheadCameraTest : public testing::Test {
 class CalibratedPair : public OverheadCameraTest,
                        public testing::WithParamInterface<std::pair<const char*, const char*>> {};
 
-// As `assay calibrate` does with any number of placements.
+// More by hand: ASSAY_CALIBRATION_PLACEMENTS=1000.
+int Placements() {
+  const char* count = std::getenv("ASSAY_CALIBRATION_PLACEMENTS");
+  return count == nullptr ? 6 : std::stoi(count);
+}
+
+// As `assay calibrate` does, which also says what is promised. Now and then what is seen of a part
+// is too little, and it is not found.
 TEST_P(CalibratedPair, KeepsItsPromise) {
   const auto& [first, second] = GetParam();
   Cell cell({{first, "on-side"}, {second, "on-side"}});
+  cell.problem.name = first;  // each pair has places of its own
   constexpr std::uint64_t kSeed = 20;
-  for (int number = 1; number <= 12; ++number) {
+  int not_found = 0;
+  for (int number = 1; number <= Placements(); ++number) {
     const auto placement = DrawCalibrationPlacement(cell.problem, kSeed, number);
     ASSERT_TRUE(placement);
     const auto error = MeasuredError(cell.scene, *placement, cell.camera);
-    ASSERT_TRUE(error) << "seed " << kSeed << ", placement " << number << " was not found";
-    EXPECT_TRUE(KeepsPromise(cell.promise(), *error))
+    not_found += error ? 0 : 1;
+    EXPECT_TRUE(!error || KeepsPromise(cell.promise(), *error))
         << "seed " << kSeed << ", placement " << number << ": " << error->transpose();
   }
+  EXPECT_LE(not_found, 1 + Placements() / 50);
 }
 
 INSTANTIATE_TEST_SUITE_P(Parts, CalibratedPair,
                          testing::Values(std::pair{"block", "peg"},
                                          std::pair{"keyed-block", "keyed-peg"},
+                                         std::pair{"octagonal-block", "octagonal-peg"},
+                                         std::pair{"stepped-block", "stepped-peg"},
+                                         std::pair{"t-rail", "t-slide"},
                                          std::pair{"twin-block", "brick"}));
 
 TEST_F(OverheadCameraTest, TheSameSightGivesTheSameBits) {
@@ -95,12 +110,12 @@ TEST_F(OverheadCameraTest, TheSameSightGivesTheSameBits) {
   EXPECT_EQ(first->matrix(), by_another->matrix());
 }
 
-// The height of the table under the part is measured as well, though not promised.
+// The height of the table under the part is measured as well.
 TEST_F(OverheadCameraTest, TellsHowHighThePartIs) {
   Cell cell({{"block", "on-back", 0.6, 0.2, 0.3}});
   const auto measured = cell.Measure(scene::kBlock, {0, 0, 0.003, 0});
   ASSERT_TRUE(measured);
-  EXPECT_NEAR(Between(*measured, cell.problem.parts[0].X_WorldPart)[2], 0, 0.0003);
+  EXPECT_NEAR(Between(*measured, cell.problem.parts[0].X_WorldPart)[2], 0, cell.promise().z.high);
 }
 
 TEST_F(OverheadCameraTest, ATallPartBesideItDoesNotSpoilTheFit) {
@@ -147,6 +162,17 @@ TEST_F(RefusalTest, APartThatIsCoveredIsNotFound) {
   ASSERT_TRUE(cell.Measure(PartId(1), kOff));
   cell.scene.SetPart(cell.data, PartId(1), inside);
   EXPECT_FALSE(cell.camera.Measure(cell.data, PartId(1), inside));
+}
+
+// A mast of 0.9 m would have to be seen from so far away that a pixel is 2 mm: it cannot be
+// measured as well as is promised, and that is said.
+TEST_F(RefusalTest, APartTooLargeForThePromiseIsNotFound) {
+  Cell cell({{"mast", "upright", 0.6, 0.1, 0.3}});
+  const Pose& truth = cell.problem.parts[0].X_WorldPart;
+  const PoseFit fit =
+      cell.camera.Fit(cell.camera.Look(cell.data, PartId(0), truth), PartId(0), truth);
+  EXPECT_GT(5 * fit.deviation[0], cell.promise().x.high);
+  EXPECT_FALSE(cell.Measure(PartId(0), kOff));
 }
 
 // A peg that has fallen does not fit the silhouette of one that stands.
