@@ -64,8 +64,7 @@ class Step {
   std::vector<Sample> samples_;
 };
 
-// Metres; radians at a tenth of a metre.
-double Length(const Claim& claim) { return (claim.unit == "rad" ? 0.1 : 1) * claim.margin; }
+double Length(const Claim& claim) { return AsLength(claim.margin, claim.unit); }
 
 const Claim* Find(const std::vector<Claim>& claims, const ClaimKey& key) {
   const auto found =
@@ -85,6 +84,18 @@ class Attacker {
   }
 
   AttackResult Run() {
+    result_.noiseless = ExecuteWithoutNoise(experiment_);
+    if (result_.noiseless.Holds()) {
+      AttackSteps();
+      Shrink();
+    } else {
+      CountWithoutNoise();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void AttackSteps() {
     const std::vector<plan::StepId> order = experiment_.plan.ExecutionOrder();
     std::vector<Start> starts;
     for (const AttackedWorld& world : worlds_) starts.push_back({&world, world.noise, nullptr});
@@ -99,11 +110,26 @@ class Attacker {
       AttackStep(step, budget);
       starts = Collect(step);
     }
-    Shrink();
-    return std::move(result_);
   }
 
- private:
+  // There is nothing to shrink: no errors are left to leave out.
+  void CountWithoutNoise() {
+    const noise::Noise none(box_, std::vector<double>(box_.size(), 0));
+    const std::vector<Claim>& violated = result_.noiseless.violated;
+    for (const Claim& claim : violated) {
+      result_.claims.Add(claim.verdict);
+      result_.worst.push_back({claim, none, AttackPhase::kWithoutNoise, 0});
+    }
+    for (const CertificateVerdict& verdict : ByStep(violated)) {
+      result_.certificates[verdict.step.index()].Add(verdict.verdict);
+      if (result_.counterexamples.size() == static_cast<std::size_t>(options_.shrunk)) continue;
+      result_.counterexamples.push_back({.claim = verdict.worst,
+                                         .noise = none,
+                                         .steps = experiment_.plan.step(verdict.step).executed,
+                                         .replayed = true});
+    }
+  }
+
   // What a step is approached from; null: the start of a trial.
   struct Start {
     const AttackedWorld* world;
@@ -117,12 +143,17 @@ class Attacker {
   }
 
   void Poise(const std::vector<Start>& starts, Step& step) {
-    std::vector<std::optional<PoisedTrial>> poised(starts.size());
+    std::vector<Approach> approaches(starts.size());
     InParallel(starts.size(), [&](std::size_t i) {
-      poised[i] = step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
+      approaches[i] = step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
     });
-    for (std::optional<PoisedTrial>& trial : poised) {
-      if (trial) step.poised().push_back(std::move(*trial));
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      Count(approaches[i].claims, starts[i].noise, AttackPhase::kVertices);
+      if (approaches[i].poised) {
+        step.poised().push_back(std::move(*approaches[i].poised));
+      } else {
+        ++result_.failed_approaches;
+      }
     }
   }
 
@@ -276,23 +307,26 @@ class Attacker {
 
   void Count(const Sample& sample) {
     ++result_.attempts;
-    for (const CertificateVerdict& verdict : ByStep(sample.attempt.claims)) {
+    Count(sample.attempt.claims, sample.attempt.noise, sample.phase);
+  }
+  void Count(const std::vector<Claim>& claims, const noise::Noise& noise, AttackPhase phase) {
+    for (const CertificateVerdict& verdict : ByStep(claims)) {
       result_.certificates[verdict.step.index()].Add(verdict.verdict);
     }
-    for (const Claim& claim : sample.attempt.claims) {
+    for (const Claim& claim : claims) {
       result_.claims.Add(claim.verdict);
       if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
-      KeepIfWorst(claim, sample);
+      KeepIfWorst(claim, noise, phase);
     }
   }
 
-  void KeepIfWorst(const Claim& claim, const Sample& sample) {
+  void KeepIfWorst(const Claim& claim, const noise::Noise& noise, AttackPhase phase) {
     const auto found = std::ranges::find_if(
         result_.worst, [&](const WorstClaim& worst) { return KeyOf(worst.claim) == KeyOf(claim); });
-    const WorstClaim worst = {claim, sample.attempt.noise, sample.phase, result_.attempts};
+    const WorstClaim worst = {claim, noise, phase, result_.attempts};
     if (found == result_.worst.end()) {
       result_.worst.push_back(worst);
-    } else if (claim.margin < found->claim.margin) {
+    } else if (IsWorse(claim, found->claim)) {
       *found = worst;
     }
   }
@@ -326,6 +360,8 @@ class Attacker {
 
 std::string_view Name(AttackPhase phase) {
   switch (phase) {
+    case AttackPhase::kWithoutNoise:
+      return "without-noise";
     case AttackPhase::kVertices:
       return "vertices";
     case AttackPhase::kLowDiscrepancy:

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/check/claim.h"
-#include "sim/check/noisy_trial.h"
+#include "sim/check/noiseless.h"
 
 namespace assay::check {
 
@@ -20,7 +20,7 @@ struct AttackOptions {
 };
 
 // How points of the error box were chosen.
-enum class AttackPhase { kVertices, kLowDiscrepancy, kLocalSearch };
+enum class AttackPhase { kWithoutNoise, kVertices, kLowDiscrepancy, kLocalSearch };
 std::string_view Name(AttackPhase phase);
 
 // A claim as it came out at its worst.
@@ -42,17 +42,19 @@ struct Counterexample {
 };
 
 struct AttackResult {
+  Noiseless noiseless;  // if it does not hold, nothing is attempted
   std::int64_t attempts = 0;
+  std::int64_t failed_approaches = 0;  // trials that did not come to where the next step begins
   std::vector<VerdictCounts> certificates;  // by StepId; of an attempt: its worst claim
   VerdictCounts claims;
   std::vector<WorstClaim> worst;  // of each step and claim, in the order of execution
   std::vector<Counterexample> counterexamples;
 };
 
-// Tries to break each certificate of a plan in physics. Step after step, from states saved where
-// the tool is poised for it: corners of the error box, then points that fill it evenly, then local
-// search (NLopt) on the least margins found. States for the next step are those whose errors are
-// farthest out, each way. The same for any number of threads.
+// Tries to break each certificate of a plan in physics. First without noise. Then step after step,
+// from states saved where the tool is poised for it: corners of the error box, then points that
+// fill it evenly, then local search (NLopt) on the least margins found. States for the next step
+// are those whose errors are farthest out, each way. The same for any number of threads.
 AttackResult Attack(const Experiment& experiment, const AttackOptions& options);
 
 }  // namespace assay::check

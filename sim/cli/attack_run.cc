@@ -54,7 +54,8 @@ class AttackReport {
     printed["seconds"] = stopwatch_.Seconds();
     Print(run_.json ? printed.dump(2) + "\n" : Report());
     if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", result.dump(2) + "\n");
-    return tally_.Total().violated == 0 ? ExitCode::kDone : ExitCode::kFailed;
+    const bool holds = result_.noiseless.Holds() && tally_.Total().violated == 0;
+    return holds ? ExitCode::kDone : ExitCode::kFailed;
   }
 
  private:
@@ -66,6 +67,8 @@ class AttackReport {
     Json result = {{"attempts", result_.attempts},
                    {"verdicts", tally_.ToJson()},
                    {"claims", tally_.ClaimsToJson()},
+                   {"failed_approaches", result_.failed_approaches},
+                   {"without_noise", ToJson(plan_, result_.noiseless)},
                    {"worst", Json::array()},
                    {"counterexamples", Json::array()},
                    {"replay", Json::array()},
@@ -145,6 +148,11 @@ class AttackReport {
     std::string text = "what the engine cannot tell from nothing\n";
     text += Text(plan_, experiment_.gate) + "\n" + tally_.Text(Actions()) + Counterexamples();
     text += Ratios();
+    if (result_.failed_approaches > 0) {
+      text += fmt::format("\n{} trials did not come to where the next step begins\n",
+                          result_.failed_approaches);
+    }
+    if (!result_.noiseless.Holds()) return text + Text(plan_, result_.noiseless, experiment_.gate);
     text += total.violated == 0 ? fmt::format("\nnot falsified in {} attempts\n", result_.attempts)
                                 : fmt::format("\nviolated in {} of {} attempts\n", total.violated,
                                               result_.attempts);

@@ -12,7 +12,7 @@
 
 #include "planner/base/input_error.h"
 #include "sim/check/ledger.h"
-#include "sim/check/noisy_trial.h"
+#include "sim/check/noiseless.h"
 #include "sim/cli/console.h"
 #include "sim/cli/ledger_report.h"
 #include "sim/cli/output_file.h"
@@ -56,9 +56,10 @@ class NoisyTrials {
                     check::MeasureGate(run.planned.problem, plan_, run.planned.simulation.scene)} {}
 
   ExitCode Execute() {
+    if (!run_.errors && !run_.only) noiseless_ = check::ExecuteWithoutNoise(experiment_);
     if (run_.only) {
       Keep(*run_.only, RunOne(*run_.only));
-    } else {
+    } else if (noiseless_.Holds()) {
       ForEachTrial(run_.trials, run_.jobs, [this](int number) { Keep(number, RunOne(number)); });
     }
     progress_.reset();
@@ -67,7 +68,7 @@ class NoisyTrials {
     printed["seconds"] = stopwatch_.Seconds();
     Print(run_.json ? printed.dump(2) + "\n" : Report());
     if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", result.dump(2) + "\n");
-    return Failed() == 0 ? ExitCode::kDone : ExitCode::kFailed;
+    return noiseless_.Holds() && Failed() == 0 ? ExitCode::kDone : ExitCode::kFailed;
   }
 
  private:
@@ -159,6 +160,7 @@ class NoisyTrials {
                    {"failed", failed.is_null() ? Json::object() : failed},
                    {"verdicts", tally.ToJson()},
                    {"claims", tally.ClaimsToJson()},
+                   {"without_noise", ToJson(plan_, noiseless_)},
                    {"worst", tally.WorstToJson()},
                    {"replay", Json::array()},
                    {"scenario", run_.planned.scenario},
@@ -193,7 +195,9 @@ class NoisyTrials {
 
   std::string Report() const {
     std::string text = "what the engine cannot tell from nothing\n";
-    text += Text(plan_, experiment_.gate) + "\n" + Tally().Text(Actions()) + "\n";
+    text += Text(plan_, experiment_.gate) + "\n";
+    if (!noiseless_.Holds()) return text + Text(plan_, noiseless_, experiment_.gate);
+    text += Tally().Text(Actions()) + "\n";
     if (!ledger_.empty()) text += Text(ledger_) + "\n";
     constexpr int kMostTold = 3;
     int told = 0;
@@ -229,6 +233,7 @@ class NoisyTrials {
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing under noise");
   const std::vector<noise::Channel> box_;
   const check::Experiment experiment_;
+  check::Noiseless noiseless_;  // before trials; not looked at for a single one
   std::mutex mutex_;
   std::map<int, NoisyRow> rows_;  // by number
   std::map<int, std::vector<check::Claim>> claims_;
