@@ -9,9 +9,11 @@
 #include <map>
 #include <mutex>
 #include <nlopt.hpp>
+#include <set>
 #include <tuple>
 
 #include "planner/base/check.h"
+#include "sim/check/main_effects.h"
 #include "sim/check/shrink.h"
 #include "sim/check/step_attack.h"
 #include "sim/noise/sampling.h"
@@ -20,8 +22,9 @@ namespace assay::check {
 namespace {
 
 // Of the attempts at a step.
-constexpr double kShareOfVertices = 0.4;
-constexpr double kShareOfEven = 0.3;
+constexpr double kShareOfDesign = 0.4;    // corners, by which effects of errors are told
+constexpr double kShareOfExtremes = 0.3;  // corners at which claims are likely to be extreme
+constexpr double kShareOfEven = 0.1;
 constexpr std::size_t kMostStates = 16;  // that the next step starts from
 constexpr std::size_t kSearches = 4;     // local ones, of a step's least margins
 
@@ -30,8 +33,8 @@ using ClaimKey = std::tuple<plan::StepId, Claimed, std::string>;
 ClaimKey KeyOf(const Claim& claim) { return {claim.step, claim.about, claim.name}; }
 
 struct Sample {
-  const PoisedTrial* from = nullptr;
-  std::vector<double> values;  // of the free channels
+  std::size_t start = 0;      // index of a poised trial
+  std::vector<double> point;  // in the unit cube of the free channels
   AttackPhase phase = AttackPhase::kVertices;
   StepAttempt attempt;
 };
@@ -55,6 +58,10 @@ class Step {
       values[i] = (1 - point[i]) * ranges_[i].low + point[i] * ranges_[i].high;
     }
     return values;
+  }
+
+  StepAttempt Attempt(const Sample& sample) const {
+    return attack_.Attempt(poised_[sample.start], At(sample.point));
   }
 
  private:
@@ -109,6 +116,7 @@ class Attacker {
       if (step.poised().empty()) break;
       AttackStep(step, budget);
       starts = Collect(step);
+      if (IsEnough(step)) return;
     }
   }
 
@@ -116,6 +124,7 @@ class Attacker {
   void CountWithoutNoise() {
     const noise::Noise none(box_, std::vector<double>(box_.size(), 0));
     const std::vector<Claim>& violated = result_.noiseless.violated;
+    if (!violated.empty()) result_.first_violation = 0;
     for (const Claim& claim : violated) {
       result_.claims.Add(claim.verdict);
       result_.worst.push_back({claim, none, AttackPhase::kWithoutNoise, 0});
@@ -158,29 +167,99 @@ class Attacker {
   }
 
   void AttackStep(Step& step, std::int64_t budget) {
-    std::vector<Sample>& samples = step.samples();
-    const int d = step.dimensions();
+    const auto share = [&](double of_all) {
+      return static_cast<std::int64_t>(of_all * static_cast<double>(budget));
+    };
     // Upward: one attempt alone is a corner.
-    const auto vertices =
-        static_cast<int>(std::ceil(kShareOfVertices * static_cast<double>(budget)));
-    const auto even = static_cast<int>(kShareOfEven * static_cast<double>(budget));
-    for (int n = 0; n < vertices + even; ++n) {
-      const bool corner = n < vertices;
-      const std::vector<double> point =
-          corner ? noise::CornerPoint(d, options_.seed, 1 + n / Count(step))
-                 : noise::EvenPoint(d, options_.seed, 1 + n - vertices);
-      const auto phase = corner ? AttackPhase::kVertices : AttackPhase::kLowDiscrepancy;
-      const PoisedTrial& from = step.poised()[static_cast<std::size_t>(n % Count(step))];
-      samples.push_back({&from, step.At(point), phase, {}});
-    }
-    InParallel(samples.size(), [&](std::size_t i) { Try(step, samples[i]); });
-    SearchLocally(step, budget - vertices - even);
+    const std::int64_t left = budget - share(kShareOfExtremes) - share(kShareOfEven);
+    const auto design = std::min(
+        left, static_cast<std::int64_t>(std::ceil(kShareOfDesign * static_cast<double>(budget))));
+    TryAll(step, Design(step, design));
+    if (IsEnough(step)) return;
+    TryAll(step, LikelyCorners(step, share(kShareOfExtremes)));
+    if (IsEnough(step)) return;
+    TryAll(step, EvenPoints(step, share(kShareOfEven)));
+    if (IsEnough(step)) return;
+    SearchLocally(step, budget - std::ssize(step.samples()));
   }
 
-  static int Count(Step& step) { return static_cast<int>(step.poised().size()); }
+  bool IsEnough(Step& step) const {
+    return options_.until_violated && std::ranges::any_of(step.samples(), [](const Sample& sample) {
+             return std::ranges::any_of(sample.attempt.claims, &Claim::IsViolated);
+           });
+  }
+
+  // A corner and its opposite after the same start, so that effects of errors are not taken for
+  // those of starts.
+  std::vector<Sample> Design(Step& step, std::int64_t count) const {
+    std::vector<Sample> samples;
+    for (int n = 0; n < count; ++n) {
+      samples.push_back({static_cast<std::size_t>(n / 2) % step.poised().size(),
+                         noise::CornerPoint(step.dimensions(), options_.seed, 1 + n),
+                         AttackPhase::kVertices,
+                         {}});
+    }
+    return samples;
+  }
+
+  std::vector<Sample> EvenPoints(Step& step, std::int64_t count) const {
+    std::vector<Sample> samples;
+    for (int n = 0; n < count; ++n) {
+      samples.push_back({static_cast<std::size_t>(n) % step.poised().size(),
+                         noise::EvenPoint(step.dimensions(), options_.seed, 1 + n),
+                         AttackPhase::kLowDiscrepancy,
+                         {}});
+    }
+    return samples;
+  }
+
+  // At which the claims are likely to be extreme, as the samples up to here have it: those first
+  // whose margins are expected to be least; no corner twice.
+  static std::vector<Sample> LikelyCorners(Step& step, std::int64_t count) {
+    std::vector<std::pair<double, Sample>> likely;
+    for (const auto& [key, responses] : Responses(step)) {
+      const Claim& claim = *Find(step.samples().front().attempt.claims, key);
+      const LikelyExtremes extremes = ByMainEffects(responses);
+      const auto add = [&](const LikelyExtreme& extreme, double margin) {
+        if (!std::isfinite(margin)) return;
+        likely.emplace_back(AsLength(margin, claim.unit),
+                            Sample{extreme.start, extreme.corner, AttackPhase::kLikely, {}});
+      };
+      add(extremes.least, extremes.least.expected - claim.predicted.low);
+      add(extremes.greatest, claim.predicted.high - extremes.greatest.expected);
+    }
+    std::ranges::stable_sort(likely, {}, [](const auto& entry) { return entry.first; });
+    std::set<std::pair<std::size_t, std::vector<double>>> seen;
+    for (const Sample& sample : step.samples()) seen.emplace(sample.start, sample.point);
+    std::vector<Sample> samples;
+    for (auto& [margin, sample] : likely) {
+      if (std::ssize(samples) == count) break;
+      if (seen.emplace(sample.start, sample.point).second) samples.push_back(std::move(sample));
+    }
+    return samples;
+  }
+
+  // Of the claims that all samples make of what errors can change.
+  static std::map<ClaimKey, std::vector<CornerResponse>> Responses(Step& step) {
+    std::map<ClaimKey, std::vector<CornerResponse>> responses;
+    for (const Sample& sample : step.samples()) {
+      for (const Claim& claim : sample.attempt.claims) {
+        if (claim.verdict == ClaimVerdict::kNotClaimed || claim.unit == Unit::kNone) continue;
+        responses[KeyOf(claim)].push_back({&sample.point, sample.start, claim.observed});
+      }
+    }
+    std::erase_if(responses,
+                  [&](const auto& entry) { return entry.second.size() != step.samples().size(); });
+    return responses;
+  }
+
+  void TryAll(Step& step, std::vector<Sample> samples) {
+    InParallel(samples.size(), [&](std::size_t i) { Try(step, samples[i]); });
+    std::ranges::move(samples, std::back_inserter(step.samples()));
+  }
 
   void Try(const Step& step, Sample& sample) {
-    sample.attempt = step.attack().Attempt(*sample.from, sample.values);
+    sample.attempt = step.Attempt(sample);
     const std::int64_t made = ++made_;
     if (!options_.progress) return;
     const std::lock_guard lock(mutex_);
@@ -229,25 +308,15 @@ class Attacker {
     if (budget < 1) return samples;
     const std::function<double(const std::vector<double>&)> margin =
         [&](const std::vector<double>& point) {
-          Sample sample{start.from, step.At(point), AttackPhase::kLocalSearch, {}};
+          Sample sample{start.start, point, AttackPhase::kLocalSearch, {}};
           Try(step, sample);
           const Claim* claim = Find(sample.attempt.claims, key);
           const double value = claim == nullptr ? 1 : Length(*claim);
           samples.push_back(std::move(sample));
           return value;
         };
-    Minimize(margin, PointOf(step, start), budget);
+    Minimize(margin, start.point, budget);
     return samples;
-  }
-
-  static std::vector<double> PointOf(const Step& step, const Sample& sample) {
-    const std::vector<double> low = step.At(std::vector<double>(sample.values.size(), 0));
-    const std::vector<double> high = step.At(std::vector<double>(sample.values.size(), 1));
-    std::vector<double> point(sample.values.size());
-    for (std::size_t i = 0; i < point.size(); ++i) {
-      point[i] = std::clamp((sample.values[i] - low[i]) / (high[i] - low[i]), 0.0, 1.0);
-    }
-    return point;
   }
 
   // Subplex (Rowan 1990): margins have kinks, and a little noise.
@@ -299,7 +368,7 @@ class Attacker {
     std::vector<Start> starts;
     for (const Sample* sample : chosen) {
       if (starts.size() == kMostStates) break;
-      starts.push_back({sample->from->world, sample->attempt.noise,
+      starts.push_back({step.poised()[sample->start].world, sample->attempt.noise,
                         std::make_shared<const exec::Checkpoint>(*sample->attempt.end)});
     }
     return starts;
@@ -313,6 +382,8 @@ class Attacker {
     for (const CertificateVerdict& verdict : ByStep(claims)) {
       result_.certificates[verdict.step.index()].Add(verdict.verdict);
     }
+    const bool violates = std::ranges::any_of(claims, &Claim::IsViolated);
+    if (violates && !result_.first_violation) result_.first_violation = result_.attempts;
     for (const Claim& claim : claims) {
       result_.claims.Add(claim.verdict);
       if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
@@ -364,6 +435,8 @@ std::string_view Name(AttackPhase phase) {
       return "without-noise";
     case AttackPhase::kVertices:
       return "vertices";
+    case AttackPhase::kLikely:
+      return "likely-corners";
     case AttackPhase::kLowDiscrepancy:
       return "low-discrepancy";
     case AttackPhase::kLocalSearch:

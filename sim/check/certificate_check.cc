@@ -123,15 +123,20 @@ class CertificateCheck {
     if (!proved && worst.observed < 0) assumed_ = false;
   }
 
-  // All of the condition that are about the subject.
+  // All that the condition says of the subject; all of it, if it does not tell subjects apart.
   static bool IsProved(const std::string& condition, const std::string& subject,
                        const plan::Certificate& certificate) {
-    return std::ranges::all_of(certificate.preconditions, [&](const auto& claim) {
-      return claim.condition != condition || !IsAbout(claim, subject) || claim.holds();
-    });
-  }
-  static bool IsAbout(const plan::CertifiedPrecondition& claim, const std::string& subject) {
-    return subject.empty() || claim.meaning == subject;
+    bool all = true;
+    bool of_subject = true;
+    bool tells = false;
+    for (const plan::CertifiedPrecondition& claim : certificate.preconditions) {
+      if (claim.condition != condition) continue;
+      all = all && claim.holds();
+      if (claim.meaning != subject) continue;
+      tells = true;
+      of_subject = of_subject && claim.holds();
+    }
+    return tells ? of_subject : all;
   }
 
   // A step whose preconditions hold comes to its end. That the arm reaches everything, no

@@ -11,7 +11,7 @@ namespace assay::check {
 // What preconditions mean, measured where parts and hand truly were: the worst of those about one
 // subject.
 struct GeometricMeaning {
-  std::string subject;  // plan::CertifiedPrecondition::meaning; empty: all that the name has
+  std::string subject;  // plan::CertifiedPrecondition::meaning; else all of the name
   Unit unit = Unit::kMetre;
   double observed = 0;  // by how much they hold; negative: one does not
 };

@@ -41,16 +41,20 @@ class NoiselessExecution {
   std::vector<Claim> Claims() { return CheckCertificates(problem_, plan_, trace(), {}); }
 
  private:
+  // The first look is after the steps that the empty hand went with, in which contacts are deeper.
   void HoldStill(plan::StepId id) {
     const exec::Checkpoint checkpoint = execution_.Save();
-    double& deepest = penetrations_[id.index()];
     const double end = data_.time() + kHold;
-    while (data_.time() < end && !execution_.Stay(0, exec::Stepping::kContact)) {
-      for (const mujoco::Contact& contact : mujoco::Contacts(data_)) {
-        deepest = std::max(deepest, -contact.distance);
-      }
-    }
+    do {
+      LookForDeepest(penetrations_[id.index()]);
+    } while (data_.time() < end && !execution_.Stay(0, exec::Stepping::kContact));
     execution_.Restore(checkpoint);
+  }
+
+  void LookForDeepest(double& penetration) const {
+    for (const mujoco::Contact& contact : mujoco::Contacts(data_)) {
+      penetration = std::max(penetration, -contact.distance);
+    }
   }
 
   const domain::Problem& problem_;
@@ -106,18 +110,18 @@ Claim HonestyGate::Passed(Claim claim) const {
 
 double HonestyGate::Floor(const Claim& claim) const {
   const StepGate gate = steps.empty() ? StepGate{} : steps[claim.step.index()];
-  return 2 * EitherWay(claim.unit, gate) + 3 * std::abs(StepSize(claim, gate));
+  return EitherWay(claim.unit, gate) + 2 * std::abs(StepSize(claim, gate));
 }
 
 bool HonestyGate::Hides(const Claim& passed, double clearance) const {
-  const StepGate gate = steps.empty() ? StepGate{} : steps[passed.step.index()];
   if (passed.unit == Unit::kNone) return false;
-  const double floor = Floor(passed);
-  if (floor > (passed.unit == Unit::kMetre ? clearance : clearance / gate.arm)) return true;
+  const StepGate gate = steps.empty() ? StepGate{} : steps[passed.step.index()];
   const double either_way = EitherWay(passed.unit, gate);
-  const double certified = passed.predicted.high - passed.predicted.low - 2 * either_way -
-                           std::abs(StepSize(passed, gate));
-  return certified > either_way && floor > certified;
+  const double width = passed.predicted.high - passed.predicted.low - 2 * either_way -
+                       std::abs(StepSize(passed, gate));
+  const bool has_width = std::isfinite(width) && width > either_way;
+  if (has_width) return Floor(passed) > width;
+  return Floor(passed) > (passed.unit == Unit::kMetre ? clearance : clearance / gate.arm);
 }
 
 HonestyGate MeasureGate(const domain::Problem& problem, const plan::Plan& plan,

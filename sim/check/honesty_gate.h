@@ -38,11 +38,11 @@ struct HonestyGate {
   // timestep or faster: it is once to twice as much as half the timestep takes of it, so that once
   // is known, and once more cannot be told from nothing.
   Claim Passed(Claim claim) const;
-  // How wide all of that is.
+  // By how much a false prediction may be left unnoticed: all of that at one end.
   double Floor(const Claim& claim) const;
-  // Of a claim that has passed: whether that is wider than what the certificate says, or than the
-  // clearance (metres; of angles: over the arm). A set that is narrower than what goes either way
-  // says that there is nothing, which the clearance alone is held against.
+  // Of a claim that has passed: whether that is more than the width of what the certificate says.
+  // What has no width, preconditions and sets that are narrower than what goes either way, is held
+  // against the clearance (metres; of angles: over the arm).
   bool Hides(const Claim& passed, double clearance) const;
 };
 

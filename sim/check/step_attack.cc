@@ -87,7 +87,8 @@ Approach StepAttack::Poise(const AttackedWorld& world, const noise::Noise& noise
 Approach StepAttack::PoiseIn(const scene::Scene& scene, const AttackedWorld& world,
                              const noise::Noise& noise, const exec::Checkpoint* from) const {
   const exec::ExecutorOptions options = QuietOptions(noise);
-  mujoco::Data data = exec::StartOf(experiment_.problem, scene, noise);
+  mujoco::Data data = from == nullptr ? exec::StartOf(experiment_.problem, scene, noise)
+                                      : mujoco::Data(scene.model());
   exec::Execution execution(experiment_.problem, scene, data, options);
   if (from != nullptr) execution.Restore(*from);
   exec::StepExecution step(experiment_.plan, step_, execution);

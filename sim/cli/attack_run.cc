@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -39,7 +40,7 @@ class AttackReport {
         progress.Tell(fmt::format("{} of {} attempts", made, run_.attempts));
       };
       result_ = check::Attack(experiment_, options);
-      if (run_.conservatism) {
+      if (run_.conservatism && result_.noiseless.Holds()) {
         progress.Tell("how much more noise it takes");
         ratios_ = check::Conservatism(experiment_, {.seed = run_.seed, .jobs = run_.jobs});
       }
@@ -54,7 +55,8 @@ class AttackReport {
     printed["seconds"] = stopwatch_.Seconds();
     Print(run_.json ? printed.dump(2) + "\n" : Report());
     if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", result.dump(2) + "\n");
-    const bool holds = result_.noiseless.Holds() && tally_.Total().violated == 0;
+    const bool holds = result_.noiseless.Holds() && tally_.Total().violated == 0 &&
+                       std::ranges::none_of(ratios_, &check::ConservatismRatio::IsFalse);
     return holds ? ExitCode::kDone : ExitCode::kFailed;
   }
 
@@ -137,10 +139,16 @@ class AttackReport {
       table.Add({ratio.variable, fmt::format("{:.2f}", ratio.guaranteed), number(ratio.broken),
                  number(ratio.ratio())});
     }
-    return "\nmultiples of the noise: up to where success is guaranteed, and from where it was "
-           "seen "
-           "to fail\n" +
-           table.Text();
+    std::string text =
+        "\nmultiples of the noise: up to where success is guaranteed, and from where it was seen "
+        "to fail\n" +
+        table.Text();
+    for (const check::ConservatismRatio& ratio : ratios_) {
+      if (!ratio.IsFalse()) continue;
+      text +=
+          fmt::format("{}: a trial fails with what success is guaranteed for\n", ratio.variable);
+    }
+    return text;
   }
 
   std::string Report() const {

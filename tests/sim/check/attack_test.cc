@@ -77,21 +77,6 @@ TEST_F(Proved, MoreNoiseThanIsGuaranteedIsNeededToBreakIt) {
   EXPECT_GE(ratios.front().ratio().value_or(1), 1);
 }
 
-// The harness's own test: a propagation that is wrong by half is caught.
-TEST(WrongPropagation, IsCaught) {
-  Certified certified = CertifiedPlan("spar-fig15");
-  certified.plan = UpToThePickup(certified.plan);
-  const plan::StepId pickup = FirstStep<plan::Pickup>(certified.plan);
-  Interval& x = certified.plan.steps[pickup.index()].certificate.after.front().x;
-  x = {x.low / 2, x.high / 2};
-  const Experiment experiment = Of(certified);
-  const AttackResult result = Attack(experiment, {.attempts = 16, .seed = kSeed, .shrunk = 1});
-  EXPECT_GT(result.certificates[pickup.index()].violated, 0);
-  ASSERT_EQ(result.counterexamples.size(), 1u);
-  EXPECT_EQ(result.counterexamples.front().claim.step, pickup);
-  EXPECT_TRUE(result.counterexamples.front().replayed);
-}
-
 // Spar leaves out that a turned part's grasped point is displaced by its lever arm (facts 2.6).
 TEST(PaperPropagation, TheMissingLeverArmIsFoundAndShrunk) {
   Certified certified = CertifiedPlan("spar-fig13", {}, uncertainty::Propagation::kPaper);
