@@ -108,19 +108,28 @@ std::optional<std::int64_t> AttemptThatFinds(const plan::Plan& mutant, const Exp
       .first_violation;
 }
 
-Scores ScoresOf(const Certified& certified, int corners, std::int64_t attempts) {
+// How much is tried.
+struct Effort {
+  int corners = 32;             // of whole executions, before the likely ones
+  std::int64_t attempts = 200;  // at each mutant
+  std::size_t stride = 1;       // every so many mutants
+};
+
+Scores ScoresOf(const Certified& certified, const Effort& effort) {
   const HonestyGate gate = MeasureGate(certified.problem, certified.plan, {});
   const Experiment experiment = Of(certified, gate);
-  const TrueErrors errors(experiment, corners);
+  const TrueErrors errors(experiment, effort.corners);
   EXPECT_FALSE(errors.Reveal(certified.plan)) << "the theory itself lies";
   Scores scores;
-  for (const Mutation& mutation : MutationsOf(certified)) {
+  const std::vector<Mutation> mutations = MutationsOf(certified);
+  for (std::size_t i = 0; i < mutations.size(); i += effort.stride) {
+    const Mutation& mutation = mutations[i];
     Score& score = scores[mutation.lie];
     const plan::Plan mutant = CertifiedWith(mutation, certified);
     ++score.mutants;
     if (!errors.Reveal(mutant)) continue;
     ++score.revealable;
-    const auto attempt = AttemptThatFinds(mutant, experiment, attempts);
+    const auto attempt = AttemptThatFinds(mutant, experiment, effort.attempts);
     if (attempt) {
       ++score.found;
       score.latest = std::max(score.latest, *attempt);
@@ -176,20 +185,20 @@ TEST(Mutation, EachLieChangesWhatIsCertified) {
 }
 
 // The harness is tested by lying to it. ASSAY_MUTANTS: scenarios, separated by spaces, all of whose
-// mutants are tried with 200 attempts each (hours); else those of a pickup, with few.
+// mutants are tried with 200 attempts each (hours); else some of those of a pickup, with few.
 TEST(Harness, FindsLiesThatTrueErrorsReveal) {
   const char* const asked = std::getenv("ASSAY_MUTANTS");
   Scores scores;
   if (asked == nullptr) {
     Certified certified = CertifiedPlan("uncertain-known");
     certified.plan = UpToThePickup(certified.plan);
-    scores = ScoresOf(certified, 8, 24);
+    scores = ScoresOf(certified, {.corners = 8, .attempts = 16, .stride = 3});
     fmt::print("{}", Table("pickup of uncertain-known", scores));
-    EXPECT_GE(Total(scores).revealable, 4);
+    EXPECT_GE(Total(scores).revealable, 2);
   } else {
     std::istringstream names(asked);
     for (std::string name; names >> name;) {
-      const Scores of_scenario = ScoresOf(CertifiedPlan(name), 32, 200);
+      const Scores of_scenario = ScoresOf(CertifiedPlan(name), {});
       fmt::print("{}", Table(name, of_scenario));
       for (const auto& [lie, score] : of_scenario) scores[lie] += score;
     }
