@@ -1,5 +1,6 @@
 #include "sim/check/main_effects.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
