@@ -9,9 +9,11 @@
 #include <map>
 #include <mutex>
 #include <nlopt.hpp>
+#include <set>
 #include <tuple>
 
 #include "planner/base/check.h"
+#include "sim/check/main_effects.h"
 #include "sim/check/shrink.h"
 #include "sim/check/step_attack.h"
 #include "sim/noise/sampling.h"
@@ -20,8 +22,9 @@ namespace assay::check {
 namespace {
 
 // Of the attempts at a step.
-constexpr double kShareOfVertices = 0.4;
-constexpr double kShareOfEven = 0.3;
+constexpr double kShareOfDesign = 0.4;    // corners, by which effects of errors are told
+constexpr double kShareOfExtremes = 0.3;  // corners at which claims are likely to be extreme
+constexpr double kShareOfEven = 0.1;
 constexpr std::size_t kMostStates = 16;  // that the next step starts from
 constexpr std::size_t kSearches = 4;     // local ones, of a step's least margins
 
@@ -30,8 +33,8 @@ using ClaimKey = std::tuple<plan::StepId, Claimed, std::string>;
 ClaimKey KeyOf(const Claim& claim) { return {claim.step, claim.about, claim.name}; }
 
 struct Sample {
-  const PoisedTrial* from = nullptr;
-  std::vector<double> values;  // of the free channels
+  std::size_t start = 0;      // index of a poised trial
+  std::vector<double> point;  // in the unit cube of the free channels
   AttackPhase phase = AttackPhase::kVertices;
   StepAttempt attempt;
   bool was_made = false;  // not if the attack was stopped before
@@ -58,6 +61,10 @@ class Step {
     return values;
   }
 
+  StepAttempt Attempt(const Sample& sample) const {
+    return attack_.Attempt(poised_[sample.start], At(sample.point));
+  }
+
  private:
   StepAttack attack_;
   std::vector<Interval> ranges_;
@@ -65,8 +72,7 @@ class Step {
   std::vector<Sample> samples_;
 };
 
-// Metres; radians at a tenth of a metre.
-double Length(const Claim& claim) { return (claim.unit == "rad" ? 0.1 : 1) * claim.margin; }
+double Length(const Claim& claim) { return AsLength(claim.margin, claim.unit); }
 
 const Claim* Find(const std::vector<Claim>& claims, const ClaimKey& key) {
   const auto found =
@@ -86,6 +92,18 @@ class Attacker {
   }
 
   AttackResult Run() {
+    result_.noiseless = ExecuteWithoutNoise(experiment_);
+    if (result_.noiseless.Holds()) {
+      AttackSteps();
+      Shrink();
+    } else {
+      CountWithoutNoise();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void AttackSteps() {
     const std::vector<plan::StepId> order = experiment_.plan.ExecutionOrder();
     std::vector<Start> starts;
     for (const AttackedWorld& world : worlds_) starts.push_back({&world, world.noise, nullptr});
@@ -99,12 +117,29 @@ class Attacker {
       if (step.poised().empty()) break;
       AttackStep(step, budget);
       starts = Collect(step);
+      if (IsEnough(step)) return;
     }
-    Shrink();
-    return std::move(result_);
   }
 
- private:
+  // There is nothing to shrink: no errors are left to leave out.
+  void CountWithoutNoise() {
+    const noise::Noise none(box_, std::vector<double>(box_.size(), 0));
+    const std::vector<Claim>& violated = result_.noiseless.violated;
+    if (!violated.empty()) result_.first_violation = 0;
+    for (const Claim& claim : violated) {
+      result_.claims.Add(claim.verdict);
+      result_.worst.push_back({claim, none, AttackPhase::kWithoutNoise, 0});
+    }
+    for (const CertificateVerdict& verdict : ByStep(violated)) {
+      result_.certificates[verdict.step.index()].Add(verdict.verdict);
+      if (result_.counterexamples.size() == static_cast<std::size_t>(options_.shrunk)) continue;
+      result_.counterexamples.push_back({.claim = verdict.worst,
+                                         .noise = none,
+                                         .steps = experiment_.plan.step(verdict.step).executed,
+                                         .replayed = true});
+    }
+  }
+
   // What a step is approached from; null: the start of a trial.
   struct Start {
     const AttackedWorld* world;
@@ -120,41 +155,116 @@ class Attacker {
   }
 
   void Poise(const std::vector<Start>& starts, Step& step) {
-    std::vector<std::optional<PoisedTrial>> poised(starts.size());
+    std::vector<Approach> approaches(starts.size());
     InParallel(starts.size(), [&](std::size_t i) {
-      poised[i] = step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
+      approaches[i] = step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
     });
-    for (std::optional<PoisedTrial>& trial : poised) {
-      if (trial) step.poised().push_back(std::move(*trial));
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      Count(approaches[i].claims, starts[i].noise, AttackPhase::kVertices);
+      if (approaches[i].poised) {
+        step.poised().push_back(std::move(*approaches[i].poised));
+      } else {
+        ++result_.failed_approaches;
+      }
     }
   }
 
   void AttackStep(Step& step, std::int64_t budget) {
-    std::vector<Sample>& samples = step.samples();
-    const int d = step.dimensions();
+    const auto share = [&](double of_all) {
+      return static_cast<std::int64_t>(of_all * static_cast<double>(budget));
+    };
     // Upward: one attempt alone is a corner.
-    const auto vertices =
-        static_cast<int>(std::ceil(kShareOfVertices * static_cast<double>(budget)));
-    const auto even = static_cast<int>(kShareOfEven * static_cast<double>(budget));
-    for (int n = 0; n < vertices + even; ++n) {
-      const bool corner = n < vertices;
-      const std::vector<double> point =
-          corner ? noise::CornerPoint(d, options_.seed, 1 + n / Count(step))
-                 : noise::EvenPoint(d, options_.seed, 1 + n - vertices);
-      const auto phase = corner ? AttackPhase::kVertices : AttackPhase::kLowDiscrepancy;
-      const PoisedTrial& from = step.poised()[static_cast<std::size_t>(n % Count(step))];
-      samples.push_back({&from, step.At(point), phase, {}});
-    }
-    InParallel(samples.size(), [&](std::size_t i) { Try(step, samples[i]); });
-    std::erase_if(samples, [](const Sample& sample) { return !sample.was_made; });
-    SearchLocally(step, budget - vertices - even);
+    const std::int64_t left = budget - share(kShareOfExtremes) - share(kShareOfEven);
+    const auto design = std::min(
+        left, static_cast<std::int64_t>(std::ceil(kShareOfDesign * static_cast<double>(budget))));
+    TryAll(step, Design(step, design));
+    if (IsEnough(step)) return;
+    TryAll(step, LikelyCorners(step, share(kShareOfExtremes)));
+    if (IsEnough(step)) return;
+    TryAll(step, EvenPoints(step, share(kShareOfEven)));
+    if (IsEnough(step)) return;
+    SearchLocally(step, budget - std::ssize(step.samples()));
   }
 
-  static int Count(Step& step) { return static_cast<int>(step.poised().size()); }
+  bool IsEnough(Step& step) const {
+    return options_.until_violated && std::ranges::any_of(step.samples(), [](const Sample& sample) {
+             return std::ranges::any_of(sample.attempt.claims, &Claim::IsViolated);
+           });
+  }
+
+  // A corner and its opposite after the same start, so that effects of errors are not taken for
+  // those of starts.
+  std::vector<Sample> Design(Step& step, std::int64_t count) const {
+    std::vector<Sample> samples;
+    for (int n = 0; n < count; ++n) {
+      samples.push_back({static_cast<std::size_t>(n / 2) % step.poised().size(),
+                         noise::CornerPoint(step.dimensions(), options_.seed, 1 + n),
+                         AttackPhase::kVertices,
+                         {}});
+    }
+    return samples;
+  }
+
+  std::vector<Sample> EvenPoints(Step& step, std::int64_t count) const {
+    std::vector<Sample> samples;
+    for (int n = 0; n < count; ++n) {
+      samples.push_back({static_cast<std::size_t>(n) % step.poised().size(),
+                         noise::EvenPoint(step.dimensions(), options_.seed, 1 + n),
+                         AttackPhase::kLowDiscrepancy,
+                         {}});
+    }
+    return samples;
+  }
+
+  // At which the claims are likely to be extreme, as the samples up to here have it: those first
+  // whose margins are expected to be least; no corner twice.
+  static std::vector<Sample> LikelyCorners(Step& step, std::int64_t count) {
+    std::vector<std::pair<double, Sample>> likely;
+    for (const auto& [key, responses] : Responses(step)) {
+      const Claim& claim = *Find(step.samples().front().attempt.claims, key);
+      const LikelyExtremes extremes = ByMainEffects(responses);
+      const auto add = [&](const LikelyExtreme& extreme, double margin) {
+        if (!std::isfinite(margin)) return;
+        likely.emplace_back(AsLength(margin, claim.unit),
+                            Sample{extreme.start, extreme.corner, AttackPhase::kLikely, {}});
+      };
+      add(extremes.least, extremes.least.expected - claim.predicted.low);
+      add(extremes.greatest, claim.predicted.high - extremes.greatest.expected);
+    }
+    std::ranges::stable_sort(likely, {}, [](const auto& entry) { return entry.first; });
+    std::set<std::pair<std::size_t, std::vector<double>>> seen;
+    for (const Sample& sample : step.samples()) seen.emplace(sample.start, sample.point);
+    std::vector<Sample> samples;
+    for (auto& [margin, sample] : likely) {
+      if (std::ssize(samples) == count) break;
+      if (seen.emplace(sample.start, sample.point).second) samples.push_back(std::move(sample));
+    }
+    return samples;
+  }
+
+  // Of the claims that all samples make of what errors can change.
+  static std::map<ClaimKey, std::vector<CornerResponse>> Responses(Step& step) {
+    std::map<ClaimKey, std::vector<CornerResponse>> responses;
+    for (const Sample& sample : step.samples()) {
+      for (const Claim& claim : sample.attempt.claims) {
+        if (claim.verdict == ClaimVerdict::kNotClaimed || claim.unit == Unit::kNone) continue;
+        responses[KeyOf(claim)].push_back({&sample.point, sample.start, claim.observed});
+      }
+    }
+    std::erase_if(responses,
+                  [&](const auto& entry) { return entry.second.size() != step.samples().size(); });
+    return responses;
+  }
+
+  void TryAll(Step& step, std::vector<Sample> samples) {
+    InParallel(samples.size(), [&](std::size_t i) { Try(step, samples[i]); });
+    std::erase_if(samples, [](const Sample& sample) { return !sample.was_made; });
+    std::ranges::move(samples, std::back_inserter(step.samples()));
+  }
 
   void Try(const Step& step, Sample& sample) {
     if (Stops()) return;
-    sample.attempt = step.attack().Attempt(*sample.from, sample.values);
+    sample.attempt = step.Attempt(sample);
     sample.was_made = true;
     const std::int64_t made = ++made_;
     if (!options_.progress) return;
@@ -204,7 +314,7 @@ class Attacker {
     if (budget < 1) return samples;
     const std::function<double(const std::vector<double>&)> margin =
         [&](const std::vector<double>& point) {
-          Sample sample{start.from, step.At(point), AttackPhase::kLocalSearch, {}};
+          Sample sample{start.start, point, AttackPhase::kLocalSearch, {}};
           Try(step, sample);
           if (!sample.was_made) throw nlopt::forced_stop();
           const Claim* claim = Find(sample.attempt.claims, key);
@@ -212,18 +322,8 @@ class Attacker {
           samples.push_back(std::move(sample));
           return value;
         };
-    Minimize(margin, PointOf(step, start), budget);
+    Minimize(margin, start.point, budget);
     return samples;
-  }
-
-  static std::vector<double> PointOf(const Step& step, const Sample& sample) {
-    const std::vector<double> low = step.At(std::vector<double>(sample.values.size(), 0));
-    const std::vector<double> high = step.At(std::vector<double>(sample.values.size(), 1));
-    std::vector<double> point(sample.values.size());
-    for (std::size_t i = 0; i < point.size(); ++i) {
-      point[i] = std::clamp((sample.values[i] - low[i]) / (high[i] - low[i]), 0.0, 1.0);
-    }
-    return point;
   }
 
   // Subplex (Rowan 1990): margins have kinks, and a little noise.
@@ -277,7 +377,7 @@ class Attacker {
     std::vector<Start> starts;
     for (const Sample* sample : chosen) {
       if (starts.size() == kMostStates) break;
-      starts.push_back({sample->from->world, sample->attempt.noise,
+      starts.push_back({step.poised()[sample->start].world, sample->attempt.noise,
                         std::make_shared<const exec::Checkpoint>(*sample->attempt.end)});
     }
     return starts;
@@ -285,23 +385,28 @@ class Attacker {
 
   void Count(const Sample& sample) {
     ++result_.attempts;
-    for (const CertificateVerdict& verdict : ByStep(sample.attempt.claims)) {
+    Count(sample.attempt.claims, sample.attempt.noise, sample.phase);
+  }
+  void Count(const std::vector<Claim>& claims, const noise::Noise& noise, AttackPhase phase) {
+    for (const CertificateVerdict& verdict : ByStep(claims)) {
       result_.certificates[verdict.step.index()].Add(verdict.verdict);
     }
-    for (const Claim& claim : sample.attempt.claims) {
+    const bool violates = std::ranges::any_of(claims, &Claim::IsViolated);
+    if (violates && !result_.first_violation) result_.first_violation = result_.attempts;
+    for (const Claim& claim : claims) {
       result_.claims.Add(claim.verdict);
       if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
-      KeepIfWorst(claim, sample);
+      KeepIfWorst(claim, noise, phase);
     }
   }
 
-  void KeepIfWorst(const Claim& claim, const Sample& sample) {
+  void KeepIfWorst(const Claim& claim, const noise::Noise& noise, AttackPhase phase) {
     const auto found = std::ranges::find_if(
         result_.worst, [&](const WorstClaim& worst) { return KeyOf(worst.claim) == KeyOf(claim); });
-    const WorstClaim worst = {claim, sample.attempt.noise, sample.phase, result_.attempts};
+    const WorstClaim worst = {claim, noise, phase, result_.attempts};
     if (found == result_.worst.end()) {
       result_.worst.push_back(worst);
-    } else if (claim.margin < found->claim.margin) {
+    } else if (IsWorse(claim, found->claim)) {
       *found = worst;
     }
   }
@@ -343,8 +448,12 @@ class Attacker {
 
 std::string_view Name(AttackPhase phase) {
   switch (phase) {
+    case AttackPhase::kWithoutNoise:
+      return "without-noise";
     case AttackPhase::kVertices:
       return "vertices";
+    case AttackPhase::kLikely:
+      return "likely-corners";
     case AttackPhase::kLowDiscrepancy:
       return "low-discrepancy";
     case AttackPhase::kLocalSearch:

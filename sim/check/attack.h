@@ -6,15 +6,16 @@
 #include <vector>
 
 #include "sim/check/claim.h"
-#include "sim/check/noisy_trial.h"
+#include "sim/check/noiseless.h"
 
 namespace assay::check {
 
 struct AttackOptions {
   std::int64_t attempts = 1000;  // of single steps, from saved states; in all
   std::uint64_t seed = 0;
-  int jobs = 1;    // threads; they change nothing
-  int shrunk = 3;  // at most so many violations are shrunk to counterexamples
+  int jobs = 1;                 // threads; they change nothing
+  bool until_violated = false;  // ends with the first batch of attempts that violates something
+  int shrunk = 3;               // at most so many violations are shrunk to counterexamples
   // Told of how many attempts were made so far; from one thread at a time.
   std::function<void(std::int64_t)> progress = {};
   // Asked before each attempt, from any thread: true ends the attack with what it has until then,
@@ -23,7 +24,7 @@ struct AttackOptions {
 };
 
 // How points of the error box were chosen.
-enum class AttackPhase { kVertices, kLowDiscrepancy, kLocalSearch };
+enum class AttackPhase { kWithoutNoise, kVertices, kLikely, kLowDiscrepancy, kLocalSearch };
 std::string_view Name(AttackPhase phase);
 
 // A claim as it came out at its worst.
@@ -45,17 +46,21 @@ struct Counterexample {
 };
 
 struct AttackResult {
+  Noiseless noiseless;  // if it does not hold, nothing is attempted
   std::int64_t attempts = 0;
+  std::optional<std::int64_t> first_violation = {};  // number of the attempt; 0: without noise
+  std::int64_t failed_approaches = 0;  // trials that did not come to where the next step begins
   std::vector<VerdictCounts> certificates;  // by StepId; of an attempt: its worst claim
   VerdictCounts claims;
   std::vector<WorstClaim> worst;  // of each step and claim, in the order of execution
   std::vector<Counterexample> counterexamples;
 };
 
-// Tries to break each certificate of a plan in physics. Step after step, from states saved where
-// the tool is poised for it: corners of the error box, then points that fill it evenly, then local
-// search (NLopt) on the least margins found. States for the next step are those whose errors are
-// farthest out, each way. The same for any number of threads.
+// Tries to break each certificate of a plan in physics. First without noise. Then step after step,
+// from states saved where the tool is poised for it: corners of the error box, then those at which
+// claims are likely to be farthest out by the main effects that errors had up to then, then points
+// that fill the box evenly, then local search (NLopt) on the least margins found. States for the
+// next step are those whose errors are farthest out, each way. The same for any number of threads.
 AttackResult Attack(const Experiment& experiment, const AttackOptions& options);
 
 }  // namespace assay::check

@@ -13,8 +13,13 @@ namespace assay::check {
 //
 // What a certificate says of the end of a step, it says on the assumption that the preconditions of
 // this and of all earlier steps hold. One that the planner could not prove may fail: from then on
-// nothing is claimed. Nor is it after a recovery. What a strategy absorbs is no claim.
+// nothing is claimed. Nor is it after a recovery. What a strategy absorbs is no claim. That a step
+// comes to its end and that arm and hand touch nothing that they must not are claims, too, which
+// are listed when they fail.
+//
+// `first`: the step in which the trace begins; None: the plan's first.
 std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,
-                                     const exec::Trace& trace, const HonestyGate& gate);
+                                     const exec::Trace& trace, const HonestyGate& gate,
+                                     plan::StepId first = plan::StepId::None());
 
 }  // namespace assay::check

@@ -5,16 +5,6 @@
 #include "planner/base/check.h"
 
 namespace assay::check {
-namespace {
-
-// Metres and radians are compared as lengths at a tenth of a metre from the axis.
-double AsLength(const Claim& claim) {
-  constexpr double kArm = 0.1;
-  return claim.unit == "rad" ? kArm * claim.margin : claim.margin;
-}
-
-}  // namespace
-
 std::string_view Name(ClaimVerdict verdict) {
   switch (verdict) {
     case ClaimVerdict::kContained:
@@ -67,9 +57,13 @@ Claim Judged(Claim claim) {
   return claim;
 }
 
+bool IsSame(const Claim& a, const Claim& b) {
+  return a.step == b.step && a.about == b.about && a.name == b.name;
+}
+
 bool IsWorse(const Claim& a, const Claim& b) {
   if (Rank(a.verdict) != Rank(b.verdict)) return Rank(a.verdict) < Rank(b.verdict);
-  return AsLength(a) < AsLength(b);
+  return AsLength(a.margin, a.unit) < AsLength(b.margin, b.unit);
 }
 
 void VerdictCounts::Add(ClaimVerdict verdict) {

@@ -7,6 +7,7 @@
 
 #include "planner/base/interval.h"
 #include "planner/plan/plan.h"
+#include "sim/check/unit.h"
 
 namespace assay::check {
 
@@ -34,9 +35,11 @@ std::string_view Name(Claimed claimed);  // "before", "precondition", "after"
 struct Claim {
   plan::StepId step;
   Claimed about = Claimed::kAfter;
-  std::string name;    // "x of block", "between fingers: contact 1 of block"
-  std::string unit;    // "m" or "rad"
-  Interval predicted;  // that the observed value lies in; an end may be infinite
+  std::string name;  // "x of block", "between fingers: contact 1 of block"
+  Unit unit = Unit::kNone;
+  // That the observed value lies in: what the certificate says, and what is known of the engine
+  // (HonestyGate). An end may be infinite.
+  Interval predicted;
   bool proved = true;  // false: a precondition that the planner could not prove
   double observed = 0;
   double margin = 0;  // to the nearer end; negative: outside
@@ -48,6 +51,9 @@ struct Claim {
 
 // The verdict on what was observed: violated beyond the gate, inconclusive within it.
 Claim Judged(Claim claim);
+
+// Whether both are about the same.
+bool IsSame(const Claim& a, const Claim& b);
 
 // How many came out how.
 struct VerdictCounts {
@@ -61,7 +67,7 @@ struct VerdictCounts {
   std::int64_t Total() const { return contained + inconclusive + violated + not_claimed; }
 };
 
-// Whether a is worse than b: by verdict, then by margin, radians as lengths at a tenth of a metre.
+// Whether a is worse than b: by verdict, then by margin (AsLength).
 bool IsWorse(const Claim& a, const Claim& b);
 
 // Of all claims about one step the worst.

@@ -16,8 +16,10 @@ scene::SceneOptions Finer(scene::SceneOptions options);
 //
 // Errors of an engine of first order in the timestep are halved, so that what is left of a margin
 // when the timestep goes to 0 is as much beyond the finer one as that is beyond the coarse one
-// (Richardson). Gates widen by so much; of a claim that the finer execution does not make, they
-// widen to all of its margin.
+// (Richardson). So much is known of the engine in this very case, and subtracted. It does not
+// matter whether the finer execution still claims what it observes: outside is outside. What it
+// does not observe, since it did not come there or it did not happen, is inconclusive, unless it
+// violates something else.
 std::vector<Claim> Confirmed(std::vector<Claim> claims,
                              const std::function<std::vector<Claim>()>& finer);
 

@@ -197,15 +197,16 @@ class Comparison {
     return true;
   }
 
-  // At the ends of the variable's bounds, or at corners of the box of all.
+  // At the ends of the variable's bounds, or at corners of the box of all, and of the sensors'
+  // promises.
   bool Fails(const std::string& variable, double multiple) const {
     std::vector<Channel> box = box_;
     std::vector<std::size_t> varied;
     for (std::size_t i = 0; i < box.size(); ++i) {
       if (!IsSensed(box[i])) box[i].range = Times(multiple, box[i].range);
-      if (variable == "all" || VariableOf(experiment_.problem, box[i]) == variable) {
-        varied.push_back(i);
-      }
+      const bool is_varied =
+          variable == "all" || VariableOf(experiment_.problem, box[i]) == variable;
+      if (is_varied || IsSensed(box[i])) varied.push_back(i);
     }
     const int dimensions = static_cast<int>(varied.size());
     const int trials = std::min(options_.corners, dimensions == 1 ? 2 : options_.corners);

@@ -13,7 +13,7 @@ namespace assay::check {
 struct ConservatismOptions {
   std::uint64_t seed = 0;
   int jobs = 1;                             // threads
-  int corners = 8;                          // trials at each multiple, of all variables together
+  int corners = 16;                         // trials at each multiple, of several errors together
   double greatest = 64;                     // multiple that is tried
   double precision = 0.1;                   // of the multiples, relative
   std::vector<std::string> variables = {};  // only these; empty: every one, and all together
@@ -30,10 +30,14 @@ struct ConservatismRatio {
   std::optional<double> broken = {};  // the smallest one with which a trial failed; none: none did
 
   std::optional<double> ratio() const;  // of broken to guaranteed; none if that is 0
+  // A trial failed with no more than what all is proved for: a false certificate, not only a task
+  // that fails.
+  bool IsFalse() const { return broken && *broken <= guaranteed; }
 };
 
 // Multiplies the bounds of one variable, the others without error, and of all; asks the planner's
-// certificates for the same actions, and executes the plan at the ends of the bounds.
+// certificates for the same actions, and executes the plan at the ends of the bounds. Sensors err
+// within their promise in both, since that belongs to the workcell and is not multiplied.
 std::vector<ConservatismRatio> Conservatism(const Experiment& experiment,
                                             const ConservatismOptions& options);
 

@@ -1,5 +1,7 @@
 #include "sim/check/geometric_meaning.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +32,11 @@ struct HandlingOf {
   Handling operator()(const auto& action) const { return {action.part, &action.hold}; }
 };
 
+// Nothing is to be told of what is infinitely far.
+void AddInMetres(std::string subject, double observed, std::vector<GeometricMeaning>& meanings) {
+  if (std::isfinite(observed)) meanings.push_back({std::move(subject), Unit::kMetre, observed});
+}
+
 class Meaning {
  public:
   Meaning(const domain::Problem& problem, const plan::PlannedStep& step, const StepEvents& events)
@@ -44,29 +51,37 @@ class Meaning {
     return moment.tool.truth.inverse() * PartAt(moment) * handling_.hold->X_PartTool;
   }
 
-  double BetweenFingers(const exec::Moment& reached) const {
+  std::vector<GeometricMeaning> BetweenFingers(const exec::Moment& reached) const {
     const Pose X_ToolGrasp = GraspInTool(reached);
-    double worst = kInfinity;
-    for (const double side : {-0.5, 0.5}) {
-      const Vector3 contact = X_ToolGrasp * Vector3(0, side * handling_.hold->width, 0);
-      worst = std::min(worst, reached.opening / 2 - std::abs(contact.y()));
+    std::vector<GeometricMeaning> meanings;
+    for (const int contact : {1, 2}) {
+      const double side = contact == 1 ? kFirstContact : -kFirstContact;
+      const double at = (X_ToolGrasp * Vector3(0, side * handling_.hold->width, 0)).y();
+      for (const int finger : {1, 2}) {
+        const double inward = finger == 1 ? kFirstFinger * at : -kFirstFinger * at;
+        AddInMetres(fmt::format("contact {} lies on the inner side of finger {}", contact, finger),
+                    reached.opening / 2 - inward, meanings);
+      }
     }
-    return worst;
+    return meanings;
   }
 
-  double FingerClear(const exec::Moment& reached) const {
+  std::vector<GeometricMeaning> FingerClear(const exec::Moment& reached) const {
     const Pose X_GraspTool = GraspInTool(reached).inverse();
     const Vector2& pad = gripper_.pad_half_extents();
-    double worst = kInfinity;
-    for (const double x : {-pad.x(), pad.x()}) {
-      for (const double z : {-pad.y(), pad.y()}) {
-        for (const double side : {-1.0, 1.0}) {
+    std::vector<GeometricMeaning> meanings;
+    for (const int finger : {1, 2}) {
+      const double side = finger == 1 ? kFirstFinger : -kFirstFinger;
+      double worst = kInfinity;
+      for (const double x : {-pad.x(), pad.x()}) {
+        for (const double z : {-pad.y(), pad.y()}) {
           const Vector3 corner = X_GraspTool * Vector3(x, side * reached.opening / 2, z);
           worst = std::min(worst, side * corner.y() - handling_.hold->width / 2);
         }
       }
+      AddInMetres(fmt::format("finger {} comes down beside the part", finger), worst, meanings);
     }
-    return worst;
+    return meanings;
   }
 
   double Fingertip(const exec::Moment& reached) const {
@@ -80,11 +95,16 @@ class Meaning {
     return lowest - reached.table_heights[handling_.part.index()];
   }
 
-  double PadContact(const exec::Moment& acted) const {
+  std::vector<GeometricMeaning> PadContact(const exec::Moment& acted) const {
     const Vector3 p = GraspInTool(acted).translation();
     const Vector2& pad = gripper_.pad_half_extents();
     const double margin = problem_.workcell->rules().pad_margin;
-    return std::min(pad.x() - margin - std::abs(p.x()), pad.y() - margin - std::abs(p.z()));
+    std::vector<GeometricMeaning> meanings;
+    AddInMetres("the grasped point stays within the pads' width",
+                pad.x() - margin - std::abs(p.x()), meanings);
+    AddInMetres("the grasped point stays within the pads' height",
+                pad.y() - margin - std::abs(p.z()), meanings);
+    return meanings;
   }
 
   // How far from where it was expected the guarded motion met something, at most the guarded travel
@@ -116,38 +136,40 @@ class Meaning {
     return worst;
   }
 
-  double NeighbourClear(const exec::Moment& at) const {
-    double nearest = kInfinity;
+  std::vector<GeometricMeaning> NeighbourClear(const exec::Moment& at) const {
+    std::vector<GeometricMeaning> meanings;
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
       if (PartId(p) == handling_.part) continue;
-      nearest = std::min(
-          nearest, geometry::Distance(problem_.part(handling_.part).model->shape(), PartAt(at),
-                                      problem_.parts[p].model->shape(), at.parts[p].truth));
+      const double distance =
+          geometry::Distance(problem_.part(handling_.part).model->shape(), PartAt(at),
+                             problem_.parts[p].model->shape(), at.parts[p].truth);
+      AddInMetres(fmt::format("the part stays clear of {}", problem_.parts[p].name),
+                  Clear(distance), meanings);
     }
-    // Shapes that overlap are at no distance; what only just keeps clear is at some.
-    return nearest > 0 ? nearest : -kOverlap;
+    return meanings;
   }
 
   // Where the hand acts, or where it was stopped on its way.
-  double HandClear() const {
-    double nearest = kInfinity;
-    for (const exec::Moment* moment : {events_.reached, events_.acted, events_.stopped}) {
-      if (moment != nullptr) nearest = std::min(nearest, HandClearAt(*moment));
-    }
-    return nearest;
-  }
-  double HandClearAt(const exec::Moment& at) const {
-    const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
-    const geometry::CollisionShape hand = problem_.workcell->HandShape(opening);
-    double nearest = kInfinity;
+  std::vector<GeometricMeaning> HandClear() const {
+    std::vector<GeometricMeaning> meanings;
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
       if (PartId(p) == handling_.part || PartId(p) == FixedPart()) continue;
-      nearest = std::min(nearest,
-                         geometry::Distance(hand, at.tool.truth, problem_.parts[p].model->shape(),
-                                            at.parts[p].truth));
+      double nearest = kInfinity;
+      for (const exec::Moment* moment : {events_.reached, events_.acted, events_.stopped}) {
+        if (moment != nullptr) nearest = std::min(nearest, FromHand(PartId(p), *moment));
+      }
+      AddInMetres(fmt::format("the hand stays clear of {}", problem_.parts[p].name), Clear(nearest),
+                  meanings);
     }
-    return nearest > 0 ? nearest : -kOverlap;
+    return meanings;
   }
+  double FromHand(PartId part, const exec::Moment& at) const {
+    const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
+    return geometry::Distance(problem_.workcell->HandShape(opening), at.tool.truth,
+                              problem_.part(part).model->shape(), at.parts[part.index()].truth);
+  }
+  // Shapes that overlap are at no distance; what only just keeps clear is at some.
+  static double Clear(double distance) { return distance > 0 ? distance : -kOverlap; }
 
   const domain::Mating& mating() const {
     return problem_.mating(std::get<plan::Assemble>(step_.action).mating);
@@ -173,8 +195,8 @@ class Meaning {
     const Eigen::AngleAxisd turn(geometry::Matrix3(truth.linear() * believed.linear().inverse()));
     const Vector3 shift = truth.translation() - believed.translation();
     const plan::StrategyCertificate& absorbed = strategy.certificate;
-    if (!of_turn) return {"m", (absorbed.d - shift.cwiseAbs()).minCoeff()};
-    return {"rad", (absorbed.w - (turn.angle() * turn.axis()).cwiseAbs()).minCoeff()};
+    if (!of_turn) return {{}, Unit::kMetre, (absorbed.d - shift.cwiseAbs()).minCoeff()};
+    return {{}, Unit::kRadian, (absorbed.w - (turn.angle() * turn.axis()).cwiseAbs()).minCoeff()};
   }
   double TiltLimit() const {
     double limit = kInfinity;
@@ -184,8 +206,11 @@ class Meaning {
     return limit;
   }
 
-  static constexpr double kStandsOn = 1e-3;  // metres above the table
-  static constexpr double kOverlap = 1e-3;   // metres, of unknown depth
+  // Along the tool's y, as the grasp numbers them.
+  static constexpr double kFirstContact = 0.5;  // of the width
+  static constexpr double kFirstFinger = -1;    // of half the opening
+  static constexpr double kStandsOn = 1e-3;     // metres above the table
+  static constexpr double kOverlap = 1e-3;      // metres, of unknown depth
 
  private:
   PartId FixedPart() const {
@@ -202,61 +227,62 @@ class Meaning {
   Handling handling_;
 };
 
-std::optional<GeometricMeaning> InMetres(double observed) {
-  if (!std::isfinite(observed)) return std::nullopt;
-  return GeometricMeaning{"m", observed};
+using Meanings = std::vector<GeometricMeaning>;
+
+Meanings InMetres(double observed) {
+  Meanings meanings;
+  AddInMetres({}, observed, meanings);
+  return meanings;
 }
 
-std::optional<GeometricMeaning> OfGrasp(const std::string& condition, const Meaning& meaning,
-                                        const StepEvents& events) {
-  if (events.reached == nullptr) return std::nullopt;
-  if (condition == "between fingers") return InMetres(meaning.BetweenFingers(*events.reached));
-  if (condition == "finger clear") return InMetres(meaning.FingerClear(*events.reached));
+Meanings OfGrasp(const std::string& condition, const Meaning& meaning, const StepEvents& events) {
+  if (events.reached == nullptr) return {};
+  if (condition == "between fingers") return meaning.BetweenFingers(*events.reached);
+  if (condition == "finger clear") return meaning.FingerClear(*events.reached);
   if (condition == "fingertip") return InMetres(meaning.Fingertip(*events.reached));
-  if (condition != "pad contact" || events.acted == nullptr) return std::nullopt;
-  return InMetres(meaning.PadContact(*events.acted));
+  if (condition != "pad contact" || events.acted == nullptr) return {};
+  return meaning.PadContact(*events.acted);
 }
 
-std::optional<GeometricMeaning> OfLanding(const std::string& condition, const Meaning& meaning,
-                                          const plan::Putdown& putdown, const StepEvents& events) {
-  if (events.reached == nullptr) return std::nullopt;
+Meanings OfLanding(const std::string& condition, const Meaning& meaning,
+                   const plan::Putdown& putdown, const StepEvents& events) {
+  if (events.reached == nullptr) return {};
   if (condition == "landing height") {
     return InMetres(
         meaning.MetOnGuardedWay(*events.reached, putdown.to.X_WorldPart, -Vector3::UnitZ()));
   }
-  if (condition == "neighbour clear") return InMetres(meaning.NeighbourClear(*events.reached));
-  if (condition != "footprint" || events.end == nullptr) return std::nullopt;
+  if (condition == "neighbour clear") return meaning.NeighbourClear(*events.reached);
+  if (condition != "footprint" || events.end == nullptr) return {};
   return InMetres(meaning.Footprint(*events.end));
 }
 
-std::optional<GeometricMeaning> OfMating(const std::string& condition,
-                                         const domain::Problem& problem, const Meaning& meaning,
-                                         const StepEvents& events) {
+Meanings OfMating(const std::string& condition, const domain::Problem& problem,
+                  const Meaning& meaning, const StepEvents& events) {
   if (condition == "seat") {
-    if (events.reached == nullptr) return std::nullopt;
+    if (events.reached == nullptr) return {};
     const exec::Moment& reached = *events.reached;
     const Pose& X_WorldFixed = reached.parts[meaning.mating().fixed.index()].believed;
     return InMetres(meaning.MetOnGuardedWay(reached, X_WorldFixed * meaning.mating().X_FixedHeld,
                                             meaning.MatingDirection(reached)));
   }
-  if (events.poised == nullptr) return std::nullopt;
-  if (condition == "tip shift") return meaning.TipError(*events.poised, false);
-  if (condition == "tip turn") return meaning.TipError(*events.poised, true);
+  if (events.poised == nullptr) return {};
+  if (condition == "tip shift") return {meaning.TipError(*events.poised, false)};
+  if (condition == "tip turn") return {meaning.TipError(*events.poised, true)};
   const FitMargins margins =
       MarginsOfFits(problem, meaning.mating(), meaning.MatingMotion(*events.poised));
   if (condition == "entry") return InMetres(margins.entry);
   if (condition == "slide-in") return InMetres(margins.slide_in);
-  if (condition != "tilt") return std::nullopt;
-  return GeometricMeaning{"rad", meaning.TiltLimit() - margins.lean};
+  if (condition != "tilt") return {};
+  return {{{}, Unit::kRadian, meaning.TiltLimit() - margins.lean}};
 }
 
 }  // namespace
 
-std::optional<GeometricMeaning> MeaningOf(const std::string& condition,
-                                          const domain::Problem& problem,
-                                          const plan::PlannedStep& step, const StepEvents& events) {
+std::vector<GeometricMeaning> MeaningsOf(const std::string& condition,
+                                         const domain::Problem& problem,
+                                         const plan::PlannedStep& step, const StepEvents& events) {
   const Meaning meaning(problem, step, events);
-  if (condition == "hand clear") return InMetres(meaning.HandClear());
+  if (condition == "hand clear") return meaning.HandClear();
   if (const auto* putdown = std::get_if<plan::Putdown>(&step.action)) {
     return OfLanding(condition, meaning, *putdown, events);
   }

@@ -1,16 +1,18 @@
 #pragma once
 
-#include <optional>
 #include <string>
+#include <vector>
 
 #include "sim/check/step_events.h"
+#include "sim/check/unit.h"
 
 namespace assay::check {
 
-// What the preconditions of one name mean, measured where parts and hand truly were: the worst of
-// them.
+// What preconditions mean, measured where parts and hand truly were: the worst of those about one
+// subject.
 struct GeometricMeaning {
-  std::string unit;     // "m", or "rad"
+  std::string subject;  // plan::CertifiedPrecondition::meaning; else all of the name
+  Unit unit = Unit::kMetre;
   double observed = 0;  // by how much they hold; negative: one does not
 };
 
@@ -31,8 +33,8 @@ struct GeometricMeaning {
 //   tip shift, tip turn  the tip is where it is believed to be, where its strategy starts, but for
 //                    what the strategy absorbs
 //   seat             the motion meets its end on the guarded way
-std::optional<GeometricMeaning> MeaningOf(const std::string& condition,
-                                          const domain::Problem& problem,
-                                          const plan::PlannedStep& step, const StepEvents& events);
+std::vector<GeometricMeaning> MeaningsOf(const std::string& condition,
+                                         const domain::Problem& problem,
+                                         const plan::PlannedStep& step, const StepEvents& events);
 
 }  // namespace assay::check

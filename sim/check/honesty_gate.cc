@@ -3,47 +3,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/check/certificate_check.h"
 #include "sim/check/confirmation.h"
-#include "sim/check/observed_error.h"
 #include "sim/exec/step_execution.h"
 #include "sim/mujoco/contact.h"
 
 namespace assay::check {
 namespace {
 
-constexpr double kHold = 0.5;  // seconds that a hand is kept still
+constexpr double kHold = 0.1;       // seconds that a hand is kept still
+constexpr double kRounding = 1e-9;  // metres, radians: products of dozens of poses
 
-// Of one step, without noise.
-struct StepMeasurement {
-  struct Error {
-    Claimed about;
-    ObservedError error;
-    double turned = 0;  // what of the set's other displacements noise may turn into this one
-  };
-  std::vector<Error> errors;
-  double duration = 0;      // seconds
-  double creep = 0;         // m/s
-  double penetration = 0;   // metres
-  double force_ripple = 0;  // newtons
-};
-
-double Magnitude(const Interval& range) { return std::max(-range.low, range.high); }
-
-// By how much noise may turn a part against where the plan has it, radians.
-double GreatestTurn(const domain::Problem& problem) {
-  double turn = 0;
-  for (const domain::Part& part : problem.parts) turn = std::max(turn, Magnitude(part.error.theta));
-  return turn + Magnitude(problem.gripper_error.theta);
-}
-
-double DistanceOff(const std::vector<ObservedError>& errors) {
-  double squares = 0;
-  for (const ObservedError& error : errors) {
-    if (error.unit == "m") squares += error.observed * error.observed;
-  }
-  return std::sqrt(squares);
-}
-
+// An execution of the plan without noise, as far as it comes.
 class NoiselessExecution {
  public:
   NoiselessExecution(const domain::Problem& problem, const plan::Plan& plan,
@@ -52,66 +23,38 @@ class NoiselessExecution {
         plan_(plan),
         scene_(problem, options),
         data_(exec::StartOf(problem, scene_, {})),
-        execution_(problem, scene_, data_, options_) {}
+        execution_(problem, scene_, data_, options_),
+        penetrations_(plan.steps.size()) {}
 
-  // By StepId; empty for steps that were not reached.
-  std::vector<StepMeasurement> Run(bool holds_still) {
-    std::vector<StepMeasurement> measured(plan_.steps.size());
+  void Run(bool holds_still) {
     for (const plan::StepId id : plan_.ExecutionOrder()) {
-      const double start = data_.time();
       exec::StepExecution step(plan_, id, execution_);
-      if (step.Approach()) break;
-      StepMeasurement& m = measured[id.index()];
-      Measure(Claimed::kBefore, plan_.step(id).certificate.before, id, m);
-      if (step.Work()) break;
-      Measure(Claimed::kAfter, plan_.step(id).certificate.after, id, m);
-      m.duration = data_.time() - start;
-      if (holds_still) HoldStill(m);
+      if (step.Approach()) return;
+      if (holds_still) HoldStill(id);
+      if (step.Work()) return;
+      if (holds_still) HoldStill(id);
     }
-    return measured;
   }
+
+  const exec::Trace& trace() { return execution_.trace(); }
+  double penetration(plan::StepId id) const { return penetrations_[id.index()]; }
+  std::vector<Claim> Claims() { return CheckCertificates(problem_, plan_, trace(), {}); }
 
  private:
-  void Measure(Claimed about, const std::vector<plan::ErrorSet>& sets, plan::StepId id,
-               StepMeasurement& m) {
-    const exec::Moment now = execution_.Now();
-    for (const plan::ErrorSet& set : sets) {
-      std::vector<ObservedError> errors = ObservedErrors(problem_, plan_.step(id).action, set, now);
-      const double turned = GreatestTurn(problem_) * DistanceOff(errors);
-      for (ObservedError& error : errors) {
-        const bool is_displacement = error.unit == "m";
-        m.errors.push_back({about, std::move(error), is_displacement ? turned : 0});
-      }
-    }
-  }
-
-  // A held part's place in the hand, else nothing.
-  geometry::Vector3 Held() const {
-    const domain::PartId part = execution_.world().held();
-    if (part.IsNone()) return geometry::Vector3::Zero();
-    return (scene_.ToolPose(data_).inverse() * scene_.TruePose(data_, part)).translation();
-  }
-
-  void HoldStill(StepMeasurement& m) {
+  // The first look is after the steps that the empty hand went with, in which contacts are deeper.
+  void HoldStill(plan::StepId id) {
     const exec::Checkpoint checkpoint = execution_.Save();
-    const geometry::Vector3 before = Held();
-    double sum = 0;
-    double squares = 0;
-    int count = 0;
     const double end = data_.time() + kHold;
-    while (data_.time() < end) {
-      if (execution_.Stay(0, exec::Stepping::kContact)) break;
-      const double force = scene_.WristWrench(data_).force.norm();
-      sum += force;
-      squares += force * force;
-      ++count;
-      for (const mujoco::Contact& contact : mujoco::Contacts(data_)) {
-        m.penetration = std::max(m.penetration, -contact.distance);
-      }
-    }
-    m.creep = (Held() - before).norm() / kHold;
-    m.force_ripple = std::sqrt(std::max(0.0, squares / count - sum / count * (sum / count)));
+    do {
+      LookForDeepest(penetrations_[id.index()]);
+    } while (data_.time() < end && !execution_.Stay(0, exec::Stepping::kContact));
     execution_.Restore(checkpoint);
+  }
+
+  void LookForDeepest(double& penetration) const {
+    for (const mujoco::Contact& contact : mujoco::Contacts(data_)) {
+      penetration = std::max(penetration, -contact.distance);
+    }
   }
 
   const domain::Problem& problem_;
@@ -120,50 +63,88 @@ class NoiselessExecution {
   scene::Scene scene_;
   mujoco::Data data_;
   exec::Execution execution_;
+  std::vector<double> penetrations_;  // by StepId, metres
 };
 
-StepGate GateOf(const StepMeasurement& coarse, const StepMeasurement& fine, double arm) {
-  StepGate gate = {.components = {},
-                   .arm = arm,
-                   .creep = coarse.creep * coarse.duration,
-                   .penetration = coarse.penetration,
-                   .force_ripple = coarse.force_ripple};
-  for (std::size_t i = 0; i < coarse.errors.size(); ++i) {
-    const auto& [about, error, turned] = coarse.errors[i];
-    const bool both = i < fine.errors.size();
-    const double change = both ? std::abs(error.observed - fine.errors[i].error.observed) : 0;
-    gate.components.push_back({about, error.name, std::abs(error.observed) + turned, change});
-  }
-  return gate;
+void AddComponent(const Claim& coarse, const std::vector<Claim>& fine, StepGate& gate) {
+  if (coarse.unit == Unit::kNone) return;
+  const auto same = std::ranges::find_if(fine, [&](const Claim& c) { return IsSame(c, coarse); });
+  const double change = same == fine.end() ? 0 : coarse.observed - same->observed;
+  const bool of_set = coarse.about != Claimed::kPrecondition;
+  gate.components.push_back({coarse.about, coarse.name, of_set ? coarse.observed : 0, change});
+}
+
+// Without noise the hand is to be where it was told to go.
+void AddLag(const exec::Moment& moment, StepGate& gate) {
+  const geometry::Pose off = moment.tool.believed.inverse() * moment.tool.truth;
+  gate.lag = std::max(gate.lag, off.translation().norm());
+  gate.lag_turn = std::max(gate.lag_turn, std::abs(Eigen::AngleAxisd(off.rotation()).angle()));
+}
+
+// What goes either way.
+double EitherWay(Unit unit, const StepGate& gate) {
+  if (unit == Unit::kNone) return 0;
+  const double shift = unit == Unit::kMetre ? gate.lag + gate.penetration
+                                            : gate.lag_turn + gate.penetration / gate.arm;
+  return shift + kRounding;
+}
+
+double StepSize(const Claim& claim, const StepGate& gate) {
+  const auto same = std::ranges::find_if(gate.components, [&](const ComponentGate& component) {
+    return component.about == claim.about && component.name == claim.name;
+  });
+  return same == gate.components.end() ? 0 : same->step_size;
 }
 
 }  // namespace
 
-double StepGate::For(const Claim& claim) const {
-  double gate = 0;
-  for (const ComponentGate& component : components) {
-    const bool same = component.about == claim.about && component.name == claim.name;
-    const bool of_poses =
-        claim.about == Claimed::kPrecondition && component.about == Claimed::kBefore;
-    // Other loads and lever arms under noise change the offset, by as much as there is of it.
-    if (same || of_poses) gate = std::max(gate, 2 * component.offset + component.step_size);
-  }
-  if (claim.unit == "m") return gate + creep + penetration;
-  return claim.unit == "rad" ? gate + (creep + penetration) / arm : 0;
+Claim HonestyGate::Passed(Claim claim) const {
+  const StepGate gate = steps.empty() ? StepGate{} : steps[claim.step.index()];
+  const double either_way = EitherWay(claim.unit, gate);
+  const double step_size = StepSize(claim, gate);
+  claim.predicted.low -= either_way + std::max(0.0, -step_size);
+  claim.predicted.high += either_way + std::max(0.0, step_size);
+  claim.gate = std::abs(step_size);
+  return claim;
 }
 
-double HonestyGate::For(const Claim& claim) const {
-  return steps.empty() ? 0 : steps[claim.step.index()].For(claim);
+double HonestyGate::Floor(const Claim& claim) const {
+  const StepGate gate = steps.empty() ? StepGate{} : steps[claim.step.index()];
+  return EitherWay(claim.unit, gate) + 2 * std::abs(StepSize(claim, gate));
+}
+
+bool HonestyGate::Hides(const Claim& passed, double clearance) const {
+  if (passed.unit == Unit::kNone) return false;
+  const StepGate gate = steps.empty() ? StepGate{} : steps[passed.step.index()];
+  const double either_way = EitherWay(passed.unit, gate);
+  const double width = passed.predicted.high - passed.predicted.low - 2 * either_way -
+                       std::abs(StepSize(passed, gate));
+  const bool has_width = std::isfinite(width) && width > either_way;
+  if (has_width) return Floor(passed) > width;
+  return Floor(passed) > (passed.unit == Unit::kMetre ? clearance : clearance / gate.arm);
 }
 
 HonestyGate MeasureGate(const domain::Problem& problem, const plan::Plan& plan,
                         const scene::SceneOptions& options) {
-  const auto coarse = NoiselessExecution(problem, plan, options).Run(true);
-  const auto fine = NoiselessExecution(problem, plan, Finer(options)).Run(false);
+  NoiselessExecution coarse(problem, plan, options);
+  coarse.Run(true);
+  NoiselessExecution fine(problem, plan, Finer(options));
+  fine.Run(false);
   HonestyGate gate;
-  const double arm = problem.workcell->gripper().pad_half_extents().minCoeff();
-  for (std::size_t i = 0; i < coarse.size(); ++i) {
-    gate.steps.push_back(GateOf(coarse[i], fine[i], arm));
+  gate.steps.resize(plan.steps.size());
+  for (std::size_t i = 0; i < gate.steps.size(); ++i) {
+    gate.steps[i].arm = problem.workcell->gripper().pad_half_extents().minCoeff();
+    gate.steps[i].penetration = coarse.penetration(plan::StepId(i));
+  }
+  const std::vector<Claim> with_half = fine.Claims();
+  for (const Claim& claim : coarse.Claims()) {
+    AddComponent(claim, with_half, gate.steps[claim.step.index()]);
+  }
+  for (const exec::Milestone* milestone : coarse.trace().All<exec::Milestone>()) {
+    AddLag(milestone->moment, gate.steps[milestone->step.index()]);
+  }
+  for (const exec::StepEnd* end : coarse.trace().All<exec::StepEnd>()) {
+    AddLag(end->moment, gate.steps[end->step.index()]);
   }
   return gate;
 }

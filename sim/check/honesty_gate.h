@@ -9,41 +9,44 @@
 
 namespace assay::check {
 
-// What the engine cannot tell from nothing, measured on the very parts of a plan without noise.
-// Observed errors that are smaller say nothing about a prediction.
+// What the engine makes of a plan that is executed without any error: what is known of it is
+// subtracted from what is observed under noise, and what is not known says nothing about a
+// prediction.
 
-// Of one component of an error set; metres or radians.
+// Of one claim, in its unit.
 struct ComponentGate {
   Claimed about = Claimed::kAfter;
-  std::string name;  // as in Claim
-  // True minus believed without any noise: sag, slip, settling; and what of the displacements along
-  // the other axes noise may turn into this one.
-  double offset = 0;
-  double step_size = 0;  // how much it changes with half the timestep
+  std::string name;      // as in Claim
+  double offset = 0;     // what is observed without noise; of a precondition 0
+  double step_size = 0;  // by how much that is more than with half the timestep; has a sign
 };
 
-// Of one step.
+// Of one step. Lengths are metres, angles radians.
 struct StepGate {
   std::vector<ComponentGate> components = {};
-  // Over which creep and penetration turn a part: the pads' smaller half extent, metres.
-  double arm = 1;
-  double creep = 0;         // metres, of a held part in the time that the step takes
-  double penetration = 0;   // metres, the deepest contact
-  double force_ripple = 0;  // newtons, spread of the wrist's force while nothing moves
-
-  // All that adds up for a claim; offsets count twice, because noise may change them. Of a
-  // precondition: what adds up for the poses that it speaks of.
-  double For(const Claim& claim) const;
+  double arm = 1;          // over which penetration turns a part: the pads' smaller half extent
+  double penetration = 0;  // the deepest contact of a hand that is kept still
+  double lag = 0;          // of the hand behind what it was told
+  double lag_turn = 0;
 };
 
 struct HonestyGate {
-  std::vector<StepGate> steps = {};  // by StepId; empty: nothing is forgiven
+  std::vector<StepGate> steps = {};  // by StepId; empty: nothing is known but rounding
 
-  double For(const Claim& claim) const;
+  // The claim with what is known of the engine in its prediction, and with its gate. Penetration
+  // and lag go either way. What the timestep does has a sign, and vanishes in proportion to the
+  // timestep or faster: it is once to twice as much as half the timestep takes of it, so that once
+  // is known, and once more cannot be told from nothing.
+  Claim Passed(Claim claim) const;
+  // By how much a false prediction may be left unnoticed: all of that at one end.
+  double Floor(const Claim& claim) const;
+  // Of a claim that has passed: whether that is more than the width of what the certificate says.
+  // What has no width, preconditions and sets that are narrower than what goes either way, is held
+  // against the clearance (metres; of angles: over the arm).
+  bool Hides(const Claim& passed, double clearance) const;
 };
 
-// Executes the plan twice without noise, once with half the timestep, and holds the hand still at
-// the end of each step.
+// Executes the plan twice without noise, once with half the timestep.
 HonestyGate MeasureGate(const domain::Problem& problem, const plan::Plan& plan,
                         const scene::SceneOptions& scene);
 

@@ -21,7 +21,7 @@ class Components {
  public:
   explicit Components(const std::string& part) : part_(part) {}
 
-  void Add(const char* name, const char* unit, const Interval& predicted, double observed) {
+  void Add(const char* name, Unit unit, const Interval& predicted, double observed) {
     found_.push_back({std::string(name) + " of " + part_, unit, predicted, observed});
   }
   std::vector<ObservedError> Take() { return std::move(found_); }
@@ -35,21 +35,21 @@ void AddInHand(const plan::ErrorSet& set, const Pose& X_ToolGrasp, Components& c
   const Vector3 p = X_ToolGrasp.translation();
   // R = R_z(theta) R_x(tip) R_y(twist).
   const Matrix3 R = X_ToolGrasp.linear();
-  components.Add("x", "m", set.x, p.x());
-  components.Add("y", "m", set.y, p.y());
-  components.Add("z", "m", set.z, p.z());
-  components.Add("theta", "rad", set.theta, std::atan2(-R(0, 1), R(1, 1)));
-  components.Add("tip", "rad", set.tip, std::asin(std::clamp(R(2, 1), -1.0, 1.0)));
-  components.Add("twist", "rad", set.twist, std::atan2(-R(2, 0), R(2, 2)));
+  components.Add("x", Unit::kMetre, set.x, p.x());
+  components.Add("y", Unit::kMetre, set.y, p.y());
+  components.Add("z", Unit::kMetre, set.z, p.z());
+  components.Add("theta", Unit::kRadian, set.theta, std::atan2(-R(0, 1), R(1, 1)));
+  components.Add("tip", Unit::kRadian, set.tip, std::asin(std::clamp(R(2, 1), -1.0, 1.0)));
+  components.Add("twist", Unit::kRadian, set.twist, std::atan2(-R(2, 0), R(2, 2)));
 }
 
 void AddAtRest(const plan::ErrorSet& set, const exec::TrueAndBelieved& part,
                Components& components) {
   const Vector3 d = part.truth.translation() - part.believed.translation();
-  components.Add("x", "m", set.x, d.x());
-  components.Add("y", "m", set.y, d.y());
-  components.Add("z", "m", set.z, d.z());
-  components.Add("theta", "rad", set.theta,
+  components.Add("x", Unit::kMetre, set.x, d.x());
+  components.Add("y", Unit::kMetre, set.y, d.y());
+  components.Add("z", Unit::kMetre, set.z, d.z());
+  components.Add("theta", Unit::kRadian, set.theta,
                  YawOf(part.truth.linear() * part.believed.linear().transpose()));
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/plan/plan.h"
+#include "sim/check/unit.h"
 #include "sim/exec/trace.h"
 
 namespace assay::check {
@@ -11,7 +12,7 @@ namespace assay::check {
 // One component of an error set, and what it truly was.
 struct ObservedError {
   std::string name;  // "x of block"
-  std::string unit;  // "m" or "rad"
+  Unit unit = Unit::kMetre;
   Interval predicted;
   double observed = 0;
 };

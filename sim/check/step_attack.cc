@@ -76,15 +76,31 @@ StepAttack::StepAttack(const Experiment& experiment, plan::StepId step, const no
   }
 }
 
-std::optional<PoisedTrial> StepAttack::Poise(const AttackedWorld& world, const noise::Noise& noise,
-                                             const exec::Checkpoint* from) const {
+Approach StepAttack::Poise(const AttackedWorld& world, const noise::Noise& noise,
+                           const exec::Checkpoint* from) const {
+  Approach approach = PoiseIn(world.scene, world, noise, from);
+  approach.claims = Confirmed(std::move(approach.claims),
+                              [&] { return PoiseIn(world.finer, world, noise, from).claims; });
+  return approach;
+}
+
+Approach StepAttack::PoiseIn(const scene::Scene& scene, const AttackedWorld& world,
+                             const noise::Noise& noise, const exec::Checkpoint* from) const {
   const exec::ExecutorOptions options = QuietOptions(noise);
-  mujoco::Data data = exec::StartOf(experiment_.problem, world.scene, noise);
-  exec::Execution execution(experiment_.problem, world.scene, data, options);
+  mujoco::Data data = from == nullptr ? exec::StartOf(experiment_.problem, scene, noise)
+                                      : mujoco::Data(scene.model());
+  exec::Execution execution(experiment_.problem, scene, data, options);
   if (from != nullptr) execution.Restore(*from);
   exec::StepExecution step(experiment_.plan, step_, execution);
-  if (step.Approach()) return std::nullopt;
-  return PoisedTrial{&world, noise, execution.Save()};
+  const exec::Progress failure = step.Approach();
+  if (failure) End(failure, execution);
+  Approach approach;
+  for (Claim& claim : CheckCertificates(experiment_.problem, experiment_.plan, execution.trace(),
+                                        experiment_.gate, step_)) {
+    if (claim.unit == Unit::kNone) approach.claims.push_back(std::move(claim));
+  }
+  if (!failure) approach.poised = PoisedTrial{&world, noise, execution.Save()};
+  return approach;
 }
 
 StepAttempt StepAttack::Attempt(const PoisedTrial& poised,
@@ -112,8 +128,8 @@ StepAttempt StepAttack::AttemptIn(const scene::Scene& scene, const PoisedTrial& 
   exec::Progress failure = step.TakeUpNoise();
   if (!failure) failure = step.Work();
   if (failure) End(failure, execution);
-  attempt.claims =
-      CheckCertificates(experiment_.problem, experiment_.plan, execution.trace(), experiment_.gate);
+  attempt.claims = CheckCertificates(experiment_.problem, experiment_.plan, execution.trace(),
+                                     experiment_.gate, step_);
   if (!failure && StillClaims(attempt.claims)) attempt.end = execution.Save();
   return attempt;
 }

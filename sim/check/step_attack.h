@@ -24,6 +24,13 @@ struct PoisedTrial {
   exec::Checkpoint checkpoint;
 };
 
+// What became of the way to where the tool is poised for a step: the trial there, or why it does
+// not come there.
+struct Approach {
+  std::optional<PoisedTrial> poised;
+  std::vector<Claim> claims;  // of this step, that failed on the way
+};
+
 // What became of one step.
 struct StepAttempt {
   noise::Noise noise;         // up to its end
@@ -42,13 +49,15 @@ class StepAttack {
   const std::vector<std::size_t>& free_channels() const { return free_; }
 
   // The start of a trial, or a trial at the end of the step before, on to where this step is
-  // poised. None: it does not come there.
-  std::optional<PoisedTrial> Poise(const AttackedWorld& world, const noise::Noise& noise,
-                                   const exec::Checkpoint* from) const;
+  // poised.
+  Approach Poise(const AttackedWorld& world, const noise::Noise& noise,
+                 const exec::Checkpoint* from) const;
   // `values`: of the free channels.
   StepAttempt Attempt(const PoisedTrial& poised, const std::vector<double>& values) const;
 
  private:
+  Approach PoiseIn(const scene::Scene& scene, const AttackedWorld& world, const noise::Noise& noise,
+                   const exec::Checkpoint* from) const;
   StepAttempt AttemptIn(const scene::Scene& scene, const PoisedTrial& poised,
                         const noise::Noise& noise) const;
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -45,7 +46,7 @@ class AttackReport {
       };
       options.stop = Interruption::Requested;
       result_ = check::Attack(experiment_, options);
-      if (run_.conservatism) {
+      if (run_.conservatism && result_.noiseless.Holds()) {
         progress.Tell("how much more noise it takes");
         ratios_ = check::Conservatism(
             experiment_, {.seed = run_.seed, .jobs = run_.jobs, .stop = Interruption::Requested});
@@ -62,7 +63,9 @@ class AttackReport {
     PrintAndWrite(run_.json ? plan::JsonText(printed) : Report(), [&] {
       if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", plan::JsonText(result));
     });
-    return Interruption::CodeOr(tally_.Total().violated == 0 ? ExitCode::kDone : ExitCode::kFailed);
+    const bool holds = result_.noiseless.Holds() && tally_.Total().violated == 0 &&
+                       std::ranges::none_of(ratios_, &check::ConservatismRatio::IsFalse);
+    return Interruption::CodeOr(holds ? ExitCode::kDone : ExitCode::kFailed);
   }
 
  private:
@@ -74,6 +77,8 @@ class AttackReport {
     Json result = {{"attempts", result_.attempts},
                    {"verdicts", tally_.ToJson()},
                    {"claims", tally_.ClaimsToJson()},
+                   {"failed_approaches", result_.failed_approaches},
+                   {"without_noise", ToJson(plan_, result_.noiseless)},
                    {"worst", Json::array()},
                    {"counterexamples", Json::array()},
                    {"replay", Json::array()},
@@ -143,10 +148,16 @@ class AttackReport {
       table.Add({ratio.variable, fmt::format("{:.2f}", ratio.guaranteed), number(ratio.broken),
                  number(ratio.ratio())});
     }
-    return "\nmultiples of the noise: up to where success is guaranteed, and from where it was "
-           "seen "
-           "to fail\n" +
-           table.Text();
+    std::string text =
+        "\nmultiples of the noise: up to where success is guaranteed, and from where it was seen "
+        "to fail\n" +
+        table.Text();
+    for (const check::ConservatismRatio& ratio : ratios_) {
+      if (!ratio.IsFalse()) continue;
+      text +=
+          fmt::format("{}: a trial fails with what success is guaranteed for\n", ratio.variable);
+    }
+    return text;
   }
 
   std::string Report() const {
@@ -154,6 +165,11 @@ class AttackReport {
     std::string text = "what the engine cannot tell from nothing\n";
     text += Text(plan_, experiment_.gate) + "\n" + tally_.Text(Actions()) + Counterexamples();
     text += Ratios();
+    if (result_.failed_approaches > 0) {
+      text += fmt::format("\n{} trials did not come to where the next step begins\n",
+                          result_.failed_approaches);
+    }
+    if (!result_.noiseless.Holds()) return text + Text(plan_, result_.noiseless, experiment_.gate);
     text += total.violated == 0 ? fmt::format("\nnot falsified in {} attempts\n", result_.attempts)
                                 : fmt::format("\nviolated in {} of {} attempts\n", total.violated,
                                               result_.attempts);

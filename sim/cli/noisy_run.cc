@@ -13,6 +13,7 @@
 #include "planner/base/input_error.h"
 #include "planner/plan/json_layout.h"
 #include "sim/check/ledger.h"
+#include "sim/check/noiseless.h"
 #include "sim/check/noisy_trial.h"
 #include "sim/cli/certificate_text.h"
 #include "sim/cli/console.h"
@@ -61,10 +62,13 @@ class NoisyTrials {
 
   ExitCode Execute() {
     const Interruption interruption;
-    ForEachTrial(Wanted(), run_.jobs, [this](int nth) {
-      const int number = run_.only.value_or(nth);
-      Keep(number, RunOne(number));
-    });
+    if (!run_.errors && !run_.only) noiseless_ = check::ExecuteWithoutNoise(experiment_);
+    if (noiseless_.Holds()) {
+      ForEachTrial(Wanted(), run_.jobs, [this](int nth) {
+        const int number = run_.only.value_or(nth);
+        Keep(number, RunOne(number));
+      });
+    }
     progress_.reset();
     const Json result = Result();
     Json printed = result;
@@ -72,7 +76,8 @@ class NoisyTrials {
     PrintAndWrite(run_.json ? plan::JsonText(printed) : Report(), [&] {
       if (!run_.folder.empty()) WriteFile(run_.folder / "result.json", plan::JsonText(result));
     });
-    return Interruption::CodeOr(Failed() == 0 ? ExitCode::kDone : ExitCode::kFailed);
+    const bool holds = noiseless_.Holds() && Failed() == 0;
+    return Interruption::CodeOr(holds ? ExitCode::kDone : ExitCode::kFailed);
   }
 
  private:
@@ -164,6 +169,7 @@ class NoisyTrials {
                    {"failed", failed.is_null() ? Json::object() : failed},
                    {"verdicts", tally.ToJson()},
                    {"claims", tally.ClaimsToJson()},
+                   {"without_noise", ToJson(plan_, noiseless_)},
                    {"worst", tally.WorstToJson()},
                    {"replay", Json::array()},
                    {"scenario", run_.planned.scenario},
@@ -199,7 +205,9 @@ class NoisyTrials {
 
   std::string Report() const {
     std::string text = "what the engine cannot tell from nothing\n";
-    text += Text(plan_, experiment_.gate) + "\n" + Tally().Text(Actions()) + "\n";
+    text += Text(plan_, experiment_.gate) + "\n";
+    if (!noiseless_.Holds()) return text + Text(plan_, noiseless_, experiment_.gate);
+    text += Tally().Text(Actions()) + "\n";
     if (!ledger_.empty()) text += Text(ledger_) + "\n";
     constexpr int kMostTold = 3;
     int told = 0;
@@ -237,6 +245,7 @@ class NoisyTrials {
   std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing under noise");
   const std::vector<noise::Channel> box_;
   const check::Experiment experiment_;
+  check::Noiseless noiseless_;  // before trials; not looked at for a single one
   std::mutex mutex_;
   std::map<int, NoisyRow> rows_;  // by number
   std::map<int, std::vector<check::Claim>> claims_;

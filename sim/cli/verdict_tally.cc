@@ -16,16 +16,17 @@ using check::Claim;
 using check::VerdictCounts;
 using Json = nlohmann::ordered_json;
 
-double ScaleOf(const std::string& unit) {
-  return unit == "m" ? kLengthUnit.scale : unit == "rad" ? kAngleUnit.scale : 1;
-}
-const char* UnitText(const std::string& unit) {
-  return unit == "m" ? " mm" : unit == "rad" ? " deg" : "";
-}
-
-// Of a component of an error set, by its name: "theta of block".
-bool IsAngle(const std::string& name) {
-  return name.starts_with("theta") || name.starts_with("tip") || name.starts_with("twist");
+// In which people are told it.
+Unit ShownIn(check::Unit unit) {
+  switch (unit) {
+    case check::Unit::kMetre:
+      return kLengthUnit;
+    case check::Unit::kRadian:
+      return kAngleUnit;
+    case check::Unit::kNone:
+      break;
+  }
+  return kRatioUnit;
 }
 
 std::string Place(const Claim& claim) {
@@ -117,19 +118,19 @@ Json ToJson(const VerdictCounts& counts) {
 }
 
 std::string Text(const Claim& claim) {
-  const double scale = ScaleOf(claim.unit);
-  const auto number = [&](double value) { return fmt::format("{:+.3f}", scale * value); };
-  if (claim.unit.empty()) return claim.name + ": it does not";
-  return fmt::format("{}{} {} in [{}, {}]{}, gate {:.3f}", Place(claim), claim.name,
+  if (claim.unit == check::Unit::kNone) return claim.name + ": it does not";
+  const Unit unit = ShownIn(claim.unit);
+  const auto number = [&](double value) { return fmt::format("{:+.3f}", unit.scale * value); };
+  return fmt::format("{}{} {} in [{}, {}] {}, gate {:.3f}", Place(claim), claim.name,
                      number(claim.observed), number(claim.predicted.low),
-                     number(claim.predicted.high), UnitText(claim.unit), scale * claim.gate);
+                     number(claim.predicted.high), unit.name, unit.scale * claim.gate);
 }
 
 Json ToJson(const plan::Plan& plan, const Claim& claim) {
   return {{"step", plan.step(claim.step).name},
           {"about", check::Name(claim.about)},
           {"claim", claim.name},
-          {"unit", claim.unit},
+          {"unit", check::Name(claim.unit)},
           {"predicted", {OrNull(claim.predicted.low), OrNull(claim.predicted.high)}},
           {"proved", claim.proved},
           {"observed", claim.observed},
@@ -141,24 +142,14 @@ Json ToJson(const plan::Plan& plan, const Claim& claim) {
 std::string Text(const plan::Plan& plan, const check::HonestyGate& gate) {
   Table table({{"step", Align::kRight},
                {"id"},
-               {"offset mm", Align::kRight},
-               {"step size mm", Align::kRight},
-               {"creep mm", Align::kRight},
-               {"penetration mm", Align::kRight},
-               {"force ripple N", Align::kRight}});
+               {"lag mm", Align::kRight},
+               {"lag deg", Align::kRight},
+               {"penetration mm", Align::kRight}});
   for (const plan::StepId id : plan.ExecutionOrder()) {
     const check::StepGate& step = gate.steps[id.index()];
-    double offset = 0;
-    double step_size = 0;
-    for (const check::ComponentGate& component : step.components) {
-      const double length = IsAngle(component.name) ? step.arm : 1;
-      offset = std::max(offset, length * component.offset);
-      step_size = std::max(step_size, length * component.step_size);
-    }
-    const auto mm = [](double value) { return fmt::format("{:.4f}", 1e3 * value); };
-    table.Add({std::to_string(plan.step(id).executed), plan.step(id).name, mm(offset),
-               mm(step_size), mm(step.creep), mm(step.penetration),
-               fmt::format("{:.2f}", step.force_ripple)});
+    const auto mm = [](double value) { return fmt::format("{:.4f}", kLengthUnit.scale * value); };
+    table.Add({std::to_string(plan.step(id).executed), plan.step(id).name, mm(step.lag),
+               fmt::format("{:.5f}", kAngleUnit.scale * step.lag_turn), mm(step.penetration)});
   }
   return table.Text();
 }
@@ -175,11 +166,35 @@ Json ToJson(const plan::Plan& plan, const check::HonestyGate& gate) {
                             {"step_size", component.step_size}});
     }
     json.push_back({{"step", plan.step(id).name},
-                    {"creep", step.creep},
+                    {"lag", step.lag},
+                    {"lag_turn", step.lag_turn},
                     {"penetration", step.penetration},
-                    {"force_ripple", step.force_ripple},
                     {"components", components}});
   }
+  return json;
+}
+
+std::string Text(const plan::Plan& plan, const check::Noiseless& noiseless,
+                 const check::HonestyGate& gate) {
+  std::string text;
+  for (const Claim& claim : noiseless.violated) {
+    text += fmt::format("violated without any noise: step {}: {}\n", plan.step(claim.step).executed,
+                        Text(claim));
+  }
+  for (const Claim& claim : noiseless.hidden) {
+    const Unit unit = ShownIn(claim.unit);
+    text += fmt::format(
+        "step {}: {}: what the engine makes of it without noise, {:.3f} {}, is wider than what the "
+        "certificate says, or than the clearance: the plan cannot be tested\n",
+        plan.step(claim.step).executed, Text(claim), unit.scale * gate.Floor(claim), unit.name);
+  }
+  return text;
+}
+
+Json ToJson(const plan::Plan& plan, const check::Noiseless& noiseless) {
+  Json json = {{"violated", Json::array()}, {"hidden", Json::array()}};
+  for (const Claim& claim : noiseless.violated) json["violated"].push_back(ToJson(plan, claim));
+  for (const Claim& claim : noiseless.hidden) json["hidden"].push_back(ToJson(plan, claim));
   return json;
 }
 

@@ -8,6 +8,7 @@
 #include "planner/plan/plan.h"
 #include "sim/check/claim.h"
 #include "sim/check/honesty_gate.h"
+#include "sim/check/noiseless.h"
 
 namespace assay::cli {
 
@@ -48,5 +49,10 @@ nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::Claim& claim)
 // What the engine cannot tell from nothing, a row for each step.
 std::string Text(const plan::Plan& plan, const check::HonestyGate& gate);
 nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::HonestyGate& gate);
+
+// What is wrong with a plan before any error is drawn; empty: nothing.
+std::string Text(const plan::Plan& plan, const check::Noiseless& noiseless,
+                 const check::HonestyGate& gate);
+nlohmann::ordered_json ToJson(const plan::Plan& plan, const check::Noiseless& noiseless);
 
 }  // namespace assay::cli

@@ -33,7 +33,7 @@ ClaimRecord RecordOf(const plan::PlannedStep& step, const check::Claim& claim, s
           .action = step.name,
           .about = std::string(check::Name(claim.about)),
           .name = claim.name,
-          .unit = claim.unit,
+          .unit = std::string(check::Name(claim.unit)),
           .low = claim.predicted.low,
           .high = claim.predicted.high,
           .proved = claim.proved,
@@ -61,7 +61,7 @@ WorstClaimRecord RecordOf(const plan::Plan& plan, const check::WorstClaim& worst
           .action = step.name,
           .about = std::string(check::Name(claim.about)),
           .name = claim.name,
-          .unit = claim.unit,
+          .unit = std::string(check::Name(claim.unit)),
           .observed = claim.observed,
           .low = claim.predicted.low,
           .high = claim.predicted.high,
@@ -80,7 +80,7 @@ CounterexampleRecord RecordOf(const plan::Plan& plan, const check::Counterexampl
   return {.claim = ClaimName(plan, claim),
           .action = plan.step(claim.step).name,
           .name = claim.name,
-          .unit = claim.unit,
+          .unit = std::string(check::Name(claim.unit)),
           .observed = claim.observed,
           .low = claim.predicted.low,
           .high = claim.predicted.high,
@@ -128,7 +128,7 @@ const check::WorstClaim* WorstOf(const check::AttackResult& result) {
 std::string Told(const plan::Plan& plan, const check::Claim& claim) {
   const plan::PlannedStep& step = plan.step(claim.step);
   return fmt::format("step {} ({}): {}: observed {:.6g} {}, predicted [{:.6g}, {:.6g}]",
-                     step.executed, step.name, claim.name, claim.observed, claim.unit,
+                     step.executed, step.name, claim.name, claim.observed, check::Name(claim.unit),
                      claim.predicted.low, claim.predicted.high);
 }
 

@@ -60,8 +60,8 @@ CREATE TABLE cell(
   proved INTEGER NOT NULL, conflict TEXT NOT NULL, plan TEXT NOT NULL);
 
 CREATE TABLE gate(
-  cell INTEGER NOT NULL REFERENCES cell, id INTEGER NOT NULL, arm REAL, creep REAL, penetration REAL,
-  force_ripple REAL, PRIMARY KEY(cell, id)) WITHOUT ROWID;
+  cell INTEGER NOT NULL REFERENCES cell, id INTEGER NOT NULL, arm REAL, penetration REAL,
+  lag REAL, lag_turn REAL, PRIMARY KEY(cell, id)) WITHOUT ROWID;
 
 CREATE TABLE gate_component(
   cell INTEGER NOT NULL, id INTEGER NOT NULL, component INTEGER NOT NULL, about TEXT NOT NULL,

@@ -5,7 +5,7 @@
 namespace assay::sweep {
 
 inline constexpr int kApplicationId = 0x41535359;  // "ASSY"
-inline constexpr int kFormatVersion = 3;           // in the database as user_version
+inline constexpr int kFormatVersion = 4;           // in the database as user_version
 
 // Makes the tables. What a database holds is compared with it word for word: a change of it, of a
 // space even, is a new version of the format.

@@ -74,7 +74,7 @@ std::vector<check::ComponentGate> ReadComponents(const Database& database, int c
 check::HonestyGate ReadGate(const Database& database, int cell) {
   check::HonestyGate gate;
   Statement rows = database.Prepare(
-      "SELECT id, arm, creep, penetration, force_ripple FROM gate WHERE cell = ? ORDER BY id");
+      "SELECT id, arm, penetration, lag, lag_turn FROM gate WHERE cell = ? ORDER BY id");
   rows.Bind(cell);
   while (rows.Next()) {
     gate.steps.push_back({ReadComponents(database, cell, rows.Int(0)), rows.Real(1), rows.Real(2),
@@ -430,8 +430,8 @@ void Store::WriteCell(const CellRecord& cell) {
 
 void Store::WriteGate(int cell, int id, const check::StepGate& gate) {
   // Bound one by one, so that a new member does not go without its column unnoticed.
-  const auto& [components, arm, creep, penetration, force_ripple] = gate;
-  writing_->gate.Bind(cell, id, arm, creep, penetration, force_ripple).Run();
+  const auto& [components, arm, penetration, lag, lag_turn] = gate;
+  writing_->gate.Bind(cell, id, arm, penetration, lag, lag_turn).Run();
   int number = 0;
   for (const auto& [about, name, offset, step_size] : components) {
     writing_->component.Bind(cell, id, number++, check::Name(about), name, offset, step_size).Run();

@@ -30,7 +30,7 @@ class Proved : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     certified_ = new Certified(CertifiedPlan("uncertain-known"));
-    experiment_ = new Experiment{certified_->problem, certified_->plan};
+    experiment_ = new Experiment(Of(*certified_));
   }
   static void TearDownTestSuite() {
     delete experiment_;
@@ -42,7 +42,7 @@ class Proved : public testing::Test {
 
 TEST_F(Proved, IsNotFalsifiedAndSucceedsAtCorners) {
   ASSERT_EQ(certified_->plan.errors, 0);
-  const AttackResult result = Attack(Of(*certified_), {.attempts = 16, .seed = kSeed});
+  const AttackResult result = Attack(*experiment_, {.attempts = 16, .seed = kSeed});
   EXPECT_EQ(result.attempts, 16);
   EXPECT_EQ(Violated(result), 0);
   EXPECT_TRUE(result.counterexamples.empty());
@@ -60,6 +60,7 @@ TEST_F(Proved, ComesOutTheSameOnTwoThreads) {
       Attack(*experiment_, {.attempts = 4, .seed = kSeed, .jobs = 1, .shrunk = 0});
   const AttackResult two =
       Attack(*experiment_, {.attempts = 4, .seed = kSeed, .jobs = 2, .shrunk = 0});
+  EXPECT_EQ(one.attempts, 4);
   ASSERT_EQ(one.worst.size(), two.worst.size());
   for (std::size_t i = 0; i < one.worst.size(); ++i) {
     EXPECT_EQ(one.worst[i].claim.observed, two.worst[i].claim.observed);
@@ -74,22 +75,18 @@ TEST_F(Proved, MoreNoiseThanIsGuaranteedIsNeededToBreakIt) {
   const auto ratios = Conservatism(*experiment_, options);
   ASSERT_EQ(ratios.size(), 1u);
   EXPECT_GE(ratios.front().guaranteed, 1);  // all is proved
-  EXPECT_GE(ratios.front().ratio().value_or(1), 1);
+  // Nothing broke up to twice the bounds: there is no ratio, and nothing is said to be false.
+  EXPECT_EQ(ratios.front().broken, std::nullopt);
+  EXPECT_EQ(ratios.front().ratio(), std::nullopt);
+  EXPECT_FALSE(ratios.front().IsFalse());
 }
 
-// The harness's own test: a propagation that is wrong by half is caught.
-TEST(WrongPropagation, IsCaught) {
-  Certified certified = CertifiedPlan("spar-fig15");
-  certified.plan = UpToThePickup(certified.plan);
-  const plan::StepId pickup = FirstStep<plan::Pickup>(certified.plan);
-  Interval& x = certified.plan.steps[pickup.index()].certificate.after.front().x;
-  x = {x.low / 2, x.high / 2};
-  const Experiment experiment = Of(certified);
-  const AttackResult result = Attack(experiment, {.attempts = 16, .seed = kSeed, .shrunk = 1});
-  EXPECT_GT(result.certificates[pickup.index()].violated, 0);
-  ASSERT_EQ(result.counterexamples.size(), 1u);
-  EXPECT_EQ(result.counterexamples.front().claim.step, pickup);
-  EXPECT_TRUE(result.counterexamples.front().replayed);
+TEST(ConservatismRatio, IsFalseWhereATrialFailsWithWhatIsGuaranteed) {
+  EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.5}.IsFalse()));
+  EXPECT_TRUE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.0}.IsFalse()));
+  EXPECT_TRUE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 1.5}.IsFalse()));
+  // A task that fails by itself, and of which nothing is proved.
+  EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 0, .broken = 0.1}.IsFalse()));
 }
 
 // Spar leaves out that a turned part's grasped point is displaced by its lever arm (facts 2.6).

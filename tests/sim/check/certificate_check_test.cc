@@ -80,6 +80,7 @@ class CertificateCheckTest : public testing::Test {
   }
 
   static constexpr plan::StepId kPickup = plan::StepId(1);
+  static constexpr double kRounding = 1.1e-9;  // that every gate forgives
   domain::Problem problem_;
   plan::Plan plan_;
   PartId peg_;
@@ -97,7 +98,7 @@ TEST_F(CertificateCheckTest, APartThatIsElsewhereInTheHandViolatesTheOutputSet) 
   const std::vector<Claim> claims = Check(moment_, Displaced(0.012));
   const Claim& y = Named(claims, Claimed::kAfter, "y of peg");
   EXPECT_EQ(y.verdict, ClaimVerdict::kViolated);
-  EXPECT_NEAR(y.margin, -0.002, 1e-12);
+  EXPECT_NEAR(y.margin, -0.002, kRounding);
   EXPECT_EQ(Named(claims, Claimed::kAfter, "x of peg").verdict, ClaimVerdict::kContained);
 }
 
@@ -107,7 +108,7 @@ TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
   const auto between = [&](double y) {
     return Named(Check(Displaced(y), moment_), Claimed::kPrecondition, "between fingers");
   };
-  EXPECT_NEAR(between(room - 0.001).margin, 0.001, 1e-12);
+  EXPECT_NEAR(between(room - 0.001).margin, 0.001, kRounding);
   EXPECT_EQ(between(-room - 0.001).verdict, ClaimVerdict::kViolated);
 }
 
@@ -133,6 +134,55 @@ TEST_F(CertificateCheckTest, AStepThatIsProvedComesToItsEnd) {
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kViolated);
   trace.events.back() = exec::ExecutionEnd{exec::ExecutionOutcome::kUnreachable, "", moment_};
   EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kContained);
+}
+
+TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeToItsEnd) {
+  exec::Trace trace;
+  trace.events.push_back(exec::ExecutionEnd{exec::ExecutionOutcome::kOverload, "", moment_});
+  const std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {}, kPickup);
+  ASSERT_EQ(claims.size(), 1u);
+  EXPECT_EQ(claims.front().step, kPickup);
+  EXPECT_TRUE(claims.front().IsViolated());
+  // Without the step in which the trace begins it is the plan's first, and so for the one after it.
+  const std::vector<plan::StepId> order = plan_.ExecutionOrder();
+  EXPECT_EQ(CheckCertificates(problem_, plan_, trace, {}).front().step, order.front());
+  trace.events.insert(trace.events.begin(), exec::StepEnd{order.front(), "", "", moment_});
+  EXPECT_EQ(CheckCertificates(problem_, plan_, trace, {}).front().step, order[1]);
+}
+
+TEST_F(CertificateCheckTest, ACollisionIsAClaimOfTheStepInWhichItHappens) {
+  const std::vector<plan::StepId> order = plan_.ExecutionOrder();
+  exec::Trace trace;
+  trace.events.push_back(exec::StepEnd{order.front(), "", "", moment_});
+  trace.events.push_back(exec::CollisionRecord{.time = 0, .robot = "arm", .other = "block"});
+  trace.events.push_back(exec::Milestone{order[1], Stage::kPoised, moment_});
+  trace.events.push_back(exec::StepEnd{order[1], "", "", moment_});
+  const std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {});
+  const Claim& clear = Named(claims, Claimed::kAfter, "keeps clear of everything else");
+  EXPECT_EQ(clear.step, order[1]);
+  EXPECT_TRUE(clear.IsViolated());
+}
+
+// The fingers' bounds are told apart: what is proved of one is held against physics whatever is not
+// proved of the other, and what was not proved is no violation.
+TEST_F(CertificateCheckTest, WhatIsProvedIsTestedEvenIfAnotherOfItsNameIsNot) {
+  const auto of_contact = [](int contact, bool proved) {
+    plan::CertifiedPrecondition claim = Precondition("between fingers", proved);
+    claim.meaning = "contact " + std::to_string(contact) + " lies on the inner side of finger 1";
+    return claim;
+  };
+  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  for (const int proved : {1, 2}) {
+    plan_.steps[kPickup.index()].certificate.preconditions = {of_contact(1, proved == 1),
+                                                              of_contact(2, proved == 2)};
+    // Finger 1 is where y is least, and contact 2, on its side, is the one that it misses.
+    const std::vector<Claim> claims = Check(Displaced(-room - 0.001), moment_);
+    const Claim& claim = Named(claims, Claimed::kPrecondition, "between fingers");
+    EXPECT_EQ(claim.IsViolated(), proved == 2);
+    const Claim& other = Named(claims, Claimed::kPrecondition, "between fingers, not proved");
+    EXPECT_EQ(other.verdict, ClaimVerdict::kNotClaimed);
+    EXPECT_EQ(other.observed < 0, proved == 1);
+  }
 }
 
 }  // namespace

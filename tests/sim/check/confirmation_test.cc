@@ -10,7 +10,7 @@ Claim Observed(double observed, double gate = 0.1) {
   Claim claim;
   claim.step = plan::StepId(0);
   claim.name = "x";
-  claim.unit = "m";
+  claim.unit = Unit::kMetre;
   claim.predicted = {-1, 1};
   claim.observed = observed;
   claim.gate = gate;
@@ -27,24 +27,45 @@ TEST(Confirmation, WhatTheTimestepDoesNotChangeIsViolated) {
   EXPECT_EQ(VerdictOf(Observed(-1.5), {Observed(-1.4)}), ClaimVerdict::kViolated);
 }
 
-// A bound that holds, and an error of the engine that is c times the timestep: whatever c is, the
-// verdict is not a violation; and a violation by more than the gate is one in spite of it.
+// What is true is `at` the timestep 0, and the engine adds c times the timestep: whatever c is, the
+// verdict is that on what is true.
 TEST(Confirmation, AnErrorOfFirstOrderInTheTimestepIsToldFromOneOfTheBound) {
-  for (const double c : {0.2, 1.0, 5.0}) {
-    EXPECT_EQ(VerdictOf(Observed(1 + c), {Observed(1 + c / 2)}), ClaimVerdict::kInconclusive);
-    EXPECT_EQ(VerdictOf(Observed(-1 - c), {Observed(-1 - c / 2)}), ClaimVerdict::kInconclusive);
-    EXPECT_EQ(VerdictOf(Observed(1.2 + c), {Observed(1.2 + c / 2)}), ClaimVerdict::kViolated);
+  for (const double c : {0.3, 1.0, 1.7}) {
+    for (const double side : {-1.0, 1.0}) {
+      const auto verdict = [&](double at) {
+        return VerdictOf(Observed(side * (at + c)), {Observed(side * (at + c / 2))});
+      };
+      EXPECT_EQ(verdict(0.9), ClaimVerdict::kContained) << c;
+      EXPECT_EQ(verdict(1.05), ClaimVerdict::kInconclusive) << c;
+      EXPECT_EQ(verdict(1.2), ClaimVerdict::kViolated) << c;
+    }
   }
 }
 
-TEST(Confirmation, WhatIsNotClaimedAnyMoreIsInconclusive) {
-  EXPECT_EQ(VerdictOf(Observed(1.5), {}), ClaimVerdict::kInconclusive);
-  Claim other = Observed(1.5);
-  other.name = "y";
-  EXPECT_EQ(VerdictOf(Observed(1.5), {other}), ClaimVerdict::kInconclusive);
+// What falls with one timestep and not with the other is no error of first order: its limit is not
+// taken for a violation at the other end.
+TEST(Confirmation, NoLimitIsBeyondTheOtherEnd) {
+  EXPECT_EQ(VerdictOf(Observed(100), {Observed(0.5)}), ClaimVerdict::kContained);
+  EXPECT_EQ(VerdictOf(Observed(-100), {Observed(1.3)}), ClaimVerdict::kContained);
+}
+
+// Outside is outside, whatever is claimed by then.
+TEST(Confirmation, WhatTheFinerExecutionDoesNotClaimIsViolatedAllTheSame) {
   Claim unclaimed = Observed(1.5);
   unclaimed.verdict = ClaimVerdict::kNotClaimed;
-  EXPECT_EQ(VerdictOf(Observed(1.5), {unclaimed}), ClaimVerdict::kInconclusive);
+  EXPECT_EQ(VerdictOf(Observed(1.5), {unclaimed}), ClaimVerdict::kViolated);
+  unclaimed.observed = 0.5;
+  unclaimed.margin = 0.5;
+  EXPECT_EQ(VerdictOf(Observed(1.5), {unclaimed}), ClaimVerdict::kContained);
+}
+
+TEST(Confirmation, WhatTheFinerExecutionDoesNotComeToIsInconclusiveUnlessItFails) {
+  EXPECT_EQ(VerdictOf(Observed(1.5), {}), ClaimVerdict::kInconclusive);
+  Claim other = Observed(0.5);
+  other.name = "y";
+  EXPECT_EQ(VerdictOf(Observed(1.5), {other}), ClaimVerdict::kInconclusive);
+  other.verdict = ClaimVerdict::kViolated;
+  EXPECT_EQ(VerdictOf(Observed(1.5), {other}), ClaimVerdict::kViolated);
 }
 
 TEST(Confirmation, WithoutAViolationNothingIsExecutedAgain) {

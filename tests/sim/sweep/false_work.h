@@ -33,7 +33,7 @@ inline CellRecord FalseCell(const Cell& cell) {
                                     {check::Claimed::kPrecondition, "", 0, 3e-6}},
                      .arm = 0.01,
                      .penetration = 4e-6},
-                    {.creep = 3e-7, .force_ripple = 0.5}}}};
+                    {.lag = 3e-7, .lag_turn = 5e-7}}}};
 }
 
 inline TimedTrial FalseTrial(const PlannedCell& planned, int number) {

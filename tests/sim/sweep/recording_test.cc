@@ -46,7 +46,7 @@ class AttackRecording : public ::testing::Test {
     const Claim claim = check::Judged({.step = StepId(step),
                                        .about = about,
                                        .name = name,
-                                       .unit = "m",
+                                       .unit = check::Unit::kMetre,
                                        .predicted = predicted,
                                        .observed = observed,
                                        .gate = 0.01});

@@ -167,7 +167,7 @@ TEST_F(StoreTest, CellsAreReadAsTheyWereWritten) {
       EXPECT_EQ(read.offset, component.offset);
       EXPECT_EQ(read.step_size, component.step_size);
     }
-    EXPECT_EQ(stored[i].gate.steps[1].force_ripple, written.gate.steps[1].force_ripple);
+    EXPECT_EQ(stored[i].gate.steps[1].lag_turn, written.gate.steps[1].lag_turn);
   }
 }
 

@@ -21,7 +21,7 @@ inline std::map<std::string, std::vector<std::string>> Tables(const std::filesys
        "noise||sensing||'|'||seed||'|'||trials||grasp||outcome||actions||'|'||errors||'|'||proved||"
        "quote(conflict)||quote(plan) FROM cell"},
       {"gate",
-       "SELECT cell||'|'||id||quote(arm)||quote(creep)||quote(penetration)||quote(force_ripple) "
+       "SELECT cell||'|'||id||quote(arm)||quote(penetration)||quote(lag)||quote(lag_turn) "
        "FROM gate"},
       {"gate_component",
        "SELECT cell||'|'||id||'|'||component||about||quote(name)||quote(offset)||quote(step_size) "

@@ -1,0 +1,213 @@
+#include "tests/sim/check/mutation.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "sim/check/attack.h"
+#include "sim/check/certificate_check.h"
+#include "sim/check/main_effects.h"
+#include "sim/noise/sampling.h"
+
+namespace assay::check::mutation_test {
+namespace {
+
+constexpr std::uint64_t kSeed = 11;
+
+Experiment Of(const Certified& certified, const HonestyGate& gate) {
+  return {certified.problem, certified.plan, {}, gate};
+}
+
+// Whole executions at corners of the error box, and at those at which they say that claims are
+// likely to be extreme: which mutants a true error reveals is known without any attack.
+class TrueErrors {
+ public:
+  TrueErrors(const Experiment& experiment, int corners)
+      : experiment_(experiment), box_(noise::ErrorBox(experiment.problem, experiment.plan)) {
+    const int errors = static_cast<int>(box_.size());
+    for (int n = 1; n <= corners; ++n) design_.push_back(noise::CornerPoint(errors, kSeed + 1, n));
+    for (const std::vector<double>& corner : design_) traces_.push_back(ExecutedAt(corner));
+    for (const std::vector<double>& corner : LikelyCorners()) traces_.push_back(ExecutedAt(corner));
+  }
+
+  bool Reveal(const plan::Plan& mutant) const {
+    return std::ranges::any_of(traces_, [&](const exec::Trace& trace) {
+      return std::ranges::any_of(ClaimsOf(mutant, trace), &Claim::IsViolated);
+    });
+  }
+
+ private:
+  std::vector<Claim> ClaimsOf(const plan::Plan& plan, const exec::Trace& trace) const {
+    return CheckCertificates(experiment_.problem, plan, trace, experiment_.gate);
+  }
+
+  exec::Trace ExecutedAt(const std::vector<double>& corner) const {
+    std::vector<double> values(box_.size());
+    for (std::size_t i = 0; i < box_.size(); ++i) {
+      values[i] = corner[i] > 0 ? box_[i].range.high : box_[i].range.low;
+    }
+    exec::ExecutorOptions options;
+    options.sample_rate = 0;
+    options.recovers = false;
+    return RunNoisyTrial(experiment_, {box_, std::move(values)}, options).trace;
+  }
+
+  std::set<std::vector<double>> LikelyCorners() const {
+    std::map<std::tuple<plan::StepId, Claimed, std::string>, std::vector<CornerResponse>> responses;
+    for (std::size_t n = 0; n < design_.size(); ++n) {
+      for (const Claim& claim : ClaimsOf(experiment_.plan, traces_[n])) {
+        responses[{claim.step, claim.about, claim.name}].push_back(
+            {&design_[n], 0, claim.observed});
+      }
+    }
+    std::set<std::vector<double>> corners;
+    for (const auto& [name, of_claim] : responses) {
+      if (of_claim.size() != design_.size()) continue;
+      const LikelyExtremes extremes = ByMainEffects(of_claim);
+      corners.insert(extremes.least.corner);
+      corners.insert(extremes.greatest.corner);
+    }
+    return corners;
+  }
+
+  const Experiment& experiment_;
+  std::vector<noise::Channel> box_;
+  std::vector<std::vector<double>> design_;
+  std::vector<exec::Trace> traces_;
+};
+
+// Of one kind of lie.
+struct Score {
+  int mutants = 0;
+  int revealable = 0;
+  int found = 0;            // of those
+  std::int64_t latest = 0;  // of the attempts that found one
+  std::string missed = {};
+
+  Score& operator+=(const Score& other) {
+    mutants += other.mutants;
+    revealable += other.revealable;
+    found += other.found;
+    latest = std::max(latest, other.latest);
+    missed += other.missed;
+    return *this;
+  }
+};
+using Scores = std::map<Lie, Score>;
+
+std::optional<std::int64_t> AttemptThatFinds(const plan::Plan& mutant, const Experiment& original,
+                                             std::int64_t attempts) {
+  const Experiment experiment = {original.problem, mutant, original.scene, original.gate};
+  return Attack(experiment,
+                {.attempts = attempts, .seed = kSeed, .until_violated = true, .shrunk = 0})
+      .first_violation;
+}
+
+// How much is tried.
+struct Effort {
+  int corners = 32;             // of whole executions, before the likely ones
+  std::int64_t attempts = 200;  // at each mutant
+  std::size_t stride = 1;       // every so many mutants
+};
+
+Scores ScoresOf(const Certified& certified, const Effort& effort) {
+  const HonestyGate gate = MeasureGate(certified.problem, certified.plan, {});
+  const Experiment experiment = Of(certified, gate);
+  const TrueErrors errors(experiment, effort.corners);
+  EXPECT_FALSE(errors.Reveal(certified.plan)) << "the theory itself lies";
+  Scores scores;
+  const std::vector<Mutation> mutations = MutationsOf(certified);
+  for (std::size_t i = 0; i < mutations.size(); i += effort.stride) {
+    const Mutation& mutation = mutations[i];
+    Score& score = scores[mutation.lie];
+    const plan::Plan mutant = CertifiedWith(mutation, certified);
+    ++score.mutants;
+    if (!errors.Reveal(mutant)) continue;
+    ++score.revealable;
+    const auto attempt = AttemptThatFinds(mutant, experiment, effort.attempts);
+    if (attempt) {
+      ++score.found;
+      score.latest = std::max(score.latest, *attempt);
+    } else {
+      score.missed += "  " + mutation.Text(certified) + "\n";
+    }
+  }
+  return scores;
+}
+
+Score Total(const Scores& scores) {
+  Score total;
+  for (const auto& [lie, score] : scores) total += score;
+  return total;
+}
+
+std::string Table(const std::string& title, const Scores& scores) {
+  std::string text = title + "\n";
+  const auto row = [](std::string_view name, const Score& score) {
+    return fmt::format("{:28} {:3} mutants, {:3} revealable, {:3} found, within {} attempts\n{}",
+                       name, score.mutants, score.revealable, score.found, score.latest,
+                       score.missed);
+  };
+  for (const auto& [lie, score] : scores) text += row(Name(lie), score);
+  return text + row("all", Total(scores));
+}
+
+// The theory without a lie makes the certificates that the planner made.
+TEST(Mutation, WithoutALieNothingChanges) {
+  const Certified certified = CertifiedPlan("uncertain-known");
+  const plan::Plan again = CertifiedWith({.lie = Lie::kHalvedSet}, certified);
+  for (std::size_t i = 0; i < again.steps.size(); ++i) {
+    EXPECT_EQ(again.steps[i].certificate.before, certified.plan.steps[i].certificate.before);
+    EXPECT_EQ(again.steps[i].certificate.after, certified.plan.steps[i].certificate.after);
+  }
+}
+
+TEST(Mutation, EachLieChangesWhatIsCertified) {
+  const Certified certified = CertifiedPlan("uncertain-known");
+  const auto changed = [&](const plan::Plan& mutant) {
+    for (std::size_t i = 0; i < mutant.steps.size(); ++i) {
+      const plan::Certificate& lied = mutant.steps[i].certificate;
+      const plan::Certificate& true_one = certified.plan.steps[i].certificate;
+      if (lied.before != true_one.before || lied.after != true_one.after) return true;
+    }
+    return false;
+  };
+  for (const Mutation& mutation : MutationsOf(certified)) {
+    // What is forgotten of a part that is put in its seat is known from the seat.
+    if (mutation.lie != Lie::kHalvedSet && mutation.lie != Lie::kForgottenError) continue;
+    EXPECT_TRUE(changed(CertifiedWith(mutation, certified))) << mutation.Text(certified);
+  }
+}
+
+// The harness is tested by lying to it. ASSAY_MUTANTS: scenarios, separated by spaces, all of whose
+// mutants are tried with 200 attempts each (hours); else some of those of a pickup, with few.
+TEST(Harness, FindsLiesThatTrueErrorsReveal) {
+  const char* const asked = std::getenv("ASSAY_MUTANTS");
+  Scores scores;
+  if (asked == nullptr) {
+    Certified certified = CertifiedPlan("uncertain-known");
+    certified.plan = UpToThePickup(certified.plan);
+    scores = ScoresOf(certified, {.corners = 8, .attempts = 16, .stride = 2});
+    fmt::print("{}", Table("pickup of uncertain-known", scores));
+    EXPECT_GE(Total(scores).revealable, 3);
+  } else {
+    std::istringstream names(asked);
+    for (std::string name; names >> name;) {
+      const Scores of_scenario = ScoresOf(CertifiedPlan(name), {});
+      fmt::print("{}", Table(name, of_scenario));
+      for (const auto& [lie, score] : of_scenario) scores[lie] += score;
+    }
+  }
+  const Score total = Total(scores);
+  EXPECT_GE(total.found, 0.95 * total.revealable) << Table("missed", scores);
+}
+
+}  // namespace
+}  // namespace assay::check::mutation_test
