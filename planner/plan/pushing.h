@@ -7,7 +7,7 @@ namespace assay::plan {
 
 // At which a guarded move stops.
 inline constexpr double kResistance = 15;
-// The most that a guarded move exerts until the arm is at rest.
+// The most that a guarded move exerts until the arm is at rest, for longer than an impact.
 inline constexpr double kGreatestPush = 30;
 // Along a crevice, at most, by a strategy of fine motion; no contact of it is pressed harder.
 inline constexpr double kStrategyPush = 25;

@@ -282,10 +282,11 @@ class StandingConditions {
     return std::min(plan::kGreatestPush, 2 * friction * rules.grip_force);
   }
 
-  // The push of an edge, as far beside the middle of the pads as it is, over what they bear.
+  // What stops a guarded move, at an edge so far beside the middle of the pads, over what they
+  // bear.
   double GivenBackRatio(const Grip& grip, const TippingEdge& edge, double beyond) const {
     const geometry::Matrix3 R_ToolWorld = (X_WorldPart_ * hold_.X_PartTool).linear().transpose();
-    const Vector3 push = plan::kGreatestPush * R_ToolWorld.col(2);
+    const Vector3 push = plan::kResistance * R_ToolWorld.col(2);
     const Vector3 lever = -beyond * (R_ToolWorld * Vector3(edge.outward.x(), edge.outward.y(), 0));
     const Vector3 moment = lever.cross(push);
     const PlaneLoad in_plane = ActingAt({lever.x(), lever.z()}, Vector2(push.x(), push.z()));

@@ -320,8 +320,9 @@ TEST(ResolverInterface, WhatAResolverInsertsCarriesItsName) {
 
 TEST(ResolverInterface, EarlierResolversArePreferred) {
   const domain::Problem problem = LoadScenario("uncertain-held");
-  const auto fine_motion =
-      std::make_shared<Absorbing>(std::vector<std::string>{"entry", "slide-in", "seat", "tilt"});
+  const auto fine_motion = std::make_shared<Absorbing>(
+      std::vector<std::string>{"entry", "slide-in", "seat", "tilt", "fingertip", "standing",
+                               "pressed", "fixed stands", "fixed stays"});
   const auto scanner = std::make_shared<Scanner>();
   const auto first_of = [&](const std::vector<std::shared_ptr<Resolver>>& resolvers) {
     return NamesOf(AssembleStep(Augmented(problem, Using(resolvers))).certificate.resolutions);

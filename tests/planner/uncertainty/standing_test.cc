@@ -199,8 +199,8 @@ TEST(Pressed, PadsBesideTheSupportTipItOrBearIt) {
   const double torsion = 2 * friction * (std::sqrt(2.0) + std::asinh(1.0)) / 3 * a;  // a newton's
   for (const double force : {1000.0, 10000.0}) {
     const double ratio = PressedAside(aside, force);
-    EXPECT_GE(ratio, plan::kGreatestPush * beyond / (torsion * force));
-    EXPECT_LE(ratio, 1.5 * plan::kGreatestPush * beyond / (torsion * force));
+    EXPECT_GE(ratio, plan::kResistance * beyond / (torsion * force));
+    EXPECT_LE(ratio, 1.5 * plan::kResistance * beyond / (torsion * force));
   }
 }
 
