@@ -30,18 +30,51 @@ std::vector<StepId> ActionsOf(const std::vector<StepId>& linearization) {
   return actions;
 }
 
+plan::Hold HoldOf(const domain::Part& part, int grasp_label) {
+  const domain::Grasp& grasp = (*part.grasps)[grasp_label];
+  return {.grasp = grasp.label, .X_PartTool = grasp.X_PartTool, .width = grasp.width};
+}
+
+plan::Place PlaceOf(const domain::Part& part, const StepValues& values) {
+  const bool initial = values.position == domain::InitialLabel(part);
+  return {.position = initial ? "initial" : part.model->stable_poses()[values.position].label,
+          .X_WorldPart = values.X_WorldPart};
+}
+
+plan::Action WriteAction(const domain::Problem& problem, const ActionTemplate& action,
+                         const StepValues& values) {
+  const domain::Part& part = problem.part(action.part);
+  const plan::Hold hold = HoldOf(part, values.grasp);
+  switch (action.kind) {
+    case ActionKind::kPickup:
+      return plan::Pickup{.part = action.part, .hold = hold, .from = PlaceOf(part, values)};
+    case ActionKind::kPutdown:
+      return plan::Putdown{.part = action.part, .hold = hold, .to = PlaceOf(part, values)};
+    case ActionKind::kAssemble:
+      return plan::Assemble{
+          .mating = action.mating,
+          .hold = hold,
+          .fixed = PlaceOf(problem.part(problem.mating(action.mating).fixed), values)};
+    case ActionKind::kStart:
+    case ActionKind::kFinish:
+      break;
+  }
+  ASSAY_CHECK(false, "start and finish are not written out");
+  return {};
+}
+
 class OrderedSearch {
  public:
   using Accept = std::function<bool(const PlanInstance&)>;
 
   OrderedSearch(const PartialPlan& plan, std::vector<StepId> order, const Accept& accept,
-                Budget& budget, std::set<Blocker>& blockers)
+                const Judge& judge, InstanceSearch::Budgets budgets)
       : plan_(plan),
         geometry_(plan.problem(), plan.relations().reachability()),
         order_(std::move(order)),
         accept_(accept),
-        budget_(budget),
-        blockers_(blockers),
+        judge_(judge),
+        budgets_(budgets),
         world_(plan.problem()),
         values_(plan.steps().size()),
         assigned_(plan.network().node_count()) {
@@ -49,6 +82,9 @@ class OrderedSearch {
   }
 
   bool Run() { return Descend(0); }
+
+  const Blockers& blockers() const { return blockers_; }
+  bool met_objections() const { return objections_ > 0; }
 
  private:
   struct Assignment {
@@ -77,26 +113,76 @@ class OrderedSearch {
   bool Offer() {
     ++offered_;
     if (accept_({.order = order_, .values = values_})) return true;
-    failure_.set();
+    failure_ = {};
+    failure_.choices.set();
     return false;
   }
 
   // Goes on below `depth` with a value just set. On failure `blame` gets what made it fail; the
-  // answer tells whether other values of this depth could help.
-  enum class Below { kFound, kTryOtherValues, kJumpBack };
+  // answer tells which other values of this depth could help: not other places for the same label,
+  // if only the label took part.
+  enum class Below { kFound, kTryOtherPlaces, kTryOtherLabels, kJumpBack };
   Below GoOn(int depth, const World& before, Blame& blame) {
+    const int offered = offered_;
     if (Descend(depth + 1)) return Below::kFound;
     world_ = before;
-    if (budget_.Exhausted() || !failure_.test(depth)) return Below::kJumpBack;
-    failure_.reset(depth);
-    blame.choices |= failure_;
-    return Below::kTryOtherValues;
+    if (budgets_.Exhausted() || !failure_.choices.test(depth)) return Below::kJumpBack;
+    const bool by_place = failure_.places.test(depth) && offered == offered_;
+    failure_.choices.reset(depth);
+    failure_.places.reset(depth);
+    blame.Add(failure_);
+    return by_place ? Below::kTryOtherPlaces : Below::kTryOtherLabels;
   }
 
   bool Fail(const Blame& blame) {
-    failure_ = blame.choices;
+    failure_ = {.choices = blame.choices, .places = blame.places};
     blockers_.insert(blame.blockers.begin(), blame.blockers.end());
     return false;
+  }
+
+  bool Spend() { return budgets_.values.Spend() && !budgets_.moments.Exhausted(); }
+
+  // Whether the judge lets the step pass with the value just set; else the blame gets why not.
+  bool Passes(int depth, Blame& blame) {
+    if (!judge_) return true;
+    actions_.erase(actions_.begin() + depth, actions_.end());
+    actions_.push_back(WriteAction(plan_.problem(), plan_.step(order_[depth]),
+                                   values_[order_[depth].index()]));
+    const Judgement judgement = judge_(actions_);
+    Charge(budgets_.moments, judgement);
+    for (const Objection& objection : judgement.objections) AddBlame(objection, depth, blame);
+    objections_ += std::ssize(judgement.objections);
+    return judgement.objections.empty();
+  }
+
+  // The choices before `depth` that take part in an objection, and the parts that nobody has moved.
+  void AddBlame(const Objection& objection, int depth, Blame& blame) const {
+    for (const PartId part : objection.parts) {
+      for (int e = std::min(objection.action, depth - 1); e >= 0; --e) {
+        const ActionTemplate& action = plan_.step(order_[e]);
+        if (action.part != part || action.kind == ActionKind::kAssemble) continue;
+        const bool rests = action.kind == ActionKind::kPutdown;
+        blame.choices.set(e);
+        if (rests && objection.place) blame.places.set(e);
+        if (rests && !objection.history) break;
+      }
+    }
+    for (const auto& [part, why] : objection.in_the_way) {
+      blame.Add(ChoiceOfPlace(part, objection.action), order_[objection.action], part, why);
+    }
+  }
+
+  // The choice that put the part where it is before a step.
+  int ChoiceOfPlace(PartId part, int before) const {
+    for (int e = before - 1; e >= 0; --e) {
+      const ActionTemplate& action = plan_.step(order_[e]);
+      if (action.part != part) continue;
+      if (action.kind == ActionKind::kPutdown) return e;
+      if (action.kind == ActionKind::kAssemble) {
+        return ChoiceOfPlace(plan_.problem().mating(action.mating).fixed, e);
+      }
+    }
+    return World::kStartChoice;
   }
 
   // Whether a label fits all labels that are already chosen.
@@ -115,7 +201,7 @@ class OrderedSearch {
   }
 
   void BlamePlaceOf(PartId part, Blame& blame) const {
-    if (world_.choice(part) != World::kStartChoice) blame.choices.set(world_.choice(part));
+    if (world_.choice(part) != World::kStartChoice) blame.AddPlace(world_.choice(part));
   }
 
   bool ChooseGrasp(int depth) {
@@ -128,12 +214,13 @@ class OrderedSearch {
     values_[step.index()] = {.position = LabelOf(pickup.position),
                              .X_WorldPart = world_.X_WorldPart(pickup.part)};
     for (int grasp : plan_.Labels(pickup.grasp)) {
-      if (!budget_.Spend()) break;
+      if (!Spend()) break;
       if (!Fits(node, grasp, blame) ||
           !geometry_.PickupWorks(world_, step, pickup.part, GraspId(grasp), blame)) {
         continue;
       }
       values_[step.index()].grasp = grasp;
+      if (!Passes(depth, blame)) continue;
       assigned_[node.index()] = {.label = grasp, .depth = depth};
       world_.Take(pickup.part);
       const Below below = GoOn(depth, before, blame);
@@ -154,11 +241,11 @@ class OrderedSearch {
     Blame blame;
     for (int label : plan_.Labels(putdown.position)) {
       if (!Fits(node, label, blame)) continue;
-      const int offered = offered_;
       const Pose& X_TablePart = part.model->stable_poses()[label].X_TablePart;
-      for (const domain::Placement& placement : plan_.problem().workcell->placements()) {
-        if (!budget_.Spend()) return Fail(blame);
-        const Pose X_WorldPart = placement.X_WorldTable() * X_TablePart;
+      std::vector<domain::Placement> placements = plan_.problem().workcell->placements();
+      for (auto placement = placements.begin(); placement != placements.end(); ++placement) {
+        if (!Spend()) return Fail(blame);
+        const Pose X_WorldPart = placement->X_WorldTable() * X_TablePart;
         if (!geometry_.HasRoom(world_, step, putdown.part, X_WorldPart, blame)) continue;
         if (!geometry_.PutdownWorks(world_, step, putdown.part, GraspId(grasp.label), X_WorldPart,
                                     blame)) {
@@ -167,16 +254,27 @@ class OrderedSearch {
         }
         values_[step.index()] = {
             .grasp = grasp.label, .position = label, .X_WorldPart = X_WorldPart};
+        if (!Passes(depth, blame)) continue;
         assigned_[node.index()] = {.label = label, .depth = depth};
         world_.Rest(putdown.part, X_WorldPart, depth);
+        const std::int64_t objections = objections_;
         const Below below = GoOn(depth, before, blame);
         if (below == Below::kFound) return true;
         assigned_[node.index()] = {};
         if (below == Below::kJumpBack) return false;
-        if (offered_ > offered) break;  // other places would give the same labels again
+        if (below == Below::kTryOtherLabels) break;
+        if (objections_ > objections) TurnLast(placement, placements.end());
       }
     }
     return Fail(blame);
+  }
+
+  // To be as near to others as here, but turned, is tried last.
+  using PlacementIterator = std::vector<domain::Placement>::iterator;
+  static void TurnLast(PlacementIterator here, PlacementIterator end) {
+    std::stable_partition(here + 1, end, [&](const domain::Placement& other) {
+      return other.x != here->x || other.y != here->y;
+    });
   }
 
   bool Assemble(int depth) {
@@ -185,14 +283,15 @@ class OrderedSearch {
     const Assignment& grasp = assigned_[plan_.NodeOf(assemble.grasp).index()];
     const PartId fixed = plan_.problem().mating(assemble.mating).fixed;
     Blame blame;
-    blame.choices.set(grasp.depth);
-    BlamePlaceOf(fixed, blame);
     if (!geometry_.AssembleWorks(world_, step, assemble.mating, GraspId(grasp.label), blame)) {
+      blame.choices.set(grasp.depth);
+      BlamePlaceOf(fixed, blame);
       return Fail(blame);
     }
     values_[step.index()] = {.grasp = grasp.label,
                              .position = LabelOf(assemble.position),
                              .X_WorldPart = world_.X_WorldPart(fixed)};
+    if (!Passes(depth, blame)) return Fail(blame);
     const World before = world_;
     world_.Mate(assemble.mating);
     if (Descend(depth + 1)) return true;
@@ -209,26 +308,30 @@ class OrderedSearch {
   StepGeometry geometry_;
   std::vector<StepId> order_;
   const Accept& accept_;
-  Budget& budget_;
-  std::set<Blocker>& blockers_;
+  const Judge& judge_;
+  InstanceSearch::Budgets budgets_;
+  Blockers blockers_;
+  std::int64_t objections_ = 0;
   int offered_ = 0;  // instances
   World world_;
   std::vector<StepValues> values_;
   std::vector<Assignment> assigned_;  // by node
-  Choices failure_;                   // of the last Descend that failed
+  std::vector<plan::Action> actions_;  // that were judged last, one a depth
+  Blame failure_;                      // of the last Descend that failed, without blockers
 };
 
 }  // namespace
 
-InstanceSearch::InstanceSearch(const PartialPlan& plan, Budget& budget)
-    : plan_(plan), budget_(budget) {}
+InstanceSearch::InstanceSearch(const PartialPlan& plan, const Judge& judge, Budgets budgets)
+    : plan_(plan), judge_(judge), budgets_(budgets) {}
 
 bool InstanceSearch::Find(const std::function<bool(const PlanInstance&)>& accept) {
   for (const auto& linearization : plan_.ordering().Linearizations(kMostOrders)) {
-    if (OrderedSearch(plan_, ActionsOf(linearization), accept, budget_, blockers_).Run()) {
-      return true;
-    }
-    if (budget_.Exhausted()) break;
+    OrderedSearch search(plan_, ActionsOf(linearization), accept, judge_, budgets_);
+    if (search.Run()) return true;
+    blockers_.insert(search.blockers().begin(), search.blockers().end());
+    met_objections_ |= search.met_objections();
+    if (budgets_.Exhausted()) break;
   }
   return false;
 }
@@ -269,40 +372,20 @@ bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,
 
 namespace {
 
-plan::Hold HoldOf(const domain::Part& part, int grasp_label) {
-  const domain::Grasp& grasp = (*part.grasps)[grasp_label];
-  return {.grasp = grasp.label, .X_PartTool = grasp.X_PartTool, .width = grasp.width};
-}
-
-plan::Place PlaceOf(const domain::Part& part, const StepValues& values) {
-  const bool initial = values.position == domain::InitialLabel(part);
-  return {.position = initial ? "initial" : part.model->stable_poses()[values.position].label,
-          .X_WorldPart = values.X_WorldPart};
-}
-
-plan::Action WriteAction(const domain::Problem& problem, const ActionTemplate& action,
-                         const StepValues& values) {
-  const domain::Part& part = problem.part(action.part);
-  const plan::Hold hold = HoldOf(part, values.grasp);
-  switch (action.kind) {
-    case ActionKind::kPickup:
-      return plan::Pickup{.part = action.part, .hold = hold, .from = PlaceOf(part, values)};
-    case ActionKind::kPutdown:
-      return plan::Putdown{.part = action.part, .hold = hold, .to = PlaceOf(part, values)};
-    case ActionKind::kAssemble:
-      return plan::Assemble{
-          .mating = action.mating,
-          .hold = hold,
-          .fixed = PlaceOf(problem.part(problem.mating(action.mating).fixed), values)};
-    case ActionKind::kStart:
-    case ActionKind::kFinish:
-      break;
-  }
-  ASSAY_CHECK(false, "start and finish are not written out");
-  return {};
-}
-
 plan::StepId WrittenId(StepId step) { return plan::StepId(step.index() - 2); }
+
+// Of the steps for whose sake a part was moved, because something could not be proved.
+void NoteWhyMoved(const PartialPlan& partial, plan::Plan& written) {
+  for (const RequiredMove& move : partial.required_moves()) {
+    if (move.why.empty()) continue;
+    const StepId putdown = partial.ProducerOf(move.consumer, move.precondition);
+    const StepId pickup = partial.ProducerOf(putdown, 0);  // holding(part, grasp)
+    written.steps[WrittenId(move.consumer).index()].certificate.resolutions.push_back(
+        {.resolver = "moving",
+         .steps = {WrittenId(pickup), WrittenId(putdown)},
+         .why = move.why});
+  }
+}
 
 bool EveryOrderWorks(const PartialPlan& plan, const PlanInstance& instance) {
   const auto linearizations = plan.ordering().Linearizations(kMostOrders);
@@ -325,6 +408,7 @@ plan::Plan WriteOut(const PartialPlan& partial, const PlanInstance& instance) {
          .inserted = s - 1,
          .executed = static_cast<int>(executed) + 1});
   }
+  NoteWhyMoved(partial, written);
   if (EveryOrderWorks(partial, instance)) {
     for (const auto& [a, b] : partial.ordering().arcs()) {
       if (std::min(a, b) > PartialPlan::kFinish) {

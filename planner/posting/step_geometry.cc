@@ -12,13 +12,23 @@ using domain::PartId;
 using domain::PlacedPart;
 using domain::Pose;
 
-void Blame::Add(const World& world, StepId step, PartId part) {
-  const int choice = world.choice(part);
+void Blame::AddPlace(int choice) {
+  choices.set(choice);
+  places.set(choice);
+}
+
+void Blame::Add(int choice, StepId step, PartId part, const std::string& why) {
   if (choice == World::kStartChoice) {
-    blockers.insert({step, part});
+    blockers.try_emplace({step, part}, why);
   } else {
-    choices.set(choice);
+    AddPlace(choice);
   }
+}
+
+void Blame::Add(const Blame& other) {
+  choices |= other.choices;
+  places |= other.places;
+  blockers.insert(other.blockers.begin(), other.blockers.end());
 }
 
 bool StepGeometry::HandIsFree(const World& world, StepId step, PartId part, PartId except,
@@ -32,7 +42,7 @@ bool StepGeometry::HandIsFree(const World& world, StepId step, PartId part, Part
        {std::pair{X_WorldTool, grasp.width}, {X_WorldTool, open}, {X_WorldRetreated, open}}) {
     const PartId obstacle = Obstacle(problem_, X_World, opening, others);
     if (obstacle.IsNone()) continue;
-    blame.Add(world, step, obstacle);
+    blame.Add(world.choice(obstacle), step, obstacle);
     return false;
   }
   return true;
@@ -53,7 +63,7 @@ bool StepGeometry::HasRoom(const World& world, StepId step, PartId part, const P
                            Blame& blame) const {
   if (!OnTable(problem_, part, X_WorldPart)) return false;
   const PartId crowding = Crowding(problem_, part, X_WorldPart, world.Others(part));
-  if (!crowding.IsNone()) blame.Add(world, step, crowding);
+  if (!crowding.IsNone()) blame.Add(world.choice(crowding), step, crowding);
   return crowding.IsNone();
 }
 
@@ -69,7 +79,7 @@ bool StepGeometry::HeldPartIsFree(const World& world, StepId step, const Mating&
                                   const Pose& X_WorldHeld, Blame& blame) const {
   const PartId obstacle = Obstacle(problem_, {.part = mating.held, .X_WorldPart = X_WorldHeld},
                                    world.Others(mating.held, mating.fixed));
-  if (!obstacle.IsNone()) blame.Add(world, step, obstacle);
+  if (!obstacle.IsNone()) blame.Add(world.choice(obstacle), step, obstacle);
   return obstacle.IsNone();
 }
 

@@ -17,7 +17,10 @@ struct UncertaintyOptions {
   algebra::BoundRequest bound = {};
   int most_remedies = 3;            // at once, for one step
   std::int64_t combinations = 100;  // of remedies, tried for one step
-  std::int64_t instances = 10;      // plan instances looked at, of all plans of the first phase
+  std::int64_t moments = 6'000;     // of world trees, worked out to find a plan with all proved
+  // Where there is no such plan: plan instances looked at, of all plans of the first phase, for the
+  // one that comes nearest; and of those found to be proved, so many that cannot be executed.
+  std::int64_t instances = 10;
   std::int64_t instances_for_violation = 0;  // of these, augmented for a smaller violation alone
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
   std::vector<plan::Sense> looks =

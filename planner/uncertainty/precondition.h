@@ -14,12 +14,14 @@ struct Precondition {
   Expression expression;  // metres, radians, or a ratio
   plan::Relation relation = plan::Relation::kLess;
   double limit = 0;
+  PartId neighbour = PartId::None();  // that it keeps clear of, and that the action does not handle
 };
 
 // The preconditions of one action. Those that say the same of the same expression are kept once.
 class Preconditions {
  public:
-  void Less(std::string condition, std::string meaning, const Expression& expression, double limit);
+  void Less(std::string condition, std::string meaning, const Expression& expression, double limit,
+            PartId neighbour = PartId::None());
   void Greater(std::string condition, std::string meaning, const Expression& expression,
                double limit);
   // -limit < expression < limit.
