@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "planner/base/check.h"
 #include "planner/domain/resting.h"
@@ -136,7 +137,7 @@ class OrderedSearch {
 
   bool Fail(const Blame& blame) {
     failure_ = {.choices = blame.choices, .places = blame.places};
-    blockers_.insert(blame.blockers.begin(), blame.blockers.end());
+    Add(blame.blockers, blockers_);
     return false;
   }
 
@@ -146,11 +147,12 @@ class OrderedSearch {
   bool Passes(int depth, Blame& blame) {
     if (!judge_) return true;
     actions_.erase(actions_.begin() + depth, actions_.end());
-    actions_.push_back(WriteAction(plan_.problem(), plan_.step(order_[depth]),
-                                   values_[order_[depth].index()]));
+    actions_.push_back(
+        WriteAction(plan_.problem(), plan_.step(order_[depth]), values_[order_[depth].index()]));
     const Judgement judgement = judge_(actions_);
     Charge(budgets_.moments, judgement);
     for (const Objection& objection : judgement.objections) AddBlame(objection, depth, blame);
+    if (!judgement.objections.empty()) NoteTooNear(judgement.objections.back());
     objections_ += std::ssize(judgement.objections);
     return judgement.objections.empty();
   }
@@ -169,6 +171,15 @@ class OrderedSearch {
     }
     for (const auto& [part, why] : objection.in_the_way) {
       blame.Add(ChoiceOfPlace(part, objection.action), order_[objection.action], part, why);
+    }
+  }
+
+  void NoteTooNear(const Objection& objection) {
+    const StepId step = order_[objection.action];
+    too_near_ = {values_[step.index()].X_WorldPart.translation(),
+                 values_[step.index()].X_WorldPart.translation()};
+    for (const auto& [part, why] : objection.in_the_way) {
+      too_near_.second = world_.X_WorldPart(part).translation();
     }
   }
 
@@ -263,17 +274,24 @@ class OrderedSearch {
         assigned_[node.index()] = {};
         if (below == Below::kJumpBack) return false;
         if (below == Below::kTryOtherLabels) break;
-        if (objections_ > objections) TurnLast(placement, placements.end());
+        if (objections_ > objections) PutNearOnesLast(placement, placements.end());
       }
     }
     return Fail(blame);
   }
 
-  // To be as near to others as here, but turned, is tried last.
+  // Of two places that are too near to each other, one is `here`: places that are no farther from
+  // the other are tried last.
   using PlacementIterator = std::vector<domain::Placement>::iterator;
-  static void TurnLast(PlacementIterator here, PlacementIterator end) {
-    std::stable_partition(here + 1, end, [&](const domain::Placement& other) {
-      return other.x != here->x || other.y != here->y;
+  void PutNearOnesLast(PlacementIterator here, PlacementIterator end) const {
+    const auto distance = [](const domain::Placement& p, const geometry::Vector3& other) {
+      return std::hypot(p.x - other.x(), p.y - other.y());
+    };
+    const bool is_first = distance(*here, too_near_.first) < distance(*here, too_near_.second);
+    const geometry::Vector3& other = is_first ? too_near_.second : too_near_.first;
+    constexpr double kSame = 1e-6;  // metres
+    std::stable_partition(here + 1, end, [&](const domain::Placement& placement) {
+      return distance(placement, other) > distance(*here, other) + kSame;
     });
   }
 
@@ -312,10 +330,12 @@ class OrderedSearch {
   InstanceSearch::Budgets budgets_;
   Blockers blockers_;
   std::int64_t objections_ = 0;
+  // Where the part of the last objection and what was in its way lay.
+  std::pair<geometry::Vector3, geometry::Vector3> too_near_;
   int offered_ = 0;  // instances
   World world_;
   std::vector<StepValues> values_;
-  std::vector<Assignment> assigned_;  // by node
+  std::vector<Assignment> assigned_;   // by node
   std::vector<plan::Action> actions_;  // that were judged last, one a depth
   Blame failure_;                      // of the last Descend that failed, without blockers
 };
@@ -329,7 +349,7 @@ bool InstanceSearch::Find(const std::function<bool(const PlanInstance&)>& accept
   for (const auto& linearization : plan_.ordering().Linearizations(kMostOrders)) {
     OrderedSearch search(plan_, ActionsOf(linearization), accept, judge_, budgets_);
     if (search.Run()) return true;
-    blockers_.insert(search.blockers().begin(), search.blockers().end());
+    Add(search.blockers(), blockers_);
     met_objections_ |= search.met_objections();
     if (budgets_.Exhausted()) break;
   }
@@ -380,10 +400,17 @@ void NoteWhyMoved(const PartialPlan& partial, plan::Plan& written) {
     if (move.why.empty()) continue;
     const StepId putdown = partial.ProducerOf(move.consumer, move.precondition);
     const StepId pickup = partial.ProducerOf(putdown, 0);  // holding(part, grasp)
-    written.steps[WrittenId(move.consumer).index()].certificate.resolutions.push_back(
-        {.resolver = "moving",
-         .steps = {WrittenId(pickup), WrittenId(putdown)},
-         .why = move.why});
+    auto& resolutions = written.steps[WrittenId(move.consumer).index()].certificate.resolutions;
+    if (resolutions.empty()) resolutions.push_back({.resolver = "moving", .why = move.why});
+    plan::Resolution& moving = resolutions.front();
+    if (!moving.steps.empty()) moving.why += "; " + move.why;
+    for (const StepId step : {pickup, putdown}) moving.steps.push_back(WrittenId(step));
+  }
+  const auto executed = [&](plan::StepId step) { return written.step(step).executed; };
+  for (plan::PlannedStep& step : written.steps) {
+    for (plan::Resolution& moving : step.certificate.resolutions) {
+      std::ranges::sort(moving.steps, {}, executed);
+    }
   }
 }
 

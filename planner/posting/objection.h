@@ -17,12 +17,12 @@ struct PartInTheWay {
 };
 
 // Why an action of a plan instance cannot be proved, whatever remedies are inserted: what the
-// uncertainty phase tells the constraint-posting planner, so that it makes another instance or posts
-// a goal (Spar, "Satisfying Uncertainty-Reduction Goals", leaves this open).
+// uncertainty phase tells the constraint-posting planner, so that it makes another instance or
+// posts a goal (Spar, "Satisfying Uncertainty-Reduction Goals", leaves this open).
 struct Objection {
   int action = 0;  // index, in the order of execution
-  // Parts that it handles or whose errors occur in what is not proved: how they lie and how they are
-  // held takes part in the failure.
+  // Parts that it handles or whose errors occur in what is not proved: how they lie and how they
+  // are held takes part in the failure.
   std::vector<domain::PartId> parts = {};
   // Whether how they came there does, too: not, if the action fails with all known that could be.
   bool history = false;
@@ -31,6 +31,9 @@ struct Objection {
   // Parts that the action does not handle and that would have to be elsewhere.
   std::vector<PartInTheWay> in_the_way = {};
   std::string why = {};  // the precondition that fails by most, with its bound
+
+  // Whether the action fails whatever is known, wherever parts are.
+  bool is_certain() const { return !history && !place; }
 };
 
 struct Judgement {

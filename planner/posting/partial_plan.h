@@ -44,8 +44,8 @@ struct Threat {
 };
 
 // The goal that a part is somewhere else than where it was at the start: precondition number
-// `precondition` of the consumer. `why`: what cannot be proved of the consumer otherwise; empty if it
-// could not even be executed.
+// `precondition` of the consumer. `why`: what cannot be proved of the consumer otherwise; empty if
+// it could not even be executed.
 struct RequiredMove {
   StepId consumer;
   domain::PartId part;

@@ -24,7 +24,7 @@ using domain::Problem;
 // that are in the way take ten actions more.
 constexpr int kTurns = 12;
 // The instances of one partial plan may take this part of what is left of a turn.
-constexpr int kMostOfOneTurn = 4;
+constexpr int kMostOfOneTurn = 2;
 
 class PostingPlanner {
  public:
@@ -270,14 +270,14 @@ class PostingPlanner {
   GeometricRelations relations_;
   Budget partial_plans_;
   Budget instance_choices_;
-  Judge judge_ = {};           // the options', whose moments are counted
-  Budget turn_{0};             // of the judge: moments, until a longer plan's turn comes
-  std::int64_t moments_ = 0;   // that the judge has worked out
+  Judge judge_ = {};          // the options', whose moments are counted
+  Budget turn_{0};            // of the judge: moments, until a longer plan's turn comes
+  std::int64_t moments_ = 0;  // that the judge has worked out
   std::int64_t complete_plans_ = 0;
   std::int64_t instances_ = 0;
   std::set<std::string> seen_;  // signatures of instances
   int limit_ = 0;
-  bool cut_off_ = false;  // whether a refinement was left out because of the limit
+  bool cut_off_ = false;               // whether a refinement was left out because of the limit
   bool met_objections_ = false;        // with this limit
   bool are_parts_in_the_way_ = false;  // with this limit
   std::size_t depth_ = 0;

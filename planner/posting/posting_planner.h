@@ -18,7 +18,7 @@ struct PlannerOptions {
   // Asked about each action of the instances as they are made: an instance with one that it objects
   // to is no plan. Empty: no action is objected to.
   Judge judge = {};
-  std::int64_t moments = 6'000;  // budget of what the judge works out
+  std::int64_t moments = 12'000;  // budget of what the judge works out
   // Asked of each plan instance in turn: the first that it accepts is the plan. Empty: the first.
   std::function<bool(const plan::Plan&)> accept = {};
   // Shown the partial plan, the family that the plan is an instance of; may be empty.

@@ -12,6 +12,13 @@ using domain::PartId;
 using domain::PlacedPart;
 using domain::Pose;
 
+void Add(const Blockers& more, Blockers& blockers) {
+  for (const auto& [blocker, why] : more) {
+    std::string& known = blockers[blocker];
+    if (known.empty()) known = why;
+  }
+}
+
 void Blame::AddPlace(int choice) {
   choices.set(choice);
   places.set(choice);
@@ -19,7 +26,7 @@ void Blame::AddPlace(int choice) {
 
 void Blame::Add(int choice, StepId step, PartId part, const std::string& why) {
   if (choice == World::kStartChoice) {
-    blockers.try_emplace({step, part}, why);
+    posting::Add({{{step, part}, why}}, blockers);
   } else {
     AddPlace(choice);
   }
@@ -28,7 +35,7 @@ void Blame::Add(int choice, StepId step, PartId part, const std::string& why) {
 void Blame::Add(const Blame& other) {
   choices |= other.choices;
   places |= other.places;
-  blockers.insert(other.blockers.begin(), other.blockers.end());
+  posting::Add(other.blockers, blockers);
 }
 
 bool StepGeometry::HandIsFree(const World& world, StepId step, PartId part, PartId except,

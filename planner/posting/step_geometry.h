@@ -18,12 +18,15 @@ using Choices = std::bitset<kMostSteps>;
 using Blocker = std::pair<StepId, domain::PartId>;
 // With what cannot be proved as long as it is there; empty: the step cannot be executed.
 using Blockers = std::map<Blocker, std::string>;
+// Adds them; what cannot be proved tells more than that a step cannot be executed with some value.
+void Add(const Blockers& more, Blockers& blockers);
 
 // Who rules a value of a step out: choices made for earlier steps, and parts that still lie where
 // they were at the start.
 struct Blame {
   Choices choices = {};
-  Choices places = {};  // of these, those whose place on the table takes part, and not the label alone
+  Choices places =
+      {};  // of these, those whose place on the table takes part, and not the label alone
   Blockers blockers = {};
 
   void AddPlace(int choice);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <set>
@@ -355,8 +356,7 @@ class Augmentation {
   // What the goals say of the objection, the one that is missed by most first.
   static void Explain(std::vector<Unproved> goals, const UncertainWorld& world,
                       Objection& objection) {
-    std::ranges::stable_sort(goals, {},
-                             [](const Unproved& goal) { return goal.claim.margin; });
+    std::ranges::stable_sort(goals, {}, [](const Unproved& goal) { return goal.claim.margin; });
     objection.why = WhyUnproved(goals.front().claim);
     objection.place = std::ranges::any_of(goals, DependsOnPlace);
     for (const PartId part : world.PartsIn(ExpressionsOf(goals))) AddTo(objection.parts, part);
@@ -382,13 +382,11 @@ class Augmentation {
     }
   }
 
-  bool IsInserted(const Entry& entry) const {
-    return entry.id.index() >= static_cast<int>(steps_);
-  }
+  bool IsInserted(const Entry& entry) const { return entry.id.index() >= static_cast<int>(steps_); }
   // Of the step that is inserted next.
   int NextId() const {
-    const auto inserted = std::ranges::count_if(
-        entries_, [&](const Entry& entry) { return IsInserted(entry); });
+    const auto inserted =
+        std::ranges::count_if(entries_, [&](const Entry& entry) { return IsInserted(entry); });
     return static_cast<int>(steps_ + inserted);
   }
 
@@ -655,6 +653,20 @@ Standing LeastStanding(const plan::Plan& instance, const UncertaintyOptions& opt
   return least;
 }
 
+// Steps that no remedies can better, wherever on the table parts are.
+int CertainErrors(const plan::Plan& instance, const UncertaintyOptions& options, Worlds& worlds) {
+  if (!worlds.best) return 0;
+  const std::vector<std::string> absorbable = Absorbable(options);
+  MomentId moment = worlds.best->Beginning();
+  int errors = 0;
+  for (const plan::StepId id : instance.ExecutionOrder()) {
+    moment = worlds.best->After(moment, instance.step(id).action, nullptr);
+    errors +=
+        std::ranges::all_of(worlds.best->UnprovedAt(moment, absorbable), DependsOnPlace) ? 0 : 1;
+  }
+  return errors;
+}
+
 // A hand turned by half a turn grasps as well: one of the two is enough.
 bool IsAsGood(const Standing& a, const Standing& b) {
   constexpr double kSameViolation = 1e-6;
@@ -675,6 +687,7 @@ class BestInstance {
 
   void Consider(const plan::Plan& instance) {
     const Standing least = LeastStanding(instance, options_, worlds_);
+    certain_errors_ = std::min(certain_errors_, CertainErrors(instance, options_, worlds_));
     if (least.errors > 0) {
       waiting_.push_back({least, instance});
     } else {
@@ -702,6 +715,9 @@ class BestInstance {
 
   bool exists() const { return best_.has_value(); }
   int errors() const { return best_->augmentation.errors(); }  // of the best
+  std::int64_t actions() const { return std::ssize(best_->instance.steps); }
+  // The least of all that were considered.
+  int certain_errors() const { return certain_errors_; }
   bool is_proved() const { return exists() && errors() == 0; }
   plan::Plan WriteOut() const { return best_->augmentation.WriteOut(best_->instance).plan; }
   std::int64_t combinations() const { return combinations_; }  // of remedies that were tried
@@ -732,17 +748,30 @@ class BestInstance {
   const UncertaintyOptions& options_;
   Worlds& worlds_;
   std::int64_t for_violation_;  // that are still to be augmented
+  int certain_errors_ = std::numeric_limits<int>::max();
   std::vector<Waiting> waiting_;
   std::optional<Augmented> best_;
   std::int64_t combinations_ = 0;
+};
+
+// Steps of an instance that need not be proved.
+struct Allowance {
+  std::int64_t errors = 0;
+  std::int64_t certain_errors = 0;  // of these, to which there can only be certain objections
+
+  bool Covers(const std::vector<Objection>& objections) const {
+    const std::int64_t certain = std::ranges::count_if(objections, &Objection::is_certain);
+    return std::ssize(objections) <= errors &&
+           std::ssize(objections) - certain <= errors - certain_errors;
+  }
 };
 
 // Objects to instances as soon as more of their steps than are allowed cannot be proved.
 class InstanceJudge {
  public:
   InstanceJudge(const domain::Problem& problem, const UncertaintyOptions& options, Worlds& worlds,
-                int errors)
-      : worlds_(worlds), errors_(errors) {
+                const Allowance& allowance)
+      : worlds_(worlds), allowance_(allowance) {
     levels_.push_back({Augmentation(problem, kMostSteps, options, worlds), {}});
   }
 
@@ -750,16 +779,15 @@ class InstanceJudge {
     const std::int64_t moments = worlds_.moments();
     levels_.erase(levels_.begin() + std::ssize(actions), levels_.end());
     Level level = levels_.back();
-    const bool may_fail = level.augmentation.errors() < errors_;
     if (!level.augmentation.Add(plan::StepId(actions.size() - 1), actions.back(),
-                                may_fail ? IfUnproved::kPrepare : IfUnproved::kObject)) {
+                                IfUnproved::kObject)) {
       level.objections.push_back(level.augmentation.ObjectionToLast());
     }
     Judgement judgement = {.moments = 1 + worlds_.moments() - moments};
-    if (level.augmentation.errors() > errors_) {
-      judgement.objections = std::move(level.objections);
-    } else {
+    if (allowance_.Covers(level.objections)) {
       levels_.push_back(std::move(level));
+    } else {
+      judgement.objections = std::move(level.objections);
     }
     return judgement;
   }
@@ -772,7 +800,7 @@ class InstanceJudge {
   };
 
   Worlds& worlds_;
-  int errors_;
+  Allowance allowance_;
   std::vector<Level> levels_;
 };
 
@@ -786,11 +814,14 @@ class CertifiedPlanning {
         worlds_(problem, options),
         best_(problem, options, worlds_) {}
 
+  // The first instances tell how many errors no search can spare; those beyond are searched for.
   plan::PlanResult Run() {
-    plan::PlanResult result = WithErrors(0);
-    if (result.outcome == Outcome::kNone || best_.is_proved()) return Answer(std::move(result));
-    Join(AmongTheFirst(), result);
-    for (int errors = 1; best_.exists() && errors < best_.errors(); ++errors) {
+    plan::PlanResult result = AmongTheFirst();
+    if (!best_.exists()) return Answer(std::move(result));
+    if (best_.is_proved() && best_.actions() > result.counters.at("least_actions")) {
+      Join(WithErrors(0), result);  // other places or orders may spare actions
+    }
+    for (int errors = best_.certain_errors(); errors < best_.errors(); ++errors) {
       Join(WithErrors(errors), result);
     }
     return Answer(std::move(result));
@@ -800,12 +831,10 @@ class CertifiedPlanning {
   // Looks for a plan in which so many steps are not proved, at most: steps that fail are mended by
   // other instances, and by goals for the first phase.
   plan::PlanResult WithErrors(int errors) {
-    InstanceJudge judge(problem_, options_, worlds_, errors);
+    InstanceJudge judge(problem_, options_, worlds_, {errors, best_.certain_errors()});
     PlannerOptions first_phase = planner_;
     first_phase.moments = options_.moments;
-    first_phase.judge = [&](std::span<const plan::Action> actions) {
-      return judge.Judge(actions);
-    };
+    first_phase.judge = [&](std::span<const plan::Action> actions) { return judge.Judge(actions); };
     std::int64_t refused = 0;
     first_phase.accept = [&](const plan::Plan& instance) {
       if (!CanBeExecuted(instance)) return ++refused >= options_.instances;

@@ -186,12 +186,12 @@ class HandConditions {
     for (std::size_t i = 0; i < hand.local.size(); ++i) {
       for (std::size_t j = 0; j < other.local.size(); ++j) {
         if (best.dot(other.points[j] - hand.points[i]) > reach) continue;
-        conditions_.Less("hand clear",
-                         fmt::format("the hand stays clear of {}",
-                                     world_.problem().part(neighbour).name),
-                         Along(best, *hand.pose * AsVector(hand.local[i])) -
-                             Along(best, *other.pose * AsVector(other.local[j])),
-                         0, neighbour);
+        conditions_.Less(
+            "hand clear",
+            fmt::format("the hand stays clear of {}", world_.problem().part(neighbour).name),
+            Along(best, *hand.pose * AsVector(hand.local[i])) -
+                Along(best, *other.pose * AsVector(other.local[j])),
+            0, neighbour);
       }
     }
   }

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +10,7 @@
 #include <iterator>
 #include <map>
 #include <optional>
+#include <span>
 #include <sstream>
 #include <utility>
 
@@ -36,8 +36,9 @@ using ::testing::IsEmpty;
 using uncertainty::Propagation;
 using uncertainty::UncertainWorld;
 
-// The models of the project, with a workcell `three-places`, where everything can be looked through:
-// parts can be put down at three places, turned as they are, and the tool comes straight down.
+// The models of the project, with a workcell `three-places`, where everything can be looked
+// through: parts can be put down at three places, turned as they are, and the tool comes straight
+// down.
 std::string ModelsWithThreePlaces() {
   const std::filesystem::path models = std::string(ASSAY_SOURCE_DIR) + "/models";
   const std::filesystem::path scratch = ScratchFile("clutter-models");
@@ -98,19 +99,19 @@ struct Scene {
   }
 };
 
-// Up to four bricks beside the peg, near enough that the fingers may meet them, and one behind one of
-// them.
+// Bricks beside the peg, so near that the fingers have a few millimetres between them and the peg;
+// and one beside the first of them, which is in the way of moving that one.
 Scene RandomScene(RandomStream& random, int most) {
-  constexpr std::array<std::pair<int, int>, 4> kSides = {{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+  std::vector<std::pair<int, int>> sides = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}};
   Scene scene = {.peg_error = random.Uniform(0.05, 1.5)};
   const int count = 1 + random.Index(most);
   for (int i = 0; i < count; ++i) {
-    const auto [x, y] = kSides[static_cast<std::size_t>(i % 4)];
-    const double distance = random.Uniform(i < 4 ? 96 : 180, i < 4 ? 108 : 190);
-    const double across = random.Uniform(-15, 15);
-    scene.bricks.push_back({.x = 620 + x * distance + y * across,
-                            .y = -40 + y * distance + x * across,
-                            .error = random.Uniform(0.1, 7)});
+    const auto side = sides.begin() + random.Index(static_cast<int>(sides.size()));
+    scene.bricks.push_back(
+        {.x = 620 + side->first * random.Uniform(89.5, 98) + random.Uniform(-2, 2),
+         .y = -40 + side->second * random.Uniform(89.5, 98),
+         .error = random.Uniform(0.5, 7)});
+    sides.erase(side);
   }
   return scene;
 }
@@ -122,8 +123,8 @@ struct Moment {
   std::vector<bool> moved;  // by part
 };
 
-// Looks through all sequences in which bricks are moved, each once at most, in every order, with every
-// grasp and to every place, and tells how few of them are enough: naive, and exhaustive.
+// Looks through all sequences in which bricks are moved, each once at most, in every order, with
+// every grasp and to every place, and tells how few of them are enough: naive, and exhaustive.
 class Exhaustive {
  public:
   explicit Exhaustive(const Problem& problem) : problem_(problem) {}
@@ -247,7 +248,8 @@ class Exhaustive {
   std::vector<PlacedPart> Others(const Moment& moment, const std::vector<PartId>& handled) const {
     std::vector<PlacedPart> others;
     for (std::size_t i = 0; i < moment.poses.size(); ++i) {
-      if (std::ranges::count(handled, PartId(i)) == 0) others.push_back({PartId(i), moment.poses[i]});
+      if (std::ranges::count(handled, PartId(i)) == 0)
+        others.push_back({PartId(i), moment.poses[i]});
     }
     return others;
   }
@@ -281,11 +283,11 @@ int FromEnvironment(const char* name, int otherwise) {
   return said == nullptr ? otherwise : std::atoi(said);
 }
 
-// Whenever moving some of the bricks gives a proof, the planner finds one, and moves as few as can be.
-// ASSAY_CLUTTER_SCENES: how many scenes; ASSAY_CLUTTER_BRICKS: in each at most, up to five.
+// Whenever moving some of the bricks gives a proof, the planner finds one, and moves as few as can
+// be. ASSAY_CLUTTER_SCENES: how many scenes; ASSAY_CLUTTER_BRICKS: in each at most, up to five.
 TEST(Clutter, IsMovedWheneverThatGivesAProofAndAsLittleAsCanBe) {
   const int scenes = FromEnvironment("ASSAY_CLUTTER_SCENES", 12);
-  const int bricks = FromEnvironment("ASSAY_CLUTTER_BRICKS", 3);
+  const int bricks = FromEnvironment("ASSAY_CLUTTER_BRICKS", 4);
   std::map<int, int> count;  // of scenes, by how many bricks have to be moved; -1: no proof
   for (int seed = 1; seed <= scenes; ++seed) {
     RandomStream random(static_cast<std::uint64_t>(seed), "clutter");
@@ -305,6 +307,134 @@ TEST(Clutter, IsMovedWheneverThatGivesAProofAndAsLittleAsCanBe) {
     RecordProperty(name, number);
   }
   EXPECT_GE(count.size(), 3u) << "the scenes are too much alike";
+}
+
+bool IsProved(const plan::PlannedStep& step) {
+  return std::ranges::all_of(step.certificate.preconditions,
+                             [](const auto& claim) { return claim.holds(); });
+}
+
+TEST(Clutter, IsMovedForTheReasonThatTheStepTells) {
+  const Problem problem = LoadScenario("uncertain-clutter");
+  EXPECT_GT(Augment(problem, FirstInstance(problem), {}).plan.errors, 0);
+  const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
+  EXPECT_EQ(result.plan.errors, 0);
+  ASSERT_EQ(result.plan.steps.size(), 6u);
+  EXPECT_THAT(plan::Check(problem, result.plan, 100).flaws, IsEmpty());
+  int told = 0;
+  for (const plan::PlannedStep& step : result.plan.steps) {
+    for (const plan::Resolution& resolution : step.certificate.resolutions) {
+      ++told;
+      EXPECT_EQ(std::get<plan::Pickup>(step.action).part, PartNamed(problem, "peg"));
+      EXPECT_EQ(resolution.resolver, "moving");
+      EXPECT_THAT(resolution.why, HasSubstr("not proved that the hand stays clear of"));
+      EXPECT_EQ(resolution.steps.size(), 4u);
+      for (const plan::StepId moved : resolution.steps) {
+        EXPECT_LT(result.plan.step(moved).executed, step.executed);
+      }
+    }
+  }
+  EXPECT_EQ(told, 1);
+}
+
+// The first place for the regrasp is beside the block, where the hand may meet it.
+TEST(Clutter, TheRegraspOfFigure16IsNotBesideTheBlock) {
+  const plan::PlanResult result = MakeCertifiedPlan(LoadScenario("spar-fig16"), {}, {});
+  EXPECT_LE(result.plan.errors, 1);
+  EXPECT_EQ(std::ranges::count_if(result.plan.steps,
+                                  [](const plan::PlannedStep& step) {
+                                    return std::holds_alternative<plan::Pickup>(step.action);
+                                  }),
+            2);
+  for (const plan::PlannedStep& step : result.plan.steps) {
+    if (!std::holds_alternative<plan::Pickup>(step.action)) continue;
+    EXPECT_TRUE(IsProved(step));
+  }
+}
+
+// Whatever is objected to, the plan is one that the judge lets pass.
+
+Problem BlockToBeTurned() {
+  return ScenarioFrom(R"(format: assay-scenario/1
+units: {length: inch, angle: degree}
+workcell: puma762-table
+parts:
+  block: {model: block, pose: {stable: on-end, at: [22, 6]}}
+  brick: {model: brick, pose: {stable: upright, at: [22, -8]}}
+goal:
+  - located: {part: block, stable: [on-back]}
+)");
+}
+
+TEST(Judge, WhoObjectsToAPlaceGetsAnother) {
+  const Problem problem = BlockToBeTurned();
+  const auto is_far = [](const Action& action) {
+    const auto* putdown = std::get_if<plan::Putdown>(&action);
+    return putdown == nullptr || putdown->to.X_WorldPart.translation().y() < -0.15;
+  };
+  PlannerOptions options;
+  options.judge = [&](std::span<const Action> actions) -> Judgement {
+    if (is_far(actions.back())) return {.moments = 1};
+    return {.objections = {{.action = static_cast<int>(actions.size()) - 1,
+                            .parts = {PartId(0)},
+                            .place = true}},
+            .moments = 1};
+  };
+  const plan::PlanResult result = MakePlan(problem, options);
+  ASSERT_EQ(result.outcome, Outcome::kFound);
+  EXPECT_EQ(result.plan.steps.size(), 2u);
+  for (const Action& action : ActionsOf(result.plan)) EXPECT_TRUE(is_far(action));
+}
+
+TEST(Judge, APartThatIsInTheWayIsMovedAndThePlanSaysWhy) {
+  const Problem problem = BlockToBeTurned();
+  const PartId brick = PartNamed(problem, "brick");
+  const auto puts_down_brick = [&](const Action& action) {
+    const auto* putdown = std::get_if<plan::Putdown>(&action);
+    return putdown != nullptr && putdown->part == brick;
+  };
+  PlannerOptions options;
+  options.judge = [&](std::span<const Action> actions) -> Judgement {
+    const auto* pickup = std::get_if<plan::Pickup>(&actions.back());
+    const bool is_free = std::ranges::any_of(actions, puts_down_brick);
+    if (pickup == nullptr || pickup->part == brick || is_free) return {.moments = 1};
+    return {.objections = {{.action = static_cast<int>(actions.size()) - 1,
+                            .parts = {pickup->part},
+                            .place = true,
+                            .in_the_way = {{brick, "the brick is unlucky"}}}},
+            .moments = 1};
+  };
+  const plan::PlanResult result = MakePlan(problem, options);
+  ASSERT_EQ(result.outcome, Outcome::kFound);
+  ASSERT_EQ(result.plan.steps.size(), 4u);
+  const std::vector<plan::StepId> order = result.plan.ExecutionOrder();
+  EXPECT_TRUE(puts_down_brick(result.plan.step(order[1]).action));
+  const auto& resolutions = result.plan.step(order[2]).certificate.resolutions;
+  ASSERT_EQ(resolutions.size(), 1u);
+  EXPECT_EQ(resolutions.front().why, "the brick is unlucky");
+  EXPECT_EQ(resolutions.front().steps, (std::vector{order[0], order[1]}));
+}
+
+// An objection that no place and no history can meet leads to no longer plan; one that may be met
+// does, until the budget is spent.
+TEST(Judge, WhoAlwaysObjectsGetsNoPlan) {
+  const Problem problem = BlockToBeTurned();
+  std::map<bool, std::int64_t> judged;
+  for (const bool blames_brick : {false, true}) {
+    PlannerOptions options;
+    options.moments = 600;
+    options.judge = [&](std::span<const Action> actions) -> Judgement {
+      ++judged[blames_brick];
+      Objection objection = {.action = static_cast<int>(actions.size()) - 1};
+      if (blames_brick) objection.in_the_way = {{PartId(1), "never"}};
+      return {.objections = {objection}, .moments = 1};
+    };
+    const plan::PlanResult result = MakePlan(problem, options);
+    EXPECT_EQ(result.outcome, Outcome::kBudget);
+    EXPECT_TRUE(result.plan.steps.empty());
+    EXPECT_LE(judged[blames_brick], options.moments + 1);
+  }
+  EXPECT_LT(judged[false], judged[true]);
 }
 
 }  // namespace
