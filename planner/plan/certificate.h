@@ -71,7 +71,7 @@ struct NotNeeded {
 
 // What was done about preconditions that could not be proved at first.
 struct Resolution {
-  std::string resolver;            // "sensing", "squeezing", "verification"
+  std::string resolver;            // "sensing", "squeezing", "moving", "verification"
   std::vector<StepId> steps = {};  // that were inserted for this step, in order of execution
   std::string why;                 // the precondition that failed, with its bound
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "planner/base/check.h"
 
@@ -57,6 +58,12 @@ MomentId BestKnown::After(MomentId before, const plan::Action& action,
 }
 
 MomentId BestKnown::FirstAlike(MomentId moment) {
+  const auto [known, is_new] = first_alike_.try_emplace(moment, moment);
+  if (is_new) known->second = FindAlike(moment);
+  return known->second;
+}
+
+MomentId BestKnown::FindAlike(MomentId moment) {
   const UncertainWorld& world = worlds_.WorldAt(moment);
   if (!world.in_hand().IsNone()) return moment;
   const auto is_alike = [&](MomentId other) {
@@ -70,6 +77,16 @@ MomentId BestKnown::FirstAlike(MomentId moment) {
   const auto known = std::ranges::find_if(with_empty_hand_, is_alike);
   if (known != with_empty_hand_.end()) return *known;
   return with_empty_hand_.emplace_back(moment);
+}
+
+std::vector<Unproved> BestKnown::UnprovedAt(MomentId after,
+                                            const std::vector<std::string>& absorbable) {
+  std::vector<Unproved> unproved;
+  std::ranges::copy_if(worlds_.UnprovedAt(after), std::back_inserter(unproved),
+                       [&](const Unproved& goal) {
+                         return std::ranges::count(absorbable, goal.claim.condition) == 0;
+                       });
+  return unproved;
 }
 
 Shortfall BestKnown::LeastShortfall(MomentId after, const std::vector<std::string>& absorbable) {

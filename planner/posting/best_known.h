@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,17 +28,27 @@ class BestKnown {
   uncertainty::MomentId After(uncertainty::MomentId before, const plan::Action& action,
                               const plan::Strategy* strategy);
 
-  // What the action that leads to a moment falls short by at least, `absorbable` conditions apart.
+  const uncertainty::UncertainWorld& WorldAt(uncertainty::MomentId moment) {
+    return worlds_.WorldAt(moment);
+  }
+  std::int64_t moments() const { return worlds_.size(); }  // that were asked for
+
+  // What is not proved of the action that leads to a moment, `absorbable` conditions apart.
+  std::vector<uncertainty::Unproved> UnprovedAt(uncertainty::MomentId after,
+                                                const std::vector<std::string>& absorbable);
+  // What it falls short by at least.
   Shortfall LeastShortfall(uncertainty::MomentId after, const std::vector<std::string>& absorbable);
 
  private:
   // The first moment that was met at which no more was to be known: with an empty hand, what is
   // told of all parts is all that matters of what was done.
   uncertainty::MomentId FirstAlike(uncertainty::MomentId moment);
+  uncertainty::MomentId FindAlike(uncertainty::MomentId moment);
 
   const domain::Problem& problem_;
   uncertainty::WorldTree worlds_;
   std::vector<uncertainty::MomentId> with_empty_hand_;  // no two alike
+  std::map<uncertainty::MomentId, uncertainty::MomentId> first_alike_;
 };
 
 }  // namespace assay::posting

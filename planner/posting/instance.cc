@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "planner/base/check.h"
 #include "planner/domain/resting.h"
@@ -30,18 +31,51 @@ std::vector<StepId> ActionsOf(const std::vector<StepId>& linearization) {
   return actions;
 }
 
+plan::Hold HoldOf(const domain::Part& part, int grasp_label) {
+  const domain::Grasp& grasp = (*part.grasps)[grasp_label];
+  return {.grasp = grasp.label, .X_PartTool = grasp.X_PartTool, .width = grasp.width};
+}
+
+plan::Place PlaceOf(const domain::Part& part, const StepValues& values) {
+  const bool initial = values.position == domain::InitialLabel(part);
+  return {.position = initial ? "initial" : part.model->stable_poses()[values.position].label,
+          .X_WorldPart = values.X_WorldPart};
+}
+
+plan::Action WriteAction(const domain::Problem& problem, const ActionTemplate& action,
+                         const StepValues& values) {
+  const domain::Part& part = problem.part(action.part);
+  const plan::Hold hold = HoldOf(part, values.grasp);
+  switch (action.kind) {
+    case ActionKind::kPickup:
+      return plan::Pickup{.part = action.part, .hold = hold, .from = PlaceOf(part, values)};
+    case ActionKind::kPutdown:
+      return plan::Putdown{.part = action.part, .hold = hold, .to = PlaceOf(part, values)};
+    case ActionKind::kAssemble:
+      return plan::Assemble{
+          .mating = action.mating,
+          .hold = hold,
+          .fixed = PlaceOf(problem.part(problem.mating(action.mating).fixed), values)};
+    case ActionKind::kStart:
+    case ActionKind::kFinish:
+      break;
+  }
+  ASSAY_CHECK(false, "start and finish are not written out");
+  return {};
+}
+
 class OrderedSearch {
  public:
   using Accept = std::function<bool(const PlanInstance&)>;
 
   OrderedSearch(const PartialPlan& plan, std::vector<StepId> order, const Accept& accept,
-                Budget& budget, std::set<Blocker>& blockers)
+                const Judge& judge, InstanceSearch::Budgets budgets)
       : plan_(plan),
         geometry_(plan.problem(), plan.relations().reachability()),
         order_(std::move(order)),
         accept_(accept),
-        budget_(budget),
-        blockers_(blockers),
+        judge_(judge),
+        budgets_(budgets),
         world_(plan.problem()),
         values_(plan.steps().size()),
         assigned_(plan.network().node_count()) {
@@ -49,6 +83,9 @@ class OrderedSearch {
   }
 
   bool Run() { return Descend(0); }
+
+  const Blockers& blockers() const { return blockers_; }
+  bool met_objections() const { return objections_ > 0; }
 
  private:
   struct Assignment {
@@ -77,26 +114,86 @@ class OrderedSearch {
   bool Offer() {
     ++offered_;
     if (accept_({.order = order_, .values = values_})) return true;
-    failure_.set();
+    failure_ = {};
+    failure_.choices.set();
     return false;
   }
 
   // Goes on below `depth` with a value just set. On failure `blame` gets what made it fail; the
-  // answer tells whether other values of this depth could help.
-  enum class Below { kFound, kTryOtherValues, kJumpBack };
+  // answer tells which other values of this depth could help: not other places for the same label,
+  // if only the label took part.
+  enum class Below { kFound, kTryOtherPlaces, kTryOtherLabels, kJumpBack };
   Below GoOn(int depth, const World& before, Blame& blame) {
+    const int offered = offered_;
     if (Descend(depth + 1)) return Below::kFound;
     world_ = before;
-    if (budget_.Exhausted() || !failure_.test(depth)) return Below::kJumpBack;
-    failure_.reset(depth);
-    blame.choices |= failure_;
-    return Below::kTryOtherValues;
+    if (budgets_.Exhausted() || !failure_.choices.test(depth)) return Below::kJumpBack;
+    const bool by_place = failure_.places.test(depth) && offered == offered_;
+    failure_.choices.reset(depth);
+    failure_.places.reset(depth);
+    blame.Add(failure_);
+    return by_place ? Below::kTryOtherPlaces : Below::kTryOtherLabels;
   }
 
   bool Fail(const Blame& blame) {
-    failure_ = blame.choices;
-    blockers_.insert(blame.blockers.begin(), blame.blockers.end());
+    failure_ = {.choices = blame.choices, .places = blame.places};
+    Add(blame.blockers, blockers_);
     return false;
+  }
+
+  bool Spend() { return budgets_.values.Spend() && !budgets_.moments.Exhausted(); }
+
+  // Whether the judge lets the step pass with the value just set; else the blame gets why not.
+  bool Passes(int depth, Blame& blame) {
+    if (!judge_) return true;
+    actions_.erase(actions_.begin() + depth, actions_.end());
+    actions_.push_back(
+        WriteAction(plan_.problem(), plan_.step(order_[depth]), values_[order_[depth].index()]));
+    const Judgement judgement = judge_(actions_);
+    Charge(budgets_.moments, judgement);
+    for (const Objection& objection : judgement.objections) AddBlame(objection, depth, blame);
+    if (!judgement.objections.empty()) NoteTooNear(judgement.objections.back());
+    objections_ += std::ssize(judgement.objections);
+    return judgement.objections.empty();
+  }
+
+  // The choices before `depth` that take part in an objection, and the parts that nobody has moved.
+  void AddBlame(const Objection& objection, int depth, Blame& blame) const {
+    for (const PartId part : objection.parts) {
+      for (int e = std::min(objection.action, depth - 1); e >= 0; --e) {
+        const ActionTemplate& action = plan_.step(order_[e]);
+        if (action.part != part || action.kind == ActionKind::kAssemble) continue;
+        const bool rests = action.kind == ActionKind::kPutdown;
+        blame.choices.set(e);
+        if (rests && objection.place) blame.places.set(e);
+        if (rests && !objection.history) break;
+      }
+    }
+    for (const auto& [part, why] : objection.in_the_way) {
+      blame.Add(ChoiceOfPlace(part, objection.action), order_[objection.action], part, why);
+    }
+  }
+
+  void NoteTooNear(const Objection& objection) {
+    const StepId step = order_[objection.action];
+    too_near_ = {values_[step.index()].X_WorldPart.translation(),
+                 values_[step.index()].X_WorldPart.translation()};
+    for (const auto& [part, why] : objection.in_the_way) {
+      too_near_.second = world_.X_WorldPart(part).translation();
+    }
+  }
+
+  // The choice that put the part where it is before a step.
+  int ChoiceOfPlace(PartId part, int before) const {
+    for (int e = before - 1; e >= 0; --e) {
+      const ActionTemplate& action = plan_.step(order_[e]);
+      if (action.part != part) continue;
+      if (action.kind == ActionKind::kPutdown) return e;
+      if (action.kind == ActionKind::kAssemble) {
+        return ChoiceOfPlace(plan_.problem().mating(action.mating).fixed, e);
+      }
+    }
+    return World::kStartChoice;
   }
 
   // Whether a label fits all labels that are already chosen.
@@ -115,7 +212,7 @@ class OrderedSearch {
   }
 
   void BlamePlaceOf(PartId part, Blame& blame) const {
-    if (world_.choice(part) != World::kStartChoice) blame.choices.set(world_.choice(part));
+    if (world_.choice(part) != World::kStartChoice) blame.AddPlace(world_.choice(part));
   }
 
   bool ChooseGrasp(int depth) {
@@ -128,12 +225,13 @@ class OrderedSearch {
     values_[step.index()] = {.position = LabelOf(pickup.position),
                              .X_WorldPart = world_.X_WorldPart(pickup.part)};
     for (int grasp : plan_.Labels(pickup.grasp)) {
-      if (!budget_.Spend()) break;
+      if (!Spend()) break;
       if (!Fits(node, grasp, blame) ||
           !geometry_.PickupWorks(world_, step, pickup.part, GraspId(grasp), blame)) {
         continue;
       }
       values_[step.index()].grasp = grasp;
+      if (!Passes(depth, blame)) continue;
       assigned_[node.index()] = {.label = grasp, .depth = depth};
       world_.Take(pickup.part);
       const Below below = GoOn(depth, before, blame);
@@ -154,11 +252,11 @@ class OrderedSearch {
     Blame blame;
     for (int label : plan_.Labels(putdown.position)) {
       if (!Fits(node, label, blame)) continue;
-      const int offered = offered_;
       const Pose& X_TablePart = part.model->stable_poses()[label].X_TablePart;
-      for (const domain::Placement& placement : plan_.problem().workcell->placements()) {
-        if (!budget_.Spend()) return Fail(blame);
-        const Pose X_WorldPart = placement.X_WorldTable() * X_TablePart;
+      std::vector<domain::Placement> placements = plan_.problem().workcell->placements();
+      for (auto placement = placements.begin(); placement != placements.end(); ++placement) {
+        if (!Spend()) return Fail(blame);
+        const Pose X_WorldPart = placement->X_WorldTable() * X_TablePart;
         if (!geometry_.HasRoom(world_, step, putdown.part, X_WorldPart, blame)) continue;
         if (!geometry_.PutdownWorks(world_, step, putdown.part, GraspId(grasp.label), X_WorldPart,
                                     blame)) {
@@ -167,16 +265,34 @@ class OrderedSearch {
         }
         values_[step.index()] = {
             .grasp = grasp.label, .position = label, .X_WorldPart = X_WorldPart};
+        if (!Passes(depth, blame)) continue;
         assigned_[node.index()] = {.label = label, .depth = depth};
         world_.Rest(putdown.part, X_WorldPart, depth);
+        const std::int64_t objections = objections_;
         const Below below = GoOn(depth, before, blame);
         if (below == Below::kFound) return true;
         assigned_[node.index()] = {};
         if (below == Below::kJumpBack) return false;
-        if (offered_ > offered) break;  // other places would give the same labels again
+        if (below == Below::kTryOtherLabels) break;
+        if (objections_ > objections) PutNearOnesLast(placement, placements.end());
       }
     }
     return Fail(blame);
+  }
+
+  // Of two places that are too near to each other, one is `here`: places that are no farther from
+  // the other are tried last.
+  using PlacementIterator = std::vector<domain::Placement>::iterator;
+  void PutNearOnesLast(PlacementIterator here, PlacementIterator end) const {
+    const auto distance = [](const domain::Placement& p, const geometry::Vector3& other) {
+      return std::hypot(p.x - other.x(), p.y - other.y());
+    };
+    const bool is_first = distance(*here, too_near_.first) < distance(*here, too_near_.second);
+    const geometry::Vector3& other = is_first ? too_near_.second : too_near_.first;
+    constexpr double kSame = 1e-6;  // metres
+    std::stable_partition(here + 1, end, [&](const domain::Placement& placement) {
+      return distance(placement, other) > distance(*here, other) + kSame;
+    });
   }
 
   bool Assemble(int depth) {
@@ -185,14 +301,15 @@ class OrderedSearch {
     const Assignment& grasp = assigned_[plan_.NodeOf(assemble.grasp).index()];
     const PartId fixed = plan_.problem().mating(assemble.mating).fixed;
     Blame blame;
-    blame.choices.set(grasp.depth);
-    BlamePlaceOf(fixed, blame);
     if (!geometry_.AssembleWorks(world_, step, assemble.mating, GraspId(grasp.label), blame)) {
+      blame.choices.set(grasp.depth);
+      BlamePlaceOf(fixed, blame);
       return Fail(blame);
     }
     values_[step.index()] = {.grasp = grasp.label,
                              .position = LabelOf(assemble.position),
                              .X_WorldPart = world_.X_WorldPart(fixed)};
+    if (!Passes(depth, blame)) return Fail(blame);
     const World before = world_;
     world_.Mate(assemble.mating);
     if (Descend(depth + 1)) return true;
@@ -209,26 +326,32 @@ class OrderedSearch {
   StepGeometry geometry_;
   std::vector<StepId> order_;
   const Accept& accept_;
-  Budget& budget_;
-  std::set<Blocker>& blockers_;
+  const Judge& judge_;
+  InstanceSearch::Budgets budgets_;
+  Blockers blockers_;
+  std::int64_t objections_ = 0;
+  // Where the part of the last objection and what was in its way lay.
+  std::pair<geometry::Vector3, geometry::Vector3> too_near_;
   int offered_ = 0;  // instances
   World world_;
   std::vector<StepValues> values_;
-  std::vector<Assignment> assigned_;  // by node
-  Choices failure_;                   // of the last Descend that failed
+  std::vector<Assignment> assigned_;   // by node
+  std::vector<plan::Action> actions_;  // that were judged last, one a depth
+  Blame failure_;                      // of the last Descend that failed, without blockers
 };
 
 }  // namespace
 
-InstanceSearch::InstanceSearch(const PartialPlan& plan, Budget& budget)
-    : plan_(plan), budget_(budget) {}
+InstanceSearch::InstanceSearch(const PartialPlan& plan, const Judge& judge, Budgets budgets)
+    : plan_(plan), judge_(judge), budgets_(budgets) {}
 
 bool InstanceSearch::Find(const std::function<bool(const PlanInstance&)>& accept) {
   for (const auto& linearization : plan_.ordering().Linearizations(kMostOrders)) {
-    if (OrderedSearch(plan_, ActionsOf(linearization), accept, budget_, blockers_).Run()) {
-      return true;
-    }
-    if (budget_.Exhausted()) break;
+    OrderedSearch search(plan_, ActionsOf(linearization), accept, judge_, budgets_);
+    if (search.Run()) return true;
+    Add(search.blockers(), blockers_);
+    met_objections_ |= search.met_objections();
+    if (budgets_.Exhausted()) break;
   }
   return false;
 }
@@ -269,40 +392,27 @@ bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,
 
 namespace {
 
-plan::Hold HoldOf(const domain::Part& part, int grasp_label) {
-  const domain::Grasp& grasp = (*part.grasps)[grasp_label];
-  return {.grasp = grasp.label, .X_PartTool = grasp.X_PartTool, .width = grasp.width};
-}
-
-plan::Place PlaceOf(const domain::Part& part, const StepValues& values) {
-  const bool initial = values.position == domain::InitialLabel(part);
-  return {.position = initial ? "initial" : part.model->stable_poses()[values.position].label,
-          .X_WorldPart = values.X_WorldPart};
-}
-
-plan::Action WriteAction(const domain::Problem& problem, const ActionTemplate& action,
-                         const StepValues& values) {
-  const domain::Part& part = problem.part(action.part);
-  const plan::Hold hold = HoldOf(part, values.grasp);
-  switch (action.kind) {
-    case ActionKind::kPickup:
-      return plan::Pickup{.part = action.part, .hold = hold, .from = PlaceOf(part, values)};
-    case ActionKind::kPutdown:
-      return plan::Putdown{.part = action.part, .hold = hold, .to = PlaceOf(part, values)};
-    case ActionKind::kAssemble:
-      return plan::Assemble{
-          .mating = action.mating,
-          .hold = hold,
-          .fixed = PlaceOf(problem.part(problem.mating(action.mating).fixed), values)};
-    case ActionKind::kStart:
-    case ActionKind::kFinish:
-      break;
-  }
-  ASSAY_CHECK(false, "start and finish are not written out");
-  return {};
-}
-
 plan::StepId WrittenId(StepId step) { return plan::StepId(step.index() - 2); }
+
+// Of the steps for whose sake a part was moved, because something could not be proved.
+void NoteWhyMoved(const PartialPlan& partial, plan::Plan& written) {
+  for (const RequiredMove& move : partial.required_moves()) {
+    if (move.why.empty()) continue;
+    const StepId putdown = partial.ProducerOf(move.consumer, move.precondition);
+    const StepId pickup = partial.ProducerOf(putdown, 0);  // holding(part, grasp)
+    auto& resolutions = written.steps[WrittenId(move.consumer).index()].certificate.resolutions;
+    if (resolutions.empty()) resolutions.push_back({.resolver = "moving", .why = move.why});
+    plan::Resolution& moving = resolutions.front();
+    if (!moving.steps.empty()) moving.why += "; " + move.why;
+    for (const StepId step : {pickup, putdown}) moving.steps.push_back(WrittenId(step));
+  }
+  const auto executed = [&](plan::StepId step) { return written.step(step).executed; };
+  for (plan::PlannedStep& step : written.steps) {
+    for (plan::Resolution& moving : step.certificate.resolutions) {
+      std::ranges::sort(moving.steps, {}, executed);
+    }
+  }
+}
 
 bool EveryOrderWorks(const PartialPlan& plan, const PlanInstance& instance) {
   const auto linearizations = plan.ordering().Linearizations(kMostOrders);
@@ -325,6 +435,7 @@ plan::Plan WriteOut(const PartialPlan& partial, const PlanInstance& instance) {
          .inserted = s - 1,
          .executed = static_cast<int>(executed) + 1});
   }
+  NoteWhyMoved(partial, written);
   if (EveryOrderWorks(partial, instance)) {
     for (const auto& [a, b] : partial.ordering().arcs()) {
       if (std::min(a, b) > PartialPlan::kFinish) {

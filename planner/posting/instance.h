@@ -1,11 +1,11 @@
 #pragma once
 
 #include <functional>
-#include <set>
 #include <vector>
 
 #include "planner/base/budget.h"
 #include "planner/plan/plan.h"
+#include "planner/posting/objection.h"
 #include "planner/posting/partial_plan.h"
 #include "planner/posting/step_geometry.h"
 
@@ -32,22 +32,34 @@ struct PlanInstance {
 //
 // Depth-first over the steps in the order of execution, one choice a step: the grasp of a pickup,
 // the position of a putdown. When a step has no value, the search goes back to the latest choice
-// that took part in ruling values out (conflict-directed backjumping, Prosser 1993).
+// that took part in ruling values out (conflict-directed backjumping, Prosser 1993). A value that
+// the judge objects to is ruled out by the choices that the objection speaks of.
 class InstanceSearch {
  public:
-  InstanceSearch(const PartialPlan& plan, Budget& budget);
+  // What a search may spend: values tried, and moments that the judge works out.
+  struct Budgets {
+    Budget& values;
+    Budget& moments;
+    bool Exhausted() const { return values.Exhausted() || moments.Exhausted(); }
+  };
+
+  // `judge` is asked about each step as its value is chosen; empty: there is no objection.
+  InstanceSearch(const PartialPlan& plan, const Judge& judge, Budgets budgets);
 
   // Hands the instances to `accept` one after another, as they are found, until it answers true:
   // then so does this. Each combination of labels comes once, with the first places that work.
   bool Find(const std::function<bool(const PlanInstance&)>& accept);
 
   // Parts that stood in the way of some step with some values.
-  const std::set<Blocker>& blockers() const { return blockers_; }
+  const Blockers& blockers() const { return blockers_; }
+  bool met_objections() const { return met_objections_; }
 
  private:
   const PartialPlan& plan_;
-  Budget& budget_;
-  std::set<Blocker> blockers_;
+  const Judge& judge_;
+  Budgets budgets_;
+  Blockers blockers_;
+  bool met_objections_ = false;
 };
 
 // Whether the instance's values also work in another order of its steps.
@@ -55,7 +67,7 @@ bool WorksInOrder(const PartialPlan& plan, const PlanInstance& instance,
                   const std::vector<StepId>& order);
 
 // The instance written out. Orders in which its values do not work are excluded by ordering
-// constraints of the order of execution.
+// constraints of the order of execution. Steps for which a part had to be moved say why.
 plan::Plan WriteOut(const PartialPlan& plan, const PlanInstance& instance);
 
 }  // namespace assay::posting

@@ -143,6 +143,13 @@ const Condition& PartialPlan::ConditionOf(StepId consumer, int precondition) con
   return steps_[consumer.index()].preconditions[precondition];
 }
 
+StepId PartialPlan::ProducerOf(StepId consumer, int precondition) const {
+  const auto link = std::ranges::find_if(links_, [&](const CausalLink& l) {
+    return l.consumer == consumer && l.precondition == precondition;
+  });
+  return link == links_.end() ? StepId::None() : link->producer;
+}
+
 VariableId PartialPlan::Resolve(VariableId variable) const {
   const VariableId bound = binding_[variable.index()];
   return bound.IsNone() ? variable : bound;
@@ -377,12 +384,18 @@ std::vector<std::string> PartialPlan::WhyRefused(const GeometricGoalRef& goal) c
   return words;
 }
 
-void PartialPlan::RequireMoved(StepId consumer, PartId part) {
+bool PartialPlan::IsKept(StepId consumer, PartId part) const {
+  return std::ranges::count(kept_, std::pair{consumer, part}) > 0;
+}
+
+void PartialPlan::RequireMoved(StepId consumer, PartId part, const std::string& why) {
   const VariableId position = variables_.AddFree(VariableKind::kPosition, part);
   binding_.push_back(VariableId::None());
   nodes_.push_back(NodeId::None());
   ActionTemplate& action = steps_[consumer.index()];
   const int precondition = static_cast<int>(action.preconditions.size());
+  required_moves_.push_back(
+      {.consumer = consumer, .part = part, .precondition = precondition, .why = why});
   action.preconditions.push_back(Condition::Located(part, position));
   action.geometric.push_back({.constraint = {.kind = ConstraintKind::kMember,
                                              .position = position,

@@ -43,6 +43,16 @@ struct Threat {
   StepId violator;
 };
 
+// The goal that a part is somewhere else than where it was at the start: precondition number
+// `precondition` of the consumer. `why`: what cannot be proved of the consumer otherwise; empty if
+// it could not even be executed.
+struct RequiredMove {
+  StepId consumer;
+  domain::PartId part;
+  int precondition;
+  std::string why;
+};
+
 // The goals that are still open, by type; each stack's top is its back. They are served in this
 // order: geometric goals when no operational one is left that they could depend on (Spar), and
 // last the operational goals without a plan variable, gripper(open): how these are established
@@ -79,6 +89,8 @@ class PartialPlan {
   const std::vector<GeometricGoalRef>& satisfied_geometric() const { return satisfied_geometric_; }
 
   const domain::Condition& ConditionOf(StepId consumer, int precondition) const;
+  // The step that establishes a precondition; None as long as it is open.
+  StepId ProducerOf(StepId consumer, int precondition) const;
   const domain::GeometricConstraint& ConstraintOf(const GeometricGoalRef& goal) const;
   // The variable that a precondition's variable is bound to; itself if it is a step's own.
   VariableId Resolve(VariableId variable) const;
@@ -117,7 +129,12 @@ class PartialPlan {
   std::vector<std::string> WhyRefused(const GeometricGoalRef& goal) const;
   // One more operational and geometric goal of a step: that the part is somewhere else than where
   // it was at the start.
-  void RequireMoved(StepId consumer, domain::PartId part);
+  void RequireMoved(StepId consumer, domain::PartId part, const std::string& why);
+  const std::vector<RequiredMove>& required_moves() const { return required_moves_; }
+  // The goal is not to be posted: plans in which the part is moved for the step are looked for
+  // elsewhere.
+  void Keep(StepId consumer, domain::PartId part) { kept_.emplace_back(consumer, part); }
+  bool IsKept(StepId consumer, domain::PartId part) const;
 
   // In words, with variables by the names of those that they are bound to.
   std::string Text(StepId step) const;
@@ -151,6 +168,8 @@ class PartialPlan {
   GoalStacks goals_;
   std::vector<CausalLink> links_;
   std::vector<GeometricGoalRef> satisfied_geometric_;
+  std::vector<RequiredMove> required_moves_;
+  std::vector<std::pair<StepId, domain::PartId>> kept_;
   std::vector<std::pair<VariableId, VariableId>> separations_;  // must not codesignate
   std::vector<VariableId> binding_;                             // by variable; None: not bound
   std::vector<network::NodeId> nodes_;  // by variable; None: it has no labels of its own

@@ -19,6 +19,12 @@ namespace {
 
 using domain::Problem;
 
+// Limits on the number of actions among which the moments of the judge are shared out: five parts
+// that are in the way take ten actions more.
+constexpr int kTurns = 12;
+// The instances of one partial plan may take this part of what is left of a turn.
+constexpr int kMostOfOneTurn = 2;
+
 class PostingPlanner {
  public:
   PostingPlanner(const Problem& problem, const PlannerOptions& options)
@@ -26,7 +32,15 @@ class PostingPlanner {
         options_(options),
         relations_(problem),
         partial_plans_(options.partial_plans),
-        instance_choices_(options.instance_choices) {}
+        instance_choices_(options.instance_choices) {
+    if (!options.judge) return;
+    judge_ = [this](std::span<const plan::Action> actions) {
+      Judgement judgement = options_.judge(actions);
+      Charge(turn_, judgement);
+      moments_ += judgement.moments;
+      return judgement;
+    };
+  }
 
   plan::PlanResult Run() {
     const std::optional<int> least = LeastActions(problem_, Geometry());
@@ -42,6 +56,7 @@ class PostingPlanner {
                        {"complete_plans", complete_plans_},
                        {"instances", instances_},
                        {"least_actions", least.value_or(-1)}};
+    if (judge_) result.counters["moments"] = moments_;
     return result;
   }
 
@@ -73,10 +88,25 @@ class PostingPlanner {
     const PartialPlan null_plan(problem_, relations_);
     for (limit_ = least;; ++limit_) {
       cut_off_ = false;
+      BeginTurn(limit_ - least + 1);
       Trace("plans of at most {} actions", limit_);
       if (Refine(null_plan)) return true;
-      if (!cut_off_ || partial_plans_.Exhausted() || instance_choices_.Exhausted()) return false;
+      const bool is_longer_worth_it = judge_ ? LongerPlansMayPass(limit_ - least + 1) : cut_off_;
+      if (!is_longer_worth_it || partial_plans_.Exhausted() || instance_choices_.Exhausted()) {
+        return false;
+      }
     }
+  }
+
+  // What earlier turns have left is added to this one's share.
+  void BeginTurn(int turn) {
+    met_objections_ = false;
+    are_parts_in_the_way_ = false;
+    turn_ = Budget(options_.moments * turn / kTurns - moments_);
+  }
+  bool LongerPlansMayPass(int turn) const {
+    if (turn == kTurns || (met_objections_ && !are_parts_in_the_way_)) return false;
+    return cut_off_ || turn_.Exhausted();
   }
 
   static void TellWhy(ImpossibilityAnswer answer, plan::PlanResult& result) {
@@ -91,7 +121,7 @@ class PostingPlanner {
   // Refines the partial plan so that it satisfies one more goal, in every way until one leads to a
   // plan; goals in the order of the stacks.
   bool Refine(const PartialPlan& plan) {
-    if (!partial_plans_.Spend()) return false;
+    if (turn_.Exhausted() || !partial_plans_.Spend()) return false;
     ++depth_;
     PartialPlan next = plan;
     bool found = false;
@@ -178,7 +208,8 @@ class PostingPlanner {
 
   bool Complete(const PartialPlan& plan) {
     ++complete_plans_;
-    InstanceSearch search(plan, instance_choices_);
+    Budget moments((turn_.limit() - turn_.spent()) / kMostOfOneTurn);
+    InstanceSearch search(plan, judge_, {instance_choices_, moments});
     bool has_instance = false;
     const bool accepted = search.Find([&](const PlanInstance& instance) {
       has_instance = true;
@@ -186,6 +217,8 @@ class PostingPlanner {
     });
     if (accepted && options_.show_family) options_.show_family(plan);
     if (accepted) return true;
+    met_objections_ |= search.met_objections();
+    are_parts_in_the_way_ |= !search.blockers().empty();
     return !has_instance && !instance_choices_.Exhausted() && ClearTheWay(plan, search.blockers());
   }
 
@@ -219,12 +252,17 @@ class PostingPlanner {
     return signature;
   }
 
-  bool ClearTheWay(const PartialPlan& plan, const std::set<Blocker>& blockers) {
-    for (const auto& [step, part] : blockers) {
-      Trace("{} is in the way of {}", problem_.part(part).name, plan.Text(step));
+  // One after another: when all plans have been tried in which a part is moved, it is kept.
+  bool ClearTheWay(PartialPlan plan, const Blockers& blockers) {
+    for (const auto& [blocker, why] : blockers) {
+      const auto& [step, part] = blocker;
+      if (plan.IsKept(step, part)) continue;
+      Trace("{} is in the way of {}{}{}", problem_.part(part).name, plan.Text(step),
+            why.empty() ? "" : ": ", why);
       PartialPlan cleared = plan;
-      cleared.RequireMoved(step, part);
+      cleared.RequireMoved(step, part, why);
       if (Refine(cleared)) return true;
+      plan.Keep(step, part);
     }
     return false;
   }
@@ -241,11 +279,16 @@ class PostingPlanner {
   GeometricRelations relations_;
   Budget partial_plans_;
   Budget instance_choices_;
+  Judge judge_ = {};          // the options', whose moments are counted
+  Budget turn_{0};            // of the judge: moments, until a longer plan's turn comes
+  std::int64_t moments_ = 0;  // that the judge has worked out
   std::int64_t complete_plans_ = 0;
   std::int64_t instances_ = 0;
   std::set<std::string> seen_;  // signatures of instances
   int limit_ = 0;
-  bool cut_off_ = false;  // whether a refinement was left out because of the limit
+  bool cut_off_ = false;               // whether a refinement was left out because of the limit
+  bool met_objections_ = false;        // with this limit
+  bool are_parts_in_the_way_ = false;  // with this limit
   std::size_t depth_ = 0;
   std::optional<plan::Plan> plan_;
 };

@@ -56,6 +56,8 @@ class Resolver {
   // and geometric preconditions of what they insert hold; uncertainty-reduction preconditions need
   // not.
   virtual std::vector<Remedy> Propose(const UnmetGoals& unmet) = 0;
+  // Parts that would have to be elsewhere, so that there were more remedies to propose.
+  virtual std::vector<domain::PartId> Obstacles(const UnmetGoals&) const { return {}; }
 };
 
 }  // namespace assay::posting

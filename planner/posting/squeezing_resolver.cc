@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "planner/domain/reachability.h"
 #include "planner/posting/moment.h"
@@ -31,17 +32,20 @@ std::vector<domain::PlacedPart> OthersThan(const plan::WorldState& state, PartId
   return others;
 }
 
-// Whether the hand gets there, open, and closes on the part without meeting another.
-bool IsFree(const domain::Problem& problem, const plan::WorldState& state, PartId part,
-            const Grasp& grasp, const Pose& X_WorldTool) {
+// The part that the hand meets as it gets there, open, and closes on the part; None if it is free.
+PartId ObstacleOf(const domain::Problem& problem, const plan::WorldState& state, PartId part,
+                  const Grasp& grasp, const Pose& X_WorldTool) {
   const domain::Workcell& workcell = *problem.workcell;
   const std::vector<domain::PlacedPart> others = OthersThan(state, part);
   const double open = workcell.gripper().max_opening();
   const Pose retreated =
       X_WorldTool * geometry::Translation(0, 0, -workcell.rules().approach_distance);
-  return Obstacle(problem, X_WorldTool, grasp.width, others).IsNone() &&
-         Obstacle(problem, X_WorldTool, open, others).IsNone() &&
-         Obstacle(problem, retreated, open, others).IsNone();
+  for (const auto& [X_World, opening] :
+       {std::pair{X_WorldTool, grasp.width}, {X_WorldTool, open}, {retreated, open}}) {
+    const PartId obstacle = Obstacle(problem, X_World, opening, others);
+    if (!obstacle.IsNone()) return obstacle;
+  }
+  return PartId::None();
 }
 
 // The part's grasps, those of the tool that leans least first.
@@ -57,23 +61,38 @@ std::vector<GraspId> ByLean(const domain::Part& part, const Pose& X_WorldPart) {
   return order;
 }
 
-std::vector<plan::Squeeze> SqueezesOf(const domain::Problem& problem, const plan::WorldState& state,
-                                      PartId part_id, const plan::Place& at) {
+// The squeezes of a part that are possible, one for each closing direction, and what the hand meets
+// in other directions.
+struct Squeezes {
+  std::vector<plan::Squeeze> possible = {};
+  std::vector<PartId> obstacles = {};
+};
+
+Squeezes SqueezesOf(const domain::Problem& problem, const plan::WorldState& state, PartId part_id,
+                    const plan::Place& at) {
   const domain::Part& part = problem.part(part_id);
-  std::vector<plan::Squeeze> squeezes;
+  Squeezes squeezes;
   std::vector<Vector3> directions;
+  std::vector<std::pair<Vector3, PartId>> blocked;
+  const auto is_served = [&](const Vector3& closing) {
+    return std::ranges::any_of(directions,
+                               [&](const Vector3& d) { return AreParallel(d, closing); });
+  };
   for (const GraspId id : ByLean(part, at.X_WorldPart)) {
     const Grasp& grasp = (*part.grasps)[id.index()];
     const Pose X_WorldTool = at.X_WorldPart * grasp.X_PartTool;
     const Vector3 closing = X_WorldTool.linear().col(1);
-    if (std::ranges::any_of(directions,
-                            [&](const Vector3& d) { return AreParallel(d, closing); }) ||
-        !IsReachableAt(problem, part_id, id, at.X_WorldPart) ||
-        !IsFree(problem, state, part_id, grasp, X_WorldTool)) {
+    if (is_served(closing) || !IsReachableAt(problem, part_id, id, at.X_WorldPart)) continue;
+    const PartId obstacle = ObstacleOf(problem, state, part_id, grasp, X_WorldTool);
+    if (!obstacle.IsNone()) {
+      blocked.emplace_back(closing, obstacle);
       continue;
     }
     directions.push_back(closing);
-    squeezes.push_back({part_id, {grasp.label, grasp.X_PartTool, grasp.width}, at});
+    squeezes.possible.push_back({part_id, {grasp.label, grasp.X_PartTool, grasp.width}, at});
+  }
+  for (const auto& [closing, obstacle] : blocked) {
+    if (!is_served(closing)) squeezes.obstacles.push_back(obstacle);
   }
   return squeezes;
 }
@@ -107,7 +126,7 @@ std::vector<Remedy> SqueezingResolver::Propose(const UnmetGoals& unmet) {
     if (!moment) continue;
     const plan::Place at = PlaceBefore(unmet, states, *moment, part);
     for (std::vector<plan::Action>& sequence :
-         SequencesOf(SqueezesOf(unmet.problem, states[*moment], part, at))) {
+         SequencesOf(SqueezesOf(unmet.problem, states[*moment], part, at).possible)) {
       remedies.push_back(InsertBefore(*moment, part, sequence));
       if (unmet.problem.sensors.empty()) continue;
       for (const std::string& sensor : unmet.problem.sensors) {
@@ -118,6 +137,19 @@ std::vector<Remedy> SqueezingResolver::Propose(const UnmetGoals& unmet) {
   }
   remedies.insert(remedies.end(), with_sensing.begin(), with_sensing.end());
   return remedies;
+}
+
+std::vector<PartId> SqueezingResolver::Obstacles(const UnmetGoals& unmet) const {
+  const std::vector<plan::WorldState> states = StatesOf(unmet.problem, unmet.actions);
+  std::vector<PartId> obstacles;
+  for (const PartId part : unmet.parts) {
+    const auto moment = LatestGraspable(unmet.problem, states, unmet.step, part);
+    if (!moment) continue;
+    const plan::Place at = PlaceBefore(unmet, states, *moment, part);
+    const Squeezes squeezes = SqueezesOf(unmet.problem, states[*moment], part, at);
+    obstacles.insert(obstacles.end(), squeezes.obstacles.begin(), squeezes.obstacles.end());
+  }
+  return obstacles;
 }
 
 }  // namespace assay::posting

@@ -13,6 +13,8 @@ class SqueezingResolver : public Resolver {
  public:
   std::string_view name() const override { return "squeezing"; }
   std::vector<Remedy> Propose(const UnmetGoals& unmet) override;
+  // Parts that the hand would meet in every grasp that closes in some direction.
+  std::vector<domain::PartId> Obstacles(const UnmetGoals& unmet) const override;
 };
 
 }  // namespace assay::posting

@@ -12,13 +12,30 @@ using domain::PartId;
 using domain::PlacedPart;
 using domain::Pose;
 
-void Blame::Add(const World& world, StepId step, PartId part) {
-  const int choice = world.choice(part);
-  if (choice == World::kStartChoice) {
-    blockers.insert({step, part});
-  } else {
-    choices.set(choice);
+void Add(const Blockers& more, Blockers& blockers) {
+  for (const auto& [blocker, why] : more) {
+    std::string& known = blockers[blocker];
+    if (known.empty()) known = why;
   }
+}
+
+void Blame::AddPlace(int choice) {
+  choices.set(choice);
+  places.set(choice);
+}
+
+void Blame::Add(int choice, StepId step, PartId part, const std::string& why) {
+  if (choice == World::kStartChoice) {
+    posting::Add({{{step, part}, why}}, blockers);
+  } else {
+    AddPlace(choice);
+  }
+}
+
+void Blame::Add(const Blame& other) {
+  choices |= other.choices;
+  places |= other.places;
+  posting::Add(other.blockers, blockers);
 }
 
 bool StepGeometry::HandIsFree(const World& world, StepId step, PartId part, PartId except,
@@ -32,7 +49,7 @@ bool StepGeometry::HandIsFree(const World& world, StepId step, PartId part, Part
        {std::pair{X_WorldTool, grasp.width}, {X_WorldTool, open}, {X_WorldRetreated, open}}) {
     const PartId obstacle = Obstacle(problem_, X_World, opening, others);
     if (obstacle.IsNone()) continue;
-    blame.Add(world, step, obstacle);
+    blame.Add(world.choice(obstacle), step, obstacle);
     return false;
   }
   return true;
@@ -53,7 +70,7 @@ bool StepGeometry::HasRoom(const World& world, StepId step, PartId part, const P
                            Blame& blame) const {
   if (!OnTable(problem_, part, X_WorldPart)) return false;
   const PartId crowding = Crowding(problem_, part, X_WorldPart, world.Others(part));
-  if (!crowding.IsNone()) blame.Add(world, step, crowding);
+  if (!crowding.IsNone()) blame.Add(world.choice(crowding), step, crowding);
   return crowding.IsNone();
 }
 
@@ -69,7 +86,7 @@ bool StepGeometry::HeldPartIsFree(const World& world, StepId step, const Mating&
                                   const Pose& X_WorldHeld, Blame& blame) const {
   const PartId obstacle = Obstacle(problem_, {.part = mating.held, .X_WorldPart = X_WorldHeld},
                                    world.Others(mating.held, mating.fixed));
-  if (!obstacle.IsNone()) blame.Add(world, step, obstacle);
+  if (!obstacle.IsNone()) blame.Add(world.choice(obstacle), step, obstacle);
   return obstacle.IsNone();
 }
 

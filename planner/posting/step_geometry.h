@@ -1,7 +1,8 @@
 #pragma once
 
 #include <bitset>
-#include <set>
+#include <map>
+#include <string>
 #include <utility>
 
 #include "planner/posting/partial_plan.h"
@@ -15,14 +16,23 @@ using Choices = std::bitset<kMostSteps>;
 
 // A part that, resting where it was at the start, is in the way of a step.
 using Blocker = std::pair<StepId, domain::PartId>;
+// With what cannot be proved as long as it is there; empty: the step cannot be executed.
+using Blockers = std::map<Blocker, std::string>;
+// Adds them; what cannot be proved tells more than that a step cannot be executed with some value.
+void Add(const Blockers& more, Blockers& blockers);
 
 // Who rules a value of a step out: choices made for earlier steps, and parts that still lie where
 // they were at the start.
 struct Blame {
-  Choices choices;
-  std::set<Blocker> blockers;
+  Choices choices = {};
+  Choices places =
+      {};  // of these, those whose place on the table takes part, and not the label alone
+  Blockers blockers = {};
 
-  void Add(const World& world, StepId step, domain::PartId part);
+  void AddPlace(int choice);
+  // A part that `choice` put where it is.
+  void Add(int choice, StepId step, domain::PartId part, const std::string& why = "");
+  void Add(const Blame& other);
 };
 
 // Whether single steps work in a world in which every part has its place. Each test that fails

@@ -5,14 +5,18 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 #include <optional>
+#include <set>
 #include <tuple>
 
 #include "planner/base/check.h"
 #include "planner/plan/condition_kind.h"
+#include "planner/plan/linearization.h"
 #include "planner/posting/best_known.h"
 #include "planner/posting/combinations.h"
+#include "planner/posting/instance.h"
 #include "planner/posting/sensing_resolver.h"
 #include "planner/posting/squeezing_resolver.h"
 #include "planner/posting/verification.h"
@@ -20,6 +24,7 @@
 
 namespace assay::posting {
 
+using domain::PartId;
 using plan::Resolution;
 using uncertainty::CertifiedStep;
 using uncertainty::MomentId;
@@ -75,6 +80,21 @@ std::vector<Unproved> Unabsorbed(const Entry& entry, std::vector<Unproved> unpro
   return WithoutConditions(entry.absorbed, std::move(unproved));
 }
 
+// Whether a goal may be proved with the same grasp and the same side up elsewhere on the table.
+bool DependsOnPlace(const Unproved& goal) {
+  return !goal.neighbour.IsNone() || goal.claim.condition == "footprint";
+}
+
+struct HandledParts {
+  const domain::Problem& problem;
+
+  std::vector<PartId> operator()(const plan::Assemble& assemble) const {
+    const domain::Mating& mating = problem.mating(assemble.mating);
+    return {mating.held, mating.fixed};
+  }
+  std::vector<PartId> operator()(const auto& action) const { return {action.part}; }
+};
+
 std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goals) {
   std::vector<algebra::Expression> expressions;
   for (const Unproved& goal : goals) expressions.push_back(goal.expression);
@@ -113,6 +133,8 @@ struct Worlds {
 
   WorldTree possible;
   std::optional<BestKnown> best;  // where it bounds what remedies can reach
+
+  std::int64_t moments() const { return possible.size() + (best ? best->moments() : 0); }
 };
 
 // Conditions that some remedy may absorb.
@@ -133,38 +155,73 @@ struct Standing {
   auto operator<=>(const Standing&) const = default;
 };
 
+// What is done about a step that cannot be proved.
+enum class IfUnproved {
+  kPrepare,  // it is brought nearer to being proved, and its failure is prepared for
+  kObject,   // nothing: it is only told why
+};
+
+// Steps of a plan instance with what is inserted, one after another in the order of execution.
 // Decides only what is proved; the certificates are written for the instance that is kept.
 class Augmentation {
  public:
+  // No step yet, of an instance of so many.
+  Augmentation(const domain::Problem& problem, std::size_t steps, const UncertaintyOptions& options,
+               Worlds& worlds)
+      : problem_(&problem), steps_(steps), options_(&options), worlds_(&worlds) {
+    for (const plan::Sense& look : options.looks) {
+      entries_.push_back({.id = plan::StepId(NextId()), .action = look});
+    }
+  }
+  // Of a whole instance.
   Augmentation(const domain::Problem& problem, const plan::Plan& instance,
                const UncertaintyOptions& options, Worlds& worlds)
-      : problem_(problem), instance_(instance), options_(options), worlds_(worlds) {
-    for (const plan::Sense& look : options.looks) {
-      entries_.push_back(
-          {.id = plan::StepId(instance.steps.size() + entries_.size()), .action = look});
-    }
+      : Augmentation(problem, instance.steps.size(), options, worlds) {
     for (const plan::StepId id : instance.ExecutionOrder()) {
-      entries_.push_back({.id = id, .action = instance.step(id).action});
+      Add(id, instance.step(id).action, IfUnproved::kPrepare);
     }
+  }
+
+  // Whether all goals of the step are proved, with what is then inserted.
+  bool Add(plan::StepId id, const plan::Action& action, IfUnproved if_unproved) {
+    if_unproved_ = if_unproved;
+    entries_.push_back({.id = id, .action = action});
     while (!DecideInOrder()) {
     }
+    return !Fails(entries_.back());
+  }
+
+  // To the step that was added last, which is not proved. If it fails even with the best known, by
+  // what fails then; and if of that not all depends on where parts are, by the rest.
+  Objection ObjectionToLast() const {
+    const int step = static_cast<int>(entries_.size()) - 1;
+    const auto unmet = UnmetWhateverIsKnown(step);
+    const UncertainWorld& world = unmet.empty() ? worlds_->possible.WorldAt(entries_[step].failed)
+                                                : worlds_->best->WorldAt(BestMoment(step));
+    Objection objection = {.action = step - InsertedBefore(step),
+                           .parts = std::visit(HandledParts{*problem_}, entries_[step].action),
+                           .history = unmet.empty()};
+    Explain(unmet.empty() ? GoalsUnproved(step) : unmet, world, objection);
+    if (unmet.empty()) AddObstaclesOfRemedies(objection);
+    return objection;
   }
 
   std::int64_t combinations() const { return combinations_; }
   int errors() const { return static_cast<int>(std::ranges::count_if(entries_, Fails)); }
-  Standing standing() const { return {errors(), instance_.steps.size(), violation()}; }
+  Standing standing() const { return {errors(), steps_, violation()}; }
 
-  AugmentedPlanInstance WriteOut() const {
+  // The instance, which is that of all steps that were added.
+  AugmentedPlanInstance WriteOut(const plan::Plan& instance) const {
     AugmentedPlanInstance augmented = {
-        .plan = instance_, .violation = violation(), .combinations = combinations_};
+        .plan = instance, .violation = violation(), .combinations = combinations_};
     plan::Plan& plan = augmented.plan;
     plan.errors = errors();
     plan.steps.resize(entries_.size());
-    UncertainWorld world(problem_, options_.propagation);
+    UncertainWorld world(*problem_, options_->propagation);
     for (std::size_t i = 0; i < entries_.size(); ++i) {
       WriteOut(entries_[i], static_cast<int>(i) + 1, world, plan);
     }
-    if (entries_.size() > instance_.steps.size()) plan.ordering = OrderOfExecution();
+    if (!IsProvedInEveryOrder(instance)) plan.ordering = OrderOfExecution();
     return augmented;
   }
 
@@ -181,18 +238,18 @@ class Augmentation {
     for (const Entry& entry : entries_) {
       if (!Fails(entry)) continue;
       violation +=
-          ShortfallOf(Unabsorbed(entry, worlds_.possible.UnprovedAt(entry.failed))).violation;
+          ShortfallOf(Unabsorbed(entry, worlds_->possible.UnprovedAt(entry.failed))).violation;
     }
     return violation;
   }
 
   // False if a remedy was inserted, so that all must be decided anew.
   bool DecideInOrder() {
-    MomentId moment = worlds_.possible.Beginning();
+    MomentId moment = worlds_->possible.Beginning();
     for (int i = 0; i < std::ssize(entries_); ++i) {
-      moment = After(worlds_.possible, moment, entries_[i]);
+      moment = After(worlds_->possible, moment, entries_[i]);
       entries_[i].failed = MomentId::None();
-      if (Unabsorbed(entries_[i], worlds_.possible.UnprovedAt(moment)).empty()) continue;
+      if (Unabsorbed(entries_[i], worlds_->possible.UnprovedAt(moment)).empty()) continue;
       if (!entries_[i].given_up && Mend(i, {moment, entries_[i].absorbed})) return false;
       entries_[i].failed = moment;
     }
@@ -209,7 +266,7 @@ class Augmentation {
   }
 
   std::vector<Unproved> UnprovedGoals(const Unmet& unmet) const {
-    return WithoutConditions(unmet.absorbed, worlds_.possible.UnprovedAt(unmet.after));
+    return WithoutConditions(unmet.absorbed, worlds_->possible.UnprovedAt(unmet.after));
   }
 
   // The goal that fails by most, as the certificate will tell it.
@@ -217,11 +274,11 @@ class Augmentation {
     const std::vector<Unproved> unproved = UnprovedGoals(unmet);
     const auto margin = [](const Unproved& goal) { return goal.claim.margin; };
     const Unproved& worst = *std::ranges::min_element(unproved, {}, margin);
-    return WhyUnproved(worlds_.possible.Told(unmet.after, worst).claim);
+    return WhyUnproved(worlds_->possible.Told(unmet.after, worst).claim);
   }
 
   CertifiedStep Certify(UncertainWorld& world, const Entry& entry) const {
-    CertifiedStep step = CertifyStep(world, entry.action, options_.bound, entry.way());
+    CertifiedStep step = CertifyStep(world, entry.action, options_->bound, entry.way());
     step.unproved = Unabsorbed(entry, std::move(step.unproved));
     return step;
   }
@@ -230,6 +287,7 @@ class Augmentation {
   // only what brings them nearest without moving parts is applied. Strategies take long to find,
   // and are asked for where nothing else proves the goals.
   bool Mend(int step, const Unmet& unmet) {
+    obstacles_.clear();
     const auto apply = [&](Mended mended) {
       entries_ = std::move(mended.entries);
       return mended.step;
@@ -237,7 +295,7 @@ class Augmentation {
     std::vector<Candidate> candidates = Candidates(step, unmet, Absorbing::kNo);
     std::optional<Mended> proving;
     if (MayBeProved(step, {})) proving = ProvingRemedies(step, candidates, unmet, Absorbing::kNo);
-    if (!proving && MayBeProved(step, Absorbable(options_))) {
+    if (!proving && MayBeProved(step, Absorbable(*options_))) {
       std::ranges::move(Candidates(step, unmet, Absorbing::kYes), std::back_inserter(candidates));
       std::ranges::stable_sort(candidates, {}, &Candidate::resolver);
       proving = ProvingRemedies(step, candidates, unmet, Absorbing::kYes);
@@ -246,6 +304,10 @@ class Augmentation {
       NoteWhatFellShort(step, candidates, unmet, proving->entries[proving->step]);
       apply(std::move(*proving));
       return true;
+    }
+    if (if_unproved_ == IfUnproved::kObject) {
+      GiveUp(entries_[step], unmet);
+      return false;
     }
     auto nearer = NearingRemedies(step, candidates, unmet);
     const bool helps = nearer.has_value();
@@ -257,19 +319,77 @@ class Augmentation {
   // Not if other goals of the step than those that remedies absorb fail even when all is known that
   // they could tell: then trying them one by one is of no use.
   bool MayBeProved(int step, std::vector<std::string> absorbable) const {
-    if (!worlds_.best) return true;
-    MomentId moment = worlds_.best->Beginning();
-    for (int i = 0; i <= step; ++i) {
-      const Entry& entry = entries_[i];
-      if (!IsInserted(entry)) moment = worlds_.best->After(moment, entry.action, entry.way());
-    }
+    if (!worlds_->best) return true;
     const std::vector<std::string>& absorbed = entries_[step].absorbed;
     absorbable.insert(absorbable.end(), absorbed.begin(), absorbed.end());
-    return worlds_.best->LeastShortfall(moment, absorbable).goals == 0;
+    return worlds_->best->LeastShortfall(BestMoment(step), absorbable).goals == 0;
   }
 
-  bool IsInserted(const Entry& entry) const {
-    return entry.id.index() >= static_cast<int>(instance_.steps.size());
+  // After the step, with the best known.
+  MomentId BestMoment(int step) const {
+    MomentId moment = worlds_->best->Beginning();
+    for (int i = 0; i <= step; ++i) {
+      const Entry& entry = entries_[i];
+      if (!IsInserted(entry)) moment = worlds_->best->After(moment, entry.action, entry.way());
+    }
+    return moment;
+  }
+
+  // Goals of a step that fail whatever remedies tell; of these, if there are any, those that fail
+  // wherever parts are. Empty if remedies may do.
+  std::vector<Unproved> UnmetWhateverIsKnown(int step) const {
+    if (!worlds_->best) return {};
+    std::vector<Unproved> unmet =
+        worlds_->best->UnprovedAt(BestMoment(step), Absorbable(*options_));
+    if (!std::ranges::all_of(unmet, DependsOnPlace)) std::erase_if(unmet, DependsOnPlace);
+    return unmet;
+  }
+
+  std::vector<Unproved> GoalsUnproved(int step) const {
+    const Entry& entry = entries_[step];
+    return Unabsorbed(entry, worlds_->possible.UnprovedAt(entry.failed));
+  }
+
+  int InsertedBefore(int step) const {
+    return static_cast<int>(std::count_if(entries_.begin(), entries_.begin() + step,
+                                          [&](const Entry& entry) { return IsInserted(entry); }));
+  }
+
+  // What the goals say of the objection, the one that is missed by most first.
+  static void Explain(std::vector<Unproved> goals, const UncertainWorld& world,
+                      Objection& objection) {
+    std::ranges::stable_sort(goals, {}, [](const Unproved& goal) { return goal.claim.margin; });
+    objection.why = WhyUnproved(goals.front().claim);
+    objection.place = std::ranges::any_of(goals, DependsOnPlace);
+    for (const PartId part : world.PartsIn(ExpressionsOf(goals))) AddTo(objection.parts, part);
+    for (const Unproved& goal : goals) {
+      if (!goal.neighbour.IsNone()) AddInTheWay(goal.neighbour, WhyUnproved(goal.claim), objection);
+    }
+  }
+
+  static void AddTo(std::vector<PartId>& parts, PartId part) {
+    if (std::ranges::count(parts, part) == 0) parts.push_back(part);
+  }
+  static void AddInTheWay(PartId part, std::string why, Objection& objection) {
+    const auto is_known = std::ranges::count(objection.in_the_way, part, &PartInTheWay::part) > 0;
+    if (!is_known) objection.in_the_way.push_back({part, std::move(why)});
+  }
+
+  // Parts beside which remedies cannot be executed, or not be proved.
+  void AddObstaclesOfRemedies(Objection& objection) const {
+    for (const PartId part : obstacles_) {
+      if (std::ranges::count(objection.parts, part) > 0) continue;
+      AddInTheWay(part, objection.why, objection);
+      objection.place = true;
+    }
+  }
+
+  bool IsInserted(const Entry& entry) const { return entry.id.index() >= static_cast<int>(steps_); }
+  // Of the step that is inserted next.
+  int NextId() const {
+    const auto inserted =
+        std::ranges::count_if(entries_, [&](const Entry& entry) { return IsInserted(entry); });
+    return static_cast<int>(steps_ + inserted);
   }
 
   // Of the combinations with a candidate that may absorb errors, or of those without.
@@ -279,15 +399,18 @@ class Augmentation {
     std::optional<Mended> proving;
     const auto proves = [&](const std::vector<int>& chosen) {
       const bool may_absorb = std::ranges::any_of(
-          chosen, [&](int c) { return !options_.resolvers[items[c].group]->absorbs().empty(); });
+          chosen, [&](int c) { return !options_->resolvers[items[c].group]->absorbs().empty(); });
       if (may_absorb != (absorbing == Absorbing::kYes)) return false;
       ++combinations_;
       Mended mended = With(step, candidates, chosen, unmet);
-      if (!IsProved(mended)) return false;
+      if (const auto unproved = FirstUnproved(mended)) {
+        NoteNeighbours(unproved->after);
+        return false;
+      }
       proving = std::move(mended);
       return true;
     };
-    VisitCombinations(items, options_.most_remedies, options_.combinations, proves);
+    VisitCombinations(items, options_->most_remedies, options_->combinations, proves);
     return proving;
   }
 
@@ -297,7 +420,7 @@ class Augmentation {
     std::optional<Shortfall> least = ShortfallAfter({entries_, step});
     std::vector<Combinable> items = ItemsOf(candidates);
     std::erase_if(
-        items, [&](const Combinable& item) { return options_.resolvers[item.group]->disturbs(); });
+        items, [&](const Combinable& item) { return options_->resolvers[item.group]->disturbs(); });
     const auto compare = [&](const std::vector<int>& chosen) {
       Mended mended = With(step, candidates, chosen, unmet);
       const std::optional<Shortfall> shortfall = ShortfallAfter(mended);
@@ -306,7 +429,7 @@ class Augmentation {
       nearest = std::move(mended);
       return false;
     };
-    VisitCombinations(items, options_.most_remedies, options_.combinations, compare);
+    VisitCombinations(items, options_->most_remedies, options_->combinations, compare);
     return nearest;
   }
 
@@ -315,16 +438,16 @@ class Augmentation {
                          Entry& mended) {
     const auto disturbs = [&](const Measure& measure) {
       const auto resolver = std::ranges::find(
-          options_.resolvers, measure.resolver,
+          options_->resolvers, measure.resolver,
           [](const std::shared_ptr<Resolver>& r) { return std::string(r->name()); });
-      return resolver != options_.resolvers.end() && (*resolver)->disturbs();
+      return resolver != options_->resolvers.end() && (*resolver)->disturbs();
     };
     if (std::ranges::none_of(mended.measures, disturbs)) return;
     const std::optional<Mended> nearest = NearingRemedies(step, candidates, unmet);
     if (!nearest) return;
     const Entry& entry = nearest->entries[nearest->step];
     const MomentId after = MomentAfter(*nearest);
-    if (Unabsorbed(entry, worlds_.possible.UnprovedAt(after)).empty()) return;
+    if (Unabsorbed(entry, worlds_->possible.UnprovedAt(after)).empty()) return;
     for (Measure& measure : mended.measures) {
       if (!disturbs(measure) || measure.because != unmet) continue;
       measure.without_moving = {entry.measures.back().resolver, {after, entry.absorbed}};
@@ -340,21 +463,23 @@ class Augmentation {
   }
 
   // Of the resolvers that may absorb errors, or of the others.
-  std::vector<Candidate> Candidates(int step, const Unmet& failed, Absorbing absorbing) const {
+  std::vector<Candidate> Candidates(int step, const Unmet& failed, Absorbing absorbing) {
     std::vector<plan::Action> actions;
     std::vector<std::optional<plan::Strategy>> strategies;
     for (const Entry& entry : entries_) {
       actions.push_back(entry.action);
       strategies.push_back(entry.strategy);
     }
-    UnmetGoals unmet = {problem_, actions, step, UnprovedGoals(failed), {}, std::move(strategies)};
-    unmet.parts = worlds_.possible.WorldAt(failed.after).PartsIn(ExpressionsOf(unmet.goals));
+    UnmetGoals unmet = {*problem_, actions, step, UnprovedGoals(failed), {}, std::move(strategies)};
+    unmet.parts = worlds_->possible.WorldAt(failed.after).PartsIn(ExpressionsOf(unmet.goals));
     std::vector<Candidate> candidates;
-    for (std::size_t r = 0; r < options_.resolvers.size(); ++r) {
-      if (options_.resolvers[r]->absorbs().empty() == (absorbing == Absorbing::kYes)) continue;
-      for (Remedy& remedy : options_.resolvers[r]->Propose(unmet)) {
+    for (std::size_t r = 0; r < options_->resolvers.size(); ++r) {
+      if (options_->resolvers[r]->absorbs().empty() == (absorbing == Absorbing::kYes)) continue;
+      for (Remedy& remedy : options_->resolvers[r]->Propose(unmet)) {
         candidates.push_back({static_cast<int>(r), std::move(remedy)});
       }
+      if (if_unproved_ == IfUnproved::kPrepare) continue;
+      for (const PartId part : options_->resolvers[r]->Obstacles(unmet)) obstacles_.insert(part);
     }
     return candidates;
   }
@@ -364,7 +489,7 @@ class Augmentation {
               const Unmet& unmet) const {
     Mended mended;
     Entry target = entries_[step];
-    int next_id = static_cast<int>(entries_.size());
+    int next_id = NextId();
     for (int position = 0; position < static_cast<int>(entries_.size()); ++position) {
       for (const int c : chosen) {
         for (const Insertion& insertion : candidates[c].remedy.insertions) {
@@ -388,7 +513,7 @@ class Augmentation {
   }
 
   std::string NameOf(const Candidate& candidate) const {
-    return std::string(options_.resolvers[candidate.resolver]->name());
+    return std::string(options_->resolvers[candidate.resolver]->name());
   }
 
   // The entry's measure by this resolver, a new one if there is none.
@@ -398,35 +523,45 @@ class Augmentation {
     return entry.measures.emplace_back(Measure{.resolver = resolver, .because = unmet});
   }
 
-  bool IsProved(const Mended& mended) const {
-    return IsReached(mended) &&
-           IsProved(worlds_.possible, MomentAfter(mended), mended.entries[mended.step]);
+  // The first of the new steps up to the mended one, and of those after one, that is not proved and
+  // was not given up; or else the mended step, if it is not proved.
+  struct UnprovedStep {
+    int step = 0;
+    MomentId after;
+  };
+  std::optional<UnprovedStep> FirstUnproved(const Mended& mended) const {
+    MomentId moment = worlds_->possible.Beginning();
+    bool is_changed = false;
+    const int next_id = NextId();
+    for (int i = 0; i <= mended.step; ++i) {
+      const Entry& entry = mended.entries[i];
+      moment = After(worlds_->possible, moment, entry);
+      is_changed |= entry.id.index() >= next_id;
+      const bool must_be_proved = i == mended.step || (is_changed && !entry.given_up);
+      if (must_be_proved && !IsProved(worlds_->possible, moment, entry)) return {{i, moment}};
+    }
+    return std::nullopt;
   }
 
   // None if the mended step is not reached.
   std::optional<Shortfall> ShortfallAfter(const Mended& mended) const {
-    if (!IsReached(mended)) return std::nullopt;
-    const std::vector<Unproved>& unproved = worlds_.possible.UnprovedAt(MomentAfter(mended));
-    return ShortfallOf(Unabsorbed(mended.entries[mended.step], unproved));
+    const auto unproved = FirstUnproved(mended);
+    if (!unproved) return Shortfall{};
+    if (unproved->step < mended.step) return std::nullopt;
+    return ShortfallOf(
+        Unabsorbed(mended.entries[mended.step], worlds_->possible.UnprovedAt(unproved->after)));
   }
 
-  // Unless a new step up to the mended one, or one after it, is not proved and was not given up.
-  bool IsReached(const Mended& mended) const {
-    MomentId moment = worlds_.possible.Beginning();
-    bool is_changed = false;
-    for (int i = 0; i < mended.step; ++i) {
-      const Entry& entry = mended.entries[i];
-      moment = After(worlds_.possible, moment, entry);
-      is_changed |= entry.id.index() >= static_cast<int>(entries_.size());
-      if (is_changed && !entry.given_up && !IsProved(worlds_.possible, moment, entry)) return false;
+  void NoteNeighbours(MomentId after) {
+    for (const Unproved& unproved : worlds_->possible.UnprovedAt(after)) {
+      if (!unproved.neighbour.IsNone()) obstacles_.insert(unproved.neighbour);
     }
-    return true;
   }
 
   MomentId MomentAfter(const Mended& mended) const {
-    MomentId moment = worlds_.possible.Beginning();
+    MomentId moment = worlds_->possible.Beginning();
     for (int i = 0; i <= mended.step; ++i) {
-      moment = After(worlds_.possible, moment, mended.entries[i]);
+      moment = After(worlds_->possible, moment, mended.entries[i]);
     }
     return moment;
   }
@@ -459,14 +594,33 @@ class Augmentation {
     CertifiedStep certified = Certify(world, entry);
     ASSAY_CHECK(certified.unproved.empty() == !Fails(entry),
                 "'{}' is certified otherwise than it was decided", step.name);
+    // Those of the first phase tell which parts were moved for it.
+    std::vector<Resolution> resolutions = std::move(step.certificate.resolutions);
     step.certificate = std::move(certified.certificate);
+    step.certificate.resolutions = std::move(resolutions);
     for (const Measure& measure : entry.measures) {
       step.certificate.resolutions.push_back(InWords(measure));
     }
-    if (Fails(entry)) AddVerification(problem_, entry.id, step.action, step.certificate, plan);
+    if (Fails(entry)) AddVerification(*problem_, entry.id, step.action, step.certificate, plan);
   }
 
-  // What was inserted was certified for this order.
+  // What was inserted was certified for the order of execution; what was not may be, too.
+  bool IsProvedInEveryOrder(const plan::Plan& instance) const {
+    if (entries_.size() > steps_) return false;
+    const auto is_proved_in = [&](const std::vector<plan::StepId>& order) {
+      MomentId moment = worlds_->possible.Beginning();
+      return std::ranges::all_of(order, [&](plan::StepId id) {
+        const Entry& entry = *std::ranges::find(entries_, id, &Entry::id);
+        moment = After(worlds_->possible, moment, entry);
+        return Fails(entry) || IsProved(worlds_->possible, moment, entry);
+      });
+    };
+    return plan::VisitLinearizations(
+        static_cast<int>(steps_), instance.ordering, [&](const auto& order) {
+          return is_proved_in(order) ? plan::Visit::kContinue : plan::Visit::kStop;
+        });
+  }
+
   std::vector<std::pair<plan::StepId, plan::StepId>> OrderOfExecution() const {
     std::vector<std::pair<plan::StepId, plan::StepId>> ordering;
     for (std::size_t i = 1; i < entries_.size(); ++i) {
@@ -475,12 +629,14 @@ class Augmentation {
     return ordering;
   }
 
-  const domain::Problem& problem_;
-  const plan::Plan instance_;
-  const UncertaintyOptions& options_;
-  Worlds& worlds_;
+  const domain::Problem* problem_;
+  std::size_t steps_;  // of the instance: ids from here on are those of inserted steps
+  const UncertaintyOptions* options_;
+  Worlds* worlds_;
   std::vector<Entry> entries_;  // in the order of execution
+  IfUnproved if_unproved_ = IfUnproved::kPrepare;
   std::int64_t combinations_ = 0;
+  std::set<PartId> obstacles_ = {};  // of the remedies for the step that was mended last
 };
 
 // That no remedies can better.
@@ -499,6 +655,20 @@ Standing LeastStanding(const plan::Plan& instance, const UncertaintyOptions& opt
   return least;
 }
 
+// Steps that no remedies can better, wherever on the table parts are.
+int CertainErrors(const plan::Plan& instance, const UncertaintyOptions& options, Worlds& worlds) {
+  if (!worlds.best) return 0;
+  const std::vector<std::string> absorbable = Absorbable(options);
+  MomentId moment = worlds.best->Beginning();
+  int errors = 0;
+  for (const plan::StepId id : instance.ExecutionOrder()) {
+    moment = worlds.best->After(moment, instance.step(id).action, nullptr);
+    errors +=
+        std::ranges::all_of(worlds.best->UnprovedAt(moment, absorbable), DependsOnPlace) ? 0 : 1;
+  }
+  return errors;
+}
+
 // A hand turned by half a turn grasps as well: one of the two is enough.
 bool IsAsGood(const Standing& a, const Standing& b) {
   constexpr double kSameViolation = 1e-6;
@@ -511,14 +681,15 @@ bool IsAsGood(const Standing& a, const Standing& b) {
 // come first, the most promising first, one of those that promise the same.
 class BestInstance {
  public:
-  BestInstance(const domain::Problem& problem, const UncertaintyOptions& options)
+  BestInstance(const domain::Problem& problem, const UncertaintyOptions& options, Worlds& worlds)
       : problem_(problem),
         options_(options),
-        worlds_(problem, options),
+        worlds_(worlds),
         for_violation_(options.instances_for_violation) {}
 
   void Consider(const plan::Plan& instance) {
     const Standing least = LeastStanding(instance, options_, worlds_);
+    certain_errors_ = std::min(certain_errors_, CertainErrors(instance, options_, worlds_));
     if (least.errors > 0) {
       waiting_.push_back({least, instance});
     } else {
@@ -537,9 +708,20 @@ class BestInstance {
     waiting_.clear();
   }
 
-  // Null before the first.
-  const Augmentation* get() const { return best_.get(); }
-  bool is_proved() const { return best_ && best_->errors() == 0; }
+  void TakeIfBetter(const plan::Plan& instance) {
+    Augmentation augmentation(problem_, instance, options_, worlds_);
+    combinations_ += augmentation.combinations();
+    if (best_ && !(augmentation.standing() < best_->augmentation.standing())) return;
+    best_ = {instance, std::move(augmentation)};
+  }
+
+  bool exists() const { return best_.has_value(); }
+  int errors() const { return best_->augmentation.errors(); }  // of the best
+  std::int64_t actions() const { return std::ssize(best_->instance.steps); }
+  // The least of all that were considered.
+  int certain_errors() const { return certain_errors_; }
+  bool is_proved() const { return exists() && errors() == 0; }
+  plan::Plan WriteOut() const { return best_->augmentation.WriteOut(best_->instance).plan; }
   std::int64_t combinations() const { return combinations_; }  // of remedies that were tried
 
  private:
@@ -548,30 +730,165 @@ class BestInstance {
     plan::Plan instance;
   };
 
+  struct Augmented {
+    plan::Plan instance;
+    Augmentation augmentation;
+  };
+
   // Whether it might come before the best one; few of those that might do so by their violation
   // alone.
   bool IsWorthAugmenting(const Standing& least) {
     if (!best_) return true;
-    const Standing best = best_->standing();
+    const Standing best = best_->augmentation.standing();
     if (!(least < best)) return false;
     const bool may_have_fewer =
         std::tie(least.errors, least.actions) < std::tie(best.errors, best.actions);
     return may_have_fewer || for_violation_-- > 0;
   }
 
-  void TakeIfBetter(const plan::Plan& instance) {
-    auto augmentation = std::make_unique<const Augmentation>(problem_, instance, options_, worlds_);
-    combinations_ += augmentation->combinations();
-    if (!best_ || augmentation->standing() < best_->standing()) best_ = std::move(augmentation);
+  const domain::Problem& problem_;
+  const UncertaintyOptions& options_;
+  Worlds& worlds_;
+  std::int64_t for_violation_;  // that are still to be augmented
+  int certain_errors_ = std::numeric_limits<int>::max();
+  std::vector<Waiting> waiting_;
+  std::optional<Augmented> best_;
+  std::int64_t combinations_ = 0;
+};
+
+// Steps of an instance that need not be proved.
+struct Allowance {
+  std::int64_t errors = 0;
+  std::int64_t certain_errors = 0;  // of these, to which there can only be certain objections
+
+  bool Covers(const std::vector<Objection>& objections) const {
+    const std::int64_t certain = std::ranges::count_if(objections, &Objection::is_certain);
+    return std::ssize(objections) <= errors &&
+           std::ssize(objections) - certain <= errors - certain_errors;
+  }
+};
+
+// Objects to instances as soon as more of their steps than are allowed cannot be proved.
+class InstanceJudge {
+ public:
+  InstanceJudge(const domain::Problem& problem, const UncertaintyOptions& options, Worlds& worlds,
+                const Allowance& allowance)
+      : worlds_(worlds), allowance_(allowance) {
+    levels_.push_back({Augmentation(problem, kMostSteps, options, worlds), {}});
+  }
+
+  Judgement Judge(std::span<const plan::Action> actions) {
+    const std::int64_t moments = worlds_.moments();
+    levels_.erase(levels_.begin() + std::ssize(actions), levels_.end());
+    Level level = levels_.back();
+    if (!level.augmentation.Add(plan::StepId(actions.size() - 1), actions.back(),
+                                IfUnproved::kObject)) {
+      level.objections.push_back(level.augmentation.ObjectionToLast());
+    }
+    Judgement judgement = {.moments = 1 + worlds_.moments() - moments};
+    if (allowance_.Covers(level.objections)) {
+      levels_.push_back(std::move(level));
+    } else {
+      judgement.objections = std::move(level.objections);
+    }
+    return judgement;
+  }
+
+ private:
+  // After so many actions as its index tells.
+  struct Level {
+    Augmentation augmentation;
+    std::vector<Objection> objections;  // to steps that are allowed to fail
+  };
+
+  Worlds& worlds_;
+  Allowance allowance_;
+  std::vector<Level> levels_;
+};
+
+class CertifiedPlanning {
+ public:
+  CertifiedPlanning(const domain::Problem& problem, const PlannerOptions& planner,
+                    const UncertaintyOptions& options)
+      : problem_(problem),
+        planner_(planner),
+        options_(options),
+        worlds_(problem, options),
+        best_(problem, options, worlds_) {}
+
+  // The first instances tell how many errors no search can spare; those beyond are searched for.
+  plan::PlanResult Run() {
+    plan::PlanResult result = AmongTheFirst();
+    if (!best_.exists()) return Answer(std::move(result));
+    if (best_.is_proved() && best_.actions() > result.counters.at("least_actions")) {
+      Join(WithErrors(0), result);  // other places or orders may spare actions
+    }
+    for (int errors = best_.certain_errors(); errors < best_.errors(); ++errors) {
+      Join(WithErrors(errors), result);
+    }
+    return Answer(std::move(result));
+  }
+
+ private:
+  // Looks for a plan in which so many steps are not proved, at most: steps that fail are mended by
+  // other instances, and by goals for the first phase.
+  plan::PlanResult WithErrors(int errors) {
+    InstanceJudge judge(problem_, options_, worlds_, {errors, best_.certain_errors()});
+    PlannerOptions first_phase = planner_;
+    first_phase.moments = options_.moments;
+    first_phase.judge = [&](std::span<const plan::Action> actions) { return judge.Judge(actions); };
+    std::int64_t refused = 0;
+    first_phase.accept = [&](const plan::Plan& instance) {
+      if (!CanBeExecuted(instance)) return ++refused >= options_.instances;
+      best_.TakeIfBetter(instance);
+      return true;
+    };
+    return MakePlan(problem_, first_phase);
+  }
+
+  // The best of the first instances, with whatever errors.
+  plan::PlanResult AmongTheFirst() {
+    PlannerOptions first_phase = planner_;
+    std::int64_t considered = 0;
+    first_phase.accept = [&](const plan::Plan& instance) {
+      if (CanBeExecuted(instance)) best_.Consider(instance);
+      return best_.is_proved() || ++considered >= options_.instances;
+    };
+    plan::PlanResult result = MakePlan(problem_, first_phase);
+    if (!best_.is_proved()) best_.ConsiderWaiting();
+    return result;
+  }
+
+  bool CanBeExecuted(const plan::Plan& instance) const {
+    return !options_.can_be_executed || options_.can_be_executed(instance);
+  }
+
+  // Counts the work of another search, whose outcome is the last.
+  static void Join(plan::PlanResult other, plan::PlanResult& result) {
+    result.outcome = other.outcome;
+    for (const auto& [name, count] : other.counters) {
+      if (name != "least_actions") result.counters[name] += count;
+    }
+  }
+
+  plan::PlanResult Answer(plan::PlanResult result) {
+    result.counters["remedies"] = best_.combinations();
+    if (best_.exists()) {
+      result.outcome = Outcome::kFound;
+      result.conflict.clear();
+      result.plan = best_.WriteOut();
+    } else if (result.outcome == Outcome::kFound) {  // but nothing that can be executed
+      result.outcome = Outcome::kBudget;
+      result.plan = {};
+    }
+    return result;
   }
 
   const domain::Problem& problem_;
+  const PlannerOptions& planner_;
   const UncertaintyOptions& options_;
   Worlds worlds_;
-  std::int64_t for_violation_;  // that are still to be augmented
-  std::vector<Waiting> waiting_;
-  std::unique_ptr<const Augmentation> best_;
-  std::int64_t combinations_ = 0;
+  BestInstance best_;
 };
 
 UncertaintyOptions WithDefaults(UncertaintyOptions options) {
@@ -588,33 +905,15 @@ AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& 
                               const UncertaintyOptions& options) {
   const UncertaintyOptions complete = WithDefaults(options);
   Worlds worlds(problem, complete);
-  return Augmentation(problem, instance, complete, worlds).WriteOut();
+  return Augmentation(problem, instance, complete, worlds).WriteOut(instance);
 }
 
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
                                    const UncertaintyOptions& options) {
-  ASSAY_CHECK(!planner.accept, "which instance is accepted is for the uncertainty phase to say");
+  ASSAY_CHECK(!planner.accept && !planner.judge,
+              "which instance is accepted is for the uncertainty phase to say");
   const UncertaintyOptions complete = WithDefaults(options);
-  BestInstance best(problem, complete);
-  std::int64_t instances = 0;
-  PlannerOptions first_phase = planner;
-  first_phase.accept = [&](const plan::Plan& instance) {
-    if (!complete.can_be_executed || complete.can_be_executed(instance)) best.Consider(instance);
-    return best.is_proved() || ++instances >= complete.instances;
-  };
-  plan::PlanResult result = MakePlan(problem, first_phase);
-  if (!best.is_proved()) best.ConsiderWaiting();
-  result.counters["remedies"] = best.combinations();
-  if (best.get() != nullptr) {
-    result.outcome = Outcome::kFound;
-    result.conflict.clear();
-    result.plan = best.get()->WriteOut().plan;
-  } else if (instances > 0) {  // none of which can be executed
-    result.outcome = Outcome::kBudget;
-    result.plan = {};
-    result.conflict.clear();
-  }
-  return result;
+  return CertifiedPlanning(problem, planner, complete).Run();
 }
 
 }  // namespace assay::posting

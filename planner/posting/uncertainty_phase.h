@@ -17,7 +17,8 @@ struct UncertaintyOptions {
   algebra::BoundRequest bound = {};
   int most_remedies = 3;            // at once, for one step
   std::int64_t combinations = 100;  // of remedies, tried for one step
-  std::int64_t instances = 10;      // plan instances looked at, of all plans of the first phase
+  std::int64_t instances = 10;      // plan instances looked at first, of all plans
+  std::int64_t moments = 12'000;    // of world trees, for each search for a plan with fewer errors
   std::int64_t instances_for_violation = 0;  // of these, augmented for a smaller violation alone
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
   std::vector<plan::Sense> looks =
@@ -49,7 +50,14 @@ AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& 
 // the smallest violation. Beyond the paper, the first phase is asked for further plans, not only
 // for further instances of one. Instances that surely have errors, whatever the remedies, wait for
 // the others; those of them that could still come first are augmented, the most promising first,
-// but not all that could by their violation alone. planner.accept must be empty.
+// but not all that could by their violation alone.
+//
+// Then, unless no instance can have fewer errors than the best, the first phase searches for a plan
+// with none, with one, and so on, and this phase judges each action as it is chosen (objection.h):
+// what cannot be proved leads to another grasp, place or order, or becomes the goal that a part be
+// moved out of the way. This is what the paper's two phases cannot do ("Satisfying
+// Uncertainty-Reduction Goals", on a part among others). planner.accept and planner.judge must be
+// empty.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem, const PlannerOptions& planner,
                                    const UncertaintyOptions& options);
 

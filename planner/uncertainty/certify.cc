@@ -218,7 +218,7 @@ class StepCertifier {
       if (!decides()) return;
       CertifiedPrecondition claim = certifies() ? Certified(precondition) : Decided(precondition);
       if (!claim.holds()) {
-        certified_.unproved.push_back({claim, precondition.expression});
+        certified_.unproved.push_back({claim, precondition.expression, precondition.neighbour});
       }
       if (certifies()) certified_.certificate.preconditions.push_back(std::move(claim));
     }
@@ -267,7 +267,7 @@ class StepCertifier {
   // less is wanted, they must not tell more than the certificate will.
   std::optional<CertifiedPrecondition> AtAGlance(const Precondition& precondition) const {
     if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
-    const auto& [condition, meaning, expression, relation, limit] = precondition;
+    const auto& [condition, meaning, expression, relation, limit, neighbour] = precondition;
     const bool less = relation == Relation::kLess;
     auto seen = Seen(precondition, less ? world_.GlanceAbove(expression, limit)
                                         : world_.GlanceBelow(expression, limit));

@@ -9,6 +9,7 @@ namespace assay::uncertainty {
 struct Unproved {
   plan::CertifiedPrecondition claim;
   Expression expression;  // of the claim, in the variables of the world it was decided in
+  PartId neighbour = PartId::None();  // Precondition::neighbour
 };
 
 struct CertifiedStep {

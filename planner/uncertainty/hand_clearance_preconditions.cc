@@ -154,7 +154,7 @@ class HandConditions {
     const Transform possible = PossiblePose(X_WorldPart, error);
     for (const Box& box : neighbour.model->boxes()) {
       const Body other = MakeBody(box, X_WorldPart, possible, range);
-      for (const Body& piece : hand_) RequireApart(piece, other, neighbour.name);
+      for (const Body& piece : hand_) RequireApart(piece, other, part);
     }
   }
 
@@ -175,7 +175,7 @@ class HandConditions {
   }
 
   // By the plane that leaves the widest gap in the plan.
-  void RequireApart(const Body& hand, const Body& other, const std::string& name) {
+  void RequireApart(const Body& hand, const Body& other, PartId neighbour) {
     const double reach = hand.shift + other.shift;
     WidestGap widest(hand.points, other.points);
     widest.TrySides(hand.axes, other.axes);
@@ -186,10 +186,12 @@ class HandConditions {
     for (std::size_t i = 0; i < hand.local.size(); ++i) {
       for (std::size_t j = 0; j < other.local.size(); ++j) {
         if (best.dot(other.points[j] - hand.points[i]) > reach) continue;
-        conditions_.Less("hand clear", fmt::format("the hand stays clear of {}", name),
-                         Along(best, *hand.pose * AsVector(hand.local[i])) -
-                             Along(best, *other.pose * AsVector(other.local[j])),
-                         0);
+        conditions_.Less(
+            "hand clear",
+            fmt::format("the hand stays clear of {}", world_.problem().part(neighbour).name),
+            Along(best, *hand.pose * AsVector(hand.local[i])) -
+                Along(best, *other.pose * AsVector(other.local[j])),
+            0, neighbour);
       }
     }
   }

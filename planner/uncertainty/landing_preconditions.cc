@@ -142,7 +142,7 @@ class LandingConditions {
         conditions_.Less("neighbour clear", fmt::format("the part stays clear of {}", other.name),
                          AlongTable(along, possible.pose * AsVector(v)) -
                              AlongTable(along, possible_other.pose * AsVector(w)),
-                         0);
+                         0, neighbour);
       }
     }
   }

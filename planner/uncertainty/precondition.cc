@@ -5,8 +5,9 @@
 namespace assay::uncertainty {
 
 void Preconditions::Less(std::string condition, std::string meaning, const Expression& expression,
-                         double limit) {
-  Add({std::move(condition), std::move(meaning), expression, plan::Relation::kLess, limit});
+                         double limit, PartId neighbour) {
+  Add({std::move(condition), std::move(meaning), expression, plan::Relation::kLess, limit,
+       neighbour});
 }
 
 void Preconditions::Greater(std::string condition, std::string meaning,

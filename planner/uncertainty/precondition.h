@@ -14,6 +14,7 @@ struct Precondition {
   Expression expression;  // metres, radians, or a ratio
   plan::Relation relation = plan::Relation::kLess;
   double limit = 0;
+  PartId neighbour = PartId::None();  // that it keeps clear of, and that the action does not handle
 };
 
 // The ratio of a load to what bears it, where nothing does.
@@ -22,7 +23,8 @@ inline constexpr double kNothingBorne = 1e6;
 // The preconditions of one action. Those that say the same of the same expression are kept once.
 class Preconditions {
  public:
-  void Less(std::string condition, std::string meaning, const Expression& expression, double limit);
+  void Less(std::string condition, std::string meaning, const Expression& expression, double limit,
+            PartId neighbour = PartId::None());
   void Greater(std::string condition, std::string meaning, const Expression& expression,
                double limit);
   // -limit < expression < limit.

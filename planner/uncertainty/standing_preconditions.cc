@@ -32,6 +32,12 @@ double ReachOf(const UncertainWorld& world, PartId part, const RestingError& err
 
 // ---- Closing pads ---------------------------------------------------------------------------
 
+// A part beside the one that is pushed, and what is left between the two, metres.
+struct Neighbour {
+  PartId part = PartId::None();  // None: there is none
+  double room = std::numeric_limits<double>::infinity();
+};
+
 class ClosingConditions {
  public:
   ClosingConditions(const UncertainWorld& world, PartId part, const plan::Hold& hold,
@@ -66,7 +72,7 @@ class ClosingConditions {
   }
 
   // Metres that are left to the nearest neighbour; infinite without one.
-  double Room() const {
+  Neighbour Nearest() const {
     const domain::Problem& problem = world_.problem();
     const geometry::Polygon own = domain::Footprint(problem.part(part_), X_WorldPart_);
     const BeliefShift shift = world_.ShiftAt(part_, X_WorldTool_.translation());
@@ -76,15 +82,16 @@ class ClosingConditions {
         problem.part(part_).model->shape().radius() *
             (MostOf(world_, shift.turn) + hand_turn_ + off_.turn);
     const double reach = std::max(moved, ReachOf(world_, part_, before_));
-    double room = std::numeric_limits<double>::infinity();
+    Neighbour nearest;
     for (int p = 0; p < static_cast<int>(problem.parts.size()); ++p) {
       const PartId other(p);
       if (other == part_ || other == world_.in_hand()) continue;
       const double gap =
           geometry::Gap(own, domain::Footprint(problem.part(other), world_.X_WorldPart(other)));
-      room = std::min(room, gap - reach - ReachOf(world_, other, world_.about_plan(other)));
+      const double room = gap - reach - ReachOf(world_, other, world_.about_plan(other));
+      if (room < nearest.room) nearest = {other, room};
     }
-    return room;
+    return nearest;
   }
 
  private:
@@ -355,9 +362,10 @@ std::vector<Precondition> ClosingPreconditions(const UncertainWorld& world, Part
   Preconditions conditions;
   conditions.Less("upright", "the part slides before a pad and does not topple",
                   closing.ToppleRatio(), 1);
-  const double room = closing.Room();
-  if (std::isfinite(room)) {
-    conditions.Greater("pushed clear", "closing pads push the part into no neighbour", room, 0);
+  const auto [neighbour, room] = closing.Nearest();
+  if (!neighbour.IsNone()) {
+    conditions.Greater("pushed clear", "closing pads push the part into no neighbour", room, 0,
+                       neighbour);
   }
   return conditions.Take();
 }

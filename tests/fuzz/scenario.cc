@@ -21,6 +21,7 @@ plan::PlanResult SmallPlan(const domain::Problem& problem) {
   posting::UncertaintyOptions uncertainty;
   uncertainty.bound.evaluations = 1000;
   uncertainty.combinations = 3;
+  uncertainty.moments = 100;
   uncertainty.instances = 1;
   return posting::MakeCertifiedPlan(problem, planner, uncertainty);
 }
