@@ -11,8 +11,9 @@ void Preconditions::Less(std::string condition, std::string meaning, const Expre
 }
 
 void Preconditions::Greater(std::string condition, std::string meaning,
-                            const Expression& expression, double limit) {
-  Add({std::move(condition), std::move(meaning), expression, plan::Relation::kGreater, limit});
+                            const Expression& expression, double limit, PartId neighbour) {
+  Add({std::move(condition), std::move(meaning), expression, plan::Relation::kGreater, limit,
+       neighbour});
 }
 
 void Preconditions::Within(const std::string& condition, const std::string& meaning,

@@ -26,7 +26,7 @@ class Preconditions {
   void Less(std::string condition, std::string meaning, const Expression& expression, double limit,
             PartId neighbour = PartId::None());
   void Greater(std::string condition, std::string meaning, const Expression& expression,
-               double limit);
+               double limit, PartId neighbour = PartId::None());
   // -limit < expression < limit.
   void Within(const std::string& condition, const std::string& meaning,
               const Expression& expression, double limit);
