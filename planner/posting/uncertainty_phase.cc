@@ -360,8 +360,9 @@ class Augmentation {
                       Objection& objection) {
     std::ranges::stable_sort(goals, {}, [](const Unproved& goal) { return goal.claim.margin; });
     objection.why = WhyUnproved(goals.front().claim);
-    objection.place = std::ranges::any_of(goals, DependsOnPlace);
+    objection.place = std::ranges::all_of(goals, DependsOnPlace);
     for (const PartId part : world.PartsIn(ExpressionsOf(goals))) AddTo(objection.parts, part);
+    if (!objection.place) return;  // it fails were nothing else there
     for (const Unproved& goal : goals) {
       if (!goal.neighbour.IsNone()) AddInTheWay(goal.neighbour, WhyUnproved(goal.claim), objection);
     }
@@ -553,8 +554,10 @@ class Augmentation {
   }
 
   void NoteNeighbours(MomentId after) {
-    for (const Unproved& unproved : worlds_->possible.UnprovedAt(after)) {
-      if (!unproved.neighbour.IsNone()) obstacles_.insert(unproved.neighbour);
+    const std::vector<Unproved>& unproved = worlds_->possible.UnprovedAt(after);
+    if (!std::ranges::all_of(unproved, DependsOnPlace)) return;
+    for (const Unproved& goal : unproved) {
+      if (!goal.neighbour.IsNone()) obstacles_.insert(goal.neighbour);
     }
   }
 
