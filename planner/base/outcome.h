@@ -8,7 +8,7 @@ namespace assay {
 enum class Outcome {
   kFound,   // a plan, a labeling
   kNone,    // proved that there is none
-  kBudget,  // the budget was spent before an answer
+  kBudget,  // no answer: the budget was spent, or a limit of the planner was met
 };
 
 }  // namespace assay

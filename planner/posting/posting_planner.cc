@@ -50,6 +50,9 @@ class PostingPlanner {
       result.plan = std::move(*plan_);
     } else if (instances_ == 0) {
       TellWhy(ProveImpossible(problem_), result);
+      if (!least && result.outcome != Outcome::kNone && result.limits.empty()) {
+        result.limits.push_back("no way is known to the planner, and none is proved not to exist");
+      }
     }
     result.counters = {{"partial_plans", partial_plans_.spent()},
                        {"instance_choices", instance_choices_.spent()},

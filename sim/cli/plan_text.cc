@@ -61,6 +61,15 @@ std::string TravelText(const plan::Plan& plan) {
   return text.empty() ? text : "\npaths around what is in the way\n" + text;
 }
 
+constexpr const char* kSpentBudget =
+    "The budget was spent before an answer; --budget gives a greater one.\n";
+
+// Whether there was anything to search through for a planner with its limits.
+bool HasSearched(const plan::PlanResult& result) {
+  const auto least = result.counters.find("least_actions");
+  return least != result.counters.end() && least->second >= 0;
+}
+
 // A heading and a line for each item; nothing if there is none.
 std::string Listed(const std::string& heading, const std::vector<std::string>& items) {
   if (items.empty()) return "";
@@ -106,9 +115,10 @@ std::string Text(const Problem& problem, const plan::PlanResult& result) {
       }
       if (!result.limits.empty()) {
         return Listed("No plan was found, and none is proved not to exist. This planner's limits",
-                      result.limits);
+                      result.limits) +
+               (HasSearched(result) ? kSpentBudget : "");
       }
-      return "The budget was spent before an answer; --budget gives a greater one.\n";
+      return kSpentBudget;
   }
   return "";
 }

@@ -112,8 +112,8 @@ domain::Problem Read(const std::string& text) {
   return domain::ReadProblem(Document::Parse(text, "scene.yaml"), TheModels().folder());
 }
 
-// Two or three stacking boxes, some of which nobody can take, on the table of one or two arms; one
-// to three goals: stacks, also of three, and parts that are to lie otherwise.
+// Two or three stacking boxes, some of which nobody can take, far apart or crowded, on the table of
+// one or two arms; one to three goals: stacks, also of three, and parts that are to lie otherwise.
 class RandomScene {
  public:
   explicit RandomScene(std::uint64_t seed) : random_(seed, "scene"), seed_(seed) {}
@@ -142,6 +142,7 @@ class RandomScene {
         "rules: {{tool_lean: {}}}\nparts:\n",
         two_arms ? "two-arms" : "one-arm", leans[random_.Index(4)]);
     const bool starts_mated = random_.Index(8) == 0;
+    is_crowded_ = random_.Index(3) == 0;
     heights_.clear();
     for (int p = 0; p < parts; ++p) text += Part(p, two_arms, starts_mated && p == 1);
     if (starts_mated) text += "initially:\n" + Stacked("p1", "p0", heights_[0]);
@@ -157,12 +158,15 @@ class RandomScene {
     const std::string model = fmt::format("box-{}-{}", seed_, p);
     TheModels().Write("parts/" + model + "/part.yaml", StackingBox(x, y, heights_.back()));
     if (is_mated) return fmt::format("  p{}: {{model: {}}}\n", p, model);
-    const double across = two_arms ? random_.Uniform(-550, 550) : random_.Uniform(380, 970);
+    const double across = is_crowded_ ? random_.Uniform(-90, 90) + (two_arms ? 0 : 600)
+                          : two_arms  ? random_.Uniform(-550, 550)
+                                      : random_.Uniform(380, 970);
+    const double along = is_crowded_ ? random_.Uniform(-90, 90) : random_.Uniform(-350, 350);
     const std::string pose =
         random_.Index(2) == 0 ? "upright" : fmt::format("XP{}", 1 + random_.Index(4));
     return fmt::format(
         "  p{}: {{model: {}, pose: {{stable: {}, at: [{:.0f}, {:.0f}], yaw: {}}}}}\n", p, model,
-        pose, across, random_.Uniform(-350, 350), 45 * random_.Index(8));
+        pose, across, along, 45 * random_.Index(8));
   }
 
   std::string Goals(int parts) {
@@ -179,6 +183,7 @@ class RandomScene {
   RandomStream random_;
   std::uint64_t seed_;
   std::vector<int> heights_;
+  bool is_crowded_ = false;
   std::string text_;
 };
 
@@ -316,7 +321,7 @@ TEST(Impossibility, IsProvedOfPartsThatKeepEachOtherFromBeingTaken) {
 // something is possible.
 TEST(Impossibility, EveryConstraintOfAConflictIsNeeded) {
   int proofs = 0;
-  for (int seed = 1; seed <= SceneCount(); ++seed) {
+  for (int seed = 1; seed <= SceneCount() / 2; ++seed) {
     RandomScene scene(seed);
     const domain::Problem problem = scene.Draw();
     const ImpossibilityAnswer answer = ProveImpossible(problem);

@@ -137,23 +137,28 @@ TEST_F(CertificateCheckTest, AStepThatIsProvedComesToItsEnd) {
 }
 
 TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeToItsEnd) {
+  const std::vector<plan::StepId> order = plan_.ExecutionOrder();
+  const auto stopped = [&](const exec::Trace& trace, plan::StepId first) {
+    const std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {}, first);
+    const Claim& end = Named(claims, Claimed::kAfter, "comes to its end");
+    EXPECT_TRUE(end.IsViolated());
+    return end.step;
+  };
   exec::Trace trace;
   trace.events.push_back(exec::ExecutionEnd{exec::ExecutionOutcome::kOverload, "", moment_});
-  const std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {}, kPickup);
-  ASSERT_EQ(claims.size(), 1u);
-  EXPECT_EQ(claims.front().step, kPickup);
-  EXPECT_TRUE(claims.front().IsViolated());
-  // Without the step in which the trace begins it is the plan's first, and so for the one after it.
-  const std::vector<plan::StepId> order = plan_.ExecutionOrder();
-  EXPECT_EQ(CheckCertificates(problem_, plan_, trace, {}).front().step, order.front());
-  trace.events.insert(trace.events.begin(), exec::StepEnd{order.front(), "", "", moment_});
-  EXPECT_EQ(CheckCertificates(problem_, plan_, trace, {}).front().step, order[1]);
+  EXPECT_EQ(stopped(trace, order[1]), order[1]);
+  // Without the step in which the trace begins it is the plan's first, and then the one after it.
+  EXPECT_EQ(stopped(trace, plan::StepId::None()), order[0]);
+  trace.events.insert(trace.events.begin(), exec::StepEnd{order[0], "", "", moment_});
+  trace.events.insert(trace.events.begin(), exec::Milestone{order[0], Stage::kPoised, moment_});
+  EXPECT_EQ(stopped(trace, plan::StepId::None()), order[1]);
 }
 
 TEST_F(CertificateCheckTest, ACollisionIsAClaimOfTheStepInWhichItHappens) {
   const std::vector<plan::StepId> order = plan_.ExecutionOrder();
   exec::Trace trace;
-  trace.events.push_back(exec::StepEnd{order.front(), "", "", moment_});
+  trace.events.push_back(exec::Milestone{order[0], Stage::kPoised, moment_});
+  trace.events.push_back(exec::StepEnd{order[0], "", "", moment_});
   trace.events.push_back(exec::CollisionRecord{.time = 0, .robot = "arm", .other = "block"});
   trace.events.push_back(exec::Milestone{order[1], Stage::kPoised, moment_});
   trace.events.push_back(exec::StepEnd{order[1], "", "", moment_});
