@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <utility>
 
 #include "planner/base/random.h"
+#include "sim/cli/interruption.h"
 #include "sim/cli/usage_error.h"
 
 namespace assay::cli {
@@ -30,7 +30,10 @@ MatedTrial MatingTrials::RunStrategy(int number, const check::PlannedContacts& c
   const Drawn drawn = DrawnFor(number);
   check::ContactObserver observer(scene_, problem_.mating(assemble_.mating), geometry_, contacts);
   exec::MatingTrialOptions options;
-  options.observer = std::ref(observer);
+  options.observer = [&observer](const mujoco::Data& data, int motion) {
+    Interruption::BreakOffIfRequested();
+    observer(data, motion);
+  };
   MatedTrial trial = Told(
       number, drawn, exec::RunMatingTrial(problem_, scene_, drawn.setting, strategy_, options));
   const std::vector<check::ContactSpan> bridged = check::Bridged(observer.seen().spans);

@@ -45,6 +45,7 @@ class MatingTrials {
   MatingTrials(const MatingTask& task, const finemotion::MatingGeometry& geometry,
                const plan::Strategy& strategy, const MatingTrialSettings& settings);
 
+  // Throws BrokenOff as soon as an interruption is requested (interruption.h).
   MatedTrial RunStrategy(int number, const check::PlannedContacts& contacts) const;
   MatedTrial RunStraight(int number) const;
 

@@ -91,9 +91,7 @@ class NoisyTrials {
 
   NoisyTrial RunOne(int number) const {
     exec::ExecutorOptions options;
-    options.on_step_end = [](const exec::StepEnd&, const mujoco::Data&) {
-      Interruption::BreakOffIfRequested();
-    };
+    options.on_timestep = [](const mujoco::Data&) { Interruption::BreakOffIfRequested(); };
     const bool traces = !run_.folder.empty();
     if (!traces) options.sample_rate = 0;
     const noise::Noise noise = NoiseOf(number);

@@ -26,7 +26,7 @@ struct Trial {
   check::Verdict verdict;
 };
 
-// `film` takes pictures, unless it is null. Throws BrokenOff at the end of a step if an
+// `film` takes pictures, unless it is null. Throws BrokenOff as soon as an
 // interruption is requested (interruption.h).
 Trial RunTrial(const Experiment& experiment, int number, Film* film);
 
