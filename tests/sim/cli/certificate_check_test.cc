@@ -253,8 +253,9 @@ TEST_F(CertificateCheck, AReasonThatIsNotTrueIsTold) {
               Contains(StartsWith("certificate.covers.neighbour clear: \"no other part is near")));
 }
 
-// What certificates and poses say, one thing after another of a sample that is drawn: numbers become
-// greater by a hundredth and a micrometre, flags and texts something else. ASSAY_EDITS: how many.
+// What certificates and poses say, one thing after another of a sample that is drawn: numbers
+// become greater by a hundredth and a micrometre, flags and texts something else. ASSAY_EDITS: how
+// many.
 TEST_F(CertificateCheck, EveryEditIsFound) {
   const char* const asked = std::getenv("ASSAY_EDITS");
   const int edits = asked == nullptr ? 12 : std::atoi(asked);
