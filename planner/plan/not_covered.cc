@@ -13,13 +13,17 @@ namespace {
 constexpr char kServos[] = "oscillation of the servos while a part is carried";
 constexpr char kPushes[] = "pads that slide, and an arm that does not follow, as a strategy pushes";
 
+constexpr char kBeside[] =
+    "parts beside the two that are mated: on the way in they are kept clear of without errors only";
+
 struct NotCoveredOf {
   const PlannedStep& step;
 
   std::vector<std::string> operator()(const Pickup&) const { return {kServos}; }
   std::vector<std::string> operator()(const Putdown&) const { return {}; }
   std::vector<std::string> operator()(const Assemble&) const {
-    return step.strategy ? std::vector<std::string>{kPushes} : std::vector<std::string>{};
+    if (step.strategy) return {kBeside, kPushes};
+    return {kBeside};
   }
   std::vector<std::string> operator()(const Sense&) const { return {}; }
   std::vector<std::string> operator()(const Squeeze&) const { return {}; }

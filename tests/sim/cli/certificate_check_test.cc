@@ -185,8 +185,8 @@ TEST_F(CertificateCheck, UnprovedStepsAreVerified) {
   EXPECT_THAT(FlawsOf(plan),
               Contains("plan.verifications: 1 entries in the file, 2 entries computed anew"));
   plan = PlanOf(kUnproved);
-  plan["recoveries"][0]["strategy"] = "retry";
-  EXPECT_THAT(FlawsOf(plan), Contains(StartsWith("plan.recoveries[0].strategy: \"retry\" in")));
+  plan["recoveries"][0]["radius"] = 0.02;
+  EXPECT_THAT(FlawsOf(plan), Contains(StartsWith("plan.recoveries[0].radius: 0.02 in the file, ")));
 }
 
 TEST_F(CertificateCheck, WhatDoesNotReadIsToldWithTheFile) {
@@ -203,7 +203,7 @@ TEST_F(CertificateCheck, WhatDoesNotReadIsToldWithTheFile) {
 // the file contradicts it.
 TEST_F(CertificateCheck, SetsAreComputedAnew) {
   for (const char* when : {"before", "after"}) {
-    for (const char* what : {"x", "y", "z", "theta"}) {
+    for (const char* what : {"x", "theta"}) {
       Json plan = PlanOf(kTwoLooks);
       Json& set = plan["actions"].back()["certificate"][when][0];
       const double high = set[what][1];
@@ -213,42 +213,61 @@ TEST_F(CertificateCheck, SetsAreComputedAnew) {
   }
 }
 
-// Each kind of condition: left out, and left out with a reason that is not true.
-TEST_F(CertificateCheck, WhatACertificateCovers) {
-  const Json whole = PlanOf(kTwoLooks);
+// Without the preconditions of a kind.
+void LeaveOut(const std::string& kind, Json& certificate) {
+  Json kept = Json::array();
+  for (const Json& claim : certificate["preconditions"]) {
+    if (claim["condition"] != kind) kept.push_back(claim);
+  }
+  certificate["preconditions"] = kept;
+  certificate["covers"].erase(kind);
+}
+
+TEST_F(CertificateCheck, EachKindThatACertificateLacksIsTold) {
+  const Json whole = PlanOf(kTwoActions);
   for (std::size_t a = 0; a < whole["actions"].size(); ++a) {
-    for (const auto& [kind, count] : whole["actions"][a]["certificate"]["covers"].items()) {
+    const Json covers = whole["actions"][a]["certificate"]["covers"];
+    ASSERT_GE(covers.size(), 6u);
+    for (const auto& [kind, count] : covers.items()) {
       Json plan = whole;
-      Json& certificate = plan["actions"][a]["certificate"];
-      Json kept = Json::array();
-      for (const Json& claim : certificate["preconditions"]) {
-        if (claim["condition"] != kind) kept.push_back(claim);
-      }
-      certificate["preconditions"] = kept;
-      certificate["covers"].erase(kind);
+      LeaveOut(kind, plan["actions"][a]["certificate"]);
       EXPECT_THAT(FlawsOf(plan),
                   Contains("the certificate covers no '" + kind + "', which such a step needs"));
-      if (count.is_string()) continue;
-      certificate["covers"][kind] = "no other part is near enough to be met";
-      EXPECT_THAT(FlawsOf(plan), Not(IsEmpty())) << kind;
     }
   }
 }
 
-// What a certificate says, one thing after another of a sample that is drawn: numbers become
-// greater by a hundredth and a micrometre, texts something else, lists lose an entry. ASSAY_EDITS:
-// how many.
+// The block is put down beside the peg: that nothing is near is a reason for others.
+TEST_F(CertificateCheck, AReasonThatIsNotTrueIsTold) {
+  Json plan = PlanOf(kTree / "scenarios/spar-fig16.yaml");
+  const std::string kind = "neighbour clear";
+  const auto beside = std::ranges::find_if(plan["actions"], [&](const Json& action) {
+    const Json& covers = action["certificate"]["covers"];
+    return covers.contains(kind) && covers[kind].is_number();
+  });
+  ASSERT_NE(beside, plan["actions"].end());
+  Json& certificate = (*beside)["certificate"];
+  LeaveOut(kind, certificate);
+  certificate["covers"][kind] = "no other part is near enough to be met";
+  EXPECT_THAT(FlawsOf(plan),
+              Contains(StartsWith("certificate.covers.neighbour clear: \"no other part is near")));
+}
+
+// What certificates and poses say, one thing after another of a sample that is drawn: numbers
+// become greater by a hundredth and a micrometre, flags and texts something else. ASSAY_EDITS: how
+// many.
 TEST_F(CertificateCheck, EveryEditIsFound) {
   const char* const asked = std::getenv("ASSAY_EDITS");
-  const int edits = asked == nullptr ? 20 : std::atoi(asked);
+  const int edits = asked == nullptr ? 12 : std::atoi(asked);
   const Json whole = PlanOf(kTwoLooks);
+  const Json flat = whole["actions"].flatten();
   std::vector<std::string> places;
-  for (const auto& [place, value] : whole["actions"].flatten().items()) {
+  for (const auto& [place, value] : flat.items()) {
     const bool is_claim = place.find("/certificate/") != std::string::npos &&
                           place.find("/resolutions/") == std::string::npos;
     const bool is_pose =
         place.find("/hold/") != std::string::npos || place.find("/place/") != std::string::npos;
-    if (is_claim || is_pose) places.push_back(place);
+    if ((is_claim || is_pose) && !value.is_null()) places.push_back(place);
   }
   ASSERT_GT(places.size(), 1000u);
   std::mt19937 random(29);
@@ -262,10 +281,8 @@ TEST_F(CertificateCheck, EveryEditIsFound) {
       value = value.get<int>() + 1;
     } else if (value.is_boolean()) {
       value = !value.get<bool>();
-    } else if (value.is_string()) {
-      value = value.get<std::string>() + " + 1";
     } else {
-      value.push_back("more");  // to an empty list
+      value = value.get<std::string>() + " + 1";
     }
     const int code = Check(plan).code;
     EXPECT_TRUE(code == 12 || code == 3) << place << " became " << value << ", exit " << code;
@@ -291,7 +308,7 @@ TEST_F(CertificateCheck, ExpressionsAreComparedAsFunctions) {
   claim["expression"] = "0.5*(" + written + ") + 0.5*(" + written + ")";
   EXPECT_THAT(FlawsOf(plan), IsEmpty());
   const std::string name = claim["worst"].begin().key();
-  claim["expression"] = written + " + 0.001*" + name + "^2";
+  claim["expression"] = written + " + 0.001*" + name;
   EXPECT_THAT(FlawsOf(plan), Not(IsEmpty()));
 }
 

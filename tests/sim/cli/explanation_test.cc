@@ -126,7 +126,7 @@ TEST_F(Explained, LongExpressionsAreFolded) {
   std::string sum = "dy_peg";
   for (int i = 1; i <= 60; ++i)
     sum += " + " + std::to_string(i) + ".25*dx_peg*cos(theta_peg)^" + std::to_string(i);
-  certificate_["preconditions"].push_back(Less("between fingers", sum, 1, 0.5, {}));
+  certificate_["preconditions"].push_back(Less("seat", sum, 1, 0.5, {}));
   const std::string text = Explain().out;
   EXPECT_THAT(text, ContainsRegex("\\.\\.\\. and [0-9]+ terms more that vary less\n"));
   std::istringstream lines(text);
