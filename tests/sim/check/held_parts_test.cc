@@ -165,30 +165,5 @@ TEST(HeldParts, WhatIsProvedKeepsToItAtTheCorners) {
   std::cout << proved << " of " << scenes << " scenes are proved\n";
 }
 
-// The least grip force that is proved, to within a hundredth.
-double LeastProvedForce(Draw draw) {
-  double low = 0.1;
-  double high = 1000;
-  while (high > 1.01 * low) {
-    draw.grip_force = std::sqrt(low * high);
-    (PlanFor(draw).is_proved ? high : low) = draw.grip_force;
-  }
-  return high;
-}
-
-TEST(HeldParts, TheLeastForceThatIsProvedIsNearThatAtWhichPartsFall) {
-  RandomStream random(kSeed, "least force");
-  for (int scene = 0; scene < Asked("ASSAY_HELD_SCENES", 1); ++scene) {
-    Draw draw = DrawScene(random);
-    draw.tolerance = 0;
-    draw.mates = false;
-    const double least = LeastProvedForce(draw);
-    draw.grip_force = least;
-    EXPECT_EQ(AtCorner(PlanFor(draw), 1).outcome, TrialOutcome::kSucceeded) << draw.Text();
-    draw.grip_force = least / 1.5;
-    EXPECT_NE(AtCorner(PlanFor(draw), 1).outcome, TrialOutcome::kSucceeded) << draw.Text();
-  }
-}
-
 }  // namespace
 }  // namespace assay::check::held_parts_test
