@@ -57,11 +57,11 @@ class Explained : public ::testing::Test {
 // less than 5 mm if dx_peg is within (5 - 0.9983) / 2 = 2.0008 mm: 0.666 of 3 mm to three digits.
 TEST_F(Explained, UnprovedWithItsWorstCornerSharesAndRemedy) {
   const double sup = 0.006 + 0.01 * std::sin(0.1);
-  certificate_["preconditions"].push_back(Less("reach", "2*dx_peg + 0.01*sin(theta_peg)", 0.005,
+  certificate_["preconditions"].push_back(Less("extent", "2*dx_peg + 0.01*sin(theta_peg)", 0.005,
                                                sup, {{"dx_peg", 0.003}, {"theta_peg", 0.1}}));
   const Ended ended = Explain();
   EXPECT_EQ(ended.code, 0) << ended.err;
-  EXPECT_THAT(ended.out, HasSubstr("reach: what reach means: 1 of 1 NOT PROVED\n"));
+  EXPECT_THAT(ended.out, HasSubstr("extent: what extent means: 1 of 1 NOT PROVED\n"));
   EXPECT_THAT(ended.out, HasSubstr("SUP 6.998 mm, must be < 5 mm: 1.998 mm short; at the worst "
                                    "corner it is false\n"));
   EXPECT_THAT(ended.out, HasSubstr("0 mm if all is as believed, 6.998 mm at the worst corner; "
@@ -75,7 +75,7 @@ TEST_F(Explained, UnprovedWithItsWorstCornerSharesAndRemedy) {
 // Half of the sum would still be too much, from either variable.
 TEST_F(Explained, UnprovedWhereNoSingleRangeIsEnough) {
   certificate_["preconditions"].push_back(
-      Less("reach", "dx_peg + dy_peg", 0.0005, 0.007, {{"dx_peg", 0.003}, {"dy_peg", 0.004}}));
+      Less("extent", "dx_peg + dy_peg", 0.0005, 0.007, {{"dx_peg", 0.003}, {"dy_peg", 0.004}}));
   const std::string text = Explain().out;
   EXPECT_THAT(text, HasSubstr("Tightening one variable's range alone is not enough.\n"));
   EXPECT_THAT(text, ContainsRegex("dy_peg +-2 to 4 mm +4 mm +3 mm\n"));
@@ -84,7 +84,7 @@ TEST_F(Explained, UnprovedWhereNoSingleRangeIsEnough) {
 // A bound that no known corner comes near is a loose bound, not a false precondition.
 TEST_F(Explained, LooseBoundIsNotCalledFalse) {
   certificate_["preconditions"].push_back(
-      Less("reach", "dx_peg - dx_peg^3", 0.0031, 0.0032, {{"dx_peg", 0.003}}));
+      Less("extent", "dx_peg - dx_peg^3", 0.0031, 0.0032, {{"dx_peg", 0.003}}));
   EXPECT_THAT(Explain().out, HasSubstr("0.1 mm short; no corner is known where it is false\n"));
 }
 
@@ -104,7 +104,7 @@ TEST_F(Explained, UnprovedComesFirstAndProvedIsShorter) {
 
 TEST_F(Explained, InfiniteBounds) {
   certificate_["variables"][0]["range"] = {"-inf", "inf"};
-  Json precondition = Less("reach", "dx_peg + dy_peg", 0.005, 0, {});
+  Json precondition = Less("extent", "dx_peg + dy_peg", 0.005, 0, {});
   precondition["bound"] = precondition["gap"] = "inf";
   precondition["margin"] = "-inf";
   certificate_["preconditions"].push_back(precondition);
@@ -118,7 +118,7 @@ TEST_F(Explained, LongExpressionsAreFolded) {
   std::string sum = "dy_peg";
   for (int i = 1; i <= 60; ++i)
     sum += " + " + std::to_string(i) + ".25*dx_peg*cos(theta_peg)^" + std::to_string(i);
-  certificate_["preconditions"].push_back(Less("reach", sum, 1, 0.5, {}));
+  certificate_["preconditions"].push_back(Less("extent", sum, 1, 0.5, {}));
   const std::string text = Explain().out;
   EXPECT_THAT(text, ContainsRegex("\\.\\.\\. and [0-9]+ terms more that vary less\n"));
   std::istringstream lines(text);
@@ -135,7 +135,7 @@ TEST_F(Explained, ErrorSetsAreInMillimetresAndDegrees) {
 }
 
 TEST_F(Explained, WrongExpressionsAndNamesAreTold) {
-  certificate_["preconditions"].push_back(Less("reach", "dx_peg + dx_pgeg", 1, 0.5, {}));
+  certificate_["preconditions"].push_back(Less("extent", "dx_peg + dx_pgeg", 1, 0.5, {}));
   Ended ended = Explain();
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err, AllOf(HasSubstr("certificate of action_2:1:10: "), HasSubstr("dx_peg")));
@@ -169,7 +169,7 @@ TEST(Explain, NeedsOnlyTheCertificate) {
 TEST(Explain, TellsWhatWasInsertedAndWhatFor) {
   EXPECT_THAT(Assay({"plan", kTwoLooks, "--explain", "1"}).out,
               AllOf(HasSubstr("inserted for step 2\n"),
-                    HasSubstr("It has no uncertainty-reduction preconditions.\n")));
+                    HasSubstr("reach: joints stay within their ranges")));
   EXPECT_THAT(Assay({"plan", kTwoLooks, "--explain", "4"}).out,
               HasSubstr("Done about it: sensing (step 3), because\n"));
   EXPECT_THAT(Assay({"plan", kTwoActions, "--explain", "2"}).out, Not(HasSubstr("Done about it")));
