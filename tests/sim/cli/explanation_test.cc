@@ -177,7 +177,7 @@ TEST(Explain, NeedsOnlyTheCertificate) {
 TEST(Explain, TellsWhatWasInsertedAndWhatFor) {
   EXPECT_THAT(Assay({"plan", kTwoLooks, "--explain", "1"}).out,
               AllOf(HasSubstr("inserted for step 2\n"),
-                    HasSubstr("It has no uncertainty-reduction preconditions.\n")));
+                    HasSubstr("reach: joints stay within their ranges")));
   EXPECT_THAT(Assay({"plan", kTwoLooks, "--explain", "4"}).out,
               HasSubstr("Done about it: sensing (step 3), because\n"));
   EXPECT_THAT(Assay({"plan", kTwoActions, "--explain", "2"}).out, Not(HasSubstr("Done about it")));
