@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 
 #include "planner/domain/problem_file.h"
 #include "planner/posting/uncertainty_phase.h"
@@ -13,18 +14,22 @@ struct Certified {
   plan::Plan plan;
 };
 
-inline Certified CertifiedPlan(
-    const std::string& scenario, const domain::Overrides& overrides = {},
-    uncertainty::Propagation propagation = uncertainty::Propagation::kSound) {
-  Certified certified{
-      domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/" + scenario + ".yaml"),
-                          ASSAY_SOURCE_DIR "/models", overrides),
-      {}};
+inline Certified CertifiedPlan(domain::Problem problem, uncertainty::Propagation propagation =
+                                                            uncertainty::Propagation::kSound) {
   posting::UncertaintyOptions options;
   options.propagation = propagation;
   options.instances = 1;
-  certified.plan = posting::MakeCertifiedPlan(certified.problem, {}, options).plan;
-  return certified;
+  plan::Plan plan = posting::MakeCertifiedPlan(problem, {}, options).plan;
+  return {std::move(problem), std::move(plan)};
+}
+
+inline Certified CertifiedPlan(
+    const std::string& scenario, const domain::Overrides& overrides = {},
+    uncertainty::Propagation propagation = uncertainty::Propagation::kSound) {
+  return CertifiedPlan(
+      domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/" + scenario + ".yaml"),
+                          ASSAY_SOURCE_DIR "/models", overrides),
+      propagation);
 }
 
 // Of the first step of this kind, in the order of execution.

@@ -16,14 +16,14 @@ constexpr plan::StepId kAssemble(0);
 constexpr plan::StepId kPickup(1);
 constexpr plan::StepId kLook(2);
 
-// Figure 15's plan after a look at the peg.
+// Figure 15's plan after a look at the peg, by a camera that measures no heights.
 class Looking : public testing::Test {
  protected:
   Looking() : problem_(Figure15()), peg_(PartNamed(problem_, "peg")), plan_(TwoActions(problem_)) {
     plan_.steps[kAssemble.index()].executed = 3;
     plan_.steps[kPickup.index()].executed = 2;
     const plan::Place place = std::get<plan::Pickup>(plan_.step(kPickup).action).from;
-    plan_.steps.push_back({"action_3", plan::Sense{peg_, "overhead-camera", place}, 3, 1});
+    plan_.steps.push_back({"action_3", plan::Sense{peg_, "coarse-camera", place}, 3, 1});
   }
 
   static const scene::Scene& scene() {
@@ -86,6 +86,14 @@ TEST_F(Looking, WhatItMeasuresIsBelieved) {
   EXPECT_TRUE(look.believed.linear().row(2).isApprox(look.before.believed.linear().row(2), 1e-12))
       << "turned about the vertical only";
   EXPECT_EQ(trace.end().moment.parts[peg_.index()].believed.matrix(), look.believed.matrix());
+}
+
+// Of the other camera heights are believed, too.
+TEST_F(Looking, HeightsThatAreMeasuredAreBelieved) {
+  std::get<plan::Sense>(plan_.steps[kLook.index()].action).sensor = "overhead-camera";
+  const Noise noise = FourErrors(Effect::kSensedX, kLook, {0, 0, 0.0001, 0});
+  const LookRecord look = *RunTo(kLook, noise).All<LookRecord>().at(0);
+  EXPECT_NEAR(look.believed.translation().z(), look.before.truth.translation().z() - 0.0001, 1e-12);
 }
 
 // What is known better than the sensor would tell stays as it was believed.
@@ -152,7 +160,7 @@ TEST_F(Looking, APartThatIsNotFoundEndsTheExecution) {
   FalseSensor sensor(std::nullopt);
   const Trace trace = RunTo(kAssemble, {}, &sensor);
   EXPECT_EQ(trace.end().outcome, ExecutionOutcome::kNotFound);
-  EXPECT_EQ(trace.end().reason, "action_3: overhead-camera does not find peg");
+  EXPECT_EQ(trace.end().reason, "action_3: coarse-camera does not find peg");
   const LookRecord& look = *trace.All<LookRecord>().at(0);
   EXPECT_FALSE(look.found);
   EXPECT_EQ(look.believed.matrix(), look.before.believed.matrix());

@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kStays = 1e-4;  // metres
 
-// Figure 15's plan, and before the peg is taken the camera looks at it and the hand squeezes it;
-// once more the camera looks while the peg is in the hand.
+// Figure 15's plan, and before the peg is taken a camera that measures no heights looks at it and
+// the hand squeezes it; once more the camera looks while the peg is in the hand.
 plan::Plan CarefulPlan(const domain::Problem& problem) {
   plan::Plan plan = TwoActions(problem);
   const plan::Pickup pickup = std::get<plan::Pickup>(plan.steps[1].action);
@@ -19,10 +19,9 @@ plan::Plan CarefulPlan(const domain::Problem& problem) {
   const plan::Place on_back{"initial", problem.part(block).X_WorldPart};
   plan.steps[0].executed = 5;
   plan.steps[1].executed = 3;
-  plan.steps.push_back(
-      {"action_3", plan::Sense{pickup.part, "overhead-camera", pickup.from}, 3, 1});
+  plan.steps.push_back({"action_3", plan::Sense{pickup.part, "coarse-camera", pickup.from}, 3, 1});
   plan.steps.push_back({"action_4", plan::Squeeze{pickup.part, pickup.hold, pickup.from}, 4, 2});
-  plan.steps.push_back({"action_5", plan::Sense{block, "overhead-camera", on_back}, 5, 4});
+  plan.steps.push_back({"action_5", plan::Sense{block, "coarse-camera", on_back}, 5, 4});
   return plan;
 }
 
@@ -102,7 +101,7 @@ TEST_P(CarefullyExecuted, LooksUpdateTheBelief) {
   EXPECT_EQ(looks[1]->part, PartNamed(problem_, "block"));
   EXPECT_GT(looks[1]->time, looks[0]->time);
   for (const LookRecord* look : looks) {
-    EXPECT_EQ(look->sensor, "overhead-camera");
+    EXPECT_EQ(look->sensor, "coarse-camera");
     EXPECT_TRUE(look->found);
     EXPECT_EQ(look->measured.matrix(), look->before.truth.matrix());
     EXPECT_EQ(look->before.believed.matrix(), problem_.part(look->part).X_WorldPart.matrix());
