@@ -81,31 +81,12 @@ TEST_F(Proved, MoreNoiseThanIsGuaranteedIsNeededToBreakIt) {
   EXPECT_FALSE(ratios.front().IsFalse());
 }
 
-<<<<<<< HEAD
 TEST(ConservatismRatio, IsFalseWhereATrialFailsWithWhatIsGuaranteed) {
   EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.5}.IsFalse()));
   EXPECT_TRUE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 2.0}.IsFalse()));
   EXPECT_TRUE((ConservatismRatio{.variable = "all", .guaranteed = 2, .broken = 1.5}.IsFalse()));
   // A task that fails by itself, and of which nothing is proved.
   EXPECT_FALSE((ConservatismRatio{.variable = "all", .guaranteed = 0, .broken = 0.1}.IsFalse()));
-=======
-// The harness's own test: a propagation that is wrong by half is caught, where half of the set is
-// more than the engine leaves open: after a look that tells no height.
-TEST(WrongPropagation, IsCaught) {
-  domain::Problem problem = CertifiedPlan("spar-fig15").problem;
-  problem.sensors = {"coarse-camera"};
-  Certified certified = CertifiedPlan(std::move(problem));
-  certified.plan = UpToThePickup(certified.plan);
-  const plan::StepId pickup = FirstStep<plan::Pickup>(certified.plan);
-  Interval& x = certified.plan.steps[pickup.index()].certificate.after.front().x;
-  x = {x.low / 2, x.high / 2};
-  const Experiment experiment = Of(certified);
-  const AttackResult result = Attack(experiment, {.attempts = 16, .seed = kSeed, .shrunk = 1});
-  EXPECT_GT(result.certificates[pickup.index()].violated, 0);
-  ASSERT_EQ(result.counterexamples.size(), 1u);
-  EXPECT_EQ(result.counterexamples.front().claim.step, pickup);
-  EXPECT_TRUE(result.counterexamples.front().replayed);
->>>>>>> n_figures
 }
 
 // Spar leaves out that a turned part's grasped point is displaced by its lever arm (facts 2.6).
