@@ -67,7 +67,7 @@ TEST(PlanTree, VerbsAboutOneWorldRefuseOpenPoses) {
   const Ended ended = Assay({"run", kFallenPeg});
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err,
-              AllOf(HasSubstr("fallen-peg.yaml:17:"), HasSubstr("the pose of 'peg' is open")));
+              AllOf(HasSubstr("fallen-peg.yaml:18:"), HasSubstr("the pose of 'peg' is open")));
   const Ended check = Assay({"check", kFallenPeg});
   EXPECT_EQ(check.code, 0) << check.err;
   EXPECT_THAT(check.out, HasSubstr("worlds: peg lying; peg standing"));
