@@ -28,7 +28,8 @@ std::vector<plan::Sense> LooksAt(const domain::Problem& world,
   return looks;
 }
 
-// Whether all that is proved of the plan's steps in its own world is proved in this one.
+// Whether each kind of precondition of which all is proved in the plan's own world is proved in this
+// one. What is said of the arm's ways is computed anew where the plan is checked.
 bool IsAsCertain(const domain::Problem& world, const plan::Plan& plan,
                  const posting::UncertaintyOptions& options) {
   uncertainty::UncertainWorld uncertain(world, options.propagation);
@@ -36,9 +37,11 @@ bool IsAsCertain(const domain::Problem& world, const plan::Plan& plan,
     const plan::PlannedStep& step = plan.step(id);
     const plan::Strategy* strategy = step.strategy ? &*step.strategy : nullptr;
     const auto now = CertifyStep(uncertain, step.action, options.bound, strategy);
-    const auto holds = [](const plan::CertifiedPrecondition& claim) { return claim.holds(); };
-    return std::ranges::count_if(now.certificate.preconditions, holds) >=
-           std::ranges::count_if(step.certificate.preconditions, holds);
+    return std::ranges::all_of(now.unproved, [&](const uncertainty::Unproved& unproved) {
+      return std::ranges::any_of(step.certificate.preconditions, [&](const auto& claim) {
+        return claim.condition == unproved.claim.condition && !claim.holds();
+      });
+    });
   });
 }
 

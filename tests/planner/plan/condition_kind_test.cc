@@ -127,6 +127,7 @@ TEST(Coverage, WhatIsClaimedAndExcusedOrOfAnotherActionIsTold) {
   pickup = Covered(Steps().at("pickup"));
   pickup.certificate.preconditions.push_back(
       Covered(Steps().at("assemble")).certificate.preconditions.front());
+  pickup.certificate.preconditions.back().condition = "entry";
   EXPECT_THAT(FlawsOfCoverage(pickup), ElementsAre("'entry' is no condition of such a step"));
   pickup.certificate.preconditions.back().condition = "luck";
   EXPECT_THAT(FlawsOfCoverage(pickup), ElementsAre("'luck' is no condition of such a step"));

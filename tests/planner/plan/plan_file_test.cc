@@ -70,8 +70,12 @@ Certificate SomeCertificate(double number) {
                          .rung = ""}},
       .not_needed = {{"finger clear", std::string(kNotPublished)},
                      {"fingertip", std::string(kNotPublished)},
+                     {"upright", std::string(kNotPublished)},
+                     {"pushed clear", std::string(kNotPublished)},
                      {"holding", std::string(kNotPublished)},
-                     {"hand clear", "no other part is near enough to be met"}},
+                     {"hand clear", "no other part is near enough to be met"},
+                     {"reach", std::string(kNotPublished)},
+                     {"way clear", std::string(kNotPublished)}},
       .after = {{.part = kPeg, .in_hand = true, .x = {}, .y = {}, .z = {}, .theta = {0.1, 0.2}}},
       .resolutions = {{"sensing", {StepId(4), StepId(5)}, "between fingers: -inf > 0"},
                       {"verification", {}, ""}}};

@@ -292,7 +292,7 @@ TEST(ResolverInterface, AllConditionsOfAllStepsAbsorbedLeaveNoErrors) {
       MakeCertifiedPlan(problem, {},
                         Using({std::make_shared<Absorbing>(std::vector<std::string>{
                             "between fingers", "finger clear", "fingertip", "pad contact", "entry",
-                            "slide-in", "seat", "tilt", "holding", "upright", "neighbour clear",
+                            "slide-in", "seat", "tilt", "holding", "upright", "pushed clear",
                             "standing", "pressed", "fixed stands", "fixed stays"})}));
   EXPECT_EQ(result.plan.errors, 0);
   EXPECT_THAT(result.plan.verifications, IsEmpty());

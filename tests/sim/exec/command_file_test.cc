@@ -179,10 +179,10 @@ TEST_F(CommandFileTest, SenseSendsTheArmHomeAndLooks) {
   EXPECT_EQ(Text(problem_, plan::Action(sense)), "sense(block, overhead-camera)");
 }
 
-// The camera promises 0.3 mm and 0.2 degrees, and nothing of heights.
+// The coarse camera promises 0.3 mm and 0.2 degrees, and nothing of heights.
 TEST_F(CommandFileTest, ALookTakesWhatTheSensorKnowsBetter) {
   const PartId block = PartNamed(problem_, "block");
-  plan::PlannedStep step = {"action_3", plan::Sense{block, "overhead-camera", {}}};
+  plan::PlannedStep step = {"action_3", plan::Sense{block, "coarse-camera", {}}};
   const auto takes = [&] {
     return std::get<Look>(CommandsFor(problem_, world_, step).act.front()).takes;
   };
