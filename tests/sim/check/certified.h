@@ -23,13 +23,16 @@ inline Certified CertifiedPlan(domain::Problem problem, uncertainty::Propagation
   return {std::move(problem), std::move(plan)};
 }
 
+inline domain::Problem ScenarioNamed(const std::string& name,
+                                     const domain::Overrides& overrides = {}) {
+  return domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/" + name + ".yaml"),
+                             ASSAY_SOURCE_DIR "/models", overrides);
+}
+
 inline Certified CertifiedPlan(
     const std::string& scenario, const domain::Overrides& overrides = {},
     uncertainty::Propagation propagation = uncertainty::Propagation::kSound) {
-  return CertifiedPlan(
-      domain::ReadProblem(Document::Load(ASSAY_SOURCE_DIR "/scenarios/" + scenario + ".yaml"),
-                          ASSAY_SOURCE_DIR "/models", overrides),
-      propagation);
+  return CertifiedPlan(ScenarioNamed(scenario, overrides), propagation);
 }
 
 // Of the first step of this kind, in the order of execution.
