@@ -94,6 +94,17 @@ struct HandledParts {
   std::vector<PartId> operator()(const auto& action) const { return {action.part}; }
 };
 
+// What an action is about, in whatever plan.
+struct Subject {
+  std::size_t kind = 0;  // index of the action's kind
+  std::vector<PartId> parts = {};
+
+  bool operator==(const Subject&) const = default;
+};
+Subject SubjectOf(const domain::Problem& problem, const plan::Action& action) {
+  return {action.index(), std::visit(HandledParts{problem}, action)};
+}
+
 std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goals) {
   std::vector<algebra::Expression> expressions;
   for (const Unproved& goal : goals) expressions.push_back(goal.expression);
@@ -203,6 +214,16 @@ class Augmentation {
     Explain(unmet.empty() ? GoalsUnproved(step) : unmet, world, objection);
     if (unmet.empty()) AddObstaclesOfRemedies(objection);
     return objection;
+  }
+
+  // What the steps are about that are not proved wherever parts are.
+  std::vector<Subject> FailingAnywhere() const {
+    std::vector<Subject> failing;
+    for (int i = 0; i < std::ssize(entries_); ++i) {
+      if (!Fails(entries_[i]) || std::ranges::any_of(GoalsUnproved(i), DependsOnPlace)) continue;
+      failing.push_back(SubjectOf(*problem_, entries_[i].action));
+    }
+    return failing;
   }
 
   std::int64_t combinations() const { return combinations_; }
@@ -721,7 +742,7 @@ class BestInstance {
 
   bool exists() const { return best_.has_value(); }
   int errors() const { return best_->augmentation.errors(); }  // of the best
-  const plan::Plan& instance() const { return best_->instance; }
+  std::vector<Subject> FailingAnywhere() const { return best_->augmentation.FailingAnywhere(); }
   std::int64_t actions() const { return std::ssize(best_->instance.steps); }
   // The least of all that were considered.
   int certain_errors() const { return certain_errors_; }
@@ -761,17 +782,6 @@ class BestInstance {
   std::int64_t combinations_ = 0;
 };
 
-// What an action is about, in whatever plan.
-struct Subject {
-  std::size_t kind = 0;  // index of the action's kind
-  std::vector<PartId> parts = {};
-
-  bool operator==(const Subject&) const = default;
-};
-Subject SubjectOf(const domain::Problem& problem, const plan::Action& action) {
-  return {action.index(), std::visit(HandledParts{problem}, action)};
-}
-
 // Steps of an instance that need not be proved.
 struct Allowance {
   std::int64_t errors = 0;
@@ -789,19 +799,6 @@ struct Allowance {
            std::ranges::all_of(objections, may_fail);
   }
 };
-
-// What the steps of an instance are about that are not proved, and fail wherever parts are.
-std::vector<Subject> FailingAnywhere(const domain::Problem& problem, const plan::Plan& instance,
-                                     const UncertaintyOptions& options, Worlds& worlds) {
-  Augmentation augmentation(problem, instance.steps.size(), options, worlds);
-  std::vector<Subject> failing;
-  for (const plan::StepId id : instance.ExecutionOrder()) {
-    const plan::Action& action = instance.step(id).action;
-    if (augmentation.Add(id, action, IfUnproved::kObject)) continue;
-    if (!augmentation.ObjectionToLast().place) failing.push_back(SubjectOf(problem, action));
-  }
-  return failing;
-}
 
 // Objects to instances as soon as more of their steps than are allowed cannot be proved.
 class InstanceJudge {
@@ -859,9 +856,10 @@ class CertifiedPlanning {
   plan::PlanResult Run() {
     plan::PlanResult result = AmongTheFirst();
     if (!best_.exists()) return Answer(std::move(result));
-    for (int errors = best_.certain_errors(); errors < best_.errors(); ++errors) {
-      const std::vector<Subject> anywhere =
-          FailingAnywhere(problem_, best_.instance(), options_, worlds_);
+    // What fails wherever parts are has been tried with other grasps, and by all remedies.
+    const std::vector<Subject> anywhere = best_.FailingAnywhere();
+    const int least = std::max(best_.certain_errors(), static_cast<int>(anywhere.size()));
+    for (int errors = least; errors < best_.errors(); ++errors) {
       for (const IfUnproved way : {IfUnproved::kObjectAtOnce, IfUnproved::kObject}) {
         if (errors < best_.errors()) Join(WithErrors(errors, anywhere, way), result);
       }
@@ -875,16 +873,14 @@ class CertifiedPlanning {
  private:
   // Looks for a plan in which so many steps are not proved, at most: steps that fail are mended by
   // other instances, and by goals for the first phase. `anywhere`: what fails wherever parts are in
-  // the best plan; for fewer errors than these, little is spent. Other places are mostly found
+  // the best plan. Other places are mostly found
   // sooner than remedies that make them unnecessary.
   plan::PlanResult WithErrors(int errors, const std::vector<Subject>& anywhere,
                               IfUnproved if_unproved) {
-    constexpr int kLittle = 12;
     const int by_place = std::max(0, errors - static_cast<int>(anywhere.size()));
     InstanceJudge judge(problem_, options_, worlds_, {errors, by_place, anywhere}, if_unproved);
     PlannerOptions first_phase = planner_;
-    const bool is_likely = errors >= std::ssize(anywhere);
-    first_phase.moments = is_likely ? options_.moments : options_.moments / kLittle;
+    first_phase.moments = options_.moments;
     first_phase.judge = [&](std::span<const plan::Action> actions) { return judge.Judge(actions); };
     std::int64_t refused = 0;
     first_phase.accept = [&](const plan::Plan& instance) {
