@@ -31,9 +31,6 @@ struct Objection {
   // Parts that the action does not handle and that would have to be elsewhere.
   std::vector<PartInTheWay> in_the_way = {};
   std::string why = {};  // the precondition that fails by most, with its bound
-
-  // Whether the action fails whatever is known, wherever parts are.
-  bool is_certain() const { return !history && !place; }
 };
 
 struct Judgement {

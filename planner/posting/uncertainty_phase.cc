@@ -95,6 +95,17 @@ struct HandledParts {
   std::vector<PartId> operator()(const auto& action) const { return {action.part}; }
 };
 
+// What an action is about, in whatever plan.
+struct Subject {
+  std::size_t kind = 0;  // index of the action's kind
+  std::vector<PartId> parts = {};
+
+  bool operator==(const Subject&) const = default;
+};
+Subject SubjectOf(const domain::Problem& problem, const plan::Action& action) {
+  return {action.index(), std::visit(HandledParts{problem}, action)};
+}
+
 std::vector<algebra::Expression> ExpressionsOf(const std::vector<Unproved>& goals) {
   std::vector<algebra::Expression> expressions;
   for (const Unproved& goal : goals) expressions.push_back(goal.expression);
@@ -157,8 +168,9 @@ struct Standing {
 
 // What is done about a step that cannot be proved.
 enum class IfUnproved {
-  kPrepare,  // it is brought nearer to being proved, and its failure is prepared for
-  kObject,   // nothing: it is only told why
+  kPrepare,       // it is brought nearer to being proved, and its failure is prepared for
+  kObject,        // nothing: it is only told why
+  kObjectAtOnce,  // and remedies are not even tried where it matters where parts are
 };
 
 // Steps of a plan instance with what is inserted, one after another in the order of execution.
@@ -204,6 +216,16 @@ class Augmentation {
     Explain(unmet.empty() ? GoalsUnproved(step) : unmet, world, objection);
     if (unmet.empty()) AddObstaclesOfRemedies(objection);
     return objection;
+  }
+
+  // What the steps are about that are not proved wherever parts are.
+  std::vector<Subject> FailingAnywhere() const {
+    std::vector<Subject> failing;
+    for (int i = 0; i < std::ssize(entries_); ++i) {
+      if (!Fails(entries_[i]) || std::ranges::any_of(GoalsUnproved(i), DependsOnPlace)) continue;
+      failing.push_back(SubjectOf(*problem_, entries_[i].action));
+    }
+    return failing;
   }
 
   std::int64_t combinations() const { return combinations_; }
@@ -288,6 +310,11 @@ class Augmentation {
   // and are asked for where nothing else proves the goals.
   bool Mend(int step, const Unmet& unmet) {
     obstacles_.clear();
+    if (if_unproved_ == IfUnproved::kObjectAtOnce &&
+        std::ranges::any_of(UnprovedGoals(unmet), DependsOnPlace)) {
+      GiveUp(entries_[step], unmet);
+      return false;
+    }
     const auto apply = [&](Mended mended) {
       entries_ = std::move(mended.entries);
       return mended.step;
@@ -305,7 +332,7 @@ class Augmentation {
       apply(std::move(*proving));
       return true;
     }
-    if (if_unproved_ == IfUnproved::kObject) {
+    if (if_unproved_ != IfUnproved::kPrepare) {
       GiveUp(entries_[step], unmet);
       return false;
     }
@@ -720,6 +747,7 @@ class BestInstance {
 
   bool exists() const { return best_.has_value(); }
   int errors() const { return best_->augmentation.errors(); }  // of the best
+  std::vector<Subject> FailingAnywhere() const { return best_->augmentation.FailingAnywhere(); }
   std::int64_t actions() const { return std::ssize(best_->instance.steps); }
   // The least of all that were considered.
   int certain_errors() const { return certain_errors_; }
@@ -762,12 +790,18 @@ class BestInstance {
 // Steps of an instance that need not be proved.
 struct Allowance {
   std::int64_t errors = 0;
-  std::int64_t certain_errors = 0;  // of these, to which there can only be certain objections
+  std::int64_t by_place = 0;           // of these, that fail because of where parts are
+  std::vector<Subject> anywhere = {};  // of the others
 
-  bool Covers(const std::vector<Objection>& objections) const {
-    const std::int64_t certain = std::ranges::count_if(objections, &Objection::is_certain);
+  bool Covers(const domain::Problem& problem, std::span<const plan::Action> actions,
+              const std::vector<Objection>& objections) const {
+    const auto may_fail = [&](const Objection& objection) {
+      const Subject subject = SubjectOf(problem, actions[objection.action]);
+      return objection.place || std::ranges::count(anywhere, subject) > 0;
+    };
     return std::ssize(objections) <= errors &&
-           std::ssize(objections) - certain <= errors - certain_errors;
+           std::ranges::count_if(objections, &Objection::place) <= by_place &&
+           std::ranges::all_of(objections, may_fail);
   }
 };
 
@@ -775,8 +809,11 @@ struct Allowance {
 class InstanceJudge {
  public:
   InstanceJudge(const domain::Problem& problem, const UncertaintyOptions& options, Worlds& worlds,
-                const Allowance& allowance)
-      : worlds_(worlds), allowance_(allowance) {
+                Allowance allowance, IfUnproved if_unproved)
+      : problem_(problem),
+        worlds_(worlds),
+        allowance_(std::move(allowance)),
+        if_unproved_(if_unproved) {
     levels_.push_back({Augmentation(problem, kMostSteps, options, worlds), {}});
   }
 
@@ -784,12 +821,11 @@ class InstanceJudge {
     const std::int64_t moments = worlds_.moments();
     levels_.erase(levels_.begin() + std::ssize(actions), levels_.end());
     Level level = levels_.back();
-    if (!level.augmentation.Add(plan::StepId(actions.size() - 1), actions.back(),
-                                IfUnproved::kObject)) {
+    if (!level.augmentation.Add(plan::StepId(actions.size() - 1), actions.back(), if_unproved_)) {
       level.objections.push_back(level.augmentation.ObjectionToLast());
     }
     Judgement judgement = {.moments = 1 + worlds_.moments() - moments};
-    if (allowance_.Covers(level.objections)) {
+    if (allowance_.Covers(problem_, actions, level.objections)) {
       levels_.push_back(std::move(level));
     } else {
       judgement.objections = std::move(level.objections);
@@ -804,8 +840,10 @@ class InstanceJudge {
     std::vector<Objection> objections;  // to steps that are allowed to fail
   };
 
+  const domain::Problem& problem_;
   Worlds& worlds_;
   Allowance allowance_;
+  IfUnproved if_unproved_;
   std::vector<Level> levels_;
 };
 
@@ -823,20 +861,29 @@ class CertifiedPlanning {
   plan::PlanResult Run() {
     plan::PlanResult result = AmongTheFirst();
     if (!best_.exists()) return Answer(std::move(result));
-    if (best_.is_proved() && best_.actions() > result.counters.at("least_actions")) {
-      Join(WithErrors(0), result);  // other places or orders may spare actions
+    // What fails wherever parts are has been tried with other grasps, and by all remedies.
+    const std::vector<Subject> anywhere = best_.FailingAnywhere();
+    const int least = std::max(best_.certain_errors(), static_cast<int>(anywhere.size()));
+    for (int errors = least; errors < best_.errors(); ++errors) {
+      for (const IfUnproved way : {IfUnproved::kObjectAtOnce, IfUnproved::kObject}) {
+        if (errors < best_.errors()) Join(WithErrors(errors, anywhere, way), result);
+      }
     }
-    for (int errors = best_.certain_errors(); errors < best_.errors(); ++errors) {
-      Join(WithErrors(errors), result);
+    if (best_.is_proved() && best_.actions() > result.counters.at("least_actions")) {
+      Join(WithErrors(0, {}, IfUnproved::kObject), result);  // which may spare actions
     }
     return Answer(std::move(result));
   }
 
  private:
   // Looks for a plan in which so many steps are not proved, at most: steps that fail are mended by
-  // other instances, and by goals for the first phase.
-  plan::PlanResult WithErrors(int errors) {
-    InstanceJudge judge(problem_, options_, worlds_, {errors, best_.certain_errors()});
+  // other instances, and by goals for the first phase. `anywhere`: what fails wherever parts are in
+  // the best plan. Other places are mostly found
+  // sooner than remedies that make them unnecessary.
+  plan::PlanResult WithErrors(int errors, const std::vector<Subject>& anywhere,
+                              IfUnproved if_unproved) {
+    const int by_place = std::max(0, errors - static_cast<int>(anywhere.size()));
+    InstanceJudge judge(problem_, options_, worlds_, {errors, by_place, anywhere}, if_unproved);
     PlannerOptions first_phase = planner_;
     first_phase.moments = options_.moments;
     first_phase.judge = [&](std::span<const plan::Action> actions) { return judge.Judge(actions); };
