@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "planner/algebra/text.h"
 #include "planner/assembly/part_doubts.h"
 #include "planner/assembly/plan_walk.h"
 #include "planner/assembly/way_conditions.h"
@@ -353,6 +354,13 @@ bool IsAtEnds(const plan::Travel& travel, const PlanWalk& walk, const ToolRoute&
   return flaws.empty();
 }
 
+// Whether a claim is the other one, with a bound of its own.
+bool IsSaidOf(const plan::CertifiedPrecondition& claim, plan::CertifiedPrecondition other) {
+  other.expression = algebra::Text(algebra::Expression(claim.bound));
+  other.bound = other.margin = claim.bound;
+  return claim == other;
+}
+
 // What is claimed of a way and does not come out when it is computed anew.
 void CheckClaims(const WayCertainty& certainty, Whither whither, const plan::PlannedStep& step,
                  std::vector<std::string>& flaws) {
@@ -361,9 +369,12 @@ void CheckClaims(const WayCertainty& certainty, Whither whither, const plan::Pla
     if (!IsWayCondition(claim.condition) || WhitherOf(claim) != whither) continue;
     const auto own =
         std::ranges::find(anew, claim.condition, &plan::CertifiedPrecondition::condition);
-    if (own != anew.end() && claim.bound <= own->bound + kSameClaim) continue;
-    flaws.push_back(fmt::format("{} is said to be above {:.6g}, which does not come out anew",
-                                claim.condition, claim.bound));
+    if (own == anew.end() || claim.bound > own->bound + kSameClaim) {
+      flaws.push_back(fmt::format("{} is said to be above {:.6g}, which does not come out anew",
+                                  claim.condition, claim.bound));
+    } else if (!IsSaidOf(claim, *own)) {
+      flaws.push_back(fmt::format("{} is said otherwise than it comes out anew", claim.condition));
+    }
   }
 }
 

@@ -336,7 +336,7 @@ std::string Promising(const fs::path& file, const Result& result) {
 void Write(const std::vector<fs::path>& files, const Result& result) {
   std::vector<std::string> texts;
   for (const fs::path& file : files) texts.push_back(Promising(file, result));
-  for (std::size_t i = 0; i < files.size(); ++i) WriteFile(files[i], texts[i]);
+  for (std::size_t i = 0; i < files.size(); ++i) AmendFile(files[i], texts[i]);
 }
 
 std::string PromiseForPeople(const Result& result, const std::vector<fs::path>& written) {
@@ -352,7 +352,7 @@ ExitCode Execute(const Options& options) {
   for (const fs::path& file : options.scenarios) subjects.push_back(Read(file, options));
   std::vector<fs::path> files;
   if (options.write) files = WorkcellFiles(subjects);
-  std::ranges::for_each(files, RequireWritable);
+  std::ranges::for_each(files, RequireAmendable);
   const Stopwatch stopwatch;
   const Result result(options, subjects, MeasureAll(subjects, options));
   const bool has_promise = result.found() > 0;

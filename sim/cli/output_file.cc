@@ -164,6 +164,10 @@ bool WriteThrough(const fs::path& file, std::string_view text) {
 void RequireWritable(const fs::path& file) {
   if (file.empty()) return;
   RefuseInputs(file);
+  RequireAmendable(file);
+}
+
+void RequireAmendable(const fs::path& file) {
   const std::optional<struct stat> status = StatusOf(file);
   if (status && S_ISDIR(status->st_mode))
     Fail(file, std::make_error_code(std::errc::is_a_directory));
@@ -179,6 +183,10 @@ void RequireWritable(const fs::path& file) {
 
 void WriteFile(const fs::path& file, std::string_view text) {
   RefuseInputs(file);
+  AmendFile(file, text);
+}
+
+void AmendFile(const fs::path& file, std::string_view text) {
   if (WriteThrough(file, text)) return;
   const fs::path target = Resolved(file);
   const TemporaryFile temporary(target);

@@ -19,6 +19,10 @@ void RequireWritable(const std::filesystem::path& file);
 // a file that is standard output or standard error.
 void WriteFile(const std::filesystem::path& file, std::string_view text);
 
+// The same for a file that the command was told to change, and has therefore read.
+void RequireAmendable(const std::filesystem::path& file);
+void AmendFile(const std::filesystem::path& file, std::string_view text);
+
 // The same for what `write` writes to the path that it is given, which has the file's ending.
 void WriteFileBy(const std::filesystem::path& file,
                  const std::function<void(const std::filesystem::path&)>& write);

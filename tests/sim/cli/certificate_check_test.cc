@@ -237,10 +237,11 @@ TEST_F(CertificateCheck, EachKindThatACertificateLacksIsTold) {
   }
 }
 
-// The block is put down beside the peg: that nothing is near is a reason for others.
+// The pads close on a part beside which there is another one: that nothing is near is a reason for
+// others.
 TEST_F(CertificateCheck, AReasonThatIsNotTrueIsTold) {
-  Json plan = PlanOf(kTree / "scenarios/spar-fig16.yaml");
-  const std::string kind = "neighbour clear";
+  Json plan = PlanOf(kTwoActions);
+  const std::string kind = "pushed clear";
   const auto beside = std::ranges::find_if(plan["actions"], [&](const Json& action) {
     const Json& covers = action["certificate"]["covers"];
     return covers.contains(kind) && covers[kind].is_number();
@@ -250,7 +251,7 @@ TEST_F(CertificateCheck, AReasonThatIsNotTrueIsTold) {
   LeaveOut(kind, certificate);
   certificate["covers"][kind] = "no other part is near enough to be met";
   EXPECT_THAT(FlawsOf(plan),
-              Contains(StartsWith("certificate.covers.neighbour clear: \"no other part is near")));
+              Contains(StartsWith("certificate.covers.pushed clear: \"no other part is near")));
 }
 
 // What certificates and poses say, one thing after another of a sample that is drawn: numbers

@@ -120,7 +120,14 @@ TEST(Mate, AStrategyLeadsThroughAllCriticalPoints) {
 
 // The block stands on an end, and is laid down before.
 TEST(Mate, TheFixedPartLiesWhereThePlanHasPutIt) {
-  const Ended ended = Assay({"mate", kTree / "scenarios/keyed.yaml", "--trials", "1", "--json"});
+  const Folder folder;
+  std::string text = TextOf(kTree / "scenarios/keyed.yaml");
+  const std::string model = "model: keyed-block\n";
+  text.insert(text.find(model) + model.size(),
+              "    clamp: 300\n");  // against what a strategy pushes
+  const std::string file = folder.Write("clamped.yaml", text);
+  const Ended ended =
+      Assay({"mate", file, "--models", kTree / "models", "--trials", "1", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(ended.Json()["trials"]["strategy"]["seated"], 1);
 }

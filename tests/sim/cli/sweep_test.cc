@@ -22,12 +22,12 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Parts in jigs, one trial without noise and one with it, in the longest timestep: what is tested
+// Parts in jigs, one trial without noise and one with it, in a long timestep: what is tested
 // here is the program around the physics.
 class SweepVerb : public ::testing::Test {
  protected:
   SweepVerb() {
-    folder_.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.001}\n");
+    folder_.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.0005}\n");
     sweep_ = Write(1);
   }
   std::string Write(int trials) const {
