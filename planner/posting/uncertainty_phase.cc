@@ -861,13 +861,12 @@ class CertifiedPlanning {
   plan::PlanResult Run() {
     plan::PlanResult result = AmongTheFirst();
     if (!best_.exists()) return Answer(std::move(result));
-    // What fails wherever parts are has been tried with other grasps, and by all remedies.
+    // What fails with all grasps that there are may not fail with one that parts are in the way of.
+    Search(0, {}, result);
     const std::vector<Subject> anywhere = best_.FailingAnywhere();
     const int least = std::max(best_.certain_errors(), static_cast<int>(anywhere.size()));
-    for (int errors = least; errors < best_.errors(); ++errors) {
-      for (const IfUnproved way : {IfUnproved::kObjectAtOnce, IfUnproved::kObject}) {
-        if (errors < best_.errors()) Join(WithErrors(errors, anywhere, way), result);
-      }
+    for (int errors = std::max(1, least); errors < best_.errors(); ++errors) {
+      Search(errors, anywhere, result);
     }
     if (best_.is_proved() && best_.actions() > result.counters.at("least_actions")) {
       Join(WithErrors(0, {}, IfUnproved::kObject), result);  // which may spare actions
@@ -876,6 +875,13 @@ class CertifiedPlanning {
   }
 
  private:
+  // Unless the best plan has no more errors.
+  void Search(int errors, const std::vector<Subject>& anywhere, plan::PlanResult& result) {
+    for (const IfUnproved way : {IfUnproved::kObjectAtOnce, IfUnproved::kObject}) {
+      if (errors < best_.errors()) Join(WithErrors(errors, anywhere, way), result);
+    }
+  }
+
   // Looks for a plan in which so many steps are not proved, at most: steps that fail are mended by
   // other instances, and by goals for the first phase. `anywhere`: what fails wherever parts are in
   // the best plan. Other places are mostly found

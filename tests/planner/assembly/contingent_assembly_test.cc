@@ -303,23 +303,24 @@ std::vector<domain::Problem> FallenPegWith(const Names& names) {
 // What no .pks file can spell, and what means something else there: a section, a step; two that are
 // spelled alike.
 TEST(ContingentAssembly, SensorsAndErrorsMayHaveAnyNames) {
-  const Names names = {{"coarse-camera", "\"camera no. 1 (\u00fcber dem Tisch)\""},
-                       {"error1", "\"goal\""},
-                       {"error2", "\"plan1-action_1\""},
-                       {"error3", "\"2nd try?\""},
-                       {"error4", "\"-- 2nd try\""}};
-  const ContingentAssembly assembly = MakeContingentPlan(FallenPegWith(names), {}, {});
-  ASSERT_EQ(assembly.outcome, Outcome::kFound);
-  const contingent::GroundTask task = ReadBack(assembly.knowledge);
-  EXPECT_EQ(task.actions.size(), assembly.knowledge.actions.size());
-  EXPECT_TRUE(contingent::CheckTree(task, assembly.tree, {.worlds = 8}).holds);
-  const std::string json = contingent::ToJson(task, assembly.tree).dump();
-  EXPECT_EQ(contingent::ReadTree(Document::Parse(json, "tree.json").root(), task).nodes,
-            assembly.tree.nodes);
-  std::multiset<std::string> named;
-  for (const auto& [constant, name] : assembly.knowledge.names) named.insert(name);
-  EXPECT_THAT(named, testing::UnorderedElementsAre("goal", "plan1-action_1", "2nd try?",
-                                                   "-- 2nd try", "peg", "lying", "standing"));
+  for (const auto& [below, above] :
+       {std::pair{"goal", "plan1-action_1"}, {"2nd try?", "-- 2nd try"}}) {
+    const Names names = {{"coarse-camera", "\"camera no. 1 (\u00fcber dem Tisch)\""},
+                         {"error3", fmt::format("\"{}\"", below)},
+                         {"error4", fmt::format("\"{}\"", above)}};
+    const ContingentAssembly assembly = MakeContingentPlan(FallenPegWith(names), {}, {});
+    ASSERT_EQ(assembly.outcome, Outcome::kFound);
+    const contingent::GroundTask task = ReadBack(assembly.knowledge);
+    EXPECT_EQ(task.actions.size(), assembly.knowledge.actions.size());
+    EXPECT_TRUE(contingent::CheckTree(task, assembly.tree, {.worlds = 8}).holds);
+    const std::string json = contingent::ToJson(task, assembly.tree).dump();
+    EXPECT_EQ(contingent::ReadTree(Document::Parse(json, "tree.json").root(), task).nodes,
+              assembly.tree.nodes);
+    std::set<std::string> named;
+    for (const auto& [constant, name] : assembly.knowledge.names) named.insert(name);
+    EXPECT_THAT(named,
+                testing::IsSupersetOf<std::string>({below, above, "peg", "lying", "standing"}));
+  }
 }
 
 // Words of .pks files, names of other things in them, and what they cannot spell.
