@@ -17,6 +17,7 @@
 #include "planner/base/random.h"
 #include "planner/domain/resting.h"
 #include "planner/plan/checker.h"
+#include "planner/posting/sensing_resolver.h"
 #include "planner/posting/uncertainty_phase.h"
 #include "tests/planner/posting/scenarios.h"
 #include "tests/scratch_file.h"
@@ -288,6 +289,8 @@ int FromEnvironment(const char* name, int otherwise) {
 TEST(Clutter, IsMovedWheneverThatGivesAProofAndAsLittleAsCanBe) {
   const int scenes = FromEnvironment("ASSAY_CLUTTER_SCENES", 12);
   const int bricks = FromEnvironment("ASSAY_CLUTTER_BRICKS", 4);
+  UncertaintyOptions looks;  // with no sensor there are none: the oracle knows no squeezes, either
+  looks.resolvers = {std::make_shared<SensingResolver>()};
   std::map<int, int> count;  // of scenes, by how many bricks have to be moved; -1: no proof
   for (int seed = 1; seed <= scenes; ++seed) {
     RandomStream random(static_cast<std::uint64_t>(seed), "clutter");
@@ -296,7 +299,7 @@ TEST(Clutter, IsMovedWheneverThatGivesAProofAndAsLittleAsCanBe) {
     const Problem problem = scene.Read();
     const std::optional<int> least = Exhaustive(problem).LeastMoved();
     ++count[least.value_or(-1)];
-    const plan::PlanResult result = MakeCertifiedPlan(problem, {}, {});
+    const plan::PlanResult result = MakeCertifiedPlan(problem, {}, looks);
     EXPECT_EQ(result.outcome == Outcome::kFound && result.plan.errors == 0, least.has_value());
     if (!least) continue;
     EXPECT_EQ(result.plan.steps.size(), 2u + 2u * static_cast<std::size_t>(*least));
