@@ -14,10 +14,16 @@ namespace {
 
 using ::testing::HasSubstr;
 
-// How often the real program is killed; more with ASSAY_KILLS in the environment.
+// How often the real program is killed; more with ASSAY_KILLS in the environment, and then in
+// attacks, too.
 int Kills() {
   const char* const wanted = std::getenv("ASSAY_KILLS");
   return wanted == nullptr ? 3 : std::atoi(wanted);
+}
+const char* Grid() {
+  return Kills() > 3 ? "noise: [none, uniform, attack]\nerror_scales: [1, 0.5]\ntrials: 6\n"
+                       "attempts: 10\n"
+                     : "noise: [none, uniform]\ntrials: 3\n";
 }
 
 // Sweeps of two plans with real trials.
@@ -26,8 +32,7 @@ class KilledSweep : public ::testing::Test {
   KilledSweep() {
     std::filesystem::copy(kTwoActions, folder_ / "s.yaml");
     folder_.Write("sweep.yaml",
-                  "format: assay-sweep/1\nscenarios: [s.yaml]\nnoise: [none, uniform, attack]\n"
-                  "error_scales: [1, 0.5]\ntrials: 6\nattempts: 10\n");
+                  std::string("format: assay-sweep/1\nscenarios: [s.yaml]\n") + Grid());
   }
 
   std::vector<std::string> Command(const std::string& database) const {
