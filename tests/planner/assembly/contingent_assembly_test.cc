@@ -292,6 +292,7 @@ std::string Renamed(const std::filesystem::path& file, const Names& names) {
 std::vector<domain::Problem> FallenPegWith(const Names& names) {
   const std::filesystem::path root = ASSAY_SOURCE_DIR;
   const std::filesystem::path models = ScratchFile("models");
+  std::filesystem::remove_all(models);
   std::filesystem::copy(root / "models", models, std::filesystem::copy_options::recursive);
   const std::filesystem::path workcell = "workcells/puma762-table/workcell.yaml";
   const std::string changed = Renamed(root / "models" / workcell, names);
