@@ -35,6 +35,16 @@ class FallenPeg : public testing::Test {
         Load(ASSAY_SOURCE_DIR "/scenarios/fallen-peg.yaml", ASSAY_SOURCE_DIR "/models");
     return scenario;
   }
+  // The same with pads that may be so smooth that no pickup is proved: each is verified.
+  static KnowledgeScenario WithDoubtfulPads() {
+    std::ostringstream text;
+    text << std::ifstream(ASSAY_SOURCE_DIR "/scenarios/fallen-peg.yaml").rdbuf()
+         << "tolerances: {pad_friction: 0.145}\n";
+    const std::filesystem::path file = ScratchFile("fallen-peg.yaml");
+    std::filesystem::create_directories(file.parent_path());
+    std::ofstream(file) << text.str();
+    return Load(file, ASSAY_SOURCE_DIR "/models");
+  }
   static EnactedTrial Run(int world, double sensing_errors = 0) {
     return RunTrial(Scenario(), Scenario().interpretation.planned->assembly.tree,
                     {1, {.masses = {}, .colors = {}, .world = world}},
@@ -79,9 +89,10 @@ TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
 }
 
 // Pads that close on opposite corners of the peg's plate stay wider open than they should, and hold
-// it so: the walk comes to where that is told.
+// it so.
 TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
-  const Interpretation& interpretation = Scenario().interpretation;
+  const KnowledgeScenario scenario = WithDoubtfulPads();
+  const Interpretation& interpretation = scenario.interpretation;
   const PlannedWorlds& planned = *interpretation.planned;
   const int standing = 1;
   const auto errors = ErrorsOf(planned, standing);
@@ -94,13 +105,6 @@ TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
   EXPECT_EQ(mishap.action, too_wide->step);
   // The plate is 3 inches wide and 1 inch thick; it leans a little.
   EXPECT_NEAR(std::abs(mishap.turn), std::atan2(1, 3), 0.02);
-
-  const EnactedTrial trial =
-      RunTrial(Scenario(), planned.assembly.tree,
-               {1, {.masses = {}, .colors = {}, .world = standing, .mishap = mishap}}, {.seed = 1});
-  EXPECT_EQ(trial.outcome, EnactmentOutcome::kOperator) << trial.reason;
-  EXPECT_THAT(trial.reason, testing::HasSubstr("error2"));
-  EXPECT_FALSE(trial.IsFailed());
 }
 
 // A sensor that says of the peg what it is told to say, one after the other; nothing if that is
