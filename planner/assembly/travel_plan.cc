@@ -98,7 +98,7 @@ class TravelSearch {
     WayCertainty certainty;
   };
 
-  // None: the usual way is not free.
+  // Goes up, over at safe height and down. None if that way is not free.
   std::optional<Found> GoUsually() {
     JointPath rise = {from_};
     if (!Rise(rise)) return std::nullopt;
@@ -138,7 +138,7 @@ class TravelSearch {
     return in_the_way_;
   }
 
-  // None: the arm cannot follow the straight lines, and why is told.
+  // The travel with its straight lines. None if the arm cannot follow these; in_the_way() says why.
   std::optional<Way> WayBy(const plan::Travel& travel) {
     Way way = {.rise = {from_}, .over = travel.path, .down = {travel.path.back()}};
     const bool comes_down = travel.is_usual && !route_.to_work.empty();
@@ -190,7 +190,7 @@ class TravelSearch {
     const double radius = CarriedRadius();
     return {way.sway.turn, doubt.shift.norm() + (doubt.turn + doubt.spin) * radius};
   }
-  // Of a ball about the tool that holds hand and held part, metres.
+  // The radius of a ball about the tool that holds hand and held part, metres.
   double CarriedRadius() const {
     const Vector3 tool = workcell_.gripper().X_FlangeTool().translation();
     double radius = 0;

@@ -15,9 +15,9 @@ struct GoalConflict {
   bool is_minimal = false;
 };
 
-// Of a task of which MakePlan has proved that it has no plan. Parts are left out one after another
-// as long as it is proved that there is still no plan without them: what a plan for the whole goal
-// does is also a plan for each part of it.
+// Finds the conflict of a task of which MakePlan has proved that it has no plan. Parts are left out
+// one after another as long as it is proved that there is still no plan without them: what a plan
+// for the whole goal does is also a plan for each part of it.
 GoalConflict FindGoalConflict(const GroundTask& task, Budget& budget);
 
 }  // namespace assay::contingent

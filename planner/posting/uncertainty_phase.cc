@@ -884,8 +884,7 @@ class CertifiedPlanning {
 
   // Looks for a plan in which so many steps are not proved, at most: steps that fail are mended by
   // other instances, and by goals for the first phase. `anywhere`: what fails wherever parts are in
-  // the best plan. Other places are mostly found
-  // sooner than remedies that make them unnecessary.
+  // the best plan. Other places are mostly found sooner than remedies that make them unnecessary.
   plan::PlanResult WithErrors(int errors, const std::vector<Subject>& anywhere,
                               IfUnproved if_unproved) {
     const int by_place = std::max(0, errors - static_cast<int>(anywhere.size()));
