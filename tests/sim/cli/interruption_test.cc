@@ -14,18 +14,19 @@ namespace {
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
-// Ends the command, which would take for ever, by a signal. Before its trials have begun a signal
-// ends it at once, with nothing to tell: then it is tried again, a while later.
+// Ends the command, which would take for ever, by a signal, as soon as that is no longer the end of it
+// with nothing to tell.
 std::optional<Ended> Interrupted(const std::vector<std::string>& arguments, int signal) {
-  for (int milliseconds = 500; milliseconds < 100'000; milliseconds *= 2) {
-    Running running(arguments);
-    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
-    running.Signal(signal);
-    Ended ended = running.Wait();
-    if (ended.code != -signal) return ended;
+  Running running(arguments);
+  for (int waits = 0; !running.Catches(signal); ++waits) {
+    if (waits == 12'000) {
+      ADD_FAILURE() << "its trials never began";
+      return std::nullopt;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
-  ADD_FAILURE() << "its trials never began";
-  return std::nullopt;
+  running.Signal(signal);
+  return running.Wait();
 }
 
 constexpr const char* kForEver = "100000000";

@@ -92,6 +92,16 @@ Running::~Running() {
 
 void Running::Signal(int signal) const { kill(process_, signal); }
 
+bool Running::Catches(int signal) const {
+  static const std::string kCaught = "SigCgt:";
+  std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (!line.starts_with(kCaught)) continue;
+    return (std::stoull(line.substr(kCaught.size()), nullptr, 16) >> (signal - 1) & 1) != 0;
+  }
+  return false;
+}
+
 Ended Running::Wait() {
   int status = 0;
   waitpid(std::exchange(process_, -1), &status, 0);

@@ -44,6 +44,8 @@ class Running {
   Running& operator=(const Running&) = delete;
 
   void Signal(int signal) const;
+  // Whether it has a handler for the signal by now, which so far would end it at once (proc(5)).
+  bool Catches(int signal) const;
   // Its end; `code` is that of its exit, or the negative of the signal that ended it.
   Ended Wait();
 
