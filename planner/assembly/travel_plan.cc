@@ -294,9 +294,10 @@ class TravelSearch {
   std::string in_the_way_;
 };
 
+// A plan without steps leaves the arm at home.
 std::vector<StepId> WithHoming(const plan::Plan& plan) {
   std::vector<StepId> steps = plan.ExecutionOrder();
-  steps.push_back(StepId::None());
+  if (!steps.empty()) steps.push_back(StepId::None());
   return steps;
 }
 

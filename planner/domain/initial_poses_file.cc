@@ -4,10 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
+#include "planner/domain/face_contact.h"
 #include "planner/domain/mating_file.h"
 #include "planner/domain/name.h"
+#include "planner/domain/part_model.h"
 #include "planner/domain/reachability.h"
 #include "planner/domain/resting.h"
 #include "planner/domain/stable_pose_names.h"
@@ -38,6 +42,7 @@ class InitialPosesFile {
   void CheckOnTable(const Value& pose, PartId id) const;
   void CheckAboveTable(const Value& place, const Part& part) const;
   void CheckApart() const;
+  void CheckRests(const Value& place, PartId id) const;
 
   double InFileUnits(double metres) const { return metres / units_.length; }
 
@@ -84,6 +89,10 @@ void InitialPosesFile::PlaceParts() {
     CheckAboveTable(entries_[i], problem_.parts[i]);
   }
   CheckApart();
+  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+    const bool is_kept = !mating_of_[i].IsNone() || problem_.parts[i].clamp > 0;
+    if (!is_kept) CheckRests(entries_[i], PartId(i));
+  }
 }
 
 // A part may be assembled with one that is itself assembled, so rounds follow until none is left.
@@ -140,6 +149,7 @@ void InitialPosesFile::ReadPose(const Value& pose, Part& part) const {
   pose.AllowOnly({"columns"});
   part.X_WorldPart = ReadColumns(pose.At("columns"), units_);
   part.resting = StablePoseAt(part, part.X_WorldPart);
+  if (!part.resting.IsNone()) part.X_WorldPart = ComeToRest(part, part.resting, part.X_WorldPart);
 }
 
 Pose InitialPosesFile::ReadStanding(const Value& pose, StablePoseId resting,
@@ -191,6 +201,37 @@ void InitialPosesFile::CheckApart() const {
     }
     placed.push_back(part);
   }
+}
+
+// Its centre of mass is over what it stands on: else it falls before anything is done.
+void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
+  const Part& part = problem_.part(id);
+  std::vector<Vector2> stands_on;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vector3& vertex : part.model->hull().vertices) {
+    const Vector3 p = part.X_WorldPart * vertex;
+    lowest = std::min(lowest, p.z());
+    if (std::abs(p.z()) <= kTouching) stands_on.push_back(p.head<2>());
+  }
+  for (const Part& other : problem_.parts) {
+    if (&other == &part) continue;
+    for (const Vector3& p :
+         CornersOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart)) {
+      stands_on.push_back(p.head<2>());
+    }
+  }
+  const Vector2 center = (part.X_WorldPart * part.model->mass().center).head<2>();
+  const double inside = geometry::Depth(geometry::Hull2(stands_on), center);
+  if (inside > 0) return;
+  place.Fail(
+      stands_on.empty()
+          ? fmt::format("part '{}' stands on nothing: its lowest point is {:.4g} above the table",
+                        part.name, InFileUnits(lowest))
+          : fmt::format(
+                "part '{}' falls over: its centre of mass is {:.4g} beside what it stands on",
+                part.name, InFileUnits(-inside)),
+      "a pose in which it stands on the table or on other parts, a mating of 'initially', or a "
+      "fixture ('clamp')");
 }
 
 }  // namespace

@@ -162,8 +162,9 @@ void ProblemFile::ReadWorkcell(const Value& root) {
   name.OneOf(FoldersWith(folder, "workcell.yaml"));
   problem_.workcell = Workcell::Load(folder / name.Text() / "workcell.yaml");
   if (const auto rules = root.Find("rules")) {
+    const Workcell& workcell = *problem_.workcell;
     problem_.workcell =
-        problem_.workcell->WithRules(ReadRules(*rules, units_, problem_.workcell->rules()));
+        workcell.WithRules(ReadRules(*rules, units_, workcell.gripper(), workcell.rules()));
   }
 }
 

@@ -74,4 +74,15 @@ StablePoseId StablePoseAt(const Part& part, const Pose& X_WorldPart) {
   return nearest;
 }
 
+Pose ComeToRest(const Part& part, StablePoseId resting, const Pose& X_WorldPart) {
+  const Pose& X_TablePart = part.model->stable_poses()[resting.index()].X_TablePart;
+  const Vector3 up_Part = X_TablePart.linear().transpose().col(2);
+  Pose X = X_WorldPart;
+  X.linear() =
+      Eigen::Quaterniond::FromTwoVectors(X_WorldPart.linear() * up_Part, Vector3::UnitZ()) *
+      X_WorldPart.linear();
+  X.translation().z() = X_TablePart.translation().z();
+  return X;
+}
+
 }  // namespace assay::domain

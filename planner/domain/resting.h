@@ -25,4 +25,8 @@ PartId Crowding(const Problem& problem, PartId part, const Pose& X_WorldPart,
 // height; None if it rests in none (it leans on something).
 StablePoseId StablePoseAt(const Part& part, const Pose& X_WorldPart);
 
+// X_WorldPart as it is once the part has come to rest in that stable pose, to which it is near:
+// turned about a level axis through its origin, and at the height of the table.
+Pose ComeToRest(const Part& part, StablePoseId resting, const Pose& X_WorldPart);
+
 }  // namespace assay::domain

@@ -100,11 +100,14 @@ void SortByDistance(std::vector<Vector2>& places, const Vector2& preferred) {
 
 }  // namespace
 
-WorkcellRules ReadRules(const Value& map, const Units& units, const WorkcellRules& given) {
+WorkcellRules ReadRules(const Value& map, const Units& units, const kinematics::Gripper& gripper,
+                        const WorkcellRules& given) {
   WorkcellRules rules = given;
   for (const auto& [key, value] : map.Entries()) {
     const Rule& rule = kRules[static_cast<std::size_t>(key.OneOf(RuleNames()))];
-    rules.*rule.member = ReadWithin(value, UnitOf(rule.dimension, units), rule.range);
+    Range range = rule.range;
+    if (rule.member == &WorkcellRules::grip_force) range.high = gripper.max_force();
+    rules.*rule.member = ReadWithin(value, UnitOf(rule.dimension, units), range);
   }
   return rules;
 }
@@ -160,7 +163,7 @@ void WorkcellFile::ReadTable(const std::string& name, const Value& table) {
 
 void WorkcellFile::ReadAllRules(const Value& rules) {
   for (const std::string& name : RuleNames()) rules.At(name);
-  workcell_->rules_ = ReadRules(rules, units_, {});
+  workcell_->rules_ = ReadRules(rules, units_, workcell_->gripper(), {});
 }
 
 void WorkcellFile::ReadPlacements(const Value& placements) {

@@ -10,8 +10,10 @@
 namespace assay::domain {
 
 // `given` with the rules that the map names replaced: the key is the rule's name in WorkcellRules.
-// Throws InputError for unknown rules and for values out of range.
-WorkcellRules ReadRules(const Value& map, const Units& units, const WorkcellRules& given);
+// Throws InputError for unknown rules, for values out of range, and for a grip force that a finger
+// of the gripper does not have.
+WorkcellRules ReadRules(const Value& map, const Units& units, const kinematics::Gripper& gripper,
+                        const WorkcellRules& given);
 
 // Builds a workcell from its file.
 class WorkcellFile {

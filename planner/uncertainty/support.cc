@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "planner/domain/face_contact.h"
 #include "planner/domain/part_model.h"
 #include "planner/uncertainty/possible_masses.h"
 #include "planner/uncertainty/precondition.h"
@@ -11,14 +12,10 @@
 namespace assay::uncertainty {
 namespace {
 
-using domain::Face;
 using domain::PartModel;
 using geometry::Polygon;
 
-constexpr double kTouching = 1e-5;     // metres between what touches
 constexpr double kLowestLayer = 1e-6;  // metres above the lowest vertex of a part that rests
-constexpr double kOpposite = 1e-6;     // of the cosine of normals, from -1
-constexpr double kLooksDown = -0.5;    // the vertical of a normal, at most
 constexpr double kOnTheEdge = 1e-9;    // metres
 
 void AddTable(const PartModel& model, const Pose& X_WorldPart, std::vector<Standing>& standings) {
@@ -26,43 +23,9 @@ void AddTable(const PartModel& model, const Pose& X_WorldPart, std::vector<Stand
   for (const Vector3& v : model.hull().vertices) vertices.push_back(X_WorldPart * v);
   const auto height = [](const Vector3& v) { return v.z(); };
   const double lowest = height(*std::ranges::min_element(vertices, {}, height));
-  if (std::abs(lowest) > kTouching) return;
+  if (std::abs(lowest) > domain::kTouching) return;
   std::erase_if(vertices, [&](const Vector3& v) { return v.z() > lowest + kLowestLayer; });
   standings.push_back({PartId::None(), std::move(vertices)});
-}
-
-// Where a face of the upper part lies on one of the lower part, in the lower part's frame.
-void AddCorners(const Face& upper, const Pose& X_LowerUpper, const Face& lower,
-                std::vector<Vector3>& corners) {
-  const Vector3 normal = X_LowerUpper.linear() * upper.normal;
-  if (lower.normal.dot(normal) > -1 + kOpposite) return;
-  const Vector3 on_upper = X_LowerUpper * (upper.offset * upper.normal);
-  if (std::abs(lower.normal.dot(on_upper) - lower.offset) > kTouching) return;
-  const Pose X_LowerFaceUpperFace = lower.X_PartFace.inverse() * X_LowerUpper * upper.X_PartFace;
-  for (const Polygon& patch : upper.patches) {
-    std::vector<Vector2> seen;
-    for (const Vector2& p : patch) {
-      seen.push_back((X_LowerFaceUpperFace * Vector3(p.x(), p.y(), 0)).head<2>());
-    }
-    for (const Polygon& other : lower.patches) {
-      for (const Vector2& p : geometry::Intersection(geometry::Hull2(seen), other)) {
-        corners.push_back(lower.X_PartFace * Vector3(p.x(), p.y(), 0));
-      }
-    }
-  }
-}
-
-std::vector<Vector3> ContactOf(const PartModel& upper, const Pose& X_WorldUpper,
-                               const PartModel& lower, const Pose& X_WorldLower) {
-  std::vector<Vector3> corners;
-  for (const Face& face : upper.faces()) {
-    if ((X_WorldUpper.linear() * face.normal).z() > kLooksDown) continue;
-    for (const Face& other : lower.faces()) {
-      AddCorners(face, X_WorldLower.inverse() * X_WorldUpper, other, corners);
-    }
-  }
-  for (Vector3& corner : corners) corner = X_WorldLower * corner;
-  return corners;
 }
 
 // Down, and turning about an edge.
@@ -135,8 +98,8 @@ std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
   for (int p = 0; p < static_cast<int>(problem.parts.size()); ++p) {
     const PartId other(p);
     if (other == part || other == world.in_hand()) continue;
-    std::vector<Vector3> at =
-        ContactOf(model, X_WorldPart, *problem.part(other).model, world.X_WorldPart(other));
+    std::vector<Vector3> at = domain::CornersOfContact(
+        model, X_WorldPart, *problem.part(other).model, world.X_WorldPart(other));
     if (!at.empty()) standings.push_back({other, std::move(at)});
   }
   return standings;

@@ -108,15 +108,23 @@ class Meaning {
   }
 
   // How far from where it was expected the guarded motion met something, at most the guarded travel
-  // off; beyond it, if it met nothing.
+  // off; beyond it, if it met nothing. X_WorldExpected, X_WorldEnd: where the part is believed to
+  // come to its end, and where it truly does. Pads that bear less than what stops the motion slide
+  // down on the part: then it met something where the part stopped.
   double MetOnGuardedWay(const exec::Moment& reached, const Pose& X_WorldExpected,
-                         const Vector3& direction) const {
+                         const Pose& X_WorldEnd, const Vector3& direction) const {
     const double travel = problem_.workcell->rules().guarded_travel;
-    const Pose X_WorldTool = X_WorldExpected * handling_.hold->X_PartTool;
-    const double beyond =
-        direction.dot(reached.tool.believed.translation() - X_WorldTool.translation());
-    if (!events_.resisted.value_or(false)) return std::min(0.0, travel - std::abs(beyond)) - travel;
-    return travel - std::abs(beyond);
+    const Vector3 expected = (X_WorldExpected * handling_.hold->X_PartTool).translation();
+    const double beyond = direction.dot(reached.tool.believed.translation() - expected);
+    if (events_.resisted.value_or(false)) return travel - std::abs(beyond);
+    const double missing = direction.dot(X_WorldEnd.translation() - PartAt(reached).translation());
+    if (events_.poised == nullptr || missing > kStandsOn) {
+      return std::min(0.0, travel - std::abs(beyond)) - travel;
+    }
+    const exec::Moment& poised = *events_.poised;
+    const double way = direction.dot(PartAt(reached).translation() - PartAt(poised).translation());
+    const double expected_way = direction.dot(expected - poised.tool.believed.translation());
+    return travel - std::abs(way - expected_way);
   }
 
   double Footprint(const exec::Moment& end) const {
@@ -248,8 +256,11 @@ Meanings OfLanding(const std::string& condition, const Meaning& meaning,
                    const plan::Putdown& putdown, const StepEvents& events) {
   if (events.reached == nullptr) return {};
   if (condition == "landing height") {
-    return InMetres(
-        meaning.MetOnGuardedWay(*events.reached, putdown.to.X_WorldPart, -Vector3::UnitZ()));
+    const Pose& X_WorldPart = putdown.to.X_WorldPart;
+    const double table = events.reached->table_heights[putdown.part.index()];
+    return InMetres(meaning.MetOnGuardedWay(*events.reached, X_WorldPart,
+                                            geometry::Translation(0, 0, table) * X_WorldPart,
+                                            -Vector3::UnitZ()));
   }
   if (condition == "neighbour clear") return meaning.NeighbourClear(*events.reached);
   if (condition != "footprint" || events.end == nullptr) return {};
@@ -261,8 +272,10 @@ Meanings OfMating(const std::string& condition, const domain::Problem& problem,
   if (condition == "seat") {
     if (events.reached == nullptr) return {};
     const exec::Moment& reached = *events.reached;
-    const Pose& X_WorldFixed = reached.parts[meaning.mating().fixed.index()].believed;
-    return InMetres(meaning.MetOnGuardedWay(reached, X_WorldFixed * meaning.mating().X_FixedHeld,
+    const auto& fixed = reached.parts[meaning.mating().fixed.index()];
+    const Pose& X_FixedHeld = meaning.mating().X_FixedHeld;
+    return InMetres(meaning.MetOnGuardedWay(reached, fixed.believed * X_FixedHeld,
+                                            fixed.truth * X_FixedHeld,
                                             meaning.MatingDirection(reached)));
   }
   if (events.poised == nullptr) return {};

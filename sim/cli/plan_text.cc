@@ -101,6 +101,7 @@ std::string PlanTable(const Problem& problem, const plan::Plan& plan) {
 std::string Text(const Problem& problem, const plan::PlanResult& result) {
   switch (result.outcome) {
     case Outcome::kFound:
+      if (result.plan.steps.empty()) return "The goal holds already: nothing is to be done.\n";
       return PlanTable(problem, result.plan) + TravelText(result.plan) +
              UncertaintyText(result.plan);
     case Outcome::kNone:

@@ -206,12 +206,36 @@ TEST(ProblemFile, FindsTheStablePoseOfAnAbsolutePose) {
   EXPECT_EQ(part.resting, part.model->FindStablePose("upside-down"));
 }
 
-TEST(ProblemFile, APartMayLean) {
+std::string WithBrickAt(const std::string& entries) {
   std::string text = kBrick;
-  const std::string pose = "{stable: BRP1, at: [24, -8]}";
-  text.replace(text.find(pose), pose.size(),
-               "{columns: [[0.8, 0, -0.6], [0, 1, 0], [0.6, 0, 0.8], [24, -8, 2.2]]}");
-  EXPECT_TRUE(ParseScenario(text).parts[2].resting.IsNone());
+  const std::string pose = "pose: {stable: BRP1, at: [24, -8]}";
+  return text.replace(text.find(pose), pose.size(), entries);
+}
+
+TEST(ProblemFile, APartThatAFixtureHoldsMayLean) {
+  const std::string leaning =
+      "pose: {columns: [[0.8, 0, -0.6], [0, 1, 0], [0.6, 0, 0.8], [24, -8, 2.2]]}";
+  EXPECT_TRUE(ParseScenario(WithBrickAt(leaning + ", clamp: 10")).parts[2].resting.IsNone());
+  EXPECT_THROW(ParseScenario(WithBrickAt(leaning)), InputError);
+}
+
+// Written with a few digits, a pose is next to the one in which the part rests: it is that one.
+TEST(ProblemFile, APartComesToRest) {
+  const Part exact = ParseScenario(kBrick).parts[2];
+  const Pose& X = exact.X_WorldPart;
+  for (const double lean : {0.0, 0.01, -0.017}) {
+    const Pose aside = X * geometry::RotationX(lean);
+    std::string columns;
+    for (int axis = 0; axis < 3; ++axis) {
+      const geometry::Vector3 c = aside.linear().col(axis);
+      columns += fmt::format("[{:.9f}, {:.9f}, {:.9f}], ", c.x(), c.y(), c.z());
+    }
+    const geometry::Vector3 at = aside.translation() / kInch;
+    columns += fmt::format("[{:.9f}, {:.9f}, {:.9f}]", at.x(), at.y(), at.z() + 0.03);
+    const Part part = ParseScenario(WithBrickAt("pose: {columns: [" + columns + "]}")).parts[2];
+    EXPECT_EQ(part.resting, exact.resting);
+    EXPECT_TRUE(part.X_WorldPart.isApprox(X, 1e-8)) << lean;
+  }
 }
 
 TEST(ProblemFile, ReadsTolerancesInTheFilesUnits) {

@@ -167,6 +167,18 @@ TEST(Plan, ProofThatThereIsNoneListsTheConflict) {
   EXPECT_GE(json["near_misses"].size(), 1);
 }
 
+TEST(Plan, AGoalThatHoldsAlreadyNeedsNothing) {
+  const Folder folder;
+  std::string text = TextOf(kTwoActions);
+  text.erase(text.find("goal:"));
+  const std::string scenario = folder.Write(
+      "there.yaml", text + "goal:\n  - located: {part: peg, stable: [on-side]}\n");
+  const Ended ended = Assay({"plan", scenario, "--models", kTree / "models"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("The goal holds already: nothing is to be done.\n"));
+  EXPECT_EQ(Assay({"run", scenario, "--models", kTree / "models"}).code, 0);
+}
+
 TEST(Plan, SpentBudget) {
   const Ended ended = Assay({"plan", kTwoActions, "--budget", "2", "--json"});
   EXPECT_EQ(ended.code, 11) << ended.err;
