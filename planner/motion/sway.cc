@@ -28,10 +28,10 @@ constexpr double kWidestCell = 0.25;  // radians of a joint
 // The arm in one posture, as the tool moves with it; about the wrist's center, through which the
 // last three axes pass, in the world's axes.
 struct Differential {
-  Matrix6 inverse;                   // of the Jacobian: joint rates by twists of the tool
-  JointVector per_shift;             // greatest rates of joints by velocities of the center, 1/m
-  JointVector per_turn;              // and by angular velocities
-  std::array<double, 6> lever = {};  // of the wrist's center from each joint's axis, metres
+  Matrix6 inverse;        // of the Jacobian: joint rates by twists of the tool
+  JointVector per_shift;  // greatest rates of joints by velocities of the center, 1/m
+  JointVector per_turn;   // and by angular velocities
+  Vector3 lever;          // of the wrist's center from the axes of the first three joints, metres
 };
 
 Vector3 WristInFlange(const domain::Workcell& workcell) {
@@ -39,26 +39,16 @@ Vector3 WristInFlange(const domain::Workcell& workcell) {
 }
 
 Differential DifferentialAt(const domain::Workcell& workcell, const JointVector& q) {
-  const std::array<Pose, 7> X_BaseLink = workcell.arm().LinkPoses(q);
-  const Matrix3 R_WorldBase = workcell.X_WorldBase().linear();
-  const Vector3 center = X_BaseLink.back() * WristInFlange(workcell);
+  const kinematics::WristJacobian jacobian = workcell.arm().JacobianAt(q);
+  const Matrix3 R_BaseWorld = workcell.X_WorldBase().linear().transpose();
+  const Matrix3 by_velocity = jacobian.center.inverse() * R_BaseWorld;
+  const Matrix3 by_turn = jacobian.wrist.inverse() * R_BaseWorld;
+  const Matrix3 turned = by_turn * workcell.X_WorldBase().linear() * jacobian.shoulder;
   Differential at;
-  Matrix3 velocity;  // of the center, by the first three joints: the others leave it where it is
-  Matrix3 shoulder;  // axes of the first three joints
-  Matrix3 wrist;     // and of the others
-  for (int k = 0; k < 6; ++k) {
-    const Pose& X_BaseJoint = X_BaseLink[k + 1];
-    const Vector3 axis = X_BaseJoint.linear() * workcell.arm().model().joints[k].axis;
-    (k < 3 ? shoulder : wrist).col(k % 3) = R_WorldBase * axis;
-    if (k >= 3) continue;
-    velocity.col(k) = R_WorldBase * axis.cross(center - X_BaseJoint.translation());
-    at.lever[k] = velocity.col(k).norm();
-  }
-  const Matrix3 by_velocity = velocity.inverse();
-  const Matrix3 by_turn = wrist.inverse();
-  at.inverse << by_velocity, Matrix3::Zero(), -by_turn * shoulder * by_velocity, by_turn;
+  at.inverse << by_velocity, Matrix3::Zero(), -turned * by_velocity, by_turn;
   at.per_shift = at.inverse.leftCols<3>().rowwise().norm();
   at.per_turn = at.inverse.rightCols<3>().rowwise().norm();
+  at.lever = jacobian.center.colwise().norm();
   return at;
 }
 
@@ -66,37 +56,38 @@ Differential DifferentialAt(const domain::Workcell& workcell, const JointVector&
 // since a joint differs by the velocity that it gives the center, and by its axis.
 struct Departure {
   const Differential& at;
-  JointVector moved;   // those velocities, metres
+  Vector3 moved;       // those velocities, of the first three joints, metres
   JointVector turned;  // those axes, radians
 
   // If no joint is farther from q0 than r: no lever grows, and no axis turns, by more than what the
   // joints before or behind it make of it.
   static Departure Within(const JointVector& r, const Differential& at) {
     Departure departure = {at, {}, {}};
-    std::array<double, 6> lever = at.lever;
-    for (int k = 5; k >= 0; --k) {
-      for (int j = k + 1; j < 6; ++j) lever[k] += r[j] * lever[j];
-    }
     double turned = 0;
     for (int k = 0; k < 6; ++k) {
-      departure.moved[k] = turned * lever[k];
-      for (int j = k; j < 6; ++j) departure.moved[k] += r[j] * lever[j];
       departure.turned[k] = turned;
       turned += r[k];
+    }
+    Vector3 lever = at.lever;
+    double way = 0;  // of the center, by the joint and those behind it
+    for (int k = 2; k >= 0; --k) {
+      lever[k] += way;
+      way += r[k] * lever[k];
+      departure.moved[k] = departure.turned[k] * lever[k] + way;
     }
     return departure;
   }
 
   // M x.
   JointVector Of(const JointVector& x) const {
-    return moved.dot(x) * at.per_shift + turned.dot(x) * at.per_turn;
+    return moved.dot(x.head<3>()) * at.per_shift + turned.dot(x) * at.per_turn;
   }
-  // The x = b + M x: with its shares in the two columns that M is made of (Woodbury).
+  // The x = b + M x, by its shares in the two columns that M is made of (Woodbury).
   JointVector SolvedFor(const JointVector& b) const {
     Matrix2d shares;
-    shares << 1 - moved.dot(at.per_shift), -moved.dot(at.per_turn),  //
+    shares << 1 - moved.dot(at.per_shift.head<3>()), -moved.dot(at.per_turn.head<3>()),
         -turned.dot(at.per_shift), 1 - turned.dot(at.per_turn);
-    const Vector2d share = shares.inverse() * Vector2d(moved.dot(b), turned.dot(b));
+    const Vector2d share = shares.inverse() * Vector2d(moved.dot(b.head<3>()), turned.dot(b));
     return b + share.x() * at.per_shift + share.y() * at.per_turn;
   }
 };
