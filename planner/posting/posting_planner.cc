@@ -48,7 +48,7 @@ class PostingPlanner {
     if (least && Deepen(*least)) {
       result.outcome = Outcome::kFound;
       result.plan = std::move(*plan_);
-    } else if (instances_ == 0) {
+    } else if (instances_ == 0 && !judge_) {
       TellWhy(ProveImpossible(problem_), result);
       if (!least && result.outcome != Outcome::kNone && result.limits.empty()) {
         result.limits.push_back("no way is known to the planner, and none is proved not to exist");

@@ -35,8 +35,8 @@ struct PlannerOptions {
 // in the way, that they be moved becomes a goal.
 //
 // With a judge, plans of more actions are looked for only as long as parts are in the way, or there
-// is nothing yet to judge; then, or when moments are spent, the outcome is kBudget. The moments are
-// shared out among the limits on the number of actions.
+// is nothing yet to judge; then, or when moments are spent, the outcome is kBudget: what a judge
+// objects to proves nothing. The moments are shared out among the limits on the number of actions.
 plan::PlanResult MakePlan(const domain::Problem& problem, const PlannerOptions& options);
 
 }  // namespace assay::posting

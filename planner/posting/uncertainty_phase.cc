@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <iterator>
 #include <limits>
 #include <numbers>
@@ -805,7 +806,9 @@ struct Allowance {
   }
 };
 
-// Objects to instances as soon as more of their steps than are allowed cannot be proved.
+// Objects to instances as soon as more of their steps than are allowed cannot be proved. A search
+// comes back to how instances begin, whatever partial plan they are of: each beginning is judged
+// once.
 class InstanceJudge {
  public:
   InstanceJudge(const domain::Problem& problem, const UncertaintyOptions& options, Worlds& worlds,
@@ -814,37 +817,52 @@ class InstanceJudge {
         worlds_(worlds),
         allowance_(std::move(allowance)),
         if_unproved_(if_unproved) {
-    levels_.push_back({Augmentation(problem, kMostSteps, options, worlds), {}});
+    beginnings_.push_back({.augmentation = Augmentation(problem, kMostSteps, options, worlds)});
   }
 
   Judgement Judge(std::span<const plan::Action> actions) {
     const std::int64_t moments = worlds_.moments();
-    levels_.erase(levels_.begin() + std::ssize(actions), levels_.end());
-    Level level = levels_.back();
-    if (!level.augmentation.Add(plan::StepId(actions.size() - 1), actions.back(), if_unproved_)) {
-      level.objections.push_back(level.augmentation.ObjectionToLast());
-    }
-    Judgement judgement = {.moments = 1 + worlds_.moments() - moments};
-    if (allowance_.Covers(problem_, actions, level.objections)) {
-      levels_.push_back(std::move(level));
-    } else {
-      judgement.objections = std::move(level.objections);
-    }
-    return judgement;
+    way_.resize(actions.size());
+    way_.push_back(After(way_.back(), actions));
+    const Beginning& judged = beginnings_[way_.back()];
+    return {.objections = judged.augmentation ? std::vector<Objection>{} : judged.objections,
+            .moments = 1 + worlds_.moments() - moments};
   }
 
  private:
-  // After so many actions as its index tells.
-  struct Level {
-    Augmentation augmentation;
-    std::vector<Objection> objections;  // to steps that are allowed to fail
+  // The first actions of instances, as they were judged.
+  struct Beginning {
+    plan::Action last = {};
+    std::optional<Augmentation> augmentation = {};  // none: there are too many objections
+    std::vector<Objection> objections = {};         // to steps that fail
+    std::vector<std::size_t> longer = {};           // those by one action
   };
+
+  std::size_t After(std::size_t before, std::span<const plan::Action> actions) {
+    for (const std::size_t known : beginnings_[before].longer) {
+      if (beginnings_[known].last == actions.back()) return known;
+    }
+    beginnings_[before].longer.push_back(beginnings_.size());
+    beginnings_.push_back(Judged(beginnings_[before], actions));
+    return beginnings_.size() - 1;
+  }
+
+  Beginning Judged(const Beginning& before, std::span<const plan::Action> actions) const {
+    Beginning longer = {actions.back(), before.augmentation, before.objections};
+    Augmentation& augmentation = *longer.augmentation;
+    if (!augmentation.Add(plan::StepId(actions.size() - 1), actions.back(), if_unproved_)) {
+      longer.objections.push_back(augmentation.ObjectionToLast());
+    }
+    if (!allowance_.Covers(problem_, actions, longer.objections)) longer.augmentation.reset();
+    return longer;
+  }
 
   const domain::Problem& problem_;
   Worlds& worlds_;
   Allowance allowance_;
   IfUnproved if_unproved_;
-  std::vector<Level> levels_;
+  std::deque<Beginning> beginnings_;    // without any action first
+  std::vector<std::size_t> way_ = {0};  // to what was judged last, by how many actions
 };
 
 class CertifiedPlanning {
