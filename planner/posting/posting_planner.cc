@@ -27,10 +27,11 @@ constexpr int kMostOfOneTurn = 2;
 
 class PostingPlanner {
  public:
-  PostingPlanner(const Problem& problem, const PlannerOptions& options)
+  PostingPlanner(const Problem& problem, const GeometricRelations& relations,
+                 const PlannerOptions& options)
       : problem_(problem),
         options_(options),
-        relations_(problem),
+        relations_(relations),
         partial_plans_(options.partial_plans),
         instance_choices_(options.instance_choices) {
     if (!options.judge) return;
@@ -279,7 +280,7 @@ class PostingPlanner {
 
   const Problem& problem_;
   const PlannerOptions& options_;
-  GeometricRelations relations_;
+  const GeometricRelations& relations_;
   Budget partial_plans_;
   Budget instance_choices_;
   Judge judge_ = {};          // the options', whose moments are counted
@@ -299,7 +300,12 @@ class PostingPlanner {
 }  // namespace
 
 plan::PlanResult MakePlan(const Problem& problem, const PlannerOptions& options) {
-  return PostingPlanner(problem, options).Run();
+  return MakePlan(problem, GeometricRelations(problem), options);
+}
+
+plan::PlanResult MakePlan(const Problem& problem, const GeometricRelations& relations,
+                          const PlannerOptions& options) {
+  return PostingPlanner(problem, relations, options).Run();
 }
 
 }  // namespace assay::posting

@@ -6,6 +6,7 @@
 
 #include "planner/domain/problem.h"
 #include "planner/plan/plan.h"
+#include "planner/posting/geometric_relations.h"
 #include "planner/posting/objection.h"
 
 namespace assay::posting {
@@ -38,5 +39,8 @@ struct PlannerOptions {
 // is nothing yet to judge; then, or when moments are spent, the outcome is kBudget: what a judge
 // objects to proves nothing. The moments are shared out among the limits on the number of actions.
 plan::PlanResult MakePlan(const domain::Problem& problem, const PlannerOptions& options);
+// The same with the problem's geometric relations, which are found once for several searches.
+plan::PlanResult MakePlan(const domain::Problem& problem, const GeometricRelations& relations,
+                          const PlannerOptions& options);
 
 }  // namespace assay::posting

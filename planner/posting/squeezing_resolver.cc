@@ -51,13 +51,15 @@ PartId ObstacleOf(const domain::Problem& problem, const plan::WorldState& state,
 // The part's grasps, those of the tool that leans least first.
 std::vector<GraspId> ByLean(const domain::Part& part, const Pose& X_WorldPart) {
   std::vector<GraspId> order;
-  for (std::size_t g = 0; g < part.grasps->size(); ++g) order.emplace_back(g);
-  const auto height = [&](GraspId id) {  // of the approach's z: -1 is straight down; rounded, so
-                                         // that equal leans compare equal on every machine
-    const Pose X_WorldTool = X_WorldPart * (*part.grasps)[id.index()].X_PartTool;
-    return std::round(X_WorldTool.linear()(2, 2) * 1e9);
-  };
-  std::ranges::stable_sort(order, {}, height);
+  // Of the approach's z: -1 is straight down; rounded, so that equal leans compare equal on every
+  // machine.
+  std::vector<double> heights;
+  for (const Grasp& grasp : *part.grasps) {
+    order.emplace_back(heights.size());
+    const Pose X_WorldTool = X_WorldPart * grasp.X_PartTool;
+    heights.push_back(std::round(X_WorldTool.linear()(2, 2) * 1e9));
+  }
+  std::ranges::stable_sort(order, {}, [&](GraspId id) { return heights[id.index()]; });
   return order;
 }
 

@@ -872,6 +872,7 @@ class CertifiedPlanning {
       : problem_(problem),
         planner_(planner),
         options_(options),
+        relations_(problem),
         worlds_(problem, options),
         best_(problem, options, worlds_) {}
 
@@ -916,7 +917,7 @@ class CertifiedPlanning {
       best_.TakeIfBetter(instance);
       return true;
     };
-    return MakePlan(problem_, first_phase);
+    return MakePlan(problem_, relations_, first_phase);
   }
 
   // The best of the first instances, with whatever errors.
@@ -927,7 +928,7 @@ class CertifiedPlanning {
       if (CanBeExecuted(instance)) best_.Consider(instance);
       return best_.is_proved() || ++considered >= options_.instances;
     };
-    plan::PlanResult result = MakePlan(problem_, first_phase);
+    plan::PlanResult result = MakePlan(problem_, relations_, first_phase);
     if (!best_.is_proved()) best_.ConsiderWaiting();
     return result;
   }
@@ -960,6 +961,7 @@ class CertifiedPlanning {
   const domain::Problem& problem_;
   const PlannerOptions& planner_;
   const UncertaintyOptions& options_;
+  const GeometricRelations relations_;
   Worlds worlds_;
   BestInstance best_;
 };
