@@ -8,7 +8,7 @@
 
 #include "planner/base/budget.h"
 #include "planner/domain/mating_classes.h"
-#include "planner/posting/impossibility.h"
+#include "planner/posting/impossibility/impossibility.h"
 #include "planner/posting/instance.h"
 #include "planner/posting/least_actions.h"
 #include "planner/posting/partial_plan.h"
