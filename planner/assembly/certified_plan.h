@@ -3,7 +3,7 @@
 #include "planner/domain/problem.h"
 #include "planner/plan/plan.h"
 #include "planner/posting/posting_planner.h"
-#include "planner/posting/uncertainty_phase.h"
+#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 
 namespace assay::assembly {
 

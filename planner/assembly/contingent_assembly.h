@@ -7,7 +7,7 @@
 #include "planner/assembly/plan_knowledge.h"
 #include "planner/base/outcome.h"
 #include "planner/contingent/plan_tree.h"
-#include "planner/posting/uncertainty_phase.h"
+#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 
 namespace assay::assembly {
 

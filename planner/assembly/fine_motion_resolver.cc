@@ -8,8 +8,8 @@
 
 #include "planner/assembly/strategy_reach.h"
 #include "planner/finemotion/likely_errors.h"
-#include "planner/posting/moment.h"
-#include "planner/posting/sensing_resolver.h"
+#include "planner/posting/resolvers/moment.h"
+#include "planner/posting/resolvers/sensing_resolver.h"
 
 namespace assay::assembly {
 namespace {

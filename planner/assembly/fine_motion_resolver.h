@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planner/finemotion/mating.h"
-#include "planner/posting/resolver.h"
+#include "planner/posting/resolvers/resolver.h"
 #include "planner/uncertainty/tip_error.h"
 
 namespace assay::assembly {

@@ -4,8 +4,8 @@
 
 #include "planner/assembly/fine_motion_resolver.h"
 #include "planner/base/check.h"
-#include "planner/posting/sensing_resolver.h"
-#include "planner/posting/squeezing_resolver.h"
+#include "planner/posting/resolvers/sensing_resolver.h"
+#include "planner/posting/resolvers/squeezing_resolver.h"
 
 namespace assay::assembly {
 namespace {

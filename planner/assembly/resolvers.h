@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/domain/problem.h"
-#include "planner/posting/resolver.h"
+#include "planner/posting/resolvers/resolver.h"
 #include "planner/uncertainty/uncertain_pose.h"
 
 namespace assay::assembly {

@@ -358,6 +358,26 @@ std::array<Pose, 7> Arm::LinkPoses(const JointVector& q) const {
   return X_BaseLink;
 }
 
+WristJacobian Arm::JacobianAt(const JointVector& q) const {
+  const auto [c1, s1] = Direction::Of(q[0]);
+  const auto [c2, s2] = Direction::Of(q[1]);
+  const auto [c23, s23] = Direction::Of(q[1] + q[2]);
+  const auto [c4, s4] = Direction::Of(q[3]);
+  const auto [c5, s5] = Direction::Of(q[4]);
+  // Axes as in Forward. Of the way to the center, what is along axes 2 and 3 moves it by axis 1
+  // only.
+  const Vector3 x3(c1 * c23, s1 * c23, -s23);
+  const Vector3 y3(-s1, c1, 0);
+  const Vector3 z3(c1 * s23, s1 * s23, c23);
+  const Vector3 forearm = geometry_.a3 * x3 + geometry_.d4 * z3;
+  const Vector3 arm = geometry_.a2 * Vector3(c1 * c2, s1 * c2, -s2) + forearm;
+  WristJacobian at;
+  at.center << Vector3::UnitZ().cross(arm + geometry_.d2 * y3), y3.cross(arm), y3.cross(forearm);
+  at.shoulder << Vector3::UnitZ(), y3, y3;
+  at.wrist << z3, c4 * y3 - s4 * x3, s5 * (c4 * x3 + s4 * y3) + c5 * z3;
+  return at;
+}
+
 InverseSolutions Arm::Inverse(const Pose& X_BaseFlange, const JointVector& reference) const {
   return InverseSolver(geometry_, X_BaseFlange, reference).Solve();
 }

@@ -66,6 +66,14 @@ struct ArmGeometry {
   double d6 = 0;  // wrist centre to flange
 };
 
+// The Jacobian about the wrist's center, which the last three joints leave where it is; in the
+// base's frame.
+struct WristJacobian {
+  Matrix3 center;    // its velocities by the rates of the first three joints, metres
+  Matrix3 shoulder;  // the axes of these
+  Matrix3 wrist;     // and of the last three
+};
+
 // A six-axis arm with parallel shoulder and elbow axes and a spherical wrist, like the Pumas.
 class Arm {
  public:
@@ -85,6 +93,8 @@ class Arm {
   // The poses of all seven links in the base, in the order of model().links: base first, flange
   // last.
   std::array<Pose, 7> LinkPoses(const JointVector& q) const;
+
+  WristJacobian JacobianAt(const JointVector& q) const;
 
   // All joint vectors, without regard to limits, that put the flange at X_BaseFlange: eight
   // inside the reach, none outside. At a singular pose:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
@@ -34,39 +35,24 @@ std::string Dumped(const Json& json, int indentation = -1) {
   return text;
 }
 
-// `write` of each item of a list or an object, with the key before it in the latter.
-template <class Write>
-void ForEachItem(const Json& json, const Write& write) {
-  for (const auto& [key, value] : json.items()) {
-    write(json.is_object() ? Dumped(key) + ": " : "", value);
-  }
-}
+bool IsPlain(char c) { return c >= ' ' && c < 0x7f && c != '"' && c != '\\'; }
 
-std::string OnOneLine(const Json& json) {
-  if (json.is_number_float()) return fmt::format("{}", json.get<double>());
-  if (!json.is_structured()) return Dumped(json);
-  std::string text;
-  ForEachItem(json, [&](const std::string& key, const Json& value) {
-    text += (text.empty() ? "" : ", ") + key + OnOneLine(value);
-  });
-  return json.is_object() ? "{" + text + "}" : "[" + text + "]";
-}
-
+// A list or an object is begun on the line where it stands. Where that line is full, what is
+// written of it is taken back, and each item gets a line of its own.
 class Writer {
  public:
   std::string Write(const Json& json) {
-    Put(json, OnOneLine(json), 0);
+    Put(json, 0);
     return std::move(text_) + "\n";
   }
 
  private:
-  std::size_t column() const { return text_.size() - (text_.rfind('\n') + 1); }
+  std::size_t column() const { return text_.size() - line_; }
 
-  void Put(const Json& json, const std::string& line, std::size_t indentation) {
-    if (!json.is_structured() || column() + line.size() < kColumns) {
-      text_ += line;
-      return;
-    }
+  void Put(const Json& json, std::size_t indentation) {
+    const std::size_t before = text_.size();
+    if (PutOnThisLine(json) || !json.is_structured()) return;
+    text_.resize(before);
     text_ += json.is_object() ? '{' : '[';
     PutItems(json, indentation + kStep);
     NewLine(indentation);
@@ -76,27 +62,80 @@ class Writer {
   void PutItems(const Json& json, std::size_t indentation) {
     const bool is_flat = std::ranges::none_of(json, &Json::is_structured);
     bool is_first = true;
-    ForEachItem(json, [&](const std::string& key, const Json& value) {
-      const std::string line = OnOneLine(value);
+    for (auto item = json.begin(); item != json.end(); ++item) {
       if (!is_first) text_ += ',';
-      const bool fits = column() + key.size() + line.size() + 2 < kColumns;
-      if (is_first || !is_flat || !fits) {
+      if (is_first || !is_flat || !PutBehind(json, item)) {
         NewLine(indentation);
-      } else {
-        text_ += ' ';
+        PutKey(json, item);
+        Put(item.value(), indentation);
       }
       is_first = false;
-      text_ += key;
-      Put(value, line, indentation);
-    });
+    }
+  }
+
+  // On the line of the item before. False, with nothing written, if no comma would fit behind it.
+  bool PutBehind(const Json& json, Json::const_iterator item) {
+    const std::size_t before = text_.size();
+    text_ += ' ';
+    PutKey(json, item);
+    if (PutOnThisLine(item.value()) && column() + 1 < kColumns) return true;
+    text_.resize(before);
+    return false;
+  }
+
+  // False, with a part of it written, if a structure does not fit.
+  bool PutOnThisLine(const Json& json) {
+    if (!json.is_structured()) {
+      PutScalar(json);
+      return true;
+    }
+    text_ += json.is_object() ? '{' : '[';
+    bool is_first = true;
+    for (auto item = json.begin(); item != json.end(); ++item) {
+      if (!is_first) text_ += ", ";
+      is_first = false;
+      PutKey(json, item);
+      if (!PutOnThisLine(item.value()) || column() >= kColumns) return false;
+    }
+    text_ += json.is_object() ? '}' : ']';
+    return column() < kColumns;
+  }
+
+  // What stands before an item of an object.
+  void PutKey(const Json& json, Json::const_iterator item) {
+    if (!json.is_object()) return;
+    PutText(item.key());
+    text_ += ": ";
+  }
+
+  void PutScalar(const Json& json) {
+    if (json.is_number_float()) {
+      fmt::format_to(std::back_inserter(text_), "{}", json.get<double>());
+    } else if (json.is_string()) {
+      PutText(json.get_ref<const std::string&>());
+    } else {
+      text_ += Dumped(json);
+    }
+  }
+
+  void PutText(const std::string& text) {
+    if (std::ranges::all_of(text, IsPlain)) {
+      text_ += '"';
+      text_ += text;
+      text_ += '"';
+    } else {
+      text_ += Dumped(text);
+    }
   }
 
   void NewLine(std::size_t indentation) {
     text_ += '\n';
+    line_ = text_.size();
     text_.append(indentation, ' ');
   }
 
   std::string text_;
+  std::size_t line_ = 0;  // where the last one begins
 };
 
 }  // namespace

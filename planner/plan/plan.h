@@ -28,30 +28,45 @@ struct Hold {
   std::string grasp;  // label, for people
   Pose X_PartTool;
   double width = 0;  // metres between the pads
+
+  bool operator==(const Hold& other) const {  // to the last bit
+    return grasp == other.grasp && X_PartTool.matrix() == other.X_PartTool.matrix() &&
+           width == other.width;
+  }
 };
 
 // Where a part rests.
 struct Place {
   std::string position;  // label of its stable pose, or "initial"
   Pose X_WorldPart;
+
+  bool operator==(const Place& other) const {  // to the last bit
+    return position == other.position && X_WorldPart.matrix() == other.X_WorldPart.matrix();
+  }
 };
 
 struct Pickup {
   PartId part;
   Hold hold;
   Place from;
+
+  bool operator==(const Pickup&) const = default;
 };
 
 struct Putdown {
   PartId part;
   Hold hold;
   Place to;
+
+  bool operator==(const Putdown&) const = default;
 };
 
 struct Assemble {
   MatingId mating;
   Hold hold;    // of the held part
   Place fixed;  // of the fixed part
+
+  bool operator==(const Assemble&) const = default;
 };
 
 // A sensor of the workcell looks at a part that lies free: what is believed of the part's pose is
@@ -60,6 +75,8 @@ struct Sense {
   PartId part;
   std::string sensor;
   Place at;
+
+  bool operator==(const Sense&) const = default;
 };
 
 // The pads close on a part and open again, to bring it to where the hand is: the manipulation that
@@ -68,6 +85,8 @@ struct Squeeze {
   PartId part;
   Hold hold;
   Place at;
+
+  bool operator==(const Squeeze&) const = default;
 };
 
 using Action = std::variant<Pickup, Putdown, Assemble, Sense, Squeeze>;

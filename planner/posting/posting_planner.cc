@@ -8,7 +8,7 @@
 
 #include "planner/base/budget.h"
 #include "planner/domain/mating_classes.h"
-#include "planner/posting/impossibility.h"
+#include "planner/posting/impossibility/impossibility.h"
 #include "planner/posting/instance.h"
 #include "planner/posting/least_actions.h"
 #include "planner/posting/partial_plan.h"
@@ -27,10 +27,11 @@ constexpr int kMostOfOneTurn = 2;
 
 class PostingPlanner {
  public:
-  PostingPlanner(const Problem& problem, const PlannerOptions& options)
+  PostingPlanner(const Problem& problem, const GeometricRelations& relations,
+                 const PlannerOptions& options)
       : problem_(problem),
         options_(options),
-        relations_(problem),
+        relations_(relations),
         partial_plans_(options.partial_plans),
         instance_choices_(options.instance_choices) {
     if (!options.judge) return;
@@ -48,7 +49,7 @@ class PostingPlanner {
     if (least && Deepen(*least)) {
       result.outcome = Outcome::kFound;
       result.plan = std::move(*plan_);
-    } else if (instances_ == 0) {
+    } else if (instances_ == 0 && !judge_) {
       TellWhy(ProveImpossible(problem_), result);
       if (!least && result.outcome != Outcome::kNone && result.limits.empty()) {
         result.limits.push_back("no way is known to the planner, and none is proved not to exist");
@@ -279,7 +280,7 @@ class PostingPlanner {
 
   const Problem& problem_;
   const PlannerOptions& options_;
-  GeometricRelations relations_;
+  const GeometricRelations& relations_;
   Budget partial_plans_;
   Budget instance_choices_;
   Judge judge_ = {};          // the options', whose moments are counted
@@ -299,7 +300,12 @@ class PostingPlanner {
 }  // namespace
 
 plan::PlanResult MakePlan(const Problem& problem, const PlannerOptions& options) {
-  return PostingPlanner(problem, options).Run();
+  return MakePlan(problem, GeometricRelations(problem), options);
+}
+
+plan::PlanResult MakePlan(const Problem& problem, const GeometricRelations& relations,
+                          const PlannerOptions& options) {
+  return PostingPlanner(problem, relations, options).Run();
 }
 
 }  // namespace assay::posting

@@ -6,6 +6,7 @@
 
 #include "planner/domain/problem.h"
 #include "planner/plan/plan.h"
+#include "planner/posting/geometric_relations.h"
 #include "planner/posting/objection.h"
 
 namespace assay::posting {
@@ -35,8 +36,11 @@ struct PlannerOptions {
 // in the way, that they be moved becomes a goal.
 //
 // With a judge, plans of more actions are looked for only as long as parts are in the way, or there
-// is nothing yet to judge; then, or when moments are spent, the outcome is kBudget. The moments are
-// shared out among the limits on the number of actions.
+// is nothing yet to judge; then, or when moments are spent, the outcome is kBudget: what a judge
+// objects to proves nothing. The moments are shared out among the limits on the number of actions.
 plan::PlanResult MakePlan(const domain::Problem& problem, const PlannerOptions& options);
+// The same with the problem's geometric relations, which are found once for several searches.
+plan::PlanResult MakePlan(const domain::Problem& problem, const GeometricRelations& relations,
+                          const PlannerOptions& options);
 
 }  // namespace assay::posting

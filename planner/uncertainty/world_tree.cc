@@ -1,7 +1,5 @@
 #include "planner/uncertainty/world_tree.h"
 
-#include <algorithm>
-#include <tuple>
 #include <utility>
 
 #include "planner/uncertainty/tip_error.h"
@@ -10,34 +8,6 @@ namespace assay::uncertainty {
 namespace {
 
 bool IsSame(const Pose& a, const Pose& b) { return a.matrix() == b.matrix(); }
-
-bool IsSame(const plan::Place& a, const plan::Place& b) {
-  return a.position == b.position && IsSame(a.X_WorldPart, b.X_WorldPart);
-}
-
-bool IsSame(const plan::Hold& a, const plan::Hold& b) {
-  return std::tie(a.grasp, a.width) == std::tie(b.grasp, b.width) &&
-         IsSame(a.X_PartTool, b.X_PartTool);
-}
-
-struct SameAction {
-  bool operator()(const plan::Pickup& a, const plan::Pickup& b) const {
-    return a.part == b.part && IsSame(a.hold, b.hold) && IsSame(a.from, b.from);
-  }
-  bool operator()(const plan::Putdown& a, const plan::Putdown& b) const {
-    return a.part == b.part && IsSame(a.hold, b.hold) && IsSame(a.to, b.to);
-  }
-  bool operator()(const plan::Assemble& a, const plan::Assemble& b) const {
-    return a.mating == b.mating && IsSame(a.hold, b.hold) && IsSame(a.fixed, b.fixed);
-  }
-  bool operator()(const plan::Sense& a, const plan::Sense& b) const {
-    return std::tie(a.part, a.sensor) == std::tie(b.part, b.sensor) && IsSame(a.at, b.at);
-  }
-  bool operator()(const plan::Squeeze& a, const plan::Squeeze& b) const {
-    return a.part == b.part && IsSame(a.hold, b.hold) && IsSame(a.at, b.at);
-  }
-  bool operator()(const auto&, const auto&) const { return false; }
-};
 
 // To the errors: which of them it absorbs, and where it starts and ends.
 bool IsSame(const plan::Strategy* a, const plan::Strategy* b) {
@@ -68,7 +38,7 @@ MomentId WorldTree::After(MomentId before, const plan::Action& action,
                           const plan::Strategy* strategy) {
   for (const MomentId known : At(before).next) {
     const Moment& moment = At(known);
-    if (std::visit(SameAction{}, moment.action, action) && IsSame(moment.way(), strategy)) {
+    if (moment.action == action && IsSame(moment.way(), strategy)) {
       return known;
     }
   }

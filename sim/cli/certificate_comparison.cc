@@ -12,7 +12,7 @@
 #include "planner/plan/certificate_file.h"
 #include "planner/plan/condition_kind.h"
 #include "planner/plan/recovery_file.h"
-#include "planner/posting/verification.h"
+#include "planner/posting/uncertainty_phase/verification.h"
 #include "planner/uncertainty/certify.h"
 #include "sim/cli/certificate_algebra.h"
 #include "sim/cli/certificate_check.h"

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/posting/moment.h"
+#include "planner/posting/resolvers/moment.h"
 #include "sim/cli/usage_error.h"
 
 namespace assay::cli {

@@ -8,7 +8,7 @@
 #include "planner/domain/problem.h"
 #include "planner/plan/checker.h"
 #include "planner/plan/plan.h"
-#include "planner/posting/uncertainty_phase.h"
+#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "sim/scenario/scenario.h"
 
 namespace assay::cli {

@@ -9,7 +9,7 @@
 
 #include "planner/base/document.h"
 #include "planner/domain/uncertainty_operations.h"
-#include "planner/posting/uncertainty_phase.h"
+#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "sim/noise/sampling.h"
 #include "sim/scene/mjcf.h"
 

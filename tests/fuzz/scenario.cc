@@ -1,10 +1,10 @@
 // A scenario file: read, and now and then planned, checked and stepped.
 
+#include "sim/scenario/scenario.h"
 #include "planner/assembly/plan_check.h"
 #include "planner/base/check.h"
 #include "planner/domain/problem_file.h"
-#include "planner/posting/uncertainty_phase.h"
-#include "sim/scenario/scenario.h"
+#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "sim/scene/scene.h"
 #include "tests/fuzz/reader_input.h"
 

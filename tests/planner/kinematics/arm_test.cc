@@ -159,6 +159,28 @@ void ExpectCompleteInverse(const Arm& arm, const JointVector& q) {
   ASSERT_EQ(seen.size(), 8u) << q.transpose();
 }
 
+// Of a chain of rigid links, each turning about its own axis.
+TEST(Jacobian, IsThatOfTheLinks) {
+  RandomStream random(1, "jacobian");
+  for (const Arm& arm : {Puma(), ArmWithElbowOffset(-0.0203)}) {
+    for (int i = 0; i < 1000; ++i) {
+      const JointVector q = RandomJoints(5, random);
+      const std::array<Pose, 7> X_BaseLink = arm.LinkPoses(q);
+      const Vector3 center = X_BaseLink[6] * Vector3(0, 0, -arm.geometry().d6);
+      const WristJacobian jacobian = arm.JacobianAt(q);
+      for (int k = 0; k < 6; ++k) {
+        const Pose& X_BaseJoint = X_BaseLink[k + 1];
+        const Vector3 axis = X_BaseJoint.linear() * arm.model().joints[k].axis;
+        const Vector3 velocity = axis.cross(center - X_BaseJoint.translation());
+        const Matrix3& axes = k < 3 ? jacobian.shoulder : jacobian.wrist;
+        const Vector3 told = k < 3 ? Vector3(jacobian.center.col(k)) : Vector3::Zero();
+        EXPECT_LT((axes.col(k % 3) - axis).norm(), kTight) << k;
+        EXPECT_LT((told - velocity).norm(), kTight) << k;
+      }
+    }
+  }
+}
+
 TEST(Inverse, CompleteOnRandomPoses) {
   RandomStream random(2, "inverse");
   for (int drawn = 0; drawn < 100000;) {

@@ -130,6 +130,31 @@ TEST(LaidOut, ReadsBackAsTheSame) {
   }
 }
 
+// What is spread over several lines, put together again: it would not have fitted on its first one.
+TEST(LaidOut, OnlyWhatDoesNotFitIsSpread) {
+  RandomStream random(kSeed, "spread");
+  int spread = 0;
+  for (int i = 0; i < 100; ++i) {
+    std::istringstream text(LaidOut(RandomJson(random, 5)));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(text, line);) lines.push_back(line);
+    for (std::size_t first = 0; first < lines.size(); ++first) {
+      if (lines[first].back() != '[' && lines[first].back() != '{') continue;
+      const std::size_t indentation = lines[first].find_first_not_of(' ');
+      std::string together = lines[first];
+      for (std::size_t next = first + 1;; ++next) {
+        const std::size_t begin = lines[next].find_first_not_of(' ');
+        together += (together.back() == ',' ? " " : "") + lines[next].substr(begin);
+        if (begin == indentation) break;
+      }
+      if (together.back() == ',') together.pop_back();
+      EXPECT_GE(together.size(), 100u) << together;
+      ++spread;
+    }
+  }
+  EXPECT_GT(spread, 100);
+}
+
 TEST(LaidOut, OnlyWhatCannotBeBrokenIsLonger) {
   RandomStream random(kSeed, "lines");
   for (int i = 0; i < 100; ++i) {

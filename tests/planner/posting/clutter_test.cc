@@ -17,8 +17,8 @@
 #include "planner/base/random.h"
 #include "planner/domain/resting.h"
 #include "planner/plan/checker.h"
-#include "planner/posting/sensing_resolver.h"
-#include "planner/posting/uncertainty_phase.h"
+#include "planner/posting/resolvers/sensing_resolver.h"
+#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "tests/planner/posting/scenarios.h"
 #include "tests/scratch_file.h"
 

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "planner/domain/problem_file.h"
-#include "planner/posting/uncertainty_phase.h"
+#include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 
 namespace assay::check {
 

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "planner/posting/resolvers/resolver.h"
+
+namespace assay::posting {
+
+// Looks at parts whose errors make a goal fail, with one or more of the sensors that may be used,
+// at the latest moment before the step at which the part lies free (Spar, "Satisfying
+// Uncertainty-Reduction Goals").
+class SensingResolver : public Resolver {
+ public:
+  std::string_view name() const override { return "sensing"; }
+  bool disturbs() const override { return false; }
+  std::vector<Remedy> Propose(const UnmetGoals& unmet) override;
+};
+
+}  // namespace assay::posting

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "planner/posting/uncertainty_phase/augmented_steps.h"
+#include "planner/posting/uncertainty_phase/combinations.h"
+#include "planner/posting/uncertainty_phase/shortfall.h"
+#include "planner/posting/uncertainty_phase/uncertainty_task.h"
+
+namespace assay::posting {
+
+// Looks for remedies for one step of which not all goals are proved: the fewest that prove all of
+// them and keep what is proved, sensing first (Spar, "Satisfying Uncertainty-Reduction Goals").
+// Beyond the paper, remedies go in wherever their preconditions hold, not only right before the
+// step, and a remedy may prepare another's own goals.
+class RemedySearch {
+ public:
+  // Whether it is noted what is in the way of remedies.
+  enum class Obstacles { kIgnored, kNoted };
+
+  // All of them must outlive it.
+  RemedySearch(UncertaintyTask& task, const AugmentedSteps& steps, int step, const Unmet& unmet,
+               Obstacles noted);
+
+  // The steps with remedies.
+  struct Mended {
+    AugmentedSteps steps;
+    int step = 0;  // where the mended step is now
+  };
+
+  // With those that prove all goals of the step. Strategies take long to find, and are asked for
+  // where nothing else proves the goals.
+  std::optional<Mended> Proving();
+  // With those that bring the step nearest to being proved without moving parts; after Proving.
+  std::optional<Mended> Nearing();
+
+  std::int64_t combinations() const { return combinations_; }  // that were tried to prove the step
+  // Parts beside which remedies cannot be executed, or not be proved.
+  const std::set<domain::PartId>& obstacles() const { return obstacles_; }
+
+ private:
+  struct Candidate {
+    int resolver = 0;  // index in the options
+    Remedy remedy;
+  };
+  enum class Absorbing { kNo, kYes };
+
+  bool MayBeProved(std::vector<std::string> absorbable) const;
+  std::vector<Candidate> Candidates(Absorbing absorbing);
+  std::optional<Mended> ProvingRemedies(Absorbing absorbing);
+  void NoteWhatFellShort(AugmentedStep& mended);
+  bool Disturbs(const Measure& measure) const;
+  std::vector<Combinable> Items() const;
+  Mended With(const std::vector<int>& chosen) const;
+  std::string NameOf(const Candidate& candidate) const;
+  const Resolver& ResolverOf(int index) const { return *task_.options.resolvers[index]; }
+
+  struct UnprovedStep {
+    int step = 0;
+    uncertainty::MomentId after;
+  };
+  std::optional<UnprovedStep> FirstUnproved(const Mended& mended) const;
+  std::optional<Shortfall> ShortfallAfter(const Mended& mended) const;
+  void NoteNeighbours(uncertainty::MomentId after);
+
+  UncertaintyTask& task_;
+  const AugmentedSteps& steps_;
+  const int step_;
+  const Unmet unmet_;
+  const Obstacles noted_;
+  std::vector<Candidate> candidates_ = {};
+  std::int64_t combinations_ = 0;
+  std::set<domain::PartId> obstacles_ = {};
+};
+
+}  // namespace assay::posting
