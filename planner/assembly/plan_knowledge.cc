@@ -242,9 +242,9 @@ class KnowledgeText {
     return effects;
   }
 
-  // Verifications tell whether the step passes them, and if not, which error is signalled: asked one
-  // after another, the last known by elimination. A recovery leaves all of this as open as before.
-  // What it measures tells of the step only until the next one (none: empty) is done.
+  // Verifications tell whether the step passes them, and if not, which error is signalled: asked
+  // one after another, the last known by elimination. A recovery leaves all of this as open as
+  // before. What it measures tells of the step only until the next one (none: empty) is done.
   void AddVerification(const std::string& step, const std::string& next,
                        const KnowledgeAction& meaning, const std::vector<std::string>& errors) {
     for (const std::string& error : errors) ConstantOf("error", error);
