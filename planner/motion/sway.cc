@@ -26,12 +26,25 @@ constexpr double kWidestCell = 0.25;  // radians of a joint
 // The arm in one posture, as the tool moves with it; about the wrist's center, through which the
 // last three axes pass, in the world's axes.
 struct Differential {
-  Matrix6 inverse;                   // of the Jacobian: joint rates by twists of the tool
+  Matrix6 inverse;                   // A of the Jacobian J: joint rates by twists of the tool
+  std::array<Matrix6, 6> change;     // |A dJ/dq| for each joint
   std::array<double, 6> lever = {};  // of the wrist's center from each joint's axis, metres
 };
 
 Vector3 WristInFlange(const domain::Workcell& workcell) {
   return {0, 0, -workcell.arm().geometry().d6};
+}
+
+// By joint j, whatever is behind it turns about its axis.
+Matrix6 ChangeOf(const Matrix6& jacobian, int j) {
+  const auto velocity = [&](int k) { return Vector3(jacobian.block<3, 1>(0, k)); };
+  const auto axis = [&](int k) { return Vector3(jacobian.block<3, 1>(3, k)); };
+  Matrix6 change;
+  for (int k = 0; k < 6; ++k) {
+    const Vector3 turned = j < k ? Vector3(axis(j).cross(axis(k))) : Vector3::Zero();
+    change.col(k) << axis(std::min(j, k)).cross(velocity(std::max(j, k))), turned;
+  }
+  return change;
 }
 
 Differential DifferentialAt(const domain::Workcell& workcell, const JointVector& q) {
@@ -48,26 +61,31 @@ Differential DifferentialAt(const domain::Workcell& workcell, const JointVector&
     at.lever[k] = velocity.norm();
   }
   at.inverse = jacobian.inverse();
+  for (int j = 0; j < 6; ++j) at.change[j] = (at.inverse * ChangeOf(jacobian, j)).cwiseAbs();
   return at;
 }
 
 // By how much the entries of A J(q) may differ from those of the identity, if no joint is farther
-// from q0 than r: no lever grows, and no axis turns, by more than what the joints before or behind
-// it make of it.
+// from q0 than r: to the first order as J changes at q0. Of second derivatives, those of axes are
+// at most 1, by two joints before them; those of the center's velocity by joint k, by joints j and
+// l, at most the lever of the last of the three, which joints behind it make grow.
 Matrix6 Departure(const Differential& at, const JointVector& r) {
   std::array<double, 6> lever = at.lever;
   for (int k = 5; k >= 0; --k) {
     for (int j = k + 1; j < 6; ++j) lever[k] += r[j] * lever[j];
   }
-  Matrix6 departure;
-  double turned = 0;  // the axis of joint k
+  Matrix6 departure = Matrix6::Zero();
+  double turned = 0;  // by the joints before joint k
   for (int k = 0; k < 6; ++k) {
-    double moved = turned * lever[k];  // the velocity of the center that it gives
-    for (int j = k; j < 6; ++j) moved += r[j] * lever[j];
-    for (int i = 0; i < 6; ++i) {
-      departure(i, k) = moved * at.inverse.block<1, 3>(i, 0).norm() +
-                        turned * at.inverse.block<1, 3>(i, 3).norm();
+    departure += r[k] * at.change[k];
+    double reached = turned + r[k];
+    double bent = reached * reached * lever[k];
+    for (int j = k + 1; j < 6; ++j) {
+      bent += r[j] * (2 * reached + r[j]) * lever[j];
+      reached += r[j];
     }
+    departure.col(k) += bent / 2 * at.inverse.leftCols<3>().rowwise().norm() +
+                        turned * turned / 2 * at.inverse.rightCols<3>().rowwise().norm();
     turned += r[k];
   }
   return departure;
