@@ -109,7 +109,7 @@ class KnowledgeText {
         "# What is known while plans for the scenario {0} are executed.\n"
         "domain assembly\n\n"
         "types: part, pose, step, error\n"
-        "predicates: done(step), moved(part), wentWell(step), signals(step, error), "
+        "predicates: done(step), moved(part), passed(step), signals(step, error), "
         "operatorCalled\n"
         "functions: pose(part): pose, dx(part): number, dy(part): number, theta(part): number\n"
         "constants: {1}\n{2}",
@@ -198,9 +198,9 @@ class KnowledgeText {
     const plan::Plan& plan = plans_[index].plan;
     std::string ready = Both(Requirements(index));
     std::string past;
-    const std::vector<plan::StepId> looks = LooksAtOpenPoses(first_, plan);
-    for (const plan::StepId id : plan.ExecutionOrder()) {
-      if (std::ranges::count(looks, id) > 0) continue;
+    const std::vector<plan::StepId> steps = StepsOf(plan);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      const plan::StepId id = steps[i];
       const std::string step = StepName(index, id);
       constants_["step"].insert(step);
       init_.push_back(fmt::format("add(Kf, !done({}))", step));
@@ -212,11 +212,20 @@ class KnowledgeText {
       past.clear();
       const std::vector<std::string> errors = ErrorsAfter(plan, id);
       if (errors.empty()) continue;
-      AddVerification(step, meaning, errors);
-      ready += fmt::format(" & K(wentWell({}))", step);
-      past = fmt::format(", del(Kf, wentWell({}))", step);
+      const bool is_last = i + 1 == steps.size();
+      AddVerification(step, is_last ? "" : StepName(index, steps[i + 1]), meaning, errors);
+      ready += fmt::format(" & K(passed({}))", step);
+      past = fmt::format(", del(Kf, passed({}))", step);
     }
     goals_.push_back(ready);
+  }
+
+  // As they are executed, but for looks at parts whose pose is open.
+  std::vector<plan::StepId> StepsOf(const plan::Plan& plan) const {
+    const std::vector<plan::StepId> looks = LooksAtOpenPoses(first_, plan);
+    std::vector<plan::StepId> steps = plan.ExecutionOrder();
+    std::erase_if(steps, [&](plan::StepId id) { return std::ranges::count(looks, id) > 0; });
+    return steps;
   }
 
   std::string LeftPose(const plan::PlannedStep& step) {
@@ -233,14 +242,17 @@ class KnowledgeText {
     return effects;
   }
 
-  // A verification tells whether the step went well, and if not, which error it signals: asked one
-  // after another, the last known by elimination. A recovery leaves all of this as open as before.
-  void AddVerification(const std::string& step, const KnowledgeAction& meaning,
-                       const std::vector<std::string>& errors) {
+  // Verifications tell whether the step passes them, and if not, which error is signalled: asked
+  // one after another, the last known by elimination. A recovery leaves all of this as open as
+  // before. What it measures tells of the step only until the next one (none: empty) is done.
+  void AddVerification(const std::string& step, const std::string& next,
+                       const KnowledgeAction& meaning, const std::vector<std::string>& errors) {
     for (const std::string& error : errors) ConstantOf("error", error);
-    AddAction("verify-" + step, WithKind(Kind::kVerify, meaning), fmt::format("K(done({}))", step),
-              fmt::format("add(Kw, wentWell({}))", step));
-    std::string so_far = fmt::format("K(!wentWell({}))", step);
+    const std::string in_time = next.empty() ? "" : fmt::format(" & K(!done({}))", next);
+    AddAction("verify-" + step, WithKind(Kind::kVerify, meaning),
+              fmt::format("K(done({})){}", step, in_time),
+              fmt::format("add(Kw, passed({}))", step));
+    std::string so_far = fmt::format("K(!passed({}))", step);
     for (const std::string& error : errors) {
       std::string signalled = so_far;
       if (error != errors.back()) {
@@ -270,7 +282,7 @@ class KnowledgeText {
   }
 
   std::string ForgetOutcome(const std::string& step, const std::vector<std::string>& errors) {
-    std::string effects = fmt::format("del(Kf, wentWell({}))", step);
+    std::string effects = fmt::format("del(Kf, passed({}))", step);
     for (const std::string& error : errors) {
       if (error == errors.back()) break;
       effects += fmt::format(", del(Kf, signals({}, {}))", step, ConstantOf("error", error));

@@ -22,7 +22,7 @@ struct KnowledgeAction {
     kLook,      // a sensor looks at a part whose pose is open: which pose it has becomes known, and
                 // where it is, as well as the sensor tells
     kStep,      // a step of a plan
-    kVerify,    // the verifications that follow a step: whether it went well
+    kVerify,    // the verifications that follow a step: whether it passes them
     kDiagnose,  // whether what they signal is this error
     kRecover,   // the next try of the step's recovery from an error; how it went is open
     kOperator,  // nothing is prepared: a person takes over
@@ -37,7 +37,7 @@ struct KnowledgeAction {
 };
 
 // Plans seen as knowledge: a contingent planning problem (planner/contingent) in which looks tell
-// the worlds apart, verifications tell whether a step went well, and recoveries lead back to a
+// the worlds apart, verifications tell whether a step passed, and recoveries lead back to a
 // verification. Spar's augmented plan instance becomes one tree. For each part whose pose is open:
 //   pose(part)                 Kx over its poses; a look makes it Kv, if the sensor tells them
 //   apart dx, dy, theta (part)       numeric: the intervals of the part's error variables of
@@ -46,7 +46,7 @@ struct KnowledgeAction {
 //                              certified with that require it
 //   moved(part)                it was picked up: neither is known any more, nor told by a look
 // Looks at other parts, and later ones, are steps of their plans. For each step there is
-// done(step), and for each verified step wentWell(step) and signals(step, error).
+// done(step), and for each verified step passed(step) and signals(step, error).
 struct PlanKnowledge {
   std::string domain;   // .pks
   std::string problem;  // .pks

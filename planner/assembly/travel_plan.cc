@@ -164,10 +164,10 @@ class TravelSearch {
   const std::string& in_the_way() const { return in_the_way_; }  // of what was looked at last
 
  private:
-  // What errors of the tool's pose do to the arm's joints, and to what it carries.
+  // Of the tool's pose, and what they do to the arm's joints.
   struct ArmErrors {
     JointVector joints = JointVector::Zero();
-    double carried = 0;
+    plan::ToolDoubt tool = {};
   };
 
   // Where the tool comes to at safe height before its work, or home.
@@ -186,20 +186,7 @@ class TravelSearch {
     sway = {other.is_bounded, sway.turn.cwiseMax(other.turn), std::min(sway.room, other.room)};
   }
   ArmErrors ErrorsOf(const Way& way) const {
-    const plan::ToolDoubt doubt = doubt_.Or(walk_.doubt_left());
-    const double radius = CarriedRadius();
-    return {way.sway.turn, doubt.shift.norm() + (doubt.turn + doubt.spin) * radius};
-  }
-  // The radius of a ball about the tool that holds hand and held part, metres.
-  double CarriedRadius() const {
-    const Vector3 tool = workcell_.gripper().X_FlangeTool().translation();
-    double radius = 0;
-    for (int i = 0; i < static_cast<int>(scene_.bodies().size()); ++i) {
-      const motion::Body& body = scene_.body(motion::BodyId(i));
-      if (!scene_.IsCarried(motion::BodyId(i))) continue;
-      radius = std::max(radius, (body.center - tool).norm() + body.ball_radius);
-    }
-    return radius;
+    return {way.sway.turn, doubt_.Or(walk_.doubt_left())};
   }
 
   // The arm itself goes along a travel as it is planned.
@@ -209,13 +196,13 @@ class TravelSearch {
   MotionRules OnLines(const Way& way, const ArmErrors& errors) const {
     return {.clearance = clearance_,
             .sway = errors.joints,
-            .carried_sway = errors.carried,
+            .tool = errors.tool,
             .given = {from_, way.down.back()}};
   }
   MotionRules AtWork(const ArmErrors& errors) const {
     return {.clearance = clearance_,
             .sway = errors.joints,
-            .carried_sway = errors.carried,
+            .tool = errors.tool,
             .bodies = MotionRules::Bodies::kArm};
   }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "planner/motion/collision_scene.h"
+#include "planner/plan/tool_doubt.h"
 
 namespace assay::motion {
 
@@ -20,10 +21,11 @@ struct MotionRules {
   // Of every pair of bodies, metres, >= 0; beyond their doubts (Body::doubt).
   double clearance = 0.01;
   std::optional<Upright> upright = {};
-  // Each joint may be so far from where the motion has it, radians: the arm's links keep the
-  // clearance all the same. What it carries may be so far from there, metres.
+  // Each joint may be so far from where the motion has it, radians, and the tool so far, both at
+  // once: everything keeps the clearance all the same. The tool keeps its orientation in a motion
+  // that has such errors.
   JointVector sway = JointVector::Zero();
-  double carried_sway = 0;
+  plan::ToolDoubt tool = {};
   // Postures that are given, as those where straight lines end: what the arm carries may come to
   // anything nearly as near as it is in one of these.
   std::vector<JointVector> given = {};
@@ -57,7 +59,12 @@ std::string Describe(const CollisionScene& scene, const MotionRules& rules,
 // free all along; the others are asked again on each half (Schwarzer, Saha and Latombe, "Adaptive
 // Dynamic Collision Checking for Single and Multiple Articulated Robots", 2005). What comes so near
 // the clearance that this does not end counts as obstructed: paths are refused for as little as
-// kUndecided, never accepted wrongly.
+// kUndecided (kUndecidedOfSway where joints may sway), never accepted wrongly.
+//
+// Where joints may sway, a pair is looked at in a box of those that move its bodies against each
+// other, which is halved likewise. Of what stands, the links from the wrist on are seen from the
+// tool, whose errors are small, and not from the arm's base: their box is of the joints beyond
+// them.
 class MotionCheck {
  public:
   MotionCheck(const CollisionScene& scene, const MotionRules& rules);
@@ -70,13 +77,18 @@ class MotionCheck {
   const MotionRules& rules() const { return rules_; }
   std::int64_t postures() const { return postures_; }  // looked at until now
 
-  static constexpr double kUndecided = 1e-4;  // metres, or radians of tilt
+  static constexpr double kUndecided = 1e-4;        // metres, or radians of tilt
+  static constexpr double kUndecidedOfSway = 1e-3;  // metres
 
  private:
   struct WatchedPair {
     BodyPair pair;
-    double clearance = 0;              // metres
-    CollisionScene::Slabs slabs = {};  // of the posture that was looked at last
+    double clearance = 0;  // metres
+    double most = 0;       // with the tool's errors
+    bool is_seen_from_tool = false;
+    JointVector sway = JointVector::Zero();   // of the joints that move one body against the other
+    JointVector reach = JointVector::Zero();  // of the second body from their axes, metres
+    CollisionScene::Slabs slabs = {};         // of the posture that was looked at last
   };
   struct OpenPair {
     WatchedPair* watched;
@@ -90,9 +102,18 @@ class MotionCheck {
     bool tilt_is_open = false;
   };
 
+  enum class Verdict { kFree, kOpen, kObstructed };
+
   std::vector<WatchedPair> WatchedPairs() const;
-  // By how much the pair may be nearer than it seems, metres.
-  double ErrorsOf(const BodyPair& pair) const;
+  WatchedPair Watched(const BodyPair& pair) const;
+  // How far the tool's errors move a body that moves with it, if that is within `near` of where it
+  // is here: metres.
+  double ErrorOfTool(const Body& body, const LinkPoses& X_BaseLink, double near) const;
+  // At a posture, q, with all that errors may make of it, of a pair whose bodies move by `motion`.
+  Verdict LookAt(const JointVector& q, const LinkPoses& X_BaseLink, double motion,
+                 WatchedPair& watched) const;
+  LinkPoses Swayed(const WatchedPair& watched, const JointVector& q, const LinkPoses& X_BaseLink,
+                   const JointVector& offset) const;
   double Tilt(const LinkPoses& X_BaseLink) const;  // radians
   std::vector<OpenPair> OpenPairs(const JointVector& turn);
   // Takes from the interval what the posture in its middle, q, shows to be free all along it.

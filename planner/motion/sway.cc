@@ -13,8 +13,6 @@
 namespace assay::motion {
 namespace {
 
-using Eigen::Matrix2d;
-using Eigen::Vector2d;
 using geometry::Matrix3;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
@@ -28,82 +26,83 @@ constexpr double kWidestCell = 0.25;  // radians of a joint
 // The arm in one posture, as the tool moves with it; about the wrist's center, through which the
 // last three axes pass, in the world's axes.
 struct Differential {
-  Matrix6 inverse;        // of the Jacobian: joint rates by twists of the tool
-  JointVector per_shift;  // greatest rates of joints by velocities of the center, 1/m
-  JointVector per_turn;   // and by angular velocities
-  Vector3 lever;          // of the wrist's center from the axes of the first three joints, metres
+  Matrix6 inverse;                   // A of the Jacobian J: joint rates by twists of the tool
+  std::array<Matrix6, 6> change;     // |A dJ/dq| for each joint
+  std::array<double, 6> lever = {};  // of the wrist's center from each joint's axis, metres
 };
 
 Vector3 WristInFlange(const domain::Workcell& workcell) {
   return {0, 0, -workcell.arm().geometry().d6};
 }
 
+// By joint j, whatever is behind it turns about its axis.
+Matrix6 ChangeOf(const Matrix6& jacobian, int j) {
+  const auto velocity = [&](int k) { return Vector3(jacobian.block<3, 1>(0, k)); };
+  const auto axis = [&](int k) { return Vector3(jacobian.block<3, 1>(3, k)); };
+  Matrix6 change;
+  for (int k = 0; k < 6; ++k) {
+    const Vector3 turned = j < k ? Vector3(axis(j).cross(axis(k))) : Vector3::Zero();
+    change.col(k) << axis(std::min(j, k)).cross(velocity(std::max(j, k))), turned;
+  }
+  return change;
+}
+
 Differential DifferentialAt(const domain::Workcell& workcell, const JointVector& q) {
-  const kinematics::WristJacobian jacobian = workcell.arm().JacobianAt(q);
-  const Matrix3 R_BaseWorld = workcell.X_WorldBase().linear().transpose();
-  const Matrix3 by_velocity = jacobian.center.inverse() * R_BaseWorld;
-  const Matrix3 by_turn = jacobian.wrist.inverse() * R_BaseWorld;
-  const Matrix3 turned = by_turn * workcell.X_WorldBase().linear() * jacobian.shoulder;
+  const std::array<Pose, 7> X_BaseLink = workcell.arm().LinkPoses(q);
+  const Pose X_WorldFlange = workcell.X_WorldBase() * X_BaseLink.back();
+  const Vector3 center = X_WorldFlange * WristInFlange(workcell);
   Differential at;
-  at.inverse << by_velocity, Matrix3::Zero(), -turned * by_velocity, by_turn;
-  at.per_shift = at.inverse.leftCols<3>().rowwise().norm();
-  at.per_turn = at.inverse.rightCols<3>().rowwise().norm();
-  at.lever = jacobian.center.colwise().norm();
+  Matrix6 jacobian;
+  for (int k = 0; k < 6; ++k) {
+    const Pose X_WorldLink = workcell.X_WorldBase() * X_BaseLink[k + 1];
+    const Vector3 axis = X_WorldLink.linear() * workcell.arm().model().joints[k].axis;
+    const Vector3 velocity = axis.cross(center - X_WorldLink.translation());
+    jacobian.col(k) << velocity, axis;
+    at.lever[k] = velocity.norm();
+  }
+  at.inverse = jacobian.inverse();
+  for (int j = 0; j < 6; ++j) at.change[j] = (at.inverse * ChangeOf(jacobian, j)).cwiseAbs();
   return at;
 }
 
-// A bound M on how much the entries of A J(q) differ from those of the identity. It has rank two,
-// since a joint differs by the velocity that it gives the center, and by its axis.
-struct Departure {
-  const Differential& at;
-  Vector3 moved;       // those velocities, of the first three joints, metres
-  JointVector turned;  // those axes, radians
-
-  // If no joint is farther from q0 than r: no lever grows, and no axis turns, by more than what the
-  // joints before or behind it make of it.
-  static Departure Within(const JointVector& r, const Differential& at) {
-    Departure departure = {at, {}, {}};
-    double turned = 0;
-    for (int k = 0; k < 6; ++k) {
-      departure.turned[k] = turned;
-      turned += r[k];
+// By how much the entries of A J(q) may differ from those of the identity, if no joint is farther
+// from q0 than r: to the first order as J changes at q0. Of second derivatives, those of axes are
+// at most 1, by two joints before them; those of the center's velocity by joint k, by joints j and
+// l, at most the lever of the last of the three, which joints behind it make grow.
+Matrix6 Departure(const Differential& at, const JointVector& r) {
+  std::array<double, 6> lever = at.lever;
+  for (int k = 5; k >= 0; --k) {
+    for (int j = k + 1; j < 6; ++j) lever[k] += r[j] * lever[j];
+  }
+  Matrix6 departure = Matrix6::Zero();
+  double turned = 0;  // by the joints before joint k
+  for (int k = 0; k < 6; ++k) {
+    departure += r[k] * at.change[k];
+    double reached = turned + r[k];
+    double bent = reached * reached * lever[k];
+    for (int j = k + 1; j < 6; ++j) {
+      bent += r[j] * (2 * reached + r[j]) * lever[j];
+      reached += r[j];
     }
-    Vector3 lever = at.lever;
-    double way = 0;  // of the center, by the joint and those behind it
-    for (int k = 2; k >= 0; --k) {
-      lever[k] += way;
-      way += r[k] * lever[k];
-      departure.moved[k] = departure.turned[k] * lever[k] + way;
-    }
-    return departure;
+    departure.col(k) += bent / 2 * at.inverse.leftCols<3>().rowwise().norm() +
+                        turned * turned / 2 * at.inverse.rightCols<3>().rowwise().norm();
+    turned += r[k];
   }
-
-  // M x.
-  JointVector Of(const JointVector& x) const {
-    return moved.dot(x.head<3>()) * at.per_shift + turned.dot(x) * at.per_turn;
-  }
-  // The x = b + M x, by its shares in the two columns that M is made of (Woodbury).
-  JointVector SolvedFor(const JointVector& b) const {
-    Matrix2d shares;
-    shares << 1 - moved.dot(at.per_shift.head<3>()), -moved.dot(at.per_turn.head<3>()),
-        -turned.dot(at.per_shift), 1 - turned.dot(at.per_turn);
-    const Vector2d share = shares.inverse() * Vector2d(moved.dot(b.head<3>()), turned.dot(b));
-    return b + share.x() * at.per_shift + share.y() * at.per_turn;
-  }
-};
+  return departure;
+}
 
 // A bound on what joints turn within a cell, and M for it.
 struct Turning {
   JointVector r;
-  Departure departure;
+  Matrix6 departure;
 };
 
 std::optional<Turning> TurningFor(const Differential& at, const JointVector& twist) {
   const JointVector least = at.inverse.cwiseAbs() * twist;
   JointVector r = kInflation * least;
   for (int guess = 0; guess < kGuesses && r.maxCoeff() < kWidestCell; ++guess) {
-    const Departure departure = Departure::Within(r, at);
-    const JointVector next = least + departure.Of(r);
+    const Matrix6 departure = Departure(at, r);
+    const JointVector next = least + departure * r;
     if ((next.array() <= r.array()).all()) return Turning{next, departure};
     r = kInflation * next;
   }
@@ -223,7 +222,8 @@ class WayCover {
       sway_.is_bounded = cell.halvings < kMostHalvings;
       return Halve(cell, at, twists, open);
     }
-    const JointVector turn = turning->departure.SolvedFor(at.inverse.cwiseAbs() * piece.Errors());
+    const Matrix6 within = Matrix6::Identity() - turning->departure;
+    const JointVector turn = within.partialPivLu().solve(at.inverse.cwiseAbs() * piece.Errors());
     sway_.turn = sway_.turn.cwiseMax(turn);
     sway_.room = std::min(sway_.room, RoomOf(workcell_.arm(), q, turning->r));
   }

@@ -25,11 +25,12 @@ struct Sway {
 // errors. In the middle of a cell the closed form gives the posture q0. As the tool goes from there
 // to another pose of the cell, the joints turn at rates x with J(q) x = b, |b| at most half the
 // cell. With A = J(q0)^-1 that is x = A b + (I - A J(q)) x, so that |x| <= |A| |b| + M |x|, where M
-// bounds |I - A J(q)| by how far axes and levers may have turned. Where some r >= |A| |b| + M r is
-// found, M for joints within r of q0, no joint turns farther than r, and J(q) is never singular:
-// the argument of Krawczyk's test (Moore, "Methods and Applications of Interval Analysis", 1979,
-// 5.4) for a way instead of a root. Cells where none is found are halved. With b for the errors
-// alone, (I - M)^-1 |A| |b| is how far the joints are from where they are planned.
+// bounds |I - A J(q)|: by the derivatives of J at q0, and beyond them by how far axes and levers
+// may turn. Where some r >= |A| |b| + M r is found, M for joints within r of q0, no joint turns
+// farther than r, and J(q) is never singular: the argument of Krawczyk's test (Moore, "Methods and
+// Applications of Interval Analysis", 1979, 5.4) for a way instead of a root. Cells where none is
+// found are halved. With b for the errors alone, (I - M)^-1 |A| |b| is how far the joints are from
+// where they are planned.
 Sway SwayAlong(const domain::Workcell& workcell, const JointPath& path,
                const plan::ToolDoubt& doubt);
 

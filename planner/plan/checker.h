@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/base/input_error.h"
 #include "planner/domain/problem.h"
 #include "planner/plan/plan.h"
 
@@ -10,8 +11,9 @@ namespace assay::plan {
 
 // One thing that is wrong with a plan.
 struct Flaw {
-  StepId step;       // where; None: of the plan as a whole
-  std::string what;  // the broken precondition or geometric condition, with its values
+  StepId step;           // where; None: of the plan as a whole
+  std::string what;      // the broken precondition or geometric condition, with its values
+  FilePlace place = {};  // of the step in the file that it was read from, if it was
 };
 
 struct CheckReport {

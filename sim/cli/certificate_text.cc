@@ -47,6 +47,8 @@ std::string VerificationText(const plan::Plan& plan, const plan::Verification& v
   return text + "\n";
 }
 
+constexpr char kButForWhatIsNotCovered[] = ", but for what is named as not covered";
+
 bool AnyStrategy(const plan::Plan& plan) {
   return std::ranges::any_of(
       plan.steps, [](const plan::PlannedStep& step) { return step.strategy.has_value(); });
@@ -120,9 +122,11 @@ std::string UncertaintyText(const plan::Plan& plan) {
   }
   const std::string summary =
       plan.errors == 0
-          ? fmt::format("Every precondition{} is proved{}.{}",
+          ? fmt::format("Every precondition{} is proved{}{}.{}",
                         plan::IsAsPublished(plan) ? " of the paper" : "",
-                        AnyStrategy(plan) ? " or absorbed" : "", UnaskedText(plan))
+                        AnyStrategy(plan) ? " or absorbed" : "",
+                        plan::NotCovered(plan).empty() ? "" : kButForWhatIsNotCovered,
+                        UnaskedText(plan))
           : fmt::format("Not all preconditions of {} are proved: {} and {} stand by.",
                         Counted(plan.errors, "step", "steps"),
                         Counted(plan.verifications.size(), "verification", "verifications"),

@@ -215,6 +215,17 @@ MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const
   return study;
 }
 
+// A strategy is certain of a fixed part that stays where it is.
+std::string FreeText(const Planning& of) {
+  const domain::Problem& problem = of.task.planned.problem;
+  const domain::Part& fixed = problem.part(problem.mating(of.task.assemble.mating).fixed);
+  if (fixed.clamp > 0) return "";
+  return fmt::format(
+      "nothing but its weight keeps {0} where it is, and what pushes against it may move it: a "
+      "fixture is declared by the key clamp of {0} in the scenario, in newtons\n",
+      fixed.name);
+}
+
 void Try(const kinematics::JointVector& near, const Options& options, Planning& of) {
   if (options.trials == 0 && !options.trial) return;
   const Stopwatch trying;
@@ -224,7 +235,9 @@ void Try(const kinematics::JointVector& near, const Options& options, Planning& 
   of.text += Interruption::Text(std::ssize(of.study->strategy), std::ssize(NumbersOf(options)));
   of.json["trials"] = ToJson(*of.study);
   if (Interruption::Requested()) of.json["interrupted"] = true;
-  if (of.plan.found() && of.study->CoveredFailures() > 0) of.code = ExitCode::kFailed;
+  if (!of.plan.found() || of.study->CoveredFailures() == 0) return;
+  of.code = ExitCode::kFailed;
+  of.text += FreeText(of);
 }
 
 // No proof: another strategy, or another place for the parts, may be one that the arm can execute.

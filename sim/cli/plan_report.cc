@@ -13,8 +13,13 @@ using Json = nlohmann::ordered_json;
 Json ToJson(const plan::Plan& plan, const plan::CheckReport& report) {
   Json flaws = Json::array();
   for (const plan::Flaw& flaw : report.flaws) {
-    flaws.push_back({{"step", flaw.step.IsNone() ? Json() : Json(plan.step(flaw.step).name)},
-                     {"what", flaw.what}});
+    Json told = {{"step", flaw.step.IsNone() ? Json() : Json(plan.step(flaw.step).name)},
+                 {"what", flaw.what}};
+    if (flaw.place.line > 0) {
+      told["line"] = flaw.place.line;
+      told["column"] = flaw.place.column;
+    }
+    flaws.push_back(std::move(told));
   }
   return {{"flaws", flaws}, {"orders", report.linearizations}, {"all_orders", report.all_orders}};
 }

@@ -135,7 +135,8 @@ std::string Text(const plan::Plan& plan, const plan::CheckReport& report) {
   std::string text = fmt::format("flaws: {}\n", report.flaws.size());
   for (const plan::Flaw& flaw : report.flaws) {
     const std::string where = flaw.step.IsNone() ? "plan" : plan.step(flaw.step).name;
-    text += fmt::format("  {}: {}\n", where, flaw.what);
+    const std::string place = flaw.place.line == 0 ? "" : flaw.place.Text() + ": ";
+    text += fmt::format("  {}{}: {}\n", place, where, flaw.what);
   }
   return text;
 }

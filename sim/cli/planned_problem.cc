@@ -34,6 +34,13 @@ std::vector<plan::Flaw> Differences(const PlannedProblem& planned) {
   return DifferencesFromAnew(planned.problem, plan, planned.file());
 }
 
+void Locate(const PlannedProblem& planned, std::vector<plan::Flaw>& flaws) {
+  for (plan::Flaw& flaw : flaws) {
+    const auto step = static_cast<std::size_t>(flaw.step.index());
+    if (!flaw.step.IsNone() && step < planned.places.size()) flaw.place = planned.places[step];
+  }
+}
+
 void RequireGoal(const Document& document, const domain::Problem& problem) {
   if (!problem.goals.empty()) return;
   throw InputError({.file = document.file()},
@@ -54,8 +61,16 @@ PlannedProblem ReadPlan(const Document& plan_file, const fs::path& models) {
   const fs::path path = FindScenario(plan::ScenarioOf(plan_file), plan_file.file());
   scenario::Scenario scenario = scenario::Load(path, models);
   plan::PlanResult result = plan::ReadPlan(plan_file, scenario.problem);
-  return {path.string(), std::move(scenario.problem), std::move(scenario.simulation),
-          std::move(result), plan_file.file()};
+  std::vector<FilePlace> places;
+  for (const Value& action : plan_file.root().At("actions").Items()) {
+    places.push_back(action.Place());
+  }
+  return {path.string(),
+          std::move(scenario.problem),
+          std::move(scenario.simulation),
+          std::move(result),
+          plan_file.file(),
+          std::move(places)};
 }
 
 PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
@@ -92,6 +107,7 @@ plan::CheckReport CheckPlan(const PlannedProblem& planned) {
   plan::CheckReport report = CheckPlan(planned.problem, planned.result.plan);
   std::ranges::move(ClaimFlaws(planned), std::back_inserter(report.flaws));
   if (report.flaws.empty()) report.flaws = Differences(planned);
+  Locate(planned, report.flaws);
   return report;
 }
 
@@ -101,6 +117,7 @@ std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned) {
   std::ranges::move(plan::FlawsOfCoverage(planned.result.plan), std::back_inserter(flaws));
   const bool can_be_executed = plan::Check(planned.problem, planned.result.plan, 1).flaws.empty();
   if (flaws.empty() && can_be_executed) flaws = Differences(planned);
+  Locate(planned, flaws);
   return flaws;
 }
 

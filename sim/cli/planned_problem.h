@@ -19,7 +19,8 @@ struct PlannedProblem {
   domain::Problem problem;
   scenario::Simulation simulation;
   plan::PlanResult result;
-  std::string plan_file = {};  // path; empty: the plan was made for the scenario
+  std::string plan_file = {};          // path; empty: the plan was made for the scenario
+  std::vector<FilePlace> places = {};  // of the steps in it
 
   const std::string& file() const { return plan_file.empty() ? scenario : plan_file; }
 };

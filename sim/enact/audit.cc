@@ -55,7 +55,7 @@ std::vector<FalseClaim> Audit::FalseRelations(KnowledgeBase& knowledge, const Kn
     std::vector<std::string> literals;
     for (const int variable : worlds.Support(relation)) {
       const AtomId atom = worlds.AtomOf(variable);
-      if (interpretation_.MeaningOf(atom) == nullptr) continue;
+      if (!IsAudited(atom)) continue;
       truths.push_back({variable, IsTrue(atom, truth)});
       atoms.push_back(task.atoms[atom.index()]);
       literals.push_back(TextOf(task, contingent::GroundLiteral{atom, truths.back().value}));
@@ -97,7 +97,7 @@ std::vector<FalseClaim> Audit::FalseAtoms(const KnowledgeBase& knowledge,
   for (std::size_t i = 0; i < interpretation_.task.atoms.size(); ++i) {
     const AtomId atom(i);
     if (knowledge.layout().IsUndetermined(state, atom)) continue;
-    if (interpretation_.MeaningOf(atom) == nullptr) continue;
+    if (!IsAudited(atom)) continue;
     const bool claimed = knowledge.layout().IsKnown(state, {atom, true});
     const bool is_true = IsTrue(atom, truth);
     if (claimed != is_true)
@@ -107,6 +107,11 @@ std::vector<FalseClaim> Audit::FalseAtoms(const KnowledgeBase& knowledge,
 }
 
 bool Audit::IsGoalTrue(const Truth& truth) const { return Holds(interpretation_.task.goal, truth); }
+
+bool Audit::IsAudited(AtomId atom) const {
+  const Meaning* const meaning = interpretation_.MeaningOf(atom);
+  return meaning != nullptr && meaning->IsAudited();
+}
 
 bool Audit::IsTrue(AtomId atom, const Truth& truth) const {
   const contingent::GroundAtom& ground = interpretation_.task.ground_atoms[atom.index()];
@@ -126,7 +131,7 @@ bool Audit::Holds(const GroundQuery& query, const Truth& truth) const {
     case GroundQuery::Kind::kOr:
       return std::ranges::any_of(query.operands, holds);
     case GroundQuery::Kind::kKnown:
-      return interpretation_.MeaningOf(query.literal.atom) == nullptr ||
+      return !IsAudited(query.literal.atom) ||
              IsTrue(query.literal.atom, truth) == query.literal.is_positive;
     case GroundQuery::Kind::kBoundKnown:
       return interpretation_.QuantityOf(query.bound.function) == nullptr ||

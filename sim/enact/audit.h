@@ -17,10 +17,10 @@ struct FalseClaim {
   std::string truth = {};  // of numbers and relations, in words
 };
 
-// What a knowledge state claims to know, against the simulator: every atom with a meaning that is
-// known to be true or known to be false; every relation of Kx, in which atoms without a meaning may
-// be either; the interval of every numeric function that is a quantity of the workcell; and if its
-// value counts as sensed, that it has been read, within the error.
+// What a knowledge state claims to know, against the simulator: every atom about what is so
+// (Meaning::IsAudited) that is known to be true or known to be false; every relation of Kx, in which
+// other atoms may be either; the interval of every numeric function that is a quantity of the
+// workcell; and if its value counts as sensed, that it has been read, within the error.
 class Audit {
  public:
   // Keep references.
@@ -45,6 +45,7 @@ class Audit {
   std::vector<FalseClaim> FalseNumbers(const contingent::KnowledgeBase& knowledge,
                                        const contingent::KnowledgeState& state, const Truth& truth,
                                        const Readings& readings, int step) const;
+  bool IsAudited(contingent::AtomId atom) const;
   bool IsTrue(contingent::AtomId atom, const Truth& truth) const;
   // Of one that is a quantity of the workcell.
   double TrueValue(contingent::FunctionId function, const Truth& truth) const;

@@ -226,7 +226,7 @@ class KnowledgeFile {
 };
 
 // A scenario without the key `knowledge`: what is to be known are its open poses, and whether steps
-// of its plans went well.
+// of its plans pass their verifications.
 KnowledgeScenario ReadPlanned(const Document& document, const std::filesystem::path& models) {
   auto planned = std::make_shared<PlannedWorlds>();
   planned->worlds = domain::ReadWorlds(document, models, {});

@@ -36,6 +36,8 @@ class Meaning {
   // What it lacks to mean something of these arguments; empty: nothing.
   virtual std::string Lacks(const Roles&) const { return {}; }
   virtual bool IsTrue(const Truth& truth, const Roles& roles) const = 0;
+  // Whether it is about what is so. Otherwise it is about what was told: audits do not ask it.
+  virtual bool IsAudited() const { return true; }
   // Whether there are sensors that tell it.
   virtual bool IsTold() const { return false; }
   // By what sensors have told; none: that is too little, or the sensor's error leaves it open.

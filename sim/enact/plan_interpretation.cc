@@ -227,14 +227,15 @@ class OfStep : public Meaning {
   Planned planned_;
 };
 
-class WentWell : public OfStep {
+class Passed : public OfStep {
  public:
   using OfStep::OfStep;
 
-  bool IsTrue(const Truth& truth, const Roles& roles) const override {
-    return std::visit([&](const auto& action) { return IsTrueAfter(truth, action); },
-                      PlanOf(roles).step(StepOf(roles)).action);
+  bool IsTrue(const Truth&, const Roles&) const override {
+    ASSAY_CHECK(false, "no audit asks what was told");
+    return false;
   }
+  bool IsAudited() const override { return false; }
   bool IsTold() const override { return true; }
   std::optional<bool> Told(const Readings& readings, const Roles& roles) const override {
     const auto found = readings.errors.find(roles.symbols.front());
@@ -245,28 +246,6 @@ class WentWell : public OfStep {
   std::optional<bool> IsTrueIn(const HiddenWorld& world, const Roles& roles) const override {
     return !world.mishap || world.mishap->action != roles.symbols.front();
   }
-
- private:
-  static bool IsTrueAfter(const Truth& truth, const plan::Pickup& pickup) {
-    const scene::Scene& scene = truth.scene;
-    const exec::Pose X_PartTool =
-        scene.TruePose(truth.data, pickup.part).inverse() * scene.ToolPose(truth.data);
-    return scene.Touching(truth.data, pickup.part, scene.left_finger()) &&
-           scene.Touching(truth.data, pickup.part, scene.right_finger()) &&
-           geometry::AngleBetween(X_PartTool.linear(), pickup.hold.X_PartTool.linear()) <
-               kNearlyTurned;
-  }
-  static bool IsTrueAfter(const Truth& truth, const plan::Putdown& putdown) {
-    const exec::Pose X_WorldPart = truth.scene.TruePose(truth.data, putdown.part);
-    const exec::Pose& wanted = putdown.to.X_WorldPart;
-    return std::abs(X_WorldPart.translation().z() - wanted.translation().z()) < kNear &&
-           X_WorldPart.linear().row(2).dot(wanted.linear().row(2)) > std::cos(kNearlyTurned);
-  }
-  static bool IsTrueAfter(const Truth& truth, const plan::Assemble& assemble) {
-    return IsMated(truth, assemble.mating);
-  }
-  static bool IsTrueAfter(const Truth&, const plan::Sense&) { return true; }
-  static bool IsTrueAfter(const Truth&, const plan::Squeeze&) { return true; }
 };
 
 class Signals : public OfStep {
@@ -316,7 +295,7 @@ Interpretation InterpretationOf(Planned planned) {
     interpretation.skills[name] = SkillOf(planned, action);
   }
   interpretation.meanings["pose"] = std::make_unique<IsPosed>(planned);
-  interpretation.meanings["wentWell"] = std::make_unique<WentWell>(planned);
+  interpretation.meanings["passed"] = std::make_unique<Passed>(planned);
   interpretation.meanings["signals"] = std::make_unique<Signals>(planned);
   interpretation.meanings["done"] = nullptr;
   interpretation.meanings["moved"] = nullptr;

@@ -20,11 +20,12 @@ struct PlannedWorlds {
 // part has, by the camera; steps of plans are executed, verified and recovered from like anywhere
 // (exec::StepExecution). Predicates, of the present:
 //   pose(part) = p       the part is nearest to that one of the poses that it may have
-//   wentWell(step)       after a pickup: both fingers touch the part, and it is not turned in
-//                        the hand, within kNearlyTurned; after a putdown or an assembly: the part
-//                        is where the plan has it, within kNear
 //   signals(step, e)     what is measured, truly is so
-// and of what is done: nothing is audited.
+// and of what is done and told, which no audit asks:
+//   passed(step)         the verifications that follow the step signalled nothing. Whether the step
+//                        went well is not claimed: an opening tells nothing of a part that has
+//                        turned between the pads, nor a height of one that leans. If it did not,
+//                        later verifications or the goal tell.
 Interpretation InterpretationOf(std::shared_ptr<const PlannedWorlds> planned);
 
 inline constexpr double kNear = 0.003;         // metres

@@ -140,7 +140,12 @@ TEST_F(FlawedPlan, IsFoundOut) {
   const Ended ended = Assay({"check", file_, "--json"});
   EXPECT_EQ(ended.code, 12) << ended.err;
   EXPECT_EQ(ended.Json()["files"][0]["holds"], false);
-  EXPECT_THAT(ended.Json()["files"][0]["check"]["flaws"], Not(IsEmpty()));
+  const auto flaws = ended.Json()["files"][0]["check"]["flaws"];
+  ASSERT_THAT(flaws, Not(IsEmpty()));
+  // The file is one line.
+  EXPECT_EQ(flaws[0]["line"], 1);
+  EXPECT_GT(flaws[0]["column"], 1);
+  EXPECT_THAT(Assay({"check", file_}).out, HasSubstr("  " + file_ + ":1:"));
 }
 
 TEST_F(FlawedPlan, IsNotExecuted) {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 
 #include "planner/contingent/contingent_planner.h"
@@ -35,11 +36,10 @@ class FallenPeg : public testing::Test {
         Load(ASSAY_SOURCE_DIR "/scenarios/fallen-peg.yaml", ASSAY_SOURCE_DIR "/models");
     return scenario;
   }
-  // The same with pads that may be so smooth that no pickup is proved: each is verified.
-  static KnowledgeScenario WithDoubtfulPads() {
+  // The same with another line in its file.
+  static KnowledgeScenario With(const std::string& line) {
     std::ostringstream text;
-    text << std::ifstream(ASSAY_SOURCE_DIR "/scenarios/fallen-peg.yaml").rdbuf()
-         << "tolerances: {pad_friction: 0.145}\n";
+    text << std::ifstream(ASSAY_SOURCE_DIR "/scenarios/fallen-peg.yaml").rdbuf() << line << '\n';
     const std::filesystem::path file = ScratchFile("fallen-peg.yaml");
     std::filesystem::create_directories(file.parent_path());
     std::ofstream(file) << text.str();
@@ -91,7 +91,8 @@ TEST_F(FallenPeg, ErrorBranchesAreComeTo) {
 // Pads that close on opposite corners of the peg's plate stay wider open than they should, and hold
 // it so.
 TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
-  const KnowledgeScenario scenario = WithDoubtfulPads();
+  // Too weak to be proved to hold the peg: its pickup is verified.
+  const KnowledgeScenario scenario = With("rules: {grip_force: 25}");
   const Interpretation& interpretation = scenario.interpretation;
   const PlannedWorlds& planned = *interpretation.planned;
   const int standing = 1;
@@ -105,6 +106,41 @@ TEST_F(FallenPeg, AnOpeningThatIsTooWideIsATurnedPart) {
   EXPECT_EQ(mishap.action, too_wide->step);
   // The plate is 3 inches wide and 1 inch thick; it leans a little.
   EXPECT_NEAR(std::abs(mishap.turn), std::atan2(1, 3), 0.02);
+
+  const EnactedTrial trial =
+      RunTrial(scenario, planned.assembly.tree,
+               {1, {.masses = {}, .colors = {}, .world = standing, .mishap = mishap}}, {.seed = 1});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kOperator) << trial.reason;
+  EXPECT_THAT(trial.reason, testing::HasSubstr("error2"));
+  EXPECT_FALSE(trial.IsFailed());
+}
+
+// What is measured once another step is done tells nothing of the one before. All ways through the
+// tree are followed, of pads that may be so smooth that every step is verified.
+TEST_F(FallenPeg, VerificationsAreOfTheStepThatWasDoneLast) {
+  const KnowledgeScenario scenario = With("tolerances: {pad_friction: 0.145}");
+  const PlannedWorlds& planned = *scenario.interpretation.planned;
+  const contingent::GroundTask& task = scenario.interpretation.task;
+  int verified = 0;
+  std::set<std::pair<contingent::NodeId, std::string>> seen;
+  std::vector<std::pair<contingent::NodeId, std::string>> open = {{planned.assembly.tree.root, ""}};
+  while (!open.empty()) {
+    auto [id, last] = open.back();
+    open.pop_back();
+    if (!seen.emplace(id, last).second) continue;
+    const contingent::PlanNode& node = planned.assembly.tree.node(id);
+    if (node.kind == contingent::PlanNode::Kind::kAct) {
+      const std::string& name = task.actions[node.action.index()].name;
+      const assembly::KnowledgeAction& action = planned.assembly.knowledge.actions.at(name);
+      if (action.kind == assembly::KnowledgeAction::Kind::kStep) last = action.name;
+      if (action.kind == assembly::KnowledgeAction::Kind::kVerify) {
+        EXPECT_EQ(action.name, last);
+        ++verified;
+      }
+    }
+    for (const contingent::NodeId child : node.children) open.emplace_back(child, last);
+  }
+  EXPECT_GE(verified, 4);
 }
 
 // A sensor that says of the peg what it is told to say, one after the other; nothing if that is
