@@ -10,6 +10,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/shaft_fit.h"
 #include "planner/plan/condition_kind.h"
+#include "planner/uncertainty/mating_end.h"
 #include "planner/uncertainty/release.h"
 #include "planner/uncertainty/sensing.h"
 #include "planner/uncertainty/squeezing.h"
@@ -101,14 +102,17 @@ class StepCertifier {
     const Expression table = world_.DrawTableHeight(putdown.part);
     Before(putdown.part, grasp);
     RestingError error = Release(world_, putdown.part, putdown.hold, grasp, draw, X_WorldPart);
+    const Expression farther = error.displacement[2] - table;
     error.displacement[2] = table;
     if (decides()) {
       Require(LandingPreconditions(world_, putdown.part, putdown.hold, grasp, X_WorldPart, table,
                                    error));
       RequireHolding(putdown.part, putdown.hold, world_.held(), Turning::kAny);
-      RequireHandClear({putdown.part}, X_WorldPart * putdown.hold.X_PartTool, PartId::None(),
-                       putdown.hold, draw);
     }
+    RequireSound([&] {
+      return HandClearanceAtPutdown(world_, {putdown.part, putdown.hold, draw, X_WorldPart,
+                                             -Vector3::UnitZ(), farther, error});
+    });
     RequireSound([&] {
       return StandingPreconditions(world_, putdown.part, putdown.hold, draw, X_WorldPart, error, 0);
     });
@@ -129,12 +133,11 @@ class StepCertifier {
         Require(TipPreconditions(world_, assemble.mating, assemble.hold, grasp, *strategy_));
       }
       RequireHolding(mating.held, assemble.hold, world_.held(), Turning::kAny);
-      RequireHandClear({mating.held, mating.fixed}, X_WorldHeld * assemble.hold.X_PartTool,
-                       mating.fixed, assemble.hold, draw);
     }
     const RestingError error =
         strategy_ != nullptr ? LedToSeat(world_, assemble.mating)
                              : ReleaseInSeat(world_, assemble.mating, assemble.hold, grasp, draw);
+    RequireClearMating(assemble, draw, grasp, error);
     RequireStanding(assemble, draw, X_WorldHeld, error);
     if (strategy_ == nullptr) DragFixed(world_, assemble.mating, assemble.hold, draw);
     world_.SetResting(mating.held, X_WorldHeld, error,
@@ -173,8 +176,8 @@ class StepCertifier {
     const HeldError held = ClosePads(world_, part, hold, draw);
     if (decides()) {
       Require(GraspPreconditions(world_, part, hold, draw, held));
-      RequireHandClear({part}, world_.X_WorldPart(part) * hold.X_PartTool, part, hold, draw);
     }
+    RequireSound([&] { return HandClearanceAtGrasp(world_, part, hold, draw, held); });
     RequireSound([&] { return ClosingPreconditions(world_, part, hold, draw, held); });
     return held;
   }
@@ -204,13 +207,21 @@ class StepCertifier {
     RequireSound([&] { return FixedPreconditions(world_, assemble.mating, released, strategy_); });
   }
 
-  // `guide`: the part by whose believed pose the hand goes; None where it goes as planned.
-  void RequireHandClear(const std::vector<PartId>& handled, const Pose& X_WorldTool, PartId guide,
-                        const plan::Hold& hold, const ManipulatorError& draw) {
-    if (!decides() || world_.propagation() == Propagation::kPaper) return;
-    const BeliefShift shift =
-        guide.IsNone() ? BeliefShift{} : world_.ShiftAt(guide, X_WorldTool.translation());
-    Require(HandClearancePreconditions(world_, handled, X_WorldTool, shift, hold.width, draw));
+  // Of the hand that opens, and of the held part on its way.
+  void RequireClearMating(const plan::Assemble& assemble, const ManipulatorError& draw,
+                          const Transform& grasp, const RestingError& released) {
+    const domain::Mating& mating = world_.problem().mating(assemble.mating);
+    RequireSound([&] {
+      const MatingEnd end = MatingEndOf(world_, assemble.mating, assemble.hold, grasp);
+      const Pose X_WorldHeld = world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
+      return HandClearanceAtMating(
+          world_, assemble.mating,
+          {mating.held, assemble.hold, draw, X_WorldHeld, end.motion, end.farther, released},
+          strategy_ != nullptr);
+    });
+    if (strategy_ != nullptr) return;  // its own certificate is about all of the two parts
+    RequireSound(
+        [&] { return PassingPreconditions(world_, assemble.mating, assemble.hold, grasp); });
   }
 
   void Require(const std::vector<Precondition>& preconditions) {
