@@ -28,7 +28,7 @@ constexpr auto kKinds = std::to_array<ConditionKind>({
     {"slide-in", Quantity::kLength, NeededBy::kMating, true},
     {"tilt", Quantity::kAngle, NeededBy::kMating, true},
     {"seat", Quantity::kLength, NeededBy::kMating, true},
-    {"passing clear", Quantity::kLength, NeededBy::kStraightMating, false, kNothingNear},
+    {"passing clear", Quantity::kLength, NeededBy::kMating, false, kNothingNear},
     {"fixed stands", Quantity::kRatio, NeededBy::kMating, false},
     {"fixed stays", Quantity::kRatio, NeededBy::kMating, false},
     {"tip shift", Quantity::kLength, NeededBy::kStrategy, true},
@@ -60,8 +60,6 @@ bool Needs(NeededBy who, const Action& action, const Strategy* strategy) {
       return is_putdown || is_assemble;
     case NeededBy::kMating:
       return is_assemble;
-    case NeededBy::kStraightMating:
-      return is_assemble && strategy == nullptr;
     case NeededBy::kStrategy:
       return is_assemble && strategy != nullptr;
   }

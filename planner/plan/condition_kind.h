@@ -14,15 +14,14 @@ enum class Quantity { kLength, kAngle, kRatio };  // metres, radians, a ratio
 
 // The steps that need a kind of precondition.
 enum class NeededBy {
-  kGrasp,           // pickup, squeeze
-  kCarrying,        // what has a part in the hand as the hand travels: pickup, putdown, assemble
-  kHandWork,        // everything with the hand: all but sense
-  kWay,             // whatever the arm goes to: every step
-  kPutdown,         //
-  kRelease,         // what lets a part go where it stays: putdown, assemble
-  kMating,          // assemble, straight or by a strategy
-  kStraightMating,  // assemble without one
-  kStrategy,        // assemble by a strategy
+  kGrasp,     // pickup, squeeze
+  kCarrying,  // what has a part in the hand as the hand travels: pickup, putdown, assemble
+  kHandWork,  // everything with the hand: all but sense
+  kWay,       // whatever the arm goes to: every step
+  kPutdown,   //
+  kRelease,   // what lets a part go where it stays: putdown, assemble
+  kMating,    // assemble, straight or by a strategy
+  kStrategy,  // assemble by a strategy
 };
 
 // A kind of uncertainty-reduction precondition (planner/uncertainty/precondition.h says what each

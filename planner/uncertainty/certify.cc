@@ -219,9 +219,7 @@ class StepCertifier {
           {mating.held, assemble.hold, draw, X_WorldHeld, end.motion, end.farther, released},
           strategy_ != nullptr);
     });
-    if (strategy_ != nullptr) return;  // its own certificate is about all of the two parts
-    RequireSound(
-        [&] { return PassingPreconditions(world_, assemble.mating, assemble.hold, grasp); });
+    RequireSound([&] { return PassingPreconditions(world_, assemble, grasp, strategy_); });
   }
 
   void Require(const std::vector<Precondition>& preconditions) {

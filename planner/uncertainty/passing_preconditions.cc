@@ -5,6 +5,7 @@
 #include "planner/algebra/simplify.h"
 #include "planner/domain/part_model.h"
 #include "planner/domain/shaft_fit.h"
+#include "planner/plan/tool_route.h"
 #include "planner/uncertainty/clearance.h"
 #include "planner/uncertainty/mating_end.h"
 #include "planner/uncertainty/precondition.h"
@@ -57,43 +58,80 @@ class FitPieces {
   geometry::Polygon section_;
 };
 
+// Where the held part goes straight, as if nothing were believed anew.
+struct WayIn {
+  PossibleFrame end;  // of the part, in the world
+  Vector3 back;       // from there to where it begins
+};
+
+// As the hand has it.
+double AngleOfHeld(const UncertainWorld& world) {
+  const HeldError& held = world.held();
+  double angle = Magnitude(world.problem().gripper_error.theta);
+  for (const Expression* turned : {&held.skew, &held.tip, &held.twist}) {
+    angle += Magnitude(world.RangeOf(*turned));
+  }
+  return angle;
+}
+
+WayIn WayToSeat(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+                const Transform& X_ToolGrasp) {
+  const domain::Mating& mating = world.problem().mating(id);
+  const MatingEnd end = MatingEndOf(world, id, hold, X_ToolGrasp);
+  return {{world.X_WorldPart(mating.fixed) * mating.X_FixedHeld, algebra::Simplify(end.Seated()),
+           AngleOfHeld(world)},
+          -LengthOfWay(world, id, end.farther) * end.motion};
+}
+
+// To where the strategy starts; what comes then is its own.
+WayIn WayToStrategy(const UncertainWorld& world, const plan::Assemble& assemble,
+                    const Transform& X_ToolGrasp, const plan::Strategy& strategy) {
+  const domain::Mating& mating = world.problem().mating(assemble.mating);
+  const plan::ToolRoute route =
+      plan::RouteOf(world.problem(), assemble, strategy, world.X_WorldPart(mating.fixed));
+  const Pose& start = route.to_work.back();
+  const Pose& X_PartTool = assemble.hold.X_PartTool;
+  return {{start * X_PartTool.inverse(),
+           algebra::Simplify(PossibleHeldPose(start, X_ToolGrasp, X_PartTool)), AngleOfHeld(world)},
+          route.poised.translation() - start.translation()};
+}
+
 class PassingConditions {
  public:
-  PassingConditions(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
-                    const Transform& X_ToolGrasp)
+  PassingConditions(const UncertainWorld& world, domain::MatingId id, const WayIn& way)
       : world_(world),
         mating_(world.problem().mating(id)),
         held_model_(*world.problem().part(mating_.held).model),
-        end_(MatingEndOf(world, id, hold, X_ToolGrasp)),
-        back_(-LengthOfWay(world, id, end_.farther) * end_.motion),
-        held_(Seated(world, mating_, end_)) {}
+        way_(way) {}
 
   // But for shafts and the walls of their holes, and for what lies ahead of the held part even at
-  // the end: what meets first there is its seat.
-  void RequireClearOfFixed() {
+  // its seat: what meets first there is the seat.
+  void RequireClearOfFixed(bool to_seat) {
     const std::vector<ShaftFit> fits = domain::FitsOf(world_.problem(), mating_);
     const std::vector<FitPieces> pieces(fits.begin(), fits.end());
+    const auto are_to_meet = [&](const Box& of_held, const Box& of_fixed) {
+      return to_seat &&
+             (IsAhead(of_fixed, of_held) || std::ranges::any_of(pieces, [&](const FitPieces& fit) {
+                return fit.Has(of_held, of_fixed);
+              }));
+    };
     const PossibleFrame fixed = BelievedFrameOf(world_, mating_.fixed);
-    const Clearance clearance = ClearOf(mating_.fixed, PartId::None(), held_, fixed);
+    const Clearance clearance = ClearOf(mating_.fixed, PartId::None(), way_.end, fixed);
     for (const Box& of_held : held_model_.boxes()) {
-      const Body body(held_, of_held, WayOf(world_, back_, 0));
+      const Body body(way_.end, of_held, WayOf(world_, way_.back, 0));
       for (const Box& of_fixed : world_.problem().part(mating_.fixed).model->boxes()) {
-        if (IsAhead(of_fixed, of_held)) continue;
-        if (std::ranges::any_of(pieces,
-                                [&](const FitPieces& fit) { return fit.Has(of_held, of_fixed); })) {
-          continue;
-        }
+        if (are_to_meet(of_held, of_fixed)) continue;
         RequireApart(body, Body(fixed, of_fixed), clearance, conditions_);
       }
     }
   }
 
   void RequireClearOf(PartId neighbour) {
-    const BeliefShift shift = world_.ShiftAt(mating_.fixed, held_.planned.translation());
-    const PossibleFrame held = Shifted(world_, held_, shift);
+    const BeliefShift shift = world_.ShiftAt(mating_.fixed, way_.end.planned.translation());
+    const PossibleFrame held = Shifted(world_, way_.end, shift);
     const PossibleFrame other = FrameOf(world_, neighbour);
     const Clearance clearance = ClearOf(neighbour, neighbour, held, other);
-    const StraightWay way = WayOf(world_, back_, shift.turn);
+    const StraightWay way = WayOf(world_, way_.back, shift.turn);
     for (const Box& of_held : held_model_.boxes()) {
       const Body body(held, of_held, way);
       for (const Box& box : world_.problem().part(neighbour).model->boxes()) {
@@ -105,17 +143,6 @@ class PassingConditions {
   std::vector<Precondition> Take() { return conditions_.Take(); }
 
  private:
-  // Where the hand has it once it meets its seat.
-  static PossibleFrame Seated(const UncertainWorld& world, const domain::Mating& mating,
-                              const MatingEnd& end) {
-    double angle = Magnitude(world.problem().gripper_error.theta);
-    for (const Expression* turned : {&world.held().skew, &world.held().tip, &world.held().twist}) {
-      angle += Magnitude(world.RangeOf(*turned));
-    }
-    return {world.X_WorldPart(mating.fixed) * mating.X_FixedHeld, algebra::Simplify(end.Seated()),
-            angle};
-  }
-
   bool IsAhead(const Box& of_fixed, const Box& of_held) const {
     const Vector3 motion = mating_.mating_vector.normalized();
     const double front = GreatestAlong(motion, of_held.Transformed(mating_.X_FixedHeld));
@@ -136,20 +163,22 @@ class PassingConditions {
   const UncertainWorld& world_;
   const domain::Mating& mating_;
   const domain::PartModel& held_model_;
-  const MatingEnd end_;
-  Vector3 back_;  // from the seat to where the motion starts, in the world
-  PossibleFrame held_;
+  const WayIn& way_;
   Preconditions conditions_;
 };
 
 }  // namespace
 
-std::vector<Precondition> PassingPreconditions(const UncertainWorld& world, domain::MatingId id,
-                                               const plan::Hold& hold,
-                                               const Transform& X_ToolGrasp) {
-  const domain::Mating& mating = world.problem().mating(id);
-  PassingConditions conditions(world, id, hold, X_ToolGrasp);
-  conditions.RequireClearOfFixed();
+std::vector<Precondition> PassingPreconditions(const UncertainWorld& world,
+                                               const plan::Assemble& assemble,
+                                               const Transform& X_ToolGrasp,
+                                               const plan::Strategy* strategy) {
+  const domain::Mating& mating = world.problem().mating(assemble.mating);
+  const WayIn way = strategy != nullptr
+                        ? WayToStrategy(world, assemble, X_ToolGrasp, *strategy)
+                        : WayToSeat(world, assemble.mating, assemble.hold, X_ToolGrasp);
+  PassingConditions conditions(world, assemble.mating, way);
+  conditions.RequireClearOfFixed(strategy == nullptr);
   for (int p = 0; p < static_cast<int>(world.problem().parts.size()); ++p) {
     const PartId other(p);
     if (other != mating.held && other != mating.fixed) conditions.RequireClearOf(other);

@@ -152,12 +152,14 @@ std::vector<Precondition> HandClearanceAtMating(const UncertainWorld& world,
                                                 domain::MatingId mating, const LettingGo& work,
                                                 bool is_led);
 
-// Of assemble that goes straight, in sound mode:
+// Of assemble, in sound mode:
 //   passing clear    a plane keeps each piece of the held part, all along the mating motion, and
 //                    each piece of every other part apart; but for shafts in their holes, and for
-//                    what of the fixed part lies ahead even at the seat
-std::vector<Precondition> PassingPreconditions(const UncertainWorld& world, domain::MatingId mating,
-                                               const plan::Hold& hold,
-                                               const Transform& X_ToolGrasp);
+//                    what of the fixed part lies ahead even at the seat. `strategy`: null if the
+//                    motion goes straight to the seat; else it goes to where the strategy starts
+std::vector<Precondition> PassingPreconditions(const UncertainWorld& world,
+                                               const plan::Assemble& assemble,
+                                               const Transform& X_ToolGrasp,
+                                               const plan::Strategy* strategy);
 
 }  // namespace assay::uncertainty
