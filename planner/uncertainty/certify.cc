@@ -75,7 +75,7 @@ class StepCertifier {
 
   void operator()(const plan::Pickup& pickup) {
     const ManipulatorError draw = world_.DrawManipulator();
-    const HeldError held = RequireGrasp(pickup.part, pickup.hold, draw);
+    const HeldError held = RequireGrasp(pickup.part, pickup.hold, draw, false);
     RequireHolding(pickup.part, pickup.hold, held, Turning::kNone);
     world_.SetHeld(pickup.part, held);
     After(pickup.part, PossibleGrasp(held, draw, world_.propagation()));
@@ -83,7 +83,7 @@ class StepCertifier {
 
   void operator()(const plan::Squeeze& squeeze) {
     const ManipulatorError draw = world_.DrawManipulator();
-    const HeldError held = RequireGrasp(squeeze.part, squeeze.hold, draw);
+    const HeldError held = RequireGrasp(squeeze.part, squeeze.hold, draw, true);
     const BeliefShift shift = world_.shift(squeeze.part);
     const Expression height = world_.resting(squeeze.part).displacement[2];
     world_.SetHeld(squeeze.part, held);
@@ -171,13 +171,14 @@ class StepCertifier {
     certified_.certificate.after.push_back(ErrorSetOf(world_, part, where...));
   }
 
-  HeldError RequireGrasp(PartId part, const plan::Hold& hold, const ManipulatorError& draw) {
+  HeldError RequireGrasp(PartId part, const plan::Hold& hold, const ManipulatorError& draw,
+                         bool opens_again) {
     Before(part);
     const HeldError held = ClosePads(world_, part, hold, draw);
     if (decides()) {
       Require(GraspPreconditions(world_, part, hold, draw, held));
     }
-    RequireSound([&] { return HandClearanceAtGrasp(world_, part, hold, draw, held); });
+    RequireSound([&] { return HandClearanceAtGrasp(world_, part, hold, draw, held, opens_again); });
     RequireSound([&] { return ClosingPreconditions(world_, part, hold, draw, held); });
     return held;
   }

@@ -19,17 +19,6 @@ Expression Along(const Vector3& direction, const SymbolicVector& p) {
   return direction.x() * p[0] + direction.y() * p[1] + direction.z() * p[2];
 }
 
-// From where to where the body reaches along a direction, in the plan.
-Interval ReachAlong(const Vector3& direction, const Body& body) {
-  Interval reach = {std::numeric_limits<double>::infinity(),
-                    -std::numeric_limits<double>::infinity()};
-  for (const Body::Point& p : body.points()) {
-    const double along = direction.dot(p.planned);
-    reach = {std::min(reach.low, along), std::max(reach.high, along)};
-  }
-  return reach;
-}
-
 bool IsNone(const BeliefShift& shift) {
   return shift.turn.IsConstant(0) &&
          std::ranges::all_of(shift.displacement, [](const auto& d) { return d.IsConstant(0); });
@@ -39,43 +28,44 @@ PossibleFrame FrameOf(const UncertainWorld& world, const Pose& planned, const Re
   return {planned, PossiblePose(planned, error), Magnitude(world.RangeOf(error.theta))};
 }
 
-// The plane that leaves the widest gap between two bodies beyond what displacements may take.
+// The plane that leaves the widest gap between two bodies beyond what displacements may take; the
+// first that leaves enough will do.
 class WidestGap {
  public:
-  WidestGap(const Body& from, const Body& to, const Vector3& displacement)
-      : from_(from), to_(to), displacement_(displacement) {}
+  WidestGap(const Body& from, const Body& to, const Vector3& displacement, double enough)
+      : from_(from), to_(to), displacement_(displacement), enough_(enough) {}
 
-  void TrySides() {
+  bool TrySides() {
     for (int i = 0; i < 3; ++i) {
-      Try(from_.axes().col(i));
-      Try(to_.axes().col(i));
+      if (Try(from_.axes().col(i)) || Try(to_.axes().col(i))) return true;
     }
+    return false;
   }
-  void TryEdges() {
-    TryEdges(from_, from_);
-    TryEdges(to_, to_);
-    TryEdges(from_, to_);
-  }
+  bool TryEdges() { return TryEdges(from_, from_) || TryEdges(to_, to_) || TryEdges(from_, to_); }
 
-  double gap() const { return gap_; }  // negative if there is none
   const Vector3& direction() const { return direction_; }
 
  private:
   // Edges of one body make its faces; those of a box are known.
-  void TryEdges(const Body& a, const Body& b) {
-    if (&a == &b && a.edges().size() == 3) return;
-    for (const Vector3& of_a : a.edges()) {
-      for (const Vector3& of_b : b.edges()) Try(of_a.cross(of_b));
-    }
+  bool TryEdges(const Body& a, const Body& b) {
+    const std::vector<Vector3> of_a = a.Edges();
+    if (&a == &b && of_a.size() == 3) return false;
+    const std::vector<Vector3> of_b = b.Edges();
+    return std::ranges::any_of(of_a, [&](const Vector3& along_a) {
+      return std::ranges::any_of(
+          of_b, [&](const Vector3& along_b) { return Try(along_a.cross(along_b)); });
+    });
   }
-  void Try(const Vector3& normal) {
-    if (normal.norm() < kParallelEdges) return;
-    const Vector3 direction = normal.normalized();
+  bool Try(const Vector3& normal) {
+    const double length = normal.norm();
+    if (length < kParallelEdges) return false;
+    const Vector3 direction = normal / length;
     const double displaced = displacement_.dot(direction.cwiseAbs());
-    const Interval from = ReachAlong(direction, from_);
-    const Interval to = ReachAlong(direction, to_);
+    const Interval from = from_.ReachAlong(direction);
+    const Interval to = to_.ReachAlong(direction);
     Widen(to.low - from.high - displaced, direction);
     Widen(from.low - to.high - displaced, -direction);
+    return gap_ > enough_;
   }
   void Widen(double gap, const Vector3& direction) {
     if (!(gap > gap_)) return;
@@ -86,6 +76,7 @@ class WidestGap {
   const Body& from_;
   const Body& to_;
   const Vector3& displacement_;
+  double enough_;
   double gap_ = -std::numeric_limits<double>::infinity();
   Vector3 direction_ = Vector3::UnitZ();
 };
@@ -125,18 +116,26 @@ StraightWay WayOf(const UncertainWorld& world, const Vector3& planned, const Exp
 }
 
 Body::Body(const PossibleFrame& frame, const geometry::Box& box, const StraightWay& way)
-    : frame_(&frame), way_(way), axes_(frame.planned.linear() * box.X_FrameBox.linear()) {
-  for (int i = 0; i < 3; ++i) edges_.push_back(axes_.col(i));
-  const bool goes = way.planned.norm() > 0;
-  if (goes) edges_.push_back(way.planned.normalized());
-  double radius = 0;
-  for (const Vector3& corner : box.Corners()) {
-    const Vector3 planned = frame.planned * corner;
-    points_.push_back({corner, planned, false});
-    if (goes) points_.push_back({corner, planned + way.planned, true});
-    radius = std::max(radius, corner.norm());
-  }
+    : frame_(&frame),
+      box_(box),
+      way_(way),
+      axes_(frame.planned.linear() * box.X_FrameBox.linear()),
+      middle_(frame.planned * box.X_FrameBox.translation()) {
+  const double radius = box.X_FrameBox.translation().norm() + box.half_extents.norm();
   turned_ = radius * frame.angle + way.doubt;
+}
+
+std::vector<Vector3> Body::Edges() const {
+  std::vector<Vector3> edges = {axes_.col(0), axes_.col(1), axes_.col(2)};
+  if (way_.planned.norm() > 0) edges.push_back(way_.planned.normalized());
+  return edges;
+}
+
+Interval Body::ReachAlong(const Vector3& direction) const {
+  const double middle = direction.dot(middle_);
+  const double half = (axes_.transpose() * direction).cwiseAbs().dot(box_.half_extents);
+  const double way = direction.dot(way_.planned);
+  return {middle - half + std::min(way, 0.0), middle + half + std::max(way, 0.0)};
 }
 
 SymbolicVector Body::Possible(const Point& point) const {
@@ -147,15 +146,20 @@ SymbolicVector Body::Possible(const Point& point) const {
 // One that is surely behind another one is not: they are displaced alike, and turned, one against
 // the other, by no more than their distance allows.
 std::vector<Body::Point> Body::Foremost(const Vector3& direction) const {
+  std::vector<Point> points;
+  for (const Vector3& corner : box_.Corners()) {
+    const Vector3 planned = frame_->planned * corner;
+    points.push_back({corner, planned, false});
+    if (way_.planned.norm() > 0) points.push_back({corner, planned + way_.planned, true});
+  }
+  const auto is_behind = [&](const Point& p, const Point& other) {
+    const double way = other.at_far_end != p.at_far_end ? way_.doubt : 0;
+    return direction.dot(other.planned - p.planned) >
+           frame_->angle * (other.local - p.local).norm() + way + kAhead;
+  };
   std::vector<Point> foremost;
-  std::ranges::copy_if(points_, std::back_inserter(foremost), [&](const Point& p) {
-    return std::ranges::none_of(points_, [&](const Point& other) {
-      const double apart = (other.local - p.local).norm();
-      const double doubt =
-          frame_->angle * apart + (other.at_far_end != p.at_far_end ? way_.doubt : 0);
-      const double ahead = direction.dot(other.planned - p.planned);
-      return ahead > doubt + kAhead;
-    });
+  std::ranges::copy_if(points, std::back_inserter(foremost), [&](const Point& p) {
+    return std::ranges::none_of(points, [&](const Point& other) { return is_behind(p, other); });
   });
   return foremost;
 }
@@ -164,11 +168,8 @@ void RequireApart(const Body& a, const Body& b, const Clearance& clearance,
                   Preconditions& conditions) {
   const double turned = a.turned() + b.turned();
   const Vector3 displacement = clearance.displacement + clearance.slack;
-  WidestGap widest(a, b, displacement);
-  widest.TrySides();
-  if (widest.gap() > turned) return;
-  widest.TryEdges();
-  if (widest.gap() > turned) return;
+  WidestGap widest(a, b, displacement, turned);
+  if (widest.TrySides() || widest.TryEdges()) return;
   const Vector3& best = widest.direction();
   const double slack = clearance.slack.dot(best.cwiseAbs());
   const double reach = displacement.dot(best.cwiseAbs()) + turned;

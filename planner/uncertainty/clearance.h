@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <string>
 #include <vector>
 
+#include "planner/base/interval.h"
 #include "planner/geometry/box.h"
 #include "planner/uncertainty/precondition.h"
 
@@ -49,22 +49,24 @@ class Body {
     Vector3 planned;  // where the plan has it
     bool at_far_end = false;
   };
-  const std::vector<Point>& points() const { return points_; }
   SymbolicVector Possible(const Point& point) const;
   // Those that may be the farthest along a direction.
   std::vector<Point> Foremost(const Vector3& direction) const;
-  const std::vector<Vector3>& edges() const { return edges_; }  // directions, as planned
-  const geometry::Matrix3& axes() const { return axes_; }       // of the box, as planned
+
+  // As planned.
+  const geometry::Matrix3& axes() const { return axes_; }  // of the box
+  std::vector<Vector3> Edges() const;                      // their directions
+  Interval ReachAlong(const Vector3& direction) const;     // from where to where it reaches
   // How far its points may be off, in any direction, for other reasons than that the frame is
   // displaced.
   double turned() const { return turned_; }
 
  private:
   const PossibleFrame* frame_;
+  geometry::Box box_;
   StraightWay way_;
   geometry::Matrix3 axes_;
-  std::vector<Vector3> edges_;
-  std::vector<Point> points_;
+  Vector3 middle_;  // of the box, as planned
   double turned_ = 0;
 };
 

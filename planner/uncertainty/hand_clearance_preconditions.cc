@@ -66,6 +66,8 @@ double AngleOf(const UncertainWorld& world, const HeldError& held) {
 
 class HandConditions {
  public:
+  enum class Leaves { kYes, kNo };
+
   // `tool`: where the hand may be as its pads close or open, if nothing were believed anew.
   HandConditions(const UncertainWorld& world, PartId handled, const plan::Hold& hold,
                  const PossibleFrame& tool)
@@ -95,16 +97,17 @@ class HandConditions {
 
   // The part between the pads, where it rests.
   void RequireClearOfTaken() {
-    RequireClearOfHandled(tool_, BelievedFrameOf(world_, handled_), Vector3::Zero());
+    RequireClearOfHandled(tool_, BelievedFrameOf(world_, handled_), Vector3::Zero(), Leaves::kYes);
   }
 
-  // The same where it is in the closed hand; `slack` in the world's axes.
-  void RequireClearOfHeld(const HeldError& held, const Vector3& slack) {
+  // The same where it is in the closed hand; `slack` in the world's axes. `leaves`: whether the
+  // open hand then goes away without it.
+  void RequireClearOfHeld(const HeldError& held, const Vector3& slack, Leaves leaves) {
     const Pose planned = hold_.X_PartTool.inverse();
     RequireClearOfHandled({Pose::Identity(), {}, 0},
                           {planned, algebra::Simplify(GraspInHand(held) * AsTransform(planned)),
                            AngleOf(world_, held)},
-                          tool_.planned.linear().transpose().cwiseAbs() * slack);
+                          tool_.planned.linear().transpose().cwiseAbs() * slack, leaves);
   }
 
   std::vector<Precondition> Take() { return conditions_.Take(); }
@@ -138,15 +141,17 @@ class HandConditions {
   }
 
   void RequireClearOfHandled(const PossibleFrame& tool, const PossibleFrame& frame,
-                             const Vector3& slack) {
+                             const Vector3& slack, Leaves leaves) {
     const Clearance clearance = {ClearOf(handled_), DisplacementBetween(world_, tool, frame),
                                  slack};
+    std::vector<Body> passing;
+    for (const Box& piece : hand_.palm) passing.emplace_back(tool, piece);
+    for (const Box& piece : hand_.open) {
+      if (leaves == Leaves::kYes) passing.emplace_back(tool, piece);
+    }
     for (const Box& box : world_.problem().part(handled_).model->boxes()) {
       const Body other(frame, box);
-      for (const auto* boxes : {&hand_.palm, &hand_.open}) {
-        for (const Box& piece : *boxes)
-          RequireApart(Body(tool, piece), other, clearance, conditions_);
-      }
+      for (const Body& body : passing) RequireApart(body, other, clearance, conditions_);
       for (const Box& piece : hand_.closing) {
         if (LiesBehindPad(box, piece)) continue;
         RequireApart(Body(tool, piece), other, clearance, conditions_);
@@ -158,10 +163,10 @@ class HandConditions {
   // pad meets it where it is meant to, or not at all.
   bool LiesBehindPad(const Box& of_part, const Box& of_finger) const {
     const double side = of_finger.X_FrameBox.translation().y() > 0 ? 1 : -1;
-    const Pose X_ToolPart = hold_.X_PartTool.inverse();
-    return std::ranges::all_of(of_part.Corners(), [&](const Vector3& corner) {
-      return side * (X_ToolPart * corner).y() <= hold_.width / 2 + kFlush;
-    });
+    const Box in_tool = of_part.Transformed(hold_.X_PartTool.inverse());
+    const double half =
+        in_tool.X_FrameBox.linear().row(1).cwiseAbs().dot(in_tool.half_extents.transpose());
+    return side * in_tool.X_FrameBox.translation().y() + half <= hold_.width / 2 + kFlush;
   }
 
   Statement ClearOf(PartId part) const {
@@ -220,13 +225,15 @@ PossibleFrame ToolLed(const UncertainWorld& world, const LettingGo& work) {
 
 std::vector<Precondition> HandClearanceAtGrasp(const UncertainWorld& world, PartId part,
                                                const plan::Hold& hold, const ManipulatorError& draw,
-                                               const HeldError& held) {
+                                               const HeldError& held, bool opens_again) {
   const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
   HandConditions conditions(world, part, hold, ToolTold(world, X_WorldTool, draw));
   conditions.RequireClearOfOthers({part}, world.ShiftAt(part, X_WorldTool.translation()),
                                   Vector3::Zero());
   conditions.RequireClearOfTaken();
-  conditions.RequireClearOfHeld(held, Vector3::Zero());
+  conditions.RequireClearOfHeld(
+      held, Vector3::Zero(),
+      opens_again ? HandConditions::Leaves::kYes : HandConditions::Leaves::kNo);
   return conditions.Take();
 }
 
@@ -234,7 +241,8 @@ std::vector<Precondition> HandClearanceAtPutdown(const UncertainWorld& world,
                                                  const LettingGo& work) {
   HandConditions conditions(world, work.part, work.hold, ToolAtEnd(world, work));
   conditions.RequireClearOfOthers({work.part}, {}, Vector3::Zero());
-  conditions.RequireClearOfHeld(world.held(), MovesAsLetGo(world, work));
+  conditions.RequireClearOfHeld(world.held(), MovesAsLetGo(world, work),
+                                HandConditions::Leaves::kYes);
   return conditions.Take();
 }
 
@@ -252,7 +260,7 @@ std::vector<Precondition> HandClearanceAtMating(const UncertainWorld& world, dom
   conditions.RequireClearOfOthers({mating.held, mating.fixed},
                                   world.ShiftAt(mating.fixed, tool.planned.translation()), way_in);
   conditions.RequireClearOfFixed(mating.fixed, way_in, moves.array() + dragged);
-  conditions.RequireClearOfHeld(world.held(), moves);
+  conditions.RequireClearOfHeld(world.held(), moves, HandConditions::Leaves::kYes);
   return conditions.Take();
 }
 

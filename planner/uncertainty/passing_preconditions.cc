@@ -152,11 +152,12 @@ class PassingConditions {
   Clearance ClearOf(PartId part, PartId neighbour, const PossibleFrame& held,
                     const PossibleFrame& other) const {
     const domain::Problem& problem = world_.problem();
+    const double yields = problem.workcell->rules().lateral_compliance;
     return {
         {"passing clear", fmt::format("{} passes {} on its way in", problem.part(mating_.held).name,
                                       problem.part(part).name)},
         DisplacementBetween(world_, held, other),
-        Vector3::Constant(problem.workcell->rules().lateral_compliance),
+        Vector3::Constant(yields + problem.tolerances.clearance),
         neighbour};
   }
 

@@ -144,7 +144,7 @@ struct LettingGo {
 //                    the fixed part of a mating, and what is beside it: also on the way in.
 std::vector<Precondition> HandClearanceAtGrasp(const UncertainWorld& world, PartId part,
                                                const plan::Hold& hold, const ManipulatorError& draw,
-                                               const HeldError& held);
+                                               const HeldError& held, bool opens_again);
 std::vector<Precondition> HandClearanceAtPutdown(const UncertainWorld& world,
                                                  const LettingGo& work);
 // `is_led`: by a strategy, to which the hand yields.
