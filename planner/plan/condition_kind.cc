@@ -28,6 +28,7 @@ constexpr auto kKinds = std::to_array<ConditionKind>({
     {"slide-in", Quantity::kLength, NeededBy::kMating, true},
     {"tilt", Quantity::kAngle, NeededBy::kMating, true},
     {"seat", Quantity::kLength, NeededBy::kMating, true},
+    {"passing clear", Quantity::kLength, NeededBy::kMating, false, kNothingNear},
     {"fixed stands", Quantity::kRatio, NeededBy::kMating, false},
     {"fixed stays", Quantity::kRatio, NeededBy::kMating, false},
     {"tip shift", Quantity::kLength, NeededBy::kStrategy, true},

@@ -14,7 +14,8 @@ constexpr char kServos[] = "oscillation of the servos while a part is carried";
 constexpr char kPushes[] = "pads that slide, and an arm that does not follow, as a strategy pushes";
 
 constexpr char kBeside[] =
-    "parts beside the two that are mated: on the way in they are kept clear of without errors only";
+    "parts beside the two that are mated: as a strategy runs they are kept clear of without errors "
+    "only";
 
 struct NotCoveredOf {
   const PlannedStep& step;
@@ -23,7 +24,7 @@ struct NotCoveredOf {
   std::vector<std::string> operator()(const Putdown&) const { return {}; }
   std::vector<std::string> operator()(const Assemble&) const {
     if (step.strategy) return {kBeside, kPushes};
-    return {kBeside};
+    return {};
   }
   std::vector<std::string> operator()(const Sense&) const { return {}; }
   std::vector<std::string> operator()(const Squeeze&) const { return {}; }

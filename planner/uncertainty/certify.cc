@@ -10,6 +10,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/shaft_fit.h"
 #include "planner/plan/condition_kind.h"
+#include "planner/uncertainty/mating_end.h"
 #include "planner/uncertainty/release.h"
 #include "planner/uncertainty/sensing.h"
 #include "planner/uncertainty/squeezing.h"
@@ -74,7 +75,7 @@ class StepCertifier {
 
   void operator()(const plan::Pickup& pickup) {
     const ManipulatorError draw = world_.DrawManipulator();
-    const HeldError held = RequireGrasp(pickup.part, pickup.hold, draw);
+    const HeldError held = RequireGrasp(pickup.part, pickup.hold, draw, false);
     RequireHolding(pickup.part, pickup.hold, held, Turning::kNone);
     world_.SetHeld(pickup.part, held);
     After(pickup.part, PossibleGrasp(held, draw, world_.propagation()));
@@ -82,7 +83,7 @@ class StepCertifier {
 
   void operator()(const plan::Squeeze& squeeze) {
     const ManipulatorError draw = world_.DrawManipulator();
-    const HeldError held = RequireGrasp(squeeze.part, squeeze.hold, draw);
+    const HeldError held = RequireGrasp(squeeze.part, squeeze.hold, draw, true);
     const BeliefShift shift = world_.shift(squeeze.part);
     const Expression height = world_.resting(squeeze.part).displacement[2];
     world_.SetHeld(squeeze.part, held);
@@ -101,14 +102,17 @@ class StepCertifier {
     const Expression table = world_.DrawTableHeight(putdown.part);
     Before(putdown.part, grasp);
     RestingError error = Release(world_, putdown.part, putdown.hold, grasp, draw, X_WorldPart);
+    const Expression farther = error.displacement[2] - table;
     error.displacement[2] = table;
     if (decides()) {
       Require(LandingPreconditions(world_, putdown.part, putdown.hold, grasp, X_WorldPart, table,
                                    error));
       RequireHolding(putdown.part, putdown.hold, world_.held(), Turning::kAny);
-      RequireHandClear({putdown.part}, X_WorldPart * putdown.hold.X_PartTool, PartId::None(),
-                       putdown.hold, draw);
     }
+    RequireSound([&] {
+      return HandClearanceAtPutdown(world_, {putdown.part, putdown.hold, draw, X_WorldPart,
+                                             -Vector3::UnitZ(), farther, error});
+    });
     RequireSound([&] {
       return StandingPreconditions(world_, putdown.part, putdown.hold, draw, X_WorldPart, error, 0);
     });
@@ -129,12 +133,11 @@ class StepCertifier {
         Require(TipPreconditions(world_, assemble.mating, assemble.hold, grasp, *strategy_));
       }
       RequireHolding(mating.held, assemble.hold, world_.held(), Turning::kAny);
-      RequireHandClear({mating.held, mating.fixed}, X_WorldHeld * assemble.hold.X_PartTool,
-                       mating.fixed, assemble.hold, draw);
     }
     const RestingError error =
         strategy_ != nullptr ? LedToSeat(world_, assemble.mating)
                              : ReleaseInSeat(world_, assemble.mating, assemble.hold, grasp, draw);
+    RequireClearMating(assemble, draw, grasp, error);
     RequireStanding(assemble, draw, X_WorldHeld, error);
     if (strategy_ == nullptr) DragFixed(world_, assemble.mating, assemble.hold, draw);
     world_.SetResting(mating.held, X_WorldHeld, error,
@@ -168,13 +171,14 @@ class StepCertifier {
     certified_.certificate.after.push_back(ErrorSetOf(world_, part, where...));
   }
 
-  HeldError RequireGrasp(PartId part, const plan::Hold& hold, const ManipulatorError& draw) {
+  HeldError RequireGrasp(PartId part, const plan::Hold& hold, const ManipulatorError& draw,
+                         bool opens_again) {
     Before(part);
     const HeldError held = ClosePads(world_, part, hold, draw);
     if (decides()) {
       Require(GraspPreconditions(world_, part, hold, draw, held));
-      RequireHandClear({part}, world_.X_WorldPart(part) * hold.X_PartTool, part, hold, draw);
     }
+    RequireSound([&] { return HandClearanceAtGrasp(world_, part, hold, draw, held, opens_again); });
     RequireSound([&] { return ClosingPreconditions(world_, part, hold, draw, held); });
     return held;
   }
@@ -204,13 +208,19 @@ class StepCertifier {
     RequireSound([&] { return FixedPreconditions(world_, assemble.mating, released, strategy_); });
   }
 
-  // `guide`: the part by whose believed pose the hand goes; None where it goes as planned.
-  void RequireHandClear(const std::vector<PartId>& handled, const Pose& X_WorldTool, PartId guide,
-                        const plan::Hold& hold, const ManipulatorError& draw) {
-    if (!decides() || world_.propagation() == Propagation::kPaper) return;
-    const BeliefShift shift =
-        guide.IsNone() ? BeliefShift{} : world_.ShiftAt(guide, X_WorldTool.translation());
-    Require(HandClearancePreconditions(world_, handled, X_WorldTool, shift, hold.width, draw));
+  // Of the hand that opens, and of the held part on its way.
+  void RequireClearMating(const plan::Assemble& assemble, const ManipulatorError& draw,
+                          const Transform& grasp, const RestingError& released) {
+    const domain::Mating& mating = world_.problem().mating(assemble.mating);
+    RequireSound([&] {
+      const MatingEnd end = MatingEndOf(world_, assemble.mating, assemble.hold, grasp);
+      const Pose X_WorldHeld = world_.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
+      return HandClearanceAtMating(
+          world_, assemble.mating,
+          {mating.held, assemble.hold, draw, X_WorldHeld, end.motion, end.farther, released},
+          strategy_ != nullptr);
+    });
+    RequireSound([&] { return PassingPreconditions(world_, assemble, grasp, strategy_); });
   }
 
   void Require(const std::vector<Precondition>& preconditions) {

@@ -1,221 +1,266 @@
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <initializer_list>
-#include <limits>
 
 #include "planner/algebra/simplify.h"
-#include "planner/base/interval.h"
 #include "planner/domain/part_model.h"
 #include "planner/geometry/box.h"
+#include "planner/uncertainty/axis_angle.h"
+#include "planner/uncertainty/clearance.h"
+#include "planner/uncertainty/mating_end.h"
 #include "planner/uncertainty/precondition.h"
+#include "planner/uncertainty/release.h"
 
 namespace assay::uncertainty {
 namespace {
 
 using geometry::Box;
 
-constexpr double kParallelEdges = 1e-6;  // sine of the angle between edges
-
-using Corners = std::array<Vector3, 8>;
+constexpr double kFlush = 1e-6;  // metres by which what lies in a plane may stand out of it
 
 // The box, along the frame's axes, about all these.
-Box Around(std::initializer_list<Corners> all) {
+Box Around(std::initializer_list<Box> boxes) {
   Eigen::AlignedBox3d bounds;
-  for (const Corners& corners : all) {
-    for (const Vector3& corner : corners) bounds.extend(corner);
+  for (const Box& box : boxes) {
+    for (const Vector3& corner : box.Corners()) bounds.extend(corner);
   }
   return Box::FromCorners(bounds.min(), bounds.max());
 }
 
-// Hand and fingers as they come, close or open, and go back along the tool's axis, in the tool's
-// frame: boxes, as they go along their own sides.
-std::vector<Box> SweptHand(const domain::Workcell& workcell, double width) {
-  const kinematics::Gripper& gripper = workcell.gripper();
-  const Pose back = geometry::Translation(0, 0, -workcell.rules().approach_distance);
-  std::vector<Box> swept;
-  for (const Box& box : gripper.HandBoxes()) {
-    swept.push_back(Around({box.Corners(), box.Transformed(back).Corners()}));
-  }
-  const std::vector<Box> open = gripper.FingerBoxes(gripper.max_opening());
-  const std::vector<Box> closed = gripper.FingerBoxes(width);
-  for (std::size_t i = 0; i < open.size(); ++i) {
-    swept.push_back(
-        Around({open[i].Corners(), closed[i].Corners(), open[i].Transformed(back).Corners(),
-                closed[i].Transformed(back).Corners()}));
-  }
-  return swept;
-}
+// In the tool's frame, as far as the hand goes straight to its work and from there.
+struct Hand {
+  std::vector<Box> palm;     // with its way back
+  std::vector<Box> open;     // fingers, with their way back
+  std::vector<Box> closing;  // the same fingers, from open to closed
+  std::vector<Box> swept;    // fingers, with all their ways
+  std::vector<Box> closed;   // hand and fingers
 
-// From where to where the points reach along a direction.
-Interval ReachAlong(const Vector3& direction, const Corners& points) {
-  Interval reach = {std::numeric_limits<double>::infinity(),
-                    -std::numeric_limits<double>::infinity()};
-  for (const Vector3& p : points) {
-    const double along = direction.dot(p);
-    reach = {std::min(reach.low, along), std::max(reach.high, along)};
-  }
-  return reach;
-}
-
-Corners Moved(const Pose& X, Corners points) {
-  for (Vector3& p : points) p = X * p;
-  return points;
-}
-
-Expression Along(const Vector3& direction, const SymbolicVector& p) {
-  return direction.x() * p[0] + direction.y() * p[1] + direction.z() * p[2];
-}
-
-// The plane that leaves the widest gap between two boxes, of those along their sides, and along an
-// edge of each: one of them separates boxes that are apart.
-class WidestGap {
- public:
-  WidestGap(const Corners& from, const Corners& to) : from_(from), to_(to) {}
-
-  void TrySides(const geometry::Matrix3& a, const geometry::Matrix3& b) {
-    for (int i = 0; i < 3; ++i) {
-      Try(a.col(i));
-      Try(b.col(i));
+  Hand(const domain::Workcell& workcell, double width) {
+    const kinematics::Gripper& gripper = workcell.gripper();
+    const Pose back = geometry::Translation(0, 0, -workcell.rules().approach_distance);
+    closed = gripper.HandBoxes();
+    for (const Box& box : gripper.HandBoxes()) {
+      palm.push_back(Around({box, box.Transformed(back)}));
+    }
+    const std::vector<Box> wide = gripper.FingerBoxes(gripper.max_opening());
+    const std::vector<Box> narrow = gripper.FingerBoxes(width);
+    for (std::size_t i = 0; i < wide.size(); ++i) {
+      closed.push_back(narrow[i]);
+      open.push_back(Around({wide[i], wide[i].Transformed(back)}));
+      closing.push_back(Around({wide[i], narrow[i]}));
+      swept.push_back(Around({open.back(), narrow[i], narrow[i].Transformed(back)}));
     }
   }
-  void TryEdges(const geometry::Matrix3& a, const geometry::Matrix3& b) {
-    for (int i = 0; i < 9; ++i) Try(a.col(i / 3).cross(b.col(i % 3)));
-  }
-
-  double gap() const { return gap_; }  // negative if there is none
-  const Vector3& direction() const { return direction_; }
-
- private:
-  void Try(const Vector3& normal) {
-    if (normal.norm() < kParallelEdges) return;
-    const Vector3 direction = normal.normalized();
-    const Interval from = ReachAlong(direction, from_);
-    const Interval to = ReachAlong(direction, to_);
-    Widen(to.low - from.high, direction);
-    Widen(from.low - to.high, -direction);
-  }
-  void Widen(double gap, const Vector3& direction) {
-    if (!(gap > gap_)) return;
-    gap_ = gap;
-    direction_ = direction;
-  }
-
-  const Corners& from_;
-  const Corners& to_;
-  double gap_ = -std::numeric_limits<double>::infinity();
-  Vector3 direction_ = Vector3::UnitZ();
 };
 
-// A box that goes with a frame of which the plan has the pose.
-struct Body {
-  Corners local;   // in the frame
-  Corners points;  // where the plan has them
-  geometry::Matrix3 axes;
-  const Transform* pose;  // of the frame, possible
-  double shift = 0;       // metres: how far any of its points may be from the plan's, at most
-};
+// As seen from the true hand.
+Transform GraspInHand(const HeldError& held) {
+  return PossibleGrasp(held, {0, 0, 0, 0}, Propagation::kSound);
+}
 
-// How a frame may be off.
-struct FrameError {
-  double displacement = 0;  // metres
-  double angle = 0;         // radians
-
-  double Shift(const Corners& local) const {
-    double radius = 0;
-    for (const Vector3& p : local) radius = std::max(radius, p.norm());
-    return displacement + radius * angle;
-  }
-};
+double AngleOf(const UncertainWorld& world, const HeldError& held) {
+  return Magnitude(world.RangeOf(held.skew)) + Magnitude(world.RangeOf(held.tip)) +
+         Magnitude(world.RangeOf(held.twist));
+}
 
 class HandConditions {
  public:
-  HandConditions(const UncertainWorld& world, const Pose& X_WorldTool, const BeliefShift& shift,
-                 const ManipulatorError& draw, double width)
+  enum class Leaves { kYes, kNo };
+
+  // `tool`: where the hand may be as its pads close or open, if nothing were believed anew.
+  HandConditions(const UncertainWorld& world, PartId handled, const plan::Hold& hold,
+                 const PossibleFrame& tool)
       : world_(world),
-        tool_(algebra::Simplify(
-            PossiblePose(X_WorldTool, {.displacement = shift.displacement, .theta = shift.turn}) *
-            draw.AsTransform())),
-        error_{Length(tool_.translation - AsVector(X_WorldTool.translation())),
-               Magnitude(world.RangeOf(shift.turn)) + Magnitude(world.RangeOf(draw.theta))} {
-    for (const Box& box : SweptHand(*world.problem().workcell, width)) {
-      hand_.push_back(MakeBody(box, X_WorldTool, tool_, error_));
+        handled_(handled),
+        hold_(hold),
+        hand_(*world.problem().workcell, hold.width),
+        tool_(tool) {}
+
+  // All parts that rest but these, which the hand does not go by; it goes by a belief so shifted.
+  void RequireClearOfOthers(const std::vector<PartId>& but, const BeliefShift& shift,
+                            const Vector3& way_in) {
+    const PossibleFrame tool = Shifted(world_, tool_, shift);
+    const std::vector<Body> bodies = Swept(tool, WayOf(world_, way_in, shift.turn));
+    for (int p = 0; p < static_cast<int>(world_.problem().parts.size()); ++p) {
+      const PartId other(p);
+      if (std::ranges::count(but, other) > 0) continue;
+      RequireClear(tool, bodies, FrameOf(world_, other), other, other, Vector3::Zero());
     }
   }
 
-  void RequireClearOf(PartId part) {
-    const domain::Part& neighbour = world_.problem().part(part);
-    const Pose& X_WorldPart = world_.X_WorldPart(part);
-    const RestingError error = world_.about_plan(part);
-    const FrameError range = {Length(error.displacement), Magnitude(world_.RangeOf(error.theta))};
-    const Transform possible = PossiblePose(X_WorldPart, error);
-    for (const Box& box : neighbour.model->boxes()) {
-      const Body other = MakeBody(box, X_WorldPart, possible, range);
-      for (const Body& piece : hand_) RequireApart(piece, other, part);
-    }
+  // The part that the hand's belief is about, and that it comes to along the way in.
+  void RequireClearOfFixed(PartId fixed, const Vector3& way_in, const Vector3& slack) {
+    RequireClear(tool_, Swept(tool_, WayOf(world_, way_in, 0)), BelievedFrameOf(world_, fixed),
+                 fixed, PartId::None(), slack);
+  }
+
+  // The part between the pads, where it rests.
+  void RequireClearOfTaken() {
+    RequireClearOfHandled(tool_, BelievedFrameOf(world_, handled_), Vector3::Zero(), Leaves::kYes);
+  }
+
+  // The same where it is in the closed hand; `slack` in the world's axes. `leaves`: whether the
+  // open hand then goes away without it.
+  void RequireClearOfHeld(const HeldError& held, const Vector3& slack, Leaves leaves) {
+    const Pose planned = hold_.X_PartTool.inverse();
+    RequireClearOfHandled({Pose::Identity(), {}, 0},
+                          {planned, algebra::Simplify(GraspInHand(held) * AsTransform(planned)),
+                           AngleOf(world_, held)},
+                          tool_.planned.linear().transpose().cwiseAbs() * slack, leaves);
   }
 
   std::vector<Precondition> Take() { return conditions_.Take(); }
 
  private:
-  static Body MakeBody(const Box& box, const Pose& X_World, const Transform& possible,
-                       const FrameError& error) {
-    const Corners local = box.Corners();
-    return {local, Moved(X_World, local), X_World.linear() * box.X_FrameBox.linear(), &possible,
-            error.Shift(local)};
+  // Hand and fingers on all their ways at the work, and closed on the way to it, unless that is the
+  // way on which they leave.
+  std::vector<Body> Swept(const PossibleFrame& tool, const StraightWay& way_in) const {
+    std::vector<Body> bodies;
+    for (const auto* boxes : {&hand_.palm, &hand_.swept}) {
+      for (const Box& box : *boxes) bodies.emplace_back(tool, box);
+    }
+    const Vector3 in_tool = tool.planned.linear().transpose() * way_in.planned;
+    const double approach = world_.problem().workcell->rules().approach_distance;
+    if (in_tool.head<2>().norm() < kFlush && in_tool.z() <= 0 && in_tool.z() >= -approach) {
+      return bodies;
+    }
+    for (const Box& box : hand_.closed) bodies.emplace_back(tool, box, way_in);
+    return bodies;
   }
 
-  double Length(const SymbolicVector& v) const {
-    return Vector3(Magnitude(world_.RangeOf(v[0])), Magnitude(world_.RangeOf(v[1])),
-                   Magnitude(world_.RangeOf(v[2])))
-        .norm();
+  void RequireClear(const PossibleFrame& tool, const std::vector<Body>& bodies,
+                    const PossibleFrame& frame, PartId part, PartId neighbour,
+                    const Vector3& slack) {
+    const Clearance clearance = {ClearOf(part), DisplacementBetween(world_, tool, frame), slack,
+                                 neighbour};
+    for (const Box& box : world_.problem().part(part).model->boxes()) {
+      const Body other(frame, box);
+      for (const Body& body : bodies) RequireApart(body, other, clearance, conditions_);
+    }
   }
 
-  // By the plane that leaves the widest gap in the plan.
-  void RequireApart(const Body& hand, const Body& other, PartId neighbour) {
-    const double reach = hand.shift + other.shift;
-    WidestGap widest(hand.points, other.points);
-    widest.TrySides(hand.axes, other.axes);
-    if (widest.gap() > reach) return;  // proved: no error is as great
-    widest.TryEdges(hand.axes, other.axes);
-    if (widest.gap() > reach) return;
-    const Vector3& best = widest.direction();
-    for (std::size_t i = 0; i < hand.local.size(); ++i) {
-      for (std::size_t j = 0; j < other.local.size(); ++j) {
-        if (best.dot(other.points[j] - hand.points[i]) > reach) continue;
-        conditions_.Less(
-            "hand clear",
-            fmt::format("the hand stays clear of {}", world_.problem().part(neighbour).name),
-            Along(best, *hand.pose * AsVector(hand.local[i])) -
-                Along(best, *other.pose * AsVector(other.local[j])),
-            0, neighbour);
+  void RequireClearOfHandled(const PossibleFrame& tool, const PossibleFrame& frame,
+                             const Vector3& slack, Leaves leaves) {
+    const Clearance clearance = {ClearOf(handled_), DisplacementBetween(world_, tool, frame),
+                                 slack};
+    std::vector<Body> passing;
+    for (const Box& piece : hand_.palm) passing.emplace_back(tool, piece);
+    for (const Box& piece : hand_.open) {
+      if (leaves == Leaves::kYes) passing.emplace_back(tool, piece);
+    }
+    for (const Box& box : world_.problem().part(handled_).model->boxes()) {
+      const Body other(frame, box);
+      for (const Body& body : passing) RequireApart(body, other, clearance, conditions_);
+      for (const Box& piece : hand_.closing) {
+        if (LiesBehindPad(box, piece)) continue;
+        RequireApart(Body(tool, piece), other, clearance, conditions_);
       }
     }
   }
 
+  // Whether a box of the part is behind the plane in which a pad is to touch: what moves with that
+  // pad meets it where it is meant to, or not at all.
+  bool LiesBehindPad(const Box& of_part, const Box& of_finger) const {
+    const double side = of_finger.X_FrameBox.translation().y() > 0 ? 1 : -1;
+    const Box in_tool = of_part.Transformed(hold_.X_PartTool.inverse());
+    const double half =
+        in_tool.X_FrameBox.linear().row(1).cwiseAbs().dot(in_tool.half_extents.transpose());
+    return side * in_tool.X_FrameBox.translation().y() + half <= hold_.width / 2 + kFlush;
+  }
+
+  Statement ClearOf(PartId part) const {
+    return {"hand clear",
+            fmt::format("the hand stays clear of {}", world_.problem().part(part).name)};
+  }
+
   const UncertainWorld& world_;
-  const Transform tool_;
-  const FrameError error_;
-  std::vector<Body> hand_;
+  PartId handled_;
+  const plan::Hold& hold_;
+  Hand hand_;
+  PossibleFrame tool_;
   Preconditions conditions_;
 };
 
+// By how much a part that is let go may move against the hand: pads slide down on it along the
+// motion that brought it, and it falls back on what it stands on.
+Vector3 MovesAsLetGo(const UncertainWorld& world, const LettingGo& work) {
+  Vector3 moves = SlideOfPads(world, work.draw, work.released) * work.motion.cwiseAbs();
+  if (!ComesUpright(world, work.hold, work.X_WorldPart)) {
+    const Vector3 up = VerticalInTool(work.X_WorldPart * work.hold.X_PartTool);
+    const double across = 2 * world.problem().part(work.part).model->shape().radius();
+    moves.array() += across * LeaningOf(world, up, work.draw).tilt;
+  }
+  return moves;
+}
+
+double AngleOf(const UncertainWorld& world, const ManipulatorError& draw) {
+  return Magnitude(world.RangeOf(draw.theta));
+}
+
+PossibleFrame ToolTold(const UncertainWorld& world, const Pose& X_WorldTool,
+                       const ManipulatorError& draw) {
+  return {X_WorldTool, algebra::Simplify(AsTransform(X_WorldTool) * draw.AsTransform()),
+          AngleOf(world, draw)};
+}
+
+// Where the hand is that has gone until the part met what it lands on.
+PossibleFrame ToolAtEnd(const UncertainWorld& world, const LettingGo& work) {
+  const Pose X_WorldTool = work.X_WorldPart * work.hold.X_PartTool;
+  const Transform told = AsTransform(X_WorldTool) * work.draw.AsTransform();
+  return {X_WorldTool, algebra::Simplify(Displaced(told, work.farther, work.motion)),
+          AngleOf(world, work.draw)};
+}
+
+// Where a strategy has led the hand: it yields to the walls, as the part in it does.
+PossibleFrame ToolLed(const UncertainWorld& world, const LettingGo& work) {
+  const Transform led = PossiblePose(work.X_WorldPart, work.released) *
+                        AsTransform(work.hold.X_PartTool) *
+                        algebra::Inverse(GraspInHand(world.held()));
+  return {work.X_WorldPart * work.hold.X_PartTool, algebra::Simplify(led),
+          Magnitude(world.RangeOf(work.released.theta)) + AngleOf(world, world.held())};
+}
+
 }  // namespace
 
-std::vector<Precondition> HandClearancePreconditions(const UncertainWorld& world,
-                                                     const std::vector<PartId>& handled,
-                                                     const Pose& X_WorldTool,
-                                                     const BeliefShift& shift, double width,
-                                                     const ManipulatorError& draw) {
-  HandConditions conditions(world, X_WorldTool, shift, draw, width);
-  for (int p = 0; p < static_cast<int>(world.problem().parts.size()); ++p) {
-    if (std::ranges::find(handled, PartId(p)) == handled.end()) {
-      conditions.RequireClearOf(PartId(p));
-    }
-  }
+std::vector<Precondition> HandClearanceAtGrasp(const UncertainWorld& world, PartId part,
+                                               const plan::Hold& hold, const ManipulatorError& draw,
+                                               const HeldError& held, bool opens_again) {
+  const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
+  HandConditions conditions(world, part, hold, ToolTold(world, X_WorldTool, draw));
+  conditions.RequireClearOfOthers({part}, world.ShiftAt(part, X_WorldTool.translation()),
+                                  Vector3::Zero());
+  conditions.RequireClearOfTaken();
+  conditions.RequireClearOfHeld(
+      held, Vector3::Zero(),
+      opens_again ? HandConditions::Leaves::kYes : HandConditions::Leaves::kNo);
+  return conditions.Take();
+}
+
+std::vector<Precondition> HandClearanceAtPutdown(const UncertainWorld& world,
+                                                 const LettingGo& work) {
+  HandConditions conditions(world, work.part, work.hold, ToolAtEnd(world, work));
+  conditions.RequireClearOfOthers({work.part}, {}, Vector3::Zero());
+  conditions.RequireClearOfHeld(world.held(), MovesAsLetGo(world, work),
+                                HandConditions::Leaves::kYes);
+  return conditions.Take();
+}
+
+std::vector<Precondition> HandClearanceAtMating(const UncertainWorld& world, domain::MatingId id,
+                                                const LettingGo& work, bool is_led) {
+  const domain::Mating& mating = world.problem().mating(id);
+  const PossibleFrame tool = is_led ? ToolLed(world, work) : ToolAtEnd(world, work);
+  const Vector3 moves =
+      MovesAsLetGo(world, work).array() + world.problem().workcell->rules().lateral_compliance;
+  const Drag drag = is_led ? Drag{} : DragOfFixed(world, id, work.hold, work.draw);
+  const double dragged =
+      drag.way + world.problem().part(mating.fixed).model->shape().radius() * drag.turn;
+  const Vector3 way_in = -LengthOfWay(world, id, work.farther) * work.motion;
+  HandConditions conditions(world, work.part, work.hold, tool);
+  conditions.RequireClearOfOthers({mating.held, mating.fixed},
+                                  world.ShiftAt(mating.fixed, tool.planned.translation()), way_in);
+  conditions.RequireClearOfFixed(mating.fixed, way_in, moves.array() + dragged);
+  conditions.RequireClearOfHeld(world.held(), moves, HandConditions::Leaves::kYes);
   return conditions.Take();
 }
 

@@ -7,6 +7,7 @@
 #include "planner/algebra/simplify.h"
 #include "planner/base/check.h"
 #include "planner/domain/shaft_fit.h"
+#include "planner/uncertainty/mating_end.h"
 #include "planner/uncertainty/precondition.h"
 
 namespace assay::uncertainty {
@@ -143,11 +144,9 @@ class MatingConditions {
                    const Transform& X_ToolGrasp)
       : world_(world),
         mating_(world.problem().mating(id)),
-        possible_fixed_(
-            PossiblePose(world.X_WorldPart(mating_.fixed), world.resting(mating_.fixed))),
-        possible_held_(PossibleHeld(hold, X_ToolGrasp)),
-        overtravel_(Overtravel()),
-        seated_(Seated()) {}
+        end_(MatingEndOf(world, id, hold, X_ToolGrasp)),
+        seated_({mating_.X_FixedHeld,
+                 algebra::Simplify(algebra::Inverse(end_.fixed) * end_.Seated())}) {}
 
   std::vector<Precondition> Run() {
     for (const ShaftFit& fit : domain::FitsOf(world_.problem(), mating_)) RequireFit(fit);
@@ -156,37 +155,11 @@ class MatingConditions {
   }
 
  private:
-  Vector3 MotionInWorld() const {
-    return world_.X_WorldPart(mating_.fixed).linear() * mating_.mating_vector.normalized();
-  }
-
-  // Where the hand is told to end the mating motion.
-  Transform PossibleHeld(const plan::Hold& hold, const Transform& X_ToolGrasp) const {
-    const Pose X_WorldHeld = world_.X_WorldPart(mating_.fixed) * mating_.X_FixedHeld;
-    return PossibleHeldPose(X_WorldHeld * hold.X_PartTool, X_ToolGrasp, hold.X_PartTool);
-  }
-
-  // How much farther the seat is, along the motion.
-  Expression Overtravel() const {
-    const SymbolicVector seat = possible_fixed_ * AsVector(mating_.X_FixedHeld.translation());
-    return algebra::Simplify(
-        algebra::Dot(AsVector(MotionInWorld()), seat - possible_held_.translation));
-  }
-
-  Relative Seated() const {
-    Transform possible = possible_held_;
-    const SymbolicVector motion = AsVector(MotionInWorld());
-    for (const int axis : {0, 1, 2}) {
-      possible.translation[axis] = possible.translation[axis] + overtravel_ * motion[axis];
-    }
-    return {mating_.X_FixedHeld, algebra::Simplify(algebra::Inverse(possible_fixed_) * possible)};
-  }
-
   // So many metres before the end of the mating motion, which goes straight in the world.
   Relative Before(double distance) const {
     const Vector3 shift = -distance * mating_.mating_vector.normalized();
-    const Vector3 in_world = -distance * MotionInWorld();
-    Transform to_fixed = algebra::Inverse(possible_fixed_);
+    const Vector3 in_world = -distance * end_.motion;
+    Transform to_fixed = algebra::Inverse(end_.fixed);
     to_fixed.translation = {0, 0, 0};
     Transform possible = seated_.possible;
     possible.translation = possible.translation + algebra::Simplify(to_fixed * AsVector(in_world));
@@ -208,16 +181,14 @@ class MatingConditions {
   }
 
   void RequireSeat() {
-    conditions_.Within("seat", "the motion meets its end on the guarded way", overtravel_,
+    conditions_.Within("seat", "the motion meets its end on the guarded way", end_.farther,
                        world_.problem().workcell->rules().guarded_travel);
   }
 
   const UncertainWorld& world_;
   const domain::Mating& mating_;
-  Transform possible_fixed_;
-  Transform possible_held_;
-  Expression overtravel_;
-  Relative seated_;
+  const MatingEnd end_;
+  const Relative seated_;
   Preconditions conditions_;
 };
 

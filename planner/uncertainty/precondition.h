@@ -125,14 +125,41 @@ std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain
                                              const RestingError& released,
                                              const plan::Strategy* strategy);
 
+// What is let go in a putdown or a mating.
+struct LettingGo {
+  PartId part;
+  const plan::Hold& hold;
+  const ManipulatorError& draw;
+  Pose X_WorldPart;              // where it is let go
+  Vector3 motion;                // that brings it there: unit, world
+  Expression farther;            // metres along the motion until it meets what it is let go on
+  const RestingError& released;  // its error then
+};
+
 // Of every action with the hand, in sound mode:
-//   hand clear       a plane keeps each piece of hand and fingers, on the straight way to and from
-//                    X_WorldTool, and every part but those handled apart
-// `shift`: of the belief that the hand goes by, at X_WorldTool.
-std::vector<Precondition> HandClearancePreconditions(const UncertainWorld& world,
-                                                     const std::vector<PartId>& handled,
-                                                     const Pose& X_WorldTool,
-                                                     const BeliefShift& shift, double width,
-                                                     const ManipulatorError& draw);
+//   hand clear       a plane keeps each piece of hand and fingers, on the straight way to where the
+//                    pads close or open and from there, and every part apart. Of the part between
+//                    the pads: but for what is behind the planes in which they are to touch it,
+//                    once they close; as it rests before it is taken, and as it is in the hand. Of
+//                    the fixed part of a mating, and what is beside it: also on the way in.
+std::vector<Precondition> HandClearanceAtGrasp(const UncertainWorld& world, PartId part,
+                                               const plan::Hold& hold, const ManipulatorError& draw,
+                                               const HeldError& held, bool opens_again);
+std::vector<Precondition> HandClearanceAtPutdown(const UncertainWorld& world,
+                                                 const LettingGo& work);
+// `is_led`: by a strategy, to which the hand yields.
+std::vector<Precondition> HandClearanceAtMating(const UncertainWorld& world,
+                                                domain::MatingId mating, const LettingGo& work,
+                                                bool is_led);
+
+// Of assemble, in sound mode:
+//   passing clear    a plane keeps each piece of the held part, all along the mating motion, and
+//                    each piece of every other part apart; but for shafts in their holes, and for
+//                    what of the fixed part lies ahead even at the seat. `strategy`: null if the
+//                    motion goes straight to the seat; else it goes to where the strategy starts
+std::vector<Precondition> PassingPreconditions(const UncertainWorld& world,
+                                               const plan::Assemble& assemble,
+                                               const Transform& X_ToolGrasp,
+                                               const plan::Strategy* strategy);
 
 }  // namespace assay::uncertainty

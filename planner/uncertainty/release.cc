@@ -13,6 +13,7 @@
 #include "planner/plan/pushing.h"
 #include "planner/uncertainty/axis_angle.h"
 #include "planner/uncertainty/possible_masses.h"
+#include "planner/uncertainty/touching_cells.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -89,6 +90,17 @@ bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pos
          held.tip.IsConstant(0) && held.twist.IsConstant(0);
 }
 
+double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
+                   const RestingError& released) {
+  const domain::WorkcellRules& rules = world.problem().workcell->rules();
+  const double friction = rules.pad_friction - world.problem().tolerances.pad_friction;
+  if (2 * friction * rules.grip_force > plan::kResistance) return 0;
+  const double doubt = Magnitude(world.RangeOf(draw.z)) +
+                       Magnitude(world.RangeOf(released.displacement[2])) +
+                       OffInHandOf(world, world.held()).shift.norm();
+  return 2 * std::min(doubt, rules.guarded_travel) + plan::kBeyondContact;
+}
+
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart) {
@@ -144,25 +156,33 @@ RestingError LedToSeat(UncertainWorld& world, domain::MatingId id) {
   return error;
 }
 
-void DragFixed(UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
-               const ManipulatorError& draw) {
-  if (world.propagation() == Propagation::kPaper) return;
+Drag DragOfFixed(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+                 const ManipulatorError& draw) {
   const domain::Problem& problem = world.problem();
   const domain::Mating& mating = problem.mating(id);
-  const Pose X_WorldHeld = world.X_WorldPart(mating.fixed) * mating.X_FixedHeld;
+  const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
+  const Pose X_WorldHeld = X_WorldFixed * mating.X_FixedHeld;
   double way = problem.workcell->rules().lateral_compliance;
   if (!ComesUpright(world, hold, X_WorldHeld)) {
     const Vector3 up = VerticalInTool(X_WorldHeld * hold.X_PartTool);
     way += problem.part(mating.held).model->shape().radius() * LeaningOf(world, up, draw).tilt;
   }
-  if (way == 0 || !Drags(problem, mating)) return;
+  if (way == 0 || !Drags(problem, mating)) return {};
+  return {way, TurnOfDrag(problem.part(mating.fixed), X_WorldFixed, way)};
+}
+
+void DragFixed(UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+               const ManipulatorError& draw) {
+  if (world.propagation() == Propagation::kPaper) return;
+  const domain::Mating& mating = world.problem().mating(id);
+  const auto [way, turn] = DragOfFixed(world, id, hold, draw);
+  if (way == 0) return;
   RestingError error = world.resting(mating.fixed);
   const std::string name = world.SymbolName(mating.fixed);
   for (const int axis : {0, 1}) {
     error.displacement[axis] =
         error.displacement[axis] + world.Declare("drag_" + name, {-way, way}, mating.fixed);
   }
-  const double turn = TurnOfDrag(problem.part(mating.fixed), world.X_WorldPart(mating.fixed), way);
   error.theta = error.theta + world.Declare("theta_drag_" + name, {-turn, turn}, mating.fixed);
   const BeliefShift shift = world.shift(mating.fixed);
   world.SetResting(mating.fixed, Pose(world.X_WorldPart(mating.fixed)), error, shift);

@@ -22,6 +22,11 @@ struct Leaning {
 };
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw);
 
+// Metres that pads go down on a part that already stands: none if they bear what stops them.
+// `released`: its error, once it is let go.
+double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
+                   const RestingError& released);
+
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);
@@ -38,6 +43,12 @@ RestingError LedToSeat(UncertainWorld& world, domain::MatingId mating);
 // What lands leaning in its seat, or yields to the seat's walls, drags the fixed part along by as
 // much where friction between the two is more than what keeps the fixed part: that becomes an error
 // of the fixed part.
+struct Drag {
+  double way = 0;   // metres, along x and along y
+  double turn = 0;  // radians
+};
+Drag DragOfFixed(const UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
+                 const ManipulatorError& draw);
 void DragFixed(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                const ManipulatorError& draw);
 

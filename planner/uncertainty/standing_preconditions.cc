@@ -197,7 +197,7 @@ class StandingConditions {
           geometry::Distance(hand, X_WorldPart_ * hold_.X_PartTool, other, X_WorldOther) - around;
       room = std::min(room, std::max(LowestFinger() - HighestOf(standing.on), beside));
     }
-    return room - SlideOfPads();
+    return room - SlideOfPads(world_, draw_, released_);
   }
 
   // Pads that slide down on the part press on it in the middle of what they touch. Beyond an edge
@@ -271,16 +271,6 @@ class StandingConditions {
       highest = std::max(highest, (world_.X_WorldPart(part) * v).z());
     }
     return highest;
-  }
-
-  // Metres that pads go down on a part that already stands: none if they bear what stops them.
-  double SlideOfPads() const {
-    const domain::WorkcellRules& rules = world_.problem().workcell->rules();
-    const double friction = rules.pad_friction - world_.problem().tolerances.pad_friction;
-    if (2 * friction * rules.grip_force > plan::kResistance) return 0;
-    const double doubt = MostOf(world_, draw_.z) + MostOf(world_, released_.displacement[2]) +
-                         OffInHandOf(world_, world_.held()).shift.norm();
-    return 2 * std::min(doubt, rules.guarded_travel) + plan::kBeyondContact;
   }
 
   double GreatestPress() const {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "planner/domain/resting.h"
+#include "planner/domain/shaft_fit.h"
 #include "sim/check/fit.h"
 
 namespace assay::check {
@@ -157,15 +158,19 @@ class Meaning {
     return meanings;
   }
 
-  // Where the hand acts, or where it was stopped on its way.
+  // Where the hand acts, where it was stopped on its way, and where it goes straight to its work or
+  // from it with open fingers.
   std::vector<GeometricMeaning> HandClear() const {
     std::vector<GeometricMeaning> meanings;
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
-      if (PartId(p) == handling_.part || PartId(p) == FixedPart()) continue;
+      const PartId part(p);
       double nearest = kInfinity;
       for (const exec::Moment* moment : {events_.reached, events_.acted, events_.stopped}) {
-        if (moment != nullptr) nearest = std::min(nearest, FromHand(PartId(p), *moment));
+        if (moment == nullptr) continue;
+        nearest = std::min(nearest,
+                           part == handling_.part ? BesidePads(*moment) : FromHand(part, *moment));
       }
+      if (events_.reached != nullptr) nearest = std::min(nearest, Opened(part, *events_.reached));
       AddInMetres(fmt::format("the hand stays clear of {}", problem_.parts[p].name), Clear(nearest),
                   meanings);
     }
@@ -175,6 +180,77 @@ class Meaning {
     const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
     return geometry::Distance(problem_.workcell->HandShape(opening), at.tool.truth,
                               problem_.part(part).model->shape(), at.parts[part.index()].truth);
+  }
+  // All along the straight line on which the hand comes to its work, or leaves it.
+  double Opened(PartId part, const exec::Moment& at) const {
+    const geometry::CollisionShape hand = problem_.workcell->HandShape(gripper_.max_opening());
+    double nearest = kInfinity;
+    for (int i = 0; i <= kPlaces; ++i) {
+      const double back = problem_.workcell->rules().approach_distance * i / kPlaces;
+      nearest = std::min(
+          nearest,
+          geometry::Distance(hand, at.tool.truth * geometry::Translation(0, 0, -back),
+                             problem_.part(part).model->shape(), at.parts[part.index()].truth));
+    }
+    return nearest;
+  }
+  // Of the hand from the part between its pads, and of each finger from what of that stands out of
+  // the plane in which its pad is to touch.
+  double BesidePads(const exec::Moment& at) const {
+    const double opening = std::clamp(at.opening, 0.0, gripper_.max_opening());
+    const std::vector<geometry::Box> fingers = gripper_.FingerBoxes(opening);
+    const geometry::CollisionShape& part = problem_.part(handling_.part).model->shape();
+    double nearest = geometry::Distance(geometry::CollisionShape(gripper_.HandBoxes()),
+                                        at.tool.truth, part, PartAt(at));
+    for (const double side : {-1.0, 1.0}) {
+      std::vector<geometry::Box> finger;
+      std::ranges::copy_if(fingers, std::back_inserter(finger), [&](const geometry::Box& box) {
+        return side * box.X_FrameBox.translation().y() > 0;
+      });
+      nearest = std::min(nearest,
+                         geometry::Distance(geometry::CollisionShape(finger), at.tool.truth,
+                                            geometry::CollisionShape(BeyondPad(side)), PartAt(at)));
+    }
+    return nearest;
+  }
+  std::vector<geometry::Box> BeyondPad(double side) const {
+    std::vector<geometry::Box> beyond;
+    for (const geometry::Box& box : problem_.part(handling_.part).model->boxes()) {
+      double farthest = -kInfinity;
+      for (const Vector3& corner : box.Corners()) {
+        const Vector3 in_hand = handling_.hold->X_PartTool.inverse() * corner;
+        farthest = std::max(farthest, side * in_hand.y());
+      }
+      if (farthest > handling_.hold->width / 2 + kFlush) beyond.push_back(box);
+    }
+    return beyond;
+  }
+  // Along the mating motion, from where the held part was poised: past the fixed part until shafts
+  // come to the mouths of their holes, past others to the end.
+  std::vector<GeometricMeaning> PassingClear(const exec::Moment& poised) const {
+    double depth = 0;
+    for (const domain::ShaftFit& fit : domain::FitsOf(problem_, mating())) {
+      depth = std::max(depth, fit.depth);
+    }
+    const Vector3 direction = MatingDirection(poised);
+    std::vector<GeometricMeaning> meanings;
+    for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
+      if (PartId(p) == handling_.part) continue;
+      const double length =
+          mating().mating_vector.norm() - (PartId(p) == mating().fixed ? depth + kBeforeMouth : 0);
+      double nearest = kInfinity;
+      for (int i = 0; i <= kPlaces; ++i) {
+        const Vector3 way = std::max(0.0, length) * i / kPlaces * direction;
+        nearest = std::min(
+            nearest, geometry::Distance(problem_.part(handling_.part).model->shape(),
+                                        geometry::Translation(way) * PartAt(poised),
+                                        problem_.parts[p].model->shape(), poised.parts[p].truth));
+      }
+      AddInMetres(fmt::format("{} passes {} on its way in", problem_.part(handling_.part).name,
+                              problem_.parts[p].name),
+                  Clear(nearest), meanings);
+    }
+    return meanings;
   }
   // Shapes that overlap are at no distance; what only just keeps clear is at some.
   static double Clear(double distance) { return distance > 0 ? distance : -kOverlap; }
@@ -219,11 +295,11 @@ class Meaning {
   static constexpr double kFirstFinger = -1;    // of half the opening
   static constexpr double kStandsOn = 1e-3;     // metres above the table
   static constexpr double kOverlap = 1e-3;      // metres, of unknown depth
+  static constexpr double kFlush = 1e-6;        // metres by which a face may stand out of its plane
+  static constexpr double kBeforeMouth = 1e-3;  // metres
+  static constexpr int kPlaces = 16;            // along a straight line
 
  private:
-  PartId FixedPart() const {
-    return std::holds_alternative<plan::Assemble>(step_.action) ? mating().fixed : PartId::None();
-  }
   const Pose& PartAt(const exec::Moment& moment) const {
     return moment.parts[handling_.part.index()].truth;
   }
@@ -279,6 +355,7 @@ Meanings OfMating(const std::string& condition, const domain::Problem& problem,
                                             meaning.MatingDirection(reached)));
   }
   if (events.poised == nullptr) return {};
+  if (condition == "passing clear") return meaning.PassingClear(*events.poised);
   if (condition == "tip shift") return {meaning.TipError(*events.poised, false)};
   if (condition == "tip turn") return {meaning.TipError(*events.poised, true)};
   const FitMargins margins =

@@ -26,7 +26,10 @@ struct GeometricMeaning {
 //   landing height   the part meets the table on the guarded way
 //   footprint        the part stands on the table
 //   neighbour clear  the part does not come to other parts
-//   hand clear       hand and fingers do not come to parts that they do not handle
+//   hand clear       hand and fingers come to no part, but pads to the faces that they close on
+//   passing clear    the held part, moved along the mating motion from where it was poised, comes
+//   to
+//                    nothing before its shafts come to the mouths of their holes
 //   entry, slide-in  the shaft, moved along the mating motion from where it was poised, is inside
 //                    the walls of its hole: with its tip in the mouth; and at its seat
 //   tilt             the shaft's axis leans in the hole by less than the certificate's limit

@@ -316,7 +316,8 @@ class ExecutedWorld {
     hand_ = HandAt(body(part).belief * hold.X_PartTool);
     const Pose X_HandGrasp = hand_.inverse() * body(part).truth * hold.X_PartTool;
     if (!Straddles(X_HandGrasp, hold.width) || !FingersAboveTable(body(part).table)) return false;
-    if (!HandPasses({part}, hold.width)) return false;
+    if (!HandPasses(hand_, {part}, hold.width)) return false;
+    if (!OpensBeside(hand_, part, body(part).truth)) return false;
     const domain::PartModel& of = model(part);
     const Vector3 up = hand_.linear().transpose() * Vector3::UnitZ();
     const Vector3 up_in_part = body(part).truth.linear().transpose() * Vector3::UnitZ();
@@ -366,34 +367,51 @@ class ExecutedWorld {
     return (a.X_FrameBox.translation() - b.X_FrameBox.translation()).norm() >
            a.half_extents.norm() + b.half_extents.norm();
   }
-  // Places on the straight way to where the hand is, open and closed, beside all other parts.
-  bool HandPasses(const std::vector<PartId>& handled, double width) {
+  // The least separation of the hand, its pads so far apart, and a part, at places on the straight
+  // way from where the hand is.
+  double FromHand(const Pose& hand, double opening, PartId part, const Pose& X_WorldPart) const {
     const kinematics::Gripper& gripper = problem_.workcell->gripper();
     std::vector<Box> boxes = gripper.HandBoxes();
-    for (const double opening : {width, gripper.max_opening()}) {
-      for (const Box& box : gripper.FingerBoxes(opening)) boxes.push_back(box);
-    }
+    for (const Box& box : gripper.FingerBoxes(opening)) boxes.push_back(box);
     double nearest = std::numeric_limits<double>::infinity();
     for (const double way : {0.0, 0.3, 0.7, 1.0}) {
-      const Pose X = hand_ * geometry::Translation(0, 0, -way * rules().approach_distance);
-      for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const PartId other(static_cast<int>(i));
-        if (std::ranges::find(handled, other) != handled.end()) continue;
-        for (const Box& of_part : model(other).boxes()) {
-          for (const Box& box : boxes) {
-            if (AreFar(box.Transformed(X), of_part.Transformed(parts_[i].truth))) continue;
-            nearest = std::min(
-                nearest, Separation(box.Transformed(X), of_part.Transformed(parts_[i].truth)));
-          }
+      const Pose X = hand * geometry::Translation(0, 0, -way * rules().approach_distance);
+      for (const Box& of_part : model(part).boxes()) {
+        for (const Box& box : boxes) {
+          if (AreFar(box.Transformed(X), of_part.Transformed(X_WorldPart))) continue;
+          nearest =
+              std::min(nearest, Separation(box.Transformed(X), of_part.Transformed(X_WorldPart)));
         }
       }
     }
-    const auto denied = [](const plan::CertifiedPrecondition& claim) {
-      return claim.condition == "hand clear" && !claim.holds();
+    return nearest;
+  }
+  // Open and closed, beside all other parts.
+  bool HandPasses(const Pose& hand, const std::vector<PartId>& handled, double width) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const PartId other(static_cast<int>(i));
+      if (std::ranges::find(handled, other) != handled.end()) continue;
+      for (const double opening : {width, MostOpen()}) {
+        nearest = std::min(nearest, FromHand(hand, opening, other, parts_[i].truth));
+      }
+    }
+    return Keeps("hand clear", nearest, "the hand goes through a part");
+  }
+  // Open, beside the part that it takes or lets go.
+  bool OpensBeside(const Pose& hand, PartId part, const Pose& X_WorldPart) {
+    return Keeps("hand clear", FromHand(hand, MostOpen(), part, X_WorldPart),
+                 "the open hand goes through the part that it handles");
+  }
+  double MostOpen() const { return problem_.workcell->gripper().max_opening(); }
+  // What is not even asked is promised, too.
+  bool Keeps(const std::string& condition, double separation, const std::string& what) {
+    if (separation > -kRounding) return true;
+    const auto denied = [&](const plan::CertifiedPrecondition& claim) {
+      return claim.condition == condition && !claim.holds();
     };
-    if (nearest > -kRounding) return true;
     if (std::ranges::none_of(certificate_->preconditions, denied)) {
-      Contradict(fmt::format("hand clear: the hand goes through a part by {}", -nearest));
+      Contradict(fmt::format("{}: {} by {}", condition, what, -separation));
     }
     return false;
   }
@@ -449,7 +467,7 @@ class ExecutedWorld {
     for (const plan::ErrorSet& set : certificate_->before) ExpectInside(set, "before");
     const PartId part = putdown.part;
     const Pose flat = putdown.to.X_WorldPart;
-    if (!HandPasses({part}, hold_.width)) return false;
+    if (!HandPasses(hand_, {part}, hold_.width)) return false;
     const Pose X = hand_ * X_HandPart_;
     const double table = draw_(problem_.part(part).error.z);
     for (const Vector3& foot : FeetOf(part, flat)) {
@@ -460,6 +478,10 @@ class ExecutedWorld {
     }
     const Pose settled = Settled(part, X, flat, table);
     if (!FreePlace(part, X) || !FreePlace(part, settled)) return false;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vector3& foot : FeetOf(part, flat)) lowest = std::min(lowest, (X * foot).z());
+    const Pose landed = geometry::Translation(0, 0, table - lowest) * hand_;
+    if (!OpensBeside(landed, part, settled)) return false;
     body(part) = {settled, flat, flat, table};
     in_hand_ = PartId::None();
     return true;
@@ -558,7 +580,8 @@ class ExecutedWorld {
     const Pose back = geometry::Translation(-mating.mating_vector);
     const Pose X_FixedTool = mating.X_FixedHeld * hold_.X_PartTool;
     const Pose X_FixedWorld = fixed.truth.inverse();
-    const Pose begin = X_FixedWorld * HandAt(fixed.belief * back * X_FixedTool) * X_HandPart_;
+    const Pose from = HandAt(fixed.belief * back * X_FixedTool);
+    const Pose begin = X_FixedWorld * from * X_HandPart_;
     hand_ = HandAt(fixed.belief * X_FixedTool);
     for (const plan::ErrorSet& set : certificate_->before) ExpectInside(set, "before");
     const Pose end = X_FixedWorld * hand_ * X_HandPart_;
@@ -567,7 +590,12 @@ class ExecutedWorld {
     const std::vector<Seat> seats = SeatsOf(mating);
     const double travel = TravelToSeat(seats, end, axis);
     if (!Require("seat", rules().guarded_travel - std::abs(travel), "met too early or late") ||
-        !SlidesIn(mating, begin, end) || !HandPasses({mating.held, mating.fixed}, hold_.width)) {
+        !SlidesIn(mating, begin, end)) {
+      return false;
+    }
+    const Pose to = fixed.truth * geometry::Translation(travel * axis) * X_FixedWorld * hand_;
+    if (!HandPasses(hand_, {mating.held, mating.fixed}, hold_.width) ||
+        !HandComesIn(mating.fixed, from, to)) {
       return false;
     }
     // Let go, it sits flat on a corner of its seat.
@@ -577,10 +605,27 @@ class ExecutedWorld {
     const Vector3 leaning = down.linear() * mating.X_FixedHeld.linear().transpose() * axis;
     Pose seated = About(down * corner.point, LeastTurn(leaning, axis)) * down;
     seated = geometry::Translation(TravelToSeat(seats, seated, axis) * axis) * seated;
+    if (!OpensBeside(to, mating.held, fixed.truth * seated)) return false;
     body(mating.held) = {fixed.truth * seated, fixed.belief * mating.X_FixedHeld,
                          fixed.planned * mating.X_FixedHeld, 0};
     in_hand_ = PartId::None();
     return true;
+  }
+
+  // Closed, as far as to where it opens, and then open.
+  bool HandComesIn(PartId fixed, const Pose& from, const Pose& to) {
+    constexpr int kPlaces = 8;
+    double nearest = FromHand(to, MostOpen(), fixed, body(fixed).truth);
+    for (int i = 0; i <= kPlaces; ++i) {
+      const Pose hand = Between(from, to, static_cast<double>(i) / kPlaces);
+      for (const Box& box : problem_.workcell->gripper().FingerBoxes(hold_.width)) {
+        for (const Box& of_part : model(fixed).boxes()) {
+          nearest = std::min(
+              nearest, Separation(box.Transformed(hand), of_part.Transformed(body(fixed).truth)));
+        }
+      }
+    }
+    return Keeps("hand clear", nearest, "the hand goes through the fixed part");
   }
 
   bool SlidesIn(const domain::Mating& mating, const Pose& begin, const Pose& end) {
@@ -594,7 +639,7 @@ class ExecutedWorld {
       const double clear = LeastSeparation(mating, X) + rules().lateral_compliance;
       if (clear > -kRounding) continue;
       if (Promised("entry") && Promised("slide-in") && Promised("tilt")) {
-        Contradict(fmt::format("slide-in: into the walls by {}", -clear));
+        Keeps("passing clear", clear, "on the way in the held part goes through the fixed one");
       }
       return false;
     }

@@ -63,10 +63,10 @@ TEST(ConditionKind, WhatActsNeedsAndWhatLooksDoesNot) {
       ElementsAre("between fingers", "finger clear", "fingertip", "pad contact", "upright",
                   "pushed clear", "hand clear", "reach", "way clear"));
   EXPECT_THAT(NamesNeeded(Steps().at("assemble")),
-              ElementsAre("fingertip", "entry", "slide-in", "tilt", "seat", "fixed stands",
+              ElementsAre("fingertip", "entry", "slide-in", "tilt", "seat", "passing clear", "fixed stands",
                           "fixed stays", "standing", "pressed", "holding", "hand clear", "reach", "way clear"));
   EXPECT_THAT(NamesNeeded(Steps().at("felt in")),
-              ElementsAre("fingertip", "entry", "slide-in", "tilt", "seat", "fixed stands",
+              ElementsAre("fingertip", "entry", "slide-in", "tilt", "seat", "passing clear", "fixed stands",
                           "fixed stays", "tip shift", "tip turn", "standing", "pressed", "holding",
                           "hand clear", "reach", "way clear"));
 }

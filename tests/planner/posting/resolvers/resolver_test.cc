@@ -267,10 +267,10 @@ TEST(ResolverInterface, WhatIsAbsorbedNeedsNoProof) {
   const domain::Problem problem = LoadScenario("uncertain-failing");
   const Plan failing = Augmented(problem, Using({std::make_shared<Idle>()}));
   ASSERT_EQ(failing.errors, 2);
-  const Plan plan =
-      Augmented(problem, Using({std::make_shared<Absorbing>(std::vector<std::string>{
-                             "entry", "slide-in", "seat", "tilt", "holding", "standing", "pressed",
-                             "fingertip", "fixed stands", "fixed stays"})}));
+  const Plan plan = Augmented(
+      problem, Using({std::make_shared<Absorbing>(std::vector<std::string>{
+                   "entry", "slide-in", "seat", "tilt", "holding", "standing", "pressed",
+                   "fingertip", "fixed stands", "fixed stays", "hand clear", "passing clear"})}));
   EXPECT_EQ(plan.errors, 1);  // the pickup
   EXPECT_EQ(plan.steps.size(), failing.steps.size());
   EXPECT_LT(plan.verifications.size(), failing.verifications.size());
@@ -288,12 +288,12 @@ TEST(ResolverInterface, AbsorbingAPartOfTheFailedConditionsIsNotEnough) {
 
 TEST(ResolverInterface, AllConditionsOfAllStepsAbsorbedLeaveNoErrors) {
   const domain::Problem problem = LoadScenario("uncertain-failing");
-  const plan::PlanResult result =
-      MakeCertifiedPlan(problem, {},
-                        Using({std::make_shared<Absorbing>(std::vector<std::string>{
-                            "between fingers", "finger clear", "fingertip", "pad contact", "entry",
-                            "slide-in", "seat", "tilt", "holding", "upright", "pushed clear",
-                            "standing", "pressed", "fixed stands", "fixed stays"})}));
+  const plan::PlanResult result = MakeCertifiedPlan(
+      problem, {},
+      Using({std::make_shared<Absorbing>(std::vector<std::string>{
+          "between fingers", "finger clear", "fingertip", "pad contact", "entry", "slide-in",
+          "seat", "tilt", "holding", "upright", "pushed clear", "standing", "pressed",
+          "fixed stands", "fixed stays", "hand clear", "passing clear"})}));
   EXPECT_EQ(result.plan.errors, 0);
   EXPECT_THAT(result.plan.verifications, IsEmpty());
 }
