@@ -114,7 +114,8 @@ Threshold FindThreshold(const std::function<bool(double)>& fails, double first, 
                         double precision) {
   constexpr double kLeast = 1.0 / 64;
   Threshold threshold;
-  for (double multiple = std::min(first, greatest); !threshold.fails; multiple *= 2) {
+  for (double multiple = std::min(first, greatest); !threshold.fails;
+       multiple = std::min(2 * multiple, greatest)) {
     if (fails(multiple)) {
       threshold.fails = multiple;
     } else {
@@ -174,8 +175,10 @@ class Comparison {
     constexpr double kFinely = 0.1;  // of the trials' precision: to prove costs next to nothing
     const double guaranteed =
         FindThreshold(unproved, 1, options_.greatest, kFinely * options_.precision).holds;
-    // Trials begin where the proof ends: less than that is only tried if that fails.
-    const double first = guaranteed > 0 ? guaranteed : 1;
+    // Trials begin where the proof ends, less what the engine may make of it (a floor is at most a
+    // tenth of what is certified): still less is only tried if that fails.
+    constexpr double kInside = 0.9;
+    const double first = guaranteed > 0 ? kInside * guaranteed : 1;
     return {.variable = variable,
             .guaranteed = guaranteed,
             .broken = FindThreshold(fails, first, options_.greatest, options_.precision).fails};
