@@ -9,7 +9,6 @@
 #include <map>
 #include <mutex>
 #include <nlopt.hpp>
-#include <set>
 #include <tuple>
 
 #include "planner/base/check.h"
@@ -21,12 +20,14 @@
 namespace assay::check {
 namespace {
 
-// Of the attempts at a step.
+// Of the attempts at a step, at most.
 constexpr double kShareOfDesign = 0.4;    // corners, by which effects of errors are told
 constexpr double kShareOfExtremes = 0.3;  // corners at which claims are likely to be extreme
 constexpr double kShareOfEven = 0.1;
 constexpr std::size_t kMostStates = 16;  // that the next step starts from
-constexpr std::size_t kSearches = 4;     // local ones, of a step's least margins
+constexpr std::size_t kSearches = 8;     // local ones, of a step's least margins
+// Attempts between two looks at whether something is violated, if that is enough.
+constexpr std::size_t kAtOnce = 4;
 
 using ClaimKey = std::tuple<plan::StepId, Claimed, std::string>;
 
@@ -36,9 +37,34 @@ struct Sample {
   std::size_t start = 0;      // index of a poised trial
   std::vector<double> point;  // in the unit cube of the free channels
   AttackPhase phase = AttackPhase::kVertices;
-  StepAttempt attempt;
+  Until until = Until::kEnd;
+  StepAttempt attempt = {};
   bool was_made = false;  // not if the attack was stopped before
 };
+
+// What an attempt is made for: a claim, that is decided by then.
+struct Aim {
+  ClaimKey claim;
+  Until until = Until::kEnd;
+  double seconds = 0;  // simulated, up to there
+};
+
+// Splits attempts so that aims get the same simulated time: what is decided sooner is attempted
+// more often.
+std::vector<std::int64_t> Allotted(std::int64_t attempts, const std::vector<Aim>& aims) {
+  double all = 0;
+  for (const Aim& aim : aims) all += 1 / aim.seconds;
+  std::vector<std::int64_t> counts;
+  double sum = 0;
+  std::int64_t given = 0;
+  for (const Aim& aim : aims) {
+    sum += 1 / aim.seconds;
+    const auto by_now = std::llround(static_cast<double>(attempts) * sum / all);
+    counts.push_back(by_now - given);
+    given = by_now;
+  }
+  return counts;
+}
 
 // Of one step: all its samples, in their order.
 class Step {
@@ -61,8 +87,38 @@ class Step {
     return values;
   }
 
+  // What is made of a step that is broken off counts as far as it is decided.
   StepAttempt Attempt(const Sample& sample) const {
-    return attack_.Attempt(poised_[sample.start], At(sample.point));
+    StepAttempt attempt = attack_.Attempt(poised_[sample.start], At(sample.point), sample.until);
+    if (attempt.IsWhole()) return attempt;
+    std::erase_if(attempt.claims, [&](const Claim& claim) {
+      const Aim* const aim = AimAt(KeyOf(claim));
+      return !claim.IsViolated() && (aim == nullptr || aim->until > sample.until);
+    });
+    return attempt;
+  }
+
+  // Of the claims that errors can change, by when they were decided in all samples up to here.
+  void FindAims() {
+    std::map<ClaimKey, Aim> aims;
+    for (const Sample& sample : samples_) {
+      const std::vector<Decision>& decisions = sample.attempt.decisions;
+      for (std::size_t i = 0; i < decisions.size(); ++i) {
+        const Claim& claim = sample.attempt.claims[i];
+        if (claim.verdict == ClaimVerdict::kNotClaimed || claim.unit == Unit::kNone) continue;
+        Aim& aim = aims.try_emplace(KeyOf(claim), Aim{KeyOf(claim), Until::kPoised}).first->second;
+        aim.until = std::max(aim.until, decisions[i].until);
+        aim.seconds = std::max(aim.seconds, decisions[i].seconds);
+      }
+    }
+    aims_.clear();
+    for (auto& [key, aim] : aims) aims_.push_back(std::move(aim));
+  }
+  const std::vector<Aim>& aims() const { return aims_; }
+  // Null: there is none.
+  const Aim* AimAt(const ClaimKey& claim) const {
+    const auto found = std::ranges::find(aims_, claim, &Aim::claim);
+    return found == aims_.end() ? nullptr : &*found;
   }
 
  private:
@@ -70,7 +126,12 @@ class Step {
   std::vector<Interval> ranges_;
   std::vector<PoisedTrial> poised_;
   std::vector<Sample> samples_;
+  std::vector<Aim> aims_;
 };
+
+bool Violates(const Sample& sample) {
+  return std::ranges::any_of(sample.attempt.claims, &Claim::IsViolated);
+}
 
 double Length(const Claim& claim) { return AsLength(claim.margin, claim.unit); }
 
@@ -173,12 +234,14 @@ class Attacker {
     const auto share = [&](double of_all) {
       return static_cast<std::int64_t>(of_all * static_cast<double>(budget));
     };
-    // Upward: one attempt alone is a corner.
+    // Upward: one attempt alone is a corner. More than all of the design tell no more of effects.
     const std::int64_t left = budget - share(kShareOfExtremes) - share(kShareOfEven);
-    const auto design = std::min(
-        left, static_cast<std::int64_t>(std::ceil(kShareOfDesign * static_cast<double>(budget))));
+    const std::int64_t design = std::min(
+        {left, static_cast<std::int64_t>(std::ceil(kShareOfDesign * static_cast<double>(budget))),
+         std::int64_t{noise::CornerDesignSize(step.dimensions())}});
     TryAll(step, Design(step, design));
     if (IsEnough(step)) return;
+    step.FindAims();
     TryAll(step, LikelyCorners(step, share(kShareOfExtremes)));
     if (IsEnough(step)) return;
     TryAll(step, EvenPoints(step, share(kShareOfEven)));
@@ -187,9 +250,7 @@ class Attacker {
   }
 
   bool IsEnough(Step& step) const {
-    return options_.until_violated && std::ranges::any_of(step.samples(), [](const Sample& sample) {
-             return std::ranges::any_of(sample.attempt.claims, &Claim::IsViolated);
-           });
+    return options_.until_violated && std::ranges::any_of(step.samples(), Violates);
   }
 
   // A corner and its opposite after the same start, so that effects of errors are not taken for
@@ -198,20 +259,21 @@ class Attacker {
     std::vector<Sample> samples;
     for (int n = 0; n < count; ++n) {
       samples.push_back({static_cast<std::size_t>(n / 2) % step.poised().size(),
-                         noise::CornerPoint(step.dimensions(), options_.seed, 1 + n),
-                         AttackPhase::kVertices,
-                         {}});
+                         noise::CornerPoint(step.dimensions(), options_.seed, 1 + n)});
     }
     return samples;
   }
 
   std::vector<Sample> EvenPoints(Step& step, std::int64_t count) const {
     std::vector<Sample> samples;
-    for (int n = 0; n < count; ++n) {
-      samples.push_back({static_cast<std::size_t>(n) % step.poised().size(),
-                         noise::EvenPoint(step.dimensions(), options_.seed, 1 + n),
-                         AttackPhase::kLowDiscrepancy,
-                         {}});
+    const std::vector<std::int64_t> counts = Allotted(count, step.aims());
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      for (std::int64_t of_aim = 0; of_aim < counts[i]; ++of_aim) {
+        const int n = static_cast<int>(samples.size());
+        samples.push_back({static_cast<std::size_t>(n) % step.poised().size(),
+                           noise::EvenPoint(step.dimensions(), options_.seed, 1 + n),
+                           AttackPhase::kLowDiscrepancy, step.aims()[i].until});
+      }
     }
     return samples;
   }
@@ -222,22 +284,26 @@ class Attacker {
     std::vector<std::pair<double, Sample>> likely;
     for (const auto& [key, responses] : Responses(step)) {
       const Claim& claim = *Find(step.samples().front().attempt.claims, key);
+      const Until until = step.AimAt(key)->until;
       const LikelyExtremes extremes = ByMainEffects(responses);
       const auto add = [&](const LikelyExtreme& extreme, double margin) {
         if (!std::isfinite(margin)) return;
         likely.emplace_back(AsLength(margin, claim.unit),
-                            Sample{extreme.start, extreme.corner, AttackPhase::kLikely, {}});
+                            Sample{extreme.start, extreme.corner, AttackPhase::kLikely, until});
       };
       add(extremes.least, extremes.least.expected - claim.predicted.low);
       add(extremes.greatest, claim.predicted.high - extremes.greatest.expected);
     }
     std::ranges::stable_sort(likely, {}, [](const auto& entry) { return entry.first; });
-    std::set<std::pair<std::size_t, std::vector<double>>> seen;
-    for (const Sample& sample : step.samples()) seen.emplace(sample.start, sample.point);
+    std::map<std::pair<std::size_t, std::vector<double>>, Until> seen;
+    for (const Sample& sample : step.samples()) seen[{sample.start, sample.point}] = sample.until;
     std::vector<Sample> samples;
     for (auto& [margin, sample] : likely) {
       if (std::ssize(samples) == count) break;
-      if (seen.emplace(sample.start, sample.point).second) samples.push_back(std::move(sample));
+      const auto [before, is_new] = seen.try_emplace({sample.start, sample.point}, sample.until);
+      if (!is_new && before->second >= sample.until) continue;
+      before->second = sample.until;
+      samples.push_back(std::move(sample));
     }
     return samples;
   }
@@ -257,9 +323,14 @@ class Attacker {
   }
 
   void TryAll(Step& step, std::vector<Sample> samples) {
-    InParallel(samples.size(), [&](std::size_t i) { Try(step, samples[i]); });
-    std::erase_if(samples, [](const Sample& sample) { return !sample.was_made; });
-    std::ranges::move(samples, std::back_inserter(step.samples()));
+    const std::size_t at_once = options_.until_violated ? kAtOnce : samples.size();
+    for (std::size_t first = 0; first < samples.size() && !IsEnough(step); first += at_once) {
+      const std::size_t count = std::min(at_once, samples.size() - first);
+      InParallel(count, [&](std::size_t i) { Try(step, samples[first + i]); });
+      for (std::size_t i = first; i < first + count; ++i) {
+        if (samples[i].was_made) step.samples().push_back(std::move(samples[i]));
+      }
+    }
   }
 
   void Try(const Step& step, Sample& sample) {
@@ -274,16 +345,19 @@ class Attacker {
 
   // From the least margins of different claims, as many searches side by side.
   void SearchLocally(Step& step, std::int64_t budget) {
-    const std::vector<std::pair<ClaimKey, const Sample*>> least = LeastMargins(step);
-    if (least.empty() || step.dimensions() == 0) return;
-    const std::size_t searches = std::min(kSearches, least.size());
-    std::vector<std::vector<Sample>> found(searches);
-    InParallel(searches, [&](std::size_t i) {
-      const auto share = static_cast<std::int64_t>(searches);
-      const auto index = static_cast<std::int64_t>(i);
-      found[i] = Search(step, least[i].first, *least[i].second,
-                        budget * (index + 1) / share - budget * index / share);
-    });
+    std::vector<Aim> aims;
+    std::vector<const Sample*> starts;
+    for (const auto& [key, sample] : LeastMargins(step)) {
+      const Aim* const aim = step.AimAt(key);
+      if (aim == nullptr || aims.size() == kSearches) continue;
+      aims.push_back(*aim);
+      starts.push_back(sample);
+    }
+    if (aims.empty() || step.dimensions() == 0) return;
+    const std::vector<std::int64_t> counts = Allotted(budget, aims);
+    std::vector<std::vector<Sample>> found(aims.size());
+    InParallel(aims.size(),
+               [&](std::size_t i) { found[i] = Search(step, aims[i], *starts[i], counts[i]); });
     for (std::vector<Sample>& samples : found) {
       std::ranges::move(samples, std::back_inserter(step.samples()));
     }
@@ -308,18 +382,19 @@ class Attacker {
     return sorted;
   }
 
-  std::vector<Sample> Search(const Step& step, const ClaimKey& key, const Sample& start,
+  std::vector<Sample> Search(const Step& step, const Aim& aim, const Sample& start,
                              std::int64_t budget) {
     std::vector<Sample> samples;
     if (budget < 1) return samples;
     const std::function<double(const std::vector<double>&)> margin =
         [&](const std::vector<double>& point) {
-          Sample sample{start.start, point, AttackPhase::kLocalSearch, {}};
+          Sample sample{start.start, point, AttackPhase::kLocalSearch, aim.until};
           Try(step, sample);
           if (!sample.was_made) throw nlopt::forced_stop();
-          const Claim* claim = Find(sample.attempt.claims, key);
+          const Claim* claim = Find(sample.attempt.claims, aim.claim);
           const double value = claim == nullptr ? 1 : Length(*claim);
           samples.push_back(std::move(sample));
+          if (options_.until_violated && Violates(samples.back())) throw nlopt::forced_stop();
           return value;
         };
     Minimize(margin, start.point, budget);
@@ -344,7 +419,7 @@ class Attacker {
     } catch (const nlopt::roundoff_limited&) {
       // It cannot be done better than that.
     } catch (const nlopt::forced_stop&) {
-      // The attack was stopped.
+      // The attack was stopped, or has found what it is to find.
     }
   }
 

@@ -109,12 +109,13 @@ struct Threshold {
   std::optional<double> fails = {};
 };
 
-// Doubling, then halving, to a relative precision.
-Threshold FindThreshold(const std::function<bool(double)>& fails, double greatest,
+// Doubling from where it is looked first, then halving, to a relative precision.
+Threshold FindThreshold(const std::function<bool(double)>& fails, double first, double greatest,
                         double precision) {
   constexpr double kLeast = 1.0 / 64;
   Threshold threshold;
-  for (double multiple = 1; !threshold.fails; multiple *= 2) {
+  for (double multiple = std::min(first, greatest); !threshold.fails;
+       multiple = std::min(2 * multiple, greatest)) {
     if (fails(multiple)) {
       threshold.fails = multiple;
     } else {
@@ -171,9 +172,16 @@ class Comparison {
       return !Proves(variable, multiple);
     };
     const auto fails = [&](double multiple) { return Fails(variable, multiple); };
+    constexpr double kFinely = 0.1;  // of the trials' precision: to prove costs next to nothing
+    const double guaranteed =
+        FindThreshold(unproved, 1, options_.greatest, kFinely * options_.precision).holds;
+    // Trials begin where the proof ends, less what the engine may make of it (a floor is at most a
+    // tenth of what is certified): still less is only tried if that fails.
+    constexpr double kInside = 0.9;
+    const double first = guaranteed > 0 ? kInside * guaranteed : 1;
     return {.variable = variable,
-            .guaranteed = FindThreshold(unproved, options_.greatest, options_.precision / 4).holds,
-            .broken = FindThreshold(fails, options_.greatest, options_.precision).fails};
+            .guaranteed = guaranteed,
+            .broken = FindThreshold(fails, first, options_.greatest, options_.precision).fails};
   }
 
   void BreakOffIfStopped() const {
@@ -221,8 +229,8 @@ class Comparison {
       exec::ExecutorOptions executor;
       executor.sample_rate = 0;
       executor.recovers = false;
-      const NoisyTrial trial = RunNoisyTrial(experiment_, {box, std::move(values)}, executor);
-      if (trial.verdict.outcome != TrialOutcome::kSucceeded) return true;
+      const Verdict verdict = JudgeNoisyTrial(experiment_, {box, std::move(values)}, executor);
+      if (verdict.outcome != TrialOutcome::kSucceeded) return true;
     }
     return false;
   }

@@ -15,7 +15,7 @@ struct ConservatismOptions {
   int jobs = 1;                             // threads
   int corners = 16;                         // trials at each multiple, of several errors together
   double greatest = 64;                     // multiple that is tried
-  double precision = 0.1;                   // of the multiples, relative
+  double precision = 0.25;                  // of the multiples, relative
   std::vector<std::string> variables = {};  // only these; empty: every one, and all together
   // Asked before each trial, from any thread: true ends the comparison with those variables that
   // are done. Empty: never.

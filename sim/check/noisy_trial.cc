@@ -55,4 +55,10 @@ NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise
   return trial;
 }
 
+Verdict JudgeNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
+                        exec::ExecutorOptions options) {
+  options.noise = noise;
+  return Judge(experiment.problem, Traced(experiment, experiment.scene, options), {});
+}
+
 }  // namespace assay::check

@@ -33,5 +33,9 @@ struct NoisyTrial {
 // Executes the plan in a world with this noise. Safe to call from many threads.
 NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
                          exec::ExecutorOptions options);
+// The same, for who does not ask what became of the certificates, so that nothing is executed again
+// with half the timestep.
+Verdict JudgeNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
+                        exec::ExecutorOptions options);
 
 }  // namespace assay::check

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -17,11 +19,19 @@ struct AttackedWorld {
   std::vector<geometry::Pose> resting;  // exec::RestingPoses
 };
 
+// The same trial with half the timestep all the way from the plan's start; executed when it is
+// first asked for.
+struct FinerTrial {
+  std::once_flag once;
+  std::optional<exec::Checkpoint> checkpoint;  // none: it does not come there
+};
+
 // A trial on its way, saved where the tool is poised for a step.
 struct PoisedTrial {
   const AttackedWorld* world = nullptr;
   noise::Noise noise;  // up to here
   exec::Checkpoint checkpoint;
+  std::shared_ptr<FinerTrial> finer = std::make_shared<FinerTrial>();
 };
 
 // What became of the way to where the tool is poised for a step: the trial there, or why it does
@@ -31,12 +41,25 @@ struct Approach {
   std::vector<Claim> claims;  // of this step, that failed on the way
 };
 
+// Up to where a step is attempted, in the order of time.
+enum class Until { kPoised, kReached, kActed, kEnd };
+
+// When a claim was decided: nothing that was observed later changed what it says.
+struct Decision {
+  Until until = Until::kEnd;
+  double seconds = 0;  // simulated, from where the attempt began
+};
+
 // What became of one step.
 struct StepAttempt {
   noise::Noise noise;         // up to its end
   std::vector<Claim> claims;  // of this step
+  // Of each claim, if the step was attempted to its end.
+  std::vector<Decision> decisions = {};
   // The state after it, if it came to its end and all that it was claimed on still holds.
-  std::optional<exec::Checkpoint> end;
+  std::optional<exec::Checkpoint> end = {};
+
+  bool IsWhole() const { return decisions.size() == claims.size(); }
 };
 
 // Attempts one step of a plan again and again, from saved states, with other errors each time.
@@ -52,14 +75,26 @@ class StepAttack {
   // poised.
   Approach Poise(const AttackedWorld& world, const noise::Noise& noise,
                  const exec::Checkpoint* from) const;
-  // `values`: of the free channels.
-  StepAttempt Attempt(const PoisedTrial& poised, const std::vector<double>& values) const;
+  // `values`: of the free channels. Not all claims are made of a step that is not attempted to its
+  // end, and some that are made may still fail. Where one is violated it goes on to its end, if
+  // something may fail there that is not proved.
+  StepAttempt Attempt(const PoisedTrial& poised, const std::vector<double>& values,
+                      Until until) const;
 
  private:
+  // `from`: null for the start of the plan.
   Approach PoiseIn(const scene::Scene& scene, const AttackedWorld& world, const noise::Noise& noise,
                    const exec::Checkpoint* from) const;
-  StepAttempt AttemptIn(const scene::Scene& scene, const PoisedTrial& poised,
-                        const noise::Noise& noise) const;
+  exec::Progress ExecuteStepsBefore(exec::Execution& execution) const;
+  StepAttempt AttemptIn(const scene::Scene& scene, const AttackedWorld& world,
+                        const exec::Checkpoint& from, const noise::Noise& noise, Until until) const;
+  std::vector<Claim> FinerClaims(const PoisedTrial& poised, const noise::Noise& noise,
+                                 Until until) const;
+  bool IsAllProved() const;
+  exec::Progress Work(exec::StepExecution& step, Until until) const;
+  std::vector<Claim> ClaimsOf(const exec::Trace& trace) const;
+  std::vector<Decision> DecisionsOn(const std::vector<Claim>& claims, const exec::Trace& trace,
+                                    double start) const;
 
   const Experiment& experiment_;
   plan::StepId step_;

@@ -54,6 +54,9 @@ std::vector<Axis> AxesShown(const std::vector<CellSummary>& cells) {
 std::string PlanText(const CellRecord& cell) {
   if (cell.outcome == "none") return "no plan";
   if (cell.outcome == "budget") return "budget spent";
+  if (cell.outcome == "untestable") {
+    return fmt::format("{} actions, cannot be tested", cell.actions);
+  }
   return fmt::format("{} actions, {}", cell.actions,
                      cell.proved ? "proved" : fmt::format("{} unproved", cell.errors));
 }
@@ -307,6 +310,7 @@ ExitCode ExitCodeOf(const SweepResults& results) {
     return std::ranges::any_of(
         results.cells, [&](const CellSummary& summary) { return summary.cell.outcome == outcome; });
   };
+  if (has("untestable")) return ExitCode::kFailed;
   if (has("none")) return ExitCode::kNoPlan;
   return has("budget") ? ExitCode::kBudgetSpent : ExitCode::kDone;
 }

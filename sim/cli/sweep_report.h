@@ -38,7 +38,8 @@ std::string ForPeople(const SweepResults& results);
 // sweep.schema.json.
 nlohmann::ordered_json ToJson(const SweepResults& results);
 
-// Failed if a trial failed or a prediction was violated, no plan if a cell has none, else done.
+// Failed if a trial failed, a prediction was violated or a plan cannot be tested; no plan if a cell
+// has none; else done.
 ExitCode ExitCodeOf(const SweepResults& results);
 
 // What a sweep file comes to: its grid. Throws InputError if a scenario of it is wrong.

@@ -151,9 +151,14 @@ Progress StepExecution::Work() {
   return Finish();
 }
 
-Progress StepExecution::Attempt() {
+Progress StepExecution::Advance() {
   if (Progress failure = Run(Phase::kAdvance)) return Named(failure);
   Record(Stage::kReached);
+  return std::nullopt;
+}
+
+Progress StepExecution::Attempt() {
+  if (Progress failure = Advance()) return failure;
   if (Progress failure = Run(Phase::kAct)) return Named(failure);
   Record(Stage::kActed);
   return std::nullopt;

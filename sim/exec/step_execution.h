@@ -25,8 +25,10 @@ class StepExecution {
   // mating: the fixed part) lies where it is tried.
   Progress Work();
 
-  // The parts of the work, for who walks a plan tree. What the step is for, without looking how it
-  // went:
+  // The parts of the work, for who walks a plan tree or attacks a step. The tool goes to where it
+  // acts:
+  Progress Advance();
+  // The same, and what the step is for, without looking how it went:
   Progress Attempt();
   // The first error that a verification of this step signals; empty: none.
   std::string Verify();

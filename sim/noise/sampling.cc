@@ -34,7 +34,7 @@ std::vector<double> UniformPoint(int dimensions, std::uint64_t seed, int number)
 std::vector<double> CornerPoint(int dimensions, std::uint64_t seed, int number) {
   ASSAY_CHECK(dimensions >= 0 && number >= 1);
   std::vector<double> point(dimensions);
-  const unsigned rows = std::bit_ceil(static_cast<unsigned>(dimensions) + 1);
+  const unsigned rows = static_cast<unsigned>(CornerDesignSize(dimensions)) / 2;
   const unsigned row = static_cast<unsigned>(number - 1) / 2;
   if (row < rows) {
     const unsigned opposite = static_cast<unsigned>(number - 1) % 2;
@@ -46,6 +46,10 @@ std::vector<double> CornerPoint(int dimensions, std::uint64_t seed, int number) 
   RandomStream random(seed, fmt::format("corner/{}", number));
   for (double& t : point) t = random.Index(2);
   return point;
+}
+
+int CornerDesignSize(int dimensions) {
+  return static_cast<int>(2 * std::bit_ceil(static_cast<unsigned>(dimensions) + 1));
 }
 
 std::vector<double> EvenPoint(int dimensions, std::uint64_t seed, int number) {

@@ -29,6 +29,8 @@ Noise Sample(const std::vector<Channel>& box, Mode mode, std::uint64_t seed, int
 // are the rows of a Hadamard matrix, each followed by its opposite: for any two channels all four
 // combinations come equally often; then random ones.
 std::vector<double> CornerPoint(int dimensions, std::uint64_t seed, int number);
+// How many are such rows and their opposites.
+int CornerDesignSize(int dimensions);
 // An additive recurrence with powers of the generalized golden ratio, shifted by the seed.
 std::vector<double> EvenPoint(int dimensions, std::uint64_t seed, int number);
 

@@ -77,6 +77,9 @@ std::string CellName(const sweep::CellRecord& cell, const std::vector<CellAxis>&
 std::string PlanText(const sweep::CellRecord& cell) {
   if (cell.outcome == "none") return "no plan";
   if (cell.outcome == "budget") return "budget spent";
+  if (cell.outcome == "untestable") {
+    return CountText(cell.actions, "action") + ", cannot be tested";
+  }
   return fmt::format("{}, {}", CountText(cell.actions, "action"),
                      cell.proved ? "proved" : fmt::format("{} unproved", cell.errors));
 }

@@ -134,6 +134,21 @@ std::string Told(const plan::Plan& plan, const check::Claim& claim) {
 
 }  // namespace
 
+std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& noiseless,
+                              const check::HonestyGate& gate) {
+  std::vector<std::string> lines;
+  for (const check::Claim& claim : noiseless.violated) {
+    lines.push_back("violated without any noise: " + Told(plan, claim));
+  }
+  for (const check::Claim& claim : noiseless.hidden) {
+    lines.push_back(fmt::format(
+        "{}: what the engine makes of it without noise, {:.6g} {}, is wider than what the "
+        "certificate says, or than the clearance: the plan cannot be tested",
+        Told(plan, claim), gate.Floor(claim), check::Name(claim.unit)));
+  }
+  return fmt::format("{}", fmt::join(lines, "\n"));
+}
+
 TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
   const exec::ExecutionEnd& end = trial.trace.end();
   const bool warned = end.outcome == exec::ExecutionOutcome::kEngineWarning;

@@ -13,6 +13,10 @@ namespace assay::sweep {
 // What is kept of a trial; its numbers in the sweep are left out.
 TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial);
 
+// What is wrong with a plan without noise, one claim a line.
+std::string WrongWithoutNoise(const plan::Plan& plan, const check::Noiseless& noiseless,
+                              const check::HonestyGate& gate);
+
 // A whole attack on a plan.
 struct Attacked {
   const check::AttackResult& result;

@@ -28,11 +28,14 @@ struct CellRecord {
   std::int64_t seed = 0;
   int trials = 0;
   std::string grasp;
-  std::string outcome;  // "planned", "none" or "budget"; there are trials if planned
+  // "planned", "untestable" (check::Noiseless does not hold), "none" or "budget"; there are trials
+  // if planned.
+  std::string outcome;
   int actions = 0;
   int errors = 0;  // steps not all of whose preconditions are proved
   bool proved = false;
-  std::string conflict;  // constraints that cannot hold together, or limits, one a line
+  // Constraints that cannot hold together, limits, or what is wrong without noise; one a line.
+  std::string conflict;
   std::string plan;      // plan.json on one line
   check::HonestyGate gate = {};
 };

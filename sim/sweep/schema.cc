@@ -15,8 +15,8 @@ constexpr std::array kRules = {
                 " OR CAST(value AS INTEGER) NOT BETWEEN 1 AND 1000000000)",
                 "a number from 1 to 1000000000"},
     ContentRule{"SELECT 'cell ' || cell || ' has the outcome ' || outcome FROM cell"
-                " WHERE outcome NOT IN ('planned', 'none', 'budget')",
-                "planned, none, budget"},
+                " WHERE outcome NOT IN ('planned', 'untestable', 'none', 'budget')",
+                "planned, untestable, none, budget"},
     ContentRule{"SELECT 'there is a cell ' || cell || ' of ' || trials || ' trials' FROM cell"
                 " WHERE cell < 1 OR trials < 0",
                 "numbers from 1 on"},

@@ -82,6 +82,13 @@ CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
           .plan = plan::ToJson(result, problem, cell.scenario).dump()};
 }
 
+check::Experiment ExperimentOf(const Preparation& preparation) {
+  return {.problem = preparation.scenario.problem,
+          .plan = preparation.plan,
+          .scene = preparation.scenario.simulation.scene,
+          .gate = preparation.gate};
+}
+
 // Makes what the trials of cells have in common.
 class Planning {
  public:
@@ -96,6 +103,7 @@ class Planning {
     if (result.outcome == Outcome::kFound) {
       planned.preparation = Prepare(cell, std::move(scenario), std::move(result.plan), nullptr);
       planned.record.gate = planned.preparation->gate;
+      ExecuteWithoutNoise(*planned.preparation, planned.record);
     }
     return planned;
   }
@@ -112,6 +120,14 @@ class Planning {
   }
 
  private:
+  // Trials say something only of a plan that holds without noise.
+  static void ExecuteWithoutNoise(const Preparation& preparation, CellRecord& record) {
+    const check::Noiseless noiseless = check::ExecuteWithoutNoise(ExperimentOf(preparation));
+    if (noiseless.Holds()) return;
+    record.outcome = "untestable";
+    record.conflict = WrongWithoutNoise(preparation.plan, noiseless, preparation.gate);
+  }
+
   std::shared_ptr<const Preparation> Prepare(const Cell& cell, scenario::Scenario scenario,
                                              plan::Plan plan,
                                              const check::HonestyGate* known_gate) const {
@@ -130,13 +146,6 @@ class Planning {
   const Sweep& sweep_;
   const fs::path& models_;
 };
-
-check::Experiment ExperimentOf(const Preparation& preparation) {
-  return {.problem = preparation.scenario.problem,
-          .plan = preparation.plan,
-          .scene = preparation.scenario.simulation.scene,
-          .gate = preparation.gate};
-}
 
 bool Senses(const plan::Plan& plan) {
   return std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {

@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 TEST(ReportVerb, MakesAPageAndTables) {
   const Folder folder;
   const std::string models = kTree / "models";
-  folder.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.001}\n");
+  folder.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.0005}\n");
   const std::string sweep = folder.Write(
       "sweep.yaml",
       "format: assay-sweep/1\ntitle: A & B\nscenarios: [known.yaml]\nnoise: [none]\ntrials: 1\n");

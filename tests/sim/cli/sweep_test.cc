@@ -88,6 +88,20 @@ TEST_F(SweepVerb, RunsGoesOnAndReplays) {
   EXPECT_THAT(other.err, HasSubstr("the sweep file has changed"));
 }
 
+// In so long a timestep the engine makes more of the plan without any error than its sets are wide:
+// trials would tell nothing.
+TEST_F(SweepVerb, TellsOfAPlanThatCannotBeTested) {
+  folder_.Write("known.yaml", TextOf(kTwoActions) + "simulation: {timestep: 0.001}\n");
+  const Ended ended = Sweep("a.sqlite", {"--json"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  const nlohmann::json result = ended.Json();
+  EXPECT_THAT(SchemaErrors("sim/cli/sweep.schema.json", result), IsEmpty());
+  EXPECT_EQ(result["done"], 0);
+  for (const nlohmann::json& cell : result["cells"]) EXPECT_EQ(cell["outcome"], "untestable");
+  const Ended shown = Assay({"sweep", "show", folder_ / "a.sqlite"});
+  EXPECT_THAT(shown.out, AllOf(HasSubstr("2 actions, cannot be tested"), HasSubstr("cell 1: ")));
+}
+
 TEST_F(SweepVerb, AWrongFileIsAnError) {
   folder_.Write("wrong.yaml", "format: assay-sweep/1\nscenarios: [known.yaml]\ntrails: 3\n");
   const Ended ended = Assay({"sweep", folder_ / "wrong.yaml", "--db", folder_ / "a.sqlite"});
