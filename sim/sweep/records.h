@@ -36,7 +36,7 @@ struct CellRecord {
   bool proved = false;
   // Constraints that cannot hold together, limits, or what is wrong without noise; one a line.
   std::string conflict;
-  std::string plan;      // plan.json on one line
+  std::string plan;  // plan.json on one line
   check::HonestyGate gate = {};
 };
 
