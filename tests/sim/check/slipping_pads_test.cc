@@ -1,0 +1,37 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "sim/check/certificate_check.h"
+#include "sim/exec/executor.h"
+#include "sim/scene/scene.h"
+#include "tests/sim/check/certified.h"
+
+namespace assay::check::slipping_pads_test {
+namespace {
+
+// Pads that bear less than what stops a guarded move (plan::kResistance) slide down on the part
+// once it is seated. That it met its seat is then told by where the part stopped.
+TEST(SlippingPads, MeetTheSeatWhereThePartStops) {
+  domain::Problem problem = ScenarioNamed("uncertain-known");
+  domain::WorkcellRules rules = problem.workcell->rules();
+  rules.pad_friction = 0.04;
+  rules.grip_force = 150;  // 12 N of friction, of 15 N that are felt
+  problem.workcell = problem.workcell->WithRules(rules);
+  const Certified certified = CertifiedPlan(std::move(problem));
+  ASSERT_EQ(certified.plan.errors, 0);
+  const scene::Scene scene(certified.problem, {});
+  mujoco::Data data = scene.Start();
+  const exec::Trace trace =
+      exec::Execute(certified.problem, certified.plan, scene, data, {.sample_rate = 0});
+  const std::vector<Claim> claims = CheckCertificates(certified.problem, certified.plan, trace, {});
+  const auto seat = std::ranges::find(claims, "seat", &Claim::name);
+  ASSERT_NE(seat, claims.end());
+  EXPECT_NE(seat->verdict, ClaimVerdict::kViolated) << seat->observed;
+  EXPECT_NEAR(seat->observed, rules.guarded_travel, 1e-4) << "nothing errs: all of it is left";
+}
+
+}  // namespace
+}  // namespace assay::check::slipping_pads_test
