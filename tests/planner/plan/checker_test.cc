@@ -436,7 +436,7 @@ TEST(Check, FindsAPartOnTheMatingPath) {
   Start start;
   start.other_parts =
       "  brick: {model: brick, pose: {columns: [[1, 0, 0], [0, 1, 0], [0, 0, 1], "
-      "[21.6, 9.25, 7]]}}\n";
+      "[21.6, 9.25, 7]]}, clamp: 1}\n";
   const domain::Problem problem = PegAndBlock(start);
   EXPECT_THAT(Check(problem, TwoSteps(problem), kAllOrders).flaws,
               FlawAt(0, "peg overlaps brick by"));
