@@ -135,6 +135,12 @@ class AttackReport {
     return text;
   }
 
+  std::string Outcome(int violated) const {
+    if (result_.attempts == 0) return "no attempt was made, so that nothing is said of the plan\n";
+    if (violated == 0) return fmt::format("not falsified in {} attempts\n", result_.attempts);
+    return fmt::format("violated in {} of {} attempts\n", violated, result_.attempts);
+  }
+
   std::string Ratios() const {
     if (!run_.conservatism) return {};
     Table table({{"variable"},
@@ -170,9 +176,7 @@ class AttackReport {
                           result_.failed_approaches);
     }
     if (!result_.noiseless.Holds()) return text + Text(plan_, result_.noiseless, experiment_.gate);
-    text += total.violated == 0 ? fmt::format("\nnot falsified in {} attempts\n", result_.attempts)
-                                : fmt::format("\nviolated in {} of {} attempts\n", total.violated,
-                                              result_.attempts);
+    text += "\n" + Outcome(total.violated);
     text += Interruption::Text(result_.attempts, run_.attempts, "attempts");
     if (Interruption::Requested() && run_.conservatism) {
       text += fmt::format("how much more noise it takes was measured of {} variables\n",
