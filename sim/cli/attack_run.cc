@@ -135,7 +135,7 @@ class AttackReport {
     return text;
   }
 
-  std::string Outcome(int violated) const {
+  std::string Outcome(std::int64_t violated) const {
     if (result_.attempts == 0) return "no attempt was made, so that nothing is said of the plan\n";
     if (violated == 0) return fmt::format("not falsified in {} attempts\n", result_.attempts);
     return fmt::format("violated in {} of {} attempts\n", violated, result_.attempts);
