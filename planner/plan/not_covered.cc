@@ -11,16 +11,26 @@ namespace assay::plan {
 namespace {
 
 constexpr char kServos[] = "oscillation of the servos while a part is carried";
+constexpr char kJammed[] =
+    "turning of a part in pads that may jam on it before they lie flat: they touch it at points";
 constexpr char kPushes[] = "pads that slide, and an arm that does not follow, as a strategy pushes";
 
 constexpr char kBeside[] =
     "parts beside the two that are mated: as a strategy runs they are kept clear of without errors "
     "only";
 
+// Faces that lie flat on the pads leave neither a turn nor a tip of the part in the hand.
+bool MayHaveJammed(const ErrorSet& held) {
+  return held.in_hand && (held.theta != Interval{} || held.tip != Interval{});
+}
+
 struct NotCoveredOf {
   const PlannedStep& step;
 
-  std::vector<std::string> operator()(const Pickup&) const { return {kServos}; }
+  std::vector<std::string> operator()(const Pickup&) const {
+    if (std::ranges::any_of(step.certificate.after, MayHaveJammed)) return {kServos, kJammed};
+    return {kServos};
+  }
   std::vector<std::string> operator()(const Putdown&) const { return {}; }
   std::vector<std::string> operator()(const Assemble&) const {
     if (step.strategy) return {kBeside, kPushes};
