@@ -19,25 +19,30 @@ constexpr char kBeside[] =
     "parts beside the two that are mated: as a strategy runs they are kept clear of without errors "
     "only";
 
-// Faces that lie flat on the pads leave neither a turn nor a tip of the part in the hand.
-bool MayHaveJammed(const ErrorSet& held) {
-  return held.in_hand && (held.theta != Interval{} || held.tip != Interval{});
+// A part that came to lie flat on the pads has no error of this name (uncertainty/squeezing.h).
+bool MayHaveJammed(const PlannedStep& step) {
+  return std::ranges::any_of(step.certificate.variables, [](const ErrorVariable& variable) {
+    return variable.name.starts_with("jam_");
+  });
 }
 
 struct NotCoveredOf {
   const PlannedStep& step;
 
-  std::vector<std::string> operator()(const Pickup&) const {
-    if (std::ranges::any_of(step.certificate.after, MayHaveJammed)) return {kServos, kJammed};
-    return {kServos};
-  }
-  std::vector<std::string> operator()(const Putdown&) const { return {}; }
+  std::vector<std::string> operator()(const Pickup&) const { return {kServos}; }
+  std::vector<std::string> operator()(const Putdown&) const { return OfWhatIsHeld(); }
   std::vector<std::string> operator()(const Assemble&) const {
-    if (step.strategy) return {kBeside, kPushes};
-    return {};
+    std::vector<std::string> names = OfWhatIsHeld();
+    if (step.strategy) names.insert(names.end(), {kBeside, kPushes});
+    return names;
   }
   std::vector<std::string> operator()(const Sense&) const { return {}; }
   std::vector<std::string> operator()(const Squeeze&) const { return {}; }
+
+  std::vector<std::string> OfWhatIsHeld() const {
+    if (MayHaveJammed(step)) return {kJammed};
+    return {};
+  }
 };
 
 // The steps that do not claim it; the last one does so twice, also of the way home.

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace assay::plan::not_covered_test {
 namespace {
 
@@ -10,10 +12,12 @@ using ::testing::Contains;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-Plan PickupThatLeaves(const ErrorSet& held) {
+Plan PutdownWith(const std::string& error) {
   Plan plan;
-  plan.steps.push_back({.action = Pickup{}, .executed = 1});
-  plan.steps.front().certificate.after = {held};
+  PlannedStep& step = plan.steps.emplace_back();
+  step.action = Putdown{};
+  step.executed = 1;
+  step.certificate.variables.emplace_back().name = error;
   return plan;
 }
 
@@ -21,15 +25,8 @@ Plan PickupThatLeaves(const ErrorSet& held) {
 // certificate covers that, and no plan is silent of it.
 TEST(NotCovered, APartInJammedPadsMayTurn) {
   const auto jammed = Contains(HasSubstr("jam"));
-  const ErrorSet flat = {
-      .part = domain::PartId(0), .in_hand = true, .x = {-1e-3, 1e-3}, .twist = {-0.1, 0.1}};
-  EXPECT_THAT(NotCovered(PickupThatLeaves(flat)), Not(jammed));
-  ErrorSet turned = flat;
-  turned.theta = {-1e-3, 1e-3};
-  EXPECT_THAT(NotCovered(PickupThatLeaves(turned)), jammed);
-  ErrorSet tipped = flat;
-  tipped.tip = {0, 1e-3};
-  EXPECT_THAT(NotCovered(PickupThatLeaves(tipped)), jammed);
+  EXPECT_THAT(NotCovered(PutdownWith("slip_peg")), Not(jammed));
+  EXPECT_THAT(NotCovered(PutdownWith("jam_peg")), jammed);
 }
 
 }  // namespace
