@@ -164,7 +164,7 @@ class TravelSearch {
   const std::string& in_the_way() const { return in_the_way_; }  // of what was looked at last
 
  private:
-  // Of the tool's pose, and what they do to the arm's joints.
+  // By how much the tool's pose may be off, and what that does to the arm's joints.
   struct ArmErrors {
     JointVector joints = JointVector::Zero();
     plan::ToolDoubt tool = {};

@@ -1,5 +1,6 @@
 #include "planner/domain/face_contact.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "planner/domain/part_model.h"
@@ -11,6 +12,8 @@ using geometry::Polygon;
 using geometry::Vector2;
 using geometry::Vector3;
 
+constexpr double kTouching = 1e-5;         // metres between what touches
+constexpr double kLowestLayer = 1e-6;      // metres above the lowest vertex of a part that rests
 constexpr double kFlatOnEachOther = 1e-6;  // of the cosine of normals, from -1
 constexpr double kLooksDown = -0.5;        // the vertical of a normal, at most
 
@@ -36,6 +39,16 @@ void AddCorners(const Face& upper, const Pose& X_LowerUpper, const Face& lower,
 }
 
 }  // namespace
+
+std::vector<Vector3> CornersOnTable(const PartModel& part, const Pose& X_WorldPart) {
+  std::vector<Vector3> vertices;
+  for (const Vector3& v : part.hull().vertices) vertices.push_back(X_WorldPart * v);
+  const auto height = [](const Vector3& v) { return v.z(); };
+  const double lowest = height(*std::ranges::min_element(vertices, {}, height));
+  if (std::abs(lowest) > kTouching) return {};
+  std::erase_if(vertices, [&](const Vector3& v) { return v.z() > lowest + kLowestLayer; });
+  return vertices;
+}
 
 std::vector<Vector3> CornersOfContact(const PartModel& upper, const Pose& X_WorldUpper,
                                       const PartModel& lower, const Pose& X_WorldLower) {

@@ -8,7 +8,9 @@ namespace assay::domain {
 
 class PartModel;
 
-inline constexpr double kTouching = 1e-5;  // metres between what touches
+// The lowest vertices of a part that touches the table, world; none if it does not.
+std::vector<geometry::Vector3> CornersOnTable(const PartModel& part,
+                                              const geometry::Pose& X_WorldPart);
 
 // Corners of the regions in which faces of the upper part that look down lie on faces of the lower
 // part, world; none if the two do not touch so.

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -18,6 +18,14 @@
 
 namespace assay::domain {
 namespace {
+
+double LowestOf(const Part& part) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vector3& vertex : part.model->hull().vertices) {
+    lowest = std::min(lowest, (part.X_WorldPart * vertex).z());
+  }
+  return lowest;
+}
 
 class InitialPosesFile {
  public:
@@ -179,10 +187,7 @@ void InitialPosesFile::CheckOnTable(const Value& pose, PartId id) const {
 }
 
 void InitialPosesFile::CheckAboveTable(const Value& place, const Part& part) const {
-  double lowest = 0;
-  for (const Vector3& vertex : part.model->hull().vertices) {
-    lowest = std::min(lowest, (part.X_WorldPart * vertex).z());
-  }
+  const double lowest = LowestOf(part);
   const double allowance = problem_.workcell->rules().contact_allowance;
   if (lowest >= -allowance - kRounding) return;
   place.Fail(fmt::format("part '{}' is {:.4g} deep in the table", part.name, InFileUnits(-lowest)),
@@ -206,32 +211,30 @@ void InitialPosesFile::CheckApart() const {
 // Its centre of mass is over what it stands on: else it falls before anything is done.
 void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
   const Part& part = problem_.part(id);
-  std::vector<Vector2> stands_on;
-  double lowest = std::numeric_limits<double>::infinity();
-  for (const Vector3& vertex : part.model->hull().vertices) {
-    const Vector3 p = part.X_WorldPart * vertex;
-    lowest = std::min(lowest, p.z());
-    if (std::abs(p.z()) <= kTouching) stands_on.push_back(p.head<2>());
-  }
+  std::vector<Vector3> corners = CornersOnTable(*part.model, part.X_WorldPart);
   for (const Part& other : problem_.parts) {
     if (&other == &part) continue;
-    for (const Vector3& p :
-         CornersOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart)) {
-      stands_on.push_back(p.head<2>());
-    }
+    std::ranges::copy(
+        CornersOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart),
+        std::back_inserter(corners));
   }
+  std::vector<Vector2> stands_on;
+  for (const Vector3& corner : corners) stands_on.push_back(corner.head<2>());
   const Vector2 center = (part.X_WorldPart * part.model->mass().center).head<2>();
   const double inside = geometry::Depth(geometry::Hull2(stands_on), center);
   if (inside > 0) return;
-  place.Fail(
+  const std::string what =
       stands_on.empty()
-          ? fmt::format("part '{}' stands on nothing: its lowest point is {:.4g} above the table",
-                        part.name, InFileUnits(lowest))
+          ? fmt::format("stands on nothing: its lowest point is {:.4g} above the table",
+                        InFileUnits(LowestOf(part)))
           : fmt::format(
-                "part '{}' falls over: its centre of mass is {:.4g} beside what it stands on",
-                part.name, InFileUnits(-inside)),
-      "a pose in which it stands on the table or on other parts, a mating of 'initially', or a "
-      "fixture ('clamp')");
+                "falls over: its centre of mass is {:.4g} beside what it "
+                "stands on",
+                InFileUnits(-inside));
+  place.Fail(
+      fmt::format("part '{}' {}", part.name, what),
+      "a pose in which it stands on the table or on other parts, a mating of 'initially', or "
+      "a fixture ('clamp')");
 }
 
 }  // namespace

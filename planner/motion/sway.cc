@@ -47,21 +47,21 @@ Matrix6 ChangeOf(const Matrix6& jacobian, int j) {
   return change;
 }
 
+// The last three joints leave the center where it is, so that J and A are made of blocks.
 Differential DifferentialAt(const domain::Workcell& workcell, const JointVector& q) {
-  const std::array<Pose, 7> X_BaseLink = workcell.arm().LinkPoses(q);
-  const Pose X_WorldFlange = workcell.X_WorldBase() * X_BaseLink.back();
-  const Vector3 center = X_WorldFlange * WristInFlange(workcell);
-  Differential at;
+  const kinematics::WristJacobian at_wrist = workcell.arm().JacobianAt(q);
+  const Matrix3 R_WorldBase = workcell.X_WorldBase().linear();
+  const Matrix3 center = R_WorldBase * at_wrist.center;
+  const Matrix3 shoulder = R_WorldBase * at_wrist.shoulder;
+  const Matrix3 wrist = R_WorldBase * at_wrist.wrist;
+  const Matrix3 by_velocity = center.inverse();
+  const Matrix3 by_turn = wrist.inverse();
   Matrix6 jacobian;
-  for (int k = 0; k < 6; ++k) {
-    const Pose X_WorldLink = workcell.X_WorldBase() * X_BaseLink[k + 1];
-    const Vector3 axis = X_WorldLink.linear() * workcell.arm().model().joints[k].axis;
-    const Vector3 velocity = axis.cross(center - X_WorldLink.translation());
-    jacobian.col(k) << velocity, axis;
-    at.lever[k] = velocity.norm();
-  }
-  at.inverse = jacobian.inverse();
+  jacobian << center, Matrix3::Zero(), shoulder, wrist;
+  Differential at;
+  at.inverse << by_velocity, Matrix3::Zero(), -by_turn * shoulder * by_velocity, by_turn;
   for (int j = 0; j < 6; ++j) at.change[j] = (at.inverse * ChangeOf(jacobian, j)).cwiseAbs();
+  for (int k = 0; k < 3; ++k) at.lever[k] = center.col(k).norm();
   return at;
 }
 

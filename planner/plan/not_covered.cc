@@ -22,7 +22,7 @@ constexpr char kBeside[] =
 // A part that came to lie flat on the pads has no error of this name (uncertainty/squeezing.h).
 bool MayHaveJammed(const PlannedStep& step) {
   return std::ranges::any_of(step.certificate.variables, [](const ErrorVariable& variable) {
-    return variable.name.starts_with("jam_");
+    return variable.name.starts_with(std::string(kJam) + "_");
   });
 }
 

@@ -39,7 +39,7 @@ struct PlannerOptions {
 // is nothing yet to judge; then, or when moments are spent, the outcome is kBudget: what a judge
 // objects to proves nothing. The moments are shared out among the limits on the number of actions.
 plan::PlanResult MakePlan(const domain::Problem& problem, const PlannerOptions& options);
-// The same with the problem's geometric relations, which are found once for several searches.
+// Several searches of one problem share its geometric relations, which this is given.
 plan::PlanResult MakePlan(const domain::Problem& problem, const GeometricRelations& relations,
                           const PlannerOptions& options);
 

@@ -11,6 +11,7 @@
 #include "planner/uncertainty/mating_end.h"
 #include "planner/uncertainty/precondition.h"
 #include "planner/uncertainty/release.h"
+#include "planner/uncertainty/touching_cells.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -59,11 +60,6 @@ Transform GraspInHand(const HeldError& held) {
   return PossibleGrasp(held, {0, 0, 0, 0}, Propagation::kSound);
 }
 
-double AngleOf(const UncertainWorld& world, const HeldError& held) {
-  return Magnitude(world.RangeOf(held.skew)) + Magnitude(world.RangeOf(held.tip)) +
-         Magnitude(world.RangeOf(held.twist));
-}
-
 class HandConditions {
  public:
   enum class Leaves { kYes, kNo };
@@ -106,7 +102,7 @@ class HandConditions {
     const Pose planned = hold_.X_PartTool.inverse();
     RequireClearOfHandled({Pose::Identity(), {}, 0},
                           {planned, algebra::Simplify(GraspInHand(held) * AsTransform(planned)),
-                           AngleOf(world_, held)},
+                           OffInHandOf(world_, held).turn},
                           tool_.planned.linear().transpose().cwiseAbs() * slack, leaves);
   }
 
@@ -218,7 +214,7 @@ PossibleFrame ToolLed(const UncertainWorld& world, const LettingGo& work) {
                         AsTransform(work.hold.X_PartTool) *
                         algebra::Inverse(GraspInHand(world.held()));
   return {work.X_WorldPart * work.hold.X_PartTool, algebra::Simplify(led),
-          Magnitude(world.RangeOf(work.released.theta)) + AngleOf(world, world.held())};
+          Magnitude(world.RangeOf(work.released.theta)) + OffInHandOf(world, world.held()).turn};
 }
 
 }  // namespace

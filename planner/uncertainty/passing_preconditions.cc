@@ -9,6 +9,7 @@
 #include "planner/uncertainty/clearance.h"
 #include "planner/uncertainty/mating_end.h"
 #include "planner/uncertainty/precondition.h"
+#include "planner/uncertainty/touching_cells.h"
 
 namespace assay::uncertainty {
 namespace {
@@ -66,12 +67,7 @@ struct WayIn {
 
 // As the hand has it.
 double AngleOfHeld(const UncertainWorld& world) {
-  const HeldError& held = world.held();
-  double angle = Magnitude(world.problem().gripper_error.theta);
-  for (const Expression* turned : {&held.skew, &held.tip, &held.twist}) {
-    angle += Magnitude(world.RangeOf(*turned));
-  }
-  return angle;
+  return Magnitude(world.problem().gripper_error.theta) + OffInHandOf(world, world.held()).turn;
 }
 
 WayIn WayToSeat(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,

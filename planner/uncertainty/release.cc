@@ -92,13 +92,12 @@ bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pos
 
 double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
                    const RestingError& released) {
-  const domain::WorkcellRules& rules = world.problem().workcell->rules();
-  const double friction = rules.pad_friction - world.problem().tolerances.pad_friction;
-  if (2 * friction * rules.grip_force > plan::kResistance) return 0;
+  if (plan::PadsBearResistance(world.problem())) return 0;
   const double doubt = Magnitude(world.RangeOf(draw.z)) +
                        Magnitude(world.RangeOf(released.displacement[2])) +
                        OffInHandOf(world, world.held()).shift.norm();
-  return 2 * std::min(doubt, rules.guarded_travel) + plan::kBeyondContact;
+  const double travel = world.problem().workcell->rules().guarded_travel;
+  return 2 * std::min(doubt, travel) + plan::kBeyondContact;
 }
 
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,

@@ -15,18 +15,7 @@ namespace {
 using domain::PartModel;
 using geometry::Polygon;
 
-constexpr double kLowestLayer = 1e-6;  // metres above the lowest vertex of a part that rests
-constexpr double kOnTheEdge = 1e-9;    // metres
-
-void AddTable(const PartModel& model, const Pose& X_WorldPart, std::vector<Standing>& standings) {
-  std::vector<Vector3> vertices;
-  for (const Vector3& v : model.hull().vertices) vertices.push_back(X_WorldPart * v);
-  const auto height = [](const Vector3& v) { return v.z(); };
-  const double lowest = height(*std::ranges::min_element(vertices, {}, height));
-  if (std::abs(lowest) > domain::kTouching) return;
-  std::erase_if(vertices, [&](const Vector3& v) { return v.z() > lowest + kLowestLayer; });
-  standings.push_back({PartId::None(), std::move(vertices)});
-}
+constexpr double kOnTheEdge = 1e-9;  // metres
 
 // Down, and turning about an edge.
 struct Pressing {
@@ -94,7 +83,9 @@ std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
   const domain::Problem& problem = world.problem();
   const PartModel& model = *problem.part(part).model;
   std::vector<Standing> standings;
-  AddTable(model, X_WorldPart, standings);
+  if (std::vector<Vector3> at = domain::CornersOnTable(model, X_WorldPart); !at.empty()) {
+    standings.push_back({PartId::None(), std::move(at)});
+  }
   for (int p = 0; p < static_cast<int>(problem.parts.size()); ++p) {
     const PartId other(p);
     if (other == part || other == world.in_hand()) continue;

@@ -9,12 +9,11 @@
 #include <map>
 #include <mutex>
 #include <nlopt.hpp>
-#include <tuple>
 
 #include "planner/base/check.h"
+#include "sim/check/attacked_step.h"
 #include "sim/check/main_effects.h"
 #include "sim/check/shrink.h"
-#include "sim/check/step_attack.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {
@@ -28,106 +27,6 @@ constexpr std::size_t kMostStates = 16;  // that the next step starts from
 constexpr std::size_t kSearches = 8;     // local ones, of a step's least margins
 // Attempts between two looks at whether something is violated, if that is enough.
 constexpr std::size_t kAtOnce = 4;
-
-using ClaimKey = std::tuple<plan::StepId, Claimed, std::string>;
-
-ClaimKey KeyOf(const Claim& claim) { return {claim.step, claim.about, claim.name}; }
-
-struct Sample {
-  std::size_t start = 0;      // index of a poised trial
-  std::vector<double> point;  // in the unit cube of the free channels
-  AttackPhase phase = AttackPhase::kVertices;
-  Until until = Until::kEnd;
-  StepAttempt attempt = {};
-  bool was_made = false;  // not if the attack was stopped before
-};
-
-// What an attempt is made for: a claim, that is decided by then.
-struct Aim {
-  ClaimKey claim;
-  Until until = Until::kEnd;
-  double seconds = 0;  // simulated, up to there
-};
-
-// Splits attempts so that aims get the same simulated time: what is decided sooner is attempted
-// more often.
-std::vector<std::int64_t> Allotted(std::int64_t attempts, const std::vector<Aim>& aims) {
-  double all = 0;
-  for (const Aim& aim : aims) all += 1 / aim.seconds;
-  std::vector<std::int64_t> counts;
-  double sum = 0;
-  std::int64_t given = 0;
-  for (const Aim& aim : aims) {
-    sum += 1 / aim.seconds;
-    const auto by_now = std::llround(static_cast<double>(attempts) * sum / all);
-    counts.push_back(by_now - given);
-    given = by_now;
-  }
-  return counts;
-}
-
-// Of one step: all its samples, in their order.
-class Step {
- public:
-  Step(const Experiment& experiment, plan::StepId id, const noise::Noise& noise)
-      : attack_(experiment, id, noise) {
-    for (const std::size_t i : attack_.free_channels()) ranges_.push_back(noise.box()[i].range);
-  }
-
-  const StepAttack& attack() const { return attack_; }
-  int dimensions() const { return static_cast<int>(ranges_.size()); }
-  std::vector<PoisedTrial>& poised() { return poised_; }
-  std::vector<Sample>& samples() { return samples_; }
-
-  std::vector<double> At(const std::vector<double>& point) const {
-    std::vector<double> values(point.size());
-    for (std::size_t i = 0; i < point.size(); ++i) {
-      values[i] = (1 - point[i]) * ranges_[i].low + point[i] * ranges_[i].high;
-    }
-    return values;
-  }
-
-  // What is made of a step that is broken off counts as far as it is decided.
-  StepAttempt Attempt(const Sample& sample) const {
-    StepAttempt attempt = attack_.Attempt(poised_[sample.start], At(sample.point), sample.until);
-    if (attempt.IsWhole()) return attempt;
-    std::erase_if(attempt.claims, [&](const Claim& claim) {
-      const Aim* const aim = AimAt(KeyOf(claim));
-      return !claim.IsViolated() && (aim == nullptr || aim->until > sample.until);
-    });
-    return attempt;
-  }
-
-  // Of the claims that errors can change, by when they were decided in all samples up to here.
-  void FindAims() {
-    std::map<ClaimKey, Aim> aims;
-    for (const Sample& sample : samples_) {
-      const std::vector<Decision>& decisions = sample.attempt.decisions;
-      for (std::size_t i = 0; i < decisions.size(); ++i) {
-        const Claim& claim = sample.attempt.claims[i];
-        if (claim.verdict == ClaimVerdict::kNotClaimed || claim.unit == Unit::kNone) continue;
-        Aim& aim = aims.try_emplace(KeyOf(claim), Aim{KeyOf(claim), Until::kPoised}).first->second;
-        aim.until = std::max(aim.until, decisions[i].until);
-        aim.seconds = std::max(aim.seconds, decisions[i].seconds);
-      }
-    }
-    aims_.clear();
-    for (auto& [key, aim] : aims) aims_.push_back(std::move(aim));
-  }
-  const std::vector<Aim>& aims() const { return aims_; }
-  // Null: there is none.
-  const Aim* AimAt(const ClaimKey& claim) const {
-    const auto found = std::ranges::find(aims_, claim, &Aim::claim);
-    return found == aims_.end() ? nullptr : &*found;
-  }
-
- private:
-  StepAttack attack_;
-  std::vector<Interval> ranges_;
-  std::vector<PoisedTrial> poised_;
-  std::vector<Sample> samples_;
-  std::vector<Aim> aims_;
-};
 
 bool Violates(const Sample& sample) {
   return std::ranges::any_of(sample.attempt.claims, &Claim::IsViolated);
@@ -173,7 +72,7 @@ class Attacker {
       const auto steps = static_cast<std::int64_t>(order.size());
       const std::int64_t budget =
           options_.attempts * (done + 1) / steps - options_.attempts * done / steps;
-      Step step(experiment_, order[i], worlds_.front().noise);
+      AttackedStep step(experiment_, order[i], worlds_.front().noise);
       Poise(starts, step);
       if (step.poised().empty()) break;
       AttackStep(step, budget);
@@ -215,7 +114,7 @@ class Attacker {
     arena_.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
   }
 
-  void Poise(const std::vector<Start>& starts, Step& step) {
+  void Poise(const std::vector<Start>& starts, AttackedStep& step) {
     std::vector<Approach> approaches(starts.size());
     InParallel(starts.size(), [&](std::size_t i) {
       approaches[i] = step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
@@ -230,7 +129,7 @@ class Attacker {
     }
   }
 
-  void AttackStep(Step& step, std::int64_t budget) {
+  void AttackStep(AttackedStep& step, std::int64_t budget) {
     const auto share = [&](double of_all) {
       return static_cast<std::int64_t>(of_all * static_cast<double>(budget));
     };
@@ -249,13 +148,13 @@ class Attacker {
     SearchLocally(step, budget - std::ssize(step.samples()));
   }
 
-  bool IsEnough(Step& step) const {
+  bool IsEnough(AttackedStep& step) const {
     return options_.until_violated && std::ranges::any_of(step.samples(), Violates);
   }
 
   // A corner and its opposite after the same start, so that effects of errors are not taken for
   // those of starts.
-  std::vector<Sample> Design(Step& step, std::int64_t count) const {
+  std::vector<Sample> Design(AttackedStep& step, std::int64_t count) const {
     std::vector<Sample> samples;
     for (int n = 0; n < count; ++n) {
       samples.push_back({static_cast<std::size_t>(n / 2) % step.poised().size(),
@@ -264,7 +163,7 @@ class Attacker {
     return samples;
   }
 
-  std::vector<Sample> EvenPoints(Step& step, std::int64_t count) const {
+  std::vector<Sample> EvenPoints(AttackedStep& step, std::int64_t count) const {
     std::vector<Sample> samples;
     const std::vector<std::int64_t> counts = Allotted(count, step.aims());
     for (std::size_t i = 0; i < counts.size(); ++i) {
@@ -280,7 +179,7 @@ class Attacker {
 
   // At which the claims are likely to be extreme, as the samples up to here have it: those first
   // whose margins are expected to be least; no corner twice.
-  static std::vector<Sample> LikelyCorners(Step& step, std::int64_t count) {
+  static std::vector<Sample> LikelyCorners(AttackedStep& step, std::int64_t count) {
     std::vector<std::pair<double, Sample>> likely;
     for (const auto& [key, responses] : Responses(step)) {
       const Claim& claim = *Find(step.samples().front().attempt.claims, key);
@@ -309,7 +208,7 @@ class Attacker {
   }
 
   // Of the claims that all samples make of what errors can change.
-  static std::map<ClaimKey, std::vector<CornerResponse>> Responses(Step& step) {
+  static std::map<ClaimKey, std::vector<CornerResponse>> Responses(AttackedStep& step) {
     std::map<ClaimKey, std::vector<CornerResponse>> responses;
     for (const Sample& sample : step.samples()) {
       for (const Claim& claim : sample.attempt.claims) {
@@ -322,7 +221,7 @@ class Attacker {
     return responses;
   }
 
-  void TryAll(Step& step, std::vector<Sample> samples) {
+  void TryAll(AttackedStep& step, std::vector<Sample> samples) {
     const std::size_t at_once = options_.until_violated ? kAtOnce : samples.size();
     for (std::size_t first = 0; first < samples.size() && !IsEnough(step); first += at_once) {
       const std::size_t count = std::min(at_once, samples.size() - first);
@@ -333,7 +232,7 @@ class Attacker {
     }
   }
 
-  void Try(const Step& step, Sample& sample) {
+  void Try(const AttackedStep& step, Sample& sample) {
     if (Stops()) return;
     sample.attempt = step.Attempt(sample);
     sample.was_made = true;
@@ -344,7 +243,7 @@ class Attacker {
   }
 
   // From the least margins of different claims, as many searches side by side.
-  void SearchLocally(Step& step, std::int64_t budget) {
+  void SearchLocally(AttackedStep& step, std::int64_t budget) {
     std::vector<Aim> aims;
     std::vector<const Sample*> starts;
     for (const auto& [key, sample] : LeastMargins(step)) {
@@ -364,7 +263,7 @@ class Attacker {
   }
 
   // Those whose errors can matter: sets without width are attained by any sample.
-  static std::vector<std::pair<ClaimKey, const Sample*>> LeastMargins(Step& step) {
+  static std::vector<std::pair<ClaimKey, const Sample*>> LeastMargins(AttackedStep& step) {
     std::map<ClaimKey, std::pair<double, const Sample*>> least;
     for (const Sample& sample : step.samples()) {
       for (const Claim& claim : sample.attempt.claims) {
@@ -382,7 +281,7 @@ class Attacker {
     return sorted;
   }
 
-  std::vector<Sample> Search(const Step& step, const Aim& aim, const Sample& start,
+  std::vector<Sample> Search(const AttackedStep& step, const Aim& aim, const Sample& start,
                              std::int64_t budget) {
     std::vector<Sample> samples;
     if (budget < 1) return samples;
@@ -424,7 +323,7 @@ class Attacker {
   }
 
   // Counts the step's samples, and chooses those that the next step starts from.
-  std::vector<Start> Collect(Step& step) {
+  std::vector<Start> Collect(AttackedStep& step) {
     std::map<ClaimKey, std::pair<const Sample*, const Sample*>> farthest;  // out, each way
     for (const Sample& sample : step.samples()) {
       Count(sample);

@@ -7,6 +7,7 @@
 
 #include "planner/domain/resting.h"
 #include "planner/domain/shaft_fit.h"
+#include "planner/plan/pushing.h"
 #include "sim/check/fit.h"
 
 namespace assay::check {
@@ -119,7 +120,8 @@ class Meaning {
     const double beyond = direction.dot(reached.tool.believed.translation() - expected);
     if (events_.resisted.value_or(false)) return travel - std::abs(beyond);
     const double missing = direction.dot(X_WorldEnd.translation() - PartAt(reached).translation());
-    if (events_.poised == nullptr || missing > kStandsOn) {
+    const bool may_have_slid = !plan::PadsBearResistance(problem_) && missing <= kStandsOn;
+    if (events_.poised == nullptr || !may_have_slid) {
       return std::min(0.0, travel - std::abs(beyond)) - travel;
     }
     const exec::Moment& poised = *events_.poised;

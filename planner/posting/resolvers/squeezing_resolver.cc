@@ -51,8 +51,8 @@ PartId ObstacleOf(const domain::Problem& problem, const plan::WorldState& state,
 // The part's grasps, those of the tool that leans least first.
 std::vector<GraspId> ByLean(const domain::Part& part, const Pose& X_WorldPart) {
   std::vector<GraspId> order;
-  // Of the approach's z: -1 is straight down; rounded, so that equal leans compare equal on every
-  // machine.
+  // The z components of the tools' axes: -1 is straight down. They are rounded, so that equal leans
+  // compare equal on every machine.
   std::vector<double> heights;
   for (const Grasp& grasp : *part.grasps) {
     order.emplace_back(heights.size());

@@ -35,7 +35,7 @@ class Augmentation {
  public:
   // No step yet, of an instance of so many.
   Augmentation(UncertaintyTask& task, std::size_t steps);
-  // Of a whole instance.
+  // With all steps of the instance added, and failures prepared for.
   Augmentation(UncertaintyTask& task, const plan::Plan& instance);
 
   // Whether all goals of the step are proved, with what is then inserted.

@@ -47,7 +47,7 @@ class PlanWriter {
     const bool is_proved = step.Unabsorbed(std::move(certified.unproved)).empty();
     ASSAY_CHECK(is_proved == !step.fails(), "'{}' is certified otherwise than it was decided",
                 written.name);
-    // Those of the first phase tell which parts were moved for it.
+    // Resolutions of the first phase, which tell that parts were moved for this step, are kept.
     std::vector<Resolution> resolutions = std::move(written.certificate.resolutions);
     written.certificate = std::move(certified.certificate);
     written.certificate.resolutions = std::move(resolutions);

@@ -44,7 +44,7 @@ struct AugmentedStep {
 
   const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
   bool fails() const { return !failed.IsNone(); }
-  // Those that it has to have proved.
+  // The unproved goals that no remedy has taken upon itself.
   std::vector<uncertainty::Unproved> Unabsorbed(std::vector<uncertainty::Unproved> unproved) const;
   bool IsProved(uncertainty::WorldTree& tree, uncertainty::MomentId after) const;
 

@@ -26,7 +26,7 @@ Plan PutdownWith(const std::string& error) {
 TEST(NotCovered, APartInJammedPadsMayTurn) {
   const auto jammed = Contains(HasSubstr("jam"));
   EXPECT_THAT(NotCovered(PutdownWith("slip_peg")), Not(jammed));
-  EXPECT_THAT(NotCovered(PutdownWith("jam_peg")), jammed);
+  EXPECT_THAT(NotCovered(PutdownWith(std::string(kJam) + "_peg")), jammed);
 }
 
 }  // namespace
