@@ -12,8 +12,8 @@ using geometry::Polygon;
 using geometry::Vector2;
 using geometry::Vector3;
 
-constexpr double kTouching = 1e-5;         // metres between what touches
-constexpr double kLowestLayer = 1e-6;      // metres above the lowest vertex of a part that rests
+constexpr double kInContact = 1e-5;        // metres between what touches
+constexpr double kInLowestLayer = 1e-6;    // metres above the lowest vertex of a part that rests
 constexpr double kFlatOnEachOther = 1e-6;  // of the cosine of normals, from -1
 constexpr double kLooksDown = -0.5;        // the vertical of a normal, at most
 
@@ -23,7 +23,7 @@ void AddCorners(const Face& upper, const Pose& X_LowerUpper, const Face& lower,
   const Vector3 normal = X_LowerUpper.linear() * upper.normal;
   if (lower.normal.dot(normal) > -1 + kFlatOnEachOther) return;
   const Vector3 on_upper = X_LowerUpper * (upper.offset * upper.normal);
-  if (std::abs(lower.normal.dot(on_upper) - lower.offset) > kTouching) return;
+  if (std::abs(lower.normal.dot(on_upper) - lower.offset) > kInContact) return;
   const Pose X_LowerFaceUpperFace = lower.X_PartFace.inverse() * X_LowerUpper * upper.X_PartFace;
   for (const Polygon& patch : upper.patches) {
     std::vector<Vector2> seen;
@@ -45,8 +45,8 @@ std::vector<Vector3> CornersOnTable(const PartModel& part, const Pose& X_WorldPa
   for (const Vector3& v : part.hull().vertices) vertices.push_back(X_WorldPart * v);
   const auto height = [](const Vector3& v) { return v.z(); };
   const double lowest = height(*std::ranges::min_element(vertices, {}, height));
-  if (std::abs(lowest) > kTouching) return {};
-  std::erase_if(vertices, [&](const Vector3& v) { return v.z() > lowest + kLowestLayer; });
+  if (std::abs(lowest) > kInContact) return {};
+  std::erase_if(vertices, [&](const Vector3& v) { return v.z() > lowest + kInLowestLayer; });
   return vertices;
 }
 

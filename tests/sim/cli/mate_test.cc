@@ -118,6 +118,13 @@ TEST(Mate, AStrategyLeadsThroughAllCriticalPoints) {
   EXPECT_EQ(result["trials"]["strategy"]["seated"], 1);
 }
 
+// Nothing holds the block against what a strategy pushes.
+TEST(Mate, AFixturesAbsenceIsTold) {
+  const Ended ended = Assay({"mate", kTree / "scenarios/keyed.yaml", "--trials", "1"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("a fixture is declared by the key clamp of block"));
+}
+
 // The block stands on an end, and is laid down before.
 TEST(Mate, TheFixedPartLiesWhereThePlanHasPutIt) {
   const Folder folder;
