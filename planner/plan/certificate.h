@@ -12,10 +12,6 @@ namespace assay::plan {
 using StepId = Id<struct StepTag>;  // index in Plan::steps, which is the order of insertion
 
 // A bounded variable that a certificate speaks of: "dx_block", in [low, high], metres or radians.
-// Begins the name of the error of a part that may have jammed between the pads, before its faces
-// lay flat on them; the name goes on with an underscore and the part.
-inline constexpr char kJam[] = "jam";
-
 struct ErrorVariable {
   std::string name;
   Interval range;

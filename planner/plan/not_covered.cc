@@ -11,38 +11,23 @@ namespace assay::plan {
 namespace {
 
 constexpr char kServos[] = "oscillation of the servos while a part is carried";
-constexpr char kJammed[] =
-    "turning of a part in pads that may jam on it before they lie flat: they touch it at points";
 constexpr char kPushes[] = "pads that slide, and an arm that does not follow, as a strategy pushes";
 
 constexpr char kBeside[] =
     "parts beside the two that are mated: as a strategy runs they are kept clear of without errors "
     "only";
 
-// A part that came to lie flat on the pads has no error of this name (uncertainty/squeezing.h).
-bool MayHaveJammed(const PlannedStep& step) {
-  return std::ranges::any_of(step.certificate.variables, [](const ErrorVariable& variable) {
-    return variable.name.starts_with(std::string(kJam) + "_");
-  });
-}
-
 struct NotCoveredOf {
   const PlannedStep& step;
 
   std::vector<std::string> operator()(const Pickup&) const { return {kServos}; }
-  std::vector<std::string> operator()(const Putdown&) const { return OfWhatIsHeld(); }
+  std::vector<std::string> operator()(const Putdown&) const { return {}; }
   std::vector<std::string> operator()(const Assemble&) const {
-    std::vector<std::string> names = OfWhatIsHeld();
-    if (step.strategy) names.insert(names.end(), {kBeside, kPushes});
-    return names;
+    if (!step.strategy) return {};
+    return {kBeside, kPushes};
   }
   std::vector<std::string> operator()(const Sense&) const { return {}; }
   std::vector<std::string> operator()(const Squeeze&) const { return {}; }
-
-  std::vector<std::string> OfWhatIsHeld() const {
-    if (MayHaveJammed(step)) return {kJammed};
-    return {};
-  }
 };
 
 // The steps that do not claim it; the last one does so twice, also of the way home.

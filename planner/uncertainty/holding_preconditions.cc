@@ -84,6 +84,12 @@ double LoadRatio(const Grip& grip, double force, const Carried& carried, const V
   return greatest;
 }
 
+// Pads that jammed before the part's faces lay flat on them may touch it at two corners. It rolls
+// from corner to corner without any friction, so that nothing keeps it from turning in the hand.
+bool MayHaveJammed(const UncertainWorld& world, const HeldError& held) {
+  return Magnitude(world.RangeOf(held.skew)) > 0 || Magnitude(world.RangeOf(held.tip)) > 0;
+}
+
 }  // namespace
 
 std::vector<Precondition> HoldingPreconditions(const UncertainWorld& world, PartId part,
@@ -94,7 +100,7 @@ std::vector<Precondition> HoldingPreconditions(const UncertainWorld& world, Part
   const OffInHand off = OffInHandOf(world, held);
   const Grip grip = GripOf(problem, part, hold, off);
   const Vector3 up = VerticalInTool(world.X_WorldPart(part) * hold.X_PartTool);
-  double ratio = 0;
+  double ratio = MayHaveJammed(world, held) ? kNothingBorne : 0;
   for (const geometry::MassProperties& mass : PossibleMasses(problem, part)) {
     const Vector3 center = hold.X_PartTool.inverse() * mass.center;
     const Carried carried = {mass, center, off.shift.norm() + off.turn * center.norm()};

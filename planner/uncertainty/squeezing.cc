@@ -156,7 +156,7 @@ HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
                     .z = grasped[2] + declare("rise", closing.SlipZ()),
                     .twist = declare("twist", closing.TurnAbout(1))};
   if (closing.jams()) {
-    held.y = declare(plan::kJam, closing.SkewY());
+    held.y = declare("jam", closing.SkewY());
     held.skew = declare("skew", std::min(closing.turn(), closing.TurnAbout(2)));
     held.tip = declare("tip", std::min(closing.turn(), closing.TurnAbout(0)));
   }

@@ -13,7 +13,9 @@ namespace assay::uncertainty {
 // Sound: the displacement of the grasped point, in the frame of the true hand. What is assumed:
 //   - The pads turn the part until its faces lie flat on them, unless they jam before: two pads
 //     that touch a turned part at opposite ends hold it as it is, if the line between the contacts
-//     is within both friction cones (Nguyen 1988). Jammed, it keeps at most the turn it had.
+//     is within both friction cones (Nguyen 1988). Jammed, it keeps at most the turn it had, and is
+//     not proved to be held.
+//   - The friction of what it stands on does not keep it from turning until its faces lie flat.
 //   - It turns about a point between the pads: the grasped point slips along them by no more than
 //     the way that it makes about the farthest such point.
 //   - Until the second pad touches, the first one pushes the part, and may turn it further where

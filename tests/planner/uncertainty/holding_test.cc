@@ -86,6 +86,14 @@ TEST(Holding, ErrorsInTheHandOnlyAdd) {
   }
 }
 
+// Two corners that touch a part keep it from turning about no line through both of them.
+TEST(Holding, JammedPadsHoldNothing) {
+  const domain::Problem problem = Block(100, 0.15);
+  const plan::Hold hold = HoldAt(problem, Vector3::Zero());
+  EXPECT_GT(RatioOf(problem, hold, {.x = 0, .z = 0, .skew = 0.001}), 1000);
+  EXPECT_GT(RatioOf(problem, hold, {.x = 0, .z = 0, .tip = 0.001}), 1000);
+}
+
 // Where the pads stand out over the part's edge, what surely touches is smaller.
 TEST(Holding, BesideTheFaceNothingIsHeld) {
   const domain::Problem problem = Block(100, 0.15);

@@ -586,7 +586,7 @@ TEST(UncertaintyPhase, NoMoreInstancesAreLookedAtThanTheBudgetSays) {
 
 TEST(UncertaintyPhase, NoMoreRemediesAreTriedThanTheBudgetSays) {
   domain::Problem problem = LoadScenario("uncertain-sensing");
-  for (domain::Part& part : problem.parts) part.error.theta = {-0.01, 0.01};
+  for (domain::Part& part : problem.parts) part.error.theta = {-0.005, 0.005};
   const Plan instance = FirstInstance(problem);
   UncertaintyOptions options;
   options.combinations = 0;
