@@ -26,19 +26,6 @@ constexpr double kDefaultClearance = 0.0005;  // metres
 constexpr Range kClearances = {1e-6, 0.01};   // metres
 constexpr Range kClampForces = {0, 1e5};      // newtons
 
-// The folders of `folder` that hold `file`, by name.
-std::vector<std::string> FoldersWith(const std::filesystem::path& folder, const char* file) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (std::filesystem::exists(entry.path() / file, error)) {
-      names.push_back(entry.path().filename().string());
-    }
-  }
-  std::ranges::sort(names);
-  return names;
-}
-
 std::string ReadOptionalText(const Value& root, std::string_view key) {
   const std::optional<Value> text = root.Find(key);
   return text ? text->Text() : "";
@@ -69,8 +56,7 @@ bool TurnToNextWorld(const Problem& world, Overrides& overrides) {
 // Builds a problem from its file.
 class ProblemFile {
  public:
-  ProblemFile(const Document& scenario, const std::filesystem::path& models,
-              const Overrides& overrides);
+  ProblemFile(const Document& scenario, const ModelPath& models, const Overrides& overrides);
 
   Problem Release() { return std::move(problem_); }
 
@@ -89,7 +75,7 @@ class ProblemFile {
   void ReadSensing(const Value& root);
   void ReadResolvers(const Value& root);
 
-  std::filesystem::path models_;
+  ModelPath models_;
   Overrides overrides_;
   Units units_;
   Problem problem_;
@@ -97,7 +83,7 @@ class ProblemFile {
   std::map<std::string, Model> loaded_;
 };
 
-ProblemFile::ProblemFile(const Document& scenario, const std::filesystem::path& models,
+ProblemFile::ProblemFile(const Document& scenario, const ModelPath& models,
                          const Overrides& overrides)
     : models_(models), overrides_(overrides) {
   ASSAY_CHECK(std::isfinite(overrides.error_scale) && overrides.error_scale >= 0);
@@ -157,10 +143,9 @@ PoseError ProblemFile::ReadError(const Value& owner) const {
 }
 
 void ProblemFile::ReadWorkcell(const Value& root) {
-  const std::filesystem::path folder = models_ / "workcells";
   const Value name = root.At("workcell");
-  name.OneOf(FoldersWith(folder, "workcell.yaml"));
-  problem_.workcell = Workcell::Load(folder / name.Text() / "workcell.yaml");
+  name.OneOf(models_.Workcells());
+  problem_.workcell = Workcell::Load(models_.WorkcellFile(name.Text()));
   if (const auto rules = root.Find("rules")) {
     const Workcell& workcell = *problem_.workcell;
     problem_.workcell =
@@ -169,7 +154,7 @@ void ProblemFile::ReadWorkcell(const Value& root) {
 }
 
 void ProblemFile::ReadParts(const Value& parts) {
-  known_models_ = FoldersWith(models_ / "parts", "part.yaml");
+  known_models_ = models_.Parts();
   if (parts.Entries().empty()) parts.Fail("there are no parts", "at least one part");
   for (const auto& [key, entry] : parts.Entries()) ReadPart(ReadName(key, "a part"), entry);
 }
@@ -190,8 +175,7 @@ ProblemFile::Model ProblemFile::ReadModel(const Value& name) {
   name.OneOf(known_models_);
   const auto [model, is_new] = loaded_.try_emplace(name.Text());
   if (is_new) {
-    model->second.part =
-        PartModel::Load(models_ / "parts" / name.Text() / "part.yaml", problem_.clearance);
+    model->second.part = PartModel::Load(models_.PartFile(name.Text()), problem_.clearance);
     const Workcell& workcell = *problem_.workcell;
     model->second.grasps = std::make_shared<const std::vector<Grasp>>(
         ComputeGrasps(*model->second.part, workcell.gripper(), GraspsIn(workcell)));
@@ -242,16 +226,15 @@ void ProblemFile::ReadResolvers(const Value& root) {
 
 }  // namespace
 
-Problem ReadProblem(const Document& scenario, const std::filesystem::path& models) {
+Problem ReadProblem(const Document& scenario, const ModelPath& models) {
   return ReadProblem(scenario, models, {});
 }
 
-Problem ReadProblem(const Document& scenario, const std::filesystem::path& models,
-                    const Overrides& overrides) {
+Problem ReadProblem(const Document& scenario, const ModelPath& models, const Overrides& overrides) {
   return ProblemFile(scenario, models, overrides).Release();
 }
 
-std::vector<Problem> ReadWorlds(const Document& scenario, const std::filesystem::path& models,
+std::vector<Problem> ReadWorlds(const Document& scenario, const ModelPath& models,
                                 const Overrides& overrides) {
   std::vector<Problem> worlds;
   Overrides next = overrides;

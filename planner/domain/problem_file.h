@@ -1,12 +1,12 @@
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "planner/base/document.h"
+#include "planner/domain/model_path.h"
 #include "planner/domain/problem.h"
 #include "planner/domain/units.h"
 
@@ -16,9 +16,10 @@ namespace assay::domain {
 // rules (those of the workcell that this scenario replaces), clearance, tolerances, parts, gripper,
 // sensing, resolvers, mating_errors, `initially` (matings that hold at the start, written like
 // goals), and goal.
-// `models` is the folder with parts/ and workcells/. The key `simulation` is left to sim/scenario.
-// Throws InputError for what is wrong, with the place. scenarios/README.md describes the format.
-Problem ReadProblem(const Document& scenario, const std::filesystem::path& models);
+// `models`: where parts and the workcell are looked for. The key `simulation` is left to
+// sim/scenario. Throws InputError for what is wrong, with the place. scenarios/README.md describes
+// the format.
+Problem ReadProblem(const Document& scenario, const ModelPath& models);
 
 // What a study changes of a scenario without writing it anew.
 struct Overrides {
@@ -29,13 +30,12 @@ struct Overrides {
   std::map<std::string, int> poses = {};  // of parts whose pose is open: which, by the part's name
 };
 // Of an open pose, the first unless the overrides say which.
-Problem ReadProblem(const Document& scenario, const std::filesystem::path& models,
-                    const Overrides& overrides);
+Problem ReadProblem(const Document& scenario, const ModelPath& models, const Overrides& overrides);
 
 // The worlds that the scenario allows: a problem for each choice of the open poses, in the order of
 // the file, those of the last part changing fastest. One if none is open.
 inline constexpr int kMostWorlds = 64;
-std::vector<Problem> ReadWorlds(const Document& scenario, const std::filesystem::path& models,
+std::vector<Problem> ReadWorlds(const Document& scenario, const ModelPath& models,
                                 const Overrides& overrides);
 
 }  // namespace assay::domain

@@ -106,7 +106,8 @@ WorkcellRules ReadRules(const Value& map, const Units& units, const kinematics::
   for (const auto& [key, value] : map.Entries()) {
     const Rule& rule = kRules[static_cast<std::size_t>(key.OneOf(RuleNames()))];
     Range range = rule.range;
-    if (rule.member == &WorkcellRules::grip_force) range.high = std::min(range.high, gripper.max_force());
+    if (rule.member == &WorkcellRules::grip_force)
+      range.high = std::min(range.high, gripper.max_force());
     rules.*rule.member = ReadWithin(value, UnitOf(rule.dimension, units), range);
   }
   return rules;

@@ -29,6 +29,7 @@
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/table.h"
 #include "sim/cli/verb.h"
+#include "sim/scenario/models_folder.h"
 #include "sim/sense/calibration.h"
 #include "sim/sense/overhead_camera.h"
 
@@ -48,7 +49,7 @@ constexpr std::array kUnits = {kLengthUnit, kLengthUnit, kLengthUnit, kAngleUnit
 
 struct Options {
   std::vector<fs::path> scenarios;
-  fs::path models;
+  domain::ModelPath models;
   int trials = 100;          // in each scenario
   std::optional<int> trial;  // the only one of them
   std::optional<std::uint64_t> seed;
@@ -95,8 +96,7 @@ Subject Read(const fs::path& file, const Options& options) {
   }
   subject.promise = *promise;
   subject.seed = options.seed.value_or(subject.scenario.simulation.seed);
-  subject.workcell_file =
-      FindModels(options.models, file) / "workcells" / workcell.name() / "workcell.yaml";
+  subject.workcell_file = scenario::FindModels(file, options.models).WorkcellFile(workcell.name());
   return subject;
 }
 
@@ -264,10 +264,8 @@ class Result {
   }
 
   std::string ReplayCommand(const Trial& trial) const {
-    return fmt::format(
-        "assay calibrate {} --seed {} --trial {}{}", trial.subject->file.string(),
-        trial.subject->seed, trial.number,
-        options_.models.empty() ? "" : fmt::format(" --models {}", options_.models.string()));
+    return fmt::format("assay calibrate {} --seed {} --trial {}{}", trial.subject->file.string(),
+                       trial.subject->seed, trial.number, sweep::ModelsOption(options_.models));
   }
 
   static Json Coordinates(const Displacement& displacement) {
@@ -385,8 +383,7 @@ Execution Declare(CLI::App& command) {
   command.add_flag("--write", options->write,
                    "write the promise into the workcells' files; nothing else in them changes");
   command.add_flag("--json", options->json, "print the result as JSON, in metres and radians");
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

@@ -25,6 +25,7 @@
 #include "sim/cli/verb.h"
 #include "sim/cli/workcell_report.h"
 #include "sim/enact/interpretation.h"
+#include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
 namespace check_verb {
@@ -34,7 +35,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::vector<fs::path> files;
-  fs::path models;
+  domain::ModelPath models;
   fs::path output;
   std::string workcell = "puma762-table";  // whose gripper takes a part
   double clearance_mm = 0.5;               // of a part's holes
@@ -43,8 +44,8 @@ struct Options {
 
 Report CheckPart(const Document& document, const fs::path& file, const Options& options) {
   const auto part = domain::PartFile::Read(document, options.clearance_mm / 1000);
-  const auto workcell = domain::Workcell::Load(FindModels(options.models, file) / "workcells" /
-                                               options.workcell / "workcell.yaml");
+  const auto workcell = domain::Workcell::Load(
+      scenario::FindModels(file, options.models).WorkcellFile(options.workcell));
   const kinematics::Gripper& gripper = workcell->gripper();
   return ReportOn(*part,
                   domain::ComputeGrasps(*part, gripper,
@@ -53,7 +54,8 @@ Report CheckPart(const Document& document, const fs::path& file, const Options& 
 
 // What a scenario's key `knowledge` says is of no matter to the report, but must be right.
 Report CheckScenario(const Document& document, const fs::path& file, const Options& options) {
-  if (document.root().Find("knowledge")) enact::Read(document, FindModels(options.models, file));
+  if (document.root().Find("knowledge"))
+    enact::Read(document, scenario::FindModels(file, options.models));
   const std::vector<domain::Problem> worlds = scenario::ReadWorlds(document, options.models);
   Report report = ReportOn(worlds.front());
   if (worlds.size() == 1) return report;
@@ -130,8 +132,7 @@ Execution Declare(CLI::App& command) {
   command.add_option("--clearance", options->clearance_mm, "clearance of a part's holes, mm")
       ->check(CLI::Range(0.0, 10.0))
       ->capture_default_str();
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

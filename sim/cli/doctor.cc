@@ -31,7 +31,7 @@ double MemoryInGigabytes() {
 
 std::string ModelsFolder() {
   try {
-    return FindModelsHere({}).string();
+    return FindModelsHere({}).folders().front().string();
   } catch (const EnvironmentError&) {
     return "";
   }

@@ -26,6 +26,7 @@
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
 #include "sim/enact/plan_interpretation.h"
+#include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
 namespace enact_verb {
@@ -38,7 +39,7 @@ constexpr std::int64_t kBudget = 10'000'000;  // looks at knowledge states
 
 struct Options {
   std::filesystem::path scenario;
-  std::filesystem::path models;
+  domain::ModelPath models;
   std::optional<int> trials;
   std::optional<int> trial;  // the only one
   int jobs = 1;
@@ -60,7 +61,7 @@ class Enacting {
         tree_(tree),
         seed_(options.seed.value_or(scenario.scenario.simulation.seed)),
         study_{.scenario = options.scenario.string(),
-               .models = options.models.string(),
+               .models = options.models,
                .seed = seed_,
                .sensing_errors = options.sensing_errors,
                .is_every_leaf = options.worlds == "all",
@@ -204,7 +205,7 @@ contingent::ContingentPlan PlanOf(const enact::Interpretation& interpretation) {
 ExitCode Execute(const Options& options) {
   if (!options.pictures.empty()) MakeFolder(options.pictures);
   const KnowledgeScenario scenario =
-      enact::Load(options.scenario, FindModels(options.models, options.scenario));
+      enact::Load(options.scenario, scenario::FindModels(options.scenario, options.models));
   const contingent::ContingentPlan plan = PlanOf(scenario.interpretation);
   if (plan.outcome != Outcome::kFound) return Refuse(plan.outcome, options);
   return Enacting(options, scenario, plan.tree).Execute();
@@ -241,8 +242,7 @@ Execution Declare(CLI::App& command) {
                      "folder for pictures of the first trial: its start and the end of each step");
   AddPictureOptions(command, options->picture, "--pictures");
   command.add_flag("--json", options->json, "print the result as JSON");
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

@@ -62,7 +62,7 @@ std::map<std::string, int> Failures(const EnactmentStudy& study) {
 
 std::string ReplayCommand(const EnactmentStudy& study, int number) {
   std::string command = fmt::format("assay enact {} --seed {}", study.scenario, study.seed);
-  if (!study.models.empty()) command += " --models " + study.models;
+  command += sweep::ModelsOption(study.models);
   if (study.is_every_leaf) command += " --worlds all";
   if (study.sensing_errors > 0)
     command += fmt::format(" --sensing-errors {}", study.sensing_errors);

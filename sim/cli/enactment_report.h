@@ -12,8 +12,8 @@ namespace assay::cli {
 
 // Trials of one plan tree.
 struct EnactmentStudy {
-  std::string scenario;  // path, as the user gave it
-  std::string models;    // folder, if the user gave one
+  std::string scenario;      // path, as the user gave it
+  domain::ModelPath models;  // as the user gave them
   std::uint64_t seed = 0;
   double sensing_errors = 0;
   bool is_every_leaf = false;  // the trials go through the leaves in turn

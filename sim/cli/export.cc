@@ -10,6 +10,7 @@
 #include "planner/contingent/task_file.h"
 #include "sim/cli/console.h"
 #include "sim/cli/dot.h"
+#include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_text.h"
 #include "sim/cli/plan_tree_report.h"
@@ -25,7 +26,7 @@ namespace export_verb {
 struct Options {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::filesystem::path models;
+  domain::ModelPath models;
   bool mjcf = false;
   bool dot = false;
   bool network = false;
@@ -158,8 +159,7 @@ Execution Declare(CLI::App& command) {
                  "recoveries as domain and problem for assay know");
   what->require_option(1, 2);
   command.add_option("-o,--output", options->output, "write to this file instead of printing");
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] {
     RequireOneThing(*options);
     if (!options->pddl.empty()) return ExportPddl(*options);

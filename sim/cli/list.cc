@@ -26,7 +26,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::string kind;  // empty: all
-  fs::path models;
+  domain::ModelPath models;
   bool json = false;
 };
 
@@ -59,12 +59,15 @@ Entry EntryOf(std::string name, const std::function<std::string()>& text) {
   }
 }
 
-Entries ListScenarios(const fs::path& models) {
+// Beside each folder of models.
+Entries ListScenarios(const domain::ModelPath& models) {
   Entries entries;
-  for (const fs::path& file : SortedContents(models.parent_path() / "scenarios")) {
-    if (file.extension() != ".yaml") continue;
-    entries.push_back(
-        EntryOf(file.string(), [&] { return TextAt(Document::Load(file), "title"); }));
+  for (const fs::path& folder : models.folders()) {
+    for (const fs::path& file : SortedContents(folder.parent_path() / "scenarios")) {
+      if (file.extension() != ".yaml") continue;
+      entries.push_back(
+          EntryOf(file.string(), [&] { return TextAt(Document::Load(file), "title"); }));
+    }
   }
   return entries;
 }
@@ -79,12 +82,10 @@ std::string FeaturesIn(const fs::path& part_file) {
 }
 
 // The features in the part file's words.
-Entries ListParts(const fs::path& models) {
+Entries ListParts(const domain::ModelPath& models) {
   Entries entries;
-  for (const fs::path& folder : SortedContents(models / "parts")) {
-    if (!fs::exists(folder / "part.yaml")) continue;
-    entries.push_back(
-        EntryOf(folder.filename().string(), [&] { return FeaturesIn(folder / "part.yaml"); }));
+  for (const std::string& name : models.Parts()) {
+    entries.push_back(EntryOf(name, [&] { return FeaturesIn(models.PartFile(name)); }));
   }
   return entries;
 }
@@ -98,13 +99,11 @@ std::string NamesIn(const Document& document, const char* section) {
   return fmt::format("; {}: {}", section, fmt::join(names, ", "));
 }
 
-Entries ListWorkcells(const fs::path& models) {
+Entries ListWorkcells(const domain::ModelPath& models) {
   Entries entries;
-  for (const fs::path& folder : SortedContents(models / "workcells")) {
-    const fs::path file = folder / "workcell.yaml";
-    if (!fs::exists(file)) continue;
-    entries.push_back(EntryOf(folder.filename().string(), [&] {
-      const Document document = Document::Load(file);
+  for (const std::string& name : models.Workcells()) {
+    entries.push_back(EntryOf(name, [&] {
+      const Document document = Document::Load(models.WorkcellFile(name));
       std::string text = TextAt(document, "description");
       for (const char* section : {"sensors", "verifications", "recoveries"}) {
         text += NamesIn(document, section);
@@ -115,7 +114,7 @@ Entries ListWorkcells(const fs::path& models) {
   return entries;
 }
 
-Entries ListActions(const fs::path&) {
+Entries ListActions(const domain::ModelPath&) {
   Entries entries;
   for (const domain::ActionRule& rule : domain::ActionRules()) {
     entries.push_back({.name = std::string(rule.name), .text = std::string(rule.summary)});
@@ -132,8 +131,8 @@ Entries ListWords(const Words& words) {
   return entries;
 }
 
-Entries ListSkills(const fs::path&) { return ListWords(enact::SkillWords()); }
-Entries ListMeanings(const fs::path&) {
+Entries ListSkills(const domain::ModelPath&) { return ListWords(enact::SkillWords()); }
+Entries ListMeanings(const domain::ModelPath&) {
   Entries entries = ListWords(enact::MeaningWords());
   for (Entry& quantity : ListWords(enact::QuantityWords())) entries.push_back(std::move(quantity));
   return entries;
@@ -141,7 +140,7 @@ Entries ListMeanings(const fs::path&) {
 
 struct Kind {
   const char* name;
-  Entries (*list)(const fs::path& models);
+  Entries (*list)(const domain::ModelPath& models);
 };
 constexpr std::array kKinds = {Kind{"scenarios", ListScenarios}, Kind{"parts", ListParts},
                                Kind{"workcells", ListWorkcells}, Kind{"actions", ListActions},
@@ -156,7 +155,7 @@ std::string ForPeople(const char* kind, const Entries& entries) {
 }
 
 ExitCode Execute(const Options& options) {
-  const fs::path models = FindModelsHere(options.models);
+  const domain::ModelPath models = FindModelsHere(options.models);
   Json json;
   std::string text;
   for (const Kind& kind : kKinds) {
@@ -180,8 +179,7 @@ Execution Declare(CLI::App& command) {
   for (const Kind& kind : kKinds) names.push_back(kind.name);
   command.add_option("kind", options->kind, "only these")->check(CLI::IsMember(names));
   command.add_flag("--json", options->json, "print as JSON");
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

@@ -21,6 +21,7 @@
 #include "sim/cli/mating_report.h"
 #include "sim/cli/mating_task.h"
 #include "sim/cli/mating_trials.h"
+#include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/quantity.h"
@@ -42,7 +43,7 @@ constexpr int kMostNodes = 1'000'000;
 
 struct Options {
   std::filesystem::path scenario;
-  std::filesystem::path models;
+  domain::ModelPath models;
   std::optional<double> displacement_mm;
   std::optional<double> rotation_deg;
   std::optional<double> velocity;  // share
@@ -125,9 +126,7 @@ std::string ReplayCommand(const Options& options) {
   add("search-seed", options.search_seed, usual.search_seed);
   add("nodes", options.nodes, usual.nodes);
   add("grasp", scene::Name(options.grasp), scene::Name(usual.grasp));
-  if (!options.models.empty()) {
-    command += fmt::format(" --models {}", sweep::Word(options.models.string()));
-  }
+  command += sweep::ModelsOption(options.models);
   return command + " --trial ";
 }
 
@@ -350,8 +349,7 @@ Execution Declare(CLI::App& command) {
                      "folder for pictures of the contact states and their graphs; index.html has "
                      "all of it");
   command.add_flag("--json", options->json, "print the result as JSON");
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

@@ -1,5 +1,8 @@
 #include "sim/cli/models_folder.h"
 
+#include <functional>
+#include <vector>
+
 #include "planner/base/input_error.h"
 #include "sim/scenario/models_folder.h"
 
@@ -7,17 +10,31 @@ namespace assay::cli {
 
 namespace fs = std::filesystem;
 
-fs::path FindModels(const fs::path& given, const fs::path& input) {
-  return given.empty() ? scenario::FindModels(input) : scenario::RequireModels(given);
+void AddModelsOption(CLI::App& command, domain::ModelPath& models) {
+  const std::function<void(const std::vector<std::string>&)> take =
+      [&models](const std::vector<std::string>& folders) {
+        for (const std::string& folder : folders) models.Append(folder);
+      };
+  command
+      .add_option_function("--models", take,
+                           "folder with parts/ or workcells/, looked through before the usual "
+                           "one; may be given several times")
+      ->check(CLI::ExistingDirectory)
+      ->allow_extra_args(false);
 }
 
-fs::path FindModelsHere(const fs::path& given) {
+domain::ModelPath FindModelsHere(const domain::ModelPath& given) {
+  const fs::path here = fs::current_path();
+  domain::ModelPath found;
   try {
-    const fs::path here = fs::current_path();
-    return FindModels(given, here / "any file").lexically_proximate(here);
+    found = scenario::FindModels(here / "any file", given);
   } catch (const InputError&) {
+    if (!given.empty()) throw;
     throw EnvironmentError("no folder 'models' here, nor above; name it with --models");
   }
+  domain::ModelPath shown;
+  for (const fs::path& folder : found.folders()) shown.Append(folder.lexically_proximate(here));
+  return shown;
 }
 
 }  // namespace assay::cli

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <filesystem>
+#include <CLI/CLI.hpp>
+
+#include "planner/domain/model_path.h"
 
 namespace assay::cli {
 
-// The folder with parts/ and workcells/: the one given, if any, else the one that belongs to the
-// input file. Throws InputError if there is none.
-std::filesystem::path FindModels(const std::filesystem::path& given,
-                                 const std::filesystem::path& input);
+// The option --models of a verb, which may be given more than once. `models` outlives the command.
+void AddModelsOption(CLI::App& command, domain::ModelPath& models);
 
-// For verbs without an input file: the one given, else the one that belongs to the working
+// For verbs without an input file: the folders given, then the one that belongs to the working
 // directory, else the one that was installed. Throws EnvironmentError if there is none.
-std::filesystem::path FindModelsHere(const std::filesystem::path& given);
+domain::ModelPath FindModelsHere(const domain::ModelPath& given);
 
 }  // namespace assay::cli

@@ -14,6 +14,7 @@
 #include "planner/plan/plan_file.h"
 #include "sim/cli/console.h"
 #include "sim/cli/explanation.h"
+#include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_report.h"
 #include "sim/cli/plan_text.h"
@@ -33,7 +34,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::filesystem::path input;
   std::filesystem::path output;
-  std::filesystem::path models;
+  domain::ModelPath models;
   bool json = false;
   bool trace = false;
   bool check = false;
@@ -244,8 +245,7 @@ Execution Declare(CLI::App& command) {
   command.add_flag("--tree", options->tree,
                    "print the plan as a tree: verifications branch, recoveries repeat");
   DeclarePlanning(command, *options);
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

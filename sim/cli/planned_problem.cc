@@ -50,14 +50,15 @@ void RequireGoal(const Document& document, const domain::Problem& problem) {
 
 }  // namespace
 
-std::vector<domain::Problem> ReadWorldsToPlan(const Document& document, const fs::path& models,
+std::vector<domain::Problem> ReadWorldsToPlan(const Document& document,
+                                              const domain::ModelPath& models,
                                               const scenario::Overrides& overrides) {
   std::vector<domain::Problem> worlds = scenario::ReadWorlds(document, models, overrides);
   RequireGoal(document, worlds.front());
   return worlds;
 }
 
-PlannedProblem ReadPlan(const Document& plan_file, const fs::path& models) {
+PlannedProblem ReadPlan(const Document& plan_file, const domain::ModelPath& models) {
   const fs::path path = FindScenario(plan::ScenarioOf(plan_file), plan_file.file());
   scenario::Scenario scenario = scenario::Load(path, models);
   plan::PlanResult result = plan::ReadPlan(plan_file, scenario.problem);
@@ -82,7 +83,7 @@ PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
           std::move(result)};
 }
 
-PlannedProblem ReadOrMakePlan(const Document& document, const fs::path& models) {
+PlannedProblem ReadOrMakePlan(const Document& document, const domain::ModelPath& models) {
   return IsPlanFile(document) ? ReadPlan(document, models)
                               : MakePlan(document, scenario::Read(document, models), {}, {});
 }

@@ -30,7 +30,7 @@ struct PlannedProblem {
 // The problems of all worlds that a scenario allows (domain::ReadWorlds), which says what is to be
 // assembled.
 std::vector<domain::Problem> ReadWorldsToPlan(const Document& document,
-                                              const std::filesystem::path& models,
+                                              const domain::ModelPath& models,
                                               const scenario::Overrides& overrides = {});
 
 // Of the two formats, throws InputError if the file has neither.
@@ -38,7 +38,7 @@ bool IsPlanFile(const Document& document);
 
 // A plan file, with the problem in the scenario that it names: a path from the working directory
 // or, if there is no such file, from the plan file's folder.
-PlannedProblem ReadPlan(const Document& plan_file, const std::filesystem::path& models);
+PlannedProblem ReadPlan(const Document& plan_file, const domain::ModelPath& models);
 
 // For a scenario, of which `document` is the file.
 PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
@@ -46,7 +46,7 @@ PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
                         const posting::UncertaintyOptions& uncertainty);
 
 // A plan file is read; for a scenario a plan is made.
-PlannedProblem ReadOrMakePlan(const Document& document, const std::filesystem::path& models);
+PlannedProblem ReadOrMakePlan(const Document& document, const domain::ModelPath& models);
 
 // Both phases of the planner, with progress for people on a terminal.
 plan::PlanResult PlanWithProgress(const domain::Problem& problem,

@@ -8,6 +8,7 @@
 #include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
+#include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
@@ -23,7 +24,7 @@ using Json = nlohmann::ordered_json;
 struct Options {
   std::filesystem::path input;
   std::filesystem::path folder;
-  std::filesystem::path models;
+  domain::ModelPath models;
   PictureOptions pictures;
   bool json = false;
 };
@@ -68,8 +69,7 @@ Execution Declare(CLI::App& command) {
   command.add_option("-o,--output", options->folder, "folder for the pictures")->required();
   AddPictureOptions(command, options->pictures);
   command.add_flag("--json", options->json, "print the pictures' names as JSON");
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

@@ -16,6 +16,7 @@
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
 #include "sim/cli/ledger_report.h"
+#include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stored_trial.h"
@@ -38,7 +39,7 @@ namespace fs = std::filesystem;
 struct Options {
   fs::path database;
   int trial = 1;
-  fs::path models;
+  domain::ModelPath models;
   fs::path folder;
   PictureOptions pictures;
   bool renders = false;
@@ -227,8 +228,7 @@ Execution Declare(CLI::App& command) {
       ->needs(folder);
   AddPictureOptions(command, options->pictures, "--renders");
   command.add_flag("--json", options->json, "print the result as JSON");
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

@@ -11,6 +11,7 @@
 #include "planner/base/check.h"
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
+#include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stored_trial.h"
@@ -27,7 +28,7 @@ struct Options {
   fs::path database;
   fs::path page;
   fs::path tables;  // folder; empty: none
-  fs::path models;
+  domain::ModelPath models;
   int cells_in_full = report::PageOptions().cells_in_full;
   bool pictures = false;
   PictureOptions picture = {.cameras = {}, .size = "400x300"};
@@ -112,8 +113,7 @@ Execution Declare(CLI::App& command) {
   command.add_flag("--pictures", options->pictures,
                    "execute the best, the typical and the worst trial again, with pictures");
   AddPictureOptions(command, options->picture, "--pictures");
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

@@ -16,6 +16,7 @@
 #include "sim/cli/console.h"
 #include "sim/cli/film.h"
 #include "sim/cli/interruption.h"
+#include "sim/cli/models_folder.h"
 #include "sim/cli/noisy_run.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_report.h"
@@ -40,7 +41,7 @@ namespace fs = std::filesystem;
 struct Options {
   fs::path input;
   fs::path folder;  // empty: nothing is written
-  fs::path models;
+  domain::ModelPath models;
   int trials = 1;
   int jobs = 1;
   std::optional<std::uint64_t> seed;
@@ -143,9 +144,7 @@ class Run {
     std::string command =
         fmt::format("assay run {} --seed {}", sweep::Word(options_.input.string()), seed_);
     if (options_.grasp) command += fmt::format(" --grasp {}", scene::Name(*options_.grasp));
-    if (!options_.models.empty()) {
-      command += fmt::format(" --models {}", sweep::Word(options_.models.string()));
-    }
+    command += sweep::ModelsOption(options_.models);
     return command;
   }
 
@@ -244,9 +243,7 @@ std::string CommandFor(const Options& options) {
   }
   if (options.error_scale != 1) command += fmt::format(" --error-scale {}", options.error_scale);
   if (options.grasp) command += fmt::format(" --grasp {}", scene::Name(*options.grasp));
-  if (!options.models.empty()) {
-    command += fmt::format(" --models {}", sweep::Word(options.models.string()));
-  }
+  command += sweep::ModelsOption(options.models);
   return command;
 }
 
@@ -363,8 +360,7 @@ Execution Declare(CLI::App& command) {
       "in each trial the parts lie at other places, drawn from the seed, and a plan is made anew");
   AddNoise(command, *options, scatter);
   command.add_flag("--json", options->json, "print the result as JSON");
-  command.add_option("--models", options->models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
+  AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };
 }
 

@@ -117,8 +117,7 @@ class Scattering {
   std::string ReplayCommand(int number) const {
     return fmt::format("assay run {} --scatter --seed {} --trial {}{}{}",
                        sweep::Word(run_.scenario.string()), run_.seed, number,
-                       Welds() ? " --grasp weld" : "",
-                       run_.models.empty() ? "" : " --models " + sweep::Word(run_.models.string()));
+                       Welds() ? " --grasp weld" : "", sweep::ModelsOption(run_.models));
   }
 
   Json Result() const {

@@ -12,7 +12,7 @@ namespace assay::cli {
 // `run --scatter`: trials of one scenario with its parts at other places, each planned anew.
 struct ScatteredRun {
   std::filesystem::path scenario;
-  std::filesystem::path models;  // as the user gave it; empty: found
+  domain::ModelPath models;      // as the user gave them
   std::filesystem::path folder;  // empty: nothing is written
   int trials = 1;
   int jobs = 1;                  // threads

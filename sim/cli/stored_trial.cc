@@ -24,7 +24,7 @@ namespace {
 
 // What is wrong in a stored plan is wrong in the database.
 sweep::PlannedCell Restored(const sweep::Store& store, const sweep::Sweep& sweep,
-                            const fs::path& models, const sweep::Cell& cell,
+                            const domain::ModelPath& models, const sweep::Cell& cell,
                             const sweep::CellRecord& record) {
   try {
     return sweep::RealWork(sweep, models).restore(cell, record);
@@ -36,7 +36,7 @@ sweep::PlannedCell Restored(const sweep::Store& store, const sweep::Sweep& sweep
 }  // namespace
 
 sweep::PlannedCell RestoredCell(const sweep::Store& store, const sweep::TrialRecord& trial,
-                                const fs::path& models) {
+                                const domain::ModelPath& models) {
   const sweep::Sweep sweep = SweepOf(store);
   const std::vector<sweep::Cell> cells = sweep::Cells(sweep);
   const sweep::Cell& cell = cells[sweep::PlaceOf(cells, trial.trial).cell];

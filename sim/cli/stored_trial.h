@@ -14,6 +14,6 @@ sweep::Sweep SweepOf(const sweep::Store& store);
 // The cell of a trial, with the plan that is stored. `models`: the folder;
 // empty: found.
 sweep::PlannedCell RestoredCell(const sweep::Store& store, const sweep::TrialRecord& trial,
-                                const std::filesystem::path& models);
+                                const domain::ModelPath& models);
 
 }  // namespace assay::cli

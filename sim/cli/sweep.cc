@@ -16,6 +16,7 @@
 #include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/interruption.h"
+#include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/sweep_report.h"
@@ -35,7 +36,7 @@ namespace fs = std::filesystem;
 struct Options {
   fs::path sweep;
   fs::path database;  // empty: named after the sweep file
-  fs::path models;
+  domain::ModelPath models;
   int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
   bool resume = false;
   std::string shard = "1/1";
@@ -247,9 +248,8 @@ void RequirePlainName(const fs::path& path) {
 
 ExitCode ExecuteSlurm(const Options& options) {
   sweep::Load(options.sweep);
-  for (const fs::path& path : {options.sweep, options.Database(), options.models}) {
-    RequirePlainName(path);
-  }
+  for (const fs::path& path : {options.sweep, options.Database()}) RequirePlainName(path);
+  std::ranges::for_each(options.models.folders(), RequirePlainName);
   Print(sweep::SlurmScript({.program = fs::read_symlink("/proc/self/exe"),
                             .sweep = options.sweep,
                             .database = options.Database(),
@@ -277,10 +277,7 @@ void AddDatabase(CLI::App& command, Options& options) {
                      "database for the results; SWEEP.sqlite if left out");
 }
 
-void AddModels(CLI::App& command, Options& options) {
-  command.add_option("--models", options.models, "folder with parts/ and workcells/")
-      ->check(CLI::ExistingDirectory);
-}
+void AddModels(CLI::App& command, Options& options) { AddModelsOption(command, options.models); }
 
 constexpr std::array kParts = {
     Part{"merge", "puts the databases of shards together",

@@ -218,7 +218,7 @@ Json CellJson(const CellSummary& summary) {
 }
 
 // Every scenario with every clearance and error scale can be loaded.
-void LoadAll(const sweep::Sweep& sweep, const std::filesystem::path& models) {
+void LoadAll(const sweep::Sweep& sweep, const domain::ModelPath& models) {
   for (const std::string& name : sweep.scenarios) {
     const std::filesystem::path file = sweep.PathOf(name);
     for (const std::optional<double>& clearance : sweep.clearances) {
@@ -315,7 +315,7 @@ ExitCode ExitCodeOf(const SweepResults& results) {
   return has("budget") ? ExitCode::kBudgetSpent : ExitCode::kDone;
 }
 
-Report ReportOn(const sweep::Sweep& sweep, const std::filesystem::path& models) {
+Report ReportOn(const sweep::Sweep& sweep, const domain::ModelPath& models) {
   LoadAll(sweep, models);
   const std::vector<sweep::Cell> cells = sweep::Cells(sweep);
   int plans = 0;

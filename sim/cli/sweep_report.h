@@ -43,6 +43,6 @@ nlohmann::ordered_json ToJson(const SweepResults& results);
 ExitCode ExitCodeOf(const SweepResults& results);
 
 // What a sweep file comes to: its grid. Throws InputError if a scenario of it is wrong.
-Report ReportOn(const sweep::Sweep& sweep, const std::filesystem::path& models);
+Report ReportOn(const sweep::Sweep& sweep, const domain::ModelPath& models);
 
 }  // namespace assay::cli

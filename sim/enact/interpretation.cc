@@ -227,7 +227,7 @@ class KnowledgeFile {
 
 // A scenario without the key `knowledge`: what is to be known are its open poses, and whether steps
 // of its plans pass their verifications.
-KnowledgeScenario ReadPlanned(const Document& document, const std::filesystem::path& models) {
+KnowledgeScenario ReadPlanned(const Document& document, const domain::ModelPath& models) {
   auto planned = std::make_shared<PlannedWorlds>();
   planned->worlds = domain::ReadWorlds(document, models, {});
   planned->assembly = assembly::MakeContingentPlan(planned->worlds, {}, {});
@@ -260,7 +260,7 @@ bool Interpretation::CanSpill(const Truth& truth, PartId part) const {
   return spill && meanings.at(spill->predicate)->IsTrue(truth, {.part = part});
 }
 
-KnowledgeScenario Read(const Document& document, const std::filesystem::path& models) {
+KnowledgeScenario Read(const Document& document, const domain::ModelPath& models) {
   document.RequireFormat("assay-scenario/1");
   if (!document.root().Find("knowledge")) return ReadPlanned(document, models);
   KnowledgeScenario loaded{.scenario = scenario::Read(document, models), .interpretation = {}};
@@ -268,7 +268,7 @@ KnowledgeScenario Read(const Document& document, const std::filesystem::path& mo
   return loaded;
 }
 
-KnowledgeScenario Load(const std::filesystem::path& file, const std::filesystem::path& models) {
+KnowledgeScenario Load(const std::filesystem::path& file, const domain::ModelPath& models) {
   return Read(Document::Load(file), models);
 }
 

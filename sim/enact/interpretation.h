@@ -63,7 +63,7 @@ struct KnowledgeScenario {
 // problem that it names, paths from the file's folder. Throws InputError, also for an action of the
 // domain without a skill, a predicate without a meaning, and arguments that name no part where a
 // skill or a meaning needs one.
-KnowledgeScenario Read(const Document& document, const std::filesystem::path& models);
-KnowledgeScenario Load(const std::filesystem::path& file, const std::filesystem::path& models);
+KnowledgeScenario Read(const Document& document, const domain::ModelPath& models);
+KnowledgeScenario Load(const std::filesystem::path& file, const domain::ModelPath& models);
 
 }  // namespace assay::enact

@@ -1,5 +1,8 @@
 #include "sim/scenario/models_folder.h"
 
+#include <algorithm>
+#include <optional>
+
 #include "planner/base/input_error.h"
 
 namespace assay::scenario {
@@ -7,37 +10,58 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool IsModels(const fs::path& folder) {
+bool Has(const fs::path& folder, const char* kind) {
   std::error_code error;
-  return fs::is_directory(folder / "workcells", error);
+  return fs::is_directory(folder / kind, error);
 }
 
-fs::path Installed() {
+// `models` with workcells in it, beside the file or above it; empty: there is none.
+fs::path AboveOf(const fs::path& file) {
+  std::error_code error;
+  fs::path folder = fs::weakly_canonical(fs::absolute(file), error).parent_path();
+  while (true) {
+    if (Has(folder / "models", "workcells")) return folder / "models";
+    if (folder == folder.parent_path()) return {};
+    folder = folder.parent_path();
+  }
+}
+
+// Those that were installed with this program, or those of the tree in which it was built.
+fs::path OfTheProgram() {
   std::error_code error;
   const fs::path executable = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : executable.parent_path().parent_path() / "share/assay/models";
+  if (error) return {};
+  const fs::path installed = executable.parent_path().parent_path() / "share/assay/models";
+  return Has(installed, "workcells") ? installed : AboveOf(executable);
+}
+
+fs::path BelongingTo(const fs::path& scenario_file) {
+  const fs::path above = AboveOf(scenario_file);
+  return above.empty() ? OfTheProgram() : above;
+}
+
+void RequireModels(const fs::path& folder) {
+  if (Has(folder, "parts") || Has(folder, "workcells")) return;
+  throw InputError({.file = folder.string()}, "not a folder of models",
+                   "a folder with 'parts' or 'workcells' in it");
 }
 
 }  // namespace
 
-fs::path FindModels(const fs::path& scenario_file) {
-  std::error_code error;
-  fs::path folder = fs::weakly_canonical(fs::absolute(scenario_file), error).parent_path();
-  while (true) {
-    if (IsModels(folder / "models")) return folder / "models";
-    if (folder == folder.parent_path()) break;
-    folder = folder.parent_path();
-  }
-  if (IsModels(Installed())) return Installed();
+domain::ModelPath FindModels(const fs::path& scenario_file, const domain::ModelPath& given) {
+  std::ranges::for_each(given.folders(), RequireModels);
+  domain::ModelPath models = given;
+  const fs::path usual = BelongingTo(scenario_file);
+  const auto is_usual = [&](const fs::path& folder) {
+    std::error_code error;
+    return fs::equivalent(folder, usual, error);
+  };
+  if (std::ranges::none_of(given.folders(), is_usual)) models.Append(usual);
+  const auto has_workcells = [](const fs::path& folder) { return Has(folder, "workcells"); };
+  if (std::ranges::any_of(models.folders(), has_workcells)) return models;
   throw InputError({.file = scenario_file.string()}, "no folder of models belongs to it",
                    "a folder 'models' with 'workcells' in it, beside the file or above it, or "
                    "named with --models");
-}
-
-fs::path RequireModels(const fs::path& folder) {
-  if (IsModels(folder)) return folder;
-  throw InputError({.file = folder.string()}, "not a folder of models",
-                   "a folder with 'workcells' in it");
 }
 
 }  // namespace assay::scenario

@@ -46,10 +46,6 @@ void RequireKnownPoses(const Document& document, const domain::Problem& problem,
   }
 }
 
-std::filesystem::path ModelsOf(const Document& document, const std::filesystem::path& given) {
-  return given.empty() ? FindModels(document.file()) : RequireModels(given);
-}
-
 }  // namespace
 
 Simulation ReadSimulation(const Document& document) {
@@ -68,25 +64,25 @@ Simulation ReadSimulation(const Document& document) {
   return simulation;
 }
 
-Scenario Read(const Document& document, const std::filesystem::path& models,
+Scenario Read(const Document& document, const domain::ModelPath& models,
               const Overrides& overrides) {
   document.RequireFormat("assay-scenario/1");
   Simulation simulation = ReadSimulation(document);
-  domain::Problem problem = domain::ReadProblem(document, ModelsOf(document, models), overrides);
+  domain::Problem problem =
+      domain::ReadProblem(document, FindModels(document.file(), models), overrides);
   RequireKnownPoses(document, problem, overrides);
   return {std::move(problem), std::move(simulation)};
 }
 
-Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models,
+Scenario Load(const std::filesystem::path& file, const domain::ModelPath& models,
               const Overrides& overrides) {
   return Read(Document::Load(file), models, overrides);
 }
 
-std::vector<domain::Problem> ReadWorlds(const Document& document,
-                                        const std::filesystem::path& models,
+std::vector<domain::Problem> ReadWorlds(const Document& document, const domain::ModelPath& models,
                                         const Overrides& overrides) {
   ReadSimulation(document);  // must be right
-  return domain::ReadWorlds(document, ModelsOf(document, models), overrides);
+  return domain::ReadWorlds(document, FindModels(document.file(), models), overrides);
 }
 
 }  // namespace assay::scenario

@@ -28,15 +28,15 @@ struct Scenario {
 // all of which may be left out. Throws InputError. Overrides are a sweep's: {.clearance: metres
 // instead of the file's, .error_scale: a factor}.
 using domain::Overrides;
-Scenario Read(const Document& document, const std::filesystem::path& models = {},
+Scenario Read(const Document& document, const domain::ModelPath& models = {},
               const Overrides& overrides = {});
 // The same of a file.
-Scenario Load(const std::filesystem::path& file, const std::filesystem::path& models = {},
+Scenario Load(const std::filesystem::path& file, const domain::ModelPath& models = {},
               const Overrides& overrides = {});
 // The problems alone, one for each world (domain::ReadWorlds). The others throw InputError if a
 // pose is open.
 std::vector<domain::Problem> ReadWorlds(const Document& document,
-                                        const std::filesystem::path& models = {},
+                                        const domain::ModelPath& models = {},
                                         const Overrides& overrides = {});
 Simulation ReadSimulation(const Document& document);
 

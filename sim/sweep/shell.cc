@@ -15,4 +15,12 @@ std::string Word(const std::string& text) {
   return plain ? text : Quoted(text);
 }
 
+std::string ModelsOption(const domain::ModelPath& models) {
+  std::string option;
+  for (const std::filesystem::path& folder : models.folders()) {
+    option += " --models " + Word(folder.generic_string());
+  }
+  return option;
+}
+
 }  // namespace assay::sweep

@@ -36,8 +36,10 @@ std::string SlurmScript(const SlurmJob& job) {
   const std::string program = Absolute(job.program);
   const std::string database = Absolute(job.database);
   const std::string merge = fmt::format("{} sweep merge {}{}", program, database, AllShards(job));
-  const std::string models =
-      job.models.empty() ? "" : fmt::format(" --models {}", Absolute(job.models));
+  std::string models;
+  for (const std::filesystem::path& folder : job.models.folders()) {
+    models += fmt::format(" --models {}", Absolute(folder));
+  }
   return fmt::format(
       R"(#!/bin/sh
 #SBATCH --job-name=assay-sweep

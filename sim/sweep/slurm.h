@@ -10,7 +10,7 @@ struct SlurmJob {
   std::filesystem::path program;   // assay
   std::filesystem::path sweep;     // the sweep file
   std::filesystem::path database;  // of the whole sweep
-  std::filesystem::path models;    // empty: found
+  domain::ModelPath models;        // as the user gave them
   int tasks = 1;                   // shards
   int jobs = 1;                    // threads of each
 };

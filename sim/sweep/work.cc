@@ -31,7 +31,8 @@ std::string_view OutcomeName(Outcome outcome) {
   return "";
 }
 
-scenario::Scenario LoadScenario(const Sweep& sweep, const fs::path& models, const Cell& cell) {
+scenario::Scenario LoadScenario(const Sweep& sweep, const domain::ModelPath& models,
+                                const Cell& cell) {
   const fs::path file = sweep.PathOf(cell.scenario);
   scenario::Scenario scenario = scenario::Load(
       file, models,
@@ -41,7 +42,7 @@ scenario::Scenario LoadScenario(const Sweep& sweep, const fs::path& models, cons
 
 // The command that makes the plan of a cell again and runs it under errors; empty where `assay run`
 // has no words for the cell.
-std::string RunCommand(const Sweep& sweep, const fs::path& models, const Cell& cell,
+std::string RunCommand(const Sweep& sweep, const domain::ModelPath& models, const Cell& cell,
                        scene::GraspMode grasp_of_scenario) {
   const posting::PlannerOptions planner;
   const posting::UncertaintyOptions uncertainty;
@@ -55,7 +56,7 @@ std::string RunCommand(const Sweep& sweep, const fs::path& models, const Cell& c
   if (cell.resolvers) command += fmt::format(" --resolvers {}", Name(*cell.resolvers));
   if (cell.error_scale != 1) command += fmt::format(" --error-scale {}", cell.error_scale);
   if (cell.grasp != grasp_of_scenario) command += fmt::format(" --grasp {}", Name(cell.grasp));
-  if (!models.empty()) command += fmt::format(" --models {}", Word(models.generic_string()));
+  command += ModelsOption(models);
   return command;
 }
 
@@ -92,7 +93,7 @@ check::Experiment ExperimentOf(const Preparation& preparation) {
 // Makes what the trials of cells have in common.
 class Planning {
  public:
-  Planning(const Sweep& sweep, const fs::path& models) : sweep_(sweep), models_(models) {}
+  Planning(const Sweep& sweep, const domain::ModelPath& models) : sweep_(sweep), models_(models) {}
 
   PlannedCell Plan(const Cell& cell) const {
     scenario::Scenario scenario = LoadScenario(sweep_, models_, cell);
@@ -144,7 +145,7 @@ class Planning {
   }
 
   const Sweep& sweep_;
-  const fs::path& models_;
+  const domain::ModelPath& models_;
 };
 
 bool Senses(const plan::Plan& plan) {
@@ -212,7 +213,7 @@ check::NoisyTrial Execute(
   return check::RunNoisyTrial(experiment, noise, options);
 }
 
-Work RealWork(const Sweep& sweep, const fs::path& models) {
+Work RealWork(const Sweep& sweep, const domain::ModelPath& models) {
   return {
       .plan = [sweep, models](const Cell& cell) { return Planning(sweep, models).Plan(cell); },
       .restore =

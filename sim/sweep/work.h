@@ -55,7 +55,7 @@ struct Work {
 };
 
 // Plans with the planner, executes in physics. `models`: the folder; empty: each scenario's own.
-Work RealWork(const Sweep& sweep, const std::filesystem::path& models);
+Work RealWork(const Sweep& sweep, const domain::ModelPath& models);
 
 // The noise of a trial, which is no attack.
 noise::Noise NoiseOf(const PlannedCell& cell, int number);

@@ -94,23 +94,48 @@ TEST_F(ScenarioFile, IsReadWithOverrides) {
   EXPECT_THROW(Load(file, kRoot / "models", {.clearance = -0.0003}), InputError);
 }
 
+using Folders = std::vector<fs::path>;
+
 TEST_F(ScenarioFile, ModelsStandBesideItOrAbove) {
   fs::create_directories(folder_ / "models/workcells");
   fs::create_directories(folder_ / "deep/down");
-  const fs::path models = fs::canonical(folder_ / "models");
-  EXPECT_EQ(FindModels(folder_ / "scenario.yaml"), models);
-  EXPECT_EQ(FindModels(folder_ / "deep/down/scenario.yaml"), models);
+  const Folders models = {fs::canonical(folder_ / "models")};
+  EXPECT_EQ(FindModels(folder_ / "scenario.yaml").folders(), models);
+  EXPECT_EQ(FindModels(folder_ / "deep/down/scenario.yaml").folders(), models);
 }
 
 TEST_F(ScenarioFile, TheNearestModelsCount) {
   fs::create_directories(folder_ / "models/workcells");
   fs::create_directories(folder_ / "deep/models/workcells");
-  EXPECT_EQ(FindModels(folder_ / "deep/scenario.yaml"), fs::canonical(folder_ / "deep/models"));
+  EXPECT_EQ(FindModels(folder_ / "deep/scenario.yaml").folders(),
+            Folders{fs::canonical(folder_ / "deep/models")});
 }
 
-TEST_F(ScenarioFile, WithoutModelsIsRefused) {
-  EXPECT_THROW(Load(Write("")), InputError);
-  EXPECT_THROW(RequireModels(folder_), InputError);
+// Where there are none beside the file or above it, those of the tree in which this test was built.
+TEST_F(ScenarioFile, WithoutModelsHasThoseOfTheProgram) {
+  EXPECT_EQ(FindModels(folder_ / "scenario.yaml").folders(),
+            Folders{fs::canonical(kRoot / "models")});
+  EXPECT_EQ(Load(Write("")).problem.parts.size(), 2u);
+}
+
+// Given folders come first, in their order; the usual one comes last, once.
+TEST_F(ScenarioFile, GivenModelsComeFirst) {
+  fs::create_directories(folder_ / "own/parts/peg");
+  fs::create_directories(folder_ / "other/parts");
+  std::ofstream(folder_ / "own/parts/peg/part.yaml") << "not looked at";
+  const fs::path usual = fs::canonical(kRoot / "models");
+  domain::ModelPath given = folder_ / "own";
+  given.Append(folder_ / "other");
+  const domain::ModelPath models = FindModels(folder_ / "scenario.yaml", given);
+  EXPECT_EQ(models.folders(), (Folders{folder_ / "own", folder_ / "other", usual}));
+  EXPECT_EQ(models.PartFile("peg"), folder_ / "own/parts/peg/part.yaml");
+  EXPECT_EQ(models.PartFile("block"), usual / "parts/block/part.yaml");
+  EXPECT_EQ(models.Parts(), domain::ModelPath(usual).Parts());
+  EXPECT_EQ(FindModels(folder_ / "scenario.yaml", usual).folders(), Folders{usual});
+}
+
+TEST_F(ScenarioFile, AFolderWithoutModelsIsRefused) {
+  EXPECT_THROW(FindModels(folder_ / "scenario.yaml", folder_), InputError);
 }
 
 TEST_F(ScenarioFile, ThatIsNotThereIsNamed) {
