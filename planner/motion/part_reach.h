@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "planner/domain/problem.h"
 #include "planner/motion/collision_scene.h"
 
@@ -17,5 +19,8 @@ bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const 
 // The same by any grasp: the first by which it can, None if there is none. This is the extern
 // isReachable(location, robot) of the visual scenario (Gaschler et al. 2013, III-B).
 GraspId ServingGrasp(const domain::Problem& problem, PartId part, const Pose& X_WorldPart);
+
+// Where there is none: what is broken for how many grasps, of each grasp all that is.
+std::string WhyNotServed(const domain::Problem& problem, PartId part, const Pose& X_WorldPart);
 
 }  // namespace assay::motion

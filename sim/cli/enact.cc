@@ -11,11 +11,13 @@
 #include <optional>
 
 #include "planner/contingent/contingent_planner.h"
+#include "planner/contingent/goal_conflict.h"
 #include "planner/contingent/tree_text.h"
 #include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/enactment_report.h"
 #include "sim/cli/film.h"
+#include "sim/cli/goal_conflict_text.h"
 #include "sim/cli/interruption.h"
 #include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
@@ -181,13 +183,40 @@ class Enacting {
 
 const plan::Plan Enacting::kNoPlan = {};
 
-ExitCode Refuse(Outcome outcome, const Options& options) {
-  const std::string why = outcome == Outcome::kNone
-                              ? "There is no plan."
-                              : fmt::format("No plan within {} knowledge states.", kBudget);
-  const Json json = {{"outcome", outcome == Outcome::kNone ? "none" : "budget"}};
-  Print(options.json ? plan::JsonText(json) : why + "\n");
-  return ExitCodeOf(outcome);
+// Of an assembly, as `assay plan` tells it.
+ExitCode RefuseAssembly(const enact::PlannedWorlds& planned, const Options& options) {
+  const Json json = {{"outcome", planned.assembly.outcome == Outcome::kNone ? "none" : "budget"},
+                     {"plan", ToJson(planned.worlds, planned.assembly)}};
+  Print(options.json ? plan::JsonText(json) : Text(planned.worlds, planned.assembly));
+  return ExitCodeOf(planned.assembly.outcome);
+}
+
+// What no grasp serves is told as well: it may be why.
+ExitCode RefuseKnowledge(const enact::Interpretation& interpretation,
+                         const contingent::ContingentPlan& plan, const Options& options) {
+  const bool is_none = plan.outcome == Outcome::kNone;
+  Json json = {{"outcome", is_none ? "none" : "budget"}, {"not_served", interpretation.unserved}};
+  std::string text =
+      plan.doubt.empty()
+          ? fmt::format("No plan within {} knowledge states.\n", kBudget)
+          : fmt::format("No plan was found. That is no proof that there is none: {}.\n",
+                        plan.doubt);
+  if (is_none) {
+    Budget budget(kBudget);
+    const auto conflict = contingent::FindGoalConflict(interpretation.task, budget);
+    json["conflict"] = ToJson(interpretation.task, conflict);
+    text = Text(interpretation.task, conflict);
+  }
+  if (!interpretation.unserved.empty()) text += "No grasp serves:\n";
+  for (const std::string& unserved : interpretation.unserved) text += "  " + unserved + "\n";
+  Print(options.json ? plan::JsonText(json) : text);
+  return ExitCodeOf(plan.outcome);
+}
+
+ExitCode Refuse(const enact::Interpretation& interpretation, const contingent::ContingentPlan& plan,
+                const Options& options) {
+  if (interpretation.planned) return RefuseAssembly(*interpretation.planned, options);
+  return RefuseKnowledge(interpretation, plan, options);
 }
 
 // Plans of assemblies have their tree already.
@@ -207,7 +236,7 @@ ExitCode Execute(const Options& options) {
   const KnowledgeScenario scenario =
       enact::Load(options.scenario, scenario::FindModels(options.scenario, options.models));
   const contingent::ContingentPlan plan = PlanOf(scenario.interpretation);
-  if (plan.outcome != Outcome::kFound) return Refuse(plan.outcome, options);
+  if (plan.outcome != Outcome::kFound) return Refuse(scenario.interpretation, plan, options);
   return Enacting(options, scenario, plan.tree).Execute();
 }
 

@@ -19,6 +19,7 @@
 #include "planner/plan/json_layout.h"
 #include "sim/cli/console.h"
 #include "sim/cli/dot.h"
+#include "sim/cli/goal_conflict_text.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stopwatch.h"
@@ -139,12 +140,6 @@ Json ToJson(const TreeCheck& check) {
   return json;
 }
 
-Json ToJson(const GroundTask& task, const GoalConflict& conflict) {
-  Json parts = Json::array();
-  for (const GroundQuery& part : conflict.parts) parts.push_back(TextOf(task, part));
-  return {{"goal", std::move(parts)}, {"minimal", conflict.is_minimal}};
-}
-
 std::string JsonText(const Answer& answer) {
   Json json = {{"outcome", Word(answer.plan.outcome)}};
   if (answer.plan.outcome == Outcome::kFound) {
@@ -159,7 +154,7 @@ std::string JsonText(const Answer& answer) {
     json["repeats"] = size.repeats;
   }
   if (!answer.plan.doubt.empty()) json["doubt"] = answer.plan.doubt;
-  if (answer.conflict) json["conflict"] = ToJson(answer.task, *answer.conflict);
+  if (answer.conflict) json["conflict"] = cli::ToJson(answer.task, *answer.conflict);
   if (answer.check) json["check"] = ToJson(*answer.check);
   json["expanded"] = answer.plan.states;
   json["seconds"] = answer.seconds;
@@ -175,20 +170,9 @@ std::string CheckText(const TreeCheck& check) {
       check.unreached.empty() ? "" : fmt::format(", {} nodes unreached", check.unreached.size()));
 }
 
-std::string WhyNone(const Answer& answer) {
-  std::string text = fmt::format(
-      "There is no plan: no tree of these actions without repeats leads surely to {}:\n",
-      answer.conflict->parts.size() == 1 ? "this part of the goal" : "these parts of the goal");
-  for (const GroundQuery& part : answer.conflict->parts) {
-    text += "  " + TextOf(answer.task, part) + "\n";
-  }
-  if (!answer.conflict->is_minimal) text += "  (perhaps even fewer of them)\n";
-  return text;
-}
-
 std::string PlanText(const Answer& answer, const Options& options) {
   const ContingentPlan& plan = answer.plan;
-  if (plan.outcome == Outcome::kNone) return WhyNone(answer);
+  if (plan.outcome == Outcome::kNone) return cli::Text(answer.task, *answer.conflict);
   if (plan.outcome == Outcome::kBudget) {
     if (!plan.doubt.empty()) {
       return fmt::format("No plan was found. That is no proof that there is none: {}.\n",

@@ -1,6 +1,7 @@
 #include "sim/enact/interpretation.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <numbers>
@@ -66,13 +67,14 @@ class KnowledgeFile {
       name.OneOf(externs_);
       word.OneOf({"reachable"});
       externs.Add(name.Text(), [this](std::span<const std::string> arguments) {
-        return CanBeReached(RolesOf(problem_, arguments));
+        return CanBeReached(RolesOf(problem_, arguments),
+                            fmt::format("{}", fmt::join(arguments, ", ")));
       });
     }
   }
 
   // Every part, as it stands at the start, by the robot at the place.
-  bool CanBeReached(const Roles& roles) const {
+  bool CanBeReached(const Roles& roles, const std::string& arguments) {
     if (roles.place == nullptr) throw std::invalid_argument("it needs a place");
     const domain::Problem problem =
         roles.robot.IsNone() ? problem_ : domain::WorkedBy(problem_, roles.robot);
@@ -81,7 +83,10 @@ class KnowledgeFile {
       const geometry::Pose X_WorldPart =
           roles.place->middle.X_WorldTable() *
           part.model->stable_poses()[part.resting.index()].X_TablePart;
-      if (motion::ServingGrasp(problem, PartId(i), X_WorldPart).IsNone()) return false;
+      if (!motion::ServingGrasp(problem, PartId(i), X_WorldPart).IsNone()) continue;
+      read_.unserved.push_back(fmt::format("{} ({}): {}", part.name, arguments,
+                                           motion::WhyNotServed(problem, PartId(i), X_WorldPart)));
+      return false;
     }
     return true;
   }

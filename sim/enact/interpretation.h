@@ -35,6 +35,9 @@ struct Interpretation {
                                                                       // same
   std::vector<sense::NamedColor> colors;                              // that can be told
   HiddenParts hidden;
+  // What the extern `reachable` found that no grasp serves, and why: "bottle (tableRight, left):
+  // 12 grasps: of 12 the arm does not follow the straight ways".
+  std::vector<std::string> unserved;
   std::optional<Spill> spill;
   // Of plans of assemblies (plan_interpretation.h); else null.
   std::shared_ptr<const PlannedWorlds> planned = nullptr;

@@ -69,12 +69,31 @@ TEST(Enact, AnAssembly) {
 TEST(Enact, WrongScenarios) {
   const Ended none = Assay({"enact", kTree / "scenarios/impossible.yaml"});
   EXPECT_EQ(none.code, 10) << none.err;
+  EXPECT_THAT(none.out, HasSubstr("What is missed by least:\n  - the tool would lean 45 deg"));
   const Folder folder;
   const std::string text = TextOf(kTwoCans);
   const std::string cut = folder.Write("cut.yaml", text.substr(0, text.find("    ungrasp: {")));
   const Ended ended = Assay({"enact", cut, "--models", kTree / "models"});
   EXPECT_EQ(ended.code, 3);
   EXPECT_THAT(ended.err, StartsWith("assay: " + cut + ":"));
+}
+
+// Where the arms would have to lift the bottle higher than they reach, no grasp serves it anywhere.
+TEST(Enact, WithoutAPlanTellsWhatNoGraspServes) {
+  const Folder folder;
+  std::string text = TextOf(kTree / "scenarios/bottles.yaml");
+  text.replace(text.find("parts:"), 6, "rules: {safe_height: 1300}\nparts:");
+  for (std::size_t at = 0; (at = text.find(": know/", at)) != std::string::npos;) {
+    text.replace(at, 2, ": " + (kTree / "scenarios").string() + "/");
+  }
+  const std::string high = folder.Write("high.yaml", text);
+  const Ended ended = Assay({"enact", high, "--models", kTree / "models"});
+  EXPECT_EQ(ended.code, 11) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("No plan was found. That is no proof that there is none"),
+                               HasSubstr("bottle (tableRight, left): "),
+                               HasSubstr("the arm does not follow the straight ways")));
+  const Ended json = Assay({"enact", high, "--models", kTree / "models", "--json"});
+  EXPECT_THAT(SchemaErrors("sim/cli/enact.schema.json", json.Json()), IsEmpty());
 }
 
 }  // namespace
