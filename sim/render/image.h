@@ -36,7 +36,8 @@ struct LegendEntry {
 };
 
 // The images, all of one size, in rows of `columns`, each with its caption below, on white; the
-// legend's entries below all, a row for each.
+// legend's entries below all, a row for each. Images are made smaller where a row of them would be
+// wider than 2400 pixels.
 Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
                    const std::vector<LegendEntry>& legend = {});
 
