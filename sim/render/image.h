@@ -29,6 +29,17 @@ struct CaptionedImage {
   Image image;
 };
 
+// A text beside a point of a picture.
+struct Label {
+  std::string text;
+  double x = 0;  // pixels, from the left
+  double y = 0;  // from the top
+  Colour colour;
+};
+
+// The image with the labels, each joined to its point, no two of them on each other.
+Image WithLabels(const Image& image, const std::vector<Label>& labels);
+
 // What a colour of lines in the images means.
 struct LegendEntry {
   Colour colour;
