@@ -155,7 +155,8 @@ bool Senses(const plan::Plan& plan) {
 
 TimedTrial RunTrial(const PlannedCell& cell, int number) {
   const Clock::time_point start = Clock::now();
-  TimedTrial timed = Recorded(cell.preparation->plan, Execute(cell, NoiseOf(cell, number), nullptr));
+  TimedTrial timed =
+      Recorded(cell.preparation->plan, Execute(cell, NoiseOf(cell, number), nullptr));
   timed.seconds = SecondsSince(start);
   return timed;
 }

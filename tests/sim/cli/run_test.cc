@@ -30,11 +30,11 @@ TEST(Run, AssemblesThePegAndLeavesItsFiles) {
     files.push_back(entry.path().filename());
   }
   std::ranges::sort(files);
-  EXPECT_THAT(files, ElementsAre("00-start.png", "01-action_2-1-closed.png", "01-action_2.png",
-                                 "02-action_1-1-before.png", "02-action_1-2-enters.png",
-                                 "02-action_1-3-half.png", "02-action_1-4-seated.png",
-                                 "02-action_1.png", "contact-sheet.png", "plan.json", "result.json",
-                                 "trace.jsonl"));
+  EXPECT_THAT(files,
+              ElementsAre("00-start.png", "01-action_2-1-closed.png", "01-action_2.png",
+                          "02-action_1-1-before.png", "02-action_1-2-enters.png",
+                          "02-action_1-3-half.png", "02-action_1-4-seated.png", "02-action_1.png",
+                          "contact-sheet.png", "plan.json", "result.json", "trace.jsonl"));
 }
 
 // Trials from a plan file on two threads leave the same bytes as one from the scenario.
