@@ -23,7 +23,7 @@ std::vector<Claim> ConfirmedClaims(const Experiment& experiment, const exec::Tra
                                    exec::ExecutorOptions options) {
   return Confirmed(ClaimsOf(experiment, trace), [&] {
     options.sample_rate = 0;
-    options.on_step_end = {};
+    options.observer = nullptr;
     return ClaimsOf(experiment, Traced(experiment, Finer(experiment.scene), options));
   });
 }

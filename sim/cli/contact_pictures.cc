@@ -44,6 +44,17 @@ render::Ghost Cross(const Vector3& at, const Vector3& eye) {
   return cross;
 }
 
+// Where the camera sees a point.
+render::Label LabelAt(const Vector3& point, const render::FreeCamera& camera,
+                      const std::string& text) {
+  const Vector3 p = camera.X_WorldCamera.inverse() * point;
+  const double scale = kPictureHeight / 2.0 / std::tan(camera.vertical_angle / 2) / -p.z();
+  return {.text = text,
+          .x = kPictureWidth / 2.0 + scale * p.x(),
+          .y = kPictureHeight / 2.0 - scale * p.y(),
+          .colour = kTouching};
+}
+
 std::string CaptionOf(int number, const plan::Strategy& strategy,
                       const std::vector<int>& contacts) {
   std::vector<std::string> names;
@@ -79,13 +90,16 @@ std::vector<ContactPicture> WriteContactPictures(const std::filesystem::path& fo
     const Pose X_WorldHeld = X_WorldFixed * motion.X_FixedTip * strategy.X_HeldTip.inverse();
     std::vector<render::Ghost> lines = {
         render::GhostOf(*problem.part(mating.held).model, X_WorldHeld, kHeld)};
-    for (const int contact : contacts) {
-      const Vector3 at =
-          motion.X_FixedTip.translation() + strategy.contacts[static_cast<std::size_t>(contact)].at;
-      lines.push_back(Cross(X_WorldFixed * at, camera.X_WorldCamera.translation()));
+    std::vector<render::Label> labels;
+    for (const int index : contacts) {
+      const auto& contact = strategy.contacts[static_cast<std::size_t>(index)];
+      const Vector3 at = X_WorldFixed * (motion.X_FixedTip.translation() + contact.at);
+      lines.push_back(Cross(at, camera.X_WorldCamera.translation()));
+      labels.push_back(LabelAt(at, camera, contact.name));
     }
     const int number = static_cast<int>(sheet.size()) + 1;
-    sheet.push_back({CaptionOf(number, strategy, contacts), renderer.Render(data, camera, lines)});
+    sheet.push_back({CaptionOf(number, strategy, contacts),
+                     render::WithLabels(renderer.Render(data, camera, lines), labels)});
     files.push_back({fmt::format("{:02}-contacts.png", number), sheet.back().caption});
     Write(sheet.back().image, folder / files.back().file);
   }

@@ -8,21 +8,20 @@
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 
+#include "planner/plan/tool_route.h"
 #include "sim/cli/ghosts.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/usage_error.h"
+#include "sim/render/work_view.h"
+#include "sim/scenario/scenario.h"
 
 namespace assay::cli {
 namespace {
 
 constexpr const char* kContactSheet = "contact-sheet.png";
 constexpr int kMostPixels = 4096;  // each way
-
-struct Size {
-  int width = 0;
-  int height = 0;
-};
 
 std::optional<int> ReadPixels(std::string_view text) {
   int pixels = 0;
@@ -32,13 +31,13 @@ std::optional<int> ReadPixels(std::string_view text) {
   return pixels;
 }
 
-std::optional<Size> ReadSize(std::string_view text) {
+std::optional<PictureSize> ReadSize(std::string_view text) {
   const std::size_t x = text.find('x');
   if (x == std::string_view::npos) return {};
   const std::optional<int> width = ReadPixels(text.substr(0, x));
   const std::optional<int> height = ReadPixels(text.substr(x + 1));
   if (!width || !height) return {};
-  return Size{*width, *height};
+  return PictureSize{*width, *height};
 }
 
 std::string ExplainSize(const std::string& text) {
@@ -49,16 +48,30 @@ std::string ExplainSize(const std::string& text) {
 mujoco::CameraId FindCamera(const mujoco::Model& model, const std::string& name) {
   const mujoco::CameraId camera = model.FindCamera(name);
   if (!camera.IsNone()) return camera;
-  std::vector<std::string> names;
+  std::vector<std::string> names = {scenario::kWorkCamera};
   for (int i = 0; i < model.get()->ncam; ++i) names.push_back(model.Name(mujoco::CameraId(i)));
   throw UsageError(
       fmt::format("there is no camera '{}'; allowed: {}", name, fmt::join(names, ", ")));
 }
 
-render::Renderer RendererFor(const mujoco::Model& model, const PictureOptions& options) {
-  const std::optional<Size> size = ReadSize(options.size);
+PictureSize SizeOf(const PictureOptions& options) {
+  const std::optional<PictureSize> size = ReadSize(options.size);
   if (!size) throw UsageError(ExplainSize(options.size));
-  return render::Renderer(model, size->width, size->height, {.samples = options.samples});
+  return *size;
+}
+
+// What the plan's actions are about; without a plan, all.
+std::vector<domain::PartId> WorkedParts(const domain::Problem& problem, const plan::Plan& plan) {
+  std::set<domain::PartId> parts;
+  for (const plan::PlannedStep& step : plan.steps) {
+    parts.insert(plan::PartOf(problem, step.action));
+    const auto* assemble = std::get_if<plan::Assemble>(&step.action);
+    if (assemble != nullptr) parts.insert(problem.mating(assemble->mating).held);
+  }
+  for (std::size_t i = 0; i < problem.parts.size() && plan.steps.empty(); ++i) {
+    parts.insert(domain::PartId(i));
+  }
+  return {parts.begin(), parts.end()};
 }
 
 // "judge-can1-can2" of "judge(can1, can2)".
@@ -75,7 +88,8 @@ std::string FileName(const std::string& action) {
 }  // namespace
 
 void AddPictureOptions(CLI::App& command, PictureOptions& options, const std::string& with) {
-  command.add_option("--camera", options.cameras, "cameras; the scenario's if left out");
+  command.add_option("--camera", options.cameras,
+                     "cameras; the scenario's if left out; 'work' follows the hand and the parts");
   command.add_option("--size", options.size, "size of each picture in pixels")
       ->type_name("WIDTHxHEIGHT")
       ->check(CLI::Validator(ExplainSize, "", "size"))
@@ -97,35 +111,94 @@ Film::Film(const FilmSubject& subject, const std::vector<std::string>& cameras_o
            const PictureOptions& options)
     : problem_(subject.problem),
       plan_(subject.plan),
+      scene_(subject.scene),
       hides_ghosts_(options.hides_ghosts),
-      renderer_(RendererFor(subject.scene.model(), options)),
-      cameras_(options.cameras.empty() ? cameras_of_scenario : options.cameras) {
-  for (const std::string& camera : cameras_) FindCamera(subject.scene.model(), camera);
+      size_(SizeOf(options)),
+      renderer_(scene_.model(), size_.width, size_.height, {.samples = options.samples}),
+      cameras_(options.cameras.empty() ? cameras_of_scenario : options.cameras),
+      worked_(WorkedParts(problem_, plan_)) {
+  for (const std::string& camera : cameras_) {
+    if (camera != scenario::kWorkCamera) FindCamera(scene_.model(), camera);
+  }
+}
+
+render::Image Film::Shot(const std::string& camera, const mujoco::Data& data,
+                         std::span<const render::Ghost> ghosts) {
+  if (camera != scenario::kWorkCamera) {
+    return renderer_.Render(data, FindCamera(data.model(), camera), ghosts);
+  }
+  return renderer_.Render(data, render::WorkView(problem_, scene_, worked_, data, size_.aspect()),
+                          ghosts);
 }
 
 void Film::Take(const std::string& name, const std::string& caption, const mujoco::Data& data,
                 std::span<const render::Ghost> ghosts) {
-  const std::size_t number = sheet_.size();
   for (const std::string& camera : cameras_) {
     const bool first = camera == cameras_.front();
     const std::string suffix = first ? "" : "-" + camera;
-    pictures_.push_back({fmt::format("{:02}-{}{}.png", number, name, suffix),
-                         renderer_.Render(data, FindCamera(data.model(), camera), ghosts)});
+    pictures_.push_back(
+        {fmt::format("{:02}-{}{}.png", ended_, name, suffix), Shot(camera, data, ghosts)});
     if (first) sheet_.push_back({caption, pictures_.back().image});
   }
+  close_ups_ = 0;
 }
 
 void Film::TakeStart(const mujoco::Data& data) { Take("start", "start", data, {}); }
 
-void Film::TakeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
+void Film::TakeStepEnd(const std::string& action, const mujoco::Data& data) {
+  ++ended_;
+  Take(FileName(action), fmt::format("{} {}", ended_, action), data, {});
+}
+
+void Film::TakeCloseUp(const plan::PlannedStep& step, const Moment& moment,
+                       const render::FreeCamera& camera, const mujoco::Data& data) {
+  const int number = ended_ + 1;
+  pictures_.push_back(
+      {fmt::format("{:02}-{}-{}-{}.png", number, step.name, ++close_ups_, moment.name),
+       renderer_.Render(data, camera)});
+  sheet_.push_back({fmt::format("{} {}", number, moment.caption), pictures_.back().image});
+}
+
+void Film::TakeGrasp(const plan::PlannedStep& step, const mujoco::Data& data) {
+  const domain::PartId part = plan::PartOf(problem_, step.action);
+  const render::FreeCamera camera = render::CloseUp(render::GraspOf(problem_, scene_, part, data),
+                                                    render::Sight(data), size_.aspect());
+  const std::string caption = fmt::format("pads closed on {}", problem_.part(part).name);
+  TakeCloseUp(step, {"closed", caption}, camera, data);
+}
+
+void Film::TakeMating(const std::optional<Moment>& moment, const mujoco::Data& data) {
+  if (moment) TakeCloseUp(plan_.step(mating_step_), *moment, mating_->camera(), data);
+}
+
+void Film::SeeTimestep(const mujoco::Data& data) {
+  if (mating_) TakeMating(mating_->Look(data), data);
+}
+
+void Film::SeeMilestone(const exec::Milestone& milestone, const mujoco::Data& data) {
+  const plan::PlannedStep& step = plan_.step(milestone.step);
+  const bool acted = milestone.stage == exec::Stage::kActed;
+  if (const auto* assemble = std::get_if<plan::Assemble>(&step.action)) {
+    if (acted) TakeMating(mating_->LookAtRest(data), data);
+    if (milestone.stage != exec::Stage::kPoised) return;
+    mating_.emplace(problem_, scene_, problem_.mating(assemble->mating), data, size_.aspect());
+    mating_step_ = milestone.step;
+    return;
+  }
+  const bool closes = std::holds_alternative<plan::Pickup>(step.action) ||
+                      std::holds_alternative<plan::Squeeze>(step.action);
+  if (acted && closes) TakeGrasp(step, data);
+}
+
+void Film::SeeStepEnd(const exec::StepEnd& end, const mujoco::Data& data) {
+  // After a recovery it rests elsewhere.
+  if (mating_) TakeMating(mating_->LookAtRest(data), data);
+  mating_.reset();
+  ++ended_;
   std::vector<render::Ghost> ghosts;
   if (!hides_ghosts_) ghosts = GhostsAfter(problem_, plan_.step(end.step), end.moment);
   has_ghosts_ = has_ghosts_ || !ghosts.empty();
-  Take(end.name, fmt::format("{} {}", sheet_.size(), end.action), data, ghosts);
-}
-
-void Film::TakeStepEnd(const std::string& action, const mujoco::Data& data) {
-  Take(FileName(action), fmt::format("{} {}", sheet_.size(), action), data, {});
+  Take(end.name, fmt::format("{} {}", ended_, end.action), data, ghosts);
 }
 
 void Film::Write(const std::filesystem::path& folder) const {

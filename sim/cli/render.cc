@@ -77,7 +77,8 @@ Execution Declare(CLI::App& command) {
 
 const Verb kRender = {
     .name = "render",
-    .summary = "takes pictures of the start and of every step's end",
+    .summary =
+        "takes pictures of the start, of every step's end, and of grasps and matings on the way",
     .example = "assay render scenarios/spar-fig13.yaml -o out/fig13 --camera close --size 640x480",
     .declare = render_verb::Declare,
 };

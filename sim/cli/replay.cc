@@ -81,14 +81,8 @@ struct Again {
 Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* film) {
   const Progress progress(fmt::format("trial {}", stored.trial));
   const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
-  std::function<void(const exec::StepEnd&, const mujoco::Data&)> on_step_end;
-  if (film != nullptr) {
-    on_step_end = [film](const exec::StepEnd& end, const mujoco::Data& data) {
-      film->TakeStepEnd(end, data);
-    };
-  }
   const sweep::Preparation& preparation = *cell.preparation;
-  const check::NoisyTrial trial = sweep::Execute(cell, noise, on_step_end);
+  const check::NoisyTrial trial = sweep::Execute(cell, noise, film);
   const check::Experiment experiment{preparation.scenario.problem, preparation.plan,
                                      preparation.scenario.simulation.scene};
   Again again{.record = sweep::Recorded(preparation.plan, trial).record,
@@ -224,7 +218,9 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
   CLI::Option* const folder =
       command.add_option("-o,--output", options->folder, "folder for pictures");
-  command.add_flag("--renders", options->renders, "take pictures of the start and each step's end")
+  command
+      .add_flag("--renders", options->renders,
+                "take pictures of the start, each step's end, and grasps and matings on the way")
       ->needs(folder);
   AddPictureOptions(command, options->pictures, "--renders");
   command.add_flag("--json", options->json, "print the result as JSON");

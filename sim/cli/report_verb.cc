@@ -66,9 +66,7 @@ std::string ContactSheetOf(const sweep::Store& store, int number, const Options&
   Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
             options.picture);
   film.TakeStart(exec::StartOf(scenario.problem, scene, noise));
-  sweep::Execute(cell, noise, [&](const exec::StepEnd& end, const mujoco::Data& data) {
-    film.TakeStepEnd(end, data);
-  });
+  sweep::Execute(cell, noise, &film);
   const TemporaryFolder folder;
   film.Write(folder.path());
   std::ifstream in(folder.path() / film.FileNames().back(), std::ios::binary);

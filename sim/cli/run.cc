@@ -352,7 +352,9 @@ Execution Declare(CLI::App& command) {
       {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}};
   command.add_option("--grasp", options->grasp, "how the gripper holds parts: friction or weld")
       ->transform(CLI::CheckedTransformer(kGraspModes));
-  command.add_flag("--renders", options->renders, "take pictures of the start and each step's end")
+  command
+      .add_flag("--renders", options->renders,
+                "take pictures of the start, each step's end, and grasps and matings on the way")
       ->needs(folder);
   AddPictureOptions(command, options->pictures, "--renders");
   CLI::Option* const scatter = command.add_flag(

@@ -45,11 +45,7 @@ Trial RunTrial(const Experiment& experiment, int number, Film* film) {
   if (film != nullptr) film->TakeStart(data);
   exec::ExecutorOptions options;
   options.on_timestep = [](const mujoco::Data&) { Interruption::BreakOffIfRequested(); };
-  if (film != nullptr) {
-    options.on_step_end = [film](const exec::StepEnd& end, const mujoco::Data& at_end) {
-      film->TakeStepEnd(end, at_end);
-    };
-  }
+  options.observer = film;
   exec::Trace trace =
       exec::Execute(experiment.problem, experiment.plan, experiment.scene, data, options);
   check::Verdict verdict = check::Judge(experiment.problem, trace, {});

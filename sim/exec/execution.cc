@@ -223,6 +223,7 @@ Progress Execution::Advance(const JointState& next) {
   commanded_ = next;
   ++steps_;
   if (options_.on_timestep) options_.on_timestep(data_);
+  if (options_.observer != nullptr) options_.observer->SeeTimestep(data_);
   SampleIfDue();
   RecordCollisions();
   return Watch();

@@ -11,6 +11,16 @@
 
 namespace assay::exec {
 
+// Sees an execution as it goes, with the simulation: to take pictures of what no trace keeps. It
+// changes nothing.
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void SeeTimestep(const mujoco::Data& data) = 0;  // after each of them
+  virtual void SeeMilestone(const Milestone& milestone, const mujoco::Data& data) = 0;
+  virtual void SeeStepEnd(const StepEnd& end, const mujoco::Data& data) = 0;
+};
+
 struct ExecutorOptions {
   double sample_rate = 50;       // moments of the trace's series per simulated second; 0: none
   double free_timestep = 0.002;  // seconds, while the empty hand touches nothing
@@ -20,10 +30,9 @@ struct ExecutorOptions {
   plan::StepId last = plan::StepId::None();  // the execution ends with this step; None: the last
   // Looks at the parts; null: sensors err as the noise says.
   sense::PoseSensor* sensor = nullptr;
-  // Told of the simulation after each of its timesteps: to watch what no trace keeps.
+  // Called after each timestep, to break the execution off by an exception.
   std::function<void(const mujoco::Data&)> on_timestep = {};
-  // Told of the end of each step as it comes, with the simulation: to take a picture of it.
-  std::function<void(const StepEnd&, const mujoco::Data&)> on_step_end = {};
+  Observer* observer = nullptr;  // null: nobody looks on
 };
 
 // The scene's options of a world with this noise.

@@ -123,7 +123,10 @@ void StepExecution::SetTables() {
 }
 
 void StepExecution::Record(Stage stage) {
-  execution_.trace().events.push_back(Milestone{step_, stage, execution_.Now()});
+  const Milestone milestone{step_, stage, execution_.Now()};
+  execution_.trace().events.push_back(milestone);
+  Observer* const observer = execution_.options().observer;
+  if (observer != nullptr) observer->SeeMilestone(milestone, execution_.data());
 }
 
 Progress StepExecution::Approach() {
@@ -169,7 +172,8 @@ Progress StepExecution::Finish() {
   const StepEnd end{step_, planned_.name, Text(execution_.problem(), planned_.action),
                     execution_.Now()};
   execution_.trace().events.push_back(end);
-  if (execution_.options().on_step_end) execution_.options().on_step_end(end, execution_.data());
+  Observer* const observer = execution_.options().observer;
+  if (observer != nullptr) observer->SeeStepEnd(end, execution_.data());
   return std::nullopt;
 }
 

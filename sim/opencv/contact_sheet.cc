@@ -26,6 +26,8 @@ struct SheetLayout {
         thickness(std::max(1, caption / 30)) {}
 };
 
+constexpr int kWidest = 2400;  // pixels, of a sheet
+
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
 const cv::Scalar kInk(40, 40, 40);
 
@@ -62,15 +64,31 @@ void DrawLegendEntry(const LegendEntry& entry, const cv::Point& corner, const Sh
               layout.thickness, cv::LINE_AA);
 }
 
+// Images of a sheet that would be too wide are made smaller.
+std::vector<CaptionedImage> Fitting(std::vector<CaptionedImage> images, int columns) {
+  const Image& first = images.front().image;
+  const double scale = static_cast<double>(kWidest) / (columns * first.width);
+  if (scale >= 1) return images;
+  const cv::Size size(std::max(1, static_cast<int>(scale * first.width)),
+                      std::max(1, static_cast<int>(scale * first.height)));
+  for (CaptionedImage& cell : images) {
+    cv::Mat small;
+    cv::resize(PixelsOf(cell.image), small, size, 0, 0, cv::INTER_AREA);
+    cell.image = ImageOf(small);
+  }
+  return images;
+}
+
 }  // namespace
 
-Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
+Image ContactSheet(const std::vector<CaptionedImage>& originals, int columns,
                    const std::vector<LegendEntry>& legend) {
+  const int count = static_cast<int>(originals.size());
+  const int used_columns = std::min(columns, count);
+  const std::vector<CaptionedImage> images = Fitting(originals, used_columns);
   const int width = images.front().image.width;
   const int height = images.front().image.height;
   const SheetLayout layout(width);
-  const int count = static_cast<int>(images.size());
-  const int used_columns = std::min(columns, count);
   const int rows = (count + used_columns - 1) / used_columns;
   const cv::Size step(width + layout.margin, height + layout.caption + layout.margin);
   const int legend_height = static_cast<int>(legend.size()) * layout.caption;

@@ -2,6 +2,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "sim/opencv/contact_sheet.h"
+#include "sim/opencv/labels.h"
 #include "sim/opencv/pixels.h"
 #include "sim/render/picture_library.h"
 
@@ -46,6 +47,10 @@ class OpenCv : public render::PictureLibrary {
   Image ContactSheet(const std::vector<render::CaptionedImage>& images, int columns,
                      const std::vector<render::LegendEntry>& legend) const override {
     return opencv::ContactSheet(images, columns, legend);
+  }
+
+  Image WithLabels(const Image& image, std::span<const render::Label> labels) const override {
+    return opencv::WithLabels(image, labels);
   }
 
   Image FromSamples(const Image& drawing, int samples) const override {

@@ -50,6 +50,11 @@ Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
   return Pictures().ContactSheet(images, columns, legend);
 }
 
+Image WithLabels(const Image& image, const std::vector<Label>& labels) {
+  RequireEveryPixel(image);
+  return Pictures().WithLabels(image, labels);
+}
+
 Image FromSamples(const Image& drawing, int samples) {
   RequireEveryPixel(drawing);
   return Pictures().FromSamples(drawing, samples);

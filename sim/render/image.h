@@ -29,6 +29,17 @@ struct CaptionedImage {
   Image image;
 };
 
+// A text beside a point of a picture.
+struct Label {
+  std::string text;
+  double x = 0;  // pixels, from the left
+  double y = 0;  // from the top
+  Colour colour;
+};
+
+// The image with the labels, each joined to its point, no two of them on each other.
+Image WithLabels(const Image& image, const std::vector<Label>& labels);
+
 // What a colour of lines in the images means.
 struct LegendEntry {
   Colour colour;
@@ -36,7 +47,8 @@ struct LegendEntry {
 };
 
 // The images, all of one size, in rows of `columns`, each with its caption below, on white; the
-// legend's entries below all, a row for each.
+// legend's entries below all, a row for each. Images are made smaller where a row of them would be
+// wider than 2400 pixels.
 Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
                    const std::vector<LegendEntry>& legend = {});
 

@@ -35,9 +35,10 @@ class PictureLibrary {
   virtual std::vector<std::uint8_t> EncodePng(const Image& image) const = 0;
   // The picture in the bytes of a PNG or JPEG file. None if they are neither.
   virtual std::optional<Image> Decode(std::span<const std::uint8_t> bytes) const = 0;
-  // See ContactSheet and FromSamples, which ask for these.
+  // See ContactSheet, WithLabels and FromSamples, which ask for these.
   virtual Image ContactSheet(const std::vector<CaptionedImage>& images, int columns,
                              const std::vector<LegendEntry>& legend) const = 0;
+  virtual Image WithLabels(const Image& image, std::span<const Label> labels) const = 0;
   virtual Image FromSamples(const Image& drawing, int samples) const = 0;
 
   // One for each pixel, rows from the top.

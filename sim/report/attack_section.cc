@@ -23,7 +23,7 @@ Element CountTable(const Subject& subject) {
                   {{"cell"},
                    {"attacked steps", "number"},
                    {"contained", "number"},
-                   {"inconclusive", "number"},
+                   {"inconclusive, or within the engine’s resolution", "number"},
                    {"violated", "number"},
                    {"not claimed", "number"},
                    {"claims", "number"},
@@ -70,7 +70,7 @@ Element WorstTable(const Subject& subject, const CellFindings& cell) {
                    {"attempt", "number"}});
   for (const sweep::WorstClaimRecord& claim : Tightest(*cell.attack)) {
     table.AddRow({Words(fmt::format("{} {} ({})", claim.step, claim.name, claim.about)),
-                  VerdictWords(claim.verdict), Words(QuantityText(claim.observed, claim.unit)),
+                  StandingWords(StandingOf(claim)), Words(QuantityText(claim.observed, claim.unit)),
                   Words(IntervalText({claim.low, claim.high}, claim.unit)),
                   Words(QuantityText(claim.margin, claim.unit)),
                   Words(QuantityText(claim.gate, claim.unit)), Words(claim.phase),
@@ -109,7 +109,7 @@ Element Example(const Subject& subject, const CellFindings& cell,
   Element box("div");
   box.Set("class", "example");
   box.Add("h4")
-      .Add(VerdictWords("violated"))
+      .Add(StandingWords(Standing::kViolated))
       .Text(fmt::format(": {} of {}", example.name, example.action));
   box.Add("p",
           fmt::format("{}. Observed {} where {} was predicted: outside by {}, with a gate of {}.",

@@ -12,9 +12,6 @@
 namespace assay::report {
 namespace {
 
-constexpr std::array kVerdicts = {ClaimVerdict::kContained, ClaimVerdict::kInconclusive,
-                                  ClaimVerdict::kViolated, ClaimVerdict::kNotClaimed};
-
 Element Drawing(double width, double height, const std::string& words) {
   Element svg("svg");
   svg.Set("class", "chart").Set("width", width).Set("height", height);
@@ -40,10 +37,10 @@ void AddWords(Element& svg, std::string_view anchor, double x, double y, std::st
   svg.Add("text", words).Set("text-anchor", anchor).Set("x", x).Set("y", y);
 }
 
-void AddMark(Element& svg, ClaimVerdict verdict, double x, double y) {
+void AddMark(Element& svg, Standing standing, double x, double y) {
   svg.Add("use")
-      .Set("href", fmt::format("#mark-{}", check::Name(verdict)))
-      .Set("class", check::Name(verdict))
+      .Set("href", fmt::format("#mark-{}", Name(standing)))
+      .Set("class", Name(standing))
       .Set("x", x - 6)
       .Set("y", y - 6)
       .Set("width", 12)
@@ -151,10 +148,12 @@ void AddPrediction(Element& svg, const Axis& axis, const sweep::ClaimRecord& cla
 void AddEnd(Element& svg, const Axis& axis, const ClaimFindings& row, double value) {
   const auto& [low, high] = Interval{row.claim.low, row.claim.high};
   const double margin = std::min(value - low, high - value);
-  if (margin < -row.claim.gate && row.observed.verdicts.violated > 0) {
-    AddMark(svg, ClaimVerdict::kViolated, axis.At(value), kMiddle);
+  if (margin < -row.claim.gate && row.observed.verdicts.Of(Standing::kViolated) > 0) {
+    AddMark(svg, Standing::kViolated, axis.At(value), kMiddle);
+  } else if (margin < -row.claim.gate) {
+    AddMark(svg, Standing::kInconclusive, axis.At(value), kMiddle);
   } else if (margin < 0) {
-    AddMark(svg, ClaimVerdict::kInconclusive, axis.At(value), kMiddle);
+    AddMark(svg, Standing::kWithinResolution, axis.At(value), kMiddle);
   } else {
     AddLine(svg, "observed", axis.At(value), kMiddle - 4, axis.At(value), kMiddle + 4);
   }
@@ -195,34 +194,36 @@ std::string ErrorWords(const ClaimFindings& row) {
                              IntervalText({seen.lower_quartile, seen.upper_quartile}, claim.unit));
 }
 
-Element Symbol(ClaimVerdict verdict) {
+Element Symbol(Standing standing) {
   Element symbol("symbol");
-  symbol.Set("id", fmt::format("mark-{}", check::Name(verdict))).Set("viewBox", "0 0 12 12");
+  symbol.Set("id", fmt::format("mark-{}", Name(standing))).Set("viewBox", "0 0 12 12");
   return symbol;
 }
 
 }  // namespace
 
-Element Mark(ClaimVerdict verdict) {
+Element Mark(Standing standing) {
   Element svg("svg");
-  svg.Set("class", fmt::format("mark {}", check::Name(verdict))).Set("aria-hidden", "true");
+  svg.Set("class", fmt::format("mark {}", Name(standing))).Set("aria-hidden", "true");
   svg.Set("width", 12).Set("height", 12);
-  svg.Add("use").Set("href", fmt::format("#mark-{}", check::Name(verdict)));
+  svg.Add("use").Set("href", fmt::format("#mark-{}", Name(standing)));
   return svg;
 }
 
 Element MarkDefinitions() {
   Element svg("svg");
   svg.Set("class", "definitions").Set("aria-hidden", "true").Set("width", 0).Set("height", 0);
-  Element disc = Symbol(ClaimVerdict::kContained);
+  Element disc = Symbol(Standing::kContained);
   disc.Add("circle").Set("cx", 6).Set("cy", 6).Set("r", 5);
-  Element diamond = Symbol(ClaimVerdict::kInconclusive);
+  Element bars = Symbol(Standing::kWithinResolution);
+  bars.Add("path").Set("class", "stroke").Set("d", "M1 3.5H11M1 8.5H11");
+  Element diamond = Symbol(Standing::kInconclusive);
   diamond.Add("path").Set("d", "M6 0.5 11.5 6 6 11.5 0.5 6Z");
-  Element cross = Symbol(ClaimVerdict::kViolated);
+  Element cross = Symbol(Standing::kViolated);
   cross.Add("path").Set("class", "stroke").Set("d", "M1.5 1.5 10.5 10.5 M10.5 1.5 1.5 10.5");
-  Element ring = Symbol(ClaimVerdict::kNotClaimed);
+  Element ring = Symbol(Standing::kNotClaimed);
   ring.Add("circle").Set("class", "stroke thin").Set("cx", 6).Set("cy", 6).Set("r", 4.5);
-  for (Element* symbol : {&disc, &diamond, &cross, &ring}) svg.Add(std::move(*symbol));
+  for (Element* symbol : {&disc, &bars, &diamond, &cross, &ring}) svg.Add(std::move(*symbol));
   return svg;
 }
 
@@ -252,22 +253,22 @@ Element RateAxis() {
   return svg;
 }
 
-Element VerdictBar(const VerdictCounts& counts) {
+Element VerdictBar(const StandingCounts& counts) {
   constexpr double kWidth = 120;
   const auto sum = static_cast<double>(counts.Total());
   std::string words;
-  for (const ClaimVerdict verdict : kVerdicts) {
+  for (const Standing standing : kStandings) {
     words +=
-        fmt::format("{}{} {}", words.empty() ? "" : ", ", check::Name(verdict), counts.Of(verdict));
+        fmt::format("{}{} {}", words.empty() ? "" : ", ", TextOf(standing), counts.Of(standing));
   }
   Element svg = Drawing(kWidth, 12, words);
   double x = 0;
-  for (const ClaimVerdict verdict : kVerdicts) {
-    const auto count = static_cast<double>(counts.Of(verdict));
+  for (const Standing standing : kStandings) {
+    const auto count = static_cast<double>(counts.Of(standing));
     if (count == 0) continue;
     // What there is can be seen, however little it is.
     const double width = std::clamp(kWidth * count / sum, 3.0, kWidth - x);
-    AddBox(svg, fmt::format("share {}", check::Name(verdict)), x, 1, width, 10);
+    AddBox(svg, fmt::format("share {}", Name(standing)), x, 1, width, 10);
     x = std::min(x + width, kWidth - 3);
   }
   return svg;
@@ -291,7 +292,7 @@ Element ConservatismChart(const sweep::ConservatismRecord& row, double greatest)
                           row.broken ? "broken at " + NumberText(*row.broken) : "not broken"));
   AddLine(svg, "grid", axis.At(0), 10, axis.right, 10);
   AddBox(svg, "predicted", axis.At(0), 4, axis.At(row.guaranteed) - axis.At(0), 12);
-  if (row.broken) AddMark(svg, ClaimVerdict::kViolated, axis.At(*row.broken), 10);
+  if (row.broken) AddMark(svg, Standing::kViolated, axis.At(*row.broken), 10);
   return svg;
 }
 

@@ -9,8 +9,8 @@ namespace assay::report {
 // wide, so that a column of them reads as one plot. Colours come from the
 // page's style sheet by class.
 
-// The sign of a verdict; its word stands beside it.
-Element Mark(ClaimVerdict verdict);
+// The sign of a standing; its word stands beside it.
+Element Mark(Standing standing);
 // Defines what the marks look like; once on a page.
 Element MarkDefinitions();
 
@@ -20,7 +20,7 @@ Element RateChart(const CellFindings& cell);
 Element RateAxis();
 
 // What share of certificates came out how.
-Element VerdictBar(const VerdictCounts& counts);
+Element VerdictBar(const StandingCounts& counts);
 
 // A claim on an axis of its own: what was predicted as a bar, with the honesty
 // gate beside it; what was observed as a line from least to greatest with a box

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <map>
 #include <optional>
@@ -21,10 +22,12 @@ constexpr double kGraphWidth = 620;  // of the graph, at least
 constexpr double kSpacing = 8;       // of its states, at least
 constexpr double kColumn = 74;       // of a state that is not in it
 constexpr double kNumberUp = 10;     // of numbers over their states
+constexpr double kLetter = 8;        // width, at most
+constexpr double kLine = 20;         // of the key
 
 // A picture in a file of its own has no page about it; in a page its rules are for it alone.
 constexpr const char* kGraphRules =
-    ".contacts text { font: 12px system-ui, sans-serif; fill: #52606f; } "
+    ".contacts text { font: 14px system-ui, sans-serif; fill: #33404f; } "
     ".contacts .ground { fill: #ffffff; } "
     ".contacts .neighbour { fill: none; stroke: #98a2ad; stroke-width: .5; stroke-opacity: .55; } "
     ".contacts .state { fill: #4f5560; } "
@@ -86,6 +89,21 @@ class Layout {
   int least_dimension_ = finemotion::kPoseDimensions;
 };
 
+// What is drawn, and what it means.
+struct Kind {
+  const char* name;  // class
+  double radius;     // of a dot; 0: a line
+  const char* meaning;
+};
+constexpr std::array kKinds = {
+    Kind{"state", 2.5, "a contact state, in the row of the dimensions that are left to move in"},
+    Kind{"initial", 4, "where it may begin"},
+    Kind{"goal", 4, "a goal"},
+    Kind{"planned", 5, "where motions of the plan end, by their numbers"},
+    Kind{"neighbour", 0, "one contact is made or broken"},
+    Kind{"way", 0, "the way of the plan"},
+};
+
 // A state that the plan leads through.
 struct Stop {
   ContactSet contacts;
@@ -125,8 +143,9 @@ class Picture {
   }
 
   Element Draw() const {
-    const double width = kLeft + layout_.width() + kColumn * columns_;
-    const double height = RowHeight(least_) + kTop;
+    const double width = std::max(kLeft + layout_.width() + kColumn * columns_, TextWidth());
+    const double graph_height = RowHeight(least_) + kTop;
+    const double height = graph_height + kLine * static_cast<double>(KeyLines());
     Element svg("svg");
     svg.Set("xmlns", "http://www.w3.org/2000/svg")
         .Set("class", "contacts")
@@ -146,6 +165,8 @@ class Picture {
     svg.Add("path").Set("class", "way").Set("d", Way());
     AddStates(svg);
     AddStops(svg);
+    AddKey(svg, graph_height);
+    AddContactsOfStops(svg, graph_height + kLine * kKinds.size());
     return svg;
   }
 
@@ -230,12 +251,54 @@ class Picture {
       const std::string numbers = NumbersOf(stop);
       Element& ring = svg.Add("circle").Set("class", "planned");
       ring.Set("cx", stop.place.x).Set("cy", stop.place.y).Set("r", 5);
-      ring.Add("title", fmt::format("{}: {}", numbers, TextOf(stop.contacts)));
+      ring.Add("title", KeyOf(stop));
       svg.Add("text", numbers)
           .Set("class", "numbers")
           .Set("text-anchor", "middle")
           .Set("x", stop.place.x)
           .Set("y", stop.place.y - kNumberUp);
+    }
+  }
+
+  // What the longest text below the graph needs.
+  double TextWidth() const {
+    std::size_t letters = 0;
+    for (const Kind& kind : kKinds) letters = std::max(letters, std::string(kind.meaning).size());
+    for (const Stop& stop : stops_) letters = std::max(letters, KeyOf(stop).size());
+    return kLeft + kLetter * static_cast<double>(letters);
+  }
+  static std::string KeyOf(const Stop& stop) {
+    return fmt::format("{}: {}", NumbersOf(stop), TextOf(stop.contacts));
+  }
+  std::size_t KeyLines() const { return kKinds.size() + stops_.size(); }
+
+  // What dots and lines mean.
+  static void AddKey(Element& svg, double top) {
+    double y = top;
+    for (const Kind& kind : kKinds) {
+      const double middle = y - 5;
+      if (kind.radius > 0) {
+        svg.Add("circle")
+            .Set("class", fmt::format("{} key", kind.name))
+            .Set("cx", kLeft / 2)
+            .Set("cy", middle)
+            .Set("r", kind.radius);
+      } else {
+        svg.Add("path")
+            .Set("class", fmt::format("{} key", kind.name))
+            .Set("d", fmt::format("M8 {0}L{1} {0}", middle, kLeft - 8));
+      }
+      svg.Add("text", kind.meaning).Set("class", "key").Set("x", kLeft).Set("y", y);
+      y += kLine;
+    }
+  }
+
+  // Which contacts hold where the motions of these numbers end.
+  void AddContactsOfStops(Element& svg, double top) const {
+    double y = top;
+    for (const Stop& stop : stops_) {
+      svg.Add("text", KeyOf(stop)).Set("class", "contacts-of").Set("x", kLeft).Set("y", y);
+      y += kLine;
     }
   }
 

@@ -19,8 +19,9 @@ struct MotionRange {
 // and Popplestone, figure 4). Initial states and goals are marked. States that these motions of a
 // plan lead through are joined in its order and numbered by the motions that end in them. Those
 // that the graph has not, since their contacts exist where the part is tilted only, stand in
-// columns of their own beside it. Pointing at a state tells its contacts and how far it is from a
-// goal.
+// columns of their own beside it. Below stand what dots and lines mean, and the contacts of the
+// states that the plan leads through, by their numbers. Pointing at a state tells its contacts and
+// how far it is from a goal.
 Element ContactGraphPicture(const finemotion::LocalTopology& topology,
                             const check::PlannedContacts& planned, const MotionRange& motions);
 

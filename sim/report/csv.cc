@@ -101,9 +101,10 @@ CsvFile ErrorSetsCsv(const Findings& findings) {
       for (const auto& [claim, seen] : step.claims) {
         const double none = std::nan("");
         const bool any = seen.claimed() > 0;
+        const VerdictCounts verdicts = seen.verdicts.Verdicts();
         csv.Add(cell.cell().cell, claim.step, claim.action, claim.about, claim.name, claim.unit,
-                claim.low, claim.high, claim.proved, claim.gate, seen.verdicts.contained,
-                seen.verdicts.inconclusive, seen.verdicts.violated, seen.verdicts.not_claimed,
+                claim.low, claim.high, claim.proved, claim.gate, verdicts.contained,
+                verdicts.inconclusive, verdicts.violated, verdicts.not_claimed,
                 any ? seen.least : none, any ? seen.lower_quartile : none, any ? seen.median : none,
                 any ? seen.upper_quartile : none, any ? seen.greatest : none);
       }
@@ -119,10 +120,10 @@ CsvFile VerdictsCsv(const Findings& findings) {
   for (const CellFindings& cell : findings.cells) {
     for (const StepFindings& step : cell.steps) {
       const auto& [verdict, about, unit, trial] = step.worst;
-      csv.Add(cell.cell().cell, step.step, step.action, step.counts.contained,
-              step.counts.inconclusive, step.counts.violated, step.counts.not_claimed,
-              verdict.verdict, verdict.claim, about, unit, verdict.observed, verdict.low,
-              verdict.high, verdict.margin, verdict.gate, trial,
+      const VerdictCounts counts = step.counts.Verdicts();
+      csv.Add(cell.cell().cell, step.step, step.action, counts.contained, counts.inconclusive,
+              counts.violated, counts.not_claimed, verdict.verdict, verdict.claim, about, unit,
+              verdict.observed, verdict.low, verdict.high, verdict.margin, verdict.gate, trial,
               ReplayCommand(findings.database, trial));
     }
   }

@@ -59,14 +59,11 @@ Element Command(const std::string& command) {
   return Element("code", command).Set("class", "command");
 }
 
-Element VerdictWords(std::string_view verdict) {
+Element StandingWords(Standing standing) {
   Element words("span");
   words.Set("class", "verdict");
-  const ClaimVerdict known = VerdictNamed(verdict);
-  if (check::Name(known) == verdict) words.Add(Mark(known));
-  std::string text(verdict);
-  if (text == check::Name(ClaimVerdict::kNotClaimed)) text = "not claimed";
-  words.Text(" " + text);
+  words.Add(Mark(standing));
+  words.Text(fmt::format(" {}", TextOf(standing)));
   return words;
 }
 

@@ -41,7 +41,7 @@ class DataTable {
 // Contents of an entry.
 Element Words(std::string_view text);
 Element Command(const std::string& command);  // a click selects it
-// A verdict's mark and word; of a name that is no verdict, the word.
-Element VerdictWords(std::string_view verdict);
+// Its mark and its words.
+Element StandingWords(Standing standing);
 
 }  // namespace assay::report

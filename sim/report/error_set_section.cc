@@ -26,16 +26,15 @@ std::string ObservedText(const ClaimFindings& row) {
   return IntervalText({seen.least, seen.greatest}, row.claim.unit);
 }
 
-// The worst verdict, with how often it came out so.
-Element Worst(const VerdictCounts& counts) {
-  const std::array kinds = {std::pair(counts.violated, ClaimVerdict::kViolated),
-                            std::pair(counts.inconclusive, ClaimVerdict::kInconclusive),
-                            std::pair(counts.contained, ClaimVerdict::kContained),
-                            std::pair(counts.not_claimed, ClaimVerdict::kNotClaimed)};
+// The worst, with how often it came out so.
+Element Worst(const StandingCounts& counts) {
   const std::int64_t all = counts.Total();
-  for (const auto& [count, verdict] : kinds) {
+  for (const Standing standing :
+       {Standing::kViolated, Standing::kInconclusive, Standing::kWithinResolution,
+        Standing::kContained, Standing::kNotClaimed}) {
+    const std::int64_t count = counts.Of(standing);
     if (count == 0) continue;
-    Element words = VerdictWords(check::Name(verdict));
+    Element words = StandingWords(standing);
     words.Text(count == all ? "" : fmt::format(" {} of {}", CountText(count), CountText(all)));
     return words;
   }
@@ -81,7 +80,8 @@ Element DrawingKey() {
   example.claim.low = -0.001;
   example.claim.high = 0.001;
   example.claim.gate = 0.0001;
-  example.observed = {-0.0006, -0.0003, 0.0001, 0.0004, 0.0009, {.contained = 1}};
+  example.observed = {-0.0006, -0.0003, 0.0001, 0.0004, 0.0009, {}};
+  example.observed.verdicts.Add(Standing::kContained);
   Element key("ul");
   key.Set("class", "key").Set("aria-label", "How to read the drawings");
   Element& item = key.Add("li").Set("class", "drawn");

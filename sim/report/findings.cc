@@ -104,8 +104,8 @@ CellFindings ReadCell(const sweep::Store& store, sweep::CellSummary summary) {
 
 }  // namespace
 
-VerdictCounts StepFindings::ObservedClaims() const {
-  VerdictCounts sum;
+StandingCounts StepFindings::ObservedClaims() const {
+  StandingCounts sum;
   for (const ClaimFindings& claim : claims) sum += claim.observed.verdicts;
   return sum;
 }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/check/claim.h"
+#include "sim/report/standing.h"
 #include "sim/sweep/store.h"
 #include "sim/sweep/summary.h"
 
@@ -20,12 +21,10 @@ using check::VerdictCounts;
 // step's certificate claimed anything; in the claim's unit.
 struct Observed {
   double least = 0, lower_quartile = 0, median = 0, upper_quartile = 0, greatest = 0;
-  VerdictCounts verdicts = {};  // of every observation, one that is not claimed included
+  StandingCounts verdicts = {};  // of every observation, one that is not claimed included
 
   // Observations that the five numbers are of.
-  std::int64_t claimed() const {
-    return verdicts.contained + verdicts.inconclusive + verdicts.violated;
-  }
+  std::int64_t claimed() const { return verdicts.Total() - verdicts.Of(Standing::kNotClaimed); }
 };
 
 struct ClaimFindings {
@@ -45,11 +44,11 @@ struct StepFindings {
   int step = 0;  // place in the order of execution, from 1
   std::string action;
   std::string what;  // "pickup(peg)"; empty if the plan does not tell
-  VerdictCounts counts;
+  StandingCounts counts;
   WorstVerdict worst;
   std::vector<ClaimFindings> claims;
 
-  VerdictCounts ObservedClaims() const;  // of all claims together
+  StandingCounts ObservedClaims() const;  // of all claims together
 };
 
 // What verifications and recoveries did in the trials of a cell.

@@ -110,7 +110,7 @@ class StepReader {
 
   void Take(WorstVerdict verdict) {
     StepFindings& step = Step(verdict.verdict.step, verdict.verdict.action);
-    step.counts.Add(VerdictNamed(verdict.verdict.verdict));
+    step.counts.Add(StandingOf(verdict.verdict));
     if (step.worst.trial == 0 || IsWorse(verdict, step.worst)) step.worst = std::move(verdict);
   }
 
@@ -124,7 +124,9 @@ class StepReader {
     std::vector<double> values;
     while (rows.Next()) {
       const ClaimVerdict verdict = VerdictOn(claim, rows.Real(0), VerdictNamed(rows.Text(1)));
-      observed.verdicts.Add(verdict);
+      // By the claim's own gate: what is inconclusive by it is within what the engine resolves.
+      const double margin = std::min(rows.Real(0) - claim.low, claim.high - rows.Real(0));
+      observed.verdicts.Add(StandingOf({check::Name(verdict), margin, claim.gate}));
       if (verdict != ClaimVerdict::kNotClaimed) values.push_back(rows.Real(0));
     }
     Summarize(std::move(values), observed);

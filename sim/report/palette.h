@@ -18,14 +18,15 @@ struct Colour {
 };
 
 inline constexpr Colour kContained{"contained", "#0a9a78", "#5be3bd"};
+inline constexpr Colour kWithinResolution{"within-resolution", "#748ca4", "#acc4ec"};
 inline constexpr Colour kInconclusive{"inconclusive", "#c98500", "#ffd35c"};
 inline constexpr Colour kViolated{"violated", render::kViolated.hex, "#ff7a59"};
 inline constexpr Colour kNotClaimed{"not-claimed", "#4f5560", "#7d838e"};
 inline constexpr Colour kPredicted{"predicted", render::kPredicted.hex, "#3f83bd"};
 inline constexpr Colour kObserved{"observed", render::kObserved.hex, "#f1f4f8"};
 
-inline constexpr std::array kPalette = {kContained,  kInconclusive, kViolated,
-                                        kNotClaimed, kPredicted,    kObserved};
+inline constexpr std::array kPalette = {kContained,  kWithinResolution, kInconclusive, kViolated,
+                                        kNotClaimed, kPredicted,        kObserved};
 
 inline constexpr std::string_view kLightGround = "#ffffff";
 inline constexpr std::string_view kDarkGround = "#12171e";

@@ -70,6 +70,7 @@ svg text { font: 10px system-ui, sans-serif; fill: var(--soft); font-variant-num
 .definitions { position: absolute; }
 .verdict { white-space: nowrap; }
 .contained { fill: var(--contained); stroke: var(--contained); }
+.within-resolution { fill: var(--within-resolution); stroke: var(--within-resolution); }
 .inconclusive { fill: var(--inconclusive); stroke: var(--inconclusive); }
 .violated { fill: var(--violated); stroke: var(--violated); }
 .not-claimed { fill: var(--not-claimed); stroke: var(--not-claimed); }

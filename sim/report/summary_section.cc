@@ -14,12 +14,12 @@ namespace {
 struct Tally {
   int done = 0, succeeded = 0;                  // trials under noise
   int control_done = 0, control_succeeded = 0;  // trials without
-  std::int64_t certificates = 0, violated = 0, inconclusive = 0,
-               not_claimed = 0;  // in trials
+  StandingCounts certificates;                  // in trials
   std::int64_t attacked = 0, attacked_violated = 0,
                attacked_inconclusive = 0;  // steps
 
-  std::int64_t all_violated() const { return violated + attacked_violated; }
+  std::int64_t violated() const { return certificates.Of(Standing::kViolated); }
+  std::int64_t all_violated() const { return violated() + attacked_violated; }
 };
 
 void Add(const CellFindings& cell, Tally& tally) {
@@ -31,11 +31,7 @@ void Add(const CellFindings& cell, Tally& tally) {
   if (cell.is_attack()) return;  // its one trial is all of these attempts
   (cell.is_control() ? tally.control_done : tally.done) += cell.summary.done;
   (cell.is_control() ? tally.control_succeeded : tally.succeeded) += cell.summary.succeeded;
-  const VerdictCounts& counts = cell.summary.certificates;
-  tally.certificates += counts.Total();
-  tally.violated += counts.violated;
-  tally.inconclusive += counts.inconclusive;
-  tally.not_claimed += counts.not_claimed;
+  for (const StepFindings& step : cell.steps) tally.certificates += step.counts;
 }
 
 template <class Matches>
@@ -57,7 +53,7 @@ void AddTile(Element& tiles, const std::string& name, Element big, const std::st
 Element Counted(std::int64_t violated) {
   Element big("span");
   big.Set("class", "big");
-  big.Add(Mark(violated > 0 ? ClaimVerdict::kViolated : ClaimVerdict::kContained));
+  big.Add(Mark(violated > 0 ? Standing::kViolated : Standing::kContained));
   big.Text(CountText(violated));
   return big;
 }
@@ -82,19 +78,25 @@ std::string SuccessWords(const Tally& tally) {
   return words;
 }
 
+std::string Told(const Tally& tally, Standing standing) {
+  return fmt::format("{} {}", CountText(tally.certificates.Of(standing)), TextOf(standing));
+}
+
 Element Tiles(const Findings& findings, const Tally& tally) {
   Element tiles("dl");
   tiles.Set("class", "tiles");
   AddTile(tiles, "Trials", Words(CountText(findings.done())), TrialWords(findings));
   AddTile(tiles, "Success under noise", Words(RateText(tally.succeeded, tally.done)),
           SuccessWords(tally));
-  AddTile(tiles, "Certificates violated in trials", Counted(tally.violated),
-          fmt::format("of {} held against what truly happened; {} inconclusive, {} not claimed",
-                      CountText(tally.certificates), CountText(tally.inconclusive),
-                      CountText(tally.not_claimed)));
+  AddTile(
+      tiles, "Certificates violated in trials", Counted(tally.violated()),
+      fmt::format("of {} held against what truly happened; {}, {}, {}",
+                  CountText(tally.certificates.Total()), Told(tally, Standing::kWithinResolution),
+                  Told(tally, Standing::kInconclusive), Told(tally, Standing::kNotClaimed)));
   if (tally.attacked > 0) {
     AddTile(tiles, "Violated in attacked steps", Counted(tally.attacked_violated),
-            fmt::format("of {}; {} inconclusive", CountText(tally.attacked, "attacked step"),
+            fmt::format("of {}; {} inconclusive or within the engine’s resolution",
+                        CountText(tally.attacked, "attacked step"),
                         CountText(tally.attacked_inconclusive)));
   } else {
     AddTile(tiles, "Attacked steps", Words("0"), "the sweep attacks nothing");
@@ -103,13 +105,13 @@ Element Tiles(const Findings& findings, const Tally& tally) {
 }
 
 std::string EvaluationsText(const Tally& tally) {
-  std::string text = CountText(tally.certificates, "certificate") + " of trials";
+  std::string text = CountText(tally.certificates.Total(), "certificate") + " of trials";
   if (tally.attacked > 0) text += " and " + CountText(tally.attacked, "attacked step");
   return text;
 }
 
 std::string Lead(const Tally& tally) {
-  if (tally.certificates + tally.attacked == 0) return "No prediction has been tried yet.";
+  if (tally.certificates.Total() + tally.attacked == 0) return "No prediction has been tried yet.";
   if (tally.all_violated() == 0) {
     return fmt::format(
         "No prediction was violated in {}: not falsified, which is less than proved.",
@@ -135,21 +137,23 @@ void AddPropagations(Element& section, const Findings& findings) {
   }
 }
 
-void AddKey(Element& key, ClaimVerdict verdict, const std::string& words) {
+void AddKey(Element& key, Standing standing, const std::string& words) {
   Element& item = key.Add("li");
-  item.Add(Mark(verdict));
-  item.Add("span", words);
+  item.Add(Mark(standing));
+  item.Add("span", fmt::format("{}: {}", TextOf(standing), words));
 }
 
 Element MarkKey() {
   Element key("ul");
   key.Set("class", "key").Set("aria-label", "What the marks mean");
-  AddKey(key, ClaimVerdict::kContained, "contained: observed where it was predicted");
-  AddKey(key, ClaimVerdict::kInconclusive,
-         "inconclusive: outside, by less than the engine can tell from nothing (the honesty gate)");
-  AddKey(key, ClaimVerdict::kViolated, "violated: outside by more than that");
-  AddKey(key, ClaimVerdict::kNotClaimed,
-         "not claimed: an assumption that the planner left unproved did not hold");
+  AddKey(key, Standing::kContained, "observed where it was predicted");
+  AddKey(key, Standing::kWithinResolution,
+         "outside, by less than the engine can tell from nothing (the honesty gate); no sign of a "
+         "wrong prediction");
+  AddKey(key, Standing::kInconclusive,
+         "outside by more than that, and not confirmed with half the timestep");
+  AddKey(key, Standing::kViolated, "outside by more than that, and confirmed");
+  AddKey(key, Standing::kNotClaimed, "an assumption that the planner left unproved did not hold");
   return key;
 }
 

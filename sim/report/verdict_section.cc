@@ -19,7 +19,7 @@ Element StepWords(const StepFindings& step) {
 // The worst claim, and the command that shows it again.
 Element WorstWords(const WorstVerdict& worst, const std::string& database) {
   Element words("div");
-  words.Add(VerdictWords(worst.verdict.verdict));
+  words.Add(StandingWords(StandingOf(worst.verdict)));
   words.Text(fmt::format(": {}{}", worst.verdict.claim,
                          worst.about.empty() ? "" : fmt::format(" ({})", worst.about)));
   words.Add("br");
@@ -27,12 +27,11 @@ Element WorstWords(const WorstVerdict& worst, const std::string& database) {
   return words;
 }
 
-std::string CountsText(const VerdictCounts& counts) {
+std::string CountsText(const StandingCounts& counts) {
   std::vector<std::string> words;
-  for (const auto& [count, name] :
-       {std::pair(counts.contained, "contained"), std::pair(counts.inconclusive, "inconclusive"),
-        std::pair(counts.violated, "violated"), std::pair(counts.not_claimed, "not claimed")}) {
-    if (count > 0) words.push_back(fmt::format("{} {}", CountText(count), name));
+  for (const Standing standing : kStandings) {
+    const std::int64_t count = counts.Of(standing);
+    if (count > 0) words.push_back(fmt::format("{} {}", CountText(count), TextOf(standing)));
   }
   return fmt::format("{}", fmt::join(words, ", "));
 }
@@ -43,7 +42,7 @@ Element CountWords(const StepFindings& step) {
   contents.Add(VerdictBar(step.counts));
   contents.Add("br");
   contents.Text(CountsText(step.counts));
-  const VerdictCounts claims = step.ObservedClaims();
+  const StandingCounts claims = step.ObservedClaims();
   if (claims.Total() == 0) return contents;
   contents.Add("br");
   contents
@@ -87,10 +86,10 @@ Element Verdicts(const Subject& subject) {
   }
   section.Add("p",
               "A step's certificate comes out as its worst claim: one that predicts less than the "
-              "engine resolves makes it inconclusive, however well the others do. The margin is "
-              "the distance to "
-              "the nearer end of what was predicted, negative outside; the gate is what the engine "
-              "cannot tell from nothing.");
+              "engine resolves puts it within the engine’s resolution, however well the others do; "
+              "that is no sign of a wrong prediction. The margin is the distance to the nearer end "
+              "of what was predicted, negative outside; the gate is what the engine cannot tell "
+              "from nothing.");
   for (const CellFindings* cell : subject.in_full) section.Add(CellTable(subject, *cell));
   if (subject.left_out() > 0) {
     section

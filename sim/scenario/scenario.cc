@@ -17,7 +17,8 @@ namespace {
 constexpr domain::Range kTimesteps = {1e-5, 0.001};
 
 std::vector<std::string> ReadCameras(const Value& value) {
-  static const std::vector<std::string> kCameras = {"overview", "close", "side", "top"};
+  static const std::vector<std::string> kCameras = {kWorkCamera, "overview", "close", "side",
+                                                    "top"};
   std::vector<std::string> cameras;
   for (const Value& item : value.Items()) {
     const std::string& camera = kCameras[static_cast<std::size_t>(item.OneOf(kCameras))];
@@ -49,7 +50,7 @@ void RequireKnownPoses(const Document& document, const domain::Problem& problem,
 }  // namespace
 
 Simulation ReadSimulation(const Document& document) {
-  Simulation simulation{.cameras = {"overview", "close"}};
+  Simulation simulation{.cameras = {kWorkCamera, "overview"}};
   const std::optional<Value> map = document.root().Find("simulation");
   if (!map) return simulation;
   map->AllowOnly({"seed", "grasp", "timestep", "cameras"});

@@ -10,6 +10,10 @@
 
 namespace assay::scenario {
 
+// The camera that is none of the scene's: it shows the parts that are worked on and the hand,
+// wherever they are.
+inline constexpr const char* kWorkCamera = "work";
+
 // What a scenario says about its simulation. The planner does not know it.
 struct Simulation {
   std::uint64_t seed = 0;                 // of all that is random

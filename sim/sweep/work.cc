@@ -156,7 +156,8 @@ bool Senses(const plan::Plan& plan) {
 
 TimedTrial RunTrial(const PlannedCell& cell, int number) {
   const Clock::time_point start = Clock::now();
-  TimedTrial timed = Recorded(cell.preparation->plan, Execute(cell, NoiseOf(cell, number), {}));
+  TimedTrial timed =
+      Recorded(cell.preparation->plan, Execute(cell, NoiseOf(cell, number), nullptr));
   timed.seconds = SecondsSince(start);
   return timed;
 }
@@ -194,15 +195,14 @@ noise::Noise NoiseOf(const PlannedCell& cell, int number) {
   return noise::Sample(cell.preparation->box, ModeOf(cell.cell.noise), cell.cell.seed, number);
 }
 
-check::NoisyTrial Execute(
-    const PlannedCell& cell, const noise::Noise& noise,
-    const std::function<void(const exec::StepEnd&, const mujoco::Data&)>& on_step_end) {
+check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
+                          exec::Observer* observer) {
   const Preparation& preparation = *cell.preparation;
   const check::Experiment experiment = ExperimentOf(preparation);
   // The series of samples is of no use for verdicts.
   exec::ExecutorOptions options;
   options.sample_rate = 0;
-  options.on_step_end = on_step_end;
+  options.observer = observer;
   if (cell.cell.sensing == Sensing::kDrawn || !Senses(preparation.plan)) {
     return check::RunNoisyTrial(experiment, noise, options);
   }

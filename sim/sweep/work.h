@@ -60,8 +60,7 @@ Work RealWork(const Sweep& sweep, const domain::ModelPath& models);
 // The noise of a trial, which is no attack.
 noise::Noise NoiseOf(const PlannedCell& cell, int number);
 
-// A trial with its noise, told of the end of each step.
-check::NoisyTrial Execute(
-    const PlannedCell& cell, const noise::Noise& noise,
-    const std::function<void(const exec::StepEnd&, const mujoco::Data&)>& on_step_end);
+// A trial with its noise. `observer`: looks on, unless it is null.
+check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
+                          exec::Observer* observer);
 }  // namespace assay::sweep

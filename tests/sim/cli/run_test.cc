@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <sstream>
 
@@ -29,8 +30,11 @@ TEST(Run, AssemblesThePegAndLeavesItsFiles) {
     files.push_back(entry.path().filename());
   }
   std::ranges::sort(files);
-  EXPECT_THAT(files, ElementsAre("00-start.png", "01-action_2.png", "02-action_1.png",
-                                 "contact-sheet.png", "plan.json", "result.json", "trace.jsonl"));
+  EXPECT_THAT(files,
+              ElementsAre("00-start.png", "01-action_2-1-closed.png", "01-action_2.png",
+                          "02-action_1-1-before.png", "02-action_1-2-enters.png",
+                          "02-action_1-3-half.png", "02-action_1-4-seated.png", "02-action_1.png",
+                          "contact-sheet.png", "plan.json", "result.json", "trace.jsonl"));
 }
 
 // Trials from a plan file on two threads leave the same bytes as one from the scenario.
@@ -138,15 +142,20 @@ TEST(Render, TakesPicturesOfWhatWasInserted) {
   const Ended ended = Assay({"render", kTwoSqueezes, "-o", folder / "out", "--size", "32x24",
                              "--camera", "close", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_EQ(ended.Json()["pictures"].size(), 6);  // five moments, and all
+  // The start, two looks or squeezes and two actions of which one mates; closed pads of three, four
+  // of the mating; and all.
+  std::vector<std::string> names = ended.Json()["pictures"];
+  EXPECT_EQ(names.size(), 5 + 3 + 4 + 1);
+  EXPECT_TRUE(std::ranges::is_sorted(names)) << "not in the order of execution";
 }
 
 TEST(Render, TellsItsFiles) {
   const Folder folder;
   const Ended ended = Assay({"render", kTwoActions, "-o", folder / "out", "--size", "32x24",
-                             "--camera", "top", "close", "--json"});
+                             "--camera", "top", "work", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
-  EXPECT_EQ(ended.Json()["pictures"].size(), 7);  // three moments by two cameras, and all
+  // Three moments by two cameras, five close-ups, and all.
+  EXPECT_EQ(ended.Json()["pictures"].size(), 12);
   for (const std::string name : ended.Json()["pictures"]) {
     EXPECT_TRUE(std::filesystem::exists(folder / ("out/" + name))) << name;
   }

@@ -142,15 +142,42 @@ TEST_F(Figure15Executed, SamplesComeAtTheirRate) {
   }
 }
 
-// It is told, and changes nothing.
-TEST_F(Figure15Executed, ObserverSeesTheEndOfEachStep) {
-  std::vector<std::string> steps;
-  const Trace observed = Run({.on_step_end = [&](const StepEnd& end, const mujoco::Data& data) {
+// Writes down what it sees, and checks that it sees it when it happens.
+class Chronicler : public Observer {
+ public:
+  void SeeTimestep(const mujoco::Data& data) override {
+    EXPECT_GT(data.time(), last_time);
+    last_time = data.time();
+    ++timesteps;
+  }
+  void SeeMilestone(const Milestone& milestone, const mujoco::Data& data) override {
+    EXPECT_EQ(milestone.moment.time, data.time());
+    seen.push_back(fmt::format("{} {}", milestone.step.index(), Name(milestone.stage)));
+  }
+  void SeeStepEnd(const StepEnd& end, const mujoco::Data& data) override {
     EXPECT_EQ(end.moment.time, data.time());
-    steps.push_back(end.name);
-  }});
-  EXPECT_EQ(steps, (std::vector<std::string>{"action_2", "action_1"}));
+    seen.push_back(end.name);
+  }
+
+  double last_time = 0;
+  std::int64_t timesteps = 0;
+  std::vector<std::string> seen;
+};
+
+// It sees everything in the order of the trace, and changes nothing.
+TEST_F(Figure15Executed, AnObserverSeesWhatTheTraceHas) {
+  Chronicler chronicler;
+  const Trace observed = Run({.observer = &chronicler});
   EXPECT_EQ(Text(observed), Text(trace()));
+  EXPECT_EQ(chronicler.timesteps, trace().end().steps);
+  std::vector<std::string> traced;
+  for (const TraceEvent& event : trace().events) {
+    if (const auto* milestone = std::get_if<Milestone>(&event)) {
+      traced.push_back(fmt::format("{} {}", milestone->step.index(), Name(milestone->stage)));
+    }
+    if (const auto* end = std::get_if<StepEnd>(&event)) traced.push_back(end->name);
+  }
+  EXPECT_EQ(chronicler.seen, traced);
 }
 
 TEST_F(Figure15Executed, WritesWhatItsSchemaSays) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "planner/base/input_error.h"
@@ -45,6 +47,61 @@ TEST(ReadImage, RefusesWhatIsNoPicture) {
   std::ofstream(ScratchFile("text.png")) << "no picture";
   EXPECT_THROW(ReadImage(ScratchFile("text.png")), InputError);
   EXPECT_THROW(ReadImage(ScratchFile("absent.png")), InputError);
+}
+
+TEST(ContactSheet, IsNoWiderThanItMayBe) {
+  const std::vector<CaptionedImage> images(6, {"step", Plain(960, 720, 120)});
+  const Image sheet = ContactSheet(images, 6);
+  EXPECT_LT(sheet.width, 2600);
+  EXPECT_GT(sheet.width, 2300);
+  EXPECT_EQ(ContactSheet(images, 1).width, ContactSheet({images[0]}, 1).width);
+  EXPECT_GT(ContactSheet(images, 1).width, 960);
+}
+
+// The columns and rows of the smallest rectangle about the pixels that differ.
+struct Changed {
+  int left = 1 << 20, right = -1, top = 1 << 20, bottom = -1;
+};
+Changed Difference(const Image& a, const Image& b) {
+  Changed changed;
+  for (int i = 0; i < a.width * a.height; ++i) {
+    const auto at = static_cast<std::size_t>(3 * i);
+    if (std::equal(&a.rgb[at], &a.rgb[at] + 3, &b.rgb[at])) continue;
+    changed.left = std::min(changed.left, i % a.width);
+    changed.right = std::max(changed.right, i % a.width);
+    changed.top = std::min(changed.top, i / a.width);
+    changed.bottom = std::max(changed.bottom, i / a.width);
+  }
+  return changed;
+}
+
+// Each begins at its point, and labels of points that are the same stand below each other: the
+// second changes nothing within the first one's box.
+TEST(WithLabels, NoneIsOnAnother) {
+  const Image plain = Plain(640, 480, 90);
+  constexpr Colour kRed{"#ff0000"};
+  for (const auto& [x, y] : {std::pair(100.0, 200.0), {600.0, 100.0}, {320.0, 240.0}}) {
+    const Label first{"edge 21 on edge 14", x, y, kRed};
+    const Label second{"vertex 3 on face 8", x, y, kRed};
+    const Image one = WithLabels(plain, {first});
+    const Changed box = Difference(plain, one);
+    EXPECT_GE(box.right - box.left, 100);
+    EXPECT_LE(box.left, x + 1);
+    EXPECT_GE(box.right, x - 1);
+    const Image both = WithLabels(plain, {first, second});
+    const Changed below = Difference(one, both);
+    EXPECT_GT(below.bottom, box.bottom + 5) << x;
+    int within = 0;  // but for the line from the point
+    for (int row = box.top; row <= box.bottom; ++row) {
+      for (int column = box.left; column <= box.right; ++column) {
+        if (std::abs(column - x) <= 15) continue;
+        const auto at = static_cast<std::size_t>(3 * (row * plain.width + column));
+        within += std::equal(&one.rgb[at], &one.rgb[at] + 3, &both.rgb[at]) ? 0 : 1;
+      }
+    }
+    EXPECT_LE(within, 2 * (box.right - box.left)) << "more than a border";
+  }
+  EXPECT_TRUE(WithLabels(plain, {}) == plain);
 }
 
 TEST(ContactSheet, PutsImagesInRows) {

@@ -117,6 +117,31 @@ TEST(ContactGraphPicture, NumbersThePlansStates) {
     EXPECT_TRUE(dots.contains({ring->attributes.at("cx"), ring->attributes.at("cy")}));
 }
 
+// Each state of the plan has its contacts written out, and each kind of dot and line its meaning.
+TEST(ContactGraphPicture, TellsContactsAndWhatIsDrawn) {
+  const Markup picture =
+      Drawn(Through({{OnFace(2)}, {OnFace(1), OnFace(2)}, {OnFace(1), OnFace(2)}, {OnFace(2)}}));
+  std::vector<std::string> contacts;
+  for (const Markup* text : OfClass(picture, "contacts-of")) contacts.push_back(text->text);
+  std::vector<std::string> titles;
+  for (const Markup* ring : OfClass(picture, "planned")) titles.push_back(TitleOf(*ring));
+  EXPECT_EQ(contacts, titles);
+  const double height = std::stod(picture.attributes.at("height"));
+  const double width = std::stod(picture.attributes.at("width"));
+  for (const char* kind : {"contacts-of", "key"}) {
+    for (const Markup* text : OfClass(picture, kind)) {
+      EXPECT_LT(std::stod(text->attributes.at("y")), height);
+      EXPECT_LT(std::stod(text->attributes.at("x")) + 7 * static_cast<double>(text->text.size()),
+                width);
+    }
+  }
+  for (const char* kind : {"state", "initial", "goal", "planned", "neighbour", "way"}) {
+    EXPECT_FALSE(OfClass(picture, kind).empty()) << kind;
+    EXPECT_EQ(OfClass(picture, std::string(kind) + " key").size(), 1) << kind;
+  }
+  EXPECT_EQ(OfClass(picture, "key").size(), 6);
+}
+
 // At a later critical point the way begins where the motion before it has ended.
 TEST(ContactGraphPicture, HasOnlyTheMotionsThatAreAsked) {
   const Markup picture = Drawn(Through({{OnFace(2)}, {OnFace(1), OnFace(2)}, {OnFace(1)}}), {1, 2});

@@ -39,11 +39,12 @@ TEST(Findings, AreWhatTheTrialsObserved) {
   EXPECT_NEAR(x.median, 0, 1e-15);
   // Between the 3rd and the 4th of ten: 2.25 steps of 0.2 mm from the least.
   EXPECT_NEAR(x.lower_quartile, -0.00045, 1e-15);
-  EXPECT_EQ(x.verdicts, (VerdictCounts{.contained = 10}));
+  EXPECT_EQ(x.verdicts.Verdicts(), (VerdictCounts{.contained = 10}));
   const StepFindings& second = cell.steps[1];
   const VerdictCounts counts{.contained = 8, .inconclusive = 1, .violated = 1};
-  EXPECT_EQ(second.counts, counts);
-  EXPECT_EQ(second.claims.at(0).observed.verdicts, counts);
+  EXPECT_EQ(second.counts.Verdicts(), counts);
+  EXPECT_EQ(second.counts.Of(Standing::kWithinResolution), 1);
+  EXPECT_EQ(second.claims.at(0).observed.verdicts.Verdicts(), counts);
   EXPECT_EQ(second.worst.trial, 11);
   EXPECT_EQ(second.worst.unit, "rad");
   EXPECT_EQ(second.worst.about, "after");

@@ -64,7 +64,8 @@ double Distance(const Rgb& a, const Rgb& b) {
 
 // A difference of 2.3 is just seen; several times that is plain.
 TEST(Palette, VerdictsAreToldApartByEveryEye) {
-  constexpr std::array kVerdicts = {kContained, kInconclusive, kViolated, kNotClaimed};
+  constexpr std::array kVerdicts = {kContained, kWithinResolution, kInconclusive, kViolated,
+                                    kNotClaimed};
   constexpr double kPlain = 15;
   for (const Vision& vision : kVisions) {
     for (const Colour& a : kVerdicts) {

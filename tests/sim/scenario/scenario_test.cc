@@ -63,7 +63,7 @@ TEST_F(ScenarioFile, NeedNotSayIt) {
   EXPECT_EQ(simulation.seed, 0u);
   EXPECT_EQ(simulation.scene.grasp, scene::GraspMode::kFriction);
   EXPECT_EQ(simulation.scene.timestep, scene::SceneOptions().timestep);
-  EXPECT_THAT(simulation.cameras, ElementsAre("overview", "close"));
+  EXPECT_THAT(simulation.cameras, ElementsAre("work", "overview"));
 }
 
 TEST_F(ScenarioFile, WrongValuesAreRefusedWithTheirPlace) {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <span>
+
+#include "sim/render/image.h"
+
+namespace assay::opencv {
+
+// render::WithLabels.
+render::Image WithLabels(const render::Image& image, std::span<const render::Label> labels);
+
+}  // namespace assay::opencv
