@@ -138,7 +138,7 @@ void AddClearances(const Problem& problem, Draft& report) {
   Table table({{"mating"},
                {"along"},
                {"play mm", Align::kRight},
-               {"in the engine", Align::kRight},
+               {"in the engine mm", Align::kRight},
                {"off by %", Align::kRight},
                {"verdict"}});
   std::string without_play;

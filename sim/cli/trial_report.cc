@@ -74,13 +74,19 @@ PeoplesUnit PeoplesUnitOf(const std::string& unit) {
   return {unit, 1};
 }
 
+// Of the limit: of all that is judged, only the opening of a hand that let go must be at least
+// that.
+std::string_view Direction(const check::Finding& finding) {
+  return finding.aspect == check::Aspect::kReleased ? ">=" : "<=";
+}
+
 std::string FindingTable(const std::vector<check::Finding>& findings) {
   Table table(
-      {{"goal"}, {"value", Align::kRight}, {"limit", Align::kRight}, {"unit"}, {"verdict"}});
+      {{"goal"}, {"value", Align::kRight}, {"must be", Align::kRight}, {"unit"}, {"verdict"}});
   for (const check::Finding& finding : findings) {
     const PeoplesUnit unit = PeoplesUnitOf(finding.unit);
     table.Add({finding.name, fmt::format("{:.4f}", unit.scale * finding.value),
-               fmt::format("{:.4f}", unit.scale * finding.limit), unit.name,
+               fmt::format("{} {:.4f}", Direction(finding), unit.scale * finding.limit), unit.name,
                finding.holds ? "holds" : "violated"});
   }
   return table.Text();

@@ -42,6 +42,9 @@ class TrueErrors {
     for (const std::vector<double>& corner : LikelyCorners()) traces_.push_back(ExecutedAt(corner));
   }
 
+  // Whether half the timestep confirms that the original plan is violated.
+  bool violated() const { return violated_; }
+
   bool Reveal(const plan::Plan& mutant) const {
     return std::ranges::any_of(traces_, [&](const exec::Trace& trace) {
       return std::ranges::any_of(ClaimsOf(mutant, trace), &Claim::IsViolated);
@@ -53,7 +56,7 @@ class TrueErrors {
     return CheckCertificates(experiment_.problem, plan, trace, experiment_.gate);
   }
 
-  exec::Trace ExecutedAt(const std::vector<double>& corner) const {
+  exec::Trace ExecutedAt(const std::vector<double>& corner) {
     std::vector<double> values(box_.size());
     for (std::size_t i = 0; i < box_.size(); ++i) {
       values[i] = corner[i] > 0 ? box_[i].range.high : box_[i].range.low;
@@ -61,7 +64,9 @@ class TrueErrors {
     exec::ExecutorOptions options;
     options.sample_rate = 0;
     options.recovers = false;
-    return RunNoisyTrial(experiment_, {box_, std::move(values)}, options).trace;
+    NoisyTrial trial = RunNoisyTrial(experiment_, {box_, std::move(values)}, options);
+    violated_ = violated_ || std::ranges::any_of(trial.claims, &Claim::IsViolated);
+    return std::move(trial.trace);
   }
 
   std::set<std::vector<double>> LikelyCorners() const {
@@ -86,6 +91,7 @@ class TrueErrors {
   std::vector<noise::Channel> box_;
   std::vector<std::vector<double>> design_;
   std::vector<exec::Trace> traces_;
+  bool violated_ = false;
 };
 
 // Of one kind of lie.
@@ -124,7 +130,7 @@ Scores ScoresOf(const Certified& certified, const Effort& effort) {
   const HonestyGate gate = MeasureGate(certified.problem, certified.plan, {});
   const Experiment experiment = Of(certified, gate);
   const TrueErrors errors(experiment, effort.corners);
-  EXPECT_FALSE(errors.Reveal(certified.plan)) << "the theory itself lies";
+  EXPECT_FALSE(errors.violated()) << "the theory itself lies";
   Scores scores;
   const std::vector<Mutation> mutations = MutationsOf(certified);
   for (std::size_t i = 0; i < mutations.size(); i += effort.stride) {
