@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -21,6 +22,10 @@ enum class GraspCondition : std::uint16_t {
   kMateClear = 32,  // hand and fingers do not go through the part that is mated with
   kPadsFit = 64,    // the pads lie wholly on the faces: of grasps without misfits always true
 };
+inline constexpr std::array kGraspConditions = {
+    GraspCondition::kFacesFree, GraspCondition::kTableClear, GraspCondition::kMateClear,
+    GraspCondition::kReach,     GraspCondition::kOpening,    GraspCondition::kPadsFit,
+    GraspCondition::kToolLean};
 using GraspConditions = std::uint16_t;  // a set of them
 constexpr GraspConditions operator|(GraspCondition a, GraspCondition b) {
   return static_cast<GraspConditions>(static_cast<int>(a) | static_cast<int>(b));

@@ -45,20 +45,6 @@ std::optional<JointPath> Along(const domain::Workcell& workcell, const JointVect
   return path;
 }
 
-using domain::GraspCondition;
-
-struct BrokenText {
-  GraspCondition condition;
-  const char* text;
-};
-constexpr std::array kBrokenTexts = {
-    BrokenText{GraspCondition::kOpening, "the gripper does not open wide enough"},
-    BrokenText{GraspCondition::kPadsFit, "the pads do not lie wholly on the faces"},
-    BrokenText{GraspCondition::kFacesFree, "a face lies on the table"},
-    BrokenText{GraspCondition::kToolLean, "the tool would lean too far"},
-    BrokenText{GraspCondition::kTableClear, "hand or fingers would be in the table"},
-    BrokenText{GraspCondition::kReach, "the arm does not follow the straight ways"}};
-
 }  // namespace
 
 bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart) {
@@ -81,22 +67,22 @@ bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const 
 }
 
 std::string WhyNotServed(const domain::Problem& problem, PartId part, const Pose& X_WorldPart) {
-  const std::size_t count = problem.part(part).grasps->size();
   std::vector<domain::GraspConditions> broken;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < problem.part(part).grasps->size(); ++i) {
     broken.push_back(BrokenAt(problem, part, GraspId(i), X_WorldPart));
   }
   std::vector<std::string> reasons;
-  const auto add = [&](std::int64_t grasps, const char* text) {
-    if (grasps > 0) reasons.push_back(fmt::format("of {} {}", grasps, text));
+  const auto add = [&](std::int64_t grasps, const std::string& what) {
+    if (grasps > 0) reasons.push_back(fmt::format("{} for {}", what, grasps));
   };
-  for (const auto& [condition, text] : kBrokenTexts) {
-    const auto breaks = [condition = static_cast<domain::GraspConditions>(condition)](
-                            domain::GraspConditions all) { return (all & condition) != 0; };
-    add(std::ranges::count_if(broken, breaks), text);
+  for (const domain::GraspCondition condition : domain::kGraspConditions) {
+    const auto breaks = [condition](domain::GraspConditions all) {
+      return (all & static_cast<domain::GraspConditions>(condition)) != 0;
+    };
+    add(std::ranges::count_if(broken, breaks), Describe(problem, condition));
   }
-  add(std::ranges::count(broken, 0), "something is in the way of arm or hand");
-  return fmt::format("{} grasps: {}", count, fmt::join(reasons, ", "));
+  add(std::ranges::count(broken, 0), "nothing is in the way of arm and hand");
+  return fmt::format("not true of its {} grasps: {}", broken.size(), fmt::join(reasons, "; "));
 }
 
 GraspId ServingGrasp(const domain::Problem& problem, PartId part, const Pose& X_WorldPart) {

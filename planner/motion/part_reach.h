@@ -20,7 +20,7 @@ bool CanServe(const domain::Problem& problem, PartId part, GraspId grasp, const 
 // isReachable(location, robot) of the visual scenario (Gaschler et al. 2013, III-B).
 GraspId ServingGrasp(const domain::Problem& problem, PartId part, const Pose& X_WorldPart);
 
-// Where there is none: what is broken for how many grasps, of each grasp all that is.
+// Where there is none: which conditions are not true, and for how many of the grasps.
 std::string WhyNotServed(const domain::Problem& problem, PartId part, const Pose& X_WorldPart);
 
 }  // namespace assay::motion

@@ -50,7 +50,7 @@ class AttackedStep {
   // What is made of a step that is broken off counts as far as it is decided.
   StepAttempt Attempt(const Sample& sample) const;
 
-  // Of the claims that errors can change, by when they were decided in all samples up to here.
+  // Aims at the claims that errors can change; each ends when all samples so far had decided it.
   void FindAims();
   // Null: there is none.
   const Aim* AimAt(const ClaimKey& claim) const;

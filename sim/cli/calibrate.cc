@@ -32,6 +32,7 @@
 #include "sim/scenario/models_folder.h"
 #include "sim/sense/calibration.h"
 #include "sim/sense/overhead_camera.h"
+#include "sim/sweep/shell.h"
 
 namespace assay::cli {
 namespace calibrate_verb {
@@ -264,8 +265,9 @@ class Result {
   }
 
   std::string ReplayCommand(const Trial& trial) const {
-    return fmt::format("assay calibrate {} --seed {} --trial {}{}", trial.subject->file.string(),
-                       trial.subject->seed, trial.number, sweep::ModelsOption(options_.models));
+    return fmt::format("assay calibrate {} --seed {} --trial {}{}",
+                       sweep::Word(trial.subject->file.string()), trial.subject->seed, trial.number,
+                       sweep::ModelsOption(options_.models));
   }
 
   static Json Coordinates(const Displacement& displacement) {

@@ -54,8 +54,9 @@ Report CheckPart(const Document& document, const fs::path& file, const Options& 
 
 // What a scenario's key `knowledge` says is of no matter to the report, but must be right.
 Report CheckScenario(const Document& document, const fs::path& file, const Options& options) {
-  if (document.root().Find("knowledge"))
+  if (document.root().Find("knowledge")) {
     enact::Read(document, scenario::FindModels(file, options.models));
+  }
   const std::vector<domain::Problem> worlds = scenario::ReadWorlds(document, options.models);
   Report report = ReportOn(worlds.front());
   if (worlds.size() == 1) return report;

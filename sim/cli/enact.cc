@@ -183,7 +183,7 @@ class Enacting {
 
 const plan::Plan Enacting::kNoPlan = {};
 
-// Of an assembly, as `assay plan` tells it.
+// An assembly without a plan is told as `assay plan` tells it.
 ExitCode RefuseAssembly(const enact::PlannedWorlds& planned, const Options& options) {
   const Json json = {{"outcome", planned.assembly.outcome == Outcome::kNone ? "none" : "budget"},
                      {"plan", ToJson(planned.worlds, planned.assembly)}};

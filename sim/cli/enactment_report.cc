@@ -9,6 +9,7 @@
 
 #include "sim/cli/quantity.h"
 #include "sim/cli/table.h"
+#include "sim/sweep/shell.h"
 #include "sim/sweep/wilson.h"
 
 namespace assay::cli {
@@ -61,7 +62,8 @@ std::map<std::string, int> Failures(const EnactmentStudy& study) {
 }
 
 std::string ReplayCommand(const EnactmentStudy& study, int number) {
-  std::string command = fmt::format("assay enact {} --seed {}", study.scenario, study.seed);
+  std::string command =
+      fmt::format("assay enact {} --seed {}", sweep::Word(study.scenario), study.seed);
   command += sweep::ModelsOption(study.models);
   if (study.is_every_leaf) command += " --worlds all";
   if (study.sensing_errors > 0)

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/domain/model_path.h"
 #include "sim/enact/enactment.h"
 
 namespace assay::cli {

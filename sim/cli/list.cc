@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "planner/base/document.h"
 #include "planner/base/input_error.h"
@@ -59,11 +60,14 @@ Entry EntryOf(std::string name, const std::function<std::string()>& text) {
   }
 }
 
-// Beside each folder of models.
+// Scenarios are looked for beside each folder of models.
 Entries ListScenarios(const domain::ModelPath& models) {
+  std::set<fs::path> folders;
+  for (const fs::path& folder : models.folders())
+    folders.insert(folder.parent_path() / "scenarios");
   Entries entries;
-  for (const fs::path& folder : models.folders()) {
-    for (const fs::path& file : SortedContents(folder.parent_path() / "scenarios")) {
+  for (const fs::path& folder : folders) {
+    for (const fs::path& file : SortedContents(folder)) {
       if (file.extension() != ".yaml") continue;
       entries.push_back(
           EntryOf(file.string(), [&] { return TextAt(Document::Load(file), "title"); }));

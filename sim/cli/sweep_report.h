@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "planner/domain/model_path.h"
 #include "sim/cli/exit_code.h"
 #include "sim/cli/report.h"
 #include "sim/sweep/store.h"

@@ -74,8 +74,8 @@ PeoplesUnit PeoplesUnitOf(const std::string& unit) {
   return {unit, 1};
 }
 
-// Of the limit: of all that is judged, only the opening of a hand that let go must be at least
-// that.
+// On which side of its limit a value must be: only the opening of a hand that let go is to be
+// great.
 std::string_view Direction(const check::Finding& finding) {
   return finding.aspect == check::Aspect::kReleased ? ">=" : "<=";
 }

@@ -36,7 +36,7 @@ struct Interpretation {
   std::vector<sense::NamedColor> colors;                              // that can be told
   HiddenParts hidden;
   // What the extern `reachable` found that no grasp serves, and why: "bottle (tableRight, left):
-  // 12 grasps: of 12 the arm does not follow the straight ways".
+  // not true of its 12 grasps: the tool leans at most 60 deg from straight down for 12".
   std::vector<std::string> unserved;
   std::optional<Spill> spill;
   // Of plans of assemblies (plan_interpretation.h); else null.

@@ -26,16 +26,16 @@ inline constexpr std::array kStandings = {Standing::kContained, Standing::kWithi
 std::string_view Name(Standing standing);    // "within-resolution", of its colour and its mark
 std::string_view TextOf(Standing standing);  // "within the engine's resolution"
 
-// Of a verdict as it is stored: by its name ("inconclusive"; one that there is not is not claimed),
-// with the claim's margin and gate, in the same unit. What is not confirmed has its gate widened to
-// just its margin.
+// A verdict as it is stored: its name ("inconclusive"; a name that no verdict has counts as not
+// claimed), and the claim's margin and gate in one unit. A violation that was not confirmed has its
+// gate widened to just its margin.
 struct StoredVerdict {
   std::string_view name;
   double margin = 0;
   double gate = 0;
 };
 Standing StandingOf(const StoredVerdict& verdict);
-// Of a record that has these.
+// The standing of a record with a verdict, a margin and a gate.
 Standing StandingOf(const auto& record) {
   return StandingOf(StoredVerdict{record.verdict, record.margin, record.gate});
 }

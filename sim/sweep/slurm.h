@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "planner/domain/model_path.h"
+
 namespace assay::sweep {
 
 // How a sweep is spread over a cluster.

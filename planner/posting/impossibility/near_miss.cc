@@ -157,7 +157,8 @@ std::vector<std::string> NearMisses(const RelaxedProblem& relaxed,
   for (const Constraint& constraint : conflict) {
     std::string text;
     if (constraint.kind == Kind::kGraspCondition) {
-      text = NearMiss(relaxed, conflict, kGraspConditions[constraint.index], constraint).Text();
+      text = NearMiss(relaxed, conflict, domain::kGraspConditions[constraint.index], constraint)
+                 .Text();
     } else if (constraint.kind == Kind::kFrictionCone) {
       text = FrictionConeText(relaxed.problem(), MatingId(constraint.index));
     }

@@ -57,9 +57,10 @@ class FixedPoint {
  public:
   FixedPoint(const RelaxedProblem& relaxed, const Relaxation& relaxation)
       : relaxed_(relaxed), problem_(relaxed.problem()), relaxation_(relaxation) {
-    for (std::size_t c = 0; c < kGraspConditions.size(); ++c) {
+    for (std::size_t c = 0; c < domain::kGraspConditions.size(); ++c) {
       if (Keeps(Kind::kGraspCondition, static_cast<int>(c))) continue;
-      left_out_ = static_cast<GraspConditions>(left_out_ | static_cast<int>(kGraspConditions[c]));
+      left_out_ =
+          static_cast<GraspConditions>(left_out_ | static_cast<int>(domain::kGraspConditions[c]));
     }
     Start();
     StartWithWhatIsNotFollowed();
@@ -301,7 +302,7 @@ std::vector<Constraint> RelaxedProblem::Constraints() const {
   const auto add = [&](Kind kind, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) constraints.push_back({kind, static_cast<int>(i)});
   };
-  add(Kind::kGraspCondition, kGraspConditions.size());
+  add(Kind::kGraspCondition, domain::kGraspConditions.size());
   add(Kind::kGrasps, problem_.parts.size());
   add(Kind::kInTheWay, problem_.parts.size());
   for (int p = static_cast<int>(problem_.parts.size()) - 1; p >= 0; --p) {
@@ -382,7 +383,7 @@ std::string RelaxedProblem::Describe(const Constraint& constraint) const {
   const int index = constraint.index;
   switch (constraint.kind) {
     case Kind::kGraspCondition:
-      return DescribeOfEach(hands_, kGraspConditions[index]);
+      return DescribeOfEach(hands_, domain::kGraspConditions[index]);
     case Kind::kGrasps:
       return fmt::format("{} has no two parallel faces between which a hand can hold it",
                          problem_.parts[index].name);

@@ -13,7 +13,7 @@ namespace assay::posting {
 // A constraint of a problem that can be left out by itself.
 struct Constraint {
   enum class Kind {
-    kGraspCondition,    // index: in kGraspConditions
+    kGraspCondition,    // index: in domain::kGraspConditions
     kGrasps,            // that a part has no grasps at all
     kStart,             // that a part starts where it does
     kInTheWay,          // that others keep clear of a part while it is where it starts
@@ -27,12 +27,6 @@ struct Constraint {
 
   bool operator==(const Constraint&) const = default;
 };
-
-inline constexpr std::array kGraspConditions = {
-    domain::GraspCondition::kFacesFree, domain::GraspCondition::kTableClear,
-    domain::GraspCondition::kMateClear, domain::GraspCondition::kReach,
-    domain::GraspCondition::kOpening,   domain::GraspCondition::kPadsFit,
-    domain::GraspCondition::kToolLean};
 
 // A hold that a robot has, or would have, of a part that rests or is mated.
 struct HoldOption {

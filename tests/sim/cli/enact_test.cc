@@ -91,7 +91,7 @@ TEST(Enact, WithoutAPlanTellsWhatNoGraspServes) {
   EXPECT_EQ(ended.code, 11) << ended.err;
   EXPECT_THAT(ended.out, AllOf(HasSubstr("No plan was found. That is no proof that there is none"),
                                HasSubstr("bottle (tableRight, left): "),
-                               HasSubstr("the arm does not follow the straight ways")));
+                               HasSubstr("; the arm gets there from 1300 mm above the table")));
   const Ended json = Assay({"enact", high, "--models", kTree / "models", "--json"});
   EXPECT_THAT(SchemaErrors("sim/cli/enact.schema.json", json.Json()), IsEmpty());
 }
