@@ -11,6 +11,9 @@ namespace assay::plan {
 namespace {
 
 constexpr char kServos[] = "oscillation of the servos while a part is carried";
+constexpr char kStuck[] =
+    "a part so heavy that the friction of what it stands on keeps it from turning flat between the "
+    "pads";
 constexpr char kPushes[] = "pads that slide, and an arm that does not follow, as a strategy pushes";
 
 constexpr char kBeside[] =
@@ -20,14 +23,14 @@ constexpr char kBeside[] =
 struct NotCoveredOf {
   const PlannedStep& step;
 
-  std::vector<std::string> operator()(const Pickup&) const { return {kServos}; }
+  std::vector<std::string> operator()(const Pickup&) const { return {kStuck, kServos}; }
   std::vector<std::string> operator()(const Putdown&) const { return {}; }
   std::vector<std::string> operator()(const Assemble&) const {
     if (!step.strategy) return {};
     return {kBeside, kPushes};
   }
   std::vector<std::string> operator()(const Sense&) const { return {}; }
-  std::vector<std::string> operator()(const Squeeze&) const { return {}; }
+  std::vector<std::string> operator()(const Squeeze&) const { return {kStuck}; }
 };
 
 // The steps that do not claim it; the last one does so twice, also of the way home.

@@ -1,12 +1,17 @@
 #include "sim/check/noisy_trial.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "sim/check/certificate_check.h"
 #include "sim/check/confirmation.h"
 
 namespace assay::check {
 namespace {
+
+constexpr char kFailureOfTheEngine[] =
+    "; the failure is the engine's, since with half the timestep the trial succeeds";
 
 exec::Trace Traced(const Experiment& experiment, const scene::SceneOptions& nominal,
                    const exec::ExecutorOptions& options) {
@@ -19,13 +24,33 @@ std::vector<Claim> ClaimsOf(const Experiment& experiment, const exec::Trace& tra
   return CheckCertificates(experiment.problem, experiment.plan, trace, experiment.gate);
 }
 
-std::vector<Claim> ConfirmedClaims(const Experiment& experiment, const exec::Trace& trace,
-                                   exec::ExecutorOptions options) {
-  return Confirmed(ClaimsOf(experiment, trace), [&] {
-    options.sample_rate = 0;
-    options.observer = nullptr;
-    return ClaimsOf(experiment, Traced(experiment, Finer(experiment.scene), options));
-  });
+// The same trial with half the timestep, executed when it is asked for.
+class WithHalfTheTimestep {
+ public:
+  WithHalfTheTimestep(const Experiment& experiment, exec::ExecutorOptions options)
+      : experiment_(experiment), options_(std::move(options)) {
+    options_.sample_rate = 0;
+    options_.observer = nullptr;
+  }
+
+  const exec::Trace& trace() {
+    if (!trace_) trace_ = Traced(experiment_, Finer(experiment_.scene), options_);
+    return *trace_;
+  }
+
+ private:
+  const Experiment& experiment_;
+  exec::ExecutorOptions options_;
+  std::optional<exec::Trace> trace_;
+};
+
+// Whose a failure is: the engine's, if it does not happen with half the timestep.
+Verdict Attributed(const Experiment& experiment, Verdict verdict, WithHalfTheTimestep& finer) {
+  if (verdict.outcome == TrialOutcome::kSucceeded) return verdict;
+  if (Judge(experiment.problem, finer.trace(), {}).outcome == TrialOutcome::kSucceeded) {
+    verdict.reason += kFailureOfTheEngine;
+  }
+  return verdict;
 }
 
 }  // namespace
@@ -34,10 +59,12 @@ NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise
                          exec::ExecutorOptions options) {
   options.noise = noise;
   exec::Trace trace = Traced(experiment, experiment.scene, options);
+  WithHalfTheTimestep finer(experiment, options);
   NoisyTrial trial{.noise = noise,
                    .trace = {},
-                   .verdict = Judge(experiment.problem, trace, {}),
-                   .claims = ConfirmedClaims(experiment, trace, options)};
+                   .verdict = Attributed(experiment, Judge(experiment.problem, trace, {}), finer),
+                   .claims = Confirmed(ClaimsOf(experiment, trace),
+                                       [&] { return ClaimsOf(experiment, finer.trace()); })};
   for (const exec::VerificationRecord* check : trace.All<exec::VerificationRecord>()) {
     if (!check->error.empty()) ++trial.errors_signalled;
   }

@@ -23,7 +23,7 @@ struct Experiment {
 struct NoisyTrial {
   noise::Noise noise;
   exec::Trace trace;
-  Verdict verdict;            // of the plan as a whole
+  Verdict verdict;  // of the plan as a whole; its reason tells if the engine's timestep is to blame
   std::vector<Claim> claims;  // of the certificates of all steps that were executed
   int errors_signalled = 0;   // by verifications
   int recovered = 0;          // errors after which the plan went on
