@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <set>
 #include <system_error>
 #include <utility>
 #include <vector>
 
+#include "planner/base/digest.h"
 #include "planner/base/document.h"
 #include "planner/base/input_error.h"
 #include "planner/base/quotation.h"
@@ -27,6 +29,7 @@ struct ReadFiles {
   std::mutex mutex;
   std::set<FileId> ids;
   std::set<fs::path> paths;  // canonical: another program may have replaced the file since
+  std::map<fs::path, std::string> digests;  // of what ReadInput read, by canonical path
 };
 
 ReadFiles& Files() {
@@ -89,6 +92,9 @@ std::string ReadInput(const fs::path& file, std::string_view allowed, std::size_
     throw InputError(place, "the file is too large", fmt::format("{} bytes", most));
   }
   RememberInput(file);
+  ReadFiles& files = Files();
+  const std::lock_guard lock(files.mutex);
+  files.digests[Canonical(file)] = Digest().Add(text).Hex();
   return text;
 }
 
@@ -108,6 +114,14 @@ bool IsInput(const fs::path& file) {
   const std::lock_guard lock(files.mutex);
   return files.ids.contains({status.st_dev, status.st_ino}) ||
          files.paths.contains(Canonical(file));
+}
+
+std::string DigestOfInputs() {
+  ReadFiles& files = Files();
+  const std::lock_guard lock(files.mutex);
+  Digest all;
+  for (const auto& [path, digest] : files.digests) all.Add(path.string()).Add(digest);
+  return all.Hex();
 }
 
 void RequireText(std::string_view text, const std::string& file_name) {

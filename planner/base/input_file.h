@@ -24,6 +24,10 @@ void RememberInput(const std::filesystem::path& file);
 // Whether the file is one of those that were read, by whatever path or link it is named.
 bool IsInput(const std::filesystem::path& file);
 
+// A hash of all that ReadInput has read so far: the same for the same contents under the same
+// canonical paths, in whatever order they were read.
+std::string DigestOfInputs();
+
 // Throws InputError, with line and column, unless all of the text is UTF-8 without control
 // characters other than tabs and line breaks.
 void RequireText(std::string_view text, const std::string& file_name);

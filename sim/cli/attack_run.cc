@@ -12,6 +12,7 @@
 #include "sim/cli/console.h"
 #include "sim/cli/interruption.h"
 #include "sim/cli/json_number.h"
+#include "sim/cli/noise_floor_cache.h"
 #include "sim/cli/noisy_run.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
@@ -32,7 +33,7 @@ class AttackReport {
       : run_(run),
         plan_(run.planned.result.plan),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    check::MeasureGate(run.planned.problem, plan_, run.planned.simulation.scene)},
+                    NoiseFloor(run.planned, run.command)},
         tally_(plan_) {}
 
   ExitCode Execute() {

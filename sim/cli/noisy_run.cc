@@ -19,6 +19,7 @@
 #include "sim/cli/console.h"
 #include "sim/cli/interruption.h"
 #include "sim/cli/ledger_report.h"
+#include "sim/cli/noise_floor_cache.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/stopwatch.h"
@@ -58,7 +59,7 @@ class NoisyTrials {
         plan_(run.planned.result.plan),
         box_(noise::ErrorBox(run.planned.problem, plan_)),
         experiment_{run.planned.problem, plan_, run.planned.simulation.scene,
-                    check::MeasureGate(run.planned.problem, plan_, run.planned.simulation.scene)} {}
+                    NoiseFloor(run.planned, run.command)} {}
 
   ExitCode Execute() {
     const Interruption interruption;

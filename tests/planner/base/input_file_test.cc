@@ -91,5 +91,21 @@ TEST(Text, ItsFirstWrongByteIsTold) {
   }
 }
 
+TEST(InputFile, DigestIsOfAllContents) {
+  const fs::path file = Written("digested", "1");
+  ReadInput(file, "a text");
+  const std::string one = DigestOfInputs();
+  ReadInput(file, "a text");
+  EXPECT_EQ(DigestOfInputs(), one);
+  ReadInput(Written("digested", "2"), "a text");
+  const std::string two = DigestOfInputs();
+  EXPECT_NE(two, one);
+  ReadInput(Written("digested too", "2"), "a text");
+  EXPECT_NE(DigestOfInputs(), two);
+  fs::remove(ScratchFile("digested too"));
+  ReadInput(Written("digested", "1"), "a text");
+  EXPECT_NE(DigestOfInputs(), one);
+}
+
 }  // namespace
 }  // namespace assay::input_file_test
