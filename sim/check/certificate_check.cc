@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "sim/check/geometric_meaning.h"
 #include "sim/check/observed_error.h"
@@ -9,6 +13,8 @@
 
 namespace assay::check {
 namespace {
+
+constexpr double kLeftToTheEngine = 0.1;  // of a margin
 
 class CertificateCheck {
  public:
@@ -91,52 +97,66 @@ class CertificateCheck {
     }
   }
 
-  // Those of one name are one claim, or two, of what was proved and of what was not. They stand in
-  // the order in which they begin to matter: when one fails that was not proved, those after it are
-  // not claimed.
+  // Those of one name are one claim, or two, of what was proved and of what was not. When one fails
+  // that was not proved, neither the others of its step nor what comes after it is claimed: a
+  // finger that comes down on the part moves it before anything else is measured.
   void CheckPreconditions(const plan::PlannedStep& step, const StepEvents& events) {
-    std::vector<std::string> done;
+    std::vector<Claim> claims;
+    std::set<std::string> done;
     for (const plan::CertifiedPrecondition& claim : step.certificate.preconditions) {
-      if (std::ranges::find(done, claim.condition) != done.end()) continue;
-      done.push_back(claim.condition);
+      if (!done.insert(claim.condition).second) continue;
       if (plan::Absorbs(step.strategy, claim.condition)) continue;
-      const auto meanings = MeaningsOf(claim.condition, problem_, step, events);
-      for (const bool proved : {true, false}) {
-        const GeometricMeaning* worst = nullptr;
-        for (const GeometricMeaning& meaning : meanings) {
-          if (IsProved(claim.condition, meaning.subject, step.certificate) != proved) continue;
-          if (worst == nullptr || meaning.observed < worst->observed) worst = &meaning;
-        }
-        if (worst != nullptr) CheckPrecondition(claim.condition, *worst, proved);
+      std::vector<Claim> proved;
+      std::vector<Claim> not_proved;
+      for (const GeometricMeaning& meaning : MeaningsOf(claim.condition, problem_, step, events)) {
+        const double margin = MarginOf(claim.condition, meaning.subject, step.certificate);
+        (margin > 0 ? proved : not_proved).push_back(ClaimOf(claim.condition, meaning, margin));
       }
+      AppendWorst(proved, claims);
+      AppendWorst(not_proved, claims);
     }
+    const auto fails = [](const Claim& claim) { return !claim.proved && claim.observed < 0; };
+    assumed_ = assumed_ && std::ranges::none_of(claims, fails);
+    for (Claim& claim : claims) Add(std::move(claim));
   }
 
-  void CheckPrecondition(const std::string& condition, const GeometricMeaning& worst, bool proved) {
-    Add({.step = step_,
-         .about = Claimed::kPrecondition,
-         .name = proved ? condition : condition + ", not proved",
-         .unit = worst.unit,
-         .predicted = {0, std::numeric_limits<double>::infinity()},
-         .proved = proved,
-         .observed = worst.observed});
-    if (!proved && worst.observed < 0) assumed_ = false;
+  Claim ClaimOf(const std::string& condition, const GeometricMeaning& meaning, double margin) {
+    const bool proved = margin > 0;
+    return {.step = step_,
+            .about = Claimed::kPrecondition,
+            .name = proved ? condition : condition + ", not proved",
+            .unit = meaning.unit,
+            .predicted = {meaning.is_at_least_the_margin ? Tested(margin) : 0,
+                          std::numeric_limits<double>::infinity()},
+            .proved = proved,
+            .observed = meaning.observed};
   }
 
-  // All that the condition says of the subject; all of it, if it does not tell subjects apart.
-  static bool IsProved(const std::string& condition, const std::string& subject,
-                       const plan::Certificate& certificate) {
-    bool all = true;
-    bool of_subject = true;
-    bool tells = false;
+  static void AppendWorst(const std::vector<Claim>& of_one_name, std::vector<Claim>& claims) {
+    if (of_one_name.empty()) return;
+    claims.push_back(std::ranges::min(
+        of_one_name, {}, [](const Claim& claim) { return claim.observed - claim.predicted.low; }));
+  }
+
+  // What is certified of a margin, less a tenth of it or of the clearance: as the arm yields under
+  // load, what the engine makes of a plan without noise does not tell of the last micrometre.
+  double Tested(double margin) const {
+    const double known = problem_.clearance > 0 ? std::min(margin, problem_.clearance) : margin;
+    return std::max(0.0, margin - kLeftToTheEngine * known);
+  }
+
+  // By how much the condition holds for the subject whatever errs; for all of its subjects, if it
+  // does not tell them apart.
+  static double MarginOf(const std::string& condition, const std::string& subject,
+                         const plan::Certificate& certificate) {
+    double of_all = std::numeric_limits<double>::infinity();
+    double of_subject = of_all;
     for (const plan::CertifiedPrecondition& claim : certificate.preconditions) {
       if (claim.condition != condition) continue;
-      all = all && claim.holds();
-      if (claim.meaning != subject) continue;
-      tells = true;
-      of_subject = of_subject && claim.holds();
+      of_all = std::min(of_all, claim.margin);
+      if (claim.meaning == subject) of_subject = std::min(of_subject, claim.margin);
     }
-    return tells ? of_subject : all;
+    return std::isfinite(of_subject) ? of_subject : of_all;
   }
 
   // A step whose preconditions hold comes to its end; that the arm reaches everything is one of

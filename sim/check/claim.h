@@ -26,7 +26,7 @@ int Rank(ClaimVerdict verdict);
 // What a claim is about.
 enum class Claimed {
   kBefore,        // a component of an input error set
-  kPrecondition,  // the geometric meaning of a precondition
+  kPrecondition,  // by how much the geometric meaning of a precondition holds
   kAfter,         // a component of an output error set
 };
 std::string_view Name(Claimed claimed);  // "before", "precondition", "after"

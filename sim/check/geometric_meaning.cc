@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <utility>
 
 #include "planner/domain/resting.h"
 #include "planner/domain/shaft_fit.h"
@@ -37,6 +39,17 @@ struct HandlingOf {
 // Nothing is to be told of what is infinitely far.
 void AddInMetres(std::string subject, double observed, std::vector<GeometricMeaning>& meanings) {
   if (std::isfinite(observed)) meanings.push_back({std::move(subject), Unit::kMetre, observed});
+}
+
+// How far bodies are from each other. Shapes that overlap are at no distance; what only just keeps
+// clear is at some.
+void AddClearance(std::string subject, double distance, std::vector<GeometricMeaning>& meanings) {
+  constexpr double kOverlap = 1e-3;  // metres, of unknown depth
+  if (!std::isfinite(distance)) return;
+  meanings.push_back({.subject = std::move(subject),
+                      .unit = Unit::kMetre,
+                      .observed = distance > 0 ? distance : -kOverlap,
+                      .is_at_least_the_margin = false});
 }
 
 class Meaning {
@@ -154,8 +167,8 @@ class Meaning {
       const double distance =
           geometry::Distance(problem_.part(handling_.part).model->shape(), PartAt(at),
                              problem_.parts[p].model->shape(), at.parts[p].truth);
-      AddInMetres(fmt::format("the part stays clear of {}", problem_.parts[p].name),
-                  Clear(distance), meanings);
+      AddClearance(fmt::format("the part stays clear of {}", problem_.parts[p].name), distance,
+                   meanings);
     }
     return meanings;
   }
@@ -173,8 +186,8 @@ class Meaning {
                            part == handling_.part ? BesidePads(*moment) : FromHand(part, *moment));
       }
       if (events_.reached != nullptr) nearest = std::min(nearest, Opened(part, *events_.reached));
-      AddInMetres(fmt::format("the hand stays clear of {}", problem_.parts[p].name), Clear(nearest),
-                  meanings);
+      AddClearance(fmt::format("the hand stays clear of {}", problem_.parts[p].name), nearest,
+                   meanings);
     }
     return meanings;
   }
@@ -248,14 +261,12 @@ class Meaning {
                                         geometry::Translation(way) * PartAt(poised),
                                         problem_.parts[p].model->shape(), poised.parts[p].truth));
       }
-      AddInMetres(fmt::format("{} passes {} on its way in", problem_.part(handling_.part).name,
-                              problem_.parts[p].name),
-                  Clear(nearest), meanings);
+      AddClearance(fmt::format("{} passes {} on its way in", problem_.part(handling_.part).name,
+                               problem_.parts[p].name),
+                   nearest, meanings);
     }
     return meanings;
   }
-  // Shapes that overlap are at no distance; what only just keeps clear is at some.
-  static double Clear(double distance) { return distance > 0 ? distance : -kOverlap; }
 
   const domain::Mating& mating() const {
     return problem_.mating(std::get<plan::Assemble>(step_.action).mating);
@@ -296,7 +307,6 @@ class Meaning {
   static constexpr double kFirstContact = 0.5;  // of the width
   static constexpr double kFirstFinger = -1;    // of half the opening
   static constexpr double kStandsOn = 1e-3;     // metres above the table
-  static constexpr double kOverlap = 1e-3;      // metres, of unknown depth
   static constexpr double kFlush = 1e-6;        // metres by which a face may stand out of its plane
   static constexpr double kBeforeMouth = 1e-3;  // metres
   static constexpr int kPlaces = 16;            // along a straight line

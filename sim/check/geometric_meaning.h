@@ -14,6 +14,10 @@ struct GeometricMeaning {
   std::string subject;  // plan::CertifiedPrecondition::meaning; else all of the name
   Unit unit = Unit::kMetre;
   double observed = 0;  // by how much they hold; negative: one does not
+  // Whether no error leaves less than the certificate's margin. Bodies may come nearer to each
+  // other than a margin that is certified of some of their corners, where nothing is asked of
+  // others since no error is as great as what keeps them apart.
+  bool is_at_least_the_margin = true;
 };
 
 // Of the preconditions called `condition` in the step's certificate ("between fingers"). None: the
@@ -28,8 +32,7 @@ struct GeometricMeaning {
 //   neighbour clear  the part does not come to other parts
 //   hand clear       hand and fingers come to no part, but pads to the faces that they close on
 //   passing clear    the held part, moved along the mating motion from where it was poised, comes
-//   to
-//                    nothing before its shafts come to the mouths of their holes
+//                    to nothing before its shafts come to the mouths of their holes
 //   entry, slide-in  the shaft, moved along the mating motion from where it was poised, is inside
 //                    the walls of its hole: with its tip in the mouth; and at its seat
 //   tilt             the shaft's axis leans in the hole by less than the certificate's limit

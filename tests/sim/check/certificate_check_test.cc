@@ -33,7 +33,7 @@ class CertificateCheckTest : public testing::Test {
                           .theta = wide,
                           .tip = wide,
                           .twist = wide}};
-    certificate.preconditions = {Precondition("between fingers", true)};
+    certificate.preconditions = {Precondition("between fingers", kJustProved)};
     moment_.parts.resize(2);
     moment_.table_heights.resize(2);
     moment_.opening = problem_.workcell->gripper().max_opening();
@@ -42,10 +42,10 @@ class CertificateCheckTest : public testing::Test {
     moment_.parts[peg_.index()] = {pickup_.from.X_WorldPart, pickup_.from.X_WorldPart};
   }
 
-  static plan::CertifiedPrecondition Precondition(const char* condition, bool proved) {
+  static plan::CertifiedPrecondition Precondition(const char* condition, double margin) {
     plan::CertifiedPrecondition claim;
     claim.condition = condition;
-    claim.margin = proved ? 1 : -1;
+    claim.margin = margin;
     return claim;
   }
   // The same moment, the peg displaced in the world.
@@ -80,7 +80,8 @@ class CertificateCheckTest : public testing::Test {
   }
 
   static constexpr plan::StepId kPickup = plan::StepId(1);
-  static constexpr double kRounding = 1.1e-9;  // that every gate forgives
+  static constexpr double kJustProved = 1e-15;  // metres
+  static constexpr double kRounding = 1.1e-9;   // that every gate forgives
   domain::Problem problem_;
   plan::Plan plan_;
   PartId peg_;
@@ -112,8 +113,34 @@ TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
   EXPECT_EQ(between(-room - 0.001).verdict, ClaimVerdict::kViolated);
 }
 
+// Nine tenths of it are held against what happened.
+TEST_F(CertificateCheckTest, LessThanTheCertifiedMarginViolatesAProvedPrecondition) {
+  problem_.clearance = 1;
+  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", 0.002)};
+  const auto between = [&](double left) {
+    return Named(Check(Displaced(room - left), moment_), Claimed::kPrecondition, "between fingers");
+  };
+  EXPECT_EQ(between(0.0019).verdict, ClaimVerdict::kContained);
+  EXPECT_EQ(between(0.0017).verdict, ClaimVerdict::kViolated);
+  EXPECT_NEAR(between(0.0017).margin, -0.0001, kRounding);
+  // Of a margin that is greater than the clearance, all but a tenth of that.
+  problem_.clearance = 0.001;
+  EXPECT_EQ(between(0.00195).verdict, ClaimVerdict::kContained);
+  EXPECT_EQ(between(0.00185).verdict, ClaimVerdict::kViolated);
+}
+
+TEST_F(CertificateCheckTest, NothingElseOfTheStepIsClaimedOnceAnUnprovedPreconditionFails) {
+  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", 0.002),
+                                                            Precondition("finger clear", -1)};
+  const double width = pickup_.hold.width;
+  const std::vector<Claim> failed = Check(Displaced(moment_.opening + width), moment_);
+  EXPECT_EQ(Named(failed, Claimed::kPrecondition, "between fingers").verdict,
+            ClaimVerdict::kNotClaimed);
+}
+
 TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
-  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", false)};
+  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", -1)};
   const double room = (moment_.opening - pickup_.hold.width) / 2;
   const std::vector<Claim> failed = Check(Displaced(room + 0.001), Displaced(0.012));
   EXPECT_EQ(Named(failed, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);

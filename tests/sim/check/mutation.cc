@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <set>
 
 #include "planner/base/check.h"
 
@@ -44,6 +45,14 @@ void Halve(domain::PartId part, int component, std::vector<ErrorSet>& sets) {
   }
 }
 
+// By a third of what is left to it.
+void MoveLimit(plan::CertifiedPrecondition& claim) {
+  if (!claim.holds()) return;
+  const double third = claim.margin / 3;
+  claim.limit += claim.relation == plan::Relation::kLess ? third : -third;
+  claim.margin += third;
+}
+
 // After its step.
 void Lied(const Mutation& mutation, plan::Certificate& certificate,
           uncertainty::UncertainWorld& world) {
@@ -60,6 +69,11 @@ void Lied(const Mutation& mutation, plan::Certificate& certificate,
       return;
     case Lie::kErrorNotCarried:
       Scale(0, mutation.part, mutation.component, world);
+      return;
+    case Lie::kMovedLimit:
+      for (plan::CertifiedPrecondition& claim : certificate.preconditions) {
+        if (claim.condition == mutation.condition) MoveLimit(claim);
+      }
       return;
     case Lie::kForgottenError:
     case Lie::kAsPublished:
@@ -90,6 +104,12 @@ void AddOfStep(const Certified& certified, plan::StepId step, bool is_last,
       if (!is_last) mutations.push_back({Lie::kErrorNotCarried, step, set.part, c});
     }
   }
+  std::set<std::string> proved;
+  for (const plan::CertifiedPrecondition& claim : planned.certificate.preconditions) {
+    if (claim.holds() && proved.insert(claim.condition).second) {
+      mutations.push_back({.lie = Lie::kMovedLimit, .step = step, .condition = claim.condition});
+    }
+  }
 }
 
 void AddForgotten(const domain::PoseError& error, domain::PartId part,
@@ -116,6 +136,8 @@ std::string_view Name(Lie lie) {
       return "forgotten error";
     case Lie::kAsPublished:
       return "as published";
+    case Lie::kMovedLimit:
+      return "limit moved by a third";
   }
   ASSAY_CHECK(false, "a lie that the switch does not know");
   return {};
@@ -126,6 +148,9 @@ std::string Mutation::Text(const Certified& certified) const {
   const std::string where =
       step.IsNone() ? "" : fmt::format(" after {}", certified.plan.step(step).name);
   if (lie == Lie::kAsPublished) return std::string(Name(lie));
+  if (lie == Lie::kMovedLimit) {
+    return fmt::format("{}: {} of {}", Name(lie), condition, certified.plan.step(step).name);
+  }
   return fmt::format("{}: {} of {}{}", Name(lie), kNames[static_cast<std::size_t>(component)], of,
                      where);
 }

@@ -15,6 +15,7 @@ enum class Lie {
   kErrorNotCarried,  // what is known after a step is right, and forgotten in the steps after it
   kForgottenError,   // a part or the hand does not err in one coordinate
   kAsPublished,      // no lever arm of a turned part, one error of the hand at all poses
+  kMovedLimit,       // a precondition is said to hold by a third more than it does
 };
 std::string_view Name(Lie lie);
 
@@ -23,6 +24,7 @@ struct Mutation {
   plan::StepId step = plan::StepId::None();
   domain::PartId part = domain::PartId::None();  // None in kForgottenError: the hand
   int component = 0;                             // of an ErrorSet: x, y, z, theta, tip, twist
+  std::string condition = {};                    // whose limit is moved
 
   std::string Text(const Certified& certified) const;
 };

@@ -18,7 +18,9 @@
 
 #include "sim/check/attack.h"
 #include "sim/check/certificate_check.h"
+#include "sim/check/confirmation.h"
 #include "sim/check/main_effects.h"
+#include "sim/exec/executor.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check::mutation_test {
@@ -38,41 +40,61 @@ class TrueErrors {
       : experiment_(experiment), box_(noise::ErrorBox(experiment.problem, experiment.plan)) {
     const int errors = static_cast<int>(box_.size());
     for (int n = 1; n <= corners; ++n) design_.push_back(noise::CornerPoint(errors, kSeed + 1, n));
-    for (const std::vector<double>& corner : design_) traces_.push_back(ExecutedAt(corner));
-    for (const std::vector<double>& corner : LikelyCorners()) traces_.push_back(ExecutedAt(corner));
+    for (const std::vector<double>& corner : design_) trials_.push_back(ExecutedAt(corner));
+    for (const std::vector<double>& corner : LikelyCorners()) {
+      trials_.push_back(ExecutedAt(corner));
+    }
   }
 
-  // Whether half the timestep confirms that the original plan is violated.
-  bool violated() const { return violated_; }
-
-  bool Reveal(const plan::Plan& mutant) const {
-    return std::ranges::any_of(traces_, [&](const exec::Trace& trace) {
-      return std::ranges::any_of(ClaimsOf(mutant, trace), &Claim::IsViolated);
+  // As the harness is to find it: confirmed with half the timestep.
+  bool Reveal(const plan::Plan& mutant) {
+    return std::ranges::any_of(trials_, [&](Trial& trial) {
+      const auto finer = [&] { return ClaimsOf(mutant, WithHalfTheTimestep(trial)); };
+      return std::ranges::any_of(Confirmed(ClaimsOf(mutant, trial.trace), finer),
+                                 &Claim::IsViolated);
     });
   }
 
  private:
+  struct Trial {
+    noise::Noise noise;
+    exec::Trace trace;
+    std::optional<exec::Trace> finer = {};  // if it was asked for
+  };
+
   std::vector<Claim> ClaimsOf(const plan::Plan& plan, const exec::Trace& trace) const {
     return CheckCertificates(experiment_.problem, plan, trace, experiment_.gate);
   }
 
-  exec::Trace ExecutedAt(const std::vector<double>& corner) {
+  Trial ExecutedAt(const std::vector<double>& corner) const {
     std::vector<double> values(box_.size());
     for (std::size_t i = 0; i < box_.size(); ++i) {
       values[i] = corner[i] > 0 ? box_[i].range.high : box_[i].range.low;
     }
-    exec::ExecutorOptions options;
-    options.sample_rate = 0;
-    options.recovers = false;
-    NoisyTrial trial = RunNoisyTrial(experiment_, {box_, std::move(values)}, options);
-    violated_ = violated_ || std::ranges::any_of(trial.claims, &Claim::IsViolated);
-    return std::move(trial.trace);
+    Trial trial{.noise = {box_, std::move(values)}, .trace = {}};
+    trial.trace = Executed(trial.noise, experiment_.scene);
+    return trial;
+  }
+
+  exec::Trace Executed(const noise::Noise& noise, const scene::SceneOptions& options) const {
+    exec::ExecutorOptions executor;
+    executor.noise = noise;
+    executor.sample_rate = 0;
+    executor.recovers = false;
+    const scene::Scene scene(experiment_.problem, exec::TrueScene(options, noise));
+    mujoco::Data data = exec::StartOf(experiment_.problem, scene, noise);
+    return exec::Execute(experiment_.problem, experiment_.plan, scene, data, executor);
+  }
+
+  const exec::Trace& WithHalfTheTimestep(Trial& trial) const {
+    if (!trial.finer) trial.finer = Executed(trial.noise, Finer(experiment_.scene));
+    return *trial.finer;
   }
 
   std::set<std::vector<double>> LikelyCorners() const {
     std::map<std::tuple<plan::StepId, Claimed, std::string>, std::vector<CornerResponse>> responses;
     for (std::size_t n = 0; n < design_.size(); ++n) {
-      for (const Claim& claim : ClaimsOf(experiment_.plan, traces_[n])) {
+      for (const Claim& claim : ClaimsOf(experiment_.plan, trials_[n].trace)) {
         responses[{claim.step, claim.about, claim.name}].push_back(
             {&design_[n], 0, claim.observed});
       }
@@ -90,8 +112,7 @@ class TrueErrors {
   const Experiment& experiment_;
   std::vector<noise::Channel> box_;
   std::vector<std::vector<double>> design_;
-  std::vector<exec::Trace> traces_;
-  bool violated_ = false;
+  std::vector<Trial> trials_;
 };
 
 // Of one kind of lie.
@@ -129,8 +150,8 @@ struct Effort {
 Scores ScoresOf(const Certified& certified, const Effort& effort) {
   const HonestyGate gate = MeasureGate(certified.problem, certified.plan, {});
   const Experiment experiment = Of(certified, gate);
-  const TrueErrors errors(experiment, effort.corners);
-  EXPECT_FALSE(errors.violated()) << "the theory itself lies";
+  TrueErrors errors(experiment, effort.corners);
+  EXPECT_FALSE(errors.Reveal(certified.plan)) << "the theory itself lies";
   Scores scores;
   const std::vector<Mutation> mutations = MutationsOf(certified);
   for (std::size_t i = 0; i < mutations.size(); i += effort.stride) {
