@@ -52,7 +52,7 @@ class InitialPosesFile {
   void CheckApart() const;
   void CheckRests(const Value& place, PartId id) const;
 
-  double InFileUnits(double metres) const { return metres / units_.length; }
+  std::string InFileUnit(double metres) const { return InUnit(metres, units_.length); }
 
   const Units& units_;
   const std::map<std::string, int>& chosen_;
@@ -174,9 +174,9 @@ void InitialPosesFile::CheckOnTable(const Value& pose, PartId id) const {
   const auto extent = [&](const geometry::Polygon& polygon) {
     Eigen::AlignedBox2d box;
     for (const Vector2& p : polygon) box.extend(p);
-    return fmt::format("x {:.4g} to {:.4g}, y {:.4g} to {:.4g}", InFileUnits(box.min().x()),
-                       InFileUnits(box.max().x()), InFileUnits(box.min().y()),
-                       InFileUnits(box.max().y()));
+    return fmt::format("x {} to {}, y {} to {}", InFileUnit(box.min().x()),
+                       InFileUnit(box.max().x()), InFileUnit(box.min().y()),
+                       InFileUnit(box.max().y()));
   };
   std::vector<std::string> tables;
   for (const Table& table : problem_.workcell->tables()) tables.push_back(extent(table.top));
@@ -190,8 +190,8 @@ void InitialPosesFile::CheckAboveTable(const Value& place, const Part& part) con
   const double lowest = LowestOf(part);
   const double allowance = problem_.workcell->rules().contact_allowance;
   if (lowest >= -allowance - kRounding) return;
-  place.Fail(fmt::format("part '{}' is {:.4g} deep in the table", part.name, InFileUnits(-lowest)),
-             fmt::format("at most {:.4g}", InFileUnits(allowance)));
+  place.Fail(fmt::format("part '{}' is {} deep in the table", part.name, InFileUnit(-lowest)),
+             fmt::format("at most {}", InFileUnit(allowance)));
 }
 
 void InitialPosesFile::CheckApart() const {
@@ -224,13 +224,12 @@ void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
   const double inside = geometry::Depth(geometry::Hull2(stands_on), center);
   if (inside > 0) return;
   const std::string what =
-      stands_on.empty()
-          ? fmt::format("stands on nothing: its lowest point is {:.4g} above the table",
-                        InFileUnits(LowestOf(part)))
-          : fmt::format(
-                "falls over: its centre of mass is {:.4g} beside what it "
-                "stands on",
-                InFileUnits(-inside));
+      stands_on.empty() ? fmt::format("stands on nothing: its lowest point is {} above the table",
+                                      InFileUnit(LowestOf(part)))
+                        : fmt::format(
+                              "falls over: its centre of mass is {} beside what it "
+                              "stands on",
+                              InFileUnit(-inside));
   place.Fail(
       fmt::format("part '{}' {}", part.name, what),
       "a pose in which it stands on the table or on other parts, a mating of 'initially', or "

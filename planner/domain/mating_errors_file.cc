@@ -12,7 +12,7 @@ MatingErrors ReadMatingErrors(const Value& map, const Units& units) {
     errors.rotation = ReadWithin(*rotation, units.angle, kMatingRotations);
   }
   if (const auto velocity = map.Find("velocity")) {
-    errors.velocity = ReadWithin(*velocity, 1, kMatingVelocities);
+    errors.velocity = ReadWithin(*velocity, kRatio, kMatingVelocities);
   }
   return errors;
 }

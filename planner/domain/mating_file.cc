@@ -87,7 +87,7 @@ class MatingFile {
   void CheckWayIn(const Value& vector, const Mating& mating, const ShaftFit& fit) const;
   void CheckEnd(const Value& pose, const Mating& mating) const;
   void CheckNothingElseFits(const Value& features, const Mating& mating) const;
-  double InFileUnits(double metres) const { return metres / units_.length; }
+  std::string InFileUnit(double metres) const { return InUnit(metres, units_.length); }
 
   const Problem& problem_;
   const Units& units_;
@@ -161,8 +161,8 @@ Vector3 MatingFile::ReadMatingVector(const Value& value) const {
     value.Fail("the mating vector is zero", "the way from where the mating starts");
   }
   if (vector.norm() > kLongestMatingVector) {
-    value.Fail(fmt::format("the mating vector is {:.4g} long", InFileUnits(vector.norm())),
-               fmt::format("at most {:.4g}", InFileUnits(kLongestMatingVector)));
+    value.Fail(fmt::format("the mating vector is {} long", InFileUnit(vector.norm())),
+               fmt::format("at most {}", InFileUnit(kLongestMatingVector)));
   }
   return vector;
 }
@@ -178,11 +178,11 @@ void MatingFile::CheckFits(const Value& value, const Mating& mating) const {
     const Pose X_FixedHeld =
         geometry::Translation(-before_end * mating.mating_vector) * mating.X_FixedHeld;
     if (!Overlaps(held, X_FixedHeld, fixed, Pose::Identity(), allowance)) continue;
-    const std::string allowed = fmt::format("an overlap of at most {:.4g}", InFileUnits(allowance));
+    const std::string allowed = fmt::format("an overlap of at most {}", InFileUnit(allowance));
     if (i == 0) value.At("pose").Fail("the parts overlap in the mated pose", allowed);
     value.At("mating_vector")
-        .Fail(fmt::format("the parts overlap on the way, {:.4g} before its end",
-                          InFileUnits(before_end * mating.mating_vector.norm())),
+        .Fail(fmt::format("the parts overlap on the way, {} before its end",
+                          InFileUnit(before_end * mating.mating_vector.norm())),
               allowed);
   }
 }
@@ -199,9 +199,9 @@ void MatingFile::CheckFeaturesMeet(const Value& value, const Mating& mating) con
     const double most = problem_.clearance + kFeatureOffset;
     if (beside <= most) continue;
     value.At("features")
-        .Fail(fmt::format("in the mated pose feature {} lies {:.4g} beside feature {}",
-                          of_held.index(), InFileUnits(beside), of_fixed.index()),
-              fmt::format("features whose axes are at most {:.4g} apart", InFileUnits(most)));
+        .Fail(fmt::format("in the mated pose feature {} lies {} beside feature {}", of_held.index(),
+                          InFileUnit(beside), of_fixed.index()),
+              fmt::format("features whose axes are at most {} apart", InFileUnit(most)));
   }
 }
 
@@ -218,7 +218,7 @@ void MatingFile::CheckFacesMeet(const Value& pose, const Mating& mating) const {
     }
     pose.Fail(
         fmt::format("faces {} and {} do not lie on each other", of_held.index(), of_fixed.index()),
-        fmt::format("faces that look at each other, at most {:.4g} apart", InFileUnits(kSeatGap)));
+        fmt::format("faces that look at each other, at most {} apart", InFileUnit(kSeatGap)));
   }
 }
 
@@ -232,9 +232,8 @@ void MatingFile::CheckShaftIsInside(const Value& value, const ShaftFit& fit) con
               "a shaft whose axis is the hole's, towards its inside");
   }
   if (fit.depth < kLeastDepth) {
-    pose.Fail(
-        fmt::format("{} ends {:.4g} before the mouth", fit.name, InFileUnits(X_MouthTip(2, 3))),
-        "a mated pose with the tip behind the mouth");
+    pose.Fail(fmt::format("{} ends {} before the mouth", fit.name, InFileUnit(X_MouthTip(2, 3))),
+              "a mated pose with the tip behind the mouth");
   }
   const geometry::Polygon section = CrossSection(fit);
   const std::vector<SideWall> walls = SideWalls(fit, 0);
@@ -247,7 +246,7 @@ void MatingFile::CheckShaftIsInside(const Value& value, const ShaftFit& fit) con
   for (const SideWall& wall : walls) {
     const double out = wall.offset - ExtentOf(fit, section, wall.normal).low;
     if (out <= kBesideWall) continue;
-    pose.Fail(fmt::format("{} is {:.4g} inside a wall", fit.name, InFileUnits(out)),
+    pose.Fail(fmt::format("{} is {} inside a wall", fit.name, InFileUnit(out)),
               "a shaft between the walls of its hole");
   }
 }
@@ -263,9 +262,9 @@ void MatingFile::CheckWayIn(const Value& vector, const Mating& mating, const Sha
                             in.z() + 0.0));
   }
   if (length < fit.depth - kBesideWall) {
-    vector.Fail(fmt::format("the motion starts with {} already {:.4g} inside", fit.name,
-                            InFileUnits(fit.depth - length)),
-                fmt::format("at least {:.4g}", InFileUnits(fit.depth)));
+    vector.Fail(fmt::format("the motion starts with {} already {} inside", fit.name,
+                            InFileUnit(fit.depth - length)),
+                fmt::format("at least {}", InFileUnit(fit.depth)));
   }
 }
 
@@ -280,8 +279,8 @@ void MatingFile::CheckEnd(const Value& pose, const Mating& mating) const {
     return;
   }
   pose.Fail("the parts do not touch where the mating motion ends",
-            fmt::format("a mated pose in which the fixed part is at most {:.4g} ahead",
-                        InFileUnits(kSeatGap)));
+            fmt::format("a mated pose in which the fixed part is at most {} ahead",
+                        InFileUnit(kSeatGap)));
 }
 
 // Poses of the seated held part in which its shafts and holes have almost all the play that the

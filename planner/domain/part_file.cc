@@ -17,17 +17,16 @@ namespace {
 
 using geometry::Box;
 
-constexpr double kDegree = std::numbers::pi / 180;
 // Poses that stand more precariously are left out: a part put down with a few millimetres of error
 // must not fall over.
-constexpr double kLeastTilt = 2 * kDegree;
-constexpr double kFarthestName = 30 * kDegree;  // of a named direction from the pose that it names
-constexpr double kShortestSide = 1e-4;          // of a box in the file, metres
-constexpr double kThinnestWall = 1e-5;          // that a pocket may leave, metres
-constexpr double kJointDepth = 1e-6;            // metres, of a test whether pieces touch
-constexpr double kLeastCut = 1e-12;             // of a pocket, cubic metres
-constexpr double kAligned = 1e-6;               // between unit vectors that should be equal
-constexpr Range kChamfers = {0, 0.02};          // metres
+constexpr double kLeastTilt = 2 * kDegrees.factor;
+constexpr double kFarthestName = 30 * kDegrees.factor;  // of a direction from the pose it names
+constexpr double kShortestSide = 1e-4;                  // of a box in the file, metres
+constexpr double kThinnestWall = 1e-5;                  // that a pocket may leave, metres
+constexpr double kJointDepth = 1e-6;                    // metres, of a test whether pieces touch
+constexpr double kLeastCut = 1e-12;                     // of a pocket, cubic metres
+constexpr double kAligned = 1e-6;                       // between unit vectors that should be equal
+constexpr Range kChamfers = {0, 0.02};                  // metres
 
 std::string ReadInitial(const Value& value) {
   std::string initial = value.Text();
@@ -270,7 +269,7 @@ void NameStablePoses(const Value& names, std::vector<StablePose>& poses) {
 }
 
 double ReadDensity(const Value& root) {
-  return ReadWithin(root.At("density"), 1, {.low = 1, .high = 1e5});
+  return ReadWithin(root.At("density"), kKilogramsPerCubicMetre, {.low = 1, .high = 1e5});
 }
 
 }  // namespace
@@ -284,7 +283,7 @@ std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double
   const std::shared_ptr<PartModel> model(new PartModel(document, clearance));
   model->name_ = ReadAnyName(root.At("name"));
   model->initial_ = ReadInitial(root.At("initial"));
-  model->friction_ = ReadWithin(root.At("friction"), 1, {.low = 0.001, .high = 10});
+  model->friction_ = ReadWithin(root.At("friction"), kRatio, {.low = 0.001, .high = 10});
   PartFile file(clearance);
   file.ReadPieces(root);
   file.CheckHangsTogether(root.At("solids"));
@@ -368,8 +367,9 @@ void PartFile::Widen(const Value& entry, Pocket& pocket) const {
     double& half = pocket.box.half_extents[axis];
     half += clearance_;
     if (2 * half >= kShortestSide) continue;
-    entry.At("box").Fail(fmt::format("a clearance of {} m closes the pocket", clearance_),
-                         "one that leaves a pocket");
+    entry.At("box").Fail(
+        fmt::format("a clearance of {} closes the pocket", InUnit(clearance_, units_.length)),
+        "one that leaves a pocket");
   }
 }
 
@@ -384,7 +384,8 @@ Box PartFile::ReadBox(const Value& corners) const {
   for (int axis = 0; axis < 3; ++axis) {
     if (high[axis] - low[axis] >= kShortestSide) continue;
     corners.Fail(fmt::format("the box has no length along {}", "xyz"[axis]),
-                 fmt::format("a second corner at least {} m beyond the first", kShortestSide));
+                 fmt::format("a second corner at least {} beyond the first",
+                             InUnit(kShortestSide, units_.length)));
   }
   return Box::FromCorners(low, high);
 }

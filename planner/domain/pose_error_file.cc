@@ -10,11 +10,12 @@ namespace {
 constexpr Range kLengthErrors = {-1, 1};  // metres
 constexpr Range kAngleErrors = {-std::numbers::pi, std::numbers::pi};
 
-Interval ReadInterval(const Value& value, double unit, const Range& range) {
+Interval ReadInterval(const Value& value, const Unit& unit, const Range& range) {
   if (!value.IsList()) {
     const double half_width = ReadWithin(value, unit, range);
     if (half_width < 0) {
-      value.Fail(fmt::format("the half-width {} is negative", value.Text()), "0 or more");
+      value.Fail(fmt::format("the half-width {} is negative", Beside(value.Text(), unit)),
+                 InUnit(kAtLeastZero, unit));
     }
     return {-half_width, half_width};
   }
@@ -24,7 +25,8 @@ Interval ReadInterval(const Value& value, double unit, const Range& range) {
   }
   const Interval interval = {ReadWithin(ends[0], unit, range), ReadWithin(ends[1], unit, range)};
   if (interval.low > interval.high) {
-    value.Fail(fmt::format("the interval goes down, from {} to {}", ends[0].Text(), ends[1].Text()),
+    value.Fail(fmt::format("the interval goes down, from {} to {}", Beside(ends[0].Text(), unit),
+                           Beside(ends[1].Text(), unit)),
                "[low, high]");
   }
   return interval;

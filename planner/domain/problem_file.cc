@@ -128,10 +128,11 @@ void ProblemFile::ReadClearance(const Value& root) {
     return;
   }
   problem_.clearance = *overrides_.clearance;
-  if (problem_.clearance >= kClearances.low && problem_.clearance <= kClearances.high) return;
+  if (IsWithin(problem_.clearance, kClearances)) return;
   clearance.value_or(root).Fail(
-      fmt::format("{:.6g} m instead of this clearance is out of range", problem_.clearance),
-      fmt::format("{:.6g} to {:.6g} m", kClearances.low, kClearances.high));
+      fmt::format("{} instead of this clearance is out of range",
+                  InUnit(problem_.clearance, kMetres)),
+      InUnit(kClearances, kMetres));
 }
 
 // What is left out is known exactly.
@@ -164,7 +165,8 @@ void ProblemFile::ReadPart(const std::string& name, const Value& entry) {
   Part part;
   part.name = name;
   part.error = ReadError(entry);
-  if (const auto clamp = entry.Find("clamp")) part.clamp = ReadWithin(*clamp, 1, kClampForces);
+  if (const auto clamp = entry.Find("clamp"))
+    part.clamp = ReadWithin(*clamp, kNewtons, kClampForces);
   const Model model = ReadModel(entry.At("model"));
   part.model = model.part;
   part.grasps = model.grasps;

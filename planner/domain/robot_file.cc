@@ -1,6 +1,7 @@
 #include "planner/domain/robot_file.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "planner/domain/name.h"
 
@@ -46,21 +47,26 @@ Robot RobotFile::Read(const std::string& name, const Value& robot, const Value& 
 
 JointVector RobotFile::ReadJoints(const Value& value) const {
   const std::vector<double> joints = value.Numbers(6);
-  return units_.angle * Eigen::Map<const JointVector>(joints.data());
+  return units_.angle.factor * Eigen::Map<const JointVector>(joints.data());
 }
 
 JointVector RobotFile::ReadHome(const Value& home, const kinematics::Arm& arm) const {
   const JointVector q = ReadJoints(home);
-  if (!arm.InRange(q)) {
-    home.Fail("the arm's home is outside the joint limits", "angles within the limits of the URDF");
+  if (arm.InRange(q)) return q;
+  std::vector<std::string> joints;
+  for (const kinematics::JointLimits& limits : arm.limits()) {
+    joints.push_back(InUnit(Range{limits.lower, limits.upper}, units_.angle));
   }
-  return q;
+  home.Fail("the arm's home is outside the joint limits",
+            fmt::format("for joints 1 to 6: {}", fmt::join(joints, ", ")));
 }
 
 JointVector RobotFile::ReadAcceleration(const Value& acceleration) const {
   const JointVector greatest = ReadJoints(acceleration);
   if (greatest.minCoeff() <= 0) {
-    acceleration.Fail("a joint acceleration that is not positive", "six positive numbers");
+    acceleration.Fail(fmt::format("a joint acceleration of {}/s^2, which is not positive",
+                                  InUnit(greatest.minCoeff(), units_.angle)),
+                      fmt::format("six numbers above 0 {}/s^2", units_.angle.name));
   }
   return greatest;
 }

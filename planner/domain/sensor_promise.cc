@@ -44,9 +44,10 @@ std::string Noted(std::string_view rest, const std::string& note) {
 }  // namespace
 
 std::string PromiseText(const SensorPromise& promise, const Units& units) {
-  return fmt::format("{{x: {}, y: {}, z: {}, theta: {}}}", RoundedUp(promise.x / units.length),
-                     RoundedUp(promise.y / units.length), RoundedUp(promise.z / units.length),
-                     RoundedUp(promise.theta / units.angle));
+  return fmt::format(
+      "{{x: {}, y: {}, z: {}, theta: {}}}", RoundedUp(promise.x / units.length.factor),
+      RoundedUp(promise.y / units.length.factor), RoundedUp(promise.z / units.length.factor),
+      RoundedUp(promise.theta / units.angle.factor));
 }
 
 std::string WithPromise(const std::string& text, const std::string& file, const std::string& sensor,

@@ -7,18 +7,20 @@
 namespace assay::domain {
 namespace {
 
-// `what` it is of, and how much that is, in metres or as a number; `unit` is the file's.
+// `what` it is of, and how much that is, in metres or a ratio; `unit` is the file's.
 struct Quantity {
   std::string what;
   double amount = 0;
-  double unit = 1;
+  Unit unit = kRatio;
 };
 
 double ReadHalfWidth(const Value& value, const Quantity& of) {
-  const double half_width = value.Number() * of.unit;
+  const double half_width = value.Number() * of.unit.factor;
   if (half_width == 0 || (half_width > 0 && half_width < of.amount)) return half_width;
-  value.Fail(fmt::format("{} is no tolerance of {}", value.Text(), of.what),
-             of.amount > 0 ? fmt::format("0 or more, less than {:.6g}", of.amount / of.unit) : "0");
+  value.Fail(fmt::format("{} is no tolerance of {}", Beside(value.Text(), of.unit), of.what),
+             of.amount > 0 ? fmt::format("{} or more, less than {}", InUnit(0, of.unit),
+                                         InUnit(of.amount, of.unit))
+                           : InUnit(0, of.unit));
 }
 
 // Of the mating surfaces: of what the workcell says, and of what each part says.

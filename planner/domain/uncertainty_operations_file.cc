@@ -86,7 +86,7 @@ RecoveryTemplate ReadRecovery(const Value& key, const Value& entry, const Units&
   recovery.pitch = ReadWithin(pitch, units.length, kSearchPitches);
   if (recovery.pitch > recovery.radius) {
     pitch.Fail("the pitch is greater than the radius, so that there is nothing to try",
-               fmt::format("at most {}", entry.At("radius").Text()));
+               fmt::format("at most {}", InUnit(recovery.radius, units.length)));
   }
   return recovery;
 }

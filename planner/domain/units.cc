@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace assay::domain {
 namespace {
@@ -54,31 +53,47 @@ void RequireOrthonormal(const Value& value, const Matrix3& R) {
 
 }  // namespace
 
+std::string Beside(std::string_view number, const Unit& unit) {
+  return unit.name.empty() ? std::string(number) : fmt::format("{} {}", number, unit.name);
+}
+
+std::string InUnit(double value, const Unit& unit) {
+  return Beside(fmt::format("{:.6g}", value / unit.factor), unit);
+}
+
 Units ReadUnits(const Value& root) {
   static const std::vector<std::string> kLengths = {"inch", "mm", "cm", "m"};
   static const std::vector<std::string> kAngles = {"degree", "radian"};
-  constexpr std::array<double, 4> kMetres = {0.0254, 0.001, 0.01, 1};
-  constexpr std::array<double, 2> kRadians = {std::numbers::pi / 180, 1};
+  constexpr std::array kLengthUnits = {kInches, kMillimetres, kCentimetres, kMetres};
+  constexpr std::array kAngleUnits = {kDegrees, kRadians};
   Units units;
   const std::optional<Value> given = root.Find("units");
   if (!given) return units;
   given->AllowOnly({"length", "angle"});
   if (const auto length = given->Find("length")) {
-    units.length = kMetres[static_cast<std::size_t>(length->OneOf(kLengths))];
+    units.length = kLengthUnits[static_cast<std::size_t>(length->OneOf(kLengths))];
   }
   if (const auto angle = given->Find("angle")) {
-    units.angle = kRadians[static_cast<std::size_t>(angle->OneOf(kAngles))];
+    units.angle = kAngleUnits[static_cast<std::size_t>(angle->OneOf(kAngles))];
   }
   return units;
 }
 
-double ReadWithin(const Value& value, double unit, const Range& range) {
-  const double number = value.Number();
-  const double slack = kConversionRounding * std::max(std::abs(range.low), std::abs(range.high));
-  const double converted = number * unit;
-  if (converted < range.low - slack || converted > range.high + slack) {
-    value.Fail(fmt::format("{} is out of range", value.Text()),
-               fmt::format("{:.6g} to {:.6g}", range.low / unit, range.high / unit));
+bool IsWithin(double value, const Range& range) {
+  return value >= range.low - kConversionRounding * std::abs(range.low) &&
+         value <= range.high + kConversionRounding * std::abs(range.high);
+}
+
+std::string InUnit(const Range& range, const Unit& unit) {
+  const std::string low = InUnit(range.low, unit);
+  return std::isinf(range.high) ? low + " or more"
+                                : fmt::format("{} to {}", low, InUnit(range.high, unit));
+}
+
+double ReadWithin(const Value& value, const Unit& unit, const Range& range) {
+  const double converted = value.Number() * unit.factor;
+  if (!IsWithin(converted, range)) {
+    value.Fail(fmt::format("{} is out of range", Beside(value.Text(), unit)), InUnit(range, unit));
   }
   return converted;
 }

@@ -20,13 +20,13 @@ using geometry::Vector2;
 constexpr double kPi = std::numbers::pi;
 constexpr int kMostPlacesAcross = 100;  // along x or y
 
-enum class Dimension { kLength, kAngle, kNumber };
+enum class Dimension { kLength, kAngle, kForce, kRatio };
 
 struct Rule {
   const char* key;
   double WorkcellRules::*member;
   Dimension dimension;
-  Range range;  // metres, radians
+  Range range;  // in SI
 };
 
 // Approach directions finer than 5 degrees, or contact allowances of more than a few millimetres,
@@ -36,9 +36,9 @@ constexpr std::array<Rule, 12> kRules = {{
     {"approach_step", &WorkcellRules::approach_step, Dimension::kAngle, {kPi / 36, kPi / 2}},
     {"approach_distance", &WorkcellRules::approach_distance, Dimension::kLength, {0.001, 0.5}},
     {"safe_height", &WorkcellRules::safe_height, Dimension::kLength, {0.01, 2}},
-    {"friction", &WorkcellRules::friction, Dimension::kNumber, {0, 10}},
-    {"pad_friction", &WorkcellRules::pad_friction, Dimension::kNumber, {0, 10}},
-    {"grip_force", &WorkcellRules::grip_force, Dimension::kNumber, {0.1, 1000}},
+    {"friction", &WorkcellRules::friction, Dimension::kRatio, {0, 10}},
+    {"pad_friction", &WorkcellRules::pad_friction, Dimension::kRatio, {0, 10}},
+    {"grip_force", &WorkcellRules::grip_force, Dimension::kForce, {0.1, 1000}},
     {"part_gap", &WorkcellRules::part_gap, Dimension::kLength, {0, 0.5}},
     {"contact_allowance", &WorkcellRules::contact_allowance, Dimension::kLength, {0, 0.005}},
     {"pad_margin", &WorkcellRules::pad_margin, Dimension::kLength, {0, 0.01}},
@@ -46,16 +46,18 @@ constexpr std::array<Rule, 12> kRules = {{
     {"lateral_compliance", &WorkcellRules::lateral_compliance, Dimension::kLength, {0, 0.05}},
 }};
 
-double UnitOf(Dimension dimension, const Units& units) {
+Unit UnitOf(Dimension dimension, const Units& units) {
   switch (dimension) {
     case Dimension::kLength:
       return units.length;
     case Dimension::kAngle:
       return units.angle;
-    case Dimension::kNumber:
-      return 1;
+    case Dimension::kForce:
+      return kNewtons;
+    case Dimension::kRatio:
+      return kRatio;
   }
-  return 1;
+  return kRatio;
 }
 
 const std::vector<std::string>& RuleNames() {
@@ -70,8 +72,8 @@ const std::vector<std::string>& RuleNames() {
 Range ReadRange(const Value& value, const Units& units) {
   const Vector2 ends = ReadVector2(value, units);
   if (ends.x() > ends.y()) {
-    value.Fail(fmt::format("the range goes down, from {} to {}", ends.x() / units.length,
-                           ends.y() / units.length),
+    value.Fail(fmt::format("the range goes down, from {} to {}", InUnit(ends.x(), units.length),
+                           InUnit(ends.y(), units.length)),
                "[low, high]");
   }
   return {ends.x(), ends.y()};

@@ -268,7 +268,8 @@ class GeometryReader {
 
   void RequireZero(std::size_t axis, const std::string& what, double value) const {
     if (std::abs(value) < kFileTolerance) return;
-    model_.Fail(fmt::format("{} has {} = {} m at joint values 0", NameOf(axis), what, value), "0");
+    model_.Fail(fmt::format("{} has {} = {} m at joint values 0", NameOf(axis), what, value),
+                "0 m");
   }
 
   void RequireFlange(const Vector3& off_axis) const {

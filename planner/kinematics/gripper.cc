@@ -81,10 +81,11 @@ Box RequirePad(const RobotModel& model, LinkId id, const std::vector<Box>& boxes
   const Vector3 face = pad.X_FrameBox.translation() - Vector3(0, side * pad.half_extents.y(), 0);
   const Matrix3 turned = pad.X_FrameBox.linear() - Matrix3::Identity();
   if (face.norm() > kFileTolerance || turned.cwiseAbs().maxCoeff() > kFileTolerance) {
-    model.Fail(fmt::format("the pad of '{}' has its inner face at ({}, {}, {}) of the tool, or is "
-                           "turned, at joint value 0",
-                           finger.name, face.x(), face.y(), face.z()),
-               "the tool's origin and axes");
+    model.Fail(
+        fmt::format("the pad of '{}' has its inner face at ({}, {}, {}) m of the tool, or is "
+                    "turned, at joint value 0",
+                    finger.name, face.x(), face.y(), face.z()),
+        "the tool's origin and axes");
   }
   return pad;
 }

@@ -88,7 +88,7 @@ class Converter {
     X.translation() = ToVector(pose.position);
     const double farthest = X.translation().cwiseAbs().maxCoeff();
     if (!(farthest <= kMostLength) || !X.translation().allFinite() || !X.linear().allFinite()) {
-      Fail(fmt::format("an origin at ({}, {}, {})", pose.position.x, pose.position.y,
+      Fail(fmt::format("an origin at ({}, {}, {}) m", pose.position.x, pose.position.y,
                        pose.position.z),
            fmt::format("lengths of at most {} m either way", kMostLength));
     }
@@ -137,7 +137,7 @@ class Converter {
         parsed.ixy, parsed.iyy, parsed.iyz,                  //
         parsed.ixz, parsed.iyz, parsed.izz;
     if (!(parsed.mass > 0 && parsed.mass <= kMostMass)) {
-      Fail(fmt::format("link '{}' has mass {}", link, parsed.mass),
+      Fail(fmt::format("link '{}' has a mass of {} kg", link, parsed.mass),
            fmt::format("a positive mass, at most {} kg", kMostMass));
     }
     // The principal moments of a body are positive, and none is above the sum of the others.
@@ -149,8 +149,8 @@ class Converter {
     const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertial.inertia, Eigen::EigenvaluesOnly);
     const Vector3& moments = solver.eigenvalues();  // ascending
     if (!(moments[0] > 0) || moments[2] > (moments[0] + moments[1]) * (1 + 1e-9)) {
-      Fail(fmt::format("link '{}' has principal moments of inertia {}, {}, {}", link, moments[0],
-                       moments[1], moments[2]),
+      Fail(fmt::format("link '{}' has principal moments of inertia {}, {}, {} kg m^2", link,
+                       moments[0], moments[1], moments[2]),
            "positive moments, the largest at most the sum of the others");
     }
     return inertial;
@@ -173,8 +173,8 @@ class Converter {
   Vector3 Extent(const Vector3& extent, const std::string& link) const {
     for (const double length : extent) {
       if (length >= kLeastExtent && length <= kMostLength) continue;
-      Fail(fmt::format("link '{}' has a shape of extent {}", link, length),
-           fmt::format("positive extents, {} to {} m", kLeastExtent, kMostLength));
+      Fail(fmt::format("link '{}' has a shape of extent {} m", link, length),
+           fmt::format("positive extents, {} m to {} m", kLeastExtent, kMostLength));
     }
     return extent;
   }
@@ -208,16 +208,20 @@ class Converter {
   JointLimits LimitsOf(const urdf::Joint& parsed) const {
     if (!parsed.limits) Fail(fmt::format("joint '{}' has no limits", parsed.name));
     const auto& [lower, upper, effort, velocity] = *parsed.limits;
-    const double most = parsed.type == urdf::Joint::REVOLUTE ? kMostAngle : kMostLength;
+    const bool is_revolute = parsed.type == urdf::Joint::REVOLUTE;
+    const char* const unit = is_revolute ? "rad" : "m";
+    const double most = is_revolute ? kMostAngle : kMostLength;
     const bool is_range = lower < upper && lower >= -most && upper <= most;
     const bool is_power =
         velocity > 0 && velocity <= kMostVelocity && effort > 0 && effort <= kMostEffort;
     if (!is_range || !is_power) {
-      Fail(fmt::format("joint '{}' has lower {}, upper {}, velocity {}, effort {}", parsed.name,
-                       lower, upper, velocity, effort),
-           fmt::format("lower below upper, both from {:.4g} to {:.4g}; velocity and effort "
-                       "positive, at most {} and {}",
-                       -most, most, kMostVelocity, kMostEffort));
+      Fail(
+          fmt::format("joint '{0}' has lower {2} {1}, upper {3} {1}, velocity {4} {1}/s, "
+                      "effort {5} {6}",
+                      parsed.name, unit, lower, upper, velocity, effort, is_revolute ? "N m" : "N"),
+          fmt::format("lower below upper, both from {1:.4g} {0} to {2:.4g} {0}; velocity and "
+                      "effort positive, at most {3} {0}/s and {4} {5}",
+                      unit, -most, most, kMostVelocity, kMostEffort, is_revolute ? "N m" : "N"));
     }
     return {lower, upper, velocity, effort};
   }

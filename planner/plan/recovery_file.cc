@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "planner/domain/units.h"
+
 namespace assay::plan {
 namespace {
 
@@ -12,9 +14,7 @@ constexpr double kLeastPitch = 1e-5;  // metres
 using Json = nlohmann::ordered_json;
 
 double ReadLength(const Value& value) {
-  const double length = value.Number();
-  if (length < 0) value.Fail(fmt::format("{} is below 0", value.Text()), "a length in metres");
-  return length;
+  return domain::ReadWithin(value, domain::kMetres, domain::kAtLeastZero);
 }
 
 std::string ReadErrorName(const Value& owner, std::string_view key) {
@@ -77,8 +77,8 @@ Recovery ReadRecovery(const Value& value, const std::vector<std::string>& step_n
   recovery.pitch = ReadLength(pitch);
   // As in workcell files: a search has at least one place, and an end.
   if (recovery.pitch < kLeastPitch || recovery.pitch > recovery.radius) {
-    pitch.Fail(fmt::format("{} is no pitch of this search", recovery.pitch),
-               fmt::format("{} to the radius, metres", kLeastPitch));
+    pitch.Fail(fmt::format("{} m is no pitch of this search", recovery.pitch),
+               fmt::format("{} m to the radius, {} m", kLeastPitch, recovery.radius));
   }
   return recovery;
 }

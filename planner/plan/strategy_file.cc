@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "planner/domain/units.h"
 #include "planner/plan/pose_file.h"
 
 namespace assay::plan {
@@ -49,14 +50,12 @@ Json CertificateToJson(const StrategyCertificate& certificate) {
           {"friction", certificate.friction}, {"absorbed", certificate.absorbed}};
 }
 
-double ReadAtLeastZero(const Value& value) {
-  const double number = value.Number();
-  if (number < 0) value.Fail(fmt::format("{} is below 0", value.Text()), "0 or more");
-  return number;
+double ReadAtLeastZero(const Value& value, const domain::Unit& unit = domain::kRatio) {
+  return domain::ReadWithin(value, unit, domain::kAtLeastZero);
 }
 
-Vector3 ReadHalfWidths(const Value& value) {
-  for (const Value& item : value.Items()) ReadAtLeastZero(item);
+Vector3 ReadHalfWidths(const Value& value, const domain::Unit& unit) {
+  for (const Value& item : value.Items()) ReadAtLeastZero(item, unit);
   return ReadVector(value);
 }
 
@@ -116,8 +115,8 @@ StrategyCertificate ReadStrategyCertificate(const Value& value) {
   for (const Value& condition : value.At("absorbs").Items()) {
     certificate.absorbs.push_back(condition.Text());
   }
-  certificate.d = ReadHalfWidths(value.At("d"));
-  certificate.w = ReadHalfWidths(value.At("w"));
+  certificate.d = ReadHalfWidths(value.At("d"), domain::kMetres);
+  certificate.w = ReadHalfWidths(value.At("w"), domain::kRadians);
   certificate.velocity = ReadAtLeastZero(value.At("velocity"));
   certificate.friction = ReadAtLeastZero(value.At("friction"));
   certificate.absorbed = ReadAtLeastZero(value.At("absorbed"));
@@ -148,9 +147,9 @@ Strategy ReadStrategy(const Value& value) {
                     .contacts = {},
                     .motions = {},
                     .friction = ReadAtLeastZero(value.At("friction")),
-                    .length = ReadAtLeastZero(length),
+                    .length = ReadAtLeastZero(length, domain::kMetres),
                     .certificate = ReadStrategyCertificate(value.At("certificate"))};
-  if (strategy.length == 0) length.Fail("0 is no length", "more than 0");
+  if (strategy.length == 0) length.Fail("0 m is no length", "more than 0 m");
   for (const Value& contact : value.At("contacts").Items()) {
     strategy.contacts.push_back(ReadContact(contact));
   }

@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "planner/domain/units.h"
+
 namespace assay::plan {
 namespace {
 
@@ -34,9 +36,8 @@ Travel ReadTravel(const Value& value) {
   if (travel.path.size() < 2) {
     path.Fail(fmt::format("{} postures", travel.path.size()), "at least 2");
   }
-  const Value clearance = value.At("clearance");
-  travel.clearance = clearance.Number();
-  if (travel.clearance < 0) clearance.Fail("a clearance below 0", "a length in metres");
+  travel.clearance =
+      domain::ReadWithin(value.At("clearance"), domain::kMetres, domain::kAtLeastZero);
   if (const auto usual = value.Find("usual")) travel.is_usual = usual->Flag();
   return travel;
 }

@@ -19,6 +19,7 @@
 #include "sim/cli/console.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/quantity_option.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/table.h"
 #include "sim/cli/usage_error.h"
@@ -283,7 +284,7 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::IsMember({"termwise", "refined"}))
       ->capture_default_str();
   command.add_option("--gap", options->request.gap, "refine until a bound is known this tightly")
-      ->check(CLI::Range(0.0, std::numeric_limits<double>::max()))
+      ->check(Within(domain::kAtLeastZero, domain::kRatio))
       ->capture_default_str();
   command
       .add_option("--evaluations", options->request.evaluations,

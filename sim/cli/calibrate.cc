@@ -26,6 +26,7 @@
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/quantity.h"
+#include "sim/cli/quantity_option.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/table.h"
 #include "sim/cli/verb.h"
@@ -216,8 +217,8 @@ class Result {
       if (worst == nullptr) break;
       const Unit& unit = kUnits[i];
       const Interval range = Promised(i);
-      table.Add({kCoordinates[i], fmt::format("{:.4f}", Greatest(i) * unit.scale),
-                 IsBounded(range) ? RangeText(range, unit) : "nothing", unit.name,
+      table.Add({kCoordinates[i], fmt::format("{:.4f}", Greatest(i) / unit.factor),
+                 IsBounded(range) ? RangeText(range, unit) : "nothing", std::string(unit.name),
                  worst->subject->file.stem().string(), std::to_string(worst->number)});
     }
     std::string text = table.Text();
@@ -340,7 +341,8 @@ void Write(const std::vector<fs::path>& files, const Result& result) {
 }
 
 std::string PromiseForPeople(const Result& result, const std::vector<fs::path>& written) {
-  constexpr domain::Units kMetresAndDegrees = {.length = 1, .angle = kDegree};
+  constexpr domain::Units kMetresAndDegrees = {.length = domain::kMetres,
+                                               .angle = domain::kDegrees};
   std::string text = fmt::format("{} times the greatest errors, in metres and degrees: {}\n",
                                  result.margin(), PromiseText(result.Promise(), kMetresAndDegrees));
   for (const fs::path& file : written) text += fmt::format("promised in {}\n", file.string());
@@ -381,7 +383,7 @@ Execution Declare(CLI::App& command) {
       ->check(CLI::NonNegativeNumber);
   command
       .add_option("--margin", options->margin, "what is promised, over the greatest error measured")
-      ->check(CLI::Range(1.0, 100.0));
+      ->check(Within({1, 100}, kRatioUnit));
   command.add_flag("--write", options->write,
                    "write the promise into the workcells' files; nothing else in them changes");
   command.add_flag("--json", options->json, "print the result as JSON, in metres and radians");

@@ -34,10 +34,11 @@ std::string RecoveryText(const plan::Plan& plan, StepId step, const std::string&
 }
 
 std::string VerificationText(const plan::Plan& plan, const plan::Verification& verification) {
-  std::string text = fmt::format(
-      "    check {}: {} {:.4g} +- {}", verification.name,
-      domain::MeasuredQuantityNames()[static_cast<std::size_t>(verification.quantity)],
-      kLengthUnit.scale * verification.expected, QuantityText(verification.tolerance, kLengthUnit));
+  std::string text =
+      fmt::format("    check {}: {} {:.4g} +- {}", verification.name,
+                  domain::MeasuredQuantityNames()[static_cast<std::size_t>(verification.quantity)],
+                  verification.expected / kLengthUnit.factor,
+                  QuantityText(verification.tolerance, kLengthUnit));
   if (!verification.below.empty()) {
     text += "; if less: " + RecoveryText(plan, verification.step, verification.below);
   }
@@ -68,7 +69,7 @@ std::string UnaskedText(const plan::Plan& plan) {
 std::string StrategyText(const plan::Strategy& strategy) {
   const plan::StrategyCertificate& certificate = strategy.certificate;
   const auto numbers = [](const geometry::Vector3& v, const Unit& unit) {
-    const geometry::Vector3 scaled = unit.scale * v;
+    const geometry::Vector3 scaled = v / unit.factor;
     return fmt::format("({:.3g}, {:.3g}, {:.3g}) {}", scaled.x(), scaled.y(), scaled.z(),
                        unit.name);
   };

@@ -21,6 +21,7 @@
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/problem_report.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/quantity_option.h"
 #include "sim/cli/sweep_report.h"
 #include "sim/cli/verb.h"
 #include "sim/cli/workcell_report.h"
@@ -131,7 +132,7 @@ Execution Declare(CLI::App& command) {
   command.add_option("--workcell", options->workcell, "the workcell whose gripper takes a part")
       ->capture_default_str();
   command.add_option("--clearance", options->clearance_mm, "clearance of a part's holes, mm")
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(Within({0, 0.01}, domain::kMillimetres))
       ->capture_default_str();
   AddModelsOption(command, options->models);
   return [options] { return Execute(*options); };

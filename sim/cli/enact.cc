@@ -23,6 +23,7 @@
 #include "sim/cli/output_file.h"
 #include "sim/cli/plan_tree_report.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/quantity_option.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/trial.h"
 #include "sim/cli/usage_error.h"
@@ -196,11 +197,7 @@ ExitCode RefuseKnowledge(const enact::Interpretation& interpretation,
                          const contingent::ContingentPlan& plan, const Options& options) {
   const bool is_none = plan.outcome == Outcome::kNone;
   Json json = {{"outcome", is_none ? "none" : "budget"}, {"not_served", interpretation.unserved}};
-  std::string text =
-      plan.doubt.empty()
-          ? fmt::format("No plan within {} knowledge states.\n", kBudget)
-          : fmt::format("No plan was found. That is no proof that there is none: {}.\n",
-                        plan.doubt);
+  std::string text = NotFoundText(plan, kBudget);
   if (is_none) {
     Budget budget(kBudget);
     const auto conflict = contingent::FindGoalConflict(interpretation.task, budget);
@@ -266,7 +263,7 @@ Execution Declare(CLI::App& command) {
           "--sensing-errors", options->sensing_errors,
           "with this probability what is sensed is made wrong: what a branch or the goal asks, "
           "and numbers that are read")
-      ->check(CLI::Range(0.0, 1.0));
+      ->check(Within({0, 1}, domain::kRatio));
   command.add_option("--pictures", options->pictures,
                      "folder for pictures of the first trial: its start and the end of each step");
   AddPictureOptions(command, options->picture, "--pictures");

@@ -19,6 +19,11 @@ std::string Text(const contingent::GroundTask& task, const contingent::GoalConfl
   return text;
 }
 
+std::string NotFoundText(const contingent::ContingentPlan& plan, std::int64_t budget) {
+  if (plan.doubt.empty()) return fmt::format("No plan within {} knowledge states.\n", budget);
+  return fmt::format("No plan was found. That is no proof that there is none: {}.\n", plan.doubt);
+}
+
 nlohmann::ordered_json ToJson(const contingent::GroundTask& task,
                               const contingent::GoalConflict& conflict) {
   nlohmann::ordered_json parts = nlohmann::ordered_json::array();

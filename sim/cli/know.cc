@@ -173,13 +173,7 @@ std::string CheckText(const TreeCheck& check) {
 std::string PlanText(const Answer& answer, const Options& options) {
   const ContingentPlan& plan = answer.plan;
   if (plan.outcome == Outcome::kNone) return cli::Text(answer.task, *answer.conflict);
-  if (plan.outcome == Outcome::kBudget) {
-    if (!plan.doubt.empty()) {
-      return fmt::format("No plan was found. That is no proof that there is none: {}.\n",
-                         plan.doubt);
-    }
-    return fmt::format("No plan within {} knowledge states.\n", options.budget);
-  }
+  if (plan.outcome == Outcome::kBudget) return NotFoundText(plan, options.budget);
   const TreeSize size = contingent::SizeOf(plan.tree);
   if (options.unfold && size.leaves > kMostUnfolded) {
     throw UsageError(fmt::format("know: --unfold: the tree has {} leaves; at most {} are told",

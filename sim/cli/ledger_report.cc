@@ -16,12 +16,12 @@ using check::LedgerEntry;
 using Json = nlohmann::ordered_json;
 
 Unit LedgerUnit(const LedgerEntry& entry) {
-  return entry.unit.empty() ? Unit{"-", 1} : UnitOf(entry.channel.name);
+  return entry.unit.empty() ? Unit{"-"} : UnitOf(entry.channel.name);
 }
 
-std::string Number(const std::optional<double>& value, double scale) {
+std::string Number(const std::optional<double>& value, const Unit& unit) {
   if (!value) return "-";
-  const double number = scale * *value;
+  const double number = *value / unit.factor;
   constexpr double kHalfLastDigit = 0.00005;  // else there would be a -0.0000
   return fmt::format("{:+.4f}", std::abs(number) < kHalfLastDigit ? 0.0 : number);
 }
@@ -36,8 +36,8 @@ std::string Text(const std::vector<LedgerEntry>& ledger) {
                {"measured", Align::kRight}});
   for (const LedgerEntry& entry : ledger) {
     const Unit unit = LedgerUnit(entry);
-    table.Add({entry.channel.name, unit.name, Number(entry.drawn, unit.scale),
-               Number(entry.applied, unit.scale), Number(entry.measured, unit.scale)});
+    table.Add({entry.channel.name, std::string(unit.name), Number(entry.drawn, unit),
+               Number(entry.applied, unit), Number(entry.measured, unit)});
   }
   return table.Text();
 }

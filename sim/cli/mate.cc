@@ -25,6 +25,7 @@
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
 #include "sim/cli/quantity.h"
+#include "sim/cli/quantity_option.h"
 #include "sim/cli/stopwatch.h"
 #include "sim/cli/trial.h"
 #include "sim/cli/usage_error.h"
@@ -38,7 +39,6 @@ using Json = nlohmann::ordered_json;
 using finemotion::FineMotionPlan;
 using finemotion::MatingGeometry;
 
-constexpr double kMillimetre = 1e-3;
 constexpr int kMostNodes = 1'000'000;
 
 struct Options {
@@ -72,14 +72,14 @@ const std::map<std::string, finemotion::MeetingTest>& Intersections() {
 
 PlannedProblem Planned(const Options& options) {
   scenario::Overrides overrides;
-  if (options.clearance_mm) overrides.clearance = *options.clearance_mm * kMillimetre;
+  if (options.clearance_mm) overrides.clearance = *options.clearance_mm * kLengthUnit.factor;
   const Document document = Document::Load(options.scenario);
   return MakePlan(document, scenario::Read(document, options.models, overrides), {}, {});
 }
 
 domain::MatingErrors HalfWidths(const Options& options, const domain::Problem& problem) {
   domain::MatingErrors errors = problem.mating_errors;
-  if (options.displacement_mm) errors.displacement = *options.displacement_mm * kMillimetre;
+  if (options.displacement_mm) errors.displacement = *options.displacement_mm * kLengthUnit.factor;
   if (options.rotation_deg) errors.rotation = *options.rotation_deg * kDegree;
   if (options.velocity) errors.velocity = *options.velocity;
   return errors;
@@ -288,20 +288,20 @@ void AddUncertainty(CLI::App& command, Options& options) {
       .add_option("--displacement", options.displacement_mm,
                   "of the part in the hand at first: so many mm at most, in x, y and z, instead "
                   "of the scenario's mating_errors")
-      ->check(CLI::Range(0.0, domain::kMatingDisplacements.high / kMillimetre));
+      ->check(Within(domain::kMatingDisplacements, kLengthUnit));
   command
       .add_option("--rotation", options.rotation_deg, "so many degrees at most, about x, y and z")
-      ->check(CLI::Range(0.0, domain::kMatingRotations.high / kDegree));
+      ->check(Within(domain::kMatingRotations, kAngleUnit));
   command
       .add_option("--velocity", options.velocity,
                   "directions of motion err by such a share of the motion at most, 0.002 being "
                   "0.2 %")
-      ->check(CLI::Range(domain::kMatingVelocities.low, domain::kMatingVelocities.high));
+      ->check(Within(domain::kMatingVelocities, kRatioUnit));
   command
       .add_option("--clearance", options.clearance_mm, "mm on each side, instead of the scenario's")
-      ->check(CLI::Range(0.0, 100.0));
+      ->check(Within({0, 0.1}, kLengthUnit));
   command.add_option("--friction", options.friction, "of the parts, instead of the part files'")
-      ->check(CLI::Range(0.0, 10.0));
+      ->check(Within({0, 10}, kRatioUnit));
   command
       .add_option(
           "--intersection", options.intersection,
@@ -328,7 +328,7 @@ void AddTrials(CLI::App& command, Options& options) {
   command
       .add_option("--beyond", options.beyond,
                   "trials draw errors from a box so many times as wide as planned for")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(Within({0, 100}, kRatioUnit))
       ->capture_default_str();
   command.add_option("--jobs", options.jobs, "how many threads")->check(CLI::Range(1, 1024));
   command.add_option("--seed", options.seed, "of the trials' errors")->capture_default_str();

@@ -44,15 +44,34 @@ Unit UnitOf(const plan::CertifiedPrecondition& precondition) {
   return kRatioUnit;
 }
 
+Unit UnitOf(check::Unit unit) {
+  switch (unit) {
+    case check::Unit::kMetre:
+      return kLengthUnit;
+    case check::Unit::kRadian:
+      return kAngleUnit;
+    case check::Unit::kNone:
+      return kRatioUnit;
+  }
+  return kRatioUnit;
+}
+
+Unit ShownIn(std::string_view unit) {
+  if (unit == "m") return kLengthUnit;
+  if (unit == "rad") return kAngleUnit;
+  if (unit == "m/s") return {"mm/s", kLengthUnit.factor};
+  if (unit == "rad/s") return {"deg/s", kAngleUnit.factor};
+  return {unit};
+}
+
 std::string QuantityText(double value, const Unit& unit) {
-  const std::string number = NumberText(unit.scale * value);
-  return *unit.name == 0 ? number : fmt::format("{} {}", number, unit.name);
+  return domain::Beside(NumberText(value / unit.factor), unit);
 }
 
 std::string RangeText(const Interval& range, const Unit& unit) {
   if (std::isinf(range.low) && std::isinf(range.high)) return "unknown";
-  const std::string low = NumberText(unit.scale * range.low);
-  const std::string high = NumberText(unit.scale * range.high);
+  const std::string low = NumberText(range.low / unit.factor);
+  const std::string high = NumberText(range.high / unit.factor);
   if (low == high) return high;
   return low == "-" + high ? "+-" + high : fmt::format("{} to {}", low, high);
 }
@@ -60,8 +79,8 @@ std::string RangeText(const Interval& range, const Unit& unit) {
 std::string NarrowRangeText(const Interval& range, const Unit& unit) {
   const bool holds_zero = range.low <= 0 && range.high >= 0;
   if (!holds_zero) return RangeText(range, unit);
-  return RangeText({TowardZero(unit.scale * range.low), TowardZero(unit.scale * range.high)},
-                   {unit.name, 1});
+  return RangeText({TowardZero(range.low / unit.factor), TowardZero(range.high / unit.factor)},
+                   {unit.name});
 }
 
 }  // namespace assay::cli

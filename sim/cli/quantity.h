@@ -1,28 +1,31 @@
 #pragma once
 
-#include <numbers>
 #include <string>
+#include <string_view>
 
 #include "planner/base/interval.h"
+#include "planner/domain/units.h"
 #include "planner/plan/certificate.h"
+#include "sim/check/unit.h"
 
 namespace assay::cli {
 
 // Metres are shown to people in millimetres, radians in degrees.
-struct Unit {
-  const char* name;
-  double scale;  // people's number / SI's
-};
-inline constexpr Unit kLengthUnit = {"mm", 1000};
-inline constexpr Unit kAngleUnit = {"deg", 180 / std::numbers::pi};
-inline constexpr Unit kRatioUnit = {"", 1};
-inline constexpr double kDegree = std::numbers::pi / 180;  // radians
+using domain::Unit;
+inline constexpr Unit kLengthUnit = domain::kMillimetres;
+inline constexpr Unit kAngleUnit = domain::kDegrees;
+inline constexpr Unit kRatioUnit = domain::kRatio;
+inline constexpr double kDegree = kAngleUnit.factor;  // radians
 
 // Of what an error variable measures: theta, skew, tip, twist and turn are angles, all else
 // lengths.
 Unit UnitOf(const std::string& variable);
 // Of a precondition's bound, limit, margin and gap.
 Unit UnitOf(const plan::CertifiedPrecondition& precondition);
+// Of a claim's numbers.
+Unit UnitOf(check::Unit unit);
+// Of what is in "m", "rad", "m/s" or "rad/s"; anything else stays as it is.
+Unit ShownIn(std::string_view unit);
 
 // "-23.01 mm".
 std::string QuantityText(double value, const Unit& unit);

@@ -19,10 +19,12 @@
 #include "sim/cli/models_folder.h"
 #include "sim/cli/output_file.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/quantity.h"
 #include "sim/cli/stored_trial.h"
 #include "sim/cli/table.h"
 #include "sim/cli/usage_error.h"
 #include "sim/cli/verb.h"
+#include "sim/cli/verdict_tally.h"
 #include "sim/sweep/difference.h"
 #include "sim/sweep/recording.h"
 #include "sim/sweep/store.h"
@@ -33,7 +35,6 @@ namespace replay_verb {
 
 using Json = nlohmann::ordered_json;
 using sweep::TrialRecord;
-using sweep::VerdictRecord;
 namespace fs = std::filesystem;
 
 struct Options {
@@ -74,6 +75,7 @@ void SetNumbers(const TrialRecord& from, TrialRecord& to) {
 // A trial as it came out again, and in what it differs. An attack has no ledger.
 struct Again {
   TrialRecord record;
+  std::vector<check::CertificateVerdict> verdicts;
   std::vector<std::string> differences = {};
   std::vector<check::LedgerEntry> ledger = {};
 };
@@ -85,7 +87,9 @@ Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* 
   const check::NoisyTrial trial = sweep::Execute(cell, noise, film);
   const check::Experiment experiment{preparation.scenario.problem, preparation.plan,
                                      preparation.scenario.simulation.scene};
-  Again again{.record = sweep::Recorded(preparation.plan, trial).record,
+  sweep::TimedTrial timed = sweep::Recorded(preparation.plan, trial);
+  Again again{.record = std::move(timed.record),
+              .verdicts = std::move(timed.verdicts),
               .ledger = check::LedgerOf(experiment, noise, trial.trace)};
   SetNumbers(stored, again.record);
   again.differences = sweep::Differences(stored, again.record);
@@ -118,7 +122,9 @@ Again AttackAgain(const sweep::Store& store, const sweep::Work& work,
     SetNumbers(stored, timed.record);
     std::vector<std::string> differences = sweep::Differences(stored, timed.record);
     std::ranges::move(sweep::Differences(*attack, *timed.attack), std::back_inserter(differences));
-    return {.record = std::move(timed.record), .differences = std::move(differences)};
+    return {.record = std::move(timed.record),
+            .verdicts = std::move(timed.verdicts),
+            .differences = std::move(differences)};
   }
   throw InputError({.file = store.file().string()},
                    fmt::format("the attack of cell {} is missing", stored.cell),
@@ -139,20 +145,15 @@ Again Repeat(const sweep::Store& store, const sweep::Work& work, const sweep::Pl
   return AttackAgain(store, work, cell, stored);
 }
 
-std::string VerdictTable(const TrialRecord& record) {
-  Table table({{"step", Align::kRight},
-               {"id"},
-               {"verdict"},
-               {"worst claim"},
-               {"observed", Align::kRight},
-               {"predicted"},
-               {"margin", Align::kRight},
-               {"gate", Align::kRight}});
-  for (const VerdictRecord& verdict : record.verdicts) {
-    table.Add({std::to_string(verdict.step), verdict.action, verdict.verdict, verdict.claim,
-               fmt::format("{:.6g}", verdict.observed),
-               fmt::format("[{:.6g}, {:.6g}]", verdict.low, verdict.high),
-               fmt::format("{:.3g}", verdict.margin), fmt::format("{:.3g}", verdict.gate)});
+std::string VerdictTable(const plan::Plan& plan,
+                         const std::vector<check::CertificateVerdict>& verdicts) {
+  Table table(
+      {{"step", Align::kRight}, {"id"}, {"verdict"}, {"worst claim"}, {"margin", Align::kRight}});
+  for (const check::CertificateVerdict& verdict : verdicts) {
+    const plan::PlannedStep& step = plan.step(verdict.step);
+    const check::Claim& worst = verdict.worst;
+    table.Add({std::to_string(step.executed), step.name, std::string(check::Name(verdict.verdict)),
+               Text(worst), QuantityText(worst.margin, UnitOf(worst.unit))});
   }
   return table.Text();
 }
@@ -162,12 +163,12 @@ std::string OutcomeText(const TrialRecord& record) {
                                : fmt::format("{}: {}", record.outcome, record.reason);
 }
 
-std::string ForPeople(const TrialRecord& stored, const Again& again) {
+std::string ForPeople(const plan::Plan& plan, const TrialRecord& stored, const Again& again) {
   std::string text =
-      fmt::format("trial {}: number {} of cell {}\nnoise: {}\n", stored.trial, stored.number,
-                  stored.cell, stored.noise.empty() ? "none" : stored.noise);
+      fmt::format("trial {}: number {} of cell {}\nnoise, in m and rad: {}\n", stored.trial,
+                  stored.number, stored.cell, stored.noise.empty() ? "none" : stored.noise);
   text += fmt::format("stored: {}\nagain:  {}\n\n{}\n", OutcomeText(stored),
-                      OutcomeText(again.record), VerdictTable(again.record));
+                      OutcomeText(again.record), VerdictTable(plan, again.verdicts));
   if (!again.ledger.empty()) text += Text(again.ledger) + "\n";
   if (again.differences.empty()) return text + "equal to what is stored, to the last bit\n";
   text += "different from what is stored (stored and again):\n";
@@ -177,7 +178,7 @@ std::string ForPeople(const TrialRecord& stored, const Again& again) {
 
 Json ToJson(const TrialRecord& record) {
   Json verdicts = Json::array();
-  for (const VerdictRecord& verdict : record.verdicts) {
+  for (const sweep::VerdictRecord& verdict : record.verdicts) {
     verdicts.push_back({{"step", verdict.step},
                         {"action", verdict.action},
                         {"verdict", verdict.verdict},
@@ -206,7 +207,7 @@ ExitCode Execute(const Options& options) {
                      {"stored", ToJson(stored)},
                      {"again", ToJson(again.record)},
                      {"ledger", cli::ToJson(again.ledger)}};
-  Print(options.json ? plan::JsonText(json) : ForPeople(stored, again));
+  Print(options.json ? plan::JsonText(json) : ForPeople(cell.preparation->plan, stored, again));
   return equal ? ExitCode::kDone : ExitCode::kFailed;
 }
 

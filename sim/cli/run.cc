@@ -23,6 +23,7 @@
 #include "sim/cli/plan_text.h"
 #include "sim/cli/planned_problem.h"
 #include "sim/cli/progress.h"
+#include "sim/cli/quantity_option.h"
 #include "sim/cli/resolver_option.h"
 #include "sim/cli/scattered_run.h"
 #include "sim/cli/stopwatch.h"
@@ -333,7 +334,7 @@ void AddNoise(CLI::App& command, Options& options, CLI::Option* scatter) {
   AddResolvers(command, options.resolvers)->excludes(scatter);
   command
       .add_option("--error-scale", options.error_scale, "multiplies all errors, in planning too")
-      ->check(CLI::NonNegativeNumber);
+      ->check(Within(domain::kAtLeastZero, domain::kRatio));
   command.add_option("--trial", options.trial, "run only this one of the trials")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "sim/cli/json_number.h"
+#include "sim/cli/quantity.h"
 #include "sim/cli/table.h"
 #include "sim/cli/verdict_tally.h"
 #include "sim/scenario/scenario.h"
@@ -120,16 +121,22 @@ std::string CommandOf(const std::string& replay, const std::string& database) {
   return fmt::format("assay replay {} {}", database, replay.substr(kStored.size()));
 }
 
+std::string CounterexampleText(const sweep::CounterexampleRecord& example,
+                               const std::string& database) {
+  const Unit unit = ShownIn(example.unit);
+  return fmt::format("  {}: {}: {} is not in [{:.6g}, {:.6g}] {}{}\n    again: {}\n",
+                     example.action, example.name, InUnit(example.observed, unit),
+                     example.low / unit.factor, example.high / unit.factor, unit.name,
+                     example.replayed ? "" : " (only from a state saved on the way)",
+                     CommandOf(example.replay, database));
+}
+
 std::string AttackText(const CellAttack& cell, const std::string& database) {
   const sweep::AttackRecord& attack = cell.attack;
   std::string text = fmt::format("cell {}: {} attempts, {} violated\n", cell.cell, attack.attempts,
                                  attack.certificates.violated);
   for (const sweep::CounterexampleRecord& example : attack.counterexamples) {
-    text +=
-        fmt::format("  {}: {}: {:.6g} {} is not in [{:.6g}, {:.6g}]{}\n    again: {}\n",
-                    example.action, example.name, example.observed, example.unit, example.low,
-                    example.high, example.replayed ? "" : " (only from a state saved on the way)",
-                    CommandOf(example.replay, database));
+    text += CounterexampleText(example, database);
   }
   for (const sweep::ConservatismRecord& ratio : attack.conservatism) {
     text += fmt::format("  {}: guaranteed up to x {:.3g}, {}\n", ratio.variable, ratio.guaranteed,

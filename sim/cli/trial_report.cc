@@ -62,18 +62,6 @@ std::string StepTable(const std::vector<StepRow>& rows) {
   return table.Text();
 }
 
-// Metres in millimetres, radians in degrees.
-struct PeoplesUnit {
-  std::string name;
-  double scale = 1;
-};
-
-PeoplesUnit PeoplesUnitOf(const std::string& unit) {
-  if (unit.starts_with("rad")) return {kAngleUnit.name + unit.substr(3), kAngleUnit.scale};
-  if (unit.starts_with("m")) return {"m" + unit, kLengthUnit.scale};
-  return {unit, 1};
-}
-
 // On which side of its limit a value must be: only the opening of a hand that let go is to be
 // great.
 std::string_view Direction(const check::Finding& finding) {
@@ -84,10 +72,10 @@ std::string FindingTable(const std::vector<check::Finding>& findings) {
   Table table(
       {{"goal"}, {"value", Align::kRight}, {"must be", Align::kRight}, {"unit"}, {"verdict"}});
   for (const check::Finding& finding : findings) {
-    const PeoplesUnit unit = PeoplesUnitOf(finding.unit);
-    table.Add({finding.name, fmt::format("{:.4f}", unit.scale * finding.value),
-               fmt::format("{} {:.4f}", Direction(finding), unit.scale * finding.limit), unit.name,
-               finding.holds ? "holds" : "violated"});
+    const Unit unit = ShownIn(finding.unit);
+    table.Add({finding.name, fmt::format("{:.4f}", finding.value / unit.factor),
+               fmt::format("{} {:.4f}", Direction(finding), finding.limit / unit.factor),
+               std::string(unit.name), finding.holds ? "holds" : "violated"});
   }
   return table.Text();
 }

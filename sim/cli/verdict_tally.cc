@@ -16,19 +16,6 @@ using check::Claim;
 using check::VerdictCounts;
 using Json = nlohmann::ordered_json;
 
-// In which people are told it.
-Unit ShownIn(check::Unit unit) {
-  switch (unit) {
-    case check::Unit::kMetre:
-      return kLengthUnit;
-    case check::Unit::kRadian:
-      return kAngleUnit;
-    case check::Unit::kNone:
-      break;
-  }
-  return kRatioUnit;
-}
-
 std::string Place(const Claim& claim) {
   switch (claim.about) {
     case check::Claimed::kBefore:
@@ -119,11 +106,11 @@ Json ToJson(const VerdictCounts& counts) {
 
 std::string Text(const Claim& claim) {
   if (claim.unit == check::Unit::kNone) return claim.name + ": it does not";
-  const Unit unit = ShownIn(claim.unit);
-  const auto number = [&](double value) { return fmt::format("{:+.3f}", unit.scale * value); };
+  const Unit unit = UnitOf(claim.unit);
+  const auto number = [&](double value) { return fmt::format("{:+.3f}", value / unit.factor); };
   return fmt::format("{}{} {} in [{}, {}] {}, gate {:.3f}", Place(claim), claim.name,
                      number(claim.observed), number(claim.predicted.low),
-                     number(claim.predicted.high), unit.name, unit.scale * claim.gate);
+                     number(claim.predicted.high), unit.name, claim.gate / unit.factor);
 }
 
 Json ToJson(const plan::Plan& plan, const Claim& claim) {
@@ -147,9 +134,9 @@ std::string Text(const plan::Plan& plan, const check::HonestyGate& gate) {
                {"penetration mm", Align::kRight}});
   for (const plan::StepId id : plan.ExecutionOrder()) {
     const check::StepGate& step = gate.steps[id.index()];
-    const auto mm = [](double value) { return fmt::format("{:.4f}", kLengthUnit.scale * value); };
+    const auto mm = [](double value) { return fmt::format("{:.4f}", value / kLengthUnit.factor); };
     table.Add({std::to_string(plan.step(id).executed), plan.step(id).name, mm(step.lag),
-               fmt::format("{:.5f}", kAngleUnit.scale * step.lag_turn), mm(step.penetration)});
+               fmt::format("{:.5f}", step.lag_turn / kAngleUnit.factor), mm(step.penetration)});
   }
   return table.Text();
 }
@@ -182,11 +169,11 @@ std::string Text(const plan::Plan& plan, const check::Noiseless& noiseless,
                         Text(claim));
   }
   for (const Claim& claim : noiseless.hidden) {
-    const Unit unit = ShownIn(claim.unit);
+    const Unit unit = UnitOf(claim.unit);
     text += fmt::format(
         "step {}: {}: what the engine makes of it without noise, {:.3f} {}, is wider than what the "
         "certificate says, or than the clearance: the plan cannot be tested\n",
-        plan.step(claim.step).executed, Text(claim), unit.scale * gate.Floor(claim), unit.name);
+        plan.step(claim.step).executed, Text(claim), gate.Floor(claim) / unit.factor, unit.name);
   }
   return text;
 }

@@ -18,8 +18,7 @@ using domain::WorkcellRules;
 struct Rule {
   const char* name;
   double WorkcellRules::*value;
-  const char* unit;
-  double scale;  // the unit in SI
+  Unit unit;
 };
 
 std::string NameOf(domain::VerifiedAction action) {
@@ -33,18 +32,18 @@ std::string NameOf(domain::RecoveryStrategy strategy) {
 }
 
 constexpr std::array kRules = {
-    Rule{"tool_lean", &WorkcellRules::tool_lean, "deg", kDegree},
-    Rule{"approach_step", &WorkcellRules::approach_step, "deg", kDegree},
-    Rule{"approach_distance", &WorkcellRules::approach_distance, "mm", 0.001},
-    Rule{"safe_height", &WorkcellRules::safe_height, "mm", 0.001},
-    Rule{"friction", &WorkcellRules::friction, "", 1},
-    Rule{"pad_friction", &WorkcellRules::pad_friction, "", 1},
-    Rule{"grip_force", &WorkcellRules::grip_force, "N", 1},
-    Rule{"part_gap", &WorkcellRules::part_gap, "mm", 0.001},
-    Rule{"contact_allowance", &WorkcellRules::contact_allowance, "mm", 0.001},
-    Rule{"pad_margin", &WorkcellRules::pad_margin, "mm", 0.001},
-    Rule{"guarded_travel", &WorkcellRules::guarded_travel, "mm", 0.001},
-    Rule{"lateral_compliance", &WorkcellRules::lateral_compliance, "mm", 0.001},
+    Rule{"tool_lean", &WorkcellRules::tool_lean, kAngleUnit},
+    Rule{"approach_step", &WorkcellRules::approach_step, kAngleUnit},
+    Rule{"approach_distance", &WorkcellRules::approach_distance, kLengthUnit},
+    Rule{"safe_height", &WorkcellRules::safe_height, kLengthUnit},
+    Rule{"friction", &WorkcellRules::friction, kRatioUnit},
+    Rule{"pad_friction", &WorkcellRules::pad_friction, kRatioUnit},
+    Rule{"grip_force", &WorkcellRules::grip_force, domain::kNewtons},
+    Rule{"part_gap", &WorkcellRules::part_gap, kLengthUnit},
+    Rule{"contact_allowance", &WorkcellRules::contact_allowance, kLengthUnit},
+    Rule{"pad_margin", &WorkcellRules::pad_margin, kLengthUnit},
+    Rule{"guarded_travel", &WorkcellRules::guarded_travel, kLengthUnit},
+    Rule{"lateral_compliance", &WorkcellRules::lateral_compliance, kLengthUnit},
 };
 
 std::string NamedOrNothing(const std::string& error) { return error.empty() ? "-" : error; }
@@ -92,7 +91,8 @@ Report ReportOn(const domain::Workcell& workcell) {
   Json rules;
   for (const Rule& rule : kRules) {
     const double value = workcell.rules().*rule.value;
-    table.Add({rule.name, fmt::format("{:.6g}", value / rule.scale), rule.unit});
+    table.Add(
+        {rule.name, fmt::format("{:.6g}", value / rule.unit.factor), std::string(rule.unit.name)});
     rules[rule.name] = value;
   }
   const domain::UncertaintyOperations& operations = workcell.uncertainty_operations();

@@ -40,7 +40,8 @@ const MeaningWord kHeavier = {
     .summary = "the part's mass is more than `than`, kg; told by weighing",
     .read = [](const Value& map, const MeaningContext&) -> std::unique_ptr<const Meaning> {
       map.AllowOnly({"is", "than"});
-      return std::make_unique<Heavier>(domain::ReadWithin(map.At("than"), 1, {0.001, 10}));
+      return std::make_unique<Heavier>(
+          domain::ReadWithin(map.At("than"), domain::kKilograms, {0.001, 10}));
     },
 };
 

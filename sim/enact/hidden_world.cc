@@ -15,7 +15,7 @@ Interval ReadMass(const Value& value) {
   const Interval range = {ends[0], ends[1]};
   if (range.low > range.high || range.low < kMasses.low || range.high > kMasses.high) {
     value.Fail(fmt::format("[{}, {}] kg is no range of masses", range.low, range.high),
-               fmt::format("[low, high] from {} to {} kg", kMasses.low, kMasses.high));
+               fmt::format("[low, high] from {} kg to {} kg", kMasses.low, kMasses.high));
   }
   return range;
 }

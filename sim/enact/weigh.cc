@@ -41,7 +41,7 @@ const SkillWord kWeigh = {
     .read = [](const Value& map, const SkillContext&) -> std::unique_ptr<const Skill> {
       map.AllowOnly({"skill", "error"});
       const auto error = map.Find("error");
-      return std::make_unique<Weigh>(error ? domain::ReadWithin(*error, 1, kErrors)
+      return std::make_unique<Weigh>(error ? domain::ReadWithin(*error, domain::kNewtons, kErrors)
                                            : kDefaultError);
     },
 };

@@ -59,7 +59,7 @@ Simulation ReadSimulation(const Document& document) {
   }
   if (const auto grasp = map->Find("grasp")) simulation.scene.grasp = ReadGrasp(*grasp);
   if (const auto timestep = map->Find("timestep")) {
-    simulation.scene.timestep = domain::ReadWithin(*timestep, 1, kTimesteps);
+    simulation.scene.timestep = domain::ReadWithin(*timestep, domain::kSeconds, kTimesteps);
   }
   if (const auto cameras = map->Find("cameras")) simulation.cameras = ReadCameras(*cameras);
   return simulation;

@@ -53,6 +53,19 @@ VerdictRecord RecordOf(const plan::PlannedStep& step, const check::CertificateVe
           .gate = worst.gate};
 }
 
+// In the order of execution, as a database has them.
+void AddVerdicts(const plan::Plan& plan, const std::vector<check::Claim>& claims,
+                 TimedTrial& timed) {
+  const auto place = [&](const check::CertificateVerdict& verdict) {
+    return plan.step(verdict.step).executed;
+  };
+  timed.verdicts = check::ByStep(claims);
+  std::ranges::sort(timed.verdicts, {}, place);
+  for (const check::CertificateVerdict& verdict : timed.verdicts) {
+    timed.record.verdicts.push_back(RecordOf(plan.step(verdict.step), verdict));
+  }
+}
+
 WorstClaimRecord RecordOf(const plan::Plan& plan, const check::WorstClaim& worst) {
   const check::Claim& claim = worst.claim;
   const plan::PlannedStep& step = plan.step(claim.step);
@@ -167,13 +180,12 @@ TimedTrial Recorded(const plan::Plan& plan, const check::NoisyTrial& trial) {
     timed.claims.push_back(RecordOf(plan.step(claim.step), claim, names[i]));
     timed.record.observations.push_back({names[i], claim.observed});
   }
-  for (const check::CertificateVerdict& verdict : check::ByStep(trial.claims)) {
-    timed.record.verdicts.push_back(RecordOf(plan.step(verdict.step), verdict));
+  AddVerdicts(plan, trial.claims, timed);
+  for (const check::CertificateVerdict& verdict : timed.verdicts) {
     timed.record.counts.Add(verdict.verdict);
   }
   // As a database has them.
   std::ranges::sort(timed.record.observations, {}, &ObservationRecord::claim);
-  std::ranges::sort(timed.record.verdicts, {}, &VerdictRecord::step);
   return timed;
 }
 
@@ -190,10 +202,7 @@ TimedTrial Recorded(const plan::Plan& plan, const Attacked& attacked) {
   }
   std::vector<check::Claim> claims;
   for (const check::WorstClaim& worst : result.worst) claims.push_back(worst.claim);
-  for (const check::CertificateVerdict& verdict : check::ByStep(claims)) {
-    record.verdicts.push_back(RecordOf(plan.step(verdict.step), verdict));
-  }
-  std::ranges::sort(record.verdicts, {}, &VerdictRecord::step);
+  AddVerdicts(plan, claims, timed);
   for (const check::Claim& claim : claims) {
     timed.claims.push_back(RecordOf(plan.step(claim.step), claim, ClaimName(plan, claim)));
   }

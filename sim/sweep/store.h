@@ -45,6 +45,8 @@ struct TimedTrial {
                                          // not matter
   double seconds = 0;
   std::optional<AttackRecord> attack = {};  // if it is one
+  // Those of `record`, in the same order, with all of their claims; they are not kept.
+  std::vector<check::CertificateVerdict> verdicts = {};
 };
 
 // The results of a sweep in an SQLite database, in tables that keep their meaning once released:

@@ -84,8 +84,9 @@ void ReadAxes(const Value& root, Sweep& sweep) {
   ReadAxis(root, "clearances", sweep.clearances, [&](const Value& value) -> std::optional<double> {
     return domain::ReadWithin(value, units.length, kClearances);
   });
-  ReadAxis(root, "error_scales", sweep.error_scales,
-           [](const Value& value) { return domain::ReadWithin(value, 1, kErrorScales); });
+  ReadAxis(root, "error_scales", sweep.error_scales, [](const Value& value) {
+    return domain::ReadWithin(value, domain::kRatio, kErrorScales);
+  });
   ReadAxis(root, "propagation", sweep.propagations,
            Named<uncertainty::Propagation>(PropagationNames()));
   ReadAxis(root, "resolvers", sweep.resolvers,

@@ -300,13 +300,14 @@ std::string OverrideErrorOf(const std::string& text, const Overrides& overrides)
 TEST(Overrides, AClearanceIsChecked) {
   EXPECT_THAT(OverrideErrorOf(kBrick, {.clearance = 0.02}),
               HasSubstr("scenario.yaml:2:1: 0.02 m instead of this clearance is out of range; "
-                        "allowed: 1e-06 to 0.01 m"));
+                        "allowed: 1e-06 m to 0.01 m"));
   EXPECT_THAT(OverrideErrorOf(kBrick + "clearance: 0.02\n", {.clearance = std::nan("")}),
               HasSubstr("scenario.yaml:15:12: nan m instead of this clearance"));
   const std::string tolerant = kBrick + "tolerances: {clearance: 0.01}\n";
   EXPECT_EQ(OverrideErrorOf(tolerant, {}), "no error");
   EXPECT_THAT(OverrideErrorOf(tolerant, {.clearance = 0.0002}),
-              HasSubstr("0.01 is no tolerance of the clearance"));
+              HasSubstr("0.01 inch is no tolerance of the clearance; allowed: 0 inch or more, less "
+                        "than 0.00787402 inch"));
 }
 
 void ExpectScaled(const PoseError& scaled, const PoseError& error, double scale) {

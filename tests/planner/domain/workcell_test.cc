@@ -239,15 +239,22 @@ TEST_F(WrongWorkcell, IsRefused) {
   EXPECT_EQ(MessageWith("tool_lean", "tool_lean"), "no error");
   EXPECT_THAT(MessageWith("tool_lean", "toollean"), HasSubstr("missing key 'tool_lean'"));
   EXPECT_THAT(MessageWith("rules:\n", "rules:\n  gap: 3\n"), HasSubstr("unknown name 'gap'"));
-  EXPECT_THAT(MessageWith("safe_height: 0.40", "safe_height: -1"), HasSubstr("-1 is out of range"));
+  EXPECT_THAT(MessageWith("safe_height: 0.40", "safe_height: -1"),
+              HasSubstr("-1 m is out of range; allowed: 0.01 m to 2 m"));
   EXPECT_THAT(MessageWith("puma762.urdf", "puma763.urdf"), HasSubstr("there is no file"));
-  EXPECT_THAT(MessageWith("196.7716", "300"), HasSubstr("outside the joint limits"));
-  EXPECT_THAT(MessageWith("[90, 150", "[90, 0"), HasSubstr("not positive"));
+  EXPECT_THAT(
+      MessageWith("196.7716", "300"),
+      HasSubstr("outside the joint limits; allowed: for joints 1 to 6: -160 deg to 160 deg, -200 "
+                "deg to 20 deg, -45 "
+                "deg to 225 deg, -266 deg to 266 deg, -100 deg to 100 deg, -266 deg to 266 deg"));
+  EXPECT_THAT(MessageWith("[90, 150", "[90, 0"),
+              HasSubstr("0 deg/s^2, which is not positive; allowed: six numbers above 0 deg/s^2"));
   EXPECT_THAT(MessageWith("[0.30, 1.05]", "[1.05, 0.30]"), HasSubstr("the range goes down"));
   EXPECT_THAT(MessageWith("[0.30, 1.05]", "[0.30, 0.30]"), HasSubstr("no area"));
   EXPECT_THAT(MessageWith("step: 0.10", "step: 0.001"), HasSubstr("601 places"));
   EXPECT_THAT(MessageWith("sensors:", "sensrs:"), HasSubstr("did you mean 'sensors'"));
-  EXPECT_THAT(MessageWith("pad_margin: 0.001", "pad_margin: 1"), HasSubstr("1 is out of range"));
+  EXPECT_THAT(MessageWith("pad_margin: 0.001", "pad_margin: 1"),
+              HasSubstr("1 m is out of range; allowed: 0 m to 0.01 m"));
   EXPECT_THAT(MessageWith("yaws: 12", "yaws: 0"), HasSubstr("from 1 to 72"));
   EXPECT_THAT(MessageWith("[0, 0, 1], [-0.15, 0, 0.70]", "[0, 0, 2], [-0.15, 0, 0.70]"),
               HasSubstr("cannot be in a unit axis"));

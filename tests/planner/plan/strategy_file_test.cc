@@ -162,10 +162,11 @@ TEST(StrategyFile, WhatDoesNotFitIsRefusedAtItsPlace) {
               }),
               HasSubstr("a normal of length 2"));
   EXPECT_THAT(ErrorAfter([](Json& j) { j["certificate"]["d"][1] = -0.001; }),
-              HasSubstr("is below 0"));
+              HasSubstr("-0.001 m is out of range; allowed: 0 m or more"));
   EXPECT_THAT(ErrorAfter([](Json& j) { j["motions"] = Json::array(); }),
               HasSubstr("without motions"));
-  EXPECT_THAT(ErrorAfter([](Json& j) { j["motions"][0]["beyond"] = -1; }), HasSubstr("below 0"));
+  EXPECT_THAT(ErrorAfter([](Json& j) { j["motions"][0]["beyond"] = -1; }),
+              HasSubstr(" is out of range; allowed: 0 or more"));
   EXPECT_THAT(ErrorAfter([](Json& j) { j["motions"][0]["unwanted"][0]["is"] = "mad"; }),
               HasSubstr("'made'"));
   const auto of_unwanted = [](const char* field, const Json& value) {
@@ -173,12 +174,13 @@ TEST(StrategyFile, WhatDoesNotFitIsRefusedAtItsPlace) {
   };
   EXPECT_THAT(of_unwanted("contact", 2), HasSubstr("from 0 to 1"));
   EXPECT_THAT(of_unwanted("contact", "vertex 3 on face 1"), HasSubstr("plan.json:"));
-  EXPECT_THAT(of_unwanted("scale", -1), HasSubstr("below 0"));
+  EXPECT_THAT(of_unwanted("scale", -1), HasSubstr(" is out of range; allowed: 0 or more"));
   EXPECT_THAT(of_unwanted("separation", 1.5), HasSubstr("1.5 is above 1"));
-  EXPECT_THAT(of_unwanted("separation", -0.5), HasSubstr("below 0"));
+  EXPECT_THAT(of_unwanted("separation", -0.5), HasSubstr(" is out of range; allowed: 0 or more"));
   EXPECT_THAT(ErrorAfter([](Json& j) { j["motions"][0]["unwanted"][0].erase("gap"); }),
               HasSubstr("gap"));
-  EXPECT_THAT(ErrorAfter([](Json& j) { j["friction"] = -0.1; }), HasSubstr("below 0"));
+  EXPECT_THAT(ErrorAfter([](Json& j) { j["friction"] = -0.1; }),
+              HasSubstr(" is out of range; allowed: 0 or more"));
   EXPECT_THAT(ErrorAfter([](Json& j) { j["length"] = 0; }), HasSubstr("more than 0"));
   EXPECT_THAT(ErrorAfter([](Json& j) { j.erase("friction"); }), HasSubstr("friction"));
   EXPECT_THAT(ErrorAfter([](Json& j) {

@@ -44,7 +44,8 @@ TEST(TravelFile, TellsWhatIsWrongAndWhere) {
   const std::string q = "[0, 0, 0, 0, 0, 0]";
   expect(R"({"path": [)" + q + R"(], "clearance": 0})", "at least 2");
   expect(R"({"path": [)" + q + R"(, [0, 0]], "clearance": 0})", "2 joint values");
-  expect(R"({"path": [)" + q + "," + q + R"(], "clearance": -1})", "below 0");
+  expect(R"({"path": [)" + q + "," + q + R"(], "clearance": -1})",
+         "-1 m is out of range; allowed: 0 m or more");
   expect(R"({"path": [)" + q + "," + q + R"(], "clearance": 0, "speed": 1})", "speed");
   expect(R"({"path": [)" + q + "," + q + R"(], "clearance": 0, "usual": 1})", "true or false");
 }

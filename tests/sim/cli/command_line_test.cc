@@ -69,6 +69,25 @@ TEST_F(WrongCommandLine, MistypedOption) {
   EXPECT_THAT(Error({"run", "--trails=3", kTwoActions}), HasSubstr("did you mean '--trials'?"));
 }
 
+TEST_F(WrongCommandLine, NumberOutOfRangeIsToldInItsUnit) {
+  EXPECT_THAT(Error({"mate", kTwoActions, "--displacement", "30"}),
+              HasSubstr("--displacement: 30 mm is out of range; allowed: 0 mm to 20 mm"));
+  EXPECT_THAT(Error({"mate", kTwoActions, "--rotation", "-1"}),
+              HasSubstr("--rotation: -1 deg is out of range; allowed: 0 deg to 10 deg"));
+  EXPECT_THAT(Error({"mate", kTwoActions, "--clearance", "101"}),
+              HasSubstr("101 mm is out of range; allowed: 0 mm to 100 mm"));
+  EXPECT_THAT(Error({"check", kTwoActions, "--clearance", "1e3"}),
+              HasSubstr("1e3 mm is out of range; allowed: 0 mm to 10 mm"));
+  EXPECT_THAT(Error({"mate", kTwoActions, "--velocity", "0.2"}),
+              HasSubstr("--velocity: 0.2 is out of range; allowed: 0 to 0.1"));
+  EXPECT_THAT(Error({"run", kTwoActions, "--error-scale", "-1"}),
+              HasSubstr("-1 is out of range; allowed: 0 or more"));
+  EXPECT_THAT(Error({"run", kTwoActions, "--error-scale", "inf"}),
+              HasSubstr("'inf' is no finite number"));
+  EXPECT_THAT(Error({"run", kTwoActions, "--error-scale", "some"}),
+              HasSubstr("'some' is no number"));
+}
+
 TEST_F(WrongCommandLine, OptionBeforeTheVerb) { Error({"--json", "plan", kTwoActions}); }
 
 TEST_F(WrongCommandLine, MissingArgument) {

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -58,6 +59,26 @@ class SweepVerb : public ::testing::Test {
   std::string sweep_;
 };
 
+// "y of peg +0.038 in [-0.025, +0.025] mm, gate 0.016", beside the margin: the figures are those of
+// the JSON, which are in SI.
+void ExpectUnitsOfPeople(const std::string& text, const nlohmann::json& verdicts) {
+  for (const nlohmann::json& verdict : verdicts) {
+    const std::string claim =
+        std::regex_replace(verdict["claim"].get<std::string>(), std::regex("[^\\w ]"), "\\$&");
+    const std::regex row(
+        verdict["action"].get<std::string>() + " .*" + claim +
+        R"( ([-+][\d.]+) in \[[^\]]*\] (mm|deg), gate ([\d.]+) +([-\d.e]+) (mm|deg))");
+    std::smatch match;
+    ASSERT_TRUE(std::regex_search(text, match, row)) << claim << "\n" << text;
+    const double unit = match[2] == "mm" ? 0.001 : std::acos(-1) / 180;
+    const double margin = verdict["margin"];
+    EXPECT_NEAR(std::stod(match[1]) * unit, verdict["observed"].get<double>(), 0.0006 * unit);
+    EXPECT_NEAR(std::stod(match[3]) * unit, verdict["gate"].get<double>(), 0.0006 * unit);
+    EXPECT_NEAR(std::stod(match[4]) * unit, margin, 0.001 * std::abs(margin));
+    EXPECT_EQ(match[2], match[5]);
+  }
+}
+
 TEST_F(SweepVerb, RunsGoesOnAndReplays) {
   const Ended ended = Sweep("a.sqlite", {"--json"});
   const nlohmann::json result = ended.Json();
@@ -78,6 +99,9 @@ TEST_F(SweepVerb, RunsGoesOnAndReplays) {
   const nlohmann::json replayed = Replayed("a.sqlite", "2");
   EXPECT_EQ(replayed["equal"], true) << replayed["differences"];
   EXPECT_EQ(replayed["stored"], replayed["again"]);
+  ASSERT_EQ(replayed["again"]["verdicts"].size(), 2u);
+  ExpectUnitsOfPeople(Assay(WithModels({"replay", folder_ / "a.sqlite", "2"})).out,
+                      replayed["again"]["verdicts"]);
   EXPECT_EQ(replayed["ledger"].size(), 16u);  // four errors of each part and of each hand
   EXPECT_TRUE(std::filesystem::exists(folder_ / "pictures/contact-sheet.png"));
   EXPECT_EQ(Assay(WithModels({"replay", folder_ / "a.sqlite", "3"})).code, 2);

@@ -97,6 +97,21 @@ TEST_F(AttackRecording, HasTheWorstClaimOfEachStepInTheOrderOfExecution) {
             (VerdictRecord{2, "action_1", "violated", "y of peg", 0.75, -0.5, 0.5, -0.25, 0.01}));
 }
 
+// So that a replay tells their units, and before or after which step they are claimed.
+TEST_F(AttackRecording, KeepsTheClaimsOfItsVerdictsAtHand) {
+  const TimedTrial timed = Record();
+  ASSERT_THAT(timed.verdicts, SizeIs(2));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const check::Claim& worst = timed.verdicts[i].worst;
+    EXPECT_EQ(plan_.step(timed.verdicts[i].step).executed, timed.record.verdicts[i].step);
+    EXPECT_EQ(worst.name, timed.record.verdicts[i].claim);
+    EXPECT_EQ(worst.observed, timed.record.verdicts[i].observed);
+    EXPECT_EQ(worst.unit, check::Unit::kMetre);
+  }
+  EXPECT_EQ(timed.verdicts[0].worst.about, Claimed::kPrecondition);
+  EXPECT_EQ(timed.verdicts[1].worst.about, Claimed::kAfter);
+}
+
 TEST_F(AttackRecording, NamesClaimsAsTrialsDo) {
   const TimedTrial timed = Record();
   std::vector<std::string> names;
