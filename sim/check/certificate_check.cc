@@ -106,6 +106,10 @@ class CertificateCheck {
     for (const plan::CertifiedPrecondition& claim : step.certificate.preconditions) {
       if (!done.insert(claim.condition).second) continue;
       if (plan::Absorbs(step.strategy, claim.condition)) continue;
+      if (!IsMeasured(claim.condition)) {
+        assumed_ = assumed_ && MarginOf(claim.condition, {}, step.certificate) > 0;
+        continue;
+      }
       std::vector<Claim> proved;
       std::vector<Claim> not_proved;
       for (const GeometricMeaning& meaning : MeaningsOf(claim.condition, problem_, step, events)) {

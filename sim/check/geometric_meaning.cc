@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -392,6 +393,14 @@ std::vector<GeometricMeaning> MeaningsOf(const std::string& condition,
     return OfMating(condition, problem, meaning, events);
   }
   return OfGrasp(condition, meaning, events);
+}
+
+bool IsMeasured(std::string_view condition) {
+  constexpr auto kMeasured = std::to_array<std::string_view>(
+      {"between fingers", "finger clear", "fingertip", "pad contact", "landing height", "footprint",
+       "neighbour clear", "hand clear", "passing clear", "entry", "slide-in", "tilt", "tip shift",
+       "tip turn", "seat"});
+  return std::ranges::find(kMeasured, condition) != kMeasured.end();
 }
 
 }  // namespace assay::check

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sim/check/step_events.h"
@@ -42,5 +43,9 @@ struct GeometricMeaning {
 std::vector<GeometricMeaning> MeaningsOf(const std::string& condition,
                                          const domain::Problem& problem,
                                          const plan::PlannedStep& step, const StepEvents& events);
+
+// Whether such conditions are among those above. Whether others hold (that pads hold a part, that
+// it stands) is not measured.
+bool IsMeasured(std::string_view condition);
 
 }  // namespace assay::check

@@ -149,6 +149,18 @@ TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
   EXPECT_EQ(Named(held, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kViolated);
 }
 
+// That pads hold a part is not measured: what was not proved of it may have failed.
+TEST_F(CertificateCheckTest, NothingIsClaimedAfterWhatIsNeitherProvedNorMeasured) {
+  auto& preconditions = plan_.steps[kPickup.index()].certificate.preconditions;
+  preconditions.push_back(Precondition("holding", -1));
+  const auto y_of_peg = [&] {
+    return Named(Check(moment_, Displaced(0.012)), Claimed::kAfter, "y of peg").verdict;
+  };
+  EXPECT_EQ(y_of_peg(), ClaimVerdict::kNotClaimed);
+  preconditions.back().margin = kJustProved;
+  EXPECT_EQ(y_of_peg(), ClaimVerdict::kViolated);
+}
+
 TEST_F(CertificateCheckTest, NothingIsClaimedAfterARecovery) {
   const std::vector<Claim> claims = Check(moment_, Displaced(0.012), true);
   EXPECT_EQ(Named(claims, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);
