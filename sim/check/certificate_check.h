@@ -11,8 +11,8 @@ namespace assay::check {
 // Holds the certificates of a plan against what truly happened, for every step that the trace
 // tells of, a whole execution or one that was taken up in between.
 //
-// A proved precondition is to hold by its certified margin, less a tenth. What a certificate says of
-// the end of a step, it says on the assumption that the preconditions of this and of all earlier
+// A proved precondition is to hold by its certified margin, less a tenth. What a certificate says
+// of the end of a step, it says on the assumption that the preconditions of this and of all earlier
 // steps hold. One that the planner could not prove may fail: where it does, or where nothing
 // measures whether it does, nothing is claimed of its step and from then on. Nor is it after a
 // recovery. What a strategy absorbs is no claim. That a step comes to its end and that arm and hand

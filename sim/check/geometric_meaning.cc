@@ -332,6 +332,15 @@ Meanings InMetres(double observed) {
   return meanings;
 }
 
+// A wrist that yields makes room that is not there before the walls push.
+Meanings InsideWalls(double observed, const domain::Problem& problem) {
+  Meanings meanings = InMetres(observed);
+  for (GeometricMeaning& meaning : meanings) {
+    meaning.is_at_least_the_margin = problem.workcell->rules().lateral_compliance == 0;
+  }
+  return meanings;
+}
+
 Meanings OfGrasp(const std::string& condition, const Meaning& meaning, const StepEvents& events) {
   if (events.reached == nullptr) return {};
   if (condition == "between fingers") return meaning.BetweenFingers(*events.reached);
@@ -373,10 +382,11 @@ Meanings OfMating(const std::string& condition, const domain::Problem& problem,
   if (condition == "tip turn") return {meaning.TipError(*events.poised, true)};
   const FitMargins margins =
       MarginsOfFits(problem, meaning.mating(), meaning.MatingMotion(*events.poised));
-  if (condition == "entry") return InMetres(margins.entry);
-  if (condition == "slide-in") return InMetres(margins.slide_in);
+  if (condition == "entry") return InsideWalls(margins.entry, problem);
+  if (condition == "slide-in") return InsideWalls(margins.slide_in, problem);
   if (condition != "tilt") return {};
-  return {{{}, Unit::kRadian, meaning.TiltLimit() - margins.lean}};
+  // The least limit of all axes, and the greatest lean about any of them.
+  return {{{}, Unit::kRadian, meaning.TiltLimit() - margins.lean, false}};
 }
 
 }  // namespace
