@@ -97,9 +97,10 @@ class CertificateCheck {
     }
   }
 
-  // Those of one name are one claim, or two, of what was proved and of what was not. When one fails
-  // that was not proved, neither the others of its step nor what comes after it is claimed: a
-  // finger that comes down on the part moves it before anything else is measured.
+  // Preconditions of one name are one claim, or two: what was proved of them, and what was not. A
+  // precondition that was not proved may fail in a trial, or nothing may measure whether it does.
+  // Then neither the other preconditions of its step nor anything later is claimed: a finger that
+  // comes down on the part has moved it before the next precondition is measured.
   void CheckPreconditions(const plan::PlannedStep& step, const StepEvents& events) {
     std::vector<Claim> claims;
     std::set<std::string> done;
@@ -130,7 +131,7 @@ class CertificateCheck {
             .about = Claimed::kPrecondition,
             .name = proved ? condition : condition + ", not proved",
             .unit = meaning.unit,
-            .predicted = {meaning.is_at_least_the_margin ? Tested(margin) : 0,
+            .predicted = {meaning.is_at_least_the_margin ? Tested(margin, meaning.unit) : 0,
                           std::numeric_limits<double>::infinity()},
             .proved = proved,
             .observed = meaning.observed};
@@ -142,10 +143,11 @@ class CertificateCheck {
         of_one_name, {}, [](const Claim& claim) { return claim.observed - claim.predicted.low; }));
   }
 
-  // What is certified of a margin, less a tenth of it or of the clearance: as the arm yields under
-  // load, what the engine makes of a plan without noise does not tell of the last micrometre.
-  double Tested(double margin) const {
-    const double known = problem_.clearance > 0 ? std::min(margin, problem_.clearance) : margin;
+  // The certified margin, less a tenth of it or, of lengths, of the clearance if that is less. The
+  // arm yields under load by a micrometre, which an execution without noise does not tell.
+  double Tested(double margin, Unit unit) const {
+    const bool has_clearance = unit == Unit::kMetre && problem_.clearance > 0;
+    const double known = has_clearance ? std::min(margin, problem_.clearance) : margin;
     return std::max(0.0, margin - kLeftToTheEngine * known);
   }
 

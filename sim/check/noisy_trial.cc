@@ -24,7 +24,7 @@ std::vector<Claim> ClaimsOf(const Experiment& experiment, const exec::Trace& tra
   return CheckCertificates(experiment.problem, experiment.plan, trace, experiment.gate);
 }
 
-// The same trial with half the timestep, executed when it is asked for.
+// A trial with half the timestep, which is executed when it is first asked for.
 class WithHalfTheTimestep {
  public:
   WithHalfTheTimestep(const Experiment& experiment, exec::ExecutorOptions options)

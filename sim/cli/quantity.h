@@ -22,9 +22,10 @@ inline constexpr double kDegree = kAngleUnit.factor;  // radians
 Unit UnitOf(const std::string& variable);
 // Of a precondition's bound, limit, margin and gap.
 Unit UnitOf(const plan::CertifiedPrecondition& precondition);
-// Of a claim's numbers.
+// The unit in which people are told the numbers of a claim.
 Unit UnitOf(check::Unit unit);
-// Of what is in "m", "rad", "m/s" or "rad/s"; anything else stays as it is.
+// The unit in which people are told what is in "m", "rad", "m/s" or "rad/s"; any other unit stays
+// as it is.
 Unit ShownIn(std::string_view unit);
 
 // "-23.01 mm".

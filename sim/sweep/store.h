@@ -45,7 +45,7 @@ struct TimedTrial {
                                          // not matter
   double seconds = 0;
   std::optional<AttackRecord> attack = {};  // if it is one
-  // Those of `record`, in the same order, with all of their claims; they are not kept.
+  // The verdicts of `record`, in the same order, with all of their claims. They are not stored.
   std::vector<check::CertificateVerdict> verdicts = {};
 };
 
