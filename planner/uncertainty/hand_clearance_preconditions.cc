@@ -185,7 +185,7 @@ Vector3 MovesAsLetGo(const UncertainWorld& world, const LettingGo& work) {
   if (!ComesUpright(world, work.hold, work.X_WorldPart)) {
     const Vector3 up = VerticalInTool(work.X_WorldPart * work.hold.X_PartTool);
     const double across = 2 * world.problem().part(work.part).model->shape().radius();
-    moves.array() += across * LeaningOf(world, up, work.draw).tilt;
+    moves.array() += across * LeaningOf(world, up, work.draw).levelling;
   }
   return moves;
 }

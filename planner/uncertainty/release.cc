@@ -29,7 +29,7 @@ void SetUpright(UncertainWorld& world, PartId part, const Leaning& leaning, Rest
     return world.Declare(fmt::format("{}_{}", what, name), {-magnitude, magnitude}, part);
   };
   error.theta = declare("theta", leaning.twist);
-  const double settled = world.problem().part(part).model->shape().radius() * leaning.tilt;
+  const double settled = world.problem().part(part).model->shape().radius() * leaning.levelling;
   for (Expression& along : error.displacement) along = along + declare("settle", settled);
 }
 
@@ -66,21 +66,25 @@ double TurnOfDrag(const domain::Part& part, const Pose& X_WorldPart, double way)
 
 }  // namespace
 
-// Rotations one after the other about axes that make these angles with the vertical: twists add up,
-// and leaning this way and that adds less than the square of all that leans.
+// The part is turned by `turned` about the tool's axes, and the table turns it back until twist *
+// up is left of that. Whichever axes resist least, what is left lies between the twists at which
+// one axis needs no turning back: whatever is beyond turns farther about each of them. Turning
+// about several axes adds the products of angles.
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw) {
   const HeldError& held = world.held();
+  const auto most = [&](const Expression& angle) { return Magnitude(world.RangeOf(angle)); };
+  Vector3 turned(most(held.tip), most(held.twist), most(draw.theta) + most(held.skew));
   Leaning leaning;
-  const auto add = [&](const Expression& angle, double cosine) {
-    const double most = Magnitude(world.RangeOf(angle));
-    leaning.twist += TwistOf(most, cosine);
-    leaning.tilt += SwingOf(most, cosine);
-  };
-  add(draw.theta, up.z());
-  add(held.skew, up.z());
-  add(held.tip, up.x());
-  add(held.twist, up.y());
-  leaning.twist += leaning.tilt * leaning.tilt;
+  for (const int axis : {0, 1, 2}) leaning.tilt += SwingOf(turned[axis], up[axis]);
+  turned.array() += leaning.tilt * turned.sum();
+  for (const int axis : {0, 1, 2}) {
+    if (up[axis] == 0) continue;
+    const double twist = std::min(std::numbers::pi, turned[axis] / std::abs(up[axis]));
+    Vector3 back = twist * up.cwiseAbs() + turned;
+    back[axis] = 0;
+    leaning.twist = std::max(leaning.twist, twist);
+    leaning.levelling = std::max(leaning.levelling, back.norm());
+  }
   return leaning;
 }
 
@@ -164,7 +168,7 @@ Drag DragOfFixed(const UncertainWorld& world, domain::MatingId id, const plan::H
   double way = problem.workcell->rules().lateral_compliance;
   if (!ComesUpright(world, hold, X_WorldHeld)) {
     const Vector3 up = VerticalInTool(X_WorldHeld * hold.X_PartTool);
-    way += problem.part(mating.held).model->shape().radius() * LeaningOf(world, up, draw).tilt;
+    way += problem.part(mating.held).model->shape().radius() * LeaningOf(world, up, draw).levelling;
   }
   if (way == 0 || !Drags(problem, mating)) return {};
   return {way, TurnOfDrag(problem.part(mating.fixed), X_WorldFixed, way)};

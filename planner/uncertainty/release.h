@@ -10,15 +10,21 @@ namespace assay::uncertainty {
 //
 // A part that comes upright has the hand's rotation, and what it was skewed in the hand. A tool
 // that leans turns the part about its own axis: the table, or the seat of a mating, sets it upright
-// again, which leaves the twist about the vertical, and moves the part by at most the tilt times
-// its greatest radius (paper mode leaves both out).
+// again while the pads still hold it (paper mode leaves that out).
 bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pose& X_WorldPart);
 
-// Of a part in the hand, whose tool sees the vertical as `up`: how much of its rotation is about
-// the vertical, and how much it leans.
+// What the errors of hand and grasp make of a part whose tool sees the vertical as `up`: how far it
+// leans, what turn about the vertical is left of it once the table has levelled it, and the angle
+// of that levelling, by which its points move. Radians.
+//
+// The axis of the levelling is the pads' to choose: they resist turns about the tool's axes, each
+// in its own measure. A hand that leans by a and errs by theta about its approach may leave the
+// part turned by theta / cos a, if the pads give way across the approach, or not at all, if about
+// it.
 struct Leaning {
-  double twist = 0;  // radians
   double tilt = 0;
+  double twist = 0;
+  double levelling = 0;
 };
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw);
 

@@ -35,6 +35,7 @@ Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execu
     const bool moves = std::abs(scene.OpeningSpeed(data)) > kFingersStill;
     if (moves || target < wide) still_since = data.time();
   }
+  scene.CommandGripper(data, wide);
   return open.release ? execution.Stay(kOpeningSettle, Stepping::kContact) : std::nullopt;
 }
 

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "tests/oracle/random_pose.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
 namespace assay::uncertainty::release_test {
@@ -45,9 +49,9 @@ TEST(Release, DisplacesByTheHandAndByTheLeverArmOfItsTurn) {
               errors.hand + std::abs(lever.x()) * turn, 1e-6);
 }
 
-// A tool that leans by a turns the part about its own axis; upright again, it keeps the twist,
-// tan(yaw / 2) = cos(a) tan(turn / 2), and more may have been added by the settling alone.
-TEST(Release, LeaningTheYawIsTheTwistOfTheHands) {
+// A tool that leans by a turns the part about its own approach. If the pads give way only across
+// it, tan(yaw / 2) = tan(turn / 2) / cos(a) is left when the part is upright.
+TEST(Release, LeaningTheTableMayAddToTheHandsTurn) {
   const Errors errors{.hand = 1e-3};
   const domain::Problem problem = UprightBlock(errors);
   plan::Hold hold = HoldFromAbove(problem, Vector3::UnitX());
@@ -55,9 +59,47 @@ TEST(Release, LeaningTheYawIsTheTwistOfTheHands) {
   hold.X_PartTool = hold.X_PartTool * geometry::RotationY(lean);
   UncertainWorld world(problem, Propagation::kSound);
   const RestingError error = LetGo(world, hold).error;
-  const double twist = 2 * std::atan(std::cos(lean) * std::tan(10 * errors.hand / 2));
+  const double twist = 2 * std::atan(std::tan(10 * errors.hand / 2) / std::cos(lean));
   EXPECT_GE(Magnitude(world.TightRangeOf(error.theta)), twist - 1e-15);
   EXPECT_LE(Magnitude(world.TightRangeOf(error.theta)), 1.01 * twist);
+}
+
+// What is left of a turn about the vertical where the pads' resistance to each axis is `weights`
+// times the angle (friction), or times half its square (springs): the least work levels the part.
+double LeftAfterFriction(const Vector3& turned, const Vector3& up, const Vector3& weights) {
+  const auto work = [&](double twist) { return weights.dot((turned - twist * up).cwiseAbs()); };
+  const Vector3 ends = turned.cwiseQuotient(up);
+  return *std::min_element(ends.begin(), ends.end(),
+                           [&](double a, double b) { return work(a) < work(b); });
+}
+
+double LeftAfterSprings(const Vector3& turned, const Vector3& up, const Vector3& weights) {
+  return weights.dot(turned.cwiseProduct(up)) / weights.dot(up.cwiseAbs2());
+}
+
+TEST(LeaningOf, BoundsWhatPadsOfAnyStiffnessLeave) {
+  RandomStream random(3, "pads");
+  const domain::Problem problem = UprightBlock({.hand = 1e-3});
+  for (int i = 0; i < 500; ++i) {
+    const Vector3 up = oracle::RandomRotation(random).col(0);
+    const Vector3 most(random.Uniform(0, 0.03), random.Uniform(0, 0.03), 10e-3);
+    UncertainWorld world(problem, Propagation::kSound);
+    HeldError held = {.x = 0, .z = 0};
+    held.tip = world.Declare("tip", {-most.x(), most.x()}, kBlock);
+    held.twist = world.Declare("twist", {-most.y(), most.y()}, kBlock);
+    world.SetHeld(kBlock, held);
+    const Leaning leaning = LeaningOf(world, up, world.DrawManipulator());
+    const Vector3 signs(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1));
+    const Vector3 turned = most.cwiseProduct(signs.cwiseSign());
+    const Vector3 weights(std::exp(random.Uniform(-3, 3)), std::exp(random.Uniform(-3, 3)),
+                          std::exp(random.Uniform(-3, 3)));
+    for (const double twist :
+         {LeftAfterFriction(turned, up, weights), LeftAfterSprings(turned, up, weights)}) {
+      EXPECT_LE(std::abs(twist), leaning.twist + 1e-12);
+      EXPECT_LE((turned - twist * up).norm(), leaning.levelling + 1e-12);
+    }
+    EXPECT_LE((turned - turned.dot(up) * up).norm(), leaning.tilt + 1e-6);
+  }
 }
 
 }  // namespace
