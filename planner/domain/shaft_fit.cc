@@ -157,6 +157,14 @@ std::vector<Slot> SlotsOf(const std::vector<SideWall>& walls) {
   return slots;
 }
 
+std::string NameOf(const ShaftFit& fit, const Slot& slot) {
+  constexpr double kShown = 1e4;
+  Vector3 across = (slot.across * kShown).array().round() / kShown;
+  across.array() += 0.0;  // no zero has a sign
+  return fmt::format("{} across ({:.4g}, {:.4g}, {:.4g})", fit.name, across.x(), across.y(),
+                     across.z());
+}
+
 bool HoldAllAround(const std::vector<Slot>& slots) { return slots.size() >= 2; }
 
 bool HasShaftInHole(const Problem& problem, const Mating& mating) {

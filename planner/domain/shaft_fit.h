@@ -44,6 +44,8 @@ struct Slot {
 };
 // One for each direction across which the hole has walls on both sides, the narrowest there.
 std::vector<Slot> SlotsOf(const std::vector<SideWall>& walls);
+// "shaft of peg in hole of block across (0, 1, 0)": the slot's direction is of the hole's part.
+std::string NameOf(const ShaftFit& fit, const Slot& slot);
 // Whether walls face each other in more than one direction, so that nothing can leave between them.
 bool HoldAllAround(const std::vector<Slot>& slots);
 

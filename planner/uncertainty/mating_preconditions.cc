@@ -124,7 +124,7 @@ class FitConditions {
       const double clearance = slot.high - slot.low - width;
       const double wedging =
           worst_.friction > 0 ? clearance / (worst_.friction * width) : kInfinity;
-      conditions_.Within("tilt", fmt::format("{} neither touches twice nor wedges", fit_.name),
+      conditions_.Within("tilt", fmt::format("{} neither touches twice nor wedges", NameOf(fit_, slot)),
                          algebra::Dot(AsVector(across), direction),
                          std::min(clearance / depth, wedging));
     }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "planner/domain/shaft_fit.h"
+
 namespace assay::check {
 namespace {
 
@@ -91,15 +93,6 @@ class Fit {
     return worst;
   }
 
-  double Lean(const Pose& X_HoleShaft) const {
-    const Vector3 axis = X_HoleShaft.linear() * shaft_.X_PartFeature.linear().col(2);
-    double lean = 0;
-    for (const int column : {0, 1}) {
-      lean = std::max(lean, std::abs(hole_.X_PartFeature.linear().col(column).dot(axis)));
-    }
-    return lean;
-  }
-
   double bevel() const { return hole_.chamfer + shaft_.chamfer; }
 
  private:
@@ -126,14 +119,13 @@ void Narrow(const Fit& fit, const domain::Mating& mating, const Motion& motion, 
   const double in_mouth = fit.InsideWalls(seen(entering), 0);
   margins.entry = std::min(margins.entry, in_mouth + fit.bevel());
   margins.slide_in = std::min({margins.slide_in, in_mouth, fit.InsideWalls(seen(seated), depth)});
-  margins.lean = std::max(margins.lean, fit.Lean(seen(seated)));
 }
 
 }  // namespace
 
 FitMargins MarginsOfFits(const domain::Problem& problem, const domain::Mating& mating,
                          const Motion& motion) {
-  FitMargins margins = {.entry = kInfinity, .slide_in = kInfinity, .lean = 0};
+  FitMargins margins = {.entry = kInfinity, .slide_in = kInfinity};
   const PartModel& held_model = *problem.part(mating.held).model;
   const PartModel& fixed_model = *problem.part(mating.fixed).model;
   for (const auto& [of_held, of_fixed] : mating.features) {
@@ -146,6 +138,19 @@ FitMargins MarginsOfFits(const domain::Problem& problem, const domain::Mating& m
     }
   }
   return margins;
+}
+
+std::vector<Lean> LeansInSlots(const domain::Problem& problem, const domain::Mating& mating,
+                               const Motion& motion) {
+  std::vector<Lean> leans;
+  for (const domain::ShaftFit& fit : domain::FitsOf(problem, mating)) {
+    const Pose X_HoleShaft = fit.shaft_is_held ? motion.X_FixedHeld : motion.X_FixedHeld.inverse();
+    const Vector3 axis = X_HoleShaft.linear() * fit.shaft.X_PartFeature.linear().col(2);
+    for (const domain::Slot& slot : domain::SlotsOf(domain::SideWalls(fit, 0))) {
+      leans.push_back({NameOf(fit, slot), std::abs(slot.across.dot(axis))});
+    }
+  }
+  return leans;
 }
 
 }  // namespace assay::check

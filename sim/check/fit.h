@@ -1,6 +1,8 @@
 #pragma once
 
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "planner/domain/problem.h"
 
@@ -15,15 +17,21 @@ struct Motion {
 };
 
 // By how much shafts fit into their holes in this motion, the worst of all pairs of a mating;
-// infinite if it has none. Metres and radians.
+// infinite if it has none. Metres.
 struct FitMargins {
   double entry = 0;     // of the tip's corners inside the walls, in the plane of the mouth
   double slide_in = 0;  // of the engaged shaft's corners inside the walls, at the seat and with the
                         // tip in the mouth, without bevels
-  double lean = 0;      // the sine of the angle that the shaft's axis makes with the hole's planes
-                        // of symmetry
 };
 FitMargins MarginsOfFits(const domain::Problem& problem, const domain::Mating& mating,
                          const Motion& motion);
+
+// How far shafts lean across the slots of their holes.
+struct Lean {
+  std::string slot;  // domain::NameOf
+  double sine = 0;   // of the angle between the shaft's axis and the slot's walls
+};
+std::vector<Lean> LeansInSlots(const domain::Problem& problem, const domain::Mating& mating,
+                               const Motion& motion);
 
 }  // namespace assay::check

@@ -296,12 +296,24 @@ class Meaning {
     if (!of_turn) return {{}, Unit::kMetre, (absorbed.d - shift.cwiseAbs()).minCoeff()};
     return {{}, Unit::kRadian, (absorbed.w - (turn.angle() * turn.axis()).cwiseAbs()).minCoeff()};
   }
-  double TiltLimit() const {
-    double limit = kInfinity;
-    for (const plan::CertifiedPrecondition& claim : step_.certificate.preconditions) {
-      if (claim.condition == "tilt") limit = std::min(limit, std::abs(claim.limit));
+  // Shafts that are alike may share a precondition: then the least limit of all is theirs.
+  std::vector<GeometricMeaning> Tilts(const exec::Moment& poised) const {
+    std::vector<GeometricMeaning> meanings;
+    for (const Lean& lean : LeansInSlots(problem_, mating(), MatingMotion(poised))) {
+      const std::string subject = lean.slot + " neither touches twice nor wedges";
+      meanings.push_back({subject, Unit::kRadian, LeastLimit("tilt", subject) - lean.sine});
     }
-    return limit;
+    return meanings;
+  }
+  double LeastLimit(const std::string& condition, const std::string& subject) const {
+    double of_all = kInfinity;
+    double of_subject = kInfinity;
+    for (const plan::CertifiedPrecondition& claim : step_.certificate.preconditions) {
+      if (claim.condition != condition) continue;
+      of_all = std::min(of_all, std::abs(claim.limit));
+      if (claim.meaning == subject) of_subject = std::min(of_subject, std::abs(claim.limit));
+    }
+    return std::isfinite(of_subject) ? of_subject : of_all;
   }
 
   // Along the tool's y, as the grasp numbers them.
@@ -380,13 +392,12 @@ Meanings OfMating(const std::string& condition, const domain::Problem& problem,
   if (condition == "passing clear") return meaning.PassingClear(*events.poised);
   if (condition == "tip shift") return {meaning.TipError(*events.poised, false)};
   if (condition == "tip turn") return {meaning.TipError(*events.poised, true)};
+  if (condition == "tilt") return meaning.Tilts(*events.poised);
   const FitMargins margins =
       MarginsOfFits(problem, meaning.mating(), meaning.MatingMotion(*events.poised));
   if (condition == "entry") return InsideWalls(margins.entry, problem);
   if (condition == "slide-in") return InsideWalls(margins.slide_in, problem);
-  if (condition != "tilt") return {};
-  // The least limit of all axes, and the greatest lean about any of them.
-  return {{{}, Unit::kRadian, meaning.TiltLimit() - margins.lean, false}};
+  return {};
 }
 
 }  // namespace

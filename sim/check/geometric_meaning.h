@@ -36,7 +36,7 @@ struct GeometricMeaning {
 //                    to nothing before its shafts come to the mouths of their holes
 //   entry, slide-in  the shaft, moved along the mating motion from where it was poised, is inside
 //                    the walls of its hole: with its tip in the mouth; and at its seat
-//   tilt             the shaft's axis leans in the hole by less than the certificate's limit
+//   tilt             the shaft's axis leans across each pair of walls by less than the limit
 //   tip shift, tip turn  the tip is where it is believed to be, where its strategy starts, but for
 //                    what the strategy absorbs
 //   seat             the motion meets its end on the guarded way

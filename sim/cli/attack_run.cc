@@ -142,6 +142,23 @@ class AttackReport {
     return fmt::format("violated in {} of {} attempts\n", violated, result_.attempts);
   }
 
+  // Steps of which "not falsified" says less than it seems to.
+  std::string HardlyTested() const {
+    constexpr double kOften = 0.05;  // of a step's attempts
+    std::string text;
+    for (const plan::StepId id : plan_.ExecutionOrder()) {
+      const check::VerdictCounts& counts = result_.certificates[id.index()];
+      const auto all = static_cast<double>(counts.Total());
+      const auto inconclusive = static_cast<double>(counts.inconclusive);
+      if (inconclusive <= kOften * all) continue;
+      text += fmt::format(
+          "{} of the {} attempts on step {} ({:.0f} %) are inconclusive: something came closer to "
+          "its bound than the engine can tell\n",
+          counts.inconclusive, counts.Total(), plan_.step(id).executed, 100 * inconclusive / all);
+    }
+    return text;
+  }
+
   std::string Ratios() const {
     if (!run_.conservatism) return {};
     Table table({{"variable"},
@@ -177,7 +194,7 @@ class AttackReport {
                           result_.failed_approaches);
     }
     if (!result_.noiseless.Holds()) return text + Text(plan_, result_.noiseless, experiment_.gate);
-    text += "\n" + Outcome(total.violated);
+    text += "\n" + Outcome(total.violated) + HardlyTested();
     text += Interruption::Text(result_.attempts, run_.attempts, "attempts");
     if (Interruption::Requested() && run_.conservatism) {
       text += fmt::format("how much more noise it takes was measured of {} variables\n",
