@@ -15,9 +15,9 @@
 #include "bench/harness/contest.h"
 #include "bench/workloads/measured_expressions.h"
 #include "bench/workloads/transform_chains.h"
-#include "planner/algebra/bounds.h"
-#include "planner/algebra/interval_arithmetic.h"
-#include "planner/algebra/simplify.h"
+#include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/expression/simplify.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
 #ifdef ASSAY_PEER_BOOST_INTERVAL
 #include "bench/peers/boost_interval.h"
 #endif

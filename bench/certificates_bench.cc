@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bench/pick_and_place.h"
-#include "planner/uncertainty/certify.h"
+#include "planner/uncertainty/preconditions/certify.h"
 
 namespace assay {
 namespace {

@@ -6,10 +6,10 @@
 
 #include "bench/harness/contest.h"
 #include "bench/workloads/pegs.h"
-#include "planner/domain/problem_file.h"
-#include "planner/finemotion/contact_chain.h"
-#include "planner/finemotion/contact_graph.h"
-#include "planner/finemotion/mating.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/finemotion/contacts/mating.h"
+#include "planner/finemotion/graph/contact_chain.h"
+#include "planner/finemotion/graph/contact_graph.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::finemotion {

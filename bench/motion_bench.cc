@@ -7,10 +7,10 @@
 
 #include "bench/harness/contest.h"
 #include "planner/base/random.h"
-#include "planner/domain/problem_file.h"
-#include "planner/motion/joint_trajectory.h"
-#include "planner/motion/path_search.h"
-#include "planner/motion/swept_volume.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/motion/clear/swept_volume.h"
+#include "planner/motion/path/joint_trajectory.h"
+#include "planner/motion/path/path_search.h"
 
 namespace assay::motion {
 namespace {

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/domain/problem_file.h"
-#include "planner/plan/plan.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/plan/data/plan.h"
 
 // The workload of the growth test and of its benchmark: one part, picked up and put down n times.
 namespace assay::bench {

@@ -4,7 +4,7 @@
 
 #include "bench/harness/contest.h"
 #include "planner/assembly/certified_plan.h"
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 #include "planner/posting/posting_planner.h"
 
 namespace assay {

@@ -9,7 +9,7 @@
 
 #include "bench/harness/contest.h"
 #include "planner/posting/posting_planner.h"
-#include "sim/exec/executor.h"
+#include "sim/exec/execution/executor.h"
 #include "sim/scenario/scenario.h"
 
 namespace assay {

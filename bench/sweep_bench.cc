@@ -37,9 +37,9 @@
 #include <vector>
 
 #include "planner/base/check.h"
-#include "sim/exec/executor.h"
-#include "sim/sweep/machine.h"
-#include "sim/sweep/runner.h"
+#include "sim/exec/execution/executor.h"
+#include "sim/sweep/run/machine.h"
+#include "sim/sweep/run/runner.h"
 
 namespace assay {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/algebra/bound_file.h"
+#include "planner/algebra/bounds/bound_file.h"
 
 namespace assay::workloads {
 

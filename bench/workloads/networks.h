@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planner/base/random.h"
-#include "planner/network/network.h"
+#include "planner/network/network/network.h"
 
 namespace assay::workloads {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/finemotion/maneuver.h"
+#include "planner/finemotion/search/maneuver.h"
 
 namespace assay::workloads {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/base/random.h"
-#include "planner/finemotion/forward_projection.h"
+#include "planner/finemotion/graph/forward_projection.h"
 
 namespace assay::workloads {
 

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <string_view>
 
-#include "planner/algebra/transform.h"
+#include "planner/algebra/expression/transform.h"
 
 namespace assay::workloads {
 

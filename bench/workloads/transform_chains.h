@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/algebra/expression.h"
+#include "planner/algebra/expression/expression.h"
 #include "planner/base/random.h"
 
 namespace assay::workloads {

@@ -8,8 +8,8 @@
 #include "planner/assembly/open_poses.h"
 #include "planner/assembly/plan_check.h"
 #include "planner/base/check.h"
-#include "planner/contingent/contingent_planner.h"
-#include "planner/uncertainty/certify.h"
+#include "planner/contingent/search/contingent_planner.h"
+#include "planner/uncertainty/preconditions/certify.h"
 
 namespace assay::assembly {
 namespace {
@@ -28,8 +28,8 @@ std::vector<plan::Sense> LooksAt(const domain::Problem& world,
   return looks;
 }
 
-// Whether each kind of precondition of which all is proved in the plan's own world is proved in this
-// one. What is said of the arm's ways is computed anew where the plan is checked.
+// Whether each kind of precondition of which all is proved in the plan's own world is proved in
+// this one. What is said of the arm's ways is computed anew where the plan is checked.
 bool IsAsCertain(const domain::Problem& world, const plan::Plan& plan,
                  const posting::UncertaintyOptions& options) {
   uncertainty::UncertainWorld uncertain(world, options.propagation);

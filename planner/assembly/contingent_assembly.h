@@ -6,7 +6,7 @@
 
 #include "planner/assembly/plan_knowledge.h"
 #include "planner/base/outcome.h"
-#include "planner/contingent/plan_tree.h"
+#include "planner/contingent/tree/plan_tree.h"
 #include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 
 namespace assay::assembly {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "planner/assembly/strategy_reach.h"
-#include "planner/finemotion/likely_errors.h"
+#include "planner/finemotion/search/likely_errors.h"
 #include "planner/posting/resolvers/moment.h"
 #include "planner/posting/resolvers/sensing_resolver.h"
 

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/finemotion/mating.h"
+#include "planner/finemotion/contacts/mating.h"
 #include "planner/posting/resolvers/resolver.h"
-#include "planner/uncertainty/tip_error.h"
+#include "planner/uncertainty/errors/tip_error.h"
 
 namespace assay::assembly {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 
 namespace assay::assembly {
 

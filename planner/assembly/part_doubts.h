@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "planner/domain/problem.h"
-#include "planner/plan/plan.h"
-#include "planner/plan/world_state.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/plan/check/world_state.h"
+#include "planner/plan/data/plan.h"
 
 namespace assay::assembly {
 

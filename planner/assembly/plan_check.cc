@@ -10,7 +10,7 @@
 
 #include "planner/assembly/fine_motion_resolver.h"
 #include "planner/assembly/travel_plan.h"
-#include "planner/finemotion/strategy_check.h"
+#include "planner/finemotion/replay/strategy_check.h"
 
 namespace assay::assembly {
 namespace {

@@ -11,10 +11,10 @@
 
 #include "planner/assembly/open_poses.h"
 #include "planner/base/check.h"
-#include "planner/contingent/grounding.h"
-#include "planner/contingent/pks_file.h"
-#include "planner/contingent/pks_lexer.h"
-#include "planner/contingent/spelling.h"
+#include "planner/contingent/format/pks_file.h"
+#include "planner/contingent/format/pks_lexer.h"
+#include "planner/contingent/grounding/grounding.h"
+#include "planner/contingent/language/spelling.h"
 
 namespace assay::assembly {
 namespace {

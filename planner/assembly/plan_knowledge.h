@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "planner/contingent/ground_task.h"
-#include "planner/domain/problem.h"
-#include "planner/plan/plan.h"
+#include "planner/contingent/grounding/ground_task.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/plan/data/plan.h"
 
 namespace assay::assembly {
 

@@ -2,8 +2,8 @@
 
 #include <utility>
 
-#include "planner/uncertainty/certify.h"
-#include "planner/uncertainty/tool_doubt.h"
+#include "planner/uncertainty/errors/tool_doubt.h"
+#include "planner/uncertainty/preconditions/certify.h"
 
 namespace assay::assembly {
 namespace {

@@ -4,13 +4,13 @@
 #include <vector>
 
 #include "planner/assembly/part_doubts.h"
-#include "planner/domain/problem.h"
-#include "planner/motion/collision_scene.h"
-#include "planner/plan/plan.h"
-#include "planner/plan/tool_doubt.h"
-#include "planner/plan/tool_route.h"
-#include "planner/plan/world_state.h"
-#include "planner/uncertainty/uncertain_world.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/motion/clear/collision_scene.h"
+#include "planner/plan/check/world_state.h"
+#include "planner/plan/data/plan.h"
+#include "planner/plan/data/tool_doubt.h"
+#include "planner/plan/data/tool_route.h"
+#include "planner/uncertainty/errors/uncertain_world.h"
 
 namespace assay::assembly {
 

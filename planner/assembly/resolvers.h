@@ -3,9 +3,9 @@
 #include <memory>
 #include <vector>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 #include "planner/posting/resolvers/resolver.h"
-#include "planner/uncertainty/uncertain_pose.h"
+#include "planner/uncertainty/errors/uncertain_pose.h"
 
 namespace assay::assembly {
 

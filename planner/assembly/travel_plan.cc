@@ -6,16 +6,16 @@
 #include <utility>
 #include <variant>
 
-#include "planner/algebra/text.h"
+#include "planner/algebra/expression/text.h"
 #include "planner/assembly/part_doubts.h"
 #include "planner/assembly/plan_walk.h"
 #include "planner/assembly/way_conditions.h"
 #include "planner/base/check.h"
-#include "planner/motion/path_search.h"
-#include "planner/motion/straight_line.h"
-#include "planner/motion/sway.h"
-#include "planner/motion/travel.h"
-#include "planner/plan/condition_kind.h"
+#include "planner/motion/clear/sway.h"
+#include "planner/motion/path/path_search.h"
+#include "planner/motion/path/straight_line.h"
+#include "planner/motion/path/travel.h"
+#include "planner/plan/data/condition_kind.h"
 
 namespace assay::assembly {
 namespace {

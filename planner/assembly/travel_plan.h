@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "planner/domain/problem.h"
-#include "planner/plan/checker.h"
-#include "planner/plan/plan.h"
-#include "planner/uncertainty/uncertain_pose.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/plan/check/checker.h"
+#include "planner/plan/data/plan.h"
+#include "planner/uncertainty/errors/uncertain_pose.h"
 
 namespace assay::assembly {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <utility>
 
-#include "planner/algebra/bounds.h"
-#include "planner/algebra/text.h"
+#include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/expression/text.h"
 
 namespace assay::assembly {
 namespace {

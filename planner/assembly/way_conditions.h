@@ -3,8 +3,8 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/motion/sway.h"
-#include "planner/plan/certificate.h"
+#include "planner/motion/clear/sway.h"
+#include "planner/plan/data/certificate.h"
 
 namespace assay::assembly {
 

@@ -3,7 +3,7 @@
 namespace assay {
 
 // A closed interval of numbers, low <= high; an end may be infinite. Its arithmetic, rounded
-// outward, is in planner/algebra/interval_arithmetic.h.
+// outward, is in planner/algebra/numeric/interval_arithmetic.h.
 struct Interval {
   double low = 0;
   double high = 0;

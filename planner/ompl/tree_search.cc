@@ -1,4 +1,4 @@
-#include "planner/motion/tree_search.h"
+#include "planner/motion/path/tree_search.h"
 
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>

@@ -1,7 +1,7 @@
 #include "planner/posting/geometric_relations.h"
 
-#include "planner/domain/condition.h"
-#include "planner/domain/reachability.h"
+#include "planner/domain/actions/condition.h"
+#include "planner/domain/reach/reachability.h"
 
 namespace assay::posting {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "planner/domain/known_reachability.h"
-#include "planner/network/relation.h"
+#include "planner/domain/reach/known_reachability.h"
+#include "planner/network/network/relation.h"
 
 namespace assay::posting {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "planner/base/check.h"
-#include "planner/domain/resting.h"
+#include "planner/domain/part/resting.h"
 
 namespace assay::posting {
 

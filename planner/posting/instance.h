@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "planner/base/budget.h"
-#include "planner/plan/plan.h"
+#include "planner/plan/data/plan.h"
 #include "planner/posting/objection.h"
 #include "planner/posting/partial_plan.h"
 #include "planner/posting/step_geometry.h"

@@ -4,7 +4,7 @@
 #include <limits>
 #include <queue>
 
-#include "planner/domain/condition.h"
+#include "planner/domain/actions/condition.h"
 
 namespace assay::posting {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "planner/domain/problem.h"
-#include "planner/network/relation.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/network/network/relation.h"
 
 namespace assay::posting {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "planner/base/budget.h"
-#include "planner/plan/plan.h"
+#include "planner/plan/data/plan.h"
 
 namespace assay::posting {
 

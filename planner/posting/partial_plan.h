@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "planner/domain/action_template.h"
-#include "planner/network/conflict.h"
-#include "planner/network/network.h"
+#include "planner/domain/actions/action_template.h"
+#include "planner/network/network/conflict.h"
+#include "planner/network/network/network.h"
 #include "planner/posting/geometric_relations.h"
 #include "planner/posting/ordering_graph.h"
 

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "planner/base/budget.h"
-#include "planner/domain/mating_classes.h"
+#include "planner/domain/mating/mating_classes.h"
 #include "planner/posting/impossibility/impossibility.h"
 #include "planner/posting/instance.h"
 #include "planner/posting/least_actions.h"

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
-#include "planner/domain/problem.h"
-#include "planner/plan/plan.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/plan/data/plan.h"
 #include "planner/posting/geometric_relations.h"
 #include "planner/posting/objection.h"
 

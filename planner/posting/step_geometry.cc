@@ -1,6 +1,6 @@
 #include "planner/posting/step_geometry.h"
 
-#include "planner/domain/resting.h"
+#include "planner/domain/part/resting.h"
 
 namespace assay::posting {
 

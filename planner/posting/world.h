@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "planner/domain/reachability.h"
+#include "planner/domain/reach/reachability.h"
 
 namespace assay::posting {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "planner/domain/problem.h"
-#include "planner/domain/shaft_fit.h"
+#include "planner/domain/mating/shaft_fit.h"
+#include "planner/domain/problem/problem.h"
 #include "sim/render/close_up.h"
 #include "sim/scene/scene.h"
 

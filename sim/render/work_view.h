@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 #include "sim/render/close_up.h"
 #include "sim/scene/scene.h"
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "planner/domain/model_path.h"
+#include "planner/domain/workcell/model_path.h"
 
 namespace assay::scenario {
 

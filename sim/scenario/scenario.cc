@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "planner/base/document.h"
-#include "planner/domain/units.h"
+#include "planner/domain/problem/units.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::scenario {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 
 namespace assay::scene {
 

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "planner/domain/workcell.h"
+#include "planner/domain/workcell/workcell.h"
 #include "sim/scene/xml_element.h"
 
 namespace assay::scene {

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 #include "planner/kinematics/arm.h"
 #include "sim/mujoco/contact.h"
 #include "sim/mujoco/data.h"

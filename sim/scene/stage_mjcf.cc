@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
-#include "planner/domain/floor.h"
+#include "planner/domain/workcell/floor.h"
 #include "sim/scene/mjcf.h"
 
 namespace assay::scene {

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 #include "sim/scene/xml_element.h"
 
 namespace assay::scene {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "planner/domain/problem.h"
-#include "planner/domain/reachability.h"
-#include "planner/domain/uncertainty_operations.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/domain/reach/reachability.h"
+#include "planner/domain/workcell/uncertainty_operations.h"
 #include "sim/sense/displacement.h"
 #include "sim/sense/pose_sensor.h"
 
@@ -30,10 +30,10 @@ struct CalibrationPlacement {
 // errors of scenarios are, with something to spare. The table's height under a part is part of it.
 const Displacement& CalibratedDisplacement();  // to each side
 
-// The placement with this number of the problem's sequence with this seed. Stable poses, places and yaws are
-// drawn anew for each part: uniform over the table that the sensor looks at, wholly on it, with the
-// workcell's gap between parts. Displacements are uniform within the bounds where the number
-// is odd, and at their corners where it is even. None if there is no room for all parts.
+// The placement with this number of the problem's sequence with this seed. Stable poses, places and
+// yaws are drawn anew for each part: uniform over the table that the sensor looks at, wholly on it,
+// with the workcell's gap between parts. Displacements are uniform within the bounds where the
+// number is odd, and at their corners where it is even. None if there is no room for all parts.
 std::optional<CalibrationPlacement> DrawCalibrationPlacement(const domain::Problem& problem,
                                                              std::uint64_t seed, int number);
 

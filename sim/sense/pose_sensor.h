@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 #include "sim/mujoco/data.h"
 
 namespace assay::sense {

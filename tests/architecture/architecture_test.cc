@@ -93,21 +93,24 @@ TEST_F(BrokenTree, UnknownLibraryInTheTable) {
 
 TEST_F(BrokenTree, BordersAreSeen) {
   Write("planner/geometry/box.h", "#pragma once\n#include \"planner/base/id.h\"\n");
-  Write("planner/geometry/hull.cc", "\n#include \"planner/plan/plan.h\"\n#include \"box.h\"\n");
+  Write("planner/geometry/hull.cc",
+        "\n#include \"planner/plan/data/plan.h\"\n#include \"box.h\"\n");
   EXPECT_THAT(
       CrossedBorders(root_),
-      ElementsAre("planner/geometry/hull.cc:2: planner/plan/plan.h: is not of a library that "
+      ElementsAre("planner/geometry/hull.cc:2: planner/plan/data/plan.h: is not of a library that "
                   "planner/geometry uses",
                   "planner/geometry/hull.cc:3: box.h: is not written from the root"));
 }
 
 TEST_F(BrokenTree, MujocoLineIsSeen) {
-  Write("planner/plan/plan.cc", "#include <mujoco/mujoco.h>\n#include \"sim/scene/scene.h\"\n");
+  Write("planner/plan/data/plan.cc",
+        "#include <mujoco/mujoco.h>\n#include \"sim/scene/scene.h\"\n");
   Write("sim/scene/scene.cc", "#include <mujoco/mujoco.h>\n");
   EXPECT_THAT(
       CrossedMujocoLine(root_),
-      ElementsAre("planner/plan/plan.cc:1: mujoco/mujoco.h: the planner knows no simulator",
-                  "planner/plan/plan.cc:2: sim/scene/scene.h: the planner knows no simulator"));
+      ElementsAre(
+          "planner/plan/data/plan.cc:1: mujoco/mujoco.h: the planner knows no simulator",
+          "planner/plan/data/plan.cc:2: sim/scene/scene.h: the planner knows no simulator"));
 }
 
 TEST_F(BrokenTree, LateOwnHeaderIsSeen) {
@@ -126,7 +129,7 @@ TEST_F(BrokenTree, HeavyHeaderIsSeen) {
 
 TEST_F(BrokenTree, StrayFileIsSeen) {
   Write("planner/stray/stray.cc", "");
-  Write("sim/cli/main.cc", "");
+  Write("sim/cli/program/main.cc", "");
   EXPECT_THAT(FilesOfNoLibrary(root_),
               ElementsAre("planner/stray/stray.cc:1: no line of the table of libraries covers it"));
 }

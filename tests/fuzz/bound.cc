@@ -1,7 +1,7 @@
 // Expressions to be bounded: read, and bounded with a small budget.
 
-#include "planner/algebra/bound_file.h"
-#include "planner/algebra/bounds.h"
+#include "planner/algebra/bounds/bound_file.h"
+#include "planner/algebra/bounds/bounds.h"
 #include "planner/base/check.h"
 #include "tests/fuzz/reader_input.h"
 

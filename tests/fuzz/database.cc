@@ -1,9 +1,9 @@
 // The database of a sweep: opened, summed up and reported.
 
-#include "sim/report/findings.h"
-#include "sim/report/page.h"
-#include "sim/sweep/store.h"
-#include "sim/sweep/summary.h"
+#include "sim/report/page/page.h"
+#include "sim/report/sections/findings.h"
+#include "sim/sweep/store/store.h"
+#include "sim/sweep/store/summary.h"
 #include "tests/fuzz/reader_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "planner/base/check.h"
-#include "planner/contingent/contingent_planner.h"
-#include "planner/contingent/externs.h"
-#include "planner/contingent/grounding.h"
-#include "planner/contingent/tree_check.h"
+#include "planner/contingent/grounding/grounding.h"
+#include "planner/contingent/language/externs.h"
+#include "planner/contingent/search/contingent_planner.h"
+#include "planner/contingent/tree/tree_check.h"
 
 namespace assay::fuzz {
 

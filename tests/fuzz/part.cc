@@ -1,9 +1,9 @@
 // A part file: read, its stable poses and its grasps computed.
 
-#include "planner/domain/grasp.h"
-#include "planner/domain/part_file.h"
-#include "planner/domain/stable_pose.h"
-#include "planner/domain/workcell.h"
+#include "planner/domain/grasp/grasp.h"
+#include "planner/domain/part/part_file.h"
+#include "planner/domain/part/stable_pose.h"
+#include "planner/domain/workcell/workcell.h"
 #include "tests/fuzz/reader_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -1,6 +1,6 @@
 // A PDDL domain and a problem of it, with a line of equals signs between them.
 
-#include "planner/contingent/pddl_file.h"
+#include "planner/contingent/format/pddl_file.h"
 #include "tests/fuzz/knowledge.h"
 #include "tests/fuzz/reader_input.h"
 

@@ -1,6 +1,6 @@
 // A PKS domain and a problem of it, with a line of equals signs between them.
 
-#include "planner/contingent/pks_file.h"
+#include "planner/contingent/format/pks_file.h"
 #include "tests/fuzz/knowledge.h"
 #include "tests/fuzz/reader_input.h"
 

@@ -1,8 +1,8 @@
 // A plan file of `uncertain-known`: read, and checked by the independent checker.
 
 #include "planner/assembly/plan_check.h"
-#include "planner/domain/problem_file.h"
-#include "planner/plan/plan_file.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/plan/file/plan_file.h"
 #include "tests/fuzz/reader_input.h"
 
 namespace {

@@ -3,7 +3,7 @@
 #include "sim/scenario/scenario.h"
 #include "planner/assembly/plan_check.h"
 #include "planner/base/check.h"
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 #include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "sim/scene/scene.h"
 #include "tests/fuzz/reader_input.h"

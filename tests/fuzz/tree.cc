@@ -1,10 +1,10 @@
 // A plan tree of the two cans: read, and run in every world.
 
-#include "planner/contingent/externs.h"
-#include "planner/contingent/grounding.h"
-#include "planner/contingent/task_file.h"
-#include "planner/contingent/tree_check.h"
-#include "planner/contingent/tree_file.h"
+#include "planner/contingent/format/task_file.h"
+#include "planner/contingent/grounding/grounding.h"
+#include "planner/contingent/language/externs.h"
+#include "planner/contingent/tree/tree_check.h"
+#include "planner/contingent/tree/tree_file.h"
 #include "tests/fuzz/reader_input.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // A workcell file, beside robots and grippers that it may name.
 
-#include "planner/domain/workcell.h"
+#include "planner/domain/workcell/workcell.h"
 #include "tests/fuzz/reader_input.h"
 
 namespace {

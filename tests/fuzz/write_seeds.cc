@@ -8,15 +8,15 @@
 #include <vector>
 
 #include "planner/assembly/certified_plan.h"
-#include "planner/contingent/contingent_planner.h"
-#include "planner/contingent/externs.h"
-#include "planner/contingent/grounding.h"
-#include "planner/contingent/pddl_text.h"
-#include "planner/contingent/pks_file.h"
-#include "planner/contingent/tree_file.h"
-#include "planner/domain/problem_file.h"
-#include "planner/plan/plan_file.h"
-#include "sim/sweep/store.h"
+#include "planner/contingent/format/pddl_text.h"
+#include "planner/contingent/format/pks_file.h"
+#include "planner/contingent/grounding/grounding.h"
+#include "planner/contingent/language/externs.h"
+#include "planner/contingent/search/contingent_planner.h"
+#include "planner/contingent/tree/tree_file.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/plan/file/plan_file.h"
+#include "sim/sweep/store/store.h"
 #include "tests/fuzz/reader_input.h"
 #include "tests/sim/sweep/false_work.h"
 
@@ -115,8 +115,8 @@ void WriteDatabase(Seeds& seeds) {
       "format: assay-sweep/1\nscenarios: [uncertain-known.yaml]\nnoise: [none, uniform]\n"
       "trials: 2\n";
   const fs::path scenarios = kRoot / "scenarios";
-  const sweep::Sweep sweep = sweep::ReadSweep(Document::Parse(text, "sweep.yaml"),
-                                              scenarios / "sweep.yaml", text);
+  const sweep::Sweep sweep =
+      sweep::ReadSweep(Document::Parse(text, "sweep.yaml"), scenarios / "sweep.yaml", text);
   const fs::path file = ScratchFile("seed.sqlite");
   sweep::Store store = sweep::Store::Create(file, sweep::FactsOf(sweep, "1"));
   int number = 0;

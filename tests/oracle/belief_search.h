@@ -7,7 +7,7 @@
 #include <set>
 #include <utility>
 
-#include "planner/contingent/ground_task.h"
+#include "planner/contingent/grounding/ground_task.h"
 
 namespace assay::oracle {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "planner/algebra/expression.h"
-#include "planner/algebra/text.h"
-#include "planner/plan/certificate.h"
+#include "planner/algebra/expression/expression.h"
+#include "planner/algebra/expression/text.h"
+#include "planner/plan/data/certificate.h"
 
 namespace assay::oracle {
 

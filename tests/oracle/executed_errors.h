@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "planner/base/random.h"
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 #include "planner/geometry/polygon.h"
-#include "planner/plan/plan.h"
+#include "planner/plan/data/plan.h"
 #include "tests/oracle/box_pair.h"
 
 // What certificates promise, tried out: a plan is executed with numbers, every error drawn from its

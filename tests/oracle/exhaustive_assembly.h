@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "planner/domain/reachability.h"
-#include "planner/domain/resting.h"
+#include "planner/domain/part/resting.h"
+#include "planner/domain/reach/reachability.h"
 
 namespace assay::oracle {
 

@@ -3,9 +3,9 @@
 #include <optional>
 #include <vector>
 
-#include "planner/network/label_set.h"
-#include "planner/network/labeling.h"
-#include "planner/network/network.h"
+#include "planner/network/network/label_set.h"
+#include "planner/network/network/labeling.h"
+#include "planner/network/network/network.h"
 
 // Slow and plain answers about binary constraint networks. They use LabelSet::contains and
 // Relation::Allows and nothing else of the library.

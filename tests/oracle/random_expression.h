@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/algebra/constraint_set.h"
-#include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/linear/constraint_set.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/random.h"
 
 // Expressions without structure, of all operators.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/domain/action_template.h"
+#include "planner/domain/actions/action_template.h"
 
 namespace assay::domain {
 

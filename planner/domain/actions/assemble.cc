@@ -1,5 +1,5 @@
 #include "planner/domain/actions/actions.h"
-#include "planner/domain/mating_classes.h"
+#include "planner/domain/mating/mating_classes.h"
 
 namespace assay::domain {
 namespace {

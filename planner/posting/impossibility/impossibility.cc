@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "planner/domain/condition.h"
+#include "planner/domain/actions/condition.h"
 #include "planner/posting/impossibility/impossibility_check.h"
 #include "planner/posting/impossibility/near_miss.h"
 #include "planner/posting/impossibility/planner_limits.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 #include "planner/posting/impossibility/relaxed_problem.h"
 
 namespace assay::posting {

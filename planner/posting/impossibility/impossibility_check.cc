@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planner/domain/condition.h"
-#include "planner/domain/mating_classes.h"
+#include "planner/domain/actions/condition.h"
+#include "planner/domain/mating/mating_classes.h"
 #include "planner/posting/least_actions.h"
 
 namespace assay::posting {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/domain/condition.h"
+#include "planner/domain/actions/condition.h"
 
 namespace assay::posting {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "planner/domain/condition.h"
+#include "planner/domain/actions/condition.h"
 
 namespace assay::posting {
 

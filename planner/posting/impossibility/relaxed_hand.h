@@ -5,7 +5,7 @@
 #include <tuple>
 #include <vector>
 
-#include "planner/domain/known_reachability.h"
+#include "planner/domain/reach/known_reachability.h"
 #include "planner/posting/step_geometry.h"
 
 namespace assay::posting {

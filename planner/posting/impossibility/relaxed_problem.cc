@@ -8,7 +8,7 @@
 #include <set>
 
 #include "planner/base/check.h"
-#include "planner/domain/condition.h"
+#include "planner/domain/actions/condition.h"
 #include "planner/posting/least_actions.h"
 
 namespace assay::posting {

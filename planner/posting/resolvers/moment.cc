@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planner/domain/occlusion.h"
-#include "planner/domain/resting.h"
+#include "planner/domain/part/occlusion.h"
+#include "planner/domain/part/resting.h"
 
 namespace assay::posting {
 

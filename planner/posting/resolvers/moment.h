@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "planner/plan/world_state.h"
+#include "planner/plan/check/world_state.h"
 #include "planner/posting/resolvers/resolver.h"
 
 namespace assay::posting {

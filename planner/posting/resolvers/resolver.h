@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/domain/problem.h"
-#include "planner/plan/plan.h"
-#include "planner/uncertainty/certify.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/plan/data/plan.h"
+#include "planner/uncertainty/preconditions/certify.h"
 
 namespace assay::posting {
 

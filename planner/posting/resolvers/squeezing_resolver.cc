@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "planner/domain/reachability.h"
+#include "planner/domain/reach/reachability.h"
 #include "planner/posting/resolvers/moment.h"
 
 namespace assay::posting {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/posting/uncertainty_phase/augmented_steps.h"
 #include "planner/posting/uncertainty_phase/combinations.h"
+#include "planner/posting/uncertainty_phase/instances/augmented_steps.h"
 #include "planner/posting/uncertainty_phase/shortfall.h"
 #include "planner/posting/uncertainty_phase/uncertainty_task.h"
 

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "planner/domain/problem.h"
-#include "planner/plan/plan.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/plan/data/plan.h"
 
 namespace assay::posting {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/algebra/bounds.h"
-#include "planner/plan/plan.h"
+#include "planner/algebra/bounds/bounds.h"
+#include "planner/plan/data/plan.h"
 #include "planner/posting/resolvers/resolver.h"
 
 namespace assay::posting {

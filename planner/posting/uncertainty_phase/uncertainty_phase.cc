@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "planner/base/check.h"
-#include "planner/posting/uncertainty_phase/augmented_plan.h"
-#include "planner/posting/uncertainty_phase/best_instance.h"
-#include "planner/posting/uncertainty_phase/instance_judge.h"
+#include "planner/posting/uncertainty_phase/instances/augmented_plan.h"
+#include "planner/posting/uncertainty_phase/instances/best_instance.h"
+#include "planner/posting/uncertainty_phase/instances/instance_judge.h"
 
 namespace assay::posting {
 namespace {

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-#include "planner/posting/uncertainty_phase/best_known.h"
+#include "planner/posting/uncertainty_phase/instances/best_known.h"
 #include "planner/posting/uncertainty_phase/uncertainty_options.h"
-#include "planner/uncertainty/world_tree.h"
+#include "planner/uncertainty/errors/world_tree.h"
 
 namespace assay::posting {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numbers>
 
-#include "planner/plan/condition_kind.h"
+#include "planner/plan/data/condition_kind.h"
 
 namespace assay::posting {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/uncertainty/certify.h"
+#include "planner/uncertainty/preconditions/certify.h"
 
 namespace assay::posting {
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "planner/domain/problem.h"
-#include "planner/plan/plan.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/plan/data/plan.h"
 
 namespace assay::posting {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 #include "planner/geometry/collision.h"
-#include "planner/motion/tree_search.h"
+#include "planner/motion/path/tree_search.h"
 #include "planner/posting/posting_planner.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "planner/algebra/expression.h"
+#include "planner/algebra/expression/expression.h"
 #include "planner/base/random.h"
 
 namespace assay::algebra {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/random.h"
 #include "tests/oracle/linear_program.h"
 

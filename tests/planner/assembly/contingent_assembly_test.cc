@@ -10,13 +10,13 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "planner/algebra/interval_arithmetic.h"
-#include "planner/contingent/contingent_planner.h"
-#include "planner/contingent/grounding.h"
-#include "planner/contingent/knowledge_base.h"
-#include "planner/contingent/pks_file.h"
-#include "planner/contingent/tree_check.h"
-#include "planner/contingent/tree_file.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/contingent/format/pks_file.h"
+#include "planner/contingent/grounding/grounding.h"
+#include "planner/contingent/knowledge/knowledge_base.h"
+#include "planner/contingent/search/contingent_planner.h"
+#include "planner/contingent/tree/tree_check.h"
+#include "planner/contingent/tree/tree_file.h"
 #include "tests/planner/posting/scenarios.h"
 #include "tests/scratch_file.h"
 

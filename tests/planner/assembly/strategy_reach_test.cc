@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "planner/finemotion/mating.h"
+#include "planner/finemotion/contacts/mating.h"
 #include "tests/planner/posting/scenarios.h"
 
 namespace assay::assembly::strategy_reach_test {

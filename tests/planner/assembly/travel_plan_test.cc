@@ -9,10 +9,10 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/assembly/plan_check.h"
-#include "planner/motion/motion_check.h"
-#include "planner/motion/straight_line.h"
-#include "planner/plan/not_covered.h"
-#include "planner/plan/tool_route.h"
+#include "planner/motion/clear/motion_check.h"
+#include "planner/motion/path/straight_line.h"
+#include "planner/plan/data/not_covered.h"
+#include "planner/plan/data/tool_route.h"
 #include "tests/planner/posting/scenarios.h"
 
 namespace assay::assembly::travel_plan_test {

@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
-#include "planner/contingent/initial_worlds.h"
-#include "planner/contingent/symbolic_check.h"
-#include "planner/contingent/tree_check.h"
-#include "planner/contingent/tree_text.h"
+#include "planner/contingent/tree/symbolic_check.h"
+#include "planner/contingent/tree/tree_check.h"
+#include "planner/contingent/tree/tree_text.h"
+#include "planner/contingent/worlds/initial_worlds.h"
 #include "tests/oracle/belief_search.h"
 #include "tests/planner/contingent/tasks.h"
 

@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "planner/base/random.h"
-#include "planner/contingent/tree_check.h"
-#include "planner/contingent/tree_text.h"
+#include "planner/contingent/tree/tree_check.h"
+#include "planner/contingent/tree/tree_text.h"
 #include "tests/planner/contingent/tasks.h"
 
 // Random domains with all that the language has: functions of objects and numbers, run-time

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <string>
 
-#include "planner/contingent/contingent_planner.h"
-#include "planner/contingent/grounding.h"
-#include "planner/contingent/pks_file.h"
-#include "planner/contingent/task_file.h"
+#include "planner/contingent/format/pks_file.h"
+#include "planner/contingent/format/task_file.h"
+#include "planner/contingent/grounding/grounding.h"
+#include "planner/contingent/search/contingent_planner.h"
 
 // Tasks for tests: from text, and from the scenarios.
 namespace assay::contingent {

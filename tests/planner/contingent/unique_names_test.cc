@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
-#include "planner/contingent/initial_worlds.h"
-#include "planner/contingent/knowledge_base.h"
-#include "planner/contingent/tree_check.h"
-#include "planner/contingent/world_progression.h"
+#include "planner/contingent/knowledge/knowledge_base.h"
+#include "planner/contingent/tree/tree_check.h"
+#include "planner/contingent/worlds/initial_worlds.h"
+#include "planner/contingent/worlds/world_progression.h"
 #include "tests/planner/contingent/tasks.h"
 
 // A function has one value at most, in all that is known of it.

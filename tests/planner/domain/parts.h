@@ -4,8 +4,8 @@
 #include <string>
 
 #include "planner/base/document.h"
-#include "planner/domain/part_file.h"
-#include "planner/domain/part_model.h"
+#include "planner/domain/part/part_file.h"
+#include "planner/domain/part/part_model.h"
 #include "planner/kinematics/gripper.h"
 
 // The parts and the gripper of this repository, for tests.

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 
 namespace assay::domain {
 

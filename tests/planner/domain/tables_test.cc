@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "planner/base/input_error.h"
-#include "planner/domain/resting.h"
+#include "planner/domain/part/resting.h"
 #include "tests/planner/domain/scenario.h"
 #include "tests/scratch_file.h"
 

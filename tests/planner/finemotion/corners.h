@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/finemotion/zonotope.h"
+#include "planner/finemotion/numeric/zonotope.h"
 
 namespace assay::finemotion {
 

@@ -10,7 +10,7 @@
 #include <set>
 #include <vector>
 
-#include "planner/finemotion/primitive_contact.h"
+#include "planner/finemotion/contacts/primitive_contact.h"
 
 // All sets of primitive contacts that can touch together, by linear programs: of every contact a
 // program says that it touches, that its gap is positive, or that one of its limits is exceeded,

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "planner/finemotion/mating.h"
+#include "planner/finemotion/contacts/mating.h"
 #include "tests/planner/domain/scenario.h"
 
 // The matings of the repository's parts: where on the way in other faces begin to touch, by the

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "planner/base/random.h"
-#include "planner/domain/problem_file.h"
-#include "planner/motion/collision_scene.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/motion/clear/collision_scene.h"
 
 namespace assay::motion {
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "planner/base/document.h"
-#include "planner/domain/problem_file.h"
-#include "planner/plan/plan.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/plan/data/plan.h"
 
 // Spar's peg and block, with plans written by hand.
 namespace assay::plan {

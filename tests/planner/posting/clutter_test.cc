@@ -15,8 +15,8 @@
 #include <utility>
 
 #include "planner/base/random.h"
-#include "planner/domain/resting.h"
-#include "planner/plan/checker.h"
+#include "planner/domain/part/resting.h"
+#include "planner/plan/check/checker.h"
 #include "planner/posting/resolvers/sensing_resolver.h"
 #include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "tests/planner/posting/scenarios.h"

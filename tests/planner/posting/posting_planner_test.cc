@@ -8,8 +8,8 @@
 #include <set>
 
 #include "planner/base/random.h"
-#include "planner/plan/checker.h"
-#include "planner/plan/plan_file.h"
+#include "planner/plan/check/checker.h"
+#include "planner/plan/file/plan_file.h"
 #include "tests/planner/posting/scenarios.h"
 
 #include <nlohmann/json.hpp>

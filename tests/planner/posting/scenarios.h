@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "planner/domain/problem_file.h"
-#include "planner/plan/plan.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/plan/data/plan.h"
 #include "planner/posting/posting_planner.h"
 
 namespace assay::posting {

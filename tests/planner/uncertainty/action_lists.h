@@ -3,10 +3,10 @@
 #include <string>
 #include <vector>
 
-#include "planner/domain/problem_file.h"
-#include "planner/domain/reachability.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/domain/reach/reachability.h"
 #include "planner/posting/posting_planner.h"
-#include "planner/uncertainty/certify.h"
+#include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/executed_errors.h"
 
 // Problems and action lists to certify.

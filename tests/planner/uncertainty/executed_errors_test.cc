@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "planner/uncertainty/certify.h"
+#include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 // In sound mode no certificate is false: plans are executed thousands of times with drawn errors.

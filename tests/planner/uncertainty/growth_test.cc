@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "bench/pick_and_place.h"
-#include "planner/algebra/bounds.h"
-#include "planner/uncertainty/certify.h"
+#include "planner/algebra/bounds/bounds.h"
+#include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
 
 // Bounding all preconditions of a plan of n pick-and-place actions on one part grows polynomially

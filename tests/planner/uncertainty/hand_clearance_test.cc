@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "planner/uncertainty/certify.h"
+#include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 namespace assay::uncertainty::hand_clearance_test {

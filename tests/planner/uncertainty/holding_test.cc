@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "planner/plan/carrying.h"
-#include "planner/uncertainty/precondition.h"
+#include "planner/plan/data/carrying.h"
+#include "planner/uncertainty/preconditions/precondition.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
 namespace assay::uncertainty::holding_test {

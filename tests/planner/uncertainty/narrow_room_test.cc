@@ -7,7 +7,7 @@
 #include <fstream>
 #include <limits>
 
-#include "planner/uncertainty/certify.h"
+#include "planner/uncertainty/preconditions/certify.h"
 #include "tests/planner/uncertainty/action_lists.h"
 
 // Parts that leave a hand, or each other, a room that is known: what errors leave of it is told,

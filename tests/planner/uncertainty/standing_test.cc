@@ -4,11 +4,11 @@
 #include <filesystem>
 #include <fstream>
 
-#include "planner/plan/pushing.h"
-#include "planner/uncertainty/possible_masses.h"
-#include "planner/uncertainty/precondition.h"
-#include "planner/uncertainty/squeezing.h"
-#include "planner/uncertainty/support.h"
+#include "planner/plan/data/pushing.h"
+#include "planner/uncertainty/errors/possible_masses.h"
+#include "planner/uncertainty/errors/squeezing.h"
+#include "planner/uncertainty/preconditions/precondition.h"
+#include "planner/uncertainty/preconditions/support.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
 namespace assay::uncertainty::standing_test {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "planner/domain/shaft_fit.h"
-#include "planner/uncertainty/precondition.h"
-#include "planner/uncertainty/squeezing.h"
+#include "planner/domain/mating/shaft_fit.h"
+#include "planner/uncertainty/errors/squeezing.h"
+#include "planner/uncertainty/preconditions/precondition.h"
 #include "tests/planner/uncertainty/part_on_table.h"
 
 // What tolerances of clearance and friction do to certificates.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "planner/uncertainty/certify.h"
+#include "planner/uncertainty/preconditions/certify.h"
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/uncertainty/action_lists.h"
 

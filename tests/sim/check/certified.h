@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 #include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 
 namespace assay::check {

@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "planner/assembly/certified_plan.h"
-#include "planner/domain/problem_file.h"
-#include "sim/check/verdict.h"
-#include "sim/exec/executor.h"
+#include "planner/domain/problem/problem_file.h"
+#include "sim/check/trial/verdict.h"
+#include "sim/exec/execution/executor.h"
 
 namespace assay::check::collided_trial_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
-#include "sim/check/attack.h"
+#include "sim/check/falsification/attack.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"

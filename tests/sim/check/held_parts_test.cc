@@ -10,8 +10,8 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/base/random.h"
-#include "planner/domain/problem_file.h"
-#include "sim/check/noisy_trial.h"
+#include "planner/domain/problem/problem_file.h"
+#include "sim/check/trial/noisy_trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/uncertainty/certify.h"
+#include "planner/uncertainty/preconditions/certify.h"
 #include "tests/sim/check/certified.h"
 
 namespace assay::check {

@@ -16,11 +16,11 @@
 #include <tuple>
 #include <vector>
 
-#include "sim/check/attack.h"
-#include "sim/check/certificate_check.h"
-#include "sim/check/confirmation.h"
-#include "sim/check/main_effects.h"
-#include "sim/exec/executor.h"
+#include "sim/check/claims/certificate_check.h"
+#include "sim/check/claims/confirmation.h"
+#include "sim/check/falsification/attack.h"
+#include "sim/check/falsification/main_effects.h"
+#include "sim/exec/execution/executor.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check::mutation_test {

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim/check/certificate_check.h"
-#include "sim/exec/executor.h"
+#include "sim/check/claims/certificate_check.h"
+#include "sim/exec/execution/executor.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/check/certified.h"
 

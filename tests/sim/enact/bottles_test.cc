@@ -6,9 +6,9 @@
 #include <sstream>
 #include <string>
 
-#include "planner/contingent/contingent_planner.h"
-#include "planner/contingent/tree_text.h"
-#include "sim/enact/enactment.h"
+#include "planner/contingent/search/contingent_planner.h"
+#include "planner/contingent/tree/tree_text.h"
+#include "sim/enact/walk/enactment.h"
 #include "sim/render/renderer.h"
 #include "tests/scratch_file.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "planner/base/check.h"
-#include "planner/contingent/contingent_planner.h"
-#include "sim/enact/interpretation.h"
+#include "planner/contingent/search/contingent_planner.h"
+#include "sim/enact/walk/interpretation.h"
 #include "tests/scratch_file.h"
 
 namespace assay::enact {

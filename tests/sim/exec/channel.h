@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "sim/exec/command.h"
+#include "sim/exec/commands/command.h"
 #include "sim/noise/noise.h"
 
 namespace assay::exec {

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "planner/base/check.h"
-#include "planner/domain/problem_file.h"
-#include "planner/domain/reachability.h"
-#include "planner/plan/plan.h"
-#include "sim/exec/command.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/domain/reach/reachability.h"
+#include "planner/plan/data/plan.h"
+#include "sim/exec/commands/command.h"
 
 namespace assay::exec {
 

@@ -3,8 +3,8 @@
 
 #include <numbers>
 
-#include "sim/exec/executor.h"
-#include "sim/exec/step_execution.h"
+#include "sim/exec/execution/executor.h"
+#include "sim/exec/execution/step_execution.h"
 #include "tests/sim/exec/channel.h"
 #include "tests/sim/exec/figure15.h"
 

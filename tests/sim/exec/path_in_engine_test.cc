@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "planner/base/random.h"
-#include "planner/domain/problem_file.h"
-#include "planner/motion/path_search.h"
-#include "planner/motion/straight_line.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/motion/path/path_search.h"
+#include "planner/motion/path/straight_line.h"
 #include "sim/scene/scene.h"
 
 namespace assay::exec::path_in_engine_test {

@@ -4,11 +4,11 @@
 #include <set>
 
 #include "planner/assembly/certified_plan.h"
-#include "planner/motion/straight_line.h"
-#include "sim/exec/action_commands.h"
-#include "sim/exec/command_file.h"
-#include "sim/exec/execution.h"
-#include "sim/exec/executor.h"
+#include "planner/motion/path/straight_line.h"
+#include "sim/exec/commands/action_commands.h"
+#include "sim/exec/commands/command_file.h"
+#include "sim/exec/execution/execution.h"
+#include "sim/exec/execution/executor.h"
 #include "tests/sim/exec/figure15.h"
 
 namespace assay::exec::planned_travel_test {

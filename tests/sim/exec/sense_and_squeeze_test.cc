@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "sim/exec/executor.h"
+#include "sim/exec/execution/executor.h"
 #include "tests/sim/exec/figure15.h"
 
 namespace assay::exec::sense_and_squeeze_test {

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "sim/exec/trace.h"
+#include "sim/exec/execution/trace.h"
 #include "tests/oracle/json_schema.h"
 
 namespace assay::exec {
 
 inline nlohmann::json TraceSchemaFile() {
-  std::ifstream file(ASSAY_SOURCE_DIR "/sim/exec/trace.schema.json");
+  std::ifstream file(ASSAY_SOURCE_DIR "/sim/exec/execution/trace.schema.json");
   return nlohmann::json::parse(file);
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "planner/base/document.h"
-#include "planner/domain/problem_file.h"
-#include "planner/plan/plan.h"
+#include "planner/domain/problem/problem_file.h"
+#include "planner/plan/data/plan.h"
 
 namespace assay::noise {
 

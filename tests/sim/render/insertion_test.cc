@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "planner/base/random.h"
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 
 namespace assay::render::insertion_test {
 namespace {

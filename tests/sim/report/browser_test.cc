@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "sim/report/page.h"
+#include "sim/report/page/page.h"
 #include "tests/scratch_file.h"
 #include "tests/sim/report/sample_database.h"
 

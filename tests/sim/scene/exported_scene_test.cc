@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 #include "sim/mujoco/engine_messages.h"
 #include "sim/scene/scene.h"
 #include "tests/scratch_file.h"

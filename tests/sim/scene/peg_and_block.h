@@ -4,7 +4,7 @@
 #include <string>
 
 #include "planner/base/check.h"
-#include "planner/domain/problem.h"
+#include "planner/domain/problem/problem.h"
 
 namespace assay::scene {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "planner/base/check.h"
-#include "planner/domain/workcell.h"
+#include "planner/domain/workcell/workcell.h"
 
 namespace assay::scene {
 

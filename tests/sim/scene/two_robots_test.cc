@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 #include "sim/scene/scene.h"
 #include "sim/scene/servo.h"
 

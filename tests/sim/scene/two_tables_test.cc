@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/peg_and_block.h"
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "planner/base/random.h"
-#include "planner/domain/problem_file.h"
+#include "planner/domain/problem/problem_file.h"
 #include "sim/sense/displacement.h"
 
 namespace assay::sense::color_sensor_test {

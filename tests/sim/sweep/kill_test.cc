@@ -12,7 +12,7 @@
 
 #include "planner/base/input_error.h"
 #include "planner/base/random.h"
-#include "sim/sweep/runner.h"
+#include "sim/sweep/run/runner.h"
 #include "tests/sim/sweep/false_work.h"
 #include "tests/sim/sweep/sweep_folder.h"
 #include "tests/sim/sweep/tables.h"

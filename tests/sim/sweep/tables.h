@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/sweep/database.h"
+#include "sim/sweep/store/database.h"
 
 namespace assay::sweep {
 

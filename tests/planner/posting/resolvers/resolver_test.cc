@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/plan/checker.h"
+#include "planner/plan/check/checker.h"
 #include "planner/posting/resolvers/moment.h"
 #include "planner/posting/resolvers/sensing_resolver.h"
 #include "planner/posting/resolvers/squeezing_resolver.h"

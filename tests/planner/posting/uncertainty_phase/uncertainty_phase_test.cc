@@ -12,12 +12,12 @@
 #include <set>
 #include <tuple>
 
-#include "planner/algebra/bounds.h"
-#include "planner/algebra/interval_arithmetic.h"
+#include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
 #include "planner/base/random.h"
-#include "planner/plan/checker.h"
-#include "planner/plan/condition_kind.h"
-#include "planner/plan/plan_file.h"
+#include "planner/plan/check/checker.h"
+#include "planner/plan/data/condition_kind.h"
+#include "planner/plan/file/plan_file.h"
 #include "planner/posting/resolvers/squeezing_resolver.h"
 #include "tests/oracle/certified_expressions.h"
 #include "tests/planner/posting/scenarios.h"

@@ -1,0 +1,289 @@
+#include "planner/algebra/bounds/bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "planner/algebra/bounds/ascent.h"
+#include "planner/algebra/bounds/branch_and_bound.h"
+#include "planner/algebra/bounds/feasible_ascent.h"
+#include "planner/algebra/forms/normal_form.h"
+#include "planner/algebra/linear/linear_part.h"
+#include "planner/algebra/linear/linear_program.h"
+#include "planner/algebra/linear/sup_inf.h"
+#include "planner/algebra/methods/centred.h"
+#include "planner/algebra/methods/glance.h"
+#include "planner/algebra/methods/monotone.h"
+#include "planner/algebra/methods/termwise.h"
+#include "planner/algebra/multiaffine/multiaffine_form.h"
+#include "planner/algebra/multiaffine/multiaffine_search.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/base/check.h"
+
+namespace assay::algebra {
+namespace {
+
+// What holds whatever the sign: a bound from above of e (sign = 1) or of -e (sign = -1). Each rung
+// can only lower the value, and every value is an upper bound by itself.
+class Ladder {
+ public:
+  // `form`: the normal form of e, if it is known.
+  Ladder(const Expression& e, const NormalForm* form, int sign, const ConstraintSet& constraints,
+         const BoundRequest& request)
+      : e_(e), form_(form), sign_(sign), constraints_(constraints), request_(request) {
+    stop_ = {.gap = request.gap, .evaluations = request.evaluations};
+    if (request.limit) stop_.limit = sign * *request.limit;
+    bound_.value = kInfinity;
+  }
+
+  Bound Climb() {
+    if (!constraints_.inequalities.empty() || request_.highest == Rung::kLinear) StepOnLinear();
+    if (!is_contradiction_ && !IsDone(Rung::kLinear)) ClimbOverBox();
+    return Answer();
+  }
+
+ private:
+  // The inequalities, by SUP/INF: what they say of the expression, and of the box.
+  void StepOnLinear() {
+    bound_.rung = Rung::kLinear;
+    const Expression sup = sign_ > 0 ? Sup(e_, {}, constraints_) : -Inf(e_, {}, constraints_);
+    if (sup.IsConstant()) Lower(sup.constant(), Rung::kLinear);
+    is_contradiction_ = Maximize(LinearForm(), LinearPartOf(constraints_).at_most_zero).kind ==
+                        LinearOptimum::Kind::kContradiction;
+    if (is_contradiction_) {
+      bound_.value = -kInfinity;
+    } else {
+      constraints_.box = TightenedBox(constraints_);
+    }
+  }
+
+  void ClimbOverBox() {
+    const Maximization problem = form_ == nullptr ? MaximizationOf(e_, sign_, constraints_)
+                                                  : MaximizationOf(e_, *form_, sign_, constraints_);
+    Probe probe(problem);
+    StepOnTermwise(probe);
+    if (IsDone(Rung::kTermwise)) return;
+    const Maximization reduced = StepOnMonotone(probe);
+    if (IsDone(Rung::kMonotone)) return;
+    Probe reduced_probe(reduced);
+    StepOnCentred(reduced_probe);
+    if (IsDone(Rung::kCentred)) return;
+    StopRule stop = stop_;
+    stop.evaluations -= bound_.evaluations - reduced_probe.evaluations();
+    Lower(BranchAndBound(reduced_probe, bound_.value, stop), Rung::kBranchAndBound);
+    Learn(reduced_probe);
+    bound_.splits = reduced_probe.splits();
+  }
+
+  void StepOnTermwise(Probe& probe) {
+    Lower(TermwiseRange(probe.problem().form, constraints_.box).high, Rung::kTermwise);
+    ++bound_.evaluations;
+    FindFirstPoint(probe);
+    Learn(probe);
+  }
+
+  // Leaves the smaller problem that is left when monotone variables are set.
+  Maximization StepOnMonotone(Probe& probe) {
+    const Maximization& problem = probe.problem();
+    const MonotoneBox monotone = SetMonotoneVariables(probe, problem.box, problem.constrained);
+    const bool is_defined = probe.over_box().DefinedEverywhere();
+    Lower(monotone.range.high, Rung::kMonotone);
+    if (!problem.slacks.empty()) {
+      Lower(SetMonotoneVariables(probe, monotone.box).range.high, Rung::kMonotone);
+    } else {
+      probe.Offer(AscendToCorner(probe, monotone.box));
+    }
+    Learn(probe);
+    return is_defined ? Restricted(problem, monotone.box) : problem;
+  }
+
+  // The normal form writes a sine's square as 1 - cos^2, and small errors are then small
+  // differences: mostly, but not always, the expression as it stands is looser.
+  void StepOnCentred(Probe& probe) {
+    const double as_it_stands = sign_ > 0 ? GlanceAbove(e_, constraints_.box, -kInfinity).bound
+                                          : -GlanceBelow(e_, constraints_.box, kInfinity).bound;
+    Lower(as_it_stands, Rung::kCentred);
+    const MonotoneBox relaxed = SetMonotoneVariables(probe, probe.problem().box);
+    const bool is_defined = probe.over_box().DefinedEverywhere();
+    Lower(relaxed.range.high, Rung::kMonotone);
+    FindPoint(probe);
+    if (is_defined) {
+      Lower(UpperBoundByDerivatives(probe, relaxed.box, relaxed.gradient), Rung::kCentred);
+    }
+    Learn(probe);
+  }
+
+  // A point for the first rungs, for little work.
+  static void FindFirstPoint(Probe& probe) {
+    const Maximization& problem = probe.problem();
+    if (problem.slacks.empty()) {
+      if (!probe.Offer(AscendToCorner(probe, problem.box))) probe.Offer(CentreOf(problem.box));
+    } else {
+      FindPoint(probe);
+    }
+  }
+
+  static void FindPoint(Probe& probe) {
+    const Maximization& problem = probe.problem();
+    for (std::vector<double> start : {CentreOf(problem.box), AscendToCorner(probe, problem.box)}) {
+      if (problem.slacks.empty()) {
+        probe.Offer(AscendFrom(std::move(start), probe, problem.box));
+        continue;
+      }
+      const std::vector<double> feasible = ApproachFeasible(std::move(start), probe);
+      if (probe.SurelyFeasible(feasible)) probe.Offer(AscendFeasibly(feasible, probe));
+    }
+  }
+
+  void Lower(double value, Rung rung) {
+    if (!(value < bound_.value)) return;  // also if it is NaN
+    bound_.value = value;
+    bound_.rung = rung;
+  }
+
+  // Takes over what the probe has found and spent.
+  void Learn(const Probe& probe) {
+    if (&probe.problem() != counted_) spent_before_ = bound_.evaluations;
+    counted_ = &probe.problem();
+    bound_.evaluations = spent_before_ + probe.evaluations();
+    if (probe.has_best() && probe.best_value() > attained_) {
+      attained_ = probe.best_value();
+      bound_.at = FullPoint(probe.problem(), probe.best_point());
+    }
+  }
+
+  bool IsDone(Rung rung) const {
+    return rung >= request_.highest || stop_.IsMet(bound_.value, attained_);
+  }
+
+  Bound Answer() {
+    const bool is_finite = std::isfinite(bound_.value) && std::isfinite(attained_);
+    bound_.gap = is_finite ? std::max(0.0, RoundedUp(bound_.value - attained_)) : kInfinity;
+    bound_.value *= sign_;
+    return std::move(bound_);
+  }
+
+  const Expression& e_;
+  const NormalForm* form_;
+  int sign_;
+  ConstraintSet constraints_;
+  const BoundRequest& request_;
+  StopRule stop_;
+  Bound bound_;
+  double attained_ = -kInfinity;
+  bool is_contradiction_ = false;
+  const Maximization* counted_ = nullptr;
+  std::int64_t spent_before_ = 0;
+};
+
+}  // namespace
+
+std::string_view Name(Rung rung) {
+  switch (rung) {
+    case Rung::kLinear:
+      return "linear";
+    case Rung::kTermwise:
+      return "termwise";
+    case Rung::kMonotone:
+      return "monotone";
+    case Rung::kCentred:
+      return "centred";
+    case Rung::kBranchAndBound:
+      return "branch-and-bound";
+  }
+  ASSAY_CHECK(false, "no such rung");
+}
+
+class PreparedExpression::Ready {
+ public:
+  explicit Ready(const Expression& e) : e_(e), form_(NormalFormOf(e)) {
+    if (e.MayBeUndefined()) return;
+    if (auto multiaffine = MultiaffineFormOf(form_)) search_.emplace(*std::move(multiaffine));
+  }
+
+  // Whether questions over these constraints are for Search.
+  bool Enter(const ConstraintSet& constraints, const BoundRequest& request) {
+    const bool is_for_search =
+        search_ && request.highest >= Rung::kMonotone && constraints.inequalities.empty();
+    return is_for_search && search_->Enter(constraints.box);
+  }
+
+  // After Enter. Where the search ends by itself and misses the gap, its rounding errors, which it
+  // bounds beforehand, are too large: the ladder may be tighter.
+  Bound Entered(int sign, const ConstraintSet& constraints, const BoundRequest& request) {
+    Bound found = Search(sign, constraints, request);
+    const bool is_done = found.gap <= request.gap || found.evaluations >= request.evaluations ||
+                         request.limit.has_value();
+    if (is_done) return found;
+    Bound climbed = Climb(sign, constraints, request);
+    climbed.evaluations += found.evaluations;
+    return sign * climbed.value < sign * found.value ? climbed : found;
+  }
+
+  Bound Climb(int sign, const ConstraintSet& constraints, const BoundRequest& request) const {
+    return Ladder(e_, &form_, sign, constraints, request).Climb();
+  }
+
+  Bound Bounded(int sign, const ConstraintSet& constraints, const BoundRequest& request) {
+    return Enter(constraints, request) ? Entered(sign, constraints, request)
+                                       : Climb(sign, constraints, request);
+  }
+
+ private:
+  Bound Search(int sign, const ConstraintSet& constraints, const BoundRequest& request) {
+    std::vector<double> middle;
+    middle.reserve(constraints.box.size());
+    for (const Interval& interval : constraints.box) middle.push_back(Midpoint(interval));
+    return search_->Maximize(sign, request, std::move(middle));
+  }
+
+  Expression e_;
+  NormalForm form_;
+  std::optional<MultiaffineSearch> search_;
+};
+
+PreparedExpression::PreparedExpression(const Expression& e) : ready_(std::make_unique<Ready>(e)) {}
+PreparedExpression::~PreparedExpression() = default;
+PreparedExpression::PreparedExpression(PreparedExpression&&) noexcept = default;
+PreparedExpression& PreparedExpression::operator=(PreparedExpression&&) noexcept = default;
+
+Bound PreparedExpression::Above(const ConstraintSet& constraints, const BoundRequest& request) {
+  return ready_->Bounded(1, constraints, request);
+}
+
+Bound PreparedExpression::Below(const ConstraintSet& constraints, const BoundRequest& request) {
+  return ready_->Bounded(-1, constraints, request);
+}
+
+BothBounds PreparedExpression::Both(const ConstraintSet& constraints, const BoundRequest& request) {
+  if (!ready_->Enter(constraints, request)) {
+    return {ready_->Climb(-1, constraints, request), ready_->Climb(1, constraints, request)};
+  }
+  return {ready_->Entered(-1, constraints, request), ready_->Entered(1, constraints, request)};
+}
+
+namespace {
+
+// The normal form of an expression that the linear core may do without is left to the ladder.
+Bound BoundOnce(const Expression& e, int sign, const ConstraintSet& constraints,
+                const BoundRequest& request) {
+  const bool starts_linear = !constraints.inequalities.empty() || request.highest == Rung::kLinear;
+  if (starts_linear) return Ladder(e, nullptr, sign, constraints, request).Climb();
+  PreparedExpression prepared(e);
+  return sign > 0 ? prepared.Above(constraints, request) : prepared.Below(constraints, request);
+}
+
+}  // namespace
+
+Bound BoundAbove(const Expression& e, const ConstraintSet& constraints,
+                 const BoundRequest& request) {
+  return BoundOnce(e, 1, constraints, request);
+}
+
+Bound BoundBelow(const Expression& e, const ConstraintSet& constraints,
+                 const BoundRequest& request) {
+  return BoundOnce(e, -1, constraints, request);
+}
+
+}  // namespace assay::algebra

@@ -1,0 +1,11 @@
+#include "planner/algebra/expression/simplify.h"
+
+#include "planner/algebra/forms/normal_form.h"
+
+namespace assay::algebra {
+
+Expression Simplify(const Expression& e, int most_terms) {
+  return SimplifiedExpression(e, most_terms);
+}
+
+}  // namespace assay::algebra

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/algebra/expression/expression.h"
+
+namespace assay::algebra {
+
+struct Inequality {
+  Expression lesser;
+  Expression greater;  // lesser <= greater
+};
+
+// What bounds are taken over: a box, and inequalities between variables.
+struct ConstraintSet {
+  std::vector<Interval> box = {};  // by VariableId; ends may be infinite
+  std::vector<Inequality> inequalities = {};
+};
+
+// The bounds that the variables were declared with.
+ConstraintSet DeclaredBox(const ExpressionPool& pool);
+
+}  // namespace assay::algebra

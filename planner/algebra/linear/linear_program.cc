@@ -1,0 +1,117 @@
+#include "planner/algebra/linear/linear_program.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace assay::algebra {
+namespace {
+
+using Kind = LinearOptimum::Kind;
+
+// Chvatal's dictionary: basic slacks and the objective as forms in the columns that are not basic.
+// A slack is what a row lacks to 0, and not negative; a column that is not basic stands at 0.
+class Dictionary {
+ public:
+  Dictionary(const LinearForm& objective, const std::vector<LinearForm>& at_most_zero)
+      : objective_(objective) {
+    for (const LinearForm& row : at_most_zero) CountColumns(row);
+    CountColumns(objective);
+    for (std::size_t i = 0; i < at_most_zero.size(); ++i) {
+      basic_.emplace(ColumnId(first_slack_ + static_cast<int>(i)), -at_most_zero[i]);
+    }
+    for (int column = 0; column < first_slack_; ++column) Eliminate(ColumnId(column));
+  }
+
+  LinearOptimum Solve() {
+    if (!MakeFeasible()) return {.kind = Kind::kContradiction};
+    // What could not be eliminated is in no row.
+    if (!objective_.IsConstant() && !IsSlack(objective_.coefficients.begin()->first)) {
+      return {.kind = Kind::kUnbounded};
+    }
+    while (const std::optional<ColumnId> entering = FirstRising(objective_)) {
+      const std::optional<ColumnId> leaving = Tightest(*entering);
+      if (!leaving) return {.kind = Kind::kUnbounded};
+      Pivot(*leaving, *entering);
+    }
+    return {.kind = Kind::kFinite, .value = objective_.constant};
+  }
+
+ private:
+  void CountColumns(const LinearForm& form) {
+    if (form.IsConstant()) return;
+    first_slack_ = std::max(first_slack_, form.coefficients.rbegin()->first.index() + 1);
+  }
+
+  bool IsSlack(ColumnId column) const { return column.index() >= first_slack_; }
+
+  // A column without a sign is solved for by some row, which then says nothing else.
+  void Eliminate(ColumnId column) {
+    for (const auto& [slack, form] : basic_) {
+      if (form.CoefficientOf(column).IsZero()) continue;
+      Pivot(slack, column);
+      basic_.erase(column);
+      return;
+    }
+  }
+
+  static void Replace(ColumnId column, const LinearForm& by, LinearForm& in) {
+    const Rational coefficient = in.CoefficientOf(column);
+    if (!coefficient.IsZero()) in = in.Without(column) + coefficient * by;
+  }
+
+  void Pivot(ColumnId leaving, ColumnId entering) {
+    const LinearForm row = basic_.extract(leaving).mapped();
+    const Rational pivot = row.CoefficientOf(entering);
+    const LinearForm solved = (Rational(1) / pivot) * (FormOf(leaving) - row.Without(entering));
+    for (auto& [slack, form] : basic_) Replace(entering, solved, form);
+    Replace(entering, solved, objective_);
+    basic_.emplace(entering, solved);
+  }
+
+  // False if the rows contradict each other.
+  bool MakeFeasible() {
+    const auto is_negative = [](const auto& row) { return row.second.constant.Sign() < 0; };
+    for (;;) {
+      const auto row = std::ranges::find_if(basic_, is_negative);
+      if (row == basic_.end()) return true;
+      const std::optional<ColumnId> entering = FirstRising(row->second);
+      if (!entering) return false;
+      Pivot(row->first, *entering);
+    }
+  }
+
+  // The first slack that makes the form greater.
+  std::optional<ColumnId> FirstRising(const LinearForm& form) const {
+    for (const auto& [column, coefficient] : form.coefficients) {
+      if (IsSlack(column) && coefficient.Sign() > 0) return column;
+    }
+    return std::nullopt;
+  }
+
+  // The basic slack that first comes down to 0 as the entering one rises.
+  std::optional<ColumnId> Tightest(ColumnId entering) const {
+    std::optional<ColumnId> tightest;
+    Rational least;
+    for (const auto& [slack, form] : basic_) {
+      const Rational slope = form.CoefficientOf(entering);
+      if (slope.Sign() >= 0) continue;
+      const Rational room = form.constant / -slope;
+      if (tightest && room >= least) continue;
+      tightest = slack;
+      least = room;
+    }
+    return tightest;
+  }
+
+  int first_slack_ = 0;  // columns below it are the problem's own
+  std::map<ColumnId, LinearForm> basic_;
+  LinearForm objective_;
+};
+
+}  // namespace
+
+LinearOptimum Maximize(const LinearForm& objective, const std::vector<LinearForm>& at_most_zero) {
+  return Dictionary(objective, at_most_zero).Solve();
+}
+
+}  // namespace assay::algebra

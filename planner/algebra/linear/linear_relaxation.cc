@@ -1,0 +1,255 @@
+#include "planner/algebra/linear/linear_relaxation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/algebra/linear/linear_part.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/base/check.h"
+
+namespace assay::algebra {
+namespace {
+
+int SignOf(const Interval& range) {
+  if (range.low >= 0) return 1;
+  return range.high <= 0 ? -1 : 0;
+}
+
+LeastOf BoundOf(double end) {
+  return std::isfinite(end) ? LeastOf(LinearForm{.constant = end}) : LeastOf();
+}
+
+}  // namespace
+
+LinearRelaxation::LinearRelaxation(ExpressionPool& pool, const ConstraintSet& constraints,
+                                   std::set<VariableId> keep)
+    : keep_(std::move(keep)), box_(constraints.box), tightened_(constraints.box.size(), false) {
+  for (std::size_t v = 0; v < box_.size(); ++v) {
+    columns_.push_back({.factors = {{.atom = pool.Variable(VariableId(v))}}, .range = box_[v]});
+    if (keep_.contains(VariableId(v))) kept_columns_.insert(ColumnId(v));
+  }
+  LinearPart linear = LinearPartOf(constraints);
+  rows_ = std::move(linear.at_most_zero);
+  variables_core_.emplace(rows_);
+  for (const Inequality& inequality : linear.others) AddInequality(inequality);
+}
+
+void LinearRelaxation::AddRow(const LinearForm& at_most_zero) {
+  rows_.push_back(at_most_zero);
+  core_.reset();
+}
+
+// greater - lesser, which is not negative, is at most its upper form.
+void LinearRelaxation::AddInequality(const Inequality& inequality) {
+  const Expression difference = inequality.greater - inequality.lesser;
+  if (const std::optional<LinearForm> upper = UpperForm(difference)) AddRow(-*upper);
+}
+
+LeastOf LinearRelaxation::Sup(const Expression& e) {
+  const std::optional<LinearForm> form = UpperForm(e);
+  return form ? core().Sup(*form, kept_columns_) : LeastOf();
+}
+
+const LinearSupInf& LinearRelaxation::core() {
+  if (!core_) core_.emplace(rows_);
+  return *core_;
+}
+
+bool LinearRelaxation::IsKept(const Expression& e) const {
+  return std::ranges::all_of(VariablesOf(e), [&](VariableId v) { return keep_.contains(v); });
+}
+
+// A form that is nowhere less than e; none if nothing bounds e.
+std::optional<LinearForm> LinearRelaxation::UpperForm(const Expression& e) {
+  if (std::optional<LinearForm> exact = ExactLinearForm(e)) return exact;
+  LinearForm form;
+  for (const NormalForm::Term& term : NormalFormOf(e).terms) {
+    if (term.factors.empty()) {
+      if (!std::isfinite(term.coefficient.high)) return std::nullopt;
+      form.constant = form.constant + term.coefficient.high;
+    } else if (!AddUpper(term.coefficient, ColumnOf(term.factors), form)) {
+      return std::nullopt;
+    }
+  }
+  return form;
+}
+
+// Adds what is nowhere less than coefficient * column: one number out of the coefficient times the
+// column, and the most that the other numbers can make of the difference. False if that is
+// infinite.
+bool LinearRelaxation::AddUpper(const Interval& coefficient, ColumnId column, LinearForm& form) {
+  const Interval& range = RangeOf(column);
+  double chosen = IsNumber(coefficient) ? coefficient.low : Midpoint(coefficient);
+  if (SignOf(range) > 0 && std::isfinite(coefficient.high)) chosen = coefficient.high;
+  if (SignOf(range) < 0 && std::isfinite(coefficient.low)) chosen = coefficient.low;
+  const Interval rest = (coefficient - Interval{chosen, chosen}) * range;
+  if (!std::isfinite(rest.high)) return false;
+  form.Add(column, chosen);
+  form.constant = form.constant + rest.high;
+  return true;
+}
+
+ColumnId LinearRelaxation::ColumnOf(const Factors& factors) {
+  if (IsVariable(factors)) {
+    const ColumnId column(factors[0].atom.variable().index());
+    ASSAY_CHECK(column.index() < static_cast<int>(box_.size()), "a variable without bounds");
+    return column;
+  }
+  std::vector<std::pair<int, int>> key;
+  for (const auto& [atom, exponent] : factors) key.emplace_back(atom.index(), exponent);
+  if (const auto known = column_of_.find(key); known != column_of_.end()) return known->second;
+  const Interval range = RangeOfProduct(factors);
+  const ColumnId column(columns_.size());
+  columns_.push_back({.factors = factors, .range = range});
+  column_of_.emplace(std::move(key), column);
+  for (const LinearForm& row : EndsOf(column, range)) AddRow(row);
+  if (factors.size() == 1 && factors[0].exponent == 1) TieToOperands(column, factors[0].atom);
+  if (!keep_.empty()) TieToKept(column, factors);
+  return column;
+}
+
+void LinearRelaxation::TieToOperands(ColumnId column, const Expression& atom) {
+  const auto at_most = [&](const LinearForm& form, const Expression& bound) {
+    if (const auto upper = UpperForm(bound)) AddRow(form - *upper);
+  };
+  const LinearForm form = FormOf(column);
+  if (atom.op() == Operator::kMin) {
+    for (const Expression& operand : atom.operands()) at_most(form, operand);
+  }
+  if (atom.op() == Operator::kMax) {
+    for (const Expression& operand : atom.operands()) at_most(-form, -operand);
+  }
+  if (atom.op() == Operator::kAbs) {
+    at_most(-form, atom.operands()[0]);
+    at_most(-form, -atom.operands()[0]);
+  }
+}
+
+void LinearRelaxation::TieToKept(ColumnId column, const Factors& factors) {
+  const auto is_kept = [&](const auto& factor) { return IsKept(factor.atom); };
+  Factors kept, rest;
+  std::ranges::partition_copy(factors, std::back_inserter(kept), std::back_inserter(rest), is_kept);
+  if (rest.empty()) kept_columns_.insert(column);
+  if (rest.empty() || kept.empty() || SignOf(RangeOfProduct(kept)) == 0) return;
+  const ColumnId kept_column = ColumnOf(kept);
+  const auto [sup, sup_of_negative] = SymbolicBounds(rest);
+  TieToKept(column, sup, 1, kept_column);
+  TieToKept(column, sup_of_negative, -1, kept_column);
+}
+
+// column = R*K with side * R at most each of the forms f: K times either side, whose sense turns
+// where K is negative.
+void LinearRelaxation::TieToKept(ColumnId column, const LeastOf& sup_of_rest, int side,
+                                 ColumnId kept) {
+  const Rational sign(SignOf(RangeOf(kept)));
+  for (const LinearForm& form : sup_of_rest.Forms()) {
+    AddRow(sign * (Rational(side) * FormOf(column) - Times(kept, form)));
+  }
+}
+
+// Of the product of the factors, and of its negative.
+std::pair<LeastOf, LeastOf> LinearRelaxation::SymbolicBounds(const Factors& factors) {
+  if (IsVariable(factors)) {
+    const LinearForm form = FormOf(ColumnOf(factors));
+    return {variables_core_->Sup(form, kept_columns_), variables_core_->Sup(-form, kept_columns_)};
+  }
+  const Interval range = RangeOfProduct(factors);
+  return {BoundOf(range.high), BoundOf(-range.low)};
+}
+
+LinearForm LinearRelaxation::Times(ColumnId column, const LinearForm& form) {
+  LinearForm product;
+  product.Add(column, form.constant);
+  for (const auto& [other, coefficient] : form.coefficients) {
+    Factors factors = columns_[column.index()].factors;
+    for (const NormalForm::Factor& factor : columns_[other.index()].factors) {
+      const auto same = std::ranges::find(factors, factor.atom, &NormalForm::Factor::atom);
+      if (same == factors.end()) {
+        factors.push_back(factor);
+      } else {
+        same->exponent += factor.exponent;
+      }
+    }
+    std::ranges::sort(factors, {}, [](const auto& factor) { return factor.atom.index(); });
+    product.Add(ColumnOf(factors), coefficient);
+  }
+  return product;
+}
+
+Expression LinearRelaxation::ProductOf(ColumnId column) const {
+  Expression product = 1;
+  for (const auto& [atom, exponent] : columns_[column.index()].factors) {
+    product = product * Power(atom, exponent);
+  }
+  return product;
+}
+
+const Interval& LinearRelaxation::RangeOf(ColumnId column) {
+  const bool is_variable = column.index() < static_cast<int>(box_.size());
+  return is_variable ? RangeOfVariable(VariableId(column.index())) : columns_[column.index()].range;
+}
+
+const Interval& LinearRelaxation::RangeOfVariable(VariableId variable) {
+  Interval& range = box_[variable.index()];
+  if (tightened_[variable.index()]) return range;
+  tightened_[variable.index()] = true;
+  return range = TightenedInterval(variable, range, *variables_core_);
+}
+
+Interval LinearRelaxation::RangeOfProduct(const Factors& factors) {
+  Interval product = {1, 1};
+  for (const auto& [atom, exponent] : factors) {
+    product = product * Power(RangeOfAtom(atom), exponent);
+  }
+  return product;
+}
+
+Interval LinearRelaxation::RangeOfAtom(const Expression& atom) {
+  const auto operand = [&](int i) { return RangeOf(atom.operands()[i]); };
+  switch (atom.op()) {
+    case Operator::kVariable:
+      return RangeOfVariable(atom.variable());
+    case Operator::kPower:
+      return Power(operand(0), atom.exponent());
+    case Operator::kSin:
+      return Sin(operand(0));
+    case Operator::kCos:
+      return Cos(operand(0));
+    case Operator::kSqrt:
+      return Sqrt(operand(0));
+    case Operator::kAbs:
+      return Abs(operand(0));
+    case Operator::kMin:
+      return Min(operand(0), operand(1));
+    case Operator::kMax:
+      return Max(operand(0), operand(1));
+    case Operator::kConstant:
+    case Operator::kSum:  // too long to be expanded
+    case Operator::kProduct:
+    case Operator::kQuotient:
+      return RangeAsItStands(atom);
+  }
+  return kWholeLine;
+}
+
+Interval LinearRelaxation::RangeAsItStands(const Expression& e) {
+  for (const VariableId variable : VariablesOf(e)) RangeOfVariable(variable);
+  return Evaluate(e, box_);
+}
+
+Interval LinearRelaxation::RangeOf(const Expression& e) {
+  if (e.IsConstant()) return {e.constant(), e.constant()};
+  if (const auto known = range_of_.find(e.index()); known != range_of_.end()) return known->second;
+  const Interval sup_inf = {-NumericSup(-e), NumericSup(e)};
+  const bool is_exact = ExactLinearForm(e).has_value() && sup_inf.low <= sup_inf.high;
+  const Interval range = is_exact ? sup_inf : Narrowed(RangeAsItStands(e), sup_inf);
+  range_of_.emplace(e.index(), range);
+  return range;
+}
+
+double LinearRelaxation::NumericSup(const Expression& e) {
+  const std::optional<LinearForm> form = UpperForm(e);
+  return form ? GreatestOf(*form) : kInfinity;
+}
+
+}  // namespace assay::algebra

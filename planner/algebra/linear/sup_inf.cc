@@ -1,0 +1,123 @@
+#include "planner/algebra/linear/sup_inf.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "planner/algebra/linear/linear_part.h"
+#include "planner/algebra/linear/linear_relaxation.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
+
+namespace assay::algebra {
+namespace {
+
+enum class Side { kSup, kInf };
+
+// The answer to one question, of an expression that is no number.
+class Answer {
+ public:
+  Answer(ExpressionPool& pool, const std::set<VariableId>& keep, const ConstraintSet& constraints)
+      : relaxation_(pool, constraints, keep), keeps_(!keep.empty()) {}
+
+  Expression Of(const Expression& j, Side side) {
+    if (!keeps_) {
+      const Interval range = relaxation_.RangeOf(j);
+      return side == Side::kSup ? range.high : range.low;
+    }
+    if (relaxation_.IsKept(j)) return j;
+    if (j.op() != Operator::kMin && j.op() != Operator::kMax) return Symbolic(j, side);
+    return Choose(j.op(), Of(j.operands()[0], side), Of(j.operands()[1], side));
+  }
+
+ private:
+  static Expression Choose(Operator op, const Expression& a, const Expression& b) {
+    return op == Operator::kMin ? Min(a, b) : Max(a, b);
+  }
+
+  // INF(J) is -SUP(-J): the greatest of the negated forms.
+  Expression Symbolic(const Expression& j, Side side) {
+    const Operator choice = side == Side::kSup ? Operator::kMin : Operator::kMax;
+    const double none = side == Side::kSup ? kInfinity : -kInfinity;
+    const LeastOf sup = relaxation_.Sup(side == Side::kSup ? j : -j);
+    if (sup.IsContradiction()) return -none;
+    std::optional<Expression> answer;
+    for (const LinearForm& form : WithoutIdleNumber(sup)) {
+      const std::optional<Expression> bound = Rounded(side == Side::kSup ? form : -form, side);
+      if (!bound) continue;
+      answer = answer ? Choose(choice, *answer, *bound) : *bound;
+    }
+    return answer.value_or(none);
+  }
+
+  // Without a number that another form never exceeds: the range of a product often is one.
+  std::vector<LinearForm> WithoutIdleNumber(const LeastOf& sup) {
+    std::vector<LinearForm> forms = sup.Forms();
+    const auto number = std::ranges::find_if(forms, &LinearForm::IsConstant);
+    if (number == forms.end()) return forms;
+    const bool is_idle = std::ranges::any_of(forms, [&](const LinearForm& form) {
+      return !form.IsConstant() && relaxation_.GreatestOf(form) <= number->constant.RoundedDown();
+    });
+    if (is_idle) forms.erase(number);
+    return forms;
+  }
+
+  // The form with numbers that are doubles, or quotients of two: never below it for SUP, never
+  // above it for INF. None where a variable without bounds has a number that is neither.
+  std::optional<Expression> Rounded(const LinearForm& form, Side side) {
+    Expression sum = 0;
+    LinearForm slack{.constant = form.constant};
+    for (const auto& [column, coefficient] : form.coefficients) {
+      const Expression product = relaxation_.ProductOf(column);
+      const auto numerator = coefficient.Numerator().Exactly();
+      const auto denominator = coefficient.Denominator().Exactly();
+      if (const std::optional<double> exact = coefficient.Exactly()) {
+        sum = sum + *exact * product;
+      } else if (numerator && denominator) {
+        sum = sum + *numerator * product / *denominator;
+      } else {
+        const Interval& range = relaxation_.RangeOf(column);
+        const double greatest = std::max(std::abs(range.low), std::abs(range.high));
+        if (!std::isfinite(greatest)) return std::nullopt;
+        const Rational error = Abs(coefficient - coefficient.Nearest()) * greatest;
+        slack.constant = slack.constant + (side == Side::kSup ? error : -error);
+        sum = sum + coefficient.Nearest() * product;
+      }
+    }
+    const double constant =
+        side == Side::kSup ? slack.constant.RoundedUp() : slack.constant.RoundedDown();
+    return sum + constant;
+  }
+
+  LinearRelaxation relaxation_;
+  bool keeps_;
+};
+
+Expression SupOrInf(const Expression& j, const std::set<VariableId>& keep,
+                    const ConstraintSet& constraints, Side side) {
+  if (j.IsConstant()) return j;
+  return Answer(*j.pool(), keep, constraints).Of(j, side);
+}
+
+}  // namespace
+
+Expression Sup(const Expression& j, const std::set<VariableId>& keep,
+               const ConstraintSet& constraints) {
+  return SupOrInf(j, keep, constraints, Side::kSup);
+}
+
+Expression Inf(const Expression& j, const std::set<VariableId>& keep,
+               const ConstraintSet& constraints) {
+  return SupOrInf(j, keep, constraints, Side::kInf);
+}
+
+std::vector<Interval> TightenedBox(const ConstraintSet& constraints) {
+  std::vector<Interval> box = constraints.box;
+  if (constraints.inequalities.empty()) return box;
+  const LinearSupInf core(LinearPartOf(constraints).at_most_zero);
+  for (std::size_t v = 0; v < box.size(); ++v) {
+    box[v] = TightenedInterval(VariableId(v), box[v], core);
+  }
+  return box;
+}
+
+}  // namespace assay::algebra

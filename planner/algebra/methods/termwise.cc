@@ -1,0 +1,35 @@
+#include "planner/algebra/methods/termwise.h"
+
+#include "planner/algebra/expression/index_map.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
+
+namespace assay::algebra {
+namespace {
+
+// Atoms are mostly a variable, or its sine or cosine.
+Interval RangeOfAtom(const Expression& atom, std::span<const Interval> box) {
+  if (atom.op() == Operator::kVariable) return box[atom.variable().index()];
+  const bool is_wave = atom.op() == Operator::kSin || atom.op() == Operator::kCos;
+  if (!is_wave || atom.operands()[0].op() != Operator::kVariable) return Evaluate(atom, box);
+  const Interval& angle = box[atom.operands()[0].variable().index()];
+  return atom.op() == Operator::kSin ? Sin(angle) : Cos(angle);
+}
+
+}  // namespace
+
+Interval TermwiseRange(const NormalForm& form, std::span<const Interval> box) {
+  IndexMap<Interval> known;  // of the atoms
+  Interval sum = {0, 0};
+  for (const NormalForm::Term& term : form.terms) {
+    Interval product = term.coefficient;
+    for (const NormalForm::Factor& factor : term.factors) {
+      const auto [range, is_new] = known.Insert(factor.atom.index());
+      if (is_new) range = RangeOfAtom(factor.atom, box);
+      product = product * Power(range, factor.exponent);
+    }
+    sum = sum + product;
+  }
+  return sum;
+}
+
+}  // namespace assay::algebra

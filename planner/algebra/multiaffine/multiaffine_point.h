@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/algebra/multiaffine/multiaffine_derivatives.h"
+
+namespace assay::algebra {
+
+// A point, by the variables of a multi-affine form, at which it can be evaluated.
+class MultiaffinePoint {
+ public:
+  explicit MultiaffinePoint(const MultiaffineForm& form)
+      : form_(form), coordinates_(form.variables.size()), derivatives_(form) {}
+
+  bool IsAngle(int variable) const { return variable < form_.angle_count; }
+  const std::vector<double>& coordinates() const { return coordinates_; }
+  MultiaffineDerivatives<double>& derivatives() { return derivatives_; }
+
+  void Set(int variable, double x) { Set(variable, x, IsAngle(variable) ? WaveAt(x) : Wave()); }
+  void Set(int variable, double x, const Wave& wave) {
+    coordinates_[variable] = x;
+    if (IsAngle(variable)) {
+      derivatives_.SetAngle(variable, wave.cosine, wave.sine);
+    } else {
+      derivatives_.SetDisplacement(variable, x);
+    }
+  }
+  void SetToLow(int variable, const Sector& sector) { Set(variable, sector.low, sector.at_low); }
+  void SetToHigh(int variable, const Sector& sector) { Set(variable, sector.high, sector.at_high); }
+
+ private:
+  const MultiaffineForm& form_;
+  std::vector<double> coordinates_;
+  MultiaffineDerivatives<double> derivatives_;
+};
+
+}  // namespace assay::algebra

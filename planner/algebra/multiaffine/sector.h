@@ -1,0 +1,31 @@
+#pragma once
+
+#include "planner/algebra/numeric/nearest_interval.h"
+
+namespace assay::algebra {
+
+// A sine and a cosine.
+struct Wave {
+  double cosine = 1;
+  double sine = 0;
+};
+Wave WaveAt(double angle);
+
+// The interval of a variable of a multi-affine form; of an angle with the waves at its ends, from
+// which those between follow.
+struct Sector {
+  double low = 0;
+  double high = 0;
+  Wave at_low, at_high;
+
+  bool IsFree() const { return low < high; }
+  double Width() const { return high - low; }
+  void SetToLow() { high = low, at_high = at_low; }
+  void SetToHigh() { low = high, at_low = at_high; }
+};
+Sector AngleBetween(double low, double high);
+
+NearestInterval Cosines(const Sector& angle);
+NearestInterval Sines(const Sector& angle);
+
+}  // namespace assay::algebra

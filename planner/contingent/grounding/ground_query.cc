@@ -1,0 +1,133 @@
+#include "planner/contingent/grounding/ground_query.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace assay::contingent {
+
+GroundQuery ConstantQuery(bool value) {
+  GroundQuery query;
+  query.kind = value ? GroundQuery::Kind::kAnd : GroundQuery::Kind::kOr;
+  return query;
+}
+
+GroundQuery Negated(GroundQuery operand) {
+  if (operand.IsTrue() || operand.IsFalse()) return ConstantQuery(operand.IsFalse());
+  GroundQuery query;
+  query.kind = GroundQuery::Kind::kNot;
+  query.operands.push_back(std::move(operand));
+  return query;
+}
+
+GroundQuery Joined(GroundQuery::Kind kind, std::vector<GroundQuery> operands) {
+  const bool is_and = kind == GroundQuery::Kind::kAnd;
+  GroundQuery query;
+  query.kind = kind;
+  for (GroundQuery& operand : operands) {
+    if (is_and ? operand.IsFalse() : operand.IsTrue()) return ConstantQuery(!is_and);
+    if (operand.kind == kind) {
+      std::move(operand.operands.begin(), operand.operands.end(),
+                std::back_inserter(query.operands));
+    } else {
+      query.operands.push_back(std::move(operand));
+    }
+  }
+  if (query.operands.size() == 1) return std::move(query.operands.front());
+  return query;
+}
+
+GroundQuery Known(GroundLiteral literal) {
+  GroundQuery query;
+  query.kind = GroundQuery::Kind::kKnown;
+  query.literal = literal;
+  return query;
+}
+
+GroundQuery BoundKnown(const Bound& bound) {
+  GroundQuery query;
+  query.kind = GroundQuery::Kind::kBoundKnown;
+  query.bound = bound;
+  return query;
+}
+
+bool AsksOfTheWorld(const GroundQuery& query) {
+  switch (query.kind) {
+    case GroundQuery::Kind::kKnown:
+    case GroundQuery::Kind::kBoundKnown:
+      return true;
+    case GroundQuery::Kind::kAnd:
+    case GroundQuery::Kind::kOr:
+      return std::all_of(query.operands.begin(), query.operands.end(), AsksOfTheWorld);
+    case GroundQuery::Kind::kNot:
+    case GroundQuery::Kind::kKnownWhether:
+    case GroundQuery::Kind::kValueSensed:
+      return false;
+  }
+  return false;
+}
+
+bool HasBound(const GroundQuery& query) {
+  return query.kind == GroundQuery::Kind::kBoundKnown ||
+         std::ranges::any_of(query.operands, HasBound);
+}
+
+bool HasNegation(const GroundQuery& query) {
+  return query.kind == GroundQuery::Kind::kNot || std::ranges::any_of(query.operands, HasNegation);
+}
+
+namespace {
+
+bool AnyNegated(const std::vector<GroundEffect>& effects) {
+  return std::ranges::any_of(
+      effects, [](const GroundEffect& effect) { return HasNegation(effect.condition); });
+}
+
+// In parentheses where it stands beside others.
+std::string OperandText(const GroundTask& task, const GroundQuery& operand) {
+  const std::string text = TextOf(task, operand);
+  return operand.operands.size() > 1 ? "(" + text + ")" : text;
+}
+
+std::string JoinedText(const GroundTask& task, const GroundQuery& query, const char* word) {
+  std::vector<std::string> texts;
+  for (const GroundQuery& operand : query.operands) texts.push_back(OperandText(task, operand));
+  return fmt::format("{}", fmt::join(texts, word));
+}
+
+}  // namespace
+
+bool AsksForIgnorance(const GroundTask& task) {
+  return HasNegation(task.goal) || AnyNegated(task.updates) ||
+         std::ranges::any_of(task.actions, [](const GroundAction& action) {
+           return HasNegation(action.precondition) || AnyNegated(action.effects);
+         });
+}
+
+std::string TextOf(const GroundTask& task, const GroundQuery& query) {
+  using Kind = GroundQuery::Kind;
+  switch (query.kind) {
+    case Kind::kAnd:
+      return query.IsTrue() ? "true" : JoinedText(task, query, " & ");
+    case Kind::kOr:
+      return query.IsFalse() ? "false" : JoinedText(task, query, " | ");
+    case Kind::kNot:
+      return "!" + OperandText(task, query.operands.front());
+    case Kind::kKnown:
+      return "K(" + TextOf(task, query.literal) + ")";
+    case Kind::kBoundKnown:
+      return "K(" + TextOf(task, Formula{.literals = {}, .bound = query.bound}) + ")";
+    case Kind::kKnownWhether:
+      return "Kw(" + TextOf(task, task.formulas[query.formula.index()]) + ")";
+    case Kind::kValueSensed: {
+      const std::string& function = task.functions[query.function.index()].text;
+      return query.within ? fmt::format("Kv({} within {})", function, *query.within)
+                          : fmt::format("Kv({})", function);
+    }
+  }
+  return "";
+}
+
+}  // namespace assay::contingent

@@ -1,0 +1,20 @@
+#include "planner/contingent/knowledge/knowledge_state.h"
+
+#include <bit>
+
+namespace assay::contingent {
+
+std::uint64_t HashOf(const KnowledgeState& state) {
+  std::uint64_t hash = 0;
+  for (const std::uint64_t word : state.bits) hash = algebra::MixedHash(hash, word);
+  for (const Diagram relation : state.relations) hash = algebra::MixedHash(hash, relation);
+  for (const Range& range : state.ranges) {
+    // Adding 0 makes one zero of the two.
+    hash = algebra::MixedHash(hash, std::bit_cast<std::uint64_t>(range.low + 0.0));
+    hash = algebra::MixedHash(hash, std::bit_cast<std::uint64_t>(range.high + 0.0));
+    hash = algebra::MixedHash(hash, std::bit_cast<std::uint64_t>(range.error + 0.0));
+  }
+  return hash;
+}
+
+}  // namespace assay::contingent

@@ -1,0 +1,428 @@
+#include "planner/contingent/tree/symbolic_check.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <ranges>
+#include <set>
+#include <unordered_map>
+
+#include "planner/contingent/worlds/decision_diagram.h"
+#include "planner/contingent/worlds/variable_order.h"
+
+namespace assay::contingent {
+namespace {
+
+// Where an effect makes an atom true, makes it false, lets it be either.
+struct Fate {
+  Diagram becomes_true = kEmptySet;
+  Diagram becomes_false = kEmptySet;
+  Diagram becomes_open = kEmptySet;
+
+  // The same in all worlds.
+  bool IsCertain() const {
+    const auto is_somewhere = [](Diagram where) { return where != kEmptySet && where != kAllSets; };
+    return !is_somewhere(becomes_true) && !is_somewhere(becomes_false) &&
+           !is_somewhere(becomes_open);
+  }
+  bool IsOpen() const { return becomes_true == kEmptySet && becomes_false == kEmptySet; }
+};
+
+// What comes to a node: worlds on any way, what has been sensed on every way and on any, and the
+// atoms that are open on every way: with each world the way has the one that differs in this atom
+// alone.
+struct Arrivals {
+  Diagram worlds = kEmptySet;
+  std::set<FormulaId> sensed;
+  std::set<FormulaId> sensed_somewhere;
+  std::set<AtomId> open;
+};
+
+bool IsOfEachWorld(const GroundEffect& effect) {
+  return std::ranges::all_of(effect.changes, [&](const GroundChange& change) {
+    const bool is_of_fact =
+        change.kind == GroundChange::Kind::kSet || change.kind == GroundChange::Kind::kForget;
+    const bool is_of_kw =
+        change.kind == GroundChange::Kind::kSense || change.kind == GroundChange::Kind::kUnsense;
+    return is_of_fact ? effect.is_of_worlds : is_of_kw && effect.condition.IsTrue();
+  });
+}
+
+bool IsOfEachWorld(const GroundTask& task, const PlanTree& tree) {
+  return task.functions.empty() && task.updates.empty() &&
+         std::ranges::all_of(tree.nodes, [&](const PlanNode& node) {
+           if (node.kind == PlanNode::Kind::kValue || std::ranges::count(node.repeats, true) > 0) {
+             return false;
+           }
+           if (node.kind != PlanNode::Kind::kAct) return true;
+           return std::ranges::all_of(
+               task.actions[node.action.index()].effects,
+               [](const GroundEffect& effect) { return IsOfEachWorld(effect); });
+         });
+}
+
+class SymbolicCheck {
+ public:
+  SymbolicCheck(const GroundTask& task, const PlanTree& tree)
+      : task_(task), tree_(tree), places_(PlacesOfAtoms(task)), arrivals_(tree.nodes.size()) {}
+
+  std::optional<TreeCheck> Run() {
+    TreeCheck check;
+    const Diagram initial = InitialWorlds();
+    if (initial == kEmptySet) return std::nullopt;
+    check.worlds = static_cast<std::int64_t>(CountOf(initial));
+    const std::set<FormulaId> sensed(task_.initial.sensed.begin(), task_.initial.sensed.end());
+    Arrive(tree_.root, {Assumed(initial), sensed, sensed, OpenAtoms(initial)});
+    for (const NodeId id : std::views::reverse(ChildrenFirst(tree_))) {
+      const Arrivals& arrivals = arrivals_[id.index()];
+      if (arrivals.worlds == kEmptySet) continue;
+      PassOn(tree_.node(id), arrivals);
+    }
+    if (failure_.empty() && !is_told_) return std::nullopt;
+    check.holds = failure_.empty();
+    check.failure = failure_;
+    for (std::size_t i = 0; i < arrivals_.size(); ++i) {
+      if (arrivals_[i].worlds == kEmptySet) check.unreached.push_back(NodeId(i));
+    }
+    return check;
+  }
+
+ private:
+  int Variable(AtomId atom) const { return 2 * places_[atom.index()]; }
+  Diagram WorldsWhere(GroundLiteral literal) {
+    return diagrams_.Literal({Variable(literal.atom), literal.is_positive});
+  }
+  Diagram WorldsWhere(const GroundQuery& condition) {
+    if (condition.kind == GroundQuery::Kind::kKnown) return WorldsWhere(condition.literal);
+    const bool is_and = condition.kind == GroundQuery::Kind::kAnd;
+    Diagram where = is_and ? kAllSets : kEmptySet;
+    for (const GroundQuery& operand : condition.operands) {
+      const Diagram there = WorldsWhere(operand);
+      where = is_and ? diagrams_.And(where, there) : diagrams_.Or(where, there);
+    }
+    return where;
+  }
+
+  Diagram WorldsWhere(const Formula& conjunction) {
+    Diagram where = kAllSets;
+    for (const GroundLiteral& l : conjunction.literals) {
+      where = diagrams_.And(where, WorldsWhere(l));
+    }
+    return where;
+  }
+
+  // ---- Initial worlds
+
+  // By what relations say.
+  Diagram InitialWorlds() {
+    Diagram worlds = kAllSets;
+    for (const InitialRelation& relation : task_.initial.relations) {
+      std::vector<Assignment> literals;
+      for (const GroundLiteral& l : relation.literals) {
+        literals.push_back({Variable(l.atom), l.is_positive});
+      }
+      worlds = diagrams_.And(worlds, relation.is_inclusive ? diagrams_.AtLeastOne(literals)
+                                                           : diagrams_.ExactlyOne(literals));
+    }
+    std::vector<Assignment> known;
+    for (const GroundLiteral& l : task_.initial.known) {
+      known.push_back({Variable(l.atom), l.is_positive});
+    }
+    std::ranges::sort(known, {}, &Assignment::variable);
+    return diagrams_.Restrict(worlds, known);
+  }
+
+  Diagram Assumed(Diagram worlds) {
+    for (const GroundLiteral& l : task_.initial.known) {
+      worlds = diagrams_.And(worlds, WorldsWhere(l));
+    }
+    return worlds;
+  }
+
+  // Those that nothing is said of.
+  std::set<AtomId> OpenAtoms(Diagram initial) {
+    const std::vector<int>& said = diagrams_.Support(initial);
+    std::set<AtomId> open;
+    for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
+      if (!std::ranges::binary_search(said, Variable(AtomId(a)))) open.insert(AtomId(a));
+    }
+    for (const GroundLiteral& l : task_.initial.known) open.erase(l.atom);
+    return open;
+  }
+
+  // How many choices for the atoms that relations name and that are not known.
+  double CountOf(Diagram worlds) {
+    std::set<int> open;
+    for (const InitialRelation& relation : task_.initial.relations) {
+      for (const GroundLiteral& l : relation.literals) open.insert(Variable(l.atom));
+    }
+    for (const GroundLiteral& l : task_.initial.known) open.erase(Variable(l.atom));
+    std::unordered_map<Diagram, double> shares = {{kEmptySet, 0}, {kAllSets, 1}};
+    return std::round(std::ldexp(ShareOf(worlds, shares), static_cast<int>(open.size())));
+  }
+
+  // Of all assignments those in the set.
+  double ShareOf(Diagram f, std::unordered_map<Diagram, double>& known) {
+    if (const auto found = known.find(f); found != known.end()) return found->second;
+    const double share = (ShareOf(diagrams_.low(f), known) + ShareOf(diagrams_.high(f), known)) / 2;
+    return known[f] = share;
+  }
+
+  // ---- Walking the tree
+
+  void Arrive(NodeId id, Arrivals more) {
+    Arrivals& arrivals = arrivals_[id.index()];
+    if (more.worlds == kEmptySet) return;
+    if (arrivals.worlds == kEmptySet) {
+      arrivals = std::move(more);
+      return;
+    }
+    arrivals.worlds = diagrams_.Or(arrivals.worlds, more.worlds);
+    std::erase_if(arrivals.sensed, [&](FormulaId f) { return !more.sensed.contains(f); });
+    arrivals.sensed_somewhere.merge(more.sensed_somewhere);
+    std::erase_if(arrivals.open, [&](AtomId a) { return !more.open.contains(a); });
+  }
+
+  void PassOn(const PlanNode& node, const Arrivals& here) {
+    switch (node.kind) {
+      case PlanNode::Kind::kGoal:
+        return Demand(task_.goal, here, "the goal");
+      case PlanNode::Kind::kAct: {
+        const GroundAction& action = task_.actions[node.action.index()];
+        Demand(action.precondition, here,
+               fmt::format("the precondition of {}", assay::contingent::TextOf(action)));
+        return Arrive(node.children.front(), After(action, here));
+      }
+      case PlanNode::Kind::kWhether:
+        return Branch(node, here);
+      case PlanNode::Kind::kValue:
+        is_told_ = false;
+    }
+  }
+
+  void Demand(const GroundQuery& query, const Arrivals& here, const std::string& what) {
+    if (!failure_.empty() || SurelyHolds(query, here)) return;
+    const Diagram where = WorldsAgainst(query, here);
+    is_told_ &= where != kEmptySet;
+    if (where == kEmptySet) return;
+    failure_ = fmt::format("{} is not known on some way of the tree, in the world with {}", what,
+                           TextOfAWorld(where));
+  }
+
+  // Some in which it is not known to whoever came there on some way; none if that cannot be told.
+  Diagram WorldsAgainst(const GroundQuery& query, const Arrivals& here) {
+    if (query.kind == GroundQuery::Kind::kKnown) {
+      return diagrams_.And(here.worlds, diagrams_.Not(WorldsWhere(query.literal)));
+    }
+    if (query.kind != GroundQuery::Kind::kAnd) {
+      return SurelyFails(query, here) ? here.worlds : kEmptySet;
+    }
+    for (const GroundQuery& operand : query.operands) {
+      const Diagram where = WorldsAgainst(operand, here);
+      if (where != kEmptySet) return where;
+    }
+    return kEmptySet;
+  }
+
+  // What is true in one of them; what the others leave open is false.
+  std::string TextOfAWorld(Diagram worlds) const {
+    std::set<int> holding;
+    while (!diagrams_.IsConstant(worlds)) {
+      const bool can_be_false = diagrams_.low(worlds) != kEmptySet;
+      if (!can_be_false) holding.insert(diagrams_.variable(worlds));
+      worlds = can_be_false ? diagrams_.low(worlds) : diagrams_.high(worlds);
+    }
+    std::vector<std::string> texts;
+    for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
+      if (holding.contains(Variable(AtomId(a)))) texts.push_back(task_.atoms[a]);
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
+  }
+
+  // On every way.
+  bool SurelyHolds(const GroundQuery& query, const Arrivals& here) {
+    const auto holds = [&](const GroundQuery& operand) { return SurelyHolds(operand, here); };
+    switch (query.kind) {
+      case GroundQuery::Kind::kAnd:
+        return std::ranges::all_of(query.operands, holds);
+      case GroundQuery::Kind::kOr:
+        return std::ranges::any_of(query.operands, holds);
+      case GroundQuery::Kind::kNot:
+        return SurelyFails(query.operands.front(), here);
+      case GroundQuery::Kind::kKnown:
+        return diagrams_.Implies(here.worlds, WorldsWhere(query.literal));
+      case GroundQuery::Kind::kKnownWhether:
+        return here.sensed.contains(query.formula) || IsDetermined(query.formula, here);
+      case GroundQuery::Kind::kBoundKnown:
+      case GroundQuery::Kind::kValueSensed:
+        break;
+    }
+    return false;
+  }
+
+  bool IsDetermined(FormulaId formula, const Arrivals& here) {
+    const Diagram where = WorldsWhere(task_.formulas[formula.index()]);
+    return diagrams_.Implies(here.worlds, where) || diagrams_.And(here.worlds, where) == kEmptySet;
+  }
+
+  // Then it is true in some worlds of each way and false in others.
+  bool IsOpen(FormulaId formula, const Arrivals& here) const {
+    return std::ranges::all_of(task_.formulas[formula.index()].literals,
+                               [&](const GroundLiteral& l) { return here.open.contains(l.atom); });
+  }
+
+  // On every way. Worlds of different ways are in one set: that some have the literal and some have
+  // not does not tell that none of the ways knows it.
+  bool SurelyFails(const GroundQuery& query, const Arrivals& here) {
+    const auto fails = [&](const GroundQuery& operand) { return SurelyFails(operand, here); };
+    switch (query.kind) {
+      case GroundQuery::Kind::kAnd:
+        return std::ranges::any_of(query.operands, fails);
+      case GroundQuery::Kind::kOr:
+        return std::ranges::all_of(query.operands, fails);
+      case GroundQuery::Kind::kNot:
+        return SurelyHolds(query.operands.front(), here);
+      case GroundQuery::Kind::kKnown:
+        return here.open.contains(query.literal.atom) ||
+               diagrams_.And(here.worlds, WorldsWhere(query.literal)) == kEmptySet;
+      case GroundQuery::Kind::kKnownWhether:
+        return !here.sensed_somewhere.contains(query.formula) && IsOpen(query.formula, here);
+      case GroundQuery::Kind::kBoundKnown:
+      case GroundQuery::Kind::kValueSensed:
+        break;
+    }
+    return false;
+  }
+
+  // That worlds of both cases come, which may be on different ways, does not refute the tree.
+  void Branch(const PlanNode& node, const Arrivals& here) {
+    const Diagram where = WorldsWhere(task_.formulas[node.formula.index()]);
+    const Diagram if_true = diagrams_.And(here.worlds, where);
+    const Diagram if_false = diagrams_.And(here.worlds, diagrams_.Not(where));
+    const bool is_open = if_true != kEmptySet && if_false != kEmptySet;
+    if (is_open && !here.sensed.contains(node.formula)) is_told_ = false;
+    Arrivals next = here;
+    for (const GroundLiteral& l : task_.formulas[node.formula.index()].literals) {
+      next.open.erase(l.atom);
+    }
+    next.worlds = if_true;
+    Arrive(node.children[0], next);
+    next.worlds = if_false;
+    Arrive(node.children[1], next);
+  }
+
+  // ---- Actions
+
+  std::map<AtomId, Fate> FatesOf(const GroundAction& action) {
+    std::map<AtomId, Fate> fates;
+    for (const GroundEffect& effect : action.effects) {
+      const Diagram where = WorldsWhere(effect.condition);
+      for (const GroundChange& change : effect.changes) {
+        if (change.literal.atom.IsNone()) continue;
+        Fate& fate = fates[change.literal.atom];
+        Diagram& becomes = change.kind == GroundChange::Kind::kForget ? fate.becomes_open
+                           : change.literal.is_positive               ? fate.becomes_true
+                                                                      : fate.becomes_false;
+        becomes = diagrams_.Or(becomes, where);
+      }
+    }
+    return fates;
+  }
+
+  // The worlds after the action. The new values of atoms whose fate depends on the world are, for
+  // the time being, variables of their own.
+  Diagram Image(const GroundAction& action, Diagram worlds) {
+    const std::map<AtomId, Fate> fates = FatesOf(action);
+    std::unordered_map<int, Diagram> renamed;
+    for (const auto& [atom, fate] : fates) {
+      if (fate.IsCertain()) continue;
+      worlds = diagrams_.And(worlds, NewValue(atom, fate));
+      renamed[Variable(atom) + 1] = diagrams_.Literal({Variable(atom), true});
+    }
+    for (const auto& [atom, fate] : fates) worlds = diagrams_.Exists(worlds, Variable(atom));
+    worlds = diagrams_.Compose(worlds, renamed);
+    for (const auto& [atom, fate] : fates) {
+      if (!fate.IsCertain() || fate.IsOpen()) continue;
+      worlds = diagrams_.And(worlds, WorldsWhere({atom, fate.becomes_true == kAllSets}));
+    }
+    return worlds;
+  }
+
+  // What becomes true wins over what becomes false, and both over what is left open.
+  Diagram NewValue(AtomId atom, const Fate& fate) {
+    const Diagram now = diagrams_.Literal({Variable(atom) + 1, true});
+    const Diagram stays = diagrams_.Equal(now, diagrams_.Literal({Variable(atom), true}));
+    const Diagram or_open = diagrams_.IfThenElse(fate.becomes_open, kAllSets, stays);
+    const Diagram or_false = diagrams_.IfThenElse(fate.becomes_false, diagrams_.Not(now), or_open);
+    return diagrams_.IfThenElse(fate.becomes_true, now, or_false);
+  }
+
+  // What was sensed of something that may have changed is not surely of use, and what was sensed of
+  // something that may not have changed may be.
+  Arrivals After(const GroundAction& action, const Arrivals& here) {
+    Arrivals next = here;
+    next.worlds = Image(action, here.worlds);
+    std::set<FormulaId> now;
+    for (const GroundEffect& effect : action.effects) {
+      for (const GroundChange& change : effect.changes) {
+        if (change.kind == GroundChange::Kind::kSense) now.insert(change.formula);
+        Unsense(change, next.sensed);
+        if (effect.condition.IsTrue()) Unsense(change, next.sensed_somewhere);
+      }
+    }
+    next.sensed.insert(now.begin(), now.end());
+    next.sensed_somewhere.merge(now);
+    next.open = OpenAfter(action, here);
+    return next;
+  }
+
+  void Unsense(const GroundChange& change, std::set<FormulaId>& sensed) const {
+    if (change.kind == GroundChange::Kind::kUnsense) sensed.erase(change.formula);
+    std::erase_if(sensed, [&](FormulaId formula) {
+      return std::ranges::count(task_.formulas[formula.index()].literals, change.literal.atom,
+                                &GroundLiteral::atom) > 0;
+    });
+  }
+
+  // What no effect reads or writes stays open; what is forgotten, and nothing else, becomes so.
+  std::set<AtomId> OpenAfter(const GroundAction& action, const Arrivals& here) const {
+    std::set<AtomId> open = here.open;
+    std::set<AtomId> closed;
+    for (const GroundEffect& effect : action.effects) {
+      AddAtoms(effect.condition, closed);
+      for (const GroundChange& change : effect.changes) {
+        if (change.literal.atom.IsNone()) continue;
+        const bool is_surely_forgotten =
+            change.kind == GroundChange::Kind::kForget && effect.condition.IsTrue();
+        (is_surely_forgotten ? open : closed).insert(change.literal.atom);
+      }
+    }
+    for (const AtomId atom : closed) open.erase(atom);
+    return open;
+  }
+
+  static void AddAtoms(const GroundQuery& query, std::set<AtomId>& atoms) {
+    if (query.kind == GroundQuery::Kind::kKnown) atoms.insert(query.literal.atom);
+    for (const GroundQuery& operand : query.operands) AddAtoms(operand, atoms);
+  }
+
+  const GroundTask& task_;
+  const PlanTree& tree_;
+  std::vector<int> places_;
+  DecisionDiagrams diagrams_;
+  std::vector<Arrivals> arrivals_;  // by node
+  std::string failure_;
+  bool is_told_ = true;  // of all that the tree asks
+};
+
+}  // namespace
+
+std::optional<TreeCheck> CheckBySets(const GroundTask& task, const PlanTree& tree) {
+  if (!IsOfEachWorld(task, tree)) return std::nullopt;
+  return SymbolicCheck(task, tree).Run();
+}
+
+}  // namespace assay::contingent

@@ -1,0 +1,513 @@
+#include "planner/contingent/tree/tree_check.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <set>
+#include <utility>
+
+#include "planner/contingent/grounding/ground_query.h"
+#include "planner/contingent/tree/symbolic_check.h"
+#include "planner/contingent/tree/tree_text.h"
+#include "planner/contingent/worlds/initial_worlds.h"
+#include "planner/contingent/worlds/world_progression.h"
+
+namespace assay::contingent {
+namespace {
+
+// What a wrong tree may take: worlds on one way, unless more are there to begin with, and worlds in
+// which one repeat is followed from one world.
+constexpr std::size_t kMostWorlds = 1'000'000;
+constexpr std::size_t kMostReturns = 100'000;
+// Of knowledge with which one tree's repeats begin again.
+constexpr std::size_t kMostBeginnings = 1'000;
+// Of worlds of which each is followed among the others.
+constexpr std::size_t kMostFollowed = 2'000;
+
+// Whether something happens because it is known or not known, so that what happens in a world
+// depends on the others.
+bool HappensByKnowledge(const GroundTask& task) {
+  const auto is_by_knowledge = [](const GroundEffect& effect) {
+    return !effect.is_of_worlds && !effect.condition.IsTrue();
+  };
+  return !std::ranges::all_of(task.updates, [](const GroundEffect& update) {
+    return update.condition.IsTrue();
+  }) || std::ranges::any_of(task.actions, [&](const GroundAction& action) {
+    return std::ranges::any_of(action.effects, is_by_knowledge);
+  });
+}
+
+// Knowing more never hurts: nothing is asked not to be known, either.
+bool IsMonotone(const GroundTask& task) {
+  return !HappensByKnowledge(task) && !HasNegation(task.goal) &&
+         std::ranges::none_of(task.actions, [](const GroundAction& action) {
+           return HasNegation(action.precondition);
+         });
+}
+
+class Runner {
+ public:
+  Runner(const GroundTask& task, const PlanTree& tree, const NumberMarks& marks, bool were_drawn,
+         std::size_t most_worlds)
+      : task_(task),
+        tree_(tree),
+        loops_(LoopsOf(tree)),
+        is_monotone_(IsMonotone(task)),
+        happens_by_knowledge_(HappensByKnowledge(task)),
+        progression_(task, marks, were_drawn || !marks.AreComplete(), most_worlds),
+        most_worlds_(most_worlds) {
+    check_.were_drawn = were_drawn;
+    check_.are_numbers_sampled = !marks.AreComplete();
+  }
+
+  TreeCheck Run(Worlds initial) {
+    History history;
+    history.worlds = std::move(initial);
+    history.sensed.insert(task_.initial.sensed.begin(), task_.initial.sensed.end());
+    history.values_sensed = task_.initial.values_sensed;
+    is_reached_.assign(tree_.nodes.size(), false);
+    for (const PlanNode& node : tree_.nodes) {
+      for (std::size_t i = 0; i < node.children.size(); ++i) {
+        if (node.Repeats(i)) repeated_.insert(node.children[i]);
+      }
+    }
+    progression_.Update(history);
+    FailIfTwoValued(history);
+    if (history.worlds.empty()) Fail("the initial knowledge allows no world", history);
+    RunFrom(tree_.root, std::move(history));
+    check_.holds = !HasFailed();
+    check_.failure = Failure();
+    for (std::size_t i = 0; i < is_reached_.size(); ++i) {
+      if (!is_reached_[i]) check_.unreached.push_back(NodeId(i));
+    }
+    return std::move(check_);
+  }
+
+ private:
+  bool HasFailed() const {
+    return !failure_.empty() || progression_.HasMadeTooMany() || progression_.CouldNotTell() ||
+           progression_.IsRestless();
+  }
+
+  std::string Failure() const {
+    if (!failure_.empty()) return failure_;
+    if (progression_.HasMadeTooMany()) {
+      return fmt::format("more than {} worlds on one way", most_worlds_);
+    }
+    if (progression_.IsRestless()) {
+      return fmt::format("update rules do not come to rest in {} rounds", MostRoundsOf(task_));
+    }
+    if (!progression_.CouldNotTell()) return "";
+    return fmt::format("an effect asks that something is not known, which {} cannot tell",
+                       check_.were_drawn ? "worlds that are drawn" : "a sample of numbers");
+  }
+
+  void Fail(const std::string& what, const History& history, const World* world = nullptr) {
+    if (HasFailed()) return;
+    failure_ = fmt::format("{} after {}", what,
+                           steps_.empty() ? "no step" : fmt::format("{}", fmt::join(steps_, "; ")));
+    if (world == nullptr && !history.worlds.empty()) world = &history.worlds.front();
+    if (world != nullptr) failure_ += fmt::format(", in the world with {}", TextOf(*world));
+  }
+
+  void FailIfTwoValued(const History& history) {
+    const FunctionId function = progression_.TwoValued();
+    if (function.IsNone()) return;
+    Fail(fmt::format("{} gets two values at once", task_.functions[function.index()].text),
+         history);
+  }
+
+  std::string TextOf(const World& world) const {
+    std::vector<std::string> texts;
+    for (std::size_t a = 0; a < task_.atoms.size(); ++a) {
+      if (world.atoms[a] == Truth::kTrue) texts.push_back(task_.atoms[a]);
+    }
+    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
+      const FunctionId function = task_.function_of_slot[slot];
+      texts.push_back(fmt::format("{} {}", task_.functions[function.index()].text,
+                                  TextOf(world.numbers[slot])));
+    }
+    return fmt::format("{}", fmt::join(texts, ", "));
+  }
+
+  static std::string TextOf(const Number& number) {
+    if (number.beside == 0) return fmt::format("= {}", number.value);
+    return fmt::format("just {} {}", number.beside < 0 ? "below" : "above", number.value);
+  }
+
+  // ---- Walking the tree
+
+  // Where worlds go on, and what has been on the way to there.
+  struct Way {
+    NodeId to;
+    History history;
+    std::string outcome = {};  // of the branch that leads there
+    bool is_repeat = false;    // back to a node above
+    bool is_counted = false;   // as its worlds have come this way before
+    std::size_t steps_above = 0;
+    std::size_t heads_above = 0;
+  };
+
+  // Depth first, without recursion: trees are as deep as files are long.
+  void RunFrom(NodeId id, History history) {
+    const std::size_t others = ways_.size();
+    const std::size_t steps_above = steps_.size();
+    GoOn({.to = id, .history = std::move(history)});
+    while (ways_.size() > others && !HasFailed()) {
+      Way way = std::move(ways_.back());
+      ways_.pop_back();
+      steps_.resize(way.steps_above);
+      heads_.resize(way.heads_above);
+      if (!way.outcome.empty()) steps_.push_back(way.outcome);
+      if (way.is_repeat) {
+        Return(way.to, way);
+      } else {
+        Walk(std::move(way));
+      }
+    }
+    steps_.resize(steps_above);
+  }
+
+  void GoOn(Way way) {
+    way.steps_above = steps_.size();
+    way.heads_above = heads_.size();
+    ways_.push_back(std::move(way));
+  }
+
+  void Walk(Way way) {
+    History& history = way.history;
+    for (NodeId id = way.to; !HasFailed() && IsFollowed(history);) {
+      const PlanNode& node = tree_.node(id);
+      is_reached_[id.index()] = true;
+      if (attempt_ == nullptr && IsRepeated(id)) Begin(id, history);
+      if (attempt_ != nullptr && loops_[id.index()] != attempt_->loop) {
+        attempt_->has_ended = true;
+        return;
+      }
+      switch (node.kind) {
+        case PlanNode::Kind::kGoal:
+          return End(way);
+        case PlanNode::Kind::kAct:
+          Execute(task_.actions[node.action.index()], history);
+          if (node.Repeats(0)) return Return(node.children.front(), way);
+          id = node.children.front();
+          break;
+        case PlanNode::Kind::kWhether:
+        case PlanNode::Kind::kValue:
+          return Branch(node, way);
+      }
+    }
+  }
+
+  void End(const Way& way) {
+    if (attempt_ != nullptr) {
+      attempt_->has_ended = true;
+      return;
+    }
+    if (!Holds(task_.goal, way.history)) Fail("the goal is not known", way.history);
+    if (!way.is_counted) check_.worlds += static_cast<std::int64_t>(way.history.worlds.size());
+  }
+
+  static bool IsFollowed(const History& history) {
+    return std::ranges::any_of(history.worlds, &World::is_followed);
+  }
+
+  bool IsRepeated(NodeId id) const { return repeated_.contains(id); }
+
+  bool Holds(const GroundQuery& query, const History& history) const {
+    return progression_.Ask(query, history) != Answer::kNo;
+  }
+
+  void Execute(const GroundAction& action, History& history) {
+    // What one world may do alone has been asked of all worlds with its history.
+    if (attempt_ == nullptr && !Holds(action.precondition, history)) {
+      return Fail(
+          fmt::format("the precondition of {} is not known", assay::contingent::TextOf(action)),
+          history);
+    }
+    steps_.push_back(assay::contingent::TextOf(action));
+    progression_.Apply(action.effects, history);
+    progression_.Update(history);
+    FailIfTwoValued(history);
+    if (attempt_ == nullptr && history.worlds.empty()) {
+      Fail("what is known contradicts itself", history);
+    }
+  }
+
+  void Branch(const PlanNode& node, Way& way) {
+    History& history = way.history;
+    const auto cases = CasesOf(node);
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      for (const GroundLiteral& literal : cases[i])
+        progression_.SplitBy(literal.atom, history.worlds);
+    }
+    std::vector<Worlds> parts(node.children.size());
+    for (const World& world : history.worlds) {
+      const int part = PartOf(node, cases, world);
+      if (part < 0) return Fail("no branch is for this value", history, &world);
+      parts[part].push_back(world);
+    }
+    if (!IsAsked(node, history, parts)) return;
+    for (std::size_t i = parts.size(); i-- > 0;) {  // the last that is put there is the next to run
+      if (parts[i].empty()) continue;
+      History next = history;
+      next.worlds = std::move(parts[i]);
+      progression_.Update(next);
+      if (next.worlds.empty()) return Fail("what is known contradicts itself", next);
+      GoOn({.to = node.children[i],
+            .history = std::move(next),
+            .outcome = "branch " + OutcomeText(task_, node, i),
+            .is_repeat = node.Repeats(i),
+            .is_counted = way.is_counted});
+    }
+  }
+
+  std::string QuestionOf(const PlanNode& node) const {
+    return node.kind == PlanNode::Kind::kValue
+               ? task_.functions[node.function.index()].text
+               : assay::contingent::TextOf(task_, task_.formulas[node.formula.index()]);
+  }
+
+  // By child what holds there, of a function; of a formula its literals alone.
+  std::vector<std::vector<GroundLiteral>> CasesOf(const PlanNode& node) const {
+    if (node.kind == PlanNode::Kind::kWhether) {
+      return {task_.formulas[node.formula.index()].literals};
+    }
+    std::vector<std::vector<GroundLiteral>> cases;
+    for (const AtomId value : node.values) cases.push_back({{value, true}});
+    return cases;
+  }
+
+  int PartOf(const PlanNode& node, const std::vector<std::vector<GroundLiteral>>& cases,
+             const World& world) const {
+    if (node.kind == PlanNode::Kind::kWhether) {
+      return progression_.IsTrue(task_.formulas[node.formula.index()], world) ? 0 : 1;
+    }
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+      if (progression_.IsTrue(cases[i].front(), world)) return static_cast<int>(i);
+    }
+    return -1;
+  }
+
+  // What is asked has been sensed, or there is one answer alone.
+  bool IsAsked(const PlanNode& node, const History& history, const std::vector<Worlds>& parts) {
+    const auto answers =
+        std::count_if(parts.begin(), parts.end(), [](const Worlds& w) { return !w.empty(); });
+    const bool is_sensed = node.kind == PlanNode::Kind::kWhether
+                               ? history.sensed.contains(node.formula)
+                               : history.values_sensed.contains(node.function);
+    if (answers > 1 && !is_sensed) {
+      Fail(fmt::format("a branch on {}, which has not been sensed,", QuestionOf(node)), history);
+    }
+    return !HasFailed();
+  }
+
+  void Return(NodeId head, const Way& way) {
+    const History& history = way.history;
+    if (attempt_ != nullptr) {
+      for (const World& world : history.worlds) {
+        if (world.is_followed) Follow(head, world, history);
+      }
+      return;
+    }
+    const History* begun = Begun(head);
+    if (begun == nullptr) return Fail("a repeat that never began", history);
+    is_monotone_ ? ReturnToWorlds(head, History(*begun), history) : ReturnKnowing(head, history);
+  }
+
+  // The worlds come back to where they, or worlds that they are cases of, began; and each of them
+  // can go on to the goal. Where less has been sensed than then, that must be enough, too.
+  void ReturnToWorlds(NodeId head, const History& begun, const History& history) {
+    for (const World& world : history.worlds) {
+      if (!IsCovered(world, begun.worlds))
+        return Fail("a repeat begins in another world", history, &world);
+      if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
+    }
+    if (!HasSensed(history, begun)) BeginAgain(head, begun, history);
+  }
+
+  // Where knowing more may hurt, the repeat begins again with each knowledge that comes back to it.
+  void ReturnKnowing(NodeId head, const History& history) {
+    if (happens_by_knowledge_ && history.worlds.size() > kMostFollowed) {
+      return Fail(fmt::format("a repeat of more than {} worlds, where what happens depends on what "
+                              "is known,",
+                              kMostFollowed),
+                  history);
+    }
+    for (const World& world : history.worlds) {
+      if (!CanEnd(head, world, history)) return Fail("a repeat without end", history, &world);
+    }
+    if (!beginnings_.emplace(head, ToCompare(history)).second) return;
+    if (beginnings_.size() > kMostBeginnings) {
+      return Fail(
+          fmt::format("a repeat that begins with more than {} kinds of knowledge", kMostBeginnings),
+          history);
+    }
+    GoOn({.to = head, .history = history, .is_counted = true});
+  }
+
+  void Begin(NodeId head, const History& history) {
+    heads_.emplace_back(head, history);
+    if (!is_monotone_) beginnings_.emplace(head, ToCompare(history));
+  }
+
+  // Numbers of which nothing is known at first do not tell worlds apart.
+  History ToCompare(History history) const {
+    for (World& world : history.worlds) world = WithoutOpen(std::move(world));
+    std::sort(history.worlds.begin(), history.worlds.end());
+    history.worlds.erase(std::unique(history.worlds.begin(), history.worlds.end()),
+                         history.worlds.end());
+    return history;
+  }
+
+  // The history that last came to the head of a repeat, on the way to here; null if none has.
+  const History* Begun(NodeId head) const {
+    const auto entry = std::find_if(heads_.rbegin(), heads_.rend(),
+                                    [&](const auto& begun) { return begun.first == head; });
+    return entry == heads_.rend() ? nullptr : &entry->second;
+  }
+
+  static bool HasSensed(const History& history, const History& begun) {
+    return std::ranges::includes(history.sensed, begun.sensed) &&
+           std::ranges::all_of(begun.values_sensed, [&](const auto& value) {
+             const auto known = history.values_sensed.find(value.first);
+             return known != history.values_sensed.end() && known->second <= value.second;
+           });
+  }
+
+  // With what has been sensed both times. It gets less each time, so that this ends.
+  void BeginAgain(NodeId head, const History& begun, const History& history) {
+    History both = begun;
+    std::erase_if(both.sensed, [&](FormulaId f) { return !history.sensed.contains(f); });
+    std::erase_if(both.values_sensed,
+                  [&](const auto& value) { return !history.values_sensed.contains(value.first); });
+    for (auto& [function, error] : both.values_sensed) {
+      error = std::max(error, history.values_sensed.at(function));
+    }
+    GoOn({.to = head, .history = std::move(both), .is_counted = true});
+  }
+
+  // Whether a world that is back at the head of a repeat comes to the goal some time, for some
+  // outcomes of what is open: by going round in this world until it has been everywhere. Others are
+  // looked at where it matters that it is not known to be this one. It is followed until it is out
+  // of the loop: there come the worlds that began the repeat, too, of which it is a case, or the
+  // repeat begins again with it, and these are run to the end. So each repeat of a row is gone
+  // round by itself.
+  bool CanEnd(NodeId head, const World& world, const History& history) {
+    Attempt attempt{.loop = loops_[head.index()]};
+    attempt_ = &attempt;
+    Follow(head, world, history);
+    while (!attempt.has_ended && !HasFailed() && !attempt.to_follow.empty()) {
+      const auto [at, alone] = std::move(attempt.to_follow.front());
+      attempt.to_follow.pop_front();
+      RunFrom(at, alone);
+    }
+    attempt_ = nullptr;
+    return attempt.has_ended;
+  }
+
+  // Numbers of which nothing is known at first may change on each round.
+  void Follow(NodeId head, const World& world, const History& history) {
+    const History* begun = Begun(head);
+    if (is_monotone_ && begun != nullptr && !IsCovered(world, begun->worlds)) {
+      return Fail("a repeat begins in another world", history, &world);
+    }
+    History alone = history;
+    if (!happens_by_knowledge_) alone.worlds = {world};
+    for (World& other : alone.worlds) other.is_followed = other == world;
+    History seen = ToCompare(alone);
+    if (is_monotone_) {
+      seen.sensed.clear();
+      seen.values_sensed.clear();
+    }
+    if (!attempt_->returned.emplace(head, std::move(seen)).second) return;
+    if (attempt_->returned.size() > kMostReturns) {
+      return Fail(fmt::format("a repeat through more than {} worlds", kMostReturns), history);
+    }
+    attempt_->to_follow.emplace_back(head, std::move(alone));
+  }
+
+  World WithoutOpen(World world) const {
+    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
+      if (IsOpen(slot)) world.numbers[slot] = {};
+    }
+    return world;
+  }
+
+  bool IsOpen(std::size_t slot) const {
+    const Range& range = task_.initial.ranges[slot];
+    return std::isinf(range.low) && std::isinf(range.high);
+  }
+
+  // Numbers of which nothing is known at first are not compared: any other is as good.
+  bool IsCaseOf(const World& world, const World& of) const {
+    for (std::size_t a = 0; a < world.atoms.size(); ++a) {
+      if (of.atoms[a] != Truth::kEither && of.atoms[a] != world.atoms[a]) return false;
+    }
+    for (std::size_t slot = 0; slot < world.numbers.size(); ++slot) {
+      if (!IsOpen(slot) && world.numbers[slot] != of.numbers[slot]) return false;
+    }
+    return true;
+  }
+
+  // Whether the world, or both of its cases by some atom, and so on, are cases of the worlds.
+  bool IsCovered(const World& world, const Worlds& by) {
+    if (std::any_of(by.begin(), by.end(), [&](const World& w) { return IsCaseOf(world, w); })) {
+      return true;
+    }
+    for (std::size_t a = 0; a < world.atoms.size(); ++a) {
+      const bool tells_apart = world.atoms[a] == Truth::kEither &&
+                               std::any_of(by.begin(), by.end(), [&](const World& w) {
+                                 return w.atoms[a] != Truth::kEither;
+                               });
+      if (!tells_apart) continue;
+      Worlds cases = {world};
+      progression_.SplitBy(AtomId(a), cases);
+      return std::all_of(cases.begin(), cases.end(),
+                         [&](const World& w) { return IsCovered(w, by); });
+    }
+    return false;
+  }
+
+  // Going round a repeat in one world.
+  struct Attempt {
+    LoopId loop;
+    std::set<std::pair<NodeId, History>> returned = {};  // to the heads of repeats
+    std::deque<std::pair<NodeId, History>> to_follow = {};
+    bool has_ended = false;  // at the goal, or outside of the loop
+  };
+
+  const GroundTask& task_;
+  const PlanTree& tree_;
+  std::vector<LoopId> loops_;  // by node
+  bool is_monotone_;
+  bool happens_by_knowledge_;
+  WorldProgression progression_;
+  std::size_t most_worlds_;
+  Attempt* attempt_ = nullptr;
+  std::vector<Way> ways_;           // that are open, the next one last
+  std::vector<std::string> steps_;  // on the way to here
+  std::vector<bool> is_reached_;
+  std::set<NodeId> repeated_;
+  std::vector<std::pair<NodeId, History>> heads_;    // of repeats, on the way to here
+  std::set<std::pair<NodeId, History>> beginnings_;  // where knowing more may hurt
+  TreeCheck check_;
+  std::string failure_;
+};
+
+}  // namespace
+
+TreeCheck CheckTree(const GroundTask& task, const PlanTree& tree, const TreeCheckOptions& options) {
+  const NumberMarks marks(task, tree);
+  InitialWorlds initial = EnumerateWorlds(task, marks, options.worlds, options.seed);
+  if (initial.were_drawn) {
+    if (const std::optional<TreeCheck> check = CheckBySets(task, tree)) return *check;
+  }
+  const std::size_t most_worlds = std::max(kMostWorlds, 4 * initial.worlds.size());
+  return Runner(task, tree, marks, initial.were_drawn, most_worlds).Run(std::move(initial.worlds));
+}
+
+}  // namespace assay::contingent

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/domain/actions/condition.h"
+
+namespace assay::domain {
+
+// The constraints of geometric planning (Spar, Table 1).
+enum class ConstraintKind {
+  kMember,           // member(variable, labels)
+  kInPositionClass,  // in_position_class(position, labels)
+  kReachable,        // reachable(grasp, position)
+  kMateReachable,    // mate_reachable(grasp, position, Ta)
+};
+
+struct GeometricConstraint {
+  ConstraintKind kind;
+  VariableId grasp = VariableId::None();     // of member and the reachable constraints
+  VariableId position = VariableId::None();  // of in_position_class and the reachable constraints
+  MatingId mating = MatingId::None();        // of mate_reachable: Ta
+  std::vector<int> labels = {};              // of member and in_position_class
+
+  // The variable that a unary constraint restricts.
+  VariableId subject() const { return grasp.IsNone() ? position : grasp; }
+};
+
+// A geometric goal: the operational preconditions are to be established in such a way that the
+// constraint holds.
+struct GeometricGoal {
+  GeometricConstraint constraint;
+  std::vector<int> qualifies;  // indices of operational preconditions of the same action
+};
+
+enum class ActionKind { kStart, kFinish, kPickup, kPutdown, kAssemble };
+
+// A new plan variable and the labels that it may have: an initial constraint, which needs no
+// check because nothing refers to the variable yet.
+struct InitialConstraint {
+  VariableId variable;
+  std::vector<int> labels;
+};
+
+// An action with its preconditions, add list and delete list (Spar, figure 2). The uncertainty
+// preconditions are not here: they are built for plan instances, by procedures.
+struct ActionTemplate {
+  ActionKind kind;
+  PartId part = PartId::None();        // that the hand takes, puts down or mates
+  MatingId mating = MatingId::None();  // of assemble
+  VariableId grasp = VariableId::None();
+  VariableId position = VariableId::None();  // of the part; in assemble, of the fixed part
+  std::vector<Condition> preconditions = {};
+  std::vector<GeometricGoal> geometric = {};
+  std::vector<Condition> adds = {};
+  std::vector<Condition> deletes = {};
+  std::vector<InitialConstraint> initial = {};
+};
+
+// How a kind of action is instantiated (Spar, figure 3): every action of the kind that adds the
+// condition, with fresh variables. Empty if none does.
+struct ActionRule {
+  std::string_view name;
+  std::string_view summary;
+  std::vector<ActionTemplate> (*achieve)(const Problem& problem, const Condition& condition,
+                                         PlanVariables& variables);
+};
+
+// All actions that the planner may put into a plan.
+std::span<const ActionRule> ActionRules();
+
+std::string_view Name(ActionKind kind);
+// "BG3", "BP2", "initial".
+std::string LabelName(const Problem& problem, const PlanVariable& variable, int label);
+std::string Text(const Problem& problem, const PlanVariables& variables,
+                 const GeometricConstraint& constraint);
+std::string Text(const Problem& problem, const PlanVariables& variables,
+                 const ActionTemplate& action);
+
+}  // namespace assay::domain

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "planner/domain/problem/problem.h"
+
+namespace assay::domain {
+
+// A plan variable: stands for a grasp or for a position of one part until a plan instance chooses.
+using VariableId = Id<struct PlanVariableTag>;
+
+enum class VariableKind { kGrasp, kPosition };
+
+struct PlanVariable {
+  VariableKind kind;
+  PartId part;
+  std::string name;  // "grasp_1", "pos_2", "init_pos_1"
+};
+
+// The plan variables of one plan, which gives each a fresh name.
+class PlanVariables {
+ public:
+  // A variable of a step's own: "grasp_1", "pos_1".
+  VariableId Add(VariableKind kind, PartId part);
+  // One that a precondition brings, to be bound to the establisher's: "Grasp", "Position".
+  VariableId AddFree(VariableKind kind, PartId part);
+  VariableId AddInitialPosition(PartId part);
+
+  const PlanVariable& operator[](VariableId id) const { return variables_[id.index()]; }
+  int size() const { return static_cast<int>(variables_.size()); }
+
+ private:
+  VariableId Push(PlanVariable variable);
+
+  std::vector<PlanVariable> variables_;
+  int grasps_ = 0;
+  int positions_ = 0;
+  int initial_positions_ = 0;
+};
+
+// Labels of a position variable: the part's stable poses by their index, and after them one label
+// for the pose that the part has at the start.
+inline int InitialLabel(const Part& part) {
+  return static_cast<int>(part.model->stable_poses().size());
+}
+inline int PositionLabelCount(const Part& part) { return InitialLabel(part) + 1; }
+inline int GraspLabelCount(const Part& part) { return static_cast<int>(part.grasps->size()); }
+
+enum class Predicate {
+  kGripperOpen,   // gripper(open)
+  kHolding,       // holding(part, grasp)
+  kPartLocation,  // part_location(part, position)
+  kAssembled,     // assembled(...) of a mating
+};
+
+// An operational condition. Its object is constant; the grasp or the position is a plan variable,
+// through which operational and geometric planning are linked (Spar, "Representation of Goals").
+struct Condition {
+  Predicate predicate;
+  PartId part = PartId::None();              // of holding and part_location
+  VariableId variable = VariableId::None();  // of holding and part_location
+  MatingId mating = MatingId::None();        // of assembled
+
+  static Condition GripperOpen() { return {.predicate = Predicate::kGripperOpen}; }
+  static Condition Holding(PartId part, VariableId grasp) {
+    return {.predicate = Predicate::kHolding, .part = part, .variable = grasp};
+  }
+  static Condition Located(PartId part, VariableId position) {
+    return {.predicate = Predicate::kPartLocation, .part = part, .variable = position};
+  }
+  static Condition Assembled(MatingId mating) {
+    return {.predicate = Predicate::kAssembled, .mating = mating};
+  }
+};
+
+// Whether the two can be made equal by the choice of their variables alone.
+bool Unify(const Condition& a, const Condition& b);
+
+std::string Text(const Problem& problem, const PlanVariables& variables,
+                 const Condition& condition);
+
+}  // namespace assay::domain

@@ -1,0 +1,36 @@
+#include "planner/domain/grasp/box_shadow.h"
+
+#include <vector>
+
+namespace assay::domain {
+namespace {
+
+using geometry::Vector2;
+using geometry::Vector3;
+
+// Where the edge from p to q passes through the plane z = height, if it does.
+void AppendCrossing(const Vector3& p, const Vector3& q, double height,
+                    std::vector<Vector2>& points) {
+  const double below = height - p.z();
+  const double above = q.z() - height;
+  if (below * above <= 0) return;
+  points.push_back((p + below / (below + above) * (q - p)).head<2>());
+}
+
+}  // namespace
+
+geometry::Polygon ShadowBetween(const geometry::Box& box, double low, double high) {
+  const std::array<Vector3, 8> corners = box.Corners();  // bit k of the index: side along axis k
+  std::vector<Vector2> points;
+  for (int i = 0; i < 8; ++i) {
+    if (corners[i].z() >= low && corners[i].z() <= high) points.push_back(corners[i].head<2>());
+    for (int bit = 1; bit < 8; bit *= 2) {
+      if ((i & bit) != 0) continue;
+      AppendCrossing(corners[i], corners[i | bit], low, points);
+      if (high > low) AppendCrossing(corners[i], corners[i | bit], high, points);
+    }
+  }
+  return geometry::Hull2(points);
+}
+
+}  // namespace assay::domain

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "planner/base/document.h"
+#include "planner/domain/mating/mating_errors.h"
+#include "planner/domain/problem/units.h"
+
+namespace assay::domain {
+
+inline constexpr Range kMatingDisplacements = {0, 0.02};                     // metres
+inline constexpr Range kMatingRotations = {0, 10 * std::numbers::pi / 180};  // radians
+inline constexpr Range kMatingVelocities = {0, 0.1};                         // shares
+
+// `{displacement: , rotation: , velocity: }`; what is left out is as usual. Throws InputError.
+MatingErrors ReadMatingErrors(const Value& map, const Units& units);
+
+}  // namespace assay::domain

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "planner/domain/part/part_model.h"
+
+namespace assay::domain {
+
+// One of the six sides of a box.
+struct Side {
+  Vector3 normal;     // unit, outward
+  double offset = 0;  // normal . p == offset on the side
+  std::array<Vector3, 4> corners;
+};
+std::array<Side, 6> SidesOf(const geometry::Box& box);
+
+// A frame with its origin at a point and z along a unit vector. x is the projection of the axis of
+// the part that is nearest to perpendicular to z, the first of equals: part axes stay visible.
+Pose FrameAlong(const Vector3& origin, const Vector3& z);
+
+// The surface of a union of boxes, with what boxes cover of each other left out, one Face for each
+// plane and outward normal, in the order of the boxes and their sides.
+std::vector<Face> ExposedFaces(std::span<const geometry::Box> boxes);
+
+// The face in the plane normal . p == offset with that outward normal; None if there is none.
+FaceId FindFace(std::span<const Face> faces, const Vector3& normal, double offset);
+
+// Points of the plane of a face, in its x and y: their convex hull.
+geometry::Polygon OnFace(const Face& face, std::span<const Vector3> points);
+
+// Whether no box reaches into a convex outline on a face, from just inside or just outside of the
+// face's plane: the mouth of a hole is open.
+bool IsOpen(const Face& face, const geometry::Polygon& outline,
+            std::span<const geometry::Box> boxes);
+
+}  // namespace assay::domain

@@ -1,0 +1,561 @@
+#include "planner/domain/part/part_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "planner/base/check.h"
+#include "planner/domain/grasp/planar_region.h"
+#include "planner/domain/part/exposed_faces.h"
+#include "planner/domain/problem/name.h"
+
+namespace assay::domain {
+namespace {
+
+using geometry::Box;
+
+// Poses that stand more precariously are left out: a part put down with a few millimetres of error
+// must not fall over.
+constexpr double kLeastTilt = 2 * kDegrees.factor;
+constexpr double kFarthestName = 30 * kDegrees.factor;  // of a direction from the pose it names
+constexpr double kShortestSide = 1e-4;                  // of a box in the file, metres
+constexpr double kThinnestWall = 1e-5;                  // that a pocket may leave, metres
+constexpr double kJointDepth = 1e-6;                    // metres, of a test whether pieces touch
+constexpr double kLeastCut = 1e-12;                     // of a pocket, cubic metres
+constexpr double kAligned = 1e-6;                       // between unit vectors that should be equal
+constexpr Range kChamfers = {0, 0.02};                  // metres
+
+std::string ReadInitial(const Value& value) {
+  std::string initial = value.Text();
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  if (initial.empty() || initial.size() > 3 || !std::ranges::all_of(initial, is_capital)) {
+    value.Fail(fmt::format("'{}' cannot begin a label", initial), "one to three capital letters");
+  }
+  return initial;
+}
+
+Vector3 ReadDirection(const Value& value) {
+  const std::vector<double> numbers = value.Numbers(3);
+  const Vector3 direction(numbers[0], numbers[1], numbers[2]);
+  const double length = direction.stableNorm();
+  if (!(length > 1e-6 && length < 1e6)) {
+    value.Fail("the vector has no usable direction", "three numbers, such as [1, 0, 0]");
+  }
+  return direction / length;
+}
+
+Eigen::Vector4f ReadColor(const Value& value) {
+  const std::vector<double> numbers = value.Numbers(4);
+  Eigen::Vector4f color;
+  for (int i = 0; i < 4; ++i) {
+    const double number = numbers[static_cast<std::size_t>(i)];
+    if (number < 0 || number > 1) {
+      value.Fail(fmt::format("{} is no part of a color", number),
+                 "red, green, blue, alpha in 0..1");
+    }
+    color[i] = static_cast<float>(number);
+  }
+  return color;
+}
+
+// The indices of one name or of a list of names. `what` they name: "solid".
+std::vector<int> OneOrMore(const Value& names, const std::vector<std::string>& known,
+                           const char* what) {
+  if (!names.IsList()) return {names.OneOf(known)};
+  std::vector<int> indices;
+  for (const Value& name : names.Items()) indices.push_back(name.OneOf(known));
+  if (indices.empty()) names.Fail("the list is empty", fmt::format("at least one {}", what));
+  return indices;
+}
+
+// The index in SidesOf of the side that looks along a direction; -1 if none does.
+int SideTowards(const Box& box, const Vector3& direction) {
+  const std::array<Side, 6> sides = SidesOf(box);
+  const auto found = std::ranges::find_if(
+      sides, [&](const Side& s) { return (s.normal - direction).norm() < kAligned; });
+  return found == sides.end() ? -1 : static_cast<int>(found - sides.begin());
+}
+
+int ReadSide(const Value& direction, const Box& box, const std::string& solid) {
+  const int side = SideTowards(box, ReadDirection(direction));
+  if (side < 0) {
+    direction.Fail(fmt::format("solid '{}' has no side that looks this way", solid),
+                   "a vector along one of the solid's edges");
+  }
+  return side;
+}
+
+// The exposed face that a side of a box is part of; None if the side is covered.
+FaceId ExposedFaceOf(const PartModel& model, const Side& side) {
+  const FaceId id = FindFace(model.faces(), side.normal, side.offset);
+  if (id.IsNone()) return id;
+  const Face& face = model.faces()[id.index()];
+  return Meets(face.patches, OnFace(face, side.corners)) ? id : FaceId::None();
+}
+
+Vector3 CentroidOf(const Face& face) {
+  const Vector2 center = Centroid(face.patches);
+  return face.X_PartFace * Vector3(center.x(), center.y(), 0);
+}
+
+double Volume(const std::vector<Box>& boxes) {
+  double volume = 0;
+  for (const Box& box : boxes) volume += box.Volume();
+  return volume;
+}
+
+// The solid's pieces without a pocket; both in the part frame.
+std::vector<Box> Cut(const std::vector<Box>& pieces, const Box& pocket, const Value& place) {
+  std::vector<Box> rest;
+  for (const Box& piece : pieces) {
+    for (const Box& box : Subtract(piece, pocket)) rest.push_back(box);
+  }
+  if (rest.empty()) place.Fail("the pocket leaves nothing of its solid");
+  if (Volume(pieces) - Volume(rest) < kLeastCut) {
+    place.Fail("the pocket cuts nothing from its solid", "a box that overlaps the solid");
+  }
+  for (const Box& box : rest) {
+    if (2 * box.half_extents.minCoeff() >= kThinnestWall) continue;
+    place.Fail("the pocket leaves a wall that is too thin",
+               fmt::format("walls of at least {} m, or none", kThinnestWall));
+  }
+  return rest;
+}
+
+// The part of a pocket in its solid, both before the turn and so aligned with the axes.
+Box Clipped(const Box& pocket, const Box& solid) {
+  const auto low = [](const Box& b) -> Vector3 {
+    return b.X_FrameBox.translation() - b.half_extents;
+  };
+  const auto high = [](const Box& b) -> Vector3 {
+    return b.X_FrameBox.translation() + b.half_extents;
+  };
+  return Box::FromCorners(low(pocket).cwiseMax(low(solid)), high(pocket).cwiseMin(high(solid)));
+}
+
+// A pocket and the solid that it is cut from, in the part frame.
+struct Hollow {
+  Box solid;                       // before the pockets
+  Box pocket;                      // widened
+  Box clipped;                     // the part of the pocket in the solid
+  std::array<bool, 3> is_widened;  // along the pocket's own axes
+};
+
+// The face in which a pocket ends, on the side of its solid that looks in a direction; None if it
+// does not reach that side, or if nothing of the side is left.
+FaceId EndOf(const PartModel& model, const Hollow& hollow, const Vector3& direction) {
+  const int towards = SideTowards(hollow.solid, direction);
+  if (towards < 0) return FaceId::None();
+  const Side border = SidesOf(hollow.solid)[static_cast<std::size_t>(towards)];
+  const Side end = SidesOf(hollow.clipped)[static_cast<std::size_t>(towards)];
+  if (end.offset < border.offset - kRounding) return FaceId::None();
+  return FindFace(model.faces(), border.normal, border.offset);
+}
+
+// Where the first pocket opens in a direction, and the other ones let it; none if they do not all
+// end in one plane, or if the mouth is covered.
+std::optional<Mouth> FindMouth(const PartModel& model, std::span<const Hollow> hollows,
+                               const Vector3& direction) {
+  const Hollow& first = hollows.front();
+  const FaceId id = EndOf(model, first, direction);
+  if (id.IsNone()) return std::nullopt;
+  const Face& face = model.faces()[id.index()];
+  const auto end = [&](const Box& pocket) {
+    const auto side = static_cast<std::size_t>(SideTowards(pocket, direction));
+    return OnFace(face, SidesOf(pocket)[side].corners);
+  };
+  geometry::Polygon outline = end(first.clipped);
+  for (const Hollow& other : hollows.subspan(1)) {
+    if (EndOf(model, other, direction) != id) return std::nullopt;
+    outline = geometry::Intersection(outline, end(other.pocket));
+  }
+  if (outline.empty() || !IsOpen(face, outline, model.boxes())) return std::nullopt;
+  return Mouth{id, std::move(outline)};
+}
+
+// The exposed sides of a pocket, seen from within it. Where it is not clipped, the side goes with
+// the clearance if the axis is widened.
+std::vector<Wall> WallsOf(const PartModel& model, const Hollow& hollow) {
+  const std::array<Side, 6> whole = SidesOf(hollow.pocket);
+  const std::array<Side, 6> sides = SidesOf(hollow.clipped);
+  std::vector<Wall> walls;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    Side side = sides[i];
+    const bool is_own = std::abs(whole[i].offset - side.offset) < kRounding;
+    side.normal = -side.normal;
+    side.offset = -side.offset;
+    const FaceId id = ExposedFaceOf(model, side);
+    if (id.IsNone()) continue;
+    walls.push_back(
+        {id, OnFace(model.faces()[id.index()], side.corners), is_own && hollow.is_widened[i / 2]});
+  }
+  return walls;
+}
+
+// A convex piece, to be tried for whether it hangs together with others: in a volume, or in a face
+// at least, as edges and corners hold nothing. Each of its sides is pushed out a little by itself;
+// those of the other are drawn in, by a little less.
+struct Joint {
+  geometry::CollisionShape reaching;
+  geometry::CollisionShape drawn_in;
+
+  explicit Joint(const Box& piece) : reaching(Reaching(piece)), drawn_in(DrawnIn(piece)) {}
+
+  bool HoldsTo(const Joint& other) const {
+    return Overlaps(reaching, Pose::Identity(), other.drawn_in, Pose::Identity(), 0);
+  }
+
+ private:
+  static geometry::CollisionShape Reaching(const Box& piece) {
+    std::array<Box, 3> boxes = {piece, piece, piece};
+    for (int axis = 0; axis < 3; ++axis) {
+      boxes[static_cast<std::size_t>(axis)].half_extents[axis] += 1.2 * kJointDepth;
+    }
+    return geometry::CollisionShape(boxes);
+  }
+  static geometry::CollisionShape DrawnIn(Box piece) {
+    piece.half_extents.array() -= kJointDepth;
+    return geometry::CollisionShape({&piece, 1});
+  }
+};
+
+// The first piece that does not hang together with the first of all, by way of others; -1: none.
+int FirstApart(const std::vector<Box>& pieces) {
+  const std::vector<Joint> joints(pieces.begin(), pieces.end());
+  std::vector<bool> is_reached(pieces.size());
+  std::vector<std::size_t> to_look_from = {0};
+  is_reached[0] = true;
+  while (!to_look_from.empty()) {
+    const Joint& from = joints[to_look_from.back()];
+    to_look_from.pop_back();
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      if (is_reached[i] || !from.HoldsTo(joints[i])) continue;
+      is_reached[i] = true;
+      to_look_from.push_back(i);
+    }
+  }
+  const auto apart = std::ranges::find(is_reached, false);
+  return apart == is_reached.end() ? -1 : static_cast<int>(apart - is_reached.begin());
+}
+
+StablePoseId NearestTo(const std::vector<StablePose>& poses, const Vector3& direction) {
+  const auto likeness = [&](const StablePose& pose) {
+    return -direction.dot(pose.X_TablePart.linear().row(2).transpose());
+  };
+  const auto nearest = std::ranges::max_element(poses, {}, likeness);
+  if (nearest == poses.end() || likeness(*nearest) < std::cos(kFarthestName)) return {};
+  return StablePoseId(static_cast<std::size_t>(nearest - poses.begin()));
+}
+
+// Gives names to poses: a map from each name to the direction, in the part frame, that points down.
+void NameStablePoses(const Value& names, std::vector<StablePose>& poses) {
+  for (const auto& [key, direction] : names.Entries()) {
+    const std::string name = ReadAnyName(key);
+    const StablePoseId id = NearestTo(poses, ReadDirection(direction));
+    if (id.IsNone()) {
+      direction.Fail("the part rests in no stable pose with this direction down",
+                     "a direction at most 30 degrees off");
+    }
+    StablePose& pose = poses[id.index()];
+    if (!pose.name.empty()) {
+      direction.Fail(fmt::format("the nearest stable pose is already named '{}'", pose.name),
+                     "one name for each stable pose");
+    }
+    pose.name = name;
+  }
+}
+
+double ReadDensity(const Value& root) {
+  return ReadWithin(root.At("density"), kKilogramsPerCubicMetre, {.low = 1, .high = 1e5});
+}
+
+}  // namespace
+
+std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double clearance) {
+  ASSAY_CHECK(std::isfinite(clearance));
+  document.RequireFormat("assay-part/1");
+  const Value& root = document.root();
+  root.AllowOnly({"format", "name", "initial", "units", "density", "friction", "solids", "pockets",
+                  "features", "stable_poses"});
+  const std::shared_ptr<PartModel> model(new PartModel(document, clearance));
+  model->name_ = ReadAnyName(root.At("name"));
+  model->initial_ = ReadInitial(root.At("initial"));
+  model->friction_ = ReadWithin(root.At("friction"), kRatio, {.low = 0.001, .high = 10});
+  PartFile file(clearance);
+  file.ReadPieces(root);
+  file.CheckHangsTogether(root.At("solids"));
+  file.BuildShape(*model, ReadDensity(root));
+  if (const auto features = root.Find("features")) file.ReadFeatures(*features, *model);
+  model->stable_poses_ = ComputeStablePoses(*model, kLeastTilt);
+  if (const auto names = root.Find("stable_poses")) NameStablePoses(*names, model->stable_poses_);
+  return model;
+}
+
+geometry::MassProperties PartFile::ReadMass(const Document& document, double clearance) {
+  PartFile file(clearance);
+  file.ReadPieces(document.root());
+  return geometry::MassOf(file.Pieces(), ReadDensity(document.root()));
+}
+
+void PartFile::ReadPieces(const Value& root) {
+  units_ = ReadUnits(root);
+  ReadSolids(root.At("solids"));
+  if (const auto pockets = root.Find("pockets")) ReadPockets(*pockets);
+}
+
+void PartFile::ReadSolids(const Value& solids) {
+  for (const auto& [key, entry] : solids.Entries()) {
+    solids_.push_back(ReadSolid(ReadAnyName(key), entry));
+  }
+  if (solids_.empty()) solids.Fail("a part needs at least one solid");
+}
+
+PartFile::Solid PartFile::ReadSolid(const std::string& name, const Value& entry) const {
+  entry.AllowOnly({"box", "color", "turn"});
+  Solid solid{.name = name,
+              .X_PartSolid = Pose::Identity(),
+              .whole = ReadBox(entry.At("box")),
+              .pieces = {},
+              .color = Eigen::Vector4f(0.7f, 0.7f, 0.7f, 1)};
+  if (const auto turn = entry.Find("turn")) solid.X_PartSolid = ReadTurn(*turn);
+  if (const auto color = entry.Find("color")) solid.color = ReadColor(*color);
+  solid.pieces = {solid.whole.Transformed(solid.X_PartSolid)};
+  return solid;
+}
+
+Pose PartFile::ReadTurn(const Value& turn) const {
+  turn.AllowOnly({"axis", "angle", "about"});
+  const Vector3 axis = ReadDirection(turn.At("axis"));
+  const Pose turned(Eigen::AngleAxisd(ReadAngle(turn.At("angle"), units_), axis));
+  const auto about = turn.Find("about");
+  if (!about) return turned;
+  const Vector3 center = ReadVector3(*about, units_);
+  return geometry::Translation(center) * turned * geometry::Translation(-center);
+}
+
+void PartFile::ReadPockets(const Value& pockets) {
+  for (const auto& [key, entry] : pockets.Entries()) {
+    const Pocket& pocket = pockets_.emplace_back(ReadPocket(ReadAnyName(key), entry));
+    Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
+    solid.pieces = Cut(solid.pieces, pocket.box.Transformed(solid.X_PartSolid), entry.At("box"));
+  }
+}
+
+PartFile::Pocket PartFile::ReadPocket(const std::string& name, const Value& entry) const {
+  entry.AllowOnly({"cut_from", "box", "widen"});
+  Pocket pocket{
+      .name = name, .solid = SolidNamed(entry.At("cut_from")), .box = ReadBox(entry.At("box"))};
+  if (const auto widen = entry.Find("widen")) pocket.is_widened = ReadWidening(*widen);
+  Widen(entry, pocket);
+  return pocket;
+}
+
+std::array<bool, 3> PartFile::ReadWidening(const Value& axes) {
+  std::array<bool, 3> is_widened = {};
+  for (const Value& axis : axes.Items()) {
+    is_widened[static_cast<std::size_t>(axis.OneOf({"x", "y", "z"}))] = true;
+  }
+  return is_widened;
+}
+
+void PartFile::Widen(const Value& entry, Pocket& pocket) const {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!pocket.is_widened[static_cast<std::size_t>(axis)]) continue;
+    double& half = pocket.box.half_extents[axis];
+    half += clearance_;
+    if (2 * half >= kShortestSide) continue;
+    entry.At("box").Fail(
+        fmt::format("a clearance of {} closes the pocket", InUnit(clearance_, units_.length)),
+        "one that leaves a pocket");
+  }
+}
+
+Box PartFile::ReadBox(const Value& corners) const {
+  const std::vector<Value> items = corners.Items();
+  if (items.size() != 2) {
+    corners.Fail(fmt::format("a box has two corners, not {}", items.size()),
+                 "[[x, y, z], [x, y, z]], the lower corner first");
+  }
+  const Vector3 low = ReadVector3(items[0], units_);
+  const Vector3 high = ReadVector3(items[1], units_);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (high[axis] - low[axis] >= kShortestSide) continue;
+    corners.Fail(fmt::format("the box has no length along {}", "xyz"[axis]),
+                 fmt::format("a second corner at least {} beyond the first",
+                             InUnit(kShortestSide, units_.length)));
+  }
+  return Box::FromCorners(low, high);
+}
+
+std::vector<Box> PartFile::Pieces() const {
+  std::vector<Box> pieces;
+  for (const Solid& solid : solids_) {
+    pieces.insert(pieces.end(), solid.pieces.begin(), solid.pieces.end());
+  }
+  return pieces;
+}
+
+void PartFile::CheckHangsTogether(const Value& solids) const {
+  int apart = FirstApart(Pieces());
+  if (apart < 0) return;
+  auto solid = solids_.begin();
+  while (apart >= std::ssize(solid->pieces)) {
+    apart -= static_cast<int>(solid->pieces.size());
+    ++solid;
+  }
+  const Value place = solids.At(solid->name);
+  if (FirstApart(solid->pieces) >= 0) {
+    place.Fail(fmt::format("the pockets cut solid '{}' into pieces that nothing holds together",
+                           solid->name),
+               "one part that hangs together");
+  }
+  place.Fail(fmt::format("solid '{}' hangs together with no chain of solids from '{}'", solid->name,
+                         solids_.front().name),
+             "solids that overlap, or touch in a face");
+}
+
+void PartFile::BuildShape(PartModel& model, double density) const {
+  model.boxes_ = Pieces();
+  for (const Solid& solid : solids_) {
+    model.colors_.insert(model.colors_.end(), solid.pieces.size(), solid.color);
+  }
+  std::vector<Vector3> corners;
+  for (const Box& box : model.boxes_) {
+    for (const Vector3& corner : box.Corners()) corners.push_back(corner);
+  }
+  model.shape_ = geometry::CollisionShape(model.boxes_);
+  model.hull_ = geometry::HullOf(corners);
+  model.mass_ = geometry::MassOf(model.boxes_, density);
+  model.faces_ = ExposedFaces(model.boxes_);
+}
+
+void PartFile::ReadFeatures(const Value& features, PartModel& model) const {
+  for (const auto& [key, entry] : features.Entries()) {
+    Feature feature = ReadFeature(entry, model);
+    feature.number = FeatureNumber(key.Integer(1, 9999));
+    if (model.FindFeature(feature.number) != nullptr) {
+      key.Fail(fmt::format("feature {} is given twice", feature.number.index()));
+    }
+    model.features_.push_back(std::move(feature));
+  }
+  std::ranges::sort(model.features_, {}, &Feature::number);
+}
+
+Feature PartFile::ReadFeature(const Value& entry, const PartModel& model) const {
+  Feature feature;
+  if (entry.Find("face")) {
+    ReadFace(entry, model, feature);
+  } else if (entry.Find("hole")) {
+    ReadHole(entry, model, feature);
+  } else if (entry.Find("shaft")) {
+    ReadShaft(entry, model, feature);
+  } else {
+    entry.Fail("a feature is a face, a hole or a shaft", "one of the keys face, hole, shaft");
+  }
+  if (const auto what = entry.Find("what")) feature.description = ReadAnyName(*what);
+  if (const auto chamfer = entry.Find("chamfer")) {
+    feature.chamfer = ReadWithin(*chamfer, units_.length, kChamfers);
+  }
+  return feature;
+}
+
+void PartFile::ReadFace(const Value& entry, const PartModel& model, Feature& feature) const {
+  entry.AllowOnly({"face", "normal", "what"});
+  const Solid& solid = solids_[static_cast<std::size_t>(SolidNamed(entry.At("face")))];
+  const Box box = solid.whole.Transformed(solid.X_PartSolid);
+  const Value normal = entry.At("normal");
+  const int side = ReadSide(normal, box, solid.name);
+  const FaceId id = ExposedFaceOf(model, SidesOf(box)[static_cast<std::size_t>(side)]);
+  if (id.IsNone()) {
+    normal.Fail(fmt::format("the side of solid '{}' that looks this way is covered", solid.name),
+                "the normal of an exposed side");
+  }
+  const Face& face = model.faces()[id.index()];
+  feature.description = "face";
+  feature.faces = {id};
+  feature.X_PartFeature = FrameAlong(CentroidOf(face), face.normal);
+}
+
+// The axis runs through the first pocket.
+void PartFile::ReadHole(const Value& entry, const PartModel& model, Feature& feature) const {
+  entry.AllowOnly({"hole", "axis", "what", "chamfer"});
+  const Value axis = entry.At("axis");
+  std::vector<Hollow> hollows;
+  for (int i : PocketsNamed(entry.At("hole"))) {
+    const Pocket& pocket = pockets_[static_cast<std::size_t>(i)];
+    const Solid& solid = solids_[static_cast<std::size_t>(pocket.solid)];
+    const Pose& X = solid.X_PartSolid;
+    hollows.push_back({.solid = solid.whole.Transformed(X),
+                       .pocket = pocket.box.Transformed(X),
+                       .clipped = Clipped(pocket.box, solid.whole).Transformed(X),
+                       .is_widened = pocket.is_widened});
+    ReadSide(axis, hollows.back().solid, solid.name);
+  }
+  const Hollow& first = hollows.front();
+  const int side = SideTowards(first.solid, ReadDirection(axis));
+  const Side end = SidesOf(first.clipped)[static_cast<std::size_t>(side)];
+  const std::optional<Mouth> mouth = FindMouth(model, hollows, end.normal);
+  if (!mouth) {
+    axis.Fail(hollows.size() == 1 ? "the pocket has no open mouth on this side"
+                                  : "the pockets have no open mouth in common on this side",
+              "the direction in which the hole opens");
+  }
+  feature.description = "hole";
+  feature.mouths = {*mouth};
+  const std::optional<Mouth> other = FindMouth(model, hollows, -end.normal);
+  if (other) feature.mouths.push_back(*other);
+  for (const Hollow& hollow : hollows) {
+    const std::vector<Wall> walls = WallsOf(model, hollow);
+    feature.walls.insert(feature.walls.end(), walls.begin(), walls.end());
+  }
+  const Vector3 center = (end.corners[0] + end.corners[3]) / 2;  // diagonally opposite
+  feature.X_PartFeature = FrameAlong(center, end.normal);
+}
+
+// The tip is where the solids reach farthest along the axis; the axis runs through the first one.
+void PartFile::ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const {
+  entry.AllowOnly({"shaft", "axis", "what", "chamfer"});
+  const std::vector<int> names = SolidsNamed(entry.At("shaft"));
+  const Solid& first = solids_[static_cast<std::size_t>(names.front())];
+  const Box core = first.whole.Transformed(first.X_PartSolid);
+  const int towards = ReadSide(entry.At("axis"), core, first.name);
+  const Vector3 axis = SidesOf(core)[static_cast<std::size_t>(towards)].normal;
+  const Vector3 middle = core.X_FrameBox.translation();
+  double tip = 0;  // from the middle
+  for (int i : names) {
+    const Solid& solid = solids_[static_cast<std::size_t>(i)];
+    for (const Side& side : SidesOf(solid.whole.Transformed(solid.X_PartSolid))) {
+      for (const Vector3& corner : side.corners) tip = std::max(tip, axis.dot(corner - middle));
+      const FaceId id = ExposedFaceOf(model, side);
+      if (!id.IsNone()) feature.faces.push_back(id);
+    }
+  }
+  std::ranges::sort(feature.faces);
+  feature.faces.erase(std::unique(feature.faces.begin(), feature.faces.end()), feature.faces.end());
+  if (feature.faces.empty()) entry.Fail("the shaft is covered on all sides");
+  feature.description = "shaft";
+  feature.X_PartFeature = FrameAlong(middle + tip * axis, axis);
+}
+
+int PartFile::SolidNamed(const Value& name) const {
+  std::vector<std::string> names;
+  for (const Solid& solid : solids_) names.push_back(solid.name);
+  return name.OneOf(names);
+}
+
+std::vector<int> PartFile::SolidsNamed(const Value& names) const {
+  std::vector<std::string> known;
+  for (const Solid& solid : solids_) known.push_back(solid.name);
+  return OneOrMore(names, known, "solid");
+}
+
+std::vector<int> PartFile::PocketsNamed(const Value& names) const {
+  std::vector<std::string> known;
+  for (const Pocket& pocket : pockets_) known.push_back(pocket.name);
+  return OneOrMore(names, known, "pocket");
+}
+
+}  // namespace assay::domain

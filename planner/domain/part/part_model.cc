@@ -1,0 +1,61 @@
+#include "planner/domain/part/part_model.h"
+
+#include <algorithm>
+
+#include "planner/domain/grasp/planar_region.h"
+#include "planner/domain/part/part_file.h"
+
+namespace assay::domain {
+namespace {
+
+// A hole is touched once the region reaches this far into its mouth or onto its wall, metres.
+constexpr double kReached = 1e-7;
+
+bool IsUnder(const Feature& feature, FaceId face, const geometry::Polygon& region) {
+  const auto reaches = [&](const auto& part) {
+    return part.face == face && geometry::Gap(part.outline, region) < -kReached;
+  };
+  return std::ranges::any_of(feature.mouths, reaches) ||
+         std::ranges::any_of(feature.walls, reaches);
+}
+
+}  // namespace
+
+bool Face::Covers(const geometry::Polygon& polygon) const { return Fills(patches, polygon); }
+
+std::shared_ptr<const PartModel> PartModel::Load(const std::filesystem::path& file,
+                                                 double clearance) {
+  return PartFile::Read(Document::Load(file), clearance);
+}
+
+std::shared_ptr<const PartModel> PartModel::WithClearance(double clearance) const {
+  return PartFile::Read(file_, clearance);
+}
+
+geometry::MassProperties PartModel::MassWithClearance(double clearance) const {
+  return PartFile::ReadMass(file_, clearance);
+}
+
+const Feature* PartModel::FindFeature(FeatureNumber number) const {
+  const auto found = std::ranges::find(features_, number, &Feature::number);
+  return found == features_.end() ? nullptr : &*found;
+}
+
+std::vector<FeatureNumber> PartModel::FeaturesUnder(FaceId face,
+                                                    const geometry::Polygon& region) const {
+  const bool touched = Meets(faces_[face.index()].patches, region);
+  std::vector<FeatureNumber> numbers;
+  for (const Feature& feature : features_) {
+    const bool has_face = std::ranges::find(feature.faces, face) != feature.faces.end();
+    if ((touched && has_face) || IsUnder(feature, face, region)) numbers.push_back(feature.number);
+  }
+  return numbers;
+}
+
+StablePoseId PartModel::FindStablePose(std::string_view name) const {
+  const auto found = std::ranges::find(stable_poses_, name, &StablePose::name);
+  if (name.empty() || found == stable_poses_.end()) return StablePoseId::None();
+  return StablePoseId(static_cast<std::size_t>(found - stable_poses_.begin()));
+}
+
+}  // namespace assay::domain

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "planner/base/document.h"
+#include "planner/domain/problem/problem.h"
+#include "planner/domain/problem/units.h"
+
+namespace assay::domain {
+
+// Reads a scenario's list of goals, `assembled: ` (mating_file.h) or `located: {part, stable}`,
+// into a problem that has its parts. Throws InputError, also for a goal that is given twice.
+void ReadGoals(const Value& goals, const Units& units, Problem& problem);
+
+}  // namespace assay::domain

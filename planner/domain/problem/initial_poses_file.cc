@@ -1,0 +1,248 @@
+#include "planner/domain/problem/initial_poses_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+#include "planner/domain/mating/mating_file.h"
+#include "planner/domain/part/face_contact.h"
+#include "planner/domain/part/part_model.h"
+#include "planner/domain/part/resting.h"
+#include "planner/domain/part/stable_pose_names.h"
+#include "planner/domain/problem/name.h"
+#include "planner/domain/reach/reachability.h"
+
+namespace assay::domain {
+namespace {
+
+double LowestOf(const Part& part) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vector3& vertex : part.model->hull().vertices) {
+    lowest = std::min(lowest, (part.X_WorldPart * vertex).z());
+  }
+  return lowest;
+}
+
+class InitialPosesFile {
+ public:
+  InitialPosesFile(const Value& root, const Units& units, const std::map<std::string, int>& chosen,
+                   Problem& problem)
+      : units_(units),
+        chosen_(chosen),
+        problem_(problem),
+        mating_of_(problem.parts.size(), MatingId::None()) {
+    for (const auto& [name, entry] : root.At("parts").Entries()) entries_.push_back(entry);
+  }
+
+  void ReadInitially(const Value& root);
+  void PlaceParts();
+
+ private:
+  void ReadInitialMating(const Value& value);
+  void PlaceAssembledParts();
+  Value ChosenPose(const Value& pose, PartId part);
+  void ReadPose(const Value& pose, Part& part) const;
+  Pose ReadStanding(const Value& pose, StablePoseId resting, const Part& part) const;
+  void CheckOnTable(const Value& pose, PartId id) const;
+  void CheckAboveTable(const Value& place, const Part& part) const;
+  void CheckApart() const;
+  void CheckRests(const Value& place, PartId id) const;
+
+  std::string InFileUnit(double metres) const { return InUnit(metres, units_.length); }
+
+  const Units& units_;
+  const std::map<std::string, int>& chosen_;
+  Problem& problem_;
+  std::vector<Value> entries_;       // of the parts, in the file
+  std::vector<MatingId> mating_of_;  // of the parts: the mating that holds it at the start
+};
+
+void InitialPosesFile::ReadInitially(const Value& root) {
+  const std::optional<Value> initially = root.Find("initially");
+  if (!initially) return;
+  for (const Value& item : initially->Items()) {
+    item.AllowOnly({"assembled"});
+    ReadInitialMating(item.At("assembled"));
+  }
+}
+
+void InitialPosesFile::ReadInitialMating(const Value& value) {
+  const MatingId id = AddMating(value, units_, problem_);
+  const PartId held = problem_.mating(id).held;
+  const std::string& name = problem_.part(held).name;
+  if (!mating_of_[held.index()].IsNone()) {
+    value.Fail(fmt::format("part '{}' is assembled twice at the start", name), "once");
+  }
+  if (const auto pose = entries_[held.index()].Find("pose")) {
+    pose->Fail(fmt::format("part '{}' has a pose of its own, but is assembled at the start", name),
+               "one of the two");
+  }
+  mating_of_[held.index()] = id;
+  problem_.assembled.push_back(id);
+}
+
+void InitialPosesFile::PlaceParts() {
+  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+    if (!mating_of_[i].IsNone()) continue;
+    const Value pose = ChosenPose(entries_[i].At("pose"), PartId(i));
+    ReadPose(pose, problem_.parts[i]);
+    CheckOnTable(pose, PartId(i));
+  }
+  PlaceAssembledParts();
+  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+    CheckAboveTable(entries_[i], problem_.parts[i]);
+  }
+  CheckApart();
+  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+    const bool is_kept = !mating_of_[i].IsNone() || problem_.parts[i].clamp > 0;
+    if (!is_kept) CheckRests(entries_[i], PartId(i));
+  }
+}
+
+// A part may be assembled with one that is itself assembled, so rounds follow until none is left.
+void InitialPosesFile::PlaceAssembledParts() {
+  std::vector<MatingId> waiting = problem_.assembled;
+  while (!waiting.empty()) {
+    std::vector<MatingId> later;
+    for (const MatingId id : waiting) {
+      const Mating& mating = problem_.mating(id);
+      const bool fixed_waits = std::ranges::any_of(
+          waiting, [&](MatingId other) { return problem_.mating(other).held == mating.fixed; });
+      if (fixed_waits) {
+        later.push_back(id);
+      } else {
+        problem_.parts[mating.held.index()].X_WorldPart =
+            problem_.part(mating.fixed).X_WorldPart * mating.X_FixedHeld;
+      }
+    }
+    if (later.size() == waiting.size()) {
+      const PartId held = problem_.mating(later[0]).held;
+      entries_[held.index()].Fail(
+          fmt::format("part '{}' is assembled, in a circle, with itself", problem_.part(held).name),
+          "a part at the end of the chain that has a pose of its own");
+    }
+    waiting = std::move(later);
+  }
+}
+
+// The pose itself, or of those that it may be the one that is chosen.
+Value InitialPosesFile::ChosenPose(const Value& pose, PartId part) {
+  const std::optional<Value> one_of = pose.Find("one-of");
+  if (!one_of) return pose;
+  pose.AllowOnly({"one-of"});
+  OpenPose open{.part = part, .names = {}};
+  for (const auto& [name, unused] : one_of->Entries()) {
+    open.names.push_back(ReadName(name, "a pose"));
+  }
+  if (open.names.size() < 2) one_of->Fail("one pose", "two or more, each with its name");
+  const auto chosen = chosen_.find(problem_.part(part).name);
+  if (chosen != chosen_.end()) open.chosen = chosen->second;
+  problem_.open_poses.push_back(open);
+  return one_of->Entries()[open.chosen].second;
+}
+
+void InitialPosesFile::ReadPose(const Value& pose, Part& part) const {
+  if (const auto stable = pose.Find("stable")) {
+    pose.AllowOnly({"stable", "at", "yaw"});
+    part.resting = StablePoseNames(*part.model).Read(*stable);
+    part.X_WorldPart = ReadStanding(pose, part.resting, part);
+    return;
+  }
+  pose.AllowOnly({"stable", "at", "yaw", "columns"});
+  if (!pose.Find("columns")) pose.Fail("neither stable nor columns", "one of stable, columns");
+  pose.AllowOnly({"columns"});
+  part.X_WorldPart = ReadColumns(pose.At("columns"), units_);
+  part.resting = StablePoseAt(part, part.X_WorldPart);
+  if (!part.resting.IsNone()) part.X_WorldPart = ComeToRest(part, part.resting, part.X_WorldPart);
+}
+
+Pose InitialPosesFile::ReadStanding(const Value& pose, StablePoseId resting,
+                                    const Part& part) const {
+  const Vector2 at = ReadVector2(pose.At("at"), units_);
+  const std::optional<Value> yaw = pose.Find("yaw");
+  const Placement placement = {.x = at.x(), .y = at.y(), .yaw = yaw ? ReadAngle(*yaw, units_) : 0};
+  return placement.X_WorldTable() * part.model->stable_poses()[resting.index()].X_TablePart;
+}
+
+void InitialPosesFile::CheckOnTable(const Value& pose, PartId id) const {
+  const Part& part = problem_.part(id);
+  if (OnTable(problem_, id, part.X_WorldPart)) return;
+  const auto extent = [&](const geometry::Polygon& polygon) {
+    Eigen::AlignedBox2d box;
+    for (const Vector2& p : polygon) box.extend(p);
+    return fmt::format("x {} to {}, y {} to {}", InFileUnit(box.min().x()),
+                       InFileUnit(box.max().x()), InFileUnit(box.min().y()),
+                       InFileUnit(box.max().y()));
+  };
+  std::vector<std::string> tables;
+  for (const Table& table : problem_.workcell->tables()) tables.push_back(extent(table.top));
+  pose.Fail(fmt::format("part '{}' covers {}, which is not all on {}", part.name,
+                        extent(Footprint(part, part.X_WorldPart)),
+                        tables.size() == 1 ? "the table" : "one table"),
+            fmt::format("{}", fmt::join(tables, "; or ")));
+}
+
+void InitialPosesFile::CheckAboveTable(const Value& place, const Part& part) const {
+  const double lowest = LowestOf(part);
+  const double allowance = problem_.workcell->rules().contact_allowance;
+  if (lowest >= -allowance - kRounding) return;
+  place.Fail(fmt::format("part '{}' is {} deep in the table", part.name, InFileUnit(-lowest)),
+             fmt::format("at most {}", InFileUnit(allowance)));
+}
+
+void InitialPosesFile::CheckApart() const {
+  std::vector<PlacedPart> placed;
+  for (std::size_t i = 0; i < problem_.parts.size(); ++i) {
+    const PlacedPart part = {PartId(i), problem_.parts[i].X_WorldPart};
+    const PartId hit = Obstacle(problem_, part, placed);
+    if (!hit.IsNone()) {
+      entries_[i].Fail(fmt::format("part '{}' overlaps part '{}' at the start",
+                                   problem_.parts[i].name, problem_.part(hit).name),
+                       "parts that do not overlap");
+    }
+    placed.push_back(part);
+  }
+}
+
+// Its centre of mass is over what it stands on: else it falls before anything is done.
+void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
+  const Part& part = problem_.part(id);
+  std::vector<Vector3> corners = CornersOnTable(*part.model, part.X_WorldPart);
+  for (const Part& other : problem_.parts) {
+    if (&other == &part) continue;
+    std::ranges::copy(
+        CornersOfContact(*part.model, part.X_WorldPart, *other.model, other.X_WorldPart),
+        std::back_inserter(corners));
+  }
+  std::vector<Vector2> stands_on;
+  for (const Vector3& corner : corners) stands_on.push_back(corner.head<2>());
+  const Vector2 center = (part.X_WorldPart * part.model->mass().center).head<2>();
+  const double inside = geometry::Depth(geometry::Hull2(stands_on), center);
+  if (inside > 0) return;
+  const std::string what =
+      stands_on.empty() ? fmt::format("stands on nothing: its lowest point is {} above the table",
+                                      InFileUnit(LowestOf(part)))
+                        : fmt::format(
+                              "falls over: its centre of mass is {} beside what it "
+                              "stands on",
+                              InFileUnit(-inside));
+  place.Fail(
+      fmt::format("part '{}' {}", part.name, what),
+      "a pose in which it stands on the table or on other parts, a mating of 'initially', or "
+      "a fixture ('clamp')");
+}
+
+}  // namespace
+
+void ReadInitialPoses(const Value& root, const Units& units,
+                      const std::map<std::string, int>& chosen, Problem& problem) {
+  InitialPosesFile file(root, units, chosen, problem);
+  file.ReadInitially(root);
+  file.PlaceParts();
+}
+
+}  // namespace assay::domain

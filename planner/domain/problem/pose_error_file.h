@@ -1,0 +1,13 @@
+#pragma once
+
+#include "planner/base/document.h"
+#include "planner/domain/problem/pose_error.h"
+#include "planner/domain/problem/units.h"
+
+namespace assay::domain {
+
+// `{x: , y: , z: , theta: }`, each a half-width or [low, high]; what the map leaves out stays as it
+// is in `otherwise`. Throws InputError for other keys, negative half-widths and reversed ends.
+PoseError ReadPoseError(const Value& map, const Units& units, const PoseError& otherwise);
+
+}  // namespace assay::domain

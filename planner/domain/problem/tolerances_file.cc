@@ -1,0 +1,66 @@
+#include "planner/domain/problem/tolerances_file.h"
+
+#include <fmt/format.h>
+
+#include <set>
+
+namespace assay::domain {
+namespace {
+
+// `what` it is of, and how much that is, in metres or a ratio; `unit` is the file's.
+struct Quantity {
+  std::string what;
+  double amount = 0;
+  Unit unit = kRatio;
+};
+
+double ReadHalfWidth(const Value& value, const Quantity& of) {
+  const double half_width = value.Number() * of.unit.factor;
+  if (half_width == 0 || (half_width > 0 && half_width < of.amount)) return half_width;
+  value.Fail(fmt::format("{} is no tolerance of {}", Beside(value.Text(), of.unit), of.what),
+             of.amount > 0 ? fmt::format("{} or more, less than {}", InUnit(0, of.unit),
+                                         InUnit(of.amount, of.unit))
+                           : InUnit(0, of.unit));
+}
+
+// Of the mating surfaces: of what the workcell says, and of what each part says.
+Quantity LeastFriction(const Problem& problem) {
+  Quantity least = {"the friction of mating surfaces", problem.workcell->rules().friction};
+  for (const Part& part : problem.parts) {
+    if (part.model->friction() >= least.amount) continue;
+    least = {fmt::format("the friction of part '{}'", part.name), part.model->friction()};
+  }
+  return least;
+}
+
+void RequireSoundPockets(const Problem& problem, double tolerance) {
+  std::set<const PartModel*> known;
+  for (const Part& part : problem.parts) {
+    if (!known.insert(part.model.get()).second) continue;
+    for (const double error : {-tolerance, tolerance}) {
+      part.model->WithClearance(problem.clearance + error);
+    }
+  }
+}
+
+}  // namespace
+
+Tolerances ReadTolerances(const Value& map, const Units& units, const Problem& problem) {
+  map.AllowOnly({"clearance", "friction", "pad_friction"});
+  Tolerances tolerances;
+  if (const auto clearance = map.Find("clearance")) {
+    tolerances.clearance =
+        ReadHalfWidth(*clearance, {"the clearance", problem.clearance, units.length});
+    if (tolerances.clearance > 0) RequireSoundPockets(problem, tolerances.clearance);
+  }
+  if (const auto friction = map.Find("friction")) {
+    tolerances.friction = ReadHalfWidth(*friction, LeastFriction(problem));
+  }
+  if (const auto pad_friction = map.Find("pad_friction")) {
+    tolerances.pad_friction = ReadHalfWidth(
+        *pad_friction, {"the friction of the pads", problem.workcell->rules().pad_friction});
+  }
+  return tolerances;
+}
+
+}  // namespace assay::domain

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "planner/domain/reach/reachability.h"
+
+namespace assay::domain {
+
+// Reachability (reachability.h) for a planner that comes back to the same few places: what was
+// answered once is not worked out again. The problem must outlive it.
+class KnownReachability {
+ public:
+  explicit KnownReachability(const Problem& problem) : problem_(problem) {}
+
+  bool IsReachableAt(PartId part, GraspId grasp, const Pose& X_WorldPart);
+  bool IsMateReachableAt(MatingId mating, GraspId grasp, const Pose& X_WorldFixed);
+  bool IsMateReachableIn(MatingId mating, GraspId grasp, StablePoseId pose_of_fixed);
+
+ private:
+  struct Answer {
+    Pose X_World;
+    bool is_reachable = false;
+  };
+  template <class Which>
+  using Answers = std::map<std::pair<Which, GraspId>, std::vector<Answer>>;
+
+  bool ClearsFixed(MatingId mating, GraspId grasp);
+
+  const Problem& problem_;
+  Answers<PartId> parts_;
+  Answers<MatingId> matings_;
+  std::map<std::pair<MatingId, GraspId>, bool> clears_fixed_;
+};
+
+}  // namespace assay::domain

@@ -1,0 +1,439 @@
+#include "planner/domain/reach/reachability.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "planner/base/check.h"
+#include "planner/domain/part/resting.h"
+#include "planner/domain/reach/tool_path.h"
+
+namespace assay::domain {
+namespace {
+
+using geometry::CollisionShape;
+using geometry::Matrix3;
+
+constexpr double kClearanceStep = 0.01;  // metres between looks at a hand on its way
+
+// What a caller asks of a set of conditions.
+enum class Ask {
+  kWhetherAll,          // whether all hold: the first that is broken is enough
+  kWhetherAllButClear,  // the same, kMateClear left out
+  kWhichBroken,
+};
+
+// Collects the broken conditions. Those that cost little are required first.
+class Findings {
+ public:
+  explicit Findings(Ask ask) : ask_(ask) {}
+
+  template <class Holds>
+  void Require(GraspCondition condition, const Holds& holds) {
+    if (ask_ != Ask::kWhichBroken && broken_ != 0) return;
+    if (ask_ == Ask::kWhetherAllButClear && condition == GraspCondition::kMateClear) return;
+    if (!holds()) broken_ |= static_cast<GraspConditions>(condition);
+  }
+  GraspConditions broken() const { return broken_; }
+
+ private:
+  Ask ask_;
+  GraspConditions broken_ = 0;
+};
+
+// Where a part rests: exactly at X_WorldPart, or so at any of the placements, which then move it
+// on the table.
+struct Location {
+  PartId part;
+  Pose X_WorldPart;
+  std::span<const Placement> placements = {};
+};
+
+Location InPose(const Problem& problem, PartId part, StablePoseId pose) {
+  return {.part = part,
+          .X_WorldPart = problem.part(part).model->stable_poses()[pose.index()].X_TablePart,
+          .placements = problem.workcell->placements()};
+}
+
+// Whether `reaches` holds of a pose of the part, on the table, that the location allows.
+template <class Reaches>
+bool AtSomePlacement(const Problem& problem, const Location& location, const Reaches& reaches) {
+  if (location.placements.empty()) return reaches(location.X_WorldPart);
+  return std::ranges::any_of(location.placements, [&](const Placement& placement) {
+    const Pose X_WorldPart = placement.X_WorldTable() * location.X_WorldPart;
+    return reaches(X_WorldPart) && OnTable(problem, location.part, X_WorldPart);
+  });
+}
+
+const Grasp& GraspOf(const Problem& problem, PartId part, GraspId grasp) {
+  return (*problem.part(part).grasps)[grasp.index()];
+}
+
+bool OpensFor(const Workcell& workcell, const Grasp& grasp) {
+  return grasp.width <= workcell.gripper().max_opening() + kRounding;
+}
+
+// Fingers closed on the part; of a grasp that is too wide, as far as they open.
+double ClosedOpening(const Workcell& workcell, const Grasp& grasp) {
+  return std::min(grasp.width, workcell.gripper().max_opening());
+}
+
+bool AreDisjoint(const std::vector<FeatureNumber>& a, const std::vector<FeatureNumber>& b) {
+  return std::ranges::none_of(
+      a, [&](FeatureNumber number) { return std::ranges::binary_search(b, number); });
+}
+
+// The features that the table hides: by Spar, those of the stable pose that the pose corresponds
+// to. Parts are put down in stable poses only, so in another it is where it was at the start.
+const std::vector<FeatureNumber>& HiddenAt(const Part& part, const Pose& X_WorldPart) {
+  const StablePoseId resting = StablePoseAt(part, X_WorldPart);
+  return resting.IsNone() ? part.hidden : part.model->stable_poses()[resting.index()].hidden;
+}
+
+// The angle from straight down.
+double LeanOf(const Vector3& direction) {
+  return std::atan2(direction.head<2>().norm(), -direction.z());
+}
+
+bool LeansLittle(const Workcell& workcell, const Pose& X_WorldTool) {
+  return LeanOf(X_WorldTool.linear().col(2)) <= workcell.rules().tool_lean + kRounding;
+}
+
+double LowestPoint(const geometry::Box& box, const Pose& X_WorldTool) {
+  const Pose X_WorldBox = X_WorldTool * box.X_FrameBox;
+  return X_WorldBox.translation().z() -
+         X_WorldBox.linear().row(2).cwiseAbs().dot(box.half_extents.transpose());
+}
+
+double LowestPoint(std::span<const geometry::Box> boxes, const Pose& X_WorldTool) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const geometry::Box& box : boxes) lowest = std::min(lowest, LowestPoint(box, X_WorldTool));
+  return lowest;
+}
+
+// The height of hand and fingers, open and closed, above the table. The retreat of a tool that
+// leans allowably goes up, so its end is its lowest point.
+double HandHeight(const Workcell& workcell, const Grasp& grasp, const Pose& X_WorldTool) {
+  const kinematics::Gripper& gripper = workcell.gripper();
+  return std::min({LowestPoint(gripper.HandBoxes(), X_WorldTool),
+                   LowestPoint(gripper.FingerBoxes(gripper.max_opening()), X_WorldTool),
+                   LowestPoint(gripper.FingerBoxes(ClosedOpening(workcell, grasp)), X_WorldTool)});
+}
+
+bool ClearsTable(const Workcell& workcell, const Grasp& grasp, const Pose& X_WorldTool) {
+  return HandHeight(workcell, grasp, X_WorldTool) >=
+         -workcell.rules().contact_allowance - kRounding;
+}
+
+Pose Moved(const Pose& X, const Vector3& by) { return geometry::Translation(by) * X; }
+
+Vector3 Retreat(const Workcell& workcell, const Pose& X_FrameTool) {
+  return -workcell.rules().approach_distance * X_FrameTool.linear().col(2);
+}
+
+Vector3 Raised(const Workcell& workcell, const Vector3& p_World) {
+  return {p_World.x(), p_World.y(), std::max(p_World.z(), workcell.rules().safe_height)};
+}
+
+bool IsStraightAbove(const Vector3& high, const Vector3& low) {
+  return high.z() >= low.z() && (high - low).head<2>().norm() < kRounding;
+}
+
+// The ways of pickup, down, in and up again; putdown goes the same ways backwards. Straight above
+// the grasp, the way up is the way down.
+bool ReachesGrasp(const Workcell& workcell, const Pose& X_WorldTool) {
+  const Vector3 grasp = X_WorldTool.translation();
+  const Vector3 retreated = grasp + Retreat(workcell, X_WorldTool);
+  const std::array corners = {Raised(workcell, retreated), retreated, grasp,
+                              Raised(workcell, grasp)};
+  const std::size_t needed = IsStraightAbove(retreated, grasp) ? 3 : 4;
+  return CanFollow(workcell, X_WorldTool.linear(), std::span(corners).first(needed));
+}
+
+// The ways of assemble: down to where the mating starts, along the mating vector, back and up,
+// unless all are on one line.
+bool ReachesMating(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& vector_World) {
+  const Vector3 mated = X_WorldTool.translation();
+  const Vector3 start = mated - vector_World;
+  const Vector3 retreated = mated + Retreat(workcell, X_WorldTool);
+  if (IsStraightAbove(start, mated) && IsStraightAbove(retreated, mated)) {
+    const Vector3& higher = start.z() > retreated.z() ? start : retreated;
+    return CanFollow(workcell, X_WorldTool.linear(), std::array{Raised(workcell, higher), mated});
+  }
+  return CanFollow(
+      workcell, X_WorldTool.linear(),
+      std::array{Raised(workcell, start), start, mated, retreated, Raised(workcell, retreated)});
+}
+
+// A hand, its fingers open or closed, that goes past the fixed part. All in the fixed part's frame.
+class HandBesideFixed {
+ public:
+  HandBesideFixed(const Problem& problem, const Mating& mating, double opening)
+      : hand_(problem.workcell->HandShape(opening)),
+        fixed_(problem.part(mating.fixed).model->shape()),
+        allowance_(problem.workcell->rules().contact_allowance) {}
+
+  bool IsFreeAt(const Pose& X_FixedTool) const {
+    return !Overlaps(hand_, X_FixedTool, fixed_, Pose::Identity(), allowance_);
+  }
+  bool IsFreeAlong(const Pose& X_FixedTool, const Vector3& line) const {
+    const int steps = std::max(1, static_cast<int>(std::ceil(line.norm() / kClearanceStep)));
+    for (int i = 0; i <= steps; ++i) {
+      if (!IsFreeAt(Moved(X_FixedTool, static_cast<double>(i) / steps * line))) return false;
+    }
+    return true;
+  }
+
+ private:
+  CollisionShape hand_;
+  const CollisionShape& fixed_;
+  double allowance_;
+};
+
+// Closed, the hand comes along the mating vector; open, it retreats. Open fingers are looked at
+// where the mating starts as well, so that the part can be let go there.
+bool ClearsFixed(const Problem& problem, const Mating& mating, const Grasp& grasp) {
+  const Workcell& workcell = *problem.workcell;
+  const Pose X_FixedTool = mating.X_FixedHeld * grasp.X_PartTool;
+  const HandBesideFixed closed(problem, mating, ClosedOpening(workcell, grasp));
+  const HandBesideFixed open(problem, mating, workcell.gripper().max_opening());
+  return open.IsFreeAlong(X_FixedTool, Retreat(workcell, X_FixedTool)) &&
+         closed.IsFreeAlong(X_FixedTool, -mating.mating_vector) &&
+         open.IsFreeAt(Moved(X_FixedTool, -mating.mating_vector));
+}
+
+GraspConditions Broken(const Problem& problem, GraspId id, const Location& location,
+                       const std::vector<FeatureNumber>& hidden, Ask ask) {
+  const Workcell& workcell = *problem.workcell;
+  const Grasp& grasp = GraspOf(problem, location.part, id);
+  const Pose X_WorldTool = location.X_WorldPart * grasp.X_PartTool;
+  Findings findings(ask);
+  findings.Require(GraspCondition::kOpening, [&] { return OpensFor(workcell, grasp); });
+  findings.Require(GraspCondition::kPadsFit, [&] { return grasp.room.fits(); });
+  findings.Require(GraspCondition::kFacesFree, [&] { return AreDisjoint(grasp.hidden, hidden); });
+  findings.Require(GraspCondition::kToolLean, [&] { return LeansLittle(workcell, X_WorldTool); });
+  findings.Require(GraspCondition::kTableClear,
+                   [&] { return ClearsTable(workcell, grasp, X_WorldTool); });
+  findings.Require(GraspCondition::kReach, [&] {
+    return AtSomePlacement(problem, location, [&](const Pose& X_WorldPart) {
+      return ReachesGrasp(workcell, X_WorldPart * grasp.X_PartTool);
+    });
+  });
+  return findings.broken();
+}
+
+GraspConditions BrokenMating(const Problem& problem, const Mating& mating, GraspId id,
+                             const Location& location, Ask ask) {
+  const Workcell& workcell = *problem.workcell;
+  const Grasp& grasp = GraspOf(problem, mating.held, id);
+  const Pose X_FixedTool = mating.X_FixedHeld * grasp.X_PartTool;
+  const Pose X_WorldTool = location.X_WorldPart * X_FixedTool;
+  const Vector3 vector_World = location.X_WorldPart.linear() * mating.mating_vector;
+  Findings findings(ask);
+  findings.Require(GraspCondition::kOpening, [&] { return OpensFor(workcell, grasp); });
+  findings.Require(GraspCondition::kPadsFit, [&] { return grasp.room.fits(); });
+  findings.Require(GraspCondition::kToolLean, [&] { return LeansLittle(workcell, X_WorldTool); });
+  findings.Require(GraspCondition::kTableClear, [&] {
+    return ClearsTable(workcell, grasp, X_WorldTool) &&
+           ClearsTable(workcell, grasp, Moved(X_WorldTool, -vector_World));
+  });
+  findings.Require(GraspCondition::kMateClear, [&] { return ClearsFixed(problem, mating, grasp); });
+  findings.Require(GraspCondition::kReach, [&] {
+    return AtSomePlacement(problem, location, [&](const Pose& X_WorldFixed) {
+      return ReachesMating(workcell, X_WorldFixed * X_FixedTool,
+                           X_WorldFixed.linear() * mating.mating_vector);
+    });
+  });
+  return findings.broken();
+}
+
+GraspConditions FindAt(const Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart,
+                       Ask ask) {
+  return Broken(problem, grasp, {.part = part, .X_WorldPart = X_WorldPart},
+                HiddenAt(problem.part(part), X_WorldPart), ask);
+}
+
+GraspConditions FindIn(const Problem& problem, PartId part, GraspId grasp, StablePoseId pose,
+                       Ask ask) {
+  return Broken(problem, grasp, InPose(problem, part, pose),
+                problem.part(part).model->stable_poses()[pose.index()].hidden, ask);
+}
+
+GraspConditions FindMatingAt(const Problem& problem, MatingId id, GraspId grasp,
+                             const Pose& X_WorldFixed, Ask ask) {
+  const Mating& mating = problem.mating(id);
+  return BrokenMating(problem, mating, grasp, {.part = mating.fixed, .X_WorldPart = X_WorldFixed},
+                      ask);
+}
+
+GraspConditions FindMatingIn(const Problem& problem, MatingId id, GraspId grasp,
+                             StablePoseId pose_of_fixed, Ask ask) {
+  const Mating& mating = problem.mating(id);
+  return BrokenMating(problem, mating, grasp, InPose(problem, mating.fixed, pose_of_fixed), ask);
+}
+
+double Degrees(double radians) { return radians * 180 / std::numbers::pi; }
+double Millimetres(double metres) { return 1000 * metres; }
+
+}  // namespace
+
+GraspConditions BrokenAt(const Problem& problem, PartId part, GraspId grasp,
+                         const Pose& X_WorldPart) {
+  return FindAt(problem, part, grasp, X_WorldPart, Ask::kWhichBroken);
+}
+
+GraspConditions BrokenIn(const Problem& problem, PartId part, GraspId grasp, StablePoseId pose) {
+  return FindIn(problem, part, grasp, pose, Ask::kWhichBroken);
+}
+
+GraspConditions BrokenMatingAt(const Problem& problem, MatingId mating, GraspId grasp,
+                               const Pose& X_WorldFixed) {
+  return FindMatingAt(problem, mating, grasp, X_WorldFixed, Ask::kWhichBroken);
+}
+
+GraspConditions BrokenMatingIn(const Problem& problem, MatingId mating, GraspId grasp,
+                               StablePoseId pose_of_fixed) {
+  return FindMatingIn(problem, mating, grasp, pose_of_fixed, Ask::kWhichBroken);
+}
+
+bool IsReachableAt(const Problem& problem, PartId part, GraspId grasp, const Pose& X_WorldPart) {
+  return FindAt(problem, part, grasp, X_WorldPart, Ask::kWhetherAll) == 0;
+}
+
+bool IsReachableIn(const Problem& problem, PartId part, GraspId grasp, StablePoseId pose) {
+  return FindIn(problem, part, grasp, pose, Ask::kWhetherAll) == 0;
+}
+
+bool IsMateReachableAt(const Problem& problem, MatingId mating, GraspId grasp,
+                       const Pose& X_WorldFixed) {
+  return FindMatingAt(problem, mating, grasp, X_WorldFixed, Ask::kWhetherAll) == 0;
+}
+
+bool IsMateReachableIn(const Problem& problem, MatingId mating, GraspId grasp,
+                       StablePoseId pose_of_fixed) {
+  return FindMatingIn(problem, mating, grasp, pose_of_fixed, Ask::kWhetherAll) == 0;
+}
+
+bool HandClearsFixed(const Problem& problem, MatingId id, GraspId grasp) {
+  const Mating& mating = problem.mating(id);
+  return ClearsFixed(problem, mating, GraspOf(problem, mating.held, grasp));
+}
+
+bool IsMatingPlaceReachableAt(const Problem& problem, MatingId mating, GraspId grasp,
+                              const Pose& X_WorldFixed) {
+  return FindMatingAt(problem, mating, grasp, X_WorldFixed, Ask::kWhetherAllButClear) == 0;
+}
+
+bool IsMatingPlaceReachableIn(const Problem& problem, MatingId mating, GraspId grasp,
+                              StablePoseId pose_of_fixed) {
+  return FindMatingIn(problem, mating, grasp, pose_of_fixed, Ask::kWhetherAllButClear) == 0;
+}
+
+bool CanApproach(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& approach) {
+  const Vector3 end = X_WorldTool.translation();
+  return CanFollow(workcell, X_WorldTool.linear(), std::array<Vector3, 2>{end - approach, end});
+}
+
+PartId Obstacle(const Problem& problem, const Pose& X_WorldTool, double opening,
+                std::span<const PlacedPart> others) {
+  const CollisionShape hand = problem.workcell->HandShape(opening);
+  const double allowance = problem.workcell->rules().contact_allowance;
+  const auto hit = std::ranges::find_if(others, [&](const PlacedPart& other) {
+    return Overlaps(hand, X_WorldTool, problem.part(other.part).model->shape(), other.X_WorldPart,
+                    allowance);
+  });
+  return hit == others.end() ? PartId::None() : hit->part;
+}
+
+PartId Obstacle(const Problem& problem, const PlacedPart& moving,
+                std::span<const PlacedPart> others) {
+  const CollisionShape& shape = problem.part(moving.part).model->shape();
+  const double allowance = problem.workcell->rules().contact_allowance;
+  const auto hit = std::ranges::find_if(others, [&](const PlacedPart& other) {
+    return other.part != moving.part &&
+           Overlaps(shape, moving.X_WorldPart, problem.part(other.part).model->shape(),
+                    other.X_WorldPart, allowance);
+  });
+  return hit == others.end() ? PartId::None() : hit->part;
+}
+
+bool HidesMatingFeatures(const Problem& problem, const Mating& mating, StablePoseId pose_of_fixed) {
+  const auto& hidden =
+      problem.part(mating.fixed).model->stable_poses()[pose_of_fixed.index()].hidden;
+  return std::ranges::any_of(mating.features, [&](const auto& pair) {
+    return std::ranges::binary_search(hidden, pair.second);
+  });
+}
+
+double LeastMatingFriction(const Problem& problem) {
+  return problem.workcell->rules().friction - problem.tolerances.friction;
+}
+
+// -v_z >= |v| cos(atan(mu)): the vector points into the cone about straight down.
+bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
+  return MatingLean(problem, mating, X_WorldFixed).excess() <= kRounding;
+}
+
+Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
+  return {.value = LeanOf(X_WorldFixed.linear() * mating.mating_vector),
+          .limit = std::atan(LeastMatingFriction(problem))};
+}
+
+std::optional<Limited> Measure(const Problem& problem, GraspCondition condition, const Grasp& grasp,
+                               const Pose& X_WorldTool) {
+  const Workcell& workcell = *problem.workcell;
+  switch (condition) {
+    case GraspCondition::kOpening:
+      return Limited{grasp.width, workcell.gripper().max_opening()};
+    case GraspCondition::kPadsFit:
+      return Limited{grasp.room.needed, grasp.room.available};
+    case GraspCondition::kToolLean:
+      return Limited{LeanOf(X_WorldTool.linear().col(2)), workcell.rules().tool_lean};
+    case GraspCondition::kTableClear:
+      return Limited{-HandHeight(workcell, grasp, X_WorldTool), workcell.rules().contact_allowance};
+    case GraspCondition::kFacesFree:
+    case GraspCondition::kReach:
+    case GraspCondition::kMateClear:
+      break;
+  }
+  return std::nullopt;
+}
+
+bool LeavesMatingFeaturesFree(const Problem& problem, const Mating& mating, GraspId grasp) {
+  const std::vector<FeatureNumber>& hidden = GraspOf(problem, mating.held, grasp).hidden;
+  return std::ranges::none_of(mating.features, [&](const auto& pair) {
+    return std::ranges::binary_search(hidden, pair.first);
+  });
+}
+
+std::string Describe(const Problem& problem, GraspCondition condition) {
+  const Workcell& workcell = *problem.workcell;
+  switch (condition) {
+    case GraspCondition::kOpening:
+      return fmt::format("the gripper opens at most {:.4g} mm",
+                         Millimetres(workcell.gripper().max_opening()));
+    case GraspCondition::kPadsFit:
+      return "the pads lie wholly on the faces that they hold";
+    case GraspCondition::kFacesFree:
+      return "the held faces are not on the table";
+    case GraspCondition::kToolLean:
+      return fmt::format("the tool leans at most {:.4g} deg from straight down",
+                         Degrees(workcell.rules().tool_lean));
+    case GraspCondition::kTableClear:
+      return "hand and fingers do not go through the table";
+    case GraspCondition::kReach:
+      return fmt::format(
+          "the arm gets there from {:.4g} mm above the table within its joint limits",
+          Millimetres(workcell.rules().safe_height));
+    case GraspCondition::kMateClear:
+      return "hand and fingers do not go through the part that is mated with";
+  }
+  ASSAY_CHECK(false, "a condition that the switch does not know");
+  return {};
+}
+
+}  // namespace assay::domain

@@ -1,0 +1,544 @@
+#include "planner/finemotion/contacts/contact_finder.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "planner/base/check.h"
+#include "planner/finemotion/contacts/tolerated_part.h"
+
+namespace assay::finemotion {
+
+namespace {
+
+constexpr std::size_t kUsualLimits = 4;  // the paper's greatest number, section 3
+constexpr std::size_t kUsualContacts = 32;
+constexpr double kTurnOnTheWay = 0.05;  // radians, more than parts are turned in one motion
+constexpr double kFar = std::numeric_limits<double>::infinity();
+
+using Index = std::size_t;
+using Part = ToleratedPart;
+using Edge = ToleratedPart::Edge;
+using Face = ToleratedPart::Face;
+using Region = ToleratedPart::Region;
+using Shift = ToleratedPart::Shift;
+using ShiftAlong = ToleratedPart::ShiftAlong;
+using Vertex = ToleratedPart::Vertex;
+
+}  // namespace
+
+// A part at a pose, in the stationary part's axes.
+struct PlacedEdge {
+  Vector3 start;
+  Vector3 direction;
+  Extent extent;
+};
+
+struct Placed {
+  const Part& part;
+  Pose X;
+  std::vector<PlacedEdge> edges;
+
+  Placed(const Part& placed_part, const Pose& X_StationaryPart)
+      : part(placed_part), X(X_StationaryPart) {
+    edges.reserve(part.edges.size());
+    for (const Edge& edge : part.edges) {
+      const Vector3 start = X * edge.start;
+      const Vector3 direction = Turned(edge.direction);
+      edges.push_back({start, direction, Extent::Of(start, start + edge.length * direction)});
+    }
+  }
+
+  Vector3 Turned(const Vector3& v) const { return X.linear() * v; }
+  Vector3 TurnedBack(const Vector3& v) const { return X.linear().transpose() * v; }
+  Vector3 MovedBack(const Vector3& p) const { return TurnedBack(p - X.translation()); }
+};
+
+namespace {
+
+// Of the edge's line, at the points of both lines that are nearest to each other.
+struct Crossing {
+  double s = 0;  // metres from the start of the first edge
+  double t = 0;
+};
+
+double DistanceToEdge(const Vector3& p, const PlacedEdge& edge, double length) {
+  const double s = std::clamp((p - edge.start).dot(edge.direction), 0.0, length);
+  return (p - edge.start - s * edge.direction).norm();
+}
+
+bool Same(const HalfSpace& a, const HalfSpace& b) {
+  return std::abs(a.b - b.b) < kSameSurface && (a.a - b.a).cwiseAbs().maxCoeff() < kSameSurface;
+}
+
+bool Same(const PrimitiveContact& a, const PrimitiveContact& b) {
+  if (a.limits.size() != b.limits.size() || std::abs(a.offset - b.offset) > kSameSurface ||
+      (a.row - b.row).cwiseAbs().maxCoeff() > kSameSurface) {
+    return false;
+  }
+  return std::ranges::all_of(a.limits, [&](const HalfSpace& limit) {
+    return std::ranges::any_of(b.limits, [&](const HalfSpace& l) { return Same(l, limit); });
+  });
+}
+
+}  // namespace
+
+class ContactFinder::Parts {
+ public:
+  Parts(const Polyhedron& moving_shape, const Polyhedron& stationary_shape,
+        const std::vector<ModelTolerance>& model_tolerances)
+      : moving(moving_shape, ModelTolerance::Of::kMovingFaces, model_tolerances),
+        stationary(stationary_shape, ModelTolerance::Of::kStationaryFaces, model_tolerances),
+        tolerances(std::ssize(model_tolerances)),
+        placed_stationary(stationary, Pose::Identity()) {}
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  const Part moving;
+  const Part stationary;
+  const Eigen::Index tolerances;
+  const Placed placed_stationary;
+};
+
+namespace {
+
+// Linearizes contacts of parts at one pose.
+class Linearizer {
+ public:
+  Linearizer(const Placed& moving, const Placed& stationary, Eigen::Index tolerances,
+             const ContactRange& range)
+      : moving_(moving),
+        stationary_(stationary),
+        origin_(moving.X.translation()),
+        dimensions_(kPoseDimensions + tolerances),
+        reach_(range.reach),
+        turn_(range.turn) {
+    contacts_.reserve(kUsualContacts);
+    ends_.reserve(2 * kUsualLimits);
+  }
+
+  void AddAll() {
+    AddVerticesOnFaces(moving_, stationary_);
+    AddVerticesOnFaces(stationary_, moving_);
+    ForNearEdges([&](Index moving, Index stationary) { AddEdgeOnEdge(moving, stationary); });
+  }
+
+  void Add(const ContactKey& key) {
+    const auto moving = static_cast<Index>(key.moving);
+    const auto stationary = static_cast<Index>(key.stationary);
+    if (moving >= CountOf(moving_.part, key.kind == ContactKind::kVertexFace, key.kind) ||
+        stationary >= CountOf(stationary_.part, key.kind == ContactKind::kFaceVertex, key.kind))
+      return;
+    switch (key.kind) {
+      case ContactKind::kVertexFace:
+        return AddVertexOnFace(moving_, moving, stationary_, stationary);
+      case ContactKind::kFaceVertex:
+        return AddVertexOnFace(stationary_, stationary, moving_, moving);
+      case ContactKind::kEdgeEdge:
+        return AddEdgeOnEdge(moving, stationary);
+    }
+  }
+
+  std::vector<PrimitiveContact> Take() && { return std::move(contacts_); }
+
+  std::vector<ParallelEdges> NearlyParallel() const {
+    std::vector<ParallelEdges> found;
+    ForNearEdges([&](Index moving, Index stationary) {
+      const PlacedEdge& a = moving_.edges[moving];
+      const PlacedEdge& b = stationary_.edges[stationary];
+      if (!MayBeParallel(a.direction.cross(b.direction).norm())) return;
+      const Edge& edge_a = moving_.part.edges[moving];
+      const Edge& edge_b = stationary_.part.edges[stationary];
+      const Crossing nearest = NearestOf(a, edge_a.length, b, edge_b.length);
+      const Vector3 from_b = a.start + nearest.s * a.direction - b.start - nearest.t * b.direction;
+      if (from_b.norm() > reach_ || !MayPress(edge_a, edge_b)) return;
+      found.push_back({.moving = static_cast<int>(moving),
+                       .stationary = static_cast<int>(stationary),
+                       .along_stationary = Along(stationary_, b, edge_b, moving_, a, edge_a),
+                       .along_moving = Along(moving_, a, edge_a, stationary_, b, edge_b),
+                       .contact = Halfway(a, edge_a, nearest.s, edge_b, from_b)});
+      found.back().contact.moving = found.back().moving;
+      found.back().contact.stationary = found.back().stationary;
+    });
+    return found;
+  }
+
+ private:
+  // Of the features that a contact of this kind can be of.
+  static Index CountOf(const Part& part, bool is_vertex, ContactKind kind) {
+    if (kind == ContactKind::kEdgeEdge) return part.edges.size();
+    return is_vertex ? part.vertices.size() : part.faces.size();
+  }
+
+  // Where a contact ends: by how much it is inside of that, and which of its ends it is.
+  struct End {
+    double left = 0;
+    Index which = 0;
+
+    auto operator<=>(const End&) const = default;
+  };
+
+  // Those whose extents are not farther apart than the reach.
+  void AddVerticesOnFaces(const Placed& with_vertex, const Placed& with_face) {
+    const double reach = reach_ + kSamePoint;
+    const Part& part = with_face.part;
+    for (Index i = 0; i < with_vertex.part.vertices.size(); ++i) {
+      const Vector3 p = with_face.MovedBack(with_vertex.X * with_vertex.part.vertices[i].p);
+      if (!part.extent.IsNear(p, reach)) continue;
+      for (Index j = 0; j < part.faces.size(); ++j) {
+        if (part.faces[j].extent.IsNear(p, reach)) AddVertexOnFace(with_vertex, i, with_face, j);
+      }
+    }
+  }
+
+  template <class Use>
+  void ForNearEdges(const Use& use) const {
+    const double reach = reach_ + kSamePoint;
+    for (Index i = 0; i < moving_.edges.size(); ++i) {
+      const Extent& extent = moving_.edges[i].extent;
+      if (!stationary_.part.extent.IsNear(extent, reach)) continue;
+      for (Index j = 0; j < stationary_.edges.size(); ++j) {
+        if (stationary_.edges[j].extent.IsNear(extent, reach)) use(i, j);
+      }
+    }
+  }
+
+  void AddVertexOnFace(const Placed& with_vertex, Index vertex_index, const Placed& with_face,
+                       Index face_index) {
+    const Vertex& vertex = with_vertex.part.vertices[vertex_index];
+    const Face& face = with_face.part.faces[face_index];
+    const Vector3 p = with_vertex.X * vertex.p;
+    const Vector3 p_in_face = with_face.MovedBack(p);
+    const double gap = face.normal.dot(p_in_face) - face.height;
+    if (std::abs(gap) > reach_) return;
+    const Vector3 normal = with_face.Turned(face.normal);
+    if (!MayTouch(vertex, with_vertex.TurnedBack(normal))) return;
+    const bool moving_vertex = with_vertex.part.sign > 0;
+    for (const Region& region : face.regions) {
+      if (IsBeyondReach(region.sides, p_in_face, face.normal, gap)) continue;
+      PrimitiveContact contact;
+      contact.kind = moving_vertex ? ContactKind::kVertexFace : ContactKind::kFaceVertex;
+      contact.moving = static_cast<int>(moving_vertex ? vertex_index : face_index);
+      contact.stationary = static_cast<int>(moving_vertex ? face_index : vertex_index);
+      contact.offset = gap;
+      contact.normal = with_vertex.part.sign * normal;
+      contact.at = p - origin_;
+      contact.row = Row(contact.normal, contact.at);
+      Tolerances(contact.row) = Along(vertex.shift, with_vertex.TurnedBack(normal)) - face.shift;
+      contact.limits.reserve(vertex.leaving.size() + region.sides.size());
+      AddOverlapLimits(with_vertex, vertex, normal, contact);
+      AddExtentLimits(with_vertex, vertex, with_face, region, p_in_face, contact);
+      Keep(std::move(contact));
+    }
+  }
+
+  bool IsBeyondReach(const FaceRegion& region, const Vector3& p, const Vector3& normal,
+                     double gap) const {
+    for (const RegionSide& side : region) {
+      if (side.Excess(p) > reach_) return true;
+    }
+    return std::hypot(gap, DistanceTo(region, p - gap * normal)) > reach_;
+  }
+
+  // No edge that leaves the vertex goes behind the face whatever the motion. (Normal in the axes of
+  // the vertex's part.)
+  bool MayTouch(const Vertex& vertex, const Vector3& n) const {
+    return std::ranges::none_of(vertex.leaving, [&](const Vector3& leaving) {
+      return n.dot(leaving) < -kSameDirection - turn_;
+    });
+  }
+
+  // No edge that leaves the vertex may go behind the face. Only those that lie in it can, in small
+  // motions, or nearly so in larger ones.
+  void AddOverlapLimits(const Placed& side, const Vertex& vertex, const Vector3& n,
+                        PrimitiveContact& contact) const {
+    for (const Vector3& direction : vertex.leaving) {
+      const Vector3 leaving = side.Turned(direction);
+      const double rise = n.dot(leaving);
+      if (rise < kSameDirection + turn_) {
+        contact.limits.push_back(TurnLimit(side.part.sign * n.cross(leaving), rise));
+      }
+    }
+  }
+
+  // The vertex stays on this region of the face.
+  void AddExtentLimits(const Placed& with_vertex, const Vertex& vertex, const Placed& with_face,
+                       const Region& region, const Vector3& p_in_face, PrimitiveContact& contact) {
+    ends_.clear();
+    for (const RegionSide& side : region.sides) {
+      ends_.push_back({-side.Excess(p_in_face), ends_.size()});
+    }
+    AddNearest(contact, [&](Index which) {
+      const Vector3 outward = with_face.Turned(region.sides[which].outward);
+      SmallVector row = Row(with_vertex.part.sign * outward, contact.at);
+      Tolerances(row) = Along(vertex.shift, with_vertex.TurnedBack(outward)) - region.shifts[which];
+      return row;
+    });
+  }
+
+  void AddEdgeOnEdge(Index moving, Index stationary) {
+    const PlacedEdge& a = moving_.edges[moving];
+    const PlacedEdge& b = stationary_.edges[stationary];
+    const Edge& edge_a = moving_.part.edges[moving];
+    const Edge& edge_b = stationary_.part.edges[stationary];
+    const Vector3 between = a.start - b.start;
+    Vector3 n = a.direction.cross(b.direction);
+    const double sine2 = n.squaredNorm();
+    const double apart = n.dot(between);
+    if (apart * apart > reach_ * reach_ * sine2) return;
+    const double sine = std::sqrt(sine2);
+    if (MayBeParallel(sine)) return;
+    n /= sine;
+    const double slack = kSameDirection + turn_ / sine;  // how much n may turn
+    const double c = a.direction.dot(b.direction);
+    const Crossing crossing = {(c * b.direction - a.direction).dot(between) / sine2,
+                               (b.direction - c * a.direction).dot(between) / sine2};
+    if (AreBeyondReach(a, edge_a.length, b, edge_b.length, crossing)) return;
+    if (!Separates(n, edge_a, edge_b, slack)) n = -n;
+    if (!Separates(n, edge_a, edge_b, slack)) return;
+    const Vector3 at = a.start + crossing.s * a.direction;
+    PrimitiveContact contact;
+    contact.kind = ContactKind::kEdgeEdge;
+    contact.moving = static_cast<int>(moving);
+    contact.stationary = static_cast<int>(stationary);
+    contact.offset = n.dot(at - b.start);
+    contact.normal = n;
+    contact.at = at - origin_;
+    contact.row = EdgeRow(n, contact.at, edge_a, edge_b);
+    contact.limits.reserve(2 * kUsualLimits);
+    AddOrientationLimits(moving_, edge_a, b.direction, n, slack, contact);
+    AddOrientationLimits(stationary_, edge_b, a.direction, n, slack, contact);
+    AddRangeLimits(a, edge_a, b, edge_b, crossing, contact);
+    Keep(std::move(contact));
+  }
+
+  bool MayBeParallel(double sine) const { return sine < kSameDirection + turn_; }
+
+  // The points of nearly parallel edges that are nearest to each other.
+  static Crossing NearestOf(const PlacedEdge& a, double length_a, const PlacedEdge& b,
+                            double length_b) {
+    const Vector3 between = a.start - b.start;
+    const double c = a.direction.dot(b.direction);
+    const double sine2 = a.direction.cross(b.direction).squaredNorm();
+    if (sine2 > kSameDirection * kSameDirection) {
+      const Crossing at = {(c * b.direction - a.direction).dot(between) / sine2,
+                           (b.direction - c * a.direction).dot(between) / sine2};
+      if (at.s >= 0 && at.s <= length_a && at.t >= 0 && at.t <= length_b) return at;
+    }
+    Crossing nearest;
+    double least = kFar;
+    const auto consider = [&](const Crossing& at) {
+      const double distance = (between + at.s * a.direction - at.t * b.direction).norm();
+      if (distance >= least) return;
+      least = distance;
+      nearest = at;
+    };
+    for (const double s : {0.0, length_a}) {
+      const double t = (between + s * a.direction).dot(b.direction);
+      consider({s, std::clamp(t, 0.0, length_b)});
+    }
+    for (const double t : {0.0, length_b}) {
+      const double s = (t * b.direction - between).dot(a.direction);
+      consider({std::clamp(s, 0.0, length_a), t});
+    }
+    return nearest;
+  }
+
+  // There is a direction between the faces' normals of the one edge and against those of the other,
+  // or may be where parts are turned: across the edges these are angles about their bisectors.
+  bool MayPress(const Edge& moving, const Edge& stationary) const {
+    const auto half_angle = [](const Edge& edge) {
+      return std::acos(std::clamp(edge.normals[0].dot(edge.normals[1]), -1.0, 1.0)) / 2;
+    };
+    const double cosine = -moving_.Turned(moving.Bisector()).dot(stationary.Bisector());
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) <=
+           half_angle(moving) + half_angle(stationary) + 2 * turn_ + kTurnOnTheWay;
+  }
+
+  // The other edge, as seen along a bar.
+  EdgeAlongEdge Along(const Placed& with_bar, const PlacedEdge& bar, const Edge& bar_edge,
+                      const Placed& with_other, const PlacedEdge& other,
+                      const Edge& other_edge) const {
+    Eigen::Matrix3d axes;  // rows
+    const Vector3 across = bar.direction.unitOrthogonal();
+    axes << across.transpose(), bar.direction.cross(across).transpose(), bar.direction.transpose();
+    EdgeAlongEdge seen{.ends = {}, .length = bar_edge.length, .elongation = {}};
+    for (const Index which : {0U, 1U}) {
+      const Vector3 p = other.start + (which == 0 ? 0 : other_edge.length) * other.direction;
+      const Vector3 r = p - origin_;
+      Eigen::Matrix3d lever;
+      lever << 0, r.z(), -r.y(), -r.z(), 0, r.x(), r.y(), -r.x(), 0;
+      PointAtEdge& end = seen.ends[which];
+      end.offset = axes * (p - bar.start);
+      end.pose << with_other.part.sign * axes, with_other.part.sign * axes * lever;
+      end.tolerances = axes * (with_other.X.linear() * other_edge.EndShift(which) -
+                               with_bar.X.linear() * bar_edge.shift);
+    }
+    seen.elongation = bar_edge.end_shifts[0].cwiseAbs().cwiseMax(bar_edge.end_shifts[1].cwiseAbs());
+    return seen;
+  }
+
+  PrimitiveContact Halfway(const PlacedEdge& a, const Edge& moving, double s,
+                           const Edge& stationary, const Vector3& from_b) const {
+    const Vector3 n = (stationary.Bisector() - moving_.Turned(moving.Bisector())).normalized();
+    PrimitiveContact contact;
+    contact.kind = ContactKind::kEdgeEdge;
+    contact.offset = n.dot(from_b);
+    contact.normal = n;
+    contact.at = a.start + s * a.direction - origin_;
+    contact.row = EdgeRow(n, contact.at, moving, stationary);
+    return contact;
+  }
+
+  // Of edges that are not parallel.
+  bool AreBeyondReach(const PlacedEdge& a, double length_a, const PlacedEdge& b, double length_b,
+                      const Crossing& at) const {
+    if (at.s >= 0 && at.s <= length_a && at.t >= 0 && at.t <= length_b) return false;
+    const Vector3 end_a = a.start + length_a * a.direction;
+    const Vector3 end_b = b.start + length_b * b.direction;
+    return DistanceToEdge(a.start, b, length_b) > reach_ &&
+           DistanceToEdge(end_a, b, length_b) > reach_ &&
+           DistanceToEdge(b.start, a, length_a) > reach_ &&
+           DistanceToEdge(end_b, a, length_a) > reach_;
+  }
+
+  // The parts are on their own sides of the plane through two crossing edges: all that leaves the
+  // moving edge goes up n, or along the plane, and all that leaves the stationary edge goes down.
+  bool Separates(const Vector3& n, const Edge& moving, const Edge& stationary, double slack) const {
+    const Vector3 n_moving = moving_.TurnedBack(n);
+    return std::ranges::all_of(moving.into,
+                               [&](const Vector3& into) { return n_moving.dot(into) >= -slack; }) &&
+           std::ranges::all_of(stationary.into,
+                               [&](const Vector3& into) { return n.dot(into) <= slack; });
+  }
+
+  // A face of one edge that lies in the plane of both, or nearly: the half of the other edge that
+  // is over it must not go behind it. (Where the edges are at right angles, that is the condition
+  // on inward directions with n held fixed; elsewhere n turns with the moving edge, which this
+  // accounts for.)
+  void AddOrientationLimits(const Placed& side, const Edge& edge, const Vector3& other,
+                            const Vector3& n, double slack, PrimitiveContact& contact) const {
+    for (const Index which : {0U, 1U}) {
+      const Vector3 into = side.Turned(edge.into[which]);
+      if (std::abs(n.dot(into)) > slack) continue;
+      const Vector3 normal = side.Turned(edge.normals[which]);
+      const double over = other.dot(into) < 0 ? -1 : 1;
+      contact.limits.push_back(
+          TurnLimit(-side.part.sign * over * normal.cross(other), over * normal.dot(other)));
+    }
+  }
+
+  // The point where the edges cross stays between the ends of both.
+  void AddRangeLimits(const PlacedEdge& a, const Edge& edge_a, const PlacedEdge& b,
+                      const Edge& edge_b, const Crossing& crossing, PrimitiveContact& contact) {
+    const double c = a.direction.dot(b.direction);
+    const double sine2 = 1 - c * c;
+    const std::array<Vector3, 2> slides = {(c * b.direction - a.direction) / sine2,
+                                           (b.direction - c * a.direction) / sine2};
+    ends_ = {{crossing.s, 0},
+             {edge_a.length - crossing.s, 1},
+             {crossing.t, 2},
+             {edge_b.length - crossing.t, 3}};
+    AddNearest(contact, [&](Index which) {
+      const Edge& edge = which < 2 ? edge_a : edge_b;
+      const double sign = which % 2 == 0 ? -1 : 1;
+      SmallVector row = EdgeRow(sign * slides[which / 2], contact.at, edge_a, edge_b);
+      Tolerances(row) -= sign * edge.end_shifts[which % 2];
+      return row;
+    });
+  }
+
+  // Of a slide of the moving edge's line against the stationary one's.
+  SmallVector EdgeRow(const Vector3& direction, const Vector3& r, const Edge& moving,
+                      const Edge& stationary) const {
+    SmallVector row = Row(direction, r);
+    Tolerances(row) =
+        Along(moving.shift, moving_.TurnedBack(direction)) - Along(stationary.shift, direction);
+    return row;
+  }
+
+  static Eigen::VectorXd Along(const Shift& shift, const Vector3& direction) {
+    return shift.transpose() * direction;
+  }
+
+  // direction . (d + w x r), and nothing for tolerances.
+  SmallVector Row(const Vector3& direction, const Vector3& r) const {
+    SmallVector row(dimensions_);
+    row.head<3>() = direction;
+    row.segment<3>(3) = r.cross(direction);
+    Tolerances(row).setZero();
+    return row;
+  }
+
+  Eigen::Ref<Eigen::VectorXd> Tolerances(SmallVector& row) const {
+    return row.tail(dimensions_ - kPoseDimensions);
+  }
+
+  // axis . w <= rise, of which rounding is left out.
+  HalfSpace TurnLimit(const Vector3& axis, double rise) const {
+    HalfSpace limit{.a = Eigen::VectorXd::Zero(dimensions_),
+                    .b = std::abs(rise) < kSameDirection ? 0 : rise};
+    limit.a.segment<3>(3) = axis;
+    return limit;
+  }
+
+  // Ends that are far away cannot be reached in the range where rows are good. Those within reach
+  // stay even if they are many: a face or an edge narrower than that.
+  template <class RowOf>
+  void AddNearest(PrimitiveContact& contact, const RowOf& row_of) {
+    std::ranges::sort(ends_);
+    for (const End& end : ends_) {
+      if (contact.limits.size() >= kUsualLimits && end.left > reach_) break;
+      contact.limits.push_back({row_of(end.which), end.left});
+    }
+  }
+
+  void Keep(PrimitiveContact contact) {
+    const auto same = [&](const PrimitiveContact& other) { return Same(other, contact); };
+    if (std::ranges::none_of(contacts_, same)) contacts_.push_back(std::move(contact));
+  }
+
+  const Placed& moving_;
+  const Placed& stationary_;
+  Vector3 origin_;
+  Eigen::Index dimensions_;
+  double reach_;
+  double turn_;
+  std::vector<PrimitiveContact> contacts_;
+  std::vector<End> ends_;
+};
+
+}  // namespace
+
+ContactFinder::ContactFinder(const Polyhedron& moving, const Polyhedron& stationary,
+                             const std::vector<ModelTolerance>& tolerances)
+    : parts_(std::make_shared<const Parts>(moving, stationary, tolerances)) {}
+
+std::vector<PrimitiveContact> ContactFinder::Near(const Pose& X_StationaryMoving,
+                                                  const ContactRange& range) const {
+  const Placed moving(parts_->moving, X_StationaryMoving);
+  Linearizer linearizer(moving, parts_->placed_stationary, parts_->tolerances, range);
+  linearizer.AddAll();
+  return std::move(linearizer).Take();
+}
+
+std::vector<ParallelEdges> ContactFinder::NearlyParallel(const Pose& X_StationaryMoving,
+                                                         const ContactRange& range) const {
+  const Placed moving(parts_->moving, X_StationaryMoving);
+  return Linearizer(moving, parts_->placed_stationary, parts_->tolerances, range).NearlyParallel();
+}
+
+std::vector<PrimitiveContact> ContactFinder::Of(std::span<const ContactKey> keys,
+                                                const Pose& X_StationaryMoving, double turn) const {
+  const Placed moving(parts_->moving, X_StationaryMoving);
+  Linearizer linearizer(moving, parts_->placed_stationary, parts_->tolerances,
+                        {.reach = kFar, .turn = turn});
+  for (const ContactKey& key : keys) linearizer.Add(key);
+  return std::move(linearizer).Take();
+}
+
+}  // namespace assay::finemotion

@@ -1,0 +1,200 @@
+#include "planner/finemotion/contacts/mating.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "planner/base/check.h"
+#include "planner/finemotion/replay/force_signature.h"
+
+namespace assay::finemotion {
+
+namespace {
+
+constexpr double kLevel = 1e-6;  // metres
+// Of a motion's length, by which soft servos may be late. Without it, two of twenty trials of the
+// square peg stop short of their first contact.
+constexpr double kLag = 0.3;
+
+// Makes of a motion what hybrid control wants, its contacts as they are at its end.
+class MotionMaker {
+ public:
+  MotionMaker(const CertainMotion& motion, plan::Strategy& strategy)
+      : motion_(motion), strategy_(strategy) {}
+
+  plan::StrategyMotion Run() {
+    plan::StrategyMotion made;
+    made.X_FixedTip = motion_.X_StationaryAfter;
+    for (const ContactKey& key : motion_.command.kept) made.kept.push_back(IndexOf(key));
+    if (motion_.command.until) {
+      made.until = IndexOf(*motion_.command.until);
+      made.beyond = motion_.check.longest - 1 + kLag;
+    }
+    for (const Unwanted& unwanted : motion_.check.unwanted) AddUnwanted(unwanted, made);
+    return made;
+  }
+
+ private:
+  const PrimitiveContact& At(const ContactKey& key) const {
+    const PrimitiveContact* contact = Find(motion_.contacts, key);
+    ASSAY_CHECK(contact != nullptr, "a contact that a motion was checked with");
+    return *contact;
+  }
+
+  int IndexOf(const ContactKey& key) {
+    const auto [index, is_new] = indices_.try_emplace(key, std::ssize(strategy_.contacts));
+    if (is_new) {
+      const PrimitiveContact& contact = At(key);
+      strategy_.contacts.push_back({Name(contact), contact.normal, contact.at});
+    }
+    return index->second;
+  }
+
+  // A face in several regions is told of once, with its least scale.
+  void AddUnwanted(const Unwanted& unwanted, plan::StrategyMotion& made) {
+    const int contact = IndexOf(unwanted.contact);
+    if (std::ranges::count(made.unwanted, contact, &plan::UnwantedContact::contact) > 0) return;
+    plan::UnwantedContact added{.contact = contact,
+                                .is_loss = unwanted.is_loss,
+                                .scale = unwanted.scale,
+                                .gap = At(unwanted.contact).offset};
+    added.separation = SeparationOf(added, made);
+    made.unwanted.push_back(added);
+  }
+
+  double SeparationOf(const plan::UnwantedContact& unwanted,
+                      const plan::StrategyMotion& made) const {
+    const std::vector<int> planned = plan::ContactsAfter(made);
+    const std::vector<int> error = plan::ContactsInError(made, unwanted);
+    const auto signature = [&](const std::vector<int>& state, const std::vector<int>& other,
+                               bool in_both) {
+      std::vector<int> contacts;
+      std::ranges::copy_if(state, std::back_inserter(contacts), [&](int contact) {
+        return (std::ranges::count(other, contact) > 0) == in_both;
+      });
+      return SignatureOf(plan::ContactsAt(strategy_, contacts), strategy_.friction);
+    };
+    return SeparationOfStates(signature(planned, error, true), signature(planned, error, false),
+                              signature(error, planned, false), strategy_.length);
+  }
+
+  const CertainMotion& motion_;
+  plan::Strategy& strategy_;
+  std::map<ContactKey, int> indices_;
+};
+
+// Of the held features that are mated, the one that is farthest ahead.
+const domain::Feature* FirstIn(const domain::PartModel& held, const domain::Mating& mating) {
+  const domain::Feature* first = nullptr;
+  double farthest = 0;
+  for (const auto& [own, other] : mating.features) {
+    const domain::Feature* feature = held.FindFeature(own);
+    ASSAY_CHECK(feature != nullptr, "a mating of a feature that the part does not have");
+    const double ahead = (mating.X_FixedHeld * feature->X_PartFeature.translation())
+                             .dot(mating.mating_vector.normalized());
+    if (first != nullptr && ahead <= farthest + kLevel) continue;
+    first = feature;
+    farthest = ahead;
+  }
+  return first;
+}
+
+// One for each wall that the tip comes between.
+std::vector<ModelTolerance> TolerancesOfWalls(const Passage& passage) {
+  const ContactFinder finder(passage.moving, passage.stationary);
+  std::set<std::pair<ModelTolerance::Of, int>> walls;
+  for (int point = 0; point < passage.critical_points(); ++point) {
+    for (const PrimitiveContact& wall : WallsAt(passage, point, finder)) {
+      if (wall.kind == ContactKind::kVertexFace)
+        walls.insert({ModelTolerance::Of::kStationaryFaces, wall.stationary});
+      else
+        walls.insert({ModelTolerance::Of::kMovingFaces, wall.moving});
+    }
+  }
+  std::vector<ModelTolerance> tolerances;
+  for (const auto& [of, face] : walls) {
+    const bool is_moving = of == ModelTolerance::Of::kMovingFaces;
+    tolerances.push_back(
+        {fmt::format("wall {} of the {} part", face, is_moving ? "moving" : "stationary"),
+         of,
+         {face}});
+  }
+  return tolerances;
+}
+
+}  // namespace
+
+Polyhedron OutsideOf(const domain::PartModel& model) {
+  std::vector<ConvexPiece> pieces;
+  for (const geometry::Box& box : model.boxes()) {
+    const auto corners = box.Corners();
+    pieces.push_back({{corners.begin(), corners.end()}});
+  }
+  return OutsideOf(pieces);
+}
+
+MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& mating) {
+  const domain::PartModel& held = *problem.part(mating.held).model;
+  const domain::PartModel& fixed = *problem.part(mating.fixed).model;
+  MatingGeometry geometry;
+  const domain::Feature* tip = FirstIn(held, mating);
+  geometry.X_HeldTip.linear() = mating.X_FixedHeld.linear().transpose();
+  geometry.X_HeldTip.translation() = tip->X_PartFeature.translation();
+  geometry.X_FixedSeat = mating.X_FixedHeld * geometry.X_HeldTip;
+  geometry.critical_points =
+      CriticalPoints(OutsideOf(*held.WithClearance(0)), OutsideOf(*fixed.WithClearance(0)),
+                     mating.X_FixedHeld, mating.mating_vector);
+  geometry.passage.moving = Transformed(OutsideOf(held), geometry.X_HeldTip.inverse());
+  geometry.passage.stationary = OutsideOf(fixed);
+  geometry.passage.mating = mating.mating_vector.normalized();
+  const Pose& entry = geometry.critical_points.empty()
+                          ? mating.X_FixedHeld
+                          : geometry.critical_points.front().X_StationaryMoving;
+  geometry.passage.X_StationaryEntry = entry * geometry.X_HeldTip;
+  const double seat = mating.mating_vector.norm();
+  for (const CriticalPoint& point : geometry.critical_points) {
+    const double further = point.travel - geometry.critical_points.front().travel;
+    if (further > 0 && point.travel < seat - kLevel) geometry.passage.further.push_back(further);
+  }
+  if (!geometry.critical_points.empty()) {
+    const auto& further = geometry.passage.further;
+    geometry.passage.seat =
+        seat - geometry.critical_points.front().travel - (further.empty() ? 0 : further.back());
+  }
+  if (problem.tolerances.clearance > 0) {
+    geometry.passage.tolerances = TolerancesOfWalls(geometry.passage);
+    geometry.tolerances.setConstant(std::ssize(geometry.passage.tolerances),
+                                    problem.tolerances.clearance);
+  }
+  return geometry;
+}
+
+FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate,
+                          const MatingGeometry& geometry) {
+  FineMotionErrors errors;
+  errors.pose << certificate.d, certificate.w;
+  errors.velocity = certificate.velocity;
+  errors.tolerances = geometry.tolerances;
+  return errors;
+}
+
+plan::Strategy StrategyOf(const MatingGeometry& geometry, const FineMotionPlan& plan,
+                          const StrategyOptions& options) {
+  plan::Strategy strategy{.X_HeldTip = geometry.X_HeldTip,
+                          .X_FixedStart = plan.X_StationaryStart,
+                          .contacts = {},
+                          .motions = {},
+                          .friction = options.friction,
+                          .length = options.radius};
+  for (const CertainMotion& motion : plan.motions) {
+    strategy.motions.push_back(MotionMaker(motion, strategy).Run());
+  }
+  strategy.motions.push_back(
+      {.kept = {}, .X_FixedTip = geometry.X_FixedSeat, .until = {}, .beyond = 0, .slides = true});
+  return strategy;
+}
+
+}  // namespace assay::finemotion

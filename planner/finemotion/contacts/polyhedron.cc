@@ -1,0 +1,542 @@
+#include "planner/finemotion/contacts/polyhedron.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <ranges>
+#include <tuple>
+#include <utility>
+
+#include "planner/geometry/hull.h"
+#include "planner/geometry/polygon.h"
+
+namespace assay::finemotion {
+namespace {
+
+using geometry::ConvexHull;
+using geometry::Vector2;
+
+using Outline = std::vector<Vector3>;  // of a convex polygon
+
+// Directions that differ by less, radians, count as one, and corners this blunt as flat.
+constexpr double kFlat = 1e-6;
+
+struct Plane {
+  Vector3 normal;
+  double height = 0;
+
+  double Above(const Vector3& p) const { return normal.dot(p) - height; }
+};
+
+struct Segment {
+  Vector3 start;
+  Vector3 end;
+
+  Vector3 Middle() const { return (start + end) / 2; }
+  double Length() const { return (end - start).norm(); }
+};
+
+// A convex piece with its faces.
+struct Solid {
+  ConvexHull hull;
+  std::vector<int> planes;  // of each facet: the index of its plane
+};
+
+Outline OutlineOf(const ConvexHull& hull, const geometry::Facet& facet) {
+  Outline outline;
+  for (int i : facet.loop) outline.push_back(hull.vertices[i]);
+  return outline;
+}
+
+Segment SideOf(const Outline& outline, std::size_t i) {
+  return {outline[i], outline[(i + 1) % outline.size()]};
+}
+
+double DistanceToLine(const Segment& line, const Vector3& p) {
+  return (line.end - line.start).cross(p - line.start).norm() / line.Length();
+}
+
+double AreaOf(const Outline& outline) {
+  Vector3 doubled = Vector3::Zero();
+  for (std::size_t i = 2; i < outline.size(); ++i) {
+    doubled += (outline[i - 1] - outline[0]).cross(outline[i] - outline[0]);
+  }
+  return doubled.norm() / 2;
+}
+
+double PerimeterOf(const Outline& outline) {
+  double perimeter = 0;
+  for (std::size_t i = 0; i < outline.size(); ++i) perimeter += SideOf(outline, i).Length();
+  return perimeter;
+}
+
+// Whether no two parallel lines nearer than `tolerance` have the polygon between them.
+bool IsBroad(const Outline& outline, double tolerance) {
+  if (outline.size() < 3) return false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Segment side = SideOf(outline, i);
+    if (side.Length() == 0) continue;
+    const auto is_far = [&](const Vector3& p) { return DistanceToLine(side, p) > tolerance; };
+    if (std::ranges::none_of(outline, is_far)) return false;
+  }
+  return true;
+}
+
+struct Halves {
+  Outline above;
+  Outline below;
+};
+
+// Corners within `tolerance` of the plane lie on it and belong to both halves; a polygon that lies
+// in the plane is below.
+Halves Split(const Outline& outline, const Plane& plane, double tolerance) {
+  Halves halves;
+  bool reaches_above = false;
+  bool reaches_below = false;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto [p, q] = SideOf(outline, i);
+    const double at_p = plane.Above(p);
+    const double at_q = plane.Above(q);
+    if (at_p >= -tolerance) halves.above.push_back(p);
+    if (at_p <= tolerance) halves.below.push_back(p);
+    reaches_above |= at_p > tolerance;
+    reaches_below |= at_p < -tolerance;
+    if (std::min(at_p, at_q) < -tolerance && std::max(at_p, at_q) > tolerance) {
+      const Vector3 crossing = p + at_p / (at_p - at_q) * (q - p);
+      halves.above.push_back(crossing);
+      halves.below.push_back(crossing);
+    }
+  }
+  if (!reaches_above) halves.above.clear();
+  if (reaches_above && !reaches_below) halves.below.clear();
+  return halves;
+}
+
+void DropCollinearCorners(Outline& outline, double tolerance) {
+  for (std::size_t i = 0; i < outline.size() && outline.size() > 3;) {
+    const Segment across = {outline[(i + outline.size() - 1) % outline.size()],
+                            outline[(i + 1) % outline.size()]};
+    if (across.Length() > 0 && DistanceToLine(across, outline[i]) > tolerance) {
+      ++i;
+    } else {
+      outline.erase(outline.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;
+    }
+  }
+}
+
+Outline HullInPlane(const Outline& points, const Vector3& normal, double tolerance) {
+  const Vector3 u = normal.unitOrthogonal();
+  const Vector3 v = normal.cross(u);
+  std::vector<Vector2> projected;
+  for (const Vector3& p : points) projected.emplace_back(u.dot(p), v.dot(p));
+  Outline hull;
+  for (const Vector2& corner : geometry::Hull2(projected)) {
+    hull.push_back(points[std::ranges::find(projected, corner) - projected.begin()]);
+  }
+  DropCollinearCorners(hull, tolerance);
+  return hull;
+}
+
+// Polygons of one plane that do not overlap; two that make up a convex one become one, as long as
+// there are any.
+std::vector<Outline> Merged(std::vector<Outline> region, const Vector3& normal, double tolerance) {
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      Outline both = region[k];
+      both.insert(both.end(), region[i].begin(), region[i].end());
+      const Outline hull = HullInPlane(both, normal, tolerance);
+      const double gap = AreaOf(hull) - AreaOf(region[k]) - AreaOf(region[i]);
+      if (gap > tolerance * PerimeterOf(hull)) continue;
+      region[k] = hull;
+      region.erase(region.begin() + static_cast<std::ptrdiff_t>(i));
+      i = 0;  // what was tried in vain with k may fit now
+      break;
+    }
+  }
+  return region;
+}
+
+// Whether two segments have more than `tolerance` of a line in common.
+bool RunTogether(const Segment& a, const Segment& b, double tolerance) {
+  if (a.Length() <= tolerance || b.Length() <= tolerance) return false;
+  if (DistanceToLine(a, b.start) > tolerance || DistanceToLine(a, b.end) > tolerance) return false;
+  const Vector3 along = (a.end - a.start).normalized();
+  const auto [low, high] = std::minmax({along.dot(b.start - a.start), along.dot(b.end - a.start)});
+  return std::min(high, a.Length()) - std::max(low, 0.0) > tolerance;
+}
+
+bool ShareASide(const Outline& a, const Outline& b, double tolerance) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t k = 0; k < b.size(); ++k) {
+      if (RunTogether(SideOf(a, i), SideOf(b, k), tolerance)) return true;
+    }
+  }
+  return false;
+}
+
+// The polygons of a region grouped into what hangs together by more than corners.
+std::vector<std::vector<Outline>> ConnectedParts(const std::vector<Outline>& region,
+                                                 double tolerance) {
+  std::vector<std::vector<Outline>> parts;
+  for (const Outline& outline : region) {
+    std::vector<Outline> grown;
+    const auto absorb = [&](const std::vector<Outline>& part) {
+      const bool touches = std::ranges::any_of(
+          part, [&](const Outline& other) { return ShareASide(outline, other, tolerance); });
+      if (touches) grown.insert(grown.end(), part.begin(), part.end());
+      return touches;
+    };
+    std::erase_if(parts, absorb);
+    grown.push_back(outline);
+    parts.push_back(std::move(grown));
+  }
+  return parts;
+}
+
+// How far a point of the plane is beyond the sides of a polygon; negative: it is inside.
+double DistanceOutside(const Outline& outline, const Vector3& normal, const Vector3& p) {
+  double farthest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const auto [start, end] = SideOf(outline, i);
+    farthest = std::max(farthest, (end - start).cross(normal).normalized().dot(p - start));
+  }
+  return farthest;
+}
+
+// The union of convex pieces. What it looks like near a point is told by the pieces that contain
+// the point: the point is on an outer feature if all of them lie on one side of planes through it.
+class Union {
+ public:
+  Union(const std::vector<ConvexPiece>& pieces, double tolerance) : tolerance_(tolerance) {
+    for (const ConvexPiece& piece : pieces) {
+      Solid solid{geometry::HullOf(piece.corners), {}};
+      for (const geometry::Facet& facet : solid.hull.facets) {
+        solid.planes.push_back(PlaneOf(OutlineOf(solid.hull, facet), facet));
+      }
+      solids_.push_back(std::move(solid));
+    }
+  }
+
+  Polyhedron Outside() const;
+
+ private:
+  using PlanePair = std::pair<int, int>;
+
+  int PlaneOf(const Outline& outline, const geometry::Facet& facet);
+  double HighestAbove(const Plane& plane, const Solid& solid) const;
+  bool Supports(const Plane& plane, const std::vector<int>& solids) const;
+  std::vector<int> Containing(const Vector3& p) const;
+
+  bool Covers(int cover, int solid, int plane) const;
+  std::vector<Outline> Without(const std::vector<Outline>& region, const Solid& cover) const;
+  std::vector<Outline> Exposed(int plane) const;
+
+  std::vector<Vector3> CutPoints(const Segment& edge) const;
+  PlanePair ConvexAt(const Vector3& p) const;
+  std::map<PlanePair, std::vector<Segment>> ConvexStretches() const;
+  std::vector<Segment> Joined(std::vector<Segment> stretches, PlanePair planes) const;
+
+  bool IsConvexCorner(const Vector3& p, const std::vector<Vector3>& leaving) const;
+
+  void AddFaces(Polyhedron& outside, std::vector<int>& plane_of_face) const;
+  void AddEdges(Polyhedron& outside, const std::vector<int>& plane_of_face) const;
+  void AddVertices(Polyhedron& outside) const;
+
+  std::vector<Solid> solids_;
+  std::vector<Plane> planes_;      // of all facets, each once
+  std::vector<Outline> outlines_;  // of the first facet in each plane
+  double tolerance_;
+};
+
+constexpr std::pair<int, int> kNotConvex = {-1, -1};
+
+// The plane's index; the facet is in it if neither leaves the other's plane.
+int Union::PlaneOf(const Outline& outline, const geometry::Facet& facet) {
+  const Plane plane = {facet.normal, facet.offset};
+  const auto on = [&](const Plane& other) {
+    return [&](const Vector3& p) { return std::abs(other.Above(p)) <= tolerance_; };
+  };
+  for (int i = 0; i < static_cast<int>(planes_.size()); ++i) {
+    if (planes_[i].normal.dot(plane.normal) > 0 && std::ranges::all_of(outline, on(planes_[i])) &&
+        std::ranges::all_of(outlines_[i], on(plane))) {
+      return i;
+    }
+  }
+  planes_.push_back(plane);
+  outlines_.push_back(outline);
+  return static_cast<int>(planes_.size()) - 1;
+}
+
+double Union::HighestAbove(const Plane& plane, const Solid& solid) const {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (const Vector3& p : solid.hull.vertices) highest = std::max(highest, plane.Above(p));
+  return highest;
+}
+
+// Whether the solids lie below the plane.
+bool Union::Supports(const Plane& plane, const std::vector<int>& solids) const {
+  return std::ranges::all_of(solids,
+                             [&](int s) { return HighestAbove(plane, solids_[s]) <= tolerance_; });
+}
+
+std::vector<int> Union::Containing(const Vector3& p) const {
+  std::vector<int> containing;
+  for (int s = 0; s < static_cast<int>(solids_.size()); ++s) {
+    const auto has_below = [&](int plane) { return planes_[plane].Above(p) <= tolerance_; };
+    if (std::ranges::all_of(solids_[s].planes, has_below)) containing.push_back(s);
+  }
+  return containing;
+}
+
+// Whether a solid hides what it meets of another one's facet, or names it first.
+bool Union::Covers(int cover, int solid, int plane) const {
+  if (cover == solid) return false;
+  if (HighestAbove(planes_[plane], solids_[cover]) > tolerance_) return true;
+  const std::vector<int>& its_planes = solids_[cover].planes;
+  return cover < solid && std::ranges::find(its_planes, plane) != its_planes.end();
+}
+
+std::vector<Outline> Union::Without(const std::vector<Outline>& region, const Solid& cover) const {
+  std::vector<Outline> left;
+  for (const Outline& outline : region) {
+    std::vector<Outline> cut_off;
+    Outline rest = outline;
+    for (int plane : cover.planes) {
+      Halves halves = Split(rest, planes_[plane], tolerance_);
+      if (IsBroad(halves.above, tolerance_)) cut_off.push_back(std::move(halves.above));
+      rest = std::move(halves.below);
+    }
+    if (!IsBroad(rest, tolerance_)) cut_off = {outline};  // nothing is covered: leave it whole
+    std::ranges::move(cut_off, std::back_inserter(left));
+  }
+  return left;
+}
+
+std::vector<Outline> Union::Exposed(int plane) const {
+  std::vector<Outline> exposed;
+  for (int s = 0; s < static_cast<int>(solids_.size()); ++s) {
+    const Solid& solid = solids_[s];
+    for (std::size_t f = 0; f < solid.planes.size(); ++f) {
+      if (solid.planes[f] != plane) continue;
+      std::vector<Outline> region = {OutlineOf(solid.hull, solid.hull.facets[f])};
+      for (int cover = 0; cover < static_cast<int>(solids_.size()); ++cover) {
+        if (Covers(cover, s, plane)) region = Without(region, solids_[cover]);
+      }
+      std::ranges::move(region, std::back_inserter(exposed));
+    }
+  }
+  return exposed;
+}
+
+// Where planes of the pieces cross an edge, from its start to its end, with both.
+std::vector<Vector3> Union::CutPoints(const Segment& edge) const {
+  std::vector<double> fractions;
+  for (const Plane& plane : planes_) {
+    const double at_start = plane.Above(edge.start);
+    const double at_end = plane.Above(edge.end);
+    if (std::min(at_start, at_end) < -tolerance_ && std::max(at_start, at_end) > tolerance_) {
+      fractions.push_back(at_start / (at_start - at_end));
+    }
+  }
+  std::ranges::sort(fractions);
+  std::vector<Vector3> points = {edge.start};
+  for (double fraction : fractions) {
+    const Vector3 p = edge.start + fraction * (edge.end - edge.start);
+    const bool is_apart =
+        (p - points.back()).norm() > tolerance_ && (p - edge.end).norm() > tolerance_;
+    if (is_apart) points.push_back(p);
+  }
+  points.push_back(edge.end);
+  return points;
+}
+
+// The two planes of the union's convex edge through p, the lower index first, if p is inside of an
+// edge of a piece: planes of pieces that contain p, with all of these below. Both are needed: with
+// one the edge is a seam or concave.
+Union::PlanePair Union::ConvexAt(const Vector3& p) const {
+  const std::vector<int> here = Containing(p);
+  std::vector<int> supporting;
+  for (int s : here) {
+    for (int plane : solids_[s].planes) {
+      if (std::abs(planes_[plane].Above(p)) > tolerance_) continue;
+      if (Supports(planes_[plane], here)) supporting.push_back(plane);
+    }
+  }
+  PlanePair sharpest = kNotConvex;
+  double least_cosine = std::numeric_limits<double>::infinity();
+  for (int a : supporting) {
+    for (int b : supporting) {
+      const double cosine = planes_[a].normal.dot(planes_[b].normal);
+      if (a >= b || cosine >= least_cosine) continue;
+      if (planes_[a].normal.cross(planes_[b].normal).norm() < kFlat) continue;
+      sharpest = {a, b};
+      least_cosine = cosine;
+    }
+  }
+  return sharpest;
+}
+
+// Between two cut points an edge is convex throughout or nowhere: its middle tells.
+std::map<Union::PlanePair, std::vector<Segment>> Union::ConvexStretches() const {
+  std::map<PlanePair, std::vector<Segment>> stretches;
+  const auto add_stretches = [&](const Segment& edge) {
+    const std::vector<Vector3> points = CutPoints(edge);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Segment stretch = {points[i - 1], points[i]};
+      const PlanePair planes = ConvexAt(stretch.Middle());
+      if (planes != kNotConvex) stretches[planes].push_back(stretch);
+    }
+  };
+  for (const Solid& solid : solids_) {
+    for (const geometry::Facet& facet : solid.hull.facets) {
+      for (std::size_t i = 0; i < facet.loop.size(); ++i) {
+        const int start = facet.loop[i];
+        const int end = facet.loop[(i + 1) % facet.loop.size()];
+        if (start > end) continue;  // the facet on the other side has it so
+        add_stretches({solid.hull.vertices[start], solid.hull.vertices[end]});
+      }
+    }
+  }
+  return stretches;
+}
+
+// The stretches of the line that two planes share, those that overlap or follow each other as one,
+// unless something rises from the point between.
+std::vector<Segment> Union::Joined(std::vector<Segment> stretches, PlanePair planes) const {
+  const Plane& first = planes_[planes.first];
+  const Plane& second = planes_[planes.second];
+  const Vector3 along = first.normal.cross(second.normal).normalized();
+  for (Segment& stretch : stretches) {
+    if (along.dot(stretch.end - stretch.start) < 0) std::swap(stretch.start, stretch.end);
+  }
+  std::ranges::stable_sort(stretches, {}, [&](const Segment& s) { return along.dot(s.start); });
+  const auto continues = [&](const Segment& before, const Segment& after) {
+    const double overlap = along.dot(before.end - after.start);
+    if (std::abs(overlap) > tolerance_) return overlap > 0;
+    const std::vector<int> here = Containing(before.end);
+    return Supports(first, here) && Supports(second, here);
+  };
+  std::vector<Segment> joined;
+  for (const Segment& stretch : stretches) {
+    if (joined.empty() || !continues(joined.back(), stretch)) {
+      joined.push_back(stretch);
+    } else if (along.dot(stretch.end - joined.back().end) > tolerance_) {
+      joined.back().end = stretch.end;
+    }
+  }
+  return joined;
+}
+
+// Whether a plane touches the union near p in p alone. The cone that the pieces at p span has the
+// convex edges that leave p as extreme rays, so each of its facets contains two of them; the sum of
+// the facets' normals, if any plane does it, is the normal of such a plane.
+bool Union::IsConvexCorner(const Vector3& p, const std::vector<Vector3>& leaving) const {
+  const std::vector<int> here = Containing(p);
+  Vector3 outward = Vector3::Zero();
+  for (const Vector3& a : leaving) {
+    for (const Vector3& b : leaving) {
+      const Vector3 normal = a.cross(b);
+      if (normal.norm() < kFlat) continue;
+      const Plane plane = {normal.normalized(), normal.normalized().dot(p)};
+      if (Supports(plane, here)) outward += plane.normal;
+    }
+  }
+  const auto is_below = [&](const Vector3& corner) {
+    const double distance = (corner - p).norm();
+    return distance <= tolerance_ || outward.dot(corner - p) < -kFlat * distance;
+  };
+  return std::ranges::all_of(
+      here, [&](int s) { return std::ranges::all_of(solids_[s].hull.vertices, is_below); });
+}
+
+void Union::AddFaces(Polyhedron& outside, std::vector<int>& plane_of_face) const {
+  for (int plane = 0; plane < static_cast<int>(planes_.size()); ++plane) {
+    const auto& [normal, height] = planes_[plane];
+    const std::vector<Outline> region = Merged(Exposed(plane), normal, tolerance_);
+    for (std::vector<Outline>& part : ConnectedParts(region, tolerance_)) {
+      outside.faces.push_back({normal, height, std::move(part)});
+      plane_of_face.push_back(plane);
+    }
+  }
+}
+
+void Union::AddEdges(Polyhedron& outside, const std::vector<int>& plane_of_face) const {
+  const auto face_at = [&](int plane, const Vector3& p) {
+    int nearest = -1;
+    double least = std::numeric_limits<double>::infinity();
+    for (int f = 0; f < static_cast<int>(plane_of_face.size()); ++f) {
+      if (plane_of_face[f] != plane) continue;
+      for (const Outline& outline : outside.faces[f].region) {
+        const double distance = DistanceOutside(outline, outside.faces[f].normal, p);
+        if (distance < least) std::tie(nearest, least) = std::pair(f, distance);
+      }
+    }
+    return nearest;
+  };
+  for (const auto& [planes, stretches] : ConvexStretches()) {
+    for (const Segment& edge : Joined(stretches, planes)) {
+      const int first = face_at(planes.first, edge.Middle());
+      const int second = face_at(planes.second, edge.Middle());
+      const bool is_feature = edge.Length() > tolerance_ && first >= 0 && second >= 0;
+      if (is_feature) outside.edges.push_back({edge.start, edge.end, {first, second}});
+    }
+  }
+}
+
+void Union::AddVertices(Polyhedron& outside) const {
+  std::vector<OuterVertex> ends;
+  const auto add_end = [&](const Vector3& p, int edge) {
+    auto end = std::ranges::find_if(
+        ends, [&](const OuterVertex& other) { return (other.p - p).norm() <= tolerance_; });
+    if (end == ends.end()) end = ends.insert(end, {p, {}});
+    end->edges.push_back(edge);
+  };
+  for (int e = 0; e < static_cast<int>(outside.edges.size()); ++e) {
+    add_end(outside.edges[e].start, e);
+    add_end(outside.edges[e].end, e);
+  }
+  for (OuterVertex& end : ends) {
+    std::vector<Vector3> leaving;
+    for (int e : end.edges) {
+      const OuterEdge& edge = outside.edges[e];
+      const bool starts_here = (edge.start - end.p).norm() <= tolerance_;
+      leaving.push_back(starts_here ? edge.direction() : Vector3(-edge.direction()));
+    }
+    if (IsConvexCorner(end.p, leaving)) outside.vertices.push_back(std::move(end));
+  }
+}
+
+Polyhedron Union::Outside() const {
+  Polyhedron outside;
+  std::vector<int> plane_of_face;
+  AddFaces(outside, plane_of_face);
+  AddEdges(outside, plane_of_face);
+  AddVertices(outside);
+  return outside;
+}
+
+}  // namespace
+
+Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces, double tolerance) {
+  return Union(pieces, tolerance).Outside();
+}
+
+Polyhedron Transformed(Polyhedron shape, const Pose& X_NewOld) {
+  for (OuterFace& face : shape.faces) {
+    face.normal = X_NewOld.linear() * face.normal;
+    face.height += face.normal.dot(X_NewOld.translation());
+    for (std::vector<Vector3>& outline : face.region) {
+      for (Vector3& corner : outline) corner = X_NewOld * corner;
+    }
+  }
+  for (OuterEdge& edge : shape.edges) {
+    edge.start = X_NewOld * edge.start;
+    edge.end = X_NewOld * edge.end;
+  }
+  for (OuterVertex& vertex : shape.vertices) vertex.p = X_NewOld * vertex.p;
+  return shape;
+}
+
+}  // namespace assay::finemotion

@@ -1,0 +1,147 @@
+#include "planner/finemotion/contacts/tolerated_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "planner/base/check.h"
+#include "planner/finemotion/numeric/orthogonal_decomposition.h"
+
+namespace assay::finemotion {
+
+namespace {
+
+using Index = std::size_t;
+using Edge = ToleratedPart::Edge;
+using Face = ToleratedPart::Face;
+using Region = ToleratedPart::Region;
+using Shift = ToleratedPart::Shift;
+using Vertex = ToleratedPart::Vertex;
+
+// The direction in face edge.faces[which], perpendicular to the edge, that leads into the face. A
+// convex edge's faces fall away behind each other's plane.
+Vector3 IntoFace(const Polyhedron& shape, const OuterEdge& edge, Index which) {
+  const Vector3& own = shape.faces[static_cast<Index>(edge.faces[which])].normal;
+  const Vector3& other = shape.faces[static_cast<Index>(edge.faces[1 - which])].normal;
+  return (other.dot(own) * own - other).normalized();
+}
+
+// How the tolerances displace a part's features.
+class Shifts {
+ public:
+  Shifts(const Polyhedron& shape, ModelTolerance::Of of,
+         const std::vector<ModelTolerance>& tolerances)
+      : shape_(shape), tolerances_(tolerances), of_(of) {
+    for (const OuterFace& face : shape.faces) {
+      regions_.push_back(tolerances.empty() ? std::vector<FaceRegion>() : ConvexRegions(face));
+    }
+    for (const ModelTolerance& tolerance : tolerances) {
+      if (tolerance.of != of) continue;
+      for (const int face : tolerance.faces) {
+        ASSAY_CHECK(face >= 0 && static_cast<Index>(face) < shape.faces.size(), "{}: no face {}",
+                    tolerance.name, face);
+      }
+    }
+  }
+
+  // Of a corner, or of a point of an edge or face.
+  Shift At(const Vector3& p) const {
+    return Of(tolerances_.empty() ? std::vector<int>() : FacesThrough(p));
+  }
+
+  // Of the point (line, plane) where these faces' planes meet: the least motion that keeps it in
+  // all of them. Where more than three planes meet and do not any longer, the nearest to all.
+  Shift Of(const std::vector<int>& faces) const {
+    Shift shift = Shift::Zero(3, std::ssize(tolerances_));
+    if (tolerances_.empty()) return shift;
+    Eigen::MatrixXd normals(faces.size(), 3);
+    Eigen::MatrixXd outward = Eigen::MatrixXd::Zero(normals.rows(), shift.cols());
+    for (Eigen::Index row = 0; row < normals.rows(); ++row) {
+      const int face = faces[static_cast<Index>(row)];
+      normals.row(row) = shape_.faces[static_cast<Index>(face)].normal;
+      for (Eigen::Index column = 0; column < shift.cols(); ++column) {
+        const ModelTolerance& tolerance = tolerances_[static_cast<Index>(column)];
+        if (tolerance.of != of_) continue;
+        outward(row, column) = std::ranges::count(tolerance.faces, face) > 0 ? 1 : 0;
+      }
+    }
+    return ShortestLeastSquares(normals, outward, kSameDirection);
+  }
+
+ private:
+  std::vector<int> FacesThrough(const Vector3& p) const {
+    std::vector<int> faces;
+    for (Index i = 0; i < shape_.faces.size(); ++i) {
+      const OuterFace& face = shape_.faces[i];
+      if (std::abs(face.normal.dot(p) - face.height) > kSamePoint) continue;
+      const auto touches = [&](const FaceRegion& region) {
+        return DistanceTo(region, p) < kSamePoint;
+      };
+      if (std::ranges::any_of(regions_[i], touches)) faces.push_back(static_cast<int>(i));
+    }
+    return faces;
+  }
+
+  const Polyhedron& shape_;
+  const std::vector<ModelTolerance>& tolerances_;
+  ModelTolerance::Of of_;
+  std::vector<std::vector<FaceRegion>> regions_;
+};
+
+Face MakeFace(const OuterFace& face, int index, const Shifts& shifts) {
+  Face made{.normal = face.normal, .height = face.height, .shift = {}, .regions = {}, .extent = {}};
+  made.shift = shifts.Of({index}).transpose() * face.normal;
+  for (FaceRegion& sides : ConvexRegions(face)) {
+    Region region{std::move(sides), {}};
+    for (const RegionSide& side : region.sides) {
+      region.shifts.emplace_back(shifts.At(side.middle()).transpose() * side.outward);
+      made.extent.Add(side.start);
+    }
+    made.regions.push_back(std::move(region));
+  }
+  return made;
+}
+
+Edge MakeEdge(const OuterEdge& edge, const Polyhedron& shape, const Shifts& shifts) {
+  Edge made{.start = edge.start,
+            .direction = edge.direction(),
+            .length = (edge.end - edge.start).norm(),
+            .shift = shifts.Of({edge.faces[0], edge.faces[1]}),
+            .end_shifts = {}};
+  for (const Index which : {0U, 1U}) {
+    made.into[which] = IntoFace(shape, edge, which);
+    made.normals[which] = shape.faces[static_cast<Index>(edge.faces[which])].normal;
+    const Vector3& end = which == 0 ? edge.start : edge.end;
+    made.end_shifts[which] = shifts.At(end).transpose() * made.direction;
+  }
+  return made;
+}
+
+Vertex MakeVertex(const OuterVertex& vertex, const Polyhedron& shape, const Shifts& shifts) {
+  Vertex made{.p = vertex.p, .leaving = {}, .shift = shifts.At(vertex.p)};
+  for (const int index : vertex.edges) {
+    const OuterEdge& edge = shape.edges[static_cast<Index>(index)];
+    const bool from_start =
+        (edge.start - vertex.p).squaredNorm() < (edge.end - vertex.p).squaredNorm();
+    made.leaving.push_back(from_start ? edge.direction() : Vector3(-edge.direction()));
+  }
+  return made;
+}
+
+}  // namespace
+
+ToleratedPart::ToleratedPart(const Polyhedron& shape, ModelTolerance::Of of,
+                             const std::vector<ModelTolerance>& tolerances)
+    : sign(of == ModelTolerance::Of::kMovingFaces ? 1 : -1) {
+  const Shifts shifts(shape, of, tolerances);
+  for (Index i = 0; i < shape.faces.size(); ++i) {
+    faces.push_back(MakeFace(shape.faces[i], static_cast<int>(i), shifts));
+    extent.Add(faces.back().extent.low);
+    extent.Add(faces.back().extent.high);
+  }
+  for (const OuterEdge& edge : shape.edges) edges.push_back(MakeEdge(edge, shape, shifts));
+  for (const OuterVertex& vertex : shape.vertices)
+    vertices.push_back(MakeVertex(vertex, shape, shifts));
+}
+
+}  // namespace assay::finemotion

@@ -1,0 +1,78 @@
+#include "planner/finemotion/graph/cone_form.h"
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+#include "planner/finemotion/numeric/orthogonal_decomposition.h"
+
+namespace assay::finemotion {
+
+namespace {
+
+constexpr double kDependentNormal = 1e-9;  // what is left of a unit normal across those before it
+constexpr double kAgree = 1e-9;            // of dependent rows' values, relative to their size
+
+// Normals that are taken one by one if they are independent of those taken before, with an
+// orthonormal basis of their span (Gram and Schmidt, each twice for the sake of rounding).
+class IndependentRows {
+ public:
+  explicit IndependentRows(Eigen::Index dimensions) : basis_(dimensions, 0), rows_(0, dimensions) {}
+
+  bool Take(const Eigen::VectorXd& normal, double value) {
+    const double size = normal.norm();
+    Eigen::VectorXd rest = normal - basis_ * (basis_.transpose() * normal);
+    rest -= basis_ * (basis_.transpose() * rest);
+    if (rest.norm() <= kDependentNormal * size) return false;
+    basis_.conservativeResize(Eigen::NoChange, basis_.cols() + 1);
+    basis_.rightCols<1>() = rest.normalized();
+    rows_.conservativeResize(rows_.rows() + 1, Eigen::NoChange);
+    rows_.bottomRows<1>() = normal.transpose();
+    values_.conservativeResize(rows_.rows());
+    values_[rows_.rows() - 1] = value;
+    return true;
+  }
+
+  // Column i is orthogonal to every row but the i-th, on which it is 1, and in the span of all.
+  Eigen::MatrixXd Dual() const {
+    const Eigen::MatrixXd triangular = rows_ * basis_;
+    return basis_ * InverseOfLowerTriangular(triangular);
+  }
+
+  const Eigen::MatrixXd& basis() const { return basis_; }
+  const Eigen::VectorXd& values() const { return values_; }
+
+ private:
+  Eigen::MatrixXd basis_;  // a column each
+  Eigen::MatrixXd rows_;   // lower triangular in the basis
+  Eigen::VectorXd values_;
+};
+
+void CheckRowsAgree(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values,
+                    const GeneralizedPoint& z) {
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+    const double size = std::max(std::abs(values[i]), rows.row(i).norm() * z.norm());
+    ASSAY_CHECK(std::abs(rows.row(i).dot(z) - values[i]) <= kAgree * std::max(1.0, size),
+                "row {} of {} contradicts those it depends on", i, rows.rows());
+  }
+}
+
+}  // namespace
+
+ConeForm ConeFormOf(const Eigen::MatrixXd& rows, const Eigen::VectorXd& values,
+                    const std::vector<HalfSpace>& limits) {
+  IndependentRows independent(rows.cols());
+  for (Eigen::Index i = 0; i < rows.rows(); ++i) independent.Take(rows.row(i), values[i]);
+  const Eigen::Index equations = independent.values().size();
+  ConeForm form;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    if (independent.Take(limits[i].a, limits[i].b)) form.limits.push_back(static_cast<int>(i));
+  }
+  const Eigen::MatrixXd dual = independent.Dual();
+  form.characteristic_point = dual * independent.values();
+  form.rays = -dual.rightCols(dual.cols() - equations).colwise().normalized();
+  form.tangents = OrthogonalComplement(independent.basis());
+  CheckRowsAgree(rows, values, form.characteristic_point);
+  return form;
+}
+
+}  // namespace assay::finemotion

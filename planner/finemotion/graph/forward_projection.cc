@@ -1,0 +1,69 @@
+#include "planner/finemotion/graph/forward_projection.h"
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+
+namespace assay::finemotion {
+
+namespace {
+
+// Of a direction that is mapped to nothing, rounding leaves less than this part of its length.
+constexpr double kMappedToNothing = 1e-14;
+
+// The oblique projection onto the contact's C-surface along a velocity: z to `linear` z + `offset`.
+struct AlongVelocity {
+  Eigen::MatrixXd linear;
+  Eigen::VectorXd offset;
+};
+
+AlongVelocity OntoSurface(const PrimitiveContact& contact, const Eigen::VectorXd& velocity) {
+  const Eigen::VectorXd step = velocity / contact.row.dot(velocity);  // changes the gap by 1
+  const Eigen::Index n = velocity.size();
+  return {Eigen::MatrixXd::Identity(n, n) - step * contact.row.transpose(), -contact.offset * step};
+}
+
+// Without the generators that are mapped to nothing.
+Eigen::MatrixXd Images(const Eigen::MatrixXd& linear, const Eigen::MatrixXd& generators) {
+  const Eigen::MatrixXd images = linear * generators;
+  Eigen::MatrixXd kept(images.rows(), images.cols());
+  Eigen::Index count = 0;
+  for (Eigen::Index i = 0; i < images.cols(); ++i) {
+    const double nothing = kMappedToNothing * linear.norm() * generators.col(i).norm();
+    if (images.col(i).norm() > nothing) kept.col(count++) = images.col(i);
+  }
+  return kept.leftCols(count);
+}
+
+}  // namespace
+
+double ForwardProjection::Support(const Eigen::VectorXd& a) const {
+  return start.Support(a) + time * std::max(0.0, velocity.Support(a));
+}
+
+GeneralizedPoint ForwardProjection::Farthest(const Eigen::VectorXd& a) const {
+  const GeneralizedPoint begin = start.Farthest(a);
+  const Eigen::VectorXd v = velocity.Farthest(a);
+  return a.dot(v) > 0 ? begin + time * v : begin;
+}
+
+// A motion from z at v0 + e is on the surface after s: the projection P along v0 leaves that point
+// where it is and forgets s v0, so that it is P z + s (linear part of P) e, with s at most that of
+// the farthest start at the slowest approach.
+Zonotope RegionAtContact(const ForwardProjection& projection, const PrimitiveContact& contact) {
+  const Zonotope& start = projection.start;
+  const Zonotope& velocity = projection.velocity;
+  const double slowest = -velocity.Support(contact.row);
+  ASSAY_CHECK(slowest > 0, "a motion does not approach the surface");
+  const double farthest = contact.offset + start.Support(contact.row);
+  const double longest = std::clamp(farthest / slowest, 0.0, projection.time);
+
+  const AlongVelocity onto = OntoSurface(contact, velocity.center);
+  const Zonotope hits{onto.linear * start.center + onto.offset,
+                      Images(onto.linear, start.generators)};
+  const Zonotope spread{Eigen::VectorXd::Zero(start.center.size()),
+                        Images(longest * onto.linear, velocity.generators)};
+  return Sum(hits, spread);
+}
+
+}  // namespace assay::finemotion

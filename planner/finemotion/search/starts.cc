@@ -1,0 +1,80 @@
+#include "planner/finemotion/search/starts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay::finemotion {
+
+namespace {
+
+constexpr double kAbove = 0.002;       // metres, of starts over all that errors can bring near
+constexpr double kLeastTilt = 0.035;   // radians, of starts: their edges are not parallel
+constexpr double kLeastInside = 1e-3;  // metres, that their lowest corner is inside the entry
+
+}  // namespace
+
+Start Starts::Upright() const {
+  return {.turn = Vector3::Zero(), .beside = kLeastInside * passage_.mating.unitOrthogonal()};
+}
+
+Start Starts::Random() {
+  const Vector3& in = passage_.mating;
+  const Vector3 side = in.unitOrthogonal();
+  const Vector3 other = in.cross(side);
+  Start start;
+  start.turn = random_.Uniform(-options_.twist, options_.twist) * in;
+  for (const Vector3& axis : {side, other}) {
+    const double tilt = random_.Uniform(-1, 1);
+    const double most = std::max(kLeastTilt, options_.tilt);
+    start.turn += std::copysign(std::lerp(kLeastTilt, most, std::abs(tilt)), tilt) * axis;
+  }
+  const Vector3 corner = LowestCorner(start.turn);
+  for (const Vector3& axis : {side, other}) {
+    const double inside = random_.Uniform(kLeastInside, options_.offset);
+    start.beside -= std::copysign(inside, corner.dot(axis)) * axis;
+  }
+  return start;
+}
+
+Start Starts::Near(const Start& start, double size) {
+  const auto within = [&](double most) { return random_.Uniform(-most, most) * size; };
+  const Vector3& in = passage_.mating;
+  const Vector3 side = in.unitOrthogonal();
+  const Vector3 other = in.cross(side);
+  Start near = start;
+  near.turn +=
+      within(options_.twist) * in + within(options_.tilt) * side + within(options_.tilt) * other;
+  near.beside += within(options_.offset) * side + within(options_.offset) * other;
+  return near;
+}
+
+Belief Starts::BeliefAt(const Start& start, double multiple) const {
+  PoseChange z;
+  z << start.beside, start.turn;
+  Belief belief = BeliefIn(Displaced(passage_.X_StationaryEntry, z), errors_, multiple);
+  double deepest = 0;
+  const double wrong = errors_.tolerances.sum();  // of the parts, at most
+  for (const OuterVertex& vertex : passage_.moving.vertices) {
+    const Vector3 at = belief.X_StationaryMoving * vertex.p;
+    const double reach = errors_.pose.head<3>().norm() +
+                         errors_.pose.tail<3>().norm() * std::min(vertex.p.norm(), options_.reach);
+    const double depth = (at - passage_.X_StationaryEntry.translation()).dot(passage_.mating);
+    deepest = std::max(deepest, depth + reach + wrong);
+  }
+  belief.X_StationaryMoving.translation() -= (deepest + kAbove) * passage_.mating;
+  return belief;
+}
+
+Vector3 Starts::LowestCorner(const Vector3& turn) const {
+  PoseChange z;
+  z << Vector3::Zero(), turn;
+  const Pose X = Displaced(passage_.X_StationaryEntry, z);
+  Vector3 lowest = Vector3::Zero();
+  for (const OuterVertex& vertex : passage_.moving.vertices) {
+    const Vector3 at = X.linear() * vertex.p;
+    if (at.dot(passage_.mating) > lowest.dot(passage_.mating)) lowest = at;
+  }
+  return lowest;
+}
+
+}  // namespace assay::finemotion

@@ -1,0 +1,65 @@
+#include "planner/network/search/fringe.h"
+
+#include <algorithm>
+
+namespace assay::network {
+namespace {
+
+// Takes away nodes of one open arc, again and again.
+class Peeling {
+ public:
+  Peeling(std::span<const int> component, const LabelStore& labels, const ArcConsistency& arcs)
+      : labels_(labels), arcs_(arcs), degrees_(labels.node_count(), kOutside) {
+    for (int node : component) degrees_[node] = OpenDegree(node);
+  }
+
+  Fringe Peel(std::span<const int> component) {
+    for (int node : component) {
+      if (degrees_[node] <= 1) peeled_.push_back(node);
+    }
+    for (std::size_t i = 0; i < peeled_.size(); ++i) Take(peeled_[i]);
+    for (int node : component) {
+      if (degrees_[node] > 1) fringe_.core.push_back(node);
+    }
+    return std::move(fringe_);
+  }
+
+ private:
+  static constexpr int kOutside = -1;
+
+  int OpenDegree(int node) const {
+    int degree = 0;
+    for (const ArcConsistency::Direction& direction : arcs_.at(node)) {
+      if (labels_.count(direction.revised) > 1) ++degree;
+    }
+    return degree;
+  }
+
+  void Take(int node) {
+    HangingNode hanging{.node = node, .parent = HangingNode::kNoParent, .supported = nullptr};
+    degrees_[node] = kOutside;
+    for (const ArcConsistency::Direction& direction : arcs_.at(node)) {
+      int& degree = degrees_[direction.revised];
+      if (degree == kOutside) continue;
+      hanging.parent = direction.revised;
+      hanging.supported = direction.supports;
+      if (--degree == 1) peeled_.push_back(direction.revised);
+    }
+    fringe_.hanging.push_back(hanging);
+  }
+
+  const LabelStore& labels_;
+  const ArcConsistency& arcs_;
+  std::vector<int> degrees_;  // by node: open arcs to what is not taken
+  std::vector<int> peeled_;
+  Fringe fringe_;
+};
+
+}  // namespace
+
+Fringe FringeOf(std::span<const int> component, const LabelStore& labels,
+                const ArcConsistency& arcs) {
+  return Peeling(component, labels, arcs).Peel(component);
+}
+
+}  // namespace assay::network

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <bit>
+#include <vector>
+
+#include "planner/network/network/label_set.h"
+
+namespace assay::network {
+
+// Nodes in lists by how many labels they have, so that one of the fewest is found, and a node moves
+// from list to list, in constant time. Counts are from 1 to kWordBits.
+class NodesByCount {
+ public:
+  explicit NodesByCount(int node_count) : links_(node_count) {
+    for (int& first : first_) first = kNone;
+  }
+
+  bool empty() const { return counts_ == 0; }
+  // Of the nodes with the fewest labels, the last one added. There is a node.
+  int First() const { return first_[std::countr_zero(counts_)]; }
+
+  void Add(int node, int count) {
+    int& first = first_[count - 1];
+    links_[node] = {.count = count, .previous = kNone, .next = first};
+    if (first != kNone) links_[first].previous = node;
+    first = node;
+    counts_ |= BitOf(count - 1);
+  }
+
+  void Remove(int node) {
+    const Links& links = links_[node];
+    if (links.next != kNone) links_[links.next].previous = links.previous;
+    if (links.previous != kNone) {
+      links_[links.previous].next = links.next;
+      return;
+    }
+    first_[links.count - 1] = links.next;
+    if (links.next == kNone) counts_ &= ~BitOf(links.count - 1);
+  }
+
+ private:
+  static constexpr int kNone = -1;
+  struct Links {
+    int count, previous, next;
+  };
+
+  std::vector<Links> links_;  // by node
+  int first_[kWordBits];      // by count - 1
+  Word counts_ = 0;           // of the lists that are not empty, less one
+};
+
+}  // namespace assay::network

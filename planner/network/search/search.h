@@ -1,0 +1,60 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "planner/base/budget.h"
+#include "planner/base/outcome.h"
+#include "planner/network/network/counters.h"
+#include "planner/network/network/labeling.h"
+#include "planner/network/network/network.h"
+
+namespace assay::network {
+
+struct SearchOptions {
+  // Nodes to branch on first, in this order, before the others by number. Labelings then come in
+  // lexicographic order of their labels in this order, so that those which differ only in the
+  // last nodes follow each other. Empty: an order that learns from failures.
+  std::vector<NodeId> order;
+};
+
+// The labelings of a network, one after another: each exactly once, in an order that depends on
+// the network and the options alone. Keeps a copy of the network: the original may change or go.
+class Labelings {
+ public:
+  explicit Labelings(const Network& network, const SearchOptions& options = {});
+  ~Labelings();
+  Labelings(Labelings&&) noexcept;
+  Labelings& operator=(Labelings&&) noexcept;
+
+  // kFound: labeling() is the next one. kNone: there are no more. kBudget: not known yet; a call
+  // with another budget goes on. Takes one unit of the budget for each node of the search tree.
+  Outcome Next(Budget& budget);
+  Outcome Next();
+
+  const Labeling& labeling() const;  // the last one found
+  const Counters& counters() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+struct FirstLabeling {
+  Outcome outcome = Outcome::kNone;
+  Labeling labeling;  // at kFound
+  Counters counters;
+};
+
+// Some labeling of the network, or the lexicographically first if the options give an order.
+FirstLabeling First(const Network& network, const SearchOptions& options, Budget& budget);
+
+struct AllLabelings {
+  Outcome outcome = Outcome::kNone;  // kBudget: there may be more than are listed
+  std::vector<Labeling> labelings;
+  Counters counters;
+};
+
+AllLabelings All(const Network& network, const SearchOptions& options, Budget& budget);
+
+}  // namespace assay::network

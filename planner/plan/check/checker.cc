@@ -1,0 +1,193 @@
+#include "planner/plan/check/checker.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "planner/plan/check/action_check.h"
+#include "planner/plan/check/goal_check.h"
+#include "planner/plan/check/label_check.h"
+#include "planner/plan/check/linearization.h"
+#include "planner/plan/check/world_state.h"
+#include "planner/plan/data/condition_kind.h"
+
+namespace assay::plan {
+namespace {
+
+using Order = std::vector<StepId>;
+
+template <class Tag, class T>
+bool IsIndexOf(Id<Tag> id, const std::vector<T>& things) {
+  return id.index() >= 0 && id.index() < static_cast<int>(things.size());
+}
+
+// Whether the action speaks of parts and matings that the problem has.
+struct SpeaksOf {
+  const domain::Problem& problem;
+
+  bool operator()(const Pickup& pickup) const { return IsIndexOf(pickup.part, problem.parts); }
+  bool operator()(const Putdown& putdown) const { return IsIndexOf(putdown.part, problem.parts); }
+  bool operator()(const Assemble& assemble) const {
+    return IsIndexOf(assemble.mating, problem.matings);
+  }
+  bool operator()(const Sense& sense) const { return IsIndexOf(sense.part, problem.parts); }
+  bool operator()(const Squeeze& squeeze) const { return IsIndexOf(squeeze.part, problem.parts); }
+};
+
+// Of strategies: whether they have a form that the executor can follow, and fit their steps.
+std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
+  std::vector<Flaw> flaws;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    const PlannedStep& step = plan.steps[i];
+    if (!step.strategy) continue;
+    if (!std::holds_alternative<Assemble>(step.action)) {
+      flaws.push_back({StepId(i), "it has a strategy, which only assemble can have"});
+    }
+    for (std::string& what : FlawsOfForm(*step.strategy)) {
+      flaws.push_back({StepId(i), "the strategy: " + std::move(what)});
+    }
+  }
+  return flaws;
+}
+
+// What makes a plan no plan at all, so that no order of it can be gone through.
+std::vector<Flaw> FlawsOfPlanForm(const domain::Problem& problem, const Plan& plan) {
+  std::vector<Flaw> flaws;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    if (std::visit(SpeaksOf{problem}, plan.steps[i].action)) continue;
+    flaws.push_back({StepId(i), "the step is about a part or mating that the problem has not"});
+  }
+  const Order order = plan.ExecutionOrder();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const int executed = plan.step(order[i]).executed;
+    if (executed == static_cast<int>(i) + 1) continue;
+    flaws.push_back(
+        {order[i], fmt::format("executed as number {}, where {} should be", executed, i + 1)});
+  }
+  const auto is_step = [&](StepId id) { return IsIndexOf(id, plan.steps); };
+  for (const auto& [first, second] : plan.ordering) {
+    if (is_step(first) && is_step(second)) continue;
+    flaws.push_back({StepId::None(), "the ordering speaks of a step that the plan has not"});
+    return flaws;
+  }
+  if (!IsAcyclic(static_cast<int>(plan.steps.size()), plan.ordering)) {
+    flaws.push_back({StepId::None(), "the ordering is cyclic"});
+  }
+  return flaws;
+}
+
+// Goes through orders of a plan. A step is examined once in each state of the world that it meets.
+class Simulation {
+ public:
+  Simulation(const domain::Problem& problem, const Plan& plan)
+      : problem_(problem), plan_(plan), checker_(problem) {}
+
+  void GoThrough(const Order& order) {
+    WorldState state = InitialState(problem_);
+    for (StepId step : order) {
+      const Action& action = plan_.step(step).action;
+      if (seen_.insert(SituationOf(step, state)).second) Examine(state, step, order);
+      state = StateAfter(problem_, std::move(state), action, step);
+    }
+    if (!seen_.insert(SituationOf(StepId::None(), state)).second) return;
+    for (const std::string& what : GoalsNotReached(problem_, state)) {
+      Report({StepId::None(), what}, order);
+    }
+  }
+
+  std::vector<Flaw> TakeFlaws() { return std::move(flaws_); }
+
+ private:
+  // A step and the state before it: which step last moved each part says where the part is, how
+  // it is held and into what it is mated.
+  using Situation = std::vector<StepId>;
+
+  static Situation SituationOf(StepId step, const WorldState& state) {
+    Situation situation = {
+        step, state.in_hand.IsNone() ? StepId::None() : state.part(state.in_hand).moved_by};
+    for (const PartState& part : state.parts) situation.push_back(part.moved_by);
+    return situation;
+  }
+
+  void Examine(const WorldState& before, StepId step, const Order& order) {
+    const Action& action = plan_.step(step).action;
+    for (const auto& findings : {BrokenPreconditions(problem_, before, action),
+                                 checker_.BrokenConditions(before, action)}) {
+      for (const std::string& what : findings) Report({step, what}, order);
+    }
+  }
+
+  // The same flaw is reported for the first order in which it shows. The order of execution goes
+  // first, and is not named.
+  void Report(Flaw flaw, const Order& order) {
+    if (!reported_.emplace(flaw.step, flaw.what).second) return;
+    if (order != plan_.ExecutionOrder()) {
+      std::vector<std::string> names;
+      for (StepId step : order) names.push_back(plan_.step(step).name);
+      flaw.what += fmt::format(" (in the order {})", fmt::join(names, ", "));
+    }
+    flaws_.push_back(std::move(flaw));
+  }
+
+  const domain::Problem& problem_;
+  const Plan& plan_;
+  ActionChecker checker_;
+  std::set<Situation> seen_;
+  std::set<std::pair<StepId, std::string>> reported_;
+  std::vector<Flaw> flaws_;
+};
+
+}  // namespace
+
+std::vector<Flaw> FlawsOfCoverage(const Plan& plan) {
+  const auto is_certified = [](const PlannedStep& step) {
+    return step.certificate != Certificate{};
+  };
+  std::vector<Flaw> flaws;
+  if (std::ranges::none_of(plan.steps, is_certified)) return flaws;
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    for (std::string& what : FlawsOfCoverage(plan.steps[i])) {
+      flaws.push_back({StepId(i), std::move(what)});
+    }
+  }
+  return flaws;
+}
+
+CheckReport Check(const domain::Problem& problem, const Plan& plan, int most_linearizations) {
+  CheckReport report{.flaws = FlawsOfPlanForm(problem, plan)};
+  if (!report.flaws.empty()) return report;
+
+  const Order execution = plan.ExecutionOrder();
+  Simulation simulation(problem, plan);
+  simulation.GoThrough(execution);
+  report.linearizations = 1;
+  report.all_orders = VisitLinearizations(static_cast<int>(plan.steps.size()), plan.ordering,
+                                          [&](const Order& order) {
+                                            if (order == execution) return Visit::kContinue;
+                                            if (report.linearizations >= most_linearizations)
+                                              return Visit::kStop;
+                                            simulation.GoThrough(order);
+                                            ++report.linearizations;
+                                            return Visit::kContinue;
+                                          });
+  report.flaws = simulation.TakeFlaws();
+  std::ranges::move(FlawsOfStrategies(plan), std::back_inserter(report.flaws));
+  std::ranges::move(FlawsOfCoverage(plan), std::back_inserter(report.flaws));
+  for (std::size_t i = 0; i < plan.steps.size(); ++i) {
+    for (std::string& label : MisleadingLabels(problem, plan.steps[i].action)) {
+      report.flaws.push_back({StepId(i), std::move(label)});
+    }
+  }
+
+  const auto [first, second] = FirstBroken(plan.ordering, execution);
+  if (!first.IsNone()) {
+    report.flaws.push_back({second, fmt::format("executed before {}, which the ordering puts first",
+                                                plan.step(first).name)});
+  }
+  return report;
+}
+
+}  // namespace assay::plan

@@ -1,0 +1,75 @@
+#include "planner/plan/check/label_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace assay::plan {
+namespace {
+
+constexpr double kSamePose = 1e-6;  // metres, and entries of rotations
+
+bool IsSame(const Pose& a, const Pose& b) {
+  return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() <= kSamePose;
+}
+
+// The same but for a shift on the table and a turn about the vertical.
+bool RestsAlike(const Pose& a, const Pose& b) {
+  return (a.linear().row(2) - b.linear().row(2)).cwiseAbs().maxCoeff() <= kSamePose &&
+         std::abs(a.translation().z() - b.translation().z()) <= kSamePose;
+}
+
+void CheckHold(const domain::Part& part, const Hold& hold, std::vector<std::string>& wrong) {
+  const auto grasp = std::ranges::find(*part.grasps, hold.grasp, &domain::Grasp::label);
+  if (grasp == part.grasps->end() || IsSame(grasp->X_PartTool, hold.X_PartTool)) return;
+  wrong.push_back(fmt::format("the hold is labelled {} and is another one", hold.grasp));
+}
+
+void CheckPlace(const domain::Part& part, const Place& place, std::vector<std::string>& wrong) {
+  const auto& poses = part.model->stable_poses();
+  const auto pose = std::ranges::find(poses, place.position, &domain::StablePose::label);
+  const bool fits = place.position == "initial" ? IsSame(part.X_WorldPart, place.X_WorldPart)
+                    : pose == poses.end()       ? !place.position.starts_with(part.model->initial())
+                                                : RestsAlike(pose->X_TablePart, place.X_WorldPart);
+  if (!fits) {
+    wrong.push_back(fmt::format("the place of {} is labelled {} and is another one", part.name,
+                                place.position));
+  }
+}
+
+class LabelCheck {
+ public:
+  explicit LabelCheck(const domain::Problem& problem) : problem_(problem) {}
+
+  void operator()(const Pickup& pickup) { Check(pickup.part, pickup.hold, pickup.from); }
+  void operator()(const Putdown& putdown) { Check(putdown.part, putdown.hold, putdown.to); }
+  void operator()(const Squeeze& squeeze) { Check(squeeze.part, squeeze.hold, squeeze.at); }
+  void operator()(const Sense& sense) { CheckPlace(problem_.part(sense.part), sense.at, wrong_); }
+  void operator()(const Assemble& assemble) {
+    const domain::Mating& mating = problem_.mating(assemble.mating);
+    CheckHold(problem_.part(mating.held), assemble.hold, wrong_);
+    CheckPlace(problem_.part(mating.fixed), assemble.fixed, wrong_);
+  }
+
+  std::vector<std::string> TakeWrong() { return std::move(wrong_); }
+
+ private:
+  void Check(PartId part, const Hold& hold, const Place& place) {
+    CheckHold(problem_.part(part), hold, wrong_);
+    CheckPlace(problem_.part(part), place, wrong_);
+  }
+
+  const domain::Problem& problem_;
+  std::vector<std::string> wrong_;
+};
+
+}  // namespace
+
+std::vector<std::string> MisleadingLabels(const domain::Problem& problem, const Action& action) {
+  LabelCheck check(problem);
+  std::visit(check, action);
+  return check.TakeWrong();
+}
+
+}  // namespace assay::plan

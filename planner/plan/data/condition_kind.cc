@@ -1,0 +1,173 @@
+#include "planner/plan/data/condition_kind.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "planner/base/check.h"
+
+namespace assay::plan {
+namespace {
+
+constexpr std::string_view kNothingNear = "no other part is near enough to be met";
+constexpr std::string_view kToldAsNotCovered =
+    "it is not proved, and the plan names the step among what is not covered";
+
+constexpr auto kKinds = std::to_array<ConditionKind>({
+    {"between fingers", Quantity::kLength, NeededBy::kGrasp, true},
+    {"finger clear", Quantity::kLength, NeededBy::kGrasp, false},
+    {"fingertip", Quantity::kLength, NeededBy::kHandWork, false},
+    {"pad contact", Quantity::kLength, NeededBy::kGrasp, false},
+    {"upright", Quantity::kRatio, NeededBy::kGrasp, false},
+    {"pushed clear", Quantity::kLength, NeededBy::kGrasp, false, kNothingNear},
+    {"landing height", Quantity::kLength, NeededBy::kPutdown, true},
+    {"footprint", Quantity::kLength, NeededBy::kPutdown, true},
+    {"neighbour clear", Quantity::kLength, NeededBy::kPutdown, true, kNothingNear},
+    {"entry", Quantity::kLength, NeededBy::kMating, true},
+    {"slide-in", Quantity::kLength, NeededBy::kMating, true},
+    {"tilt", Quantity::kAngle, NeededBy::kMating, true},
+    {"seat", Quantity::kLength, NeededBy::kMating, true},
+    {"passing clear", Quantity::kLength, NeededBy::kMating, false, kNothingNear},
+    {"fixed stands", Quantity::kRatio, NeededBy::kMating, false},
+    {"fixed stays", Quantity::kRatio, NeededBy::kMating, false},
+    {"tip shift", Quantity::kLength, NeededBy::kStrategy, true},
+    {"tip turn", Quantity::kAngle, NeededBy::kStrategy, true},
+    {"standing", Quantity::kRatio, NeededBy::kRelease, false},
+    {"pressed", Quantity::kRatio, NeededBy::kRelease, false},
+    {"holding", Quantity::kRatio, NeededBy::kCarrying, false},
+    {"hand clear", Quantity::kLength, NeededBy::kHandWork, false, kNothingNear},
+    {"reach", Quantity::kAngle, NeededBy::kWay, false, kToldAsNotCovered},
+    {"way clear", Quantity::kLength, NeededBy::kWay, false, kToldAsNotCovered},
+});
+
+bool Needs(NeededBy who, const Action& action, const Strategy* strategy) {
+  const bool is_pickup = std::holds_alternative<Pickup>(action);
+  const bool is_putdown = std::holds_alternative<Putdown>(action);
+  const bool is_assemble = std::holds_alternative<Assemble>(action);
+  switch (who) {
+    case NeededBy::kGrasp:
+      return is_pickup || std::holds_alternative<Squeeze>(action);
+    case NeededBy::kCarrying:
+      return is_pickup || is_putdown || is_assemble;
+    case NeededBy::kHandWork:
+      return !std::holds_alternative<Sense>(action);
+    case NeededBy::kWay:
+      return true;
+    case NeededBy::kPutdown:
+      return is_putdown;
+    case NeededBy::kRelease:
+      return is_putdown || is_assemble;
+    case NeededBy::kMating:
+      return is_assemble;
+    case NeededBy::kStrategy:
+      return is_assemble && strategy != nullptr;
+  }
+  ASSAY_CHECK(false, "who needs a condition is none that the switch knows");
+  return false;
+}
+
+bool Has(const std::vector<CertifiedPrecondition>& preconditions, std::string_view condition) {
+  return std::ranges::find(preconditions, condition, &CertifiedPrecondition::condition) !=
+         preconditions.end();
+}
+
+// One step's certificate against the table.
+class Coverage {
+ public:
+  explicit Coverage(const PlannedStep& step)
+      : certificate_(step.certificate),
+        needed_(KindsNeeded(step.action, step.strategy ? &*step.strategy : nullptr)) {}
+
+  std::vector<std::string> Flaws() {
+    for (const ConditionKind* kind : needed_) CheckKind(*kind);
+    for (const CertifiedPrecondition& claim : certificate_.preconditions) {
+      CheckIsNeeded(claim.condition);
+    }
+    for (const NotNeeded& lacking : certificate_.not_needed) CheckIsNeeded(lacking.condition);
+    return std::move(flaws_);
+  }
+
+ private:
+  void CheckKind(const ConditionKind& kind) {
+    const bool is_there = Has(certificate_.preconditions, kind.name);
+    const auto& reasons = certificate_.not_needed;
+    const auto reason = std::ranges::find(reasons, kind.name, &NotNeeded::condition);
+    if (reason == reasons.end()) {
+      if (!is_there) Add("the certificate covers no '{}', which such a step needs", kind.name);
+      return;
+    }
+    if (is_there) Add("'{}' is claimed, and said not to be needed", kind.name);
+    const bool is_of_paper = !kind.is_published && reason->reason == kNotPublished;
+    if (is_of_paper || (!kind.may_lack.empty() && reason->reason == kind.may_lack)) return;
+    Add("that {} is no reason to be without '{}'", reason->reason, kind.name);
+  }
+
+  void CheckIsNeeded(const std::string& condition) {
+    if (std::ranges::count(needed_, condition, &ConditionKind::name) > 0) return;
+    Add("'{}' is no condition of such a step", condition);
+  }
+
+  // Once, however many preconditions are of the kind.
+  template <class... Values>
+  void Add(fmt::format_string<Values...> text, Values&&... values) {
+    std::string flaw = fmt::format(text, std::forward<Values>(values)...);
+    if (std::ranges::count(flaws_, flaw) == 0) flaws_.push_back(std::move(flaw));
+  }
+
+  const Certificate& certificate_;
+  const std::vector<const ConditionKind*> needed_;
+  std::vector<std::string> flaws_;
+};
+
+}  // namespace
+
+std::span<const ConditionKind> ConditionKinds() { return kKinds; }
+
+const ConditionKind* FindConditionKind(std::string_view name) {
+  const auto found = std::ranges::find(kKinds, name, &ConditionKind::name);
+  return found == kKinds.end() ? nullptr : &*found;
+}
+
+Quantity QuantityOf(std::string_view condition) {
+  const ConditionKind* kind = FindConditionKind(condition);
+  ASSAY_CHECK(kind != nullptr, "there is no condition '{}'", condition);
+  return kind->quantity;
+}
+
+bool IsAsPublished(const Plan& plan) {
+  return std::ranges::any_of(plan.steps, [](const PlannedStep& step) {
+    return std::ranges::count(step.certificate.not_needed, kNotPublished, &NotNeeded::reason) > 0;
+  });
+}
+
+std::vector<const ConditionKind*> KindsNeeded(const Action& action, const Strategy* strategy) {
+  std::vector<const ConditionKind*> needed;
+  for (const ConditionKind& kind : kKinds) {
+    if (Needs(kind.needed_by, action, strategy)) needed.push_back(&kind);
+  }
+  return needed;
+}
+
+std::vector<NotNeeded> NotNeededIn(const std::vector<CertifiedPrecondition>& preconditions,
+                                   const Action& action, const Strategy* strategy,
+                                   bool as_published) {
+  const std::vector<const ConditionKind*> needed = KindsNeeded(action, strategy);
+  for (const CertifiedPrecondition& claim : preconditions) {
+    ASSAY_CHECK(std::ranges::count(needed, claim.condition, &ConditionKind::name) > 0,
+                "the table of conditions has no '{}' for such an action", claim.condition);
+  }
+  std::vector<NotNeeded> lacking;
+  for (const ConditionKind* kind : needed) {
+    if (Has(preconditions, kind->name)) continue;
+    const std::string_view reason =
+        as_published && !kind->is_published ? kNotPublished : kind->may_lack;
+    ASSAY_CHECK(!reason.empty(), "nothing was asked of '{}'", kind->name);
+    lacking.push_back({std::string(kind->name), std::string(reason)});
+  }
+  return lacking;
+}
+
+std::vector<std::string> FlawsOfCoverage(const PlannedStep& step) { return Coverage(step).Flaws(); }
+
+}  // namespace assay::plan

@@ -1,0 +1,79 @@
+#include "planner/plan/data/not_covered.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace assay::plan {
+namespace {
+
+constexpr char kServos[] = "oscillation of the servos while a part is carried";
+constexpr char kStuck[] =
+    "a part so heavy that the friction of what it stands on keeps it from turning flat between the "
+    "pads";
+constexpr char kPushes[] = "pads that slide, and an arm that does not follow, as a strategy pushes";
+
+constexpr char kBeside[] =
+    "parts beside the two that are mated: as a strategy runs they are kept clear of without errors "
+    "only";
+
+struct NotCoveredOf {
+  const PlannedStep& step;
+
+  std::vector<std::string> operator()(const Pickup&) const { return {kStuck, kServos}; }
+  std::vector<std::string> operator()(const Putdown&) const { return {}; }
+  std::vector<std::string> operator()(const Assemble&) const {
+    if (!step.strategy) return {};
+    return {kBeside, kPushes};
+  }
+  std::vector<std::string> operator()(const Sense&) const { return {}; }
+  std::vector<std::string> operator()(const Squeeze&) const { return {kStuck}; }
+};
+
+// The steps that do not claim it; the last one does so twice, also of the way home.
+std::vector<int> StepsWithout(std::string_view condition, const Plan& plan) {
+  std::vector<int> steps;
+  for (const StepId id : plan.ExecutionOrder()) {
+    const PlannedStep& step = plan.step(id);
+    const bool is_last = step.executed == static_cast<int>(plan.steps.size());
+    const auto claims = std::ranges::count(step.certificate.preconditions, condition,
+                                           &CertifiedPrecondition::condition);
+    if (claims < (is_last ? 2 : 1)) steps.push_back(step.executed);
+  }
+  return steps;
+}
+
+// What of the arm's ways could not be proved, or was never asked.
+std::vector<std::string> WaysNotCovered(const Plan& plan) {
+  constexpr std::array<std::pair<const char*, const char*>, 2> kWays = {{
+      {"reach",
+       "errors that lead the arm to the end of a joint's range, or into another configuration"},
+      {"way clear", "errors that lead the arm into something on its way"},
+  }};
+  std::vector<std::string> names;
+  for (const auto& [condition, name] : kWays) {
+    const std::vector<int> steps = StepsWithout(condition, plan);
+    if (steps.empty()) continue;
+    names.push_back(fmt::format("{}: {} {}", name, steps.size() == 1 ? "step" : "steps",
+                                fmt::join(steps, ", ")));
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> NotCovered(const Plan& plan) {
+  std::vector<std::string> all = WaysNotCovered(plan);
+  for (const StepId id : plan.ExecutionOrder()) {
+    const PlannedStep& step = plan.step(id);
+    for (std::string& name : std::visit(NotCoveredOf{step}, step.action)) {
+      if (std::ranges::count(all, name) == 0) all.push_back(std::move(name));
+    }
+  }
+  return all;
+}
+
+}  // namespace assay::plan

@@ -1,0 +1,428 @@
+#include "planner/plan/file/plan_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "planner/base/check.h"
+#include "planner/plan/check/linearization.h"
+#include "planner/plan/data/not_covered.h"
+#include "planner/plan/file/certificate_file.h"
+#include "planner/plan/file/pose_file.h"
+#include "planner/plan/file/recovery_file.h"
+#include "planner/plan/file/strategy_file.h"
+#include "planner/plan/file/travel_file.h"
+
+namespace assay::plan {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "assay-plan/2";
+constexpr double kSameMating = 1e-9;                  // metres, and entries of a rotation
+constexpr double kLargestCount = 9007199254740992.0;  // 2^53: greater ones are no exact doubles
+
+// The words of the format, in the order of the enum Outcome.
+const std::vector<std::string> kOutcomes = {"planned", "none", "budget"};
+// In the order of the alternatives of Action.
+enum class ActionName { kPickup, kPutdown, kAssemble, kSense, kSqueeze };
+const std::vector<std::string> kActions = {"pickup", "putdown", "assemble", "sense", "squeeze"};
+
+Json HoldToJson(const Hold& hold) {
+  return {{"X_PartTool", PoseToJson(hold.X_PartTool)}, {"width", hold.width}};
+}
+
+Json PlaceToJson(const Place& place) { return {{"X_WorldPart", PoseToJson(place.X_WorldPart)}}; }
+
+// [[of held], [of fixed]], as in a scenario.
+Json FeaturesToJson(const domain::Mating& mating) {
+  Json features = Json::array({Json::array(), Json::array()});
+  for (const auto& [of_held, of_fixed] : mating.features) {
+    features[0].push_back(of_held.index());
+    features[1].push_back(of_fixed.index());
+  }
+  return features;
+}
+
+struct ArgumentsOf {
+  const domain::Problem& problem;
+
+  Json operator()(const Pickup& pickup) const {
+    return {{"part", problem.part(pickup.part).name},
+            {"grasp", pickup.hold.grasp},
+            {"position", pickup.from.position}};
+  }
+  Json operator()(const Putdown& putdown) const {
+    return {{"part", problem.part(putdown.part).name},
+            {"grasp", putdown.hold.grasp},
+            {"position", putdown.to.position}};
+  }
+  Json operator()(const Assemble& assemble) const {
+    const domain::Mating& mating = problem.mating(assemble.mating);
+    return {{"held", problem.part(mating.held).name},
+            {"fixed", problem.part(mating.fixed).name},
+            {"features", FeaturesToJson(mating)},
+            {"X_FixedHeld", PoseToJson(mating.X_FixedHeld)},
+            {"mating_vector", VectorToJson(mating.mating_vector)},
+            {"grasp", assemble.hold.grasp},
+            {"position", assemble.fixed.position}};
+  }
+  Json operator()(const Sense& sense) const {
+    return {{"part", problem.part(sense.part).name},
+            {"sensor", sense.sensor},
+            {"position", sense.at.position}};
+  }
+  Json operator()(const Squeeze& squeeze) const {
+    return {{"part", problem.part(squeeze.part).name},
+            {"grasp", squeeze.hold.grasp},
+            {"position", squeeze.at.position}};
+  }
+};
+
+// Null if the hand holds nothing in the action.
+struct HoldOf {
+  const Hold* operator()(const Sense&) const { return nullptr; }
+  const Hold* operator()(const auto& a) const { return &a.hold; }
+};
+
+const Place& PlaceOf(const Pickup& pickup) { return pickup.from; }
+const Place& PlaceOf(const Putdown& putdown) { return putdown.to; }
+const Place& PlaceOf(const Assemble& assemble) { return assemble.fixed; }
+const Place& PlaceOf(const Sense& sense) { return sense.at; }
+const Place& PlaceOf(const Squeeze& squeeze) { return squeeze.at; }
+const Place& PlaceOf(const Action& action) {
+  return std::visit([](const auto& a) -> const Place& { return PlaceOf(a); }, action);
+}
+
+std::vector<std::string> NamesOf(const std::vector<PlannedStep>& steps) {
+  std::vector<std::string> names;
+  for (const PlannedStep& step : steps) names.push_back(step.name);
+  return names;
+}
+
+Json StepToJson(const PlannedStep& step, const domain::Problem& problem) {
+  Json json = {{"id", step.name},
+               {"name", kActions[step.action.index()]},
+               {"arguments", std::visit(ArgumentsOf{problem}, step.action)},
+               {"inserted", step.inserted},
+               {"executed", step.executed}};
+  if (const Hold* hold = std::visit(HoldOf{}, step.action)) json["hold"] = HoldToJson(*hold);
+  json["place"] = PlaceToJson(PlaceOf(step.action));
+  if (step.travel) json["travel"] = ToJson(*step.travel);
+  if (step.strategy) json["strategy"] = ToJson(*step.strategy);
+  return json;
+}
+
+Json ActionsToJson(const Plan& plan, const domain::Problem& problem) {
+  const std::vector<std::string> names = NamesOf(plan.steps);
+  Json actions = Json::array();
+  for (const PlannedStep& step : plan.steps) {
+    Json json = StepToJson(step, problem);
+    if (step.certificate != Certificate{}) {
+      json["certificate"] = ToJson(step.certificate, problem, names);
+    }
+    actions.push_back(std::move(json));
+  }
+  return actions;
+}
+
+Json OrderingToJson(const Plan& plan) {
+  Json ordering = Json::array();
+  for (const auto& [first, second] : plan.ordering) {
+    ordering.push_back(Json::array({plan.step(first).name, plan.step(second).name}));
+  }
+  return ordering;
+}
+
+Hold ReadHold(const Value& action) {
+  const Value hold = action.At("hold");
+  hold.AllowOnly({"X_PartTool", "width"});
+  const Value width = hold.At("width");
+  if (width.Number() < 0) width.Fail("a width below 0", "a length in metres");
+  return {action.At("arguments").At("grasp").Text(), ReadPose(hold.At("X_PartTool")),
+          width.Number()};
+}
+
+Place ReadPlace(const Value& action) {
+  const Value place = action.At("place");
+  place.AllowOnly({"X_WorldPart"});
+  return {action.At("arguments").At("position").Text(), ReadPose(place.At("X_WorldPart"))};
+}
+
+PartId ReadPart(const Value& name, const domain::Problem& problem) {
+  std::vector<std::string> names;
+  for (const domain::Part& part : problem.parts) names.push_back(part.name);
+  return PartId(name.OneOf(names));
+}
+
+// What the arguments of assemble say about the mating.
+domain::Mating ReadMatingWords(const Value& arguments, const domain::Problem& problem) {
+  domain::Mating mating{.held = ReadPart(arguments.At("held"), problem),
+                        .fixed = ReadPart(arguments.At("fixed"), problem),
+                        .features = {},
+                        .X_FixedHeld = ReadPose(arguments.At("X_FixedHeld")),
+                        .mating_vector = ReadVector(arguments.At("mating_vector"))};
+  const Value features = arguments.At("features");
+  const std::string allowed = "two lists of feature numbers of equal length: of held, of fixed";
+  const std::vector<Value> sides = features.Items();
+  if (sides.size() != 2) features.Fail(fmt::format("{} lists", sides.size()), allowed);
+  const std::vector<Value> of_held = sides[0].Items();
+  const std::vector<Value> of_fixed = sides[1].Items();
+  if (of_held.size() != of_fixed.size()) features.Fail("lists of different length", allowed);
+  const int most = std::numeric_limits<int>::max();
+  for (std::size_t i = 0; i < of_held.size(); ++i) {
+    mating.features.emplace_back(of_held[i].Integer(0, most), of_fixed[i].Integer(0, most));
+  }
+  return mating;
+}
+
+bool AreSame(const domain::Mating& a, const domain::Mating& b) {
+  const auto pose_error = (a.X_FixedHeld.matrix() - b.X_FixedHeld.matrix()).cwiseAbs();
+  const auto vector_error = (a.mating_vector - b.mating_vector).cwiseAbs();
+  return a.held == b.held && a.fixed == b.fixed && a.features == b.features &&
+         pose_error.maxCoeff() <= kSameMating && vector_error.maxCoeff() <= kSameMating;
+}
+
+MatingId ReadMating(const Value& arguments, const domain::Problem& problem) {
+  const domain::Mating words = ReadMatingWords(arguments, problem);
+  const auto found = std::ranges::find_if(
+      problem.matings, [&](const domain::Mating& mating) { return AreSame(mating, words); });
+  if (found == problem.matings.end()) {
+    arguments.Fail("the scenario has no such mating",
+                   "held, fixed, features, X_FixedHeld and mating_vector of one of its matings");
+  }
+  return MatingId(static_cast<int>(found - problem.matings.begin()));
+}
+
+std::string ReadSensor(const Value& name, const domain::Problem& problem) {
+  std::vector<std::string> known;
+  for (const auto& sensor : problem.workcell->uncertainty_operations().sensors) {
+    known.push_back(sensor.name);
+  }
+  name.OneOf(known);
+  return name.Text();
+}
+
+Assemble ReadAssemble(const Value& action, const domain::Problem& problem) {
+  const Value arguments = action.At("arguments");
+  arguments.AllowOnly(
+      {"held", "fixed", "features", "X_FixedHeld", "mating_vector", "grasp", "position"});
+  return {ReadMating(arguments, problem), ReadHold(action), ReadPlace(action)};
+}
+
+Sense ReadSense(const Value& action, const domain::Problem& problem) {
+  action.AllowOnly(
+      {"id", "name", "arguments", "inserted", "executed", "place", "travel", "certificate"});
+  const Value arguments = action.At("arguments");
+  arguments.AllowOnly({"part", "sensor", "position"});
+  return {ReadPart(arguments.At("part"), problem), ReadSensor(arguments.At("sensor"), problem),
+          ReadPlace(action)};
+}
+
+// Pickup, putdown or squeeze.
+template <class Handling>
+Handling ReadHandling(const Value& action, const domain::Problem& problem) {
+  const Value arguments = action.At("arguments");
+  arguments.AllowOnly({"part", "grasp", "position"});
+  return {ReadPart(arguments.At("part"), problem), ReadHold(action), ReadPlace(action)};
+}
+
+Action ReadAction(const Value& action, const domain::Problem& problem) {
+  const auto name = static_cast<ActionName>(action.At("name").OneOf(kActions));
+  switch (name) {
+    case ActionName::kPickup:
+      return ReadHandling<Pickup>(action, problem);
+    case ActionName::kPutdown:
+      return ReadHandling<Putdown>(action, problem);
+    case ActionName::kAssemble:
+      return ReadAssemble(action, problem);
+    case ActionName::kSense:
+      return ReadSense(action, problem);
+    case ActionName::kSqueeze:
+      return ReadHandling<Squeeze>(action, problem);
+  }
+  ASSAY_CHECK(false, "an action that the switch does not know");
+  return {};
+}
+
+PlannedStep ReadStep(const Value& action, const domain::Problem& problem) {
+  action.AllowOnly({"id", "name", "arguments", "inserted", "executed", "hold", "place", "travel",
+                    "strategy", "certificate"});
+  const int most = std::numeric_limits<int>::max();
+  PlannedStep step = {action.At("id").Text(), ReadAction(action, problem),
+                      action.At("inserted").Integer(1, most),
+                      action.At("executed").Integer(1, most)};
+  if (const auto travel = action.Find("travel")) step.travel = ReadTravel(*travel);
+  const std::optional<Value> strategy = action.Find("strategy");
+  if (!strategy) return step;
+  if (!std::holds_alternative<Assemble>(step.action)) {
+    strategy->Fail(fmt::format("a strategy of {}", action.At("name").Text()),
+                   "a strategy of assemble");
+  }
+  step.strategy = ReadStrategy(*strategy);
+  return step;
+}
+
+// Ids are unique, insertion numbers increase, execution numbers are a permutation.
+void CheckNumbering(const std::vector<Value>& actions, const std::vector<PlannedStep>& steps) {
+  const int count = static_cast<int>(steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const PlannedStep& step = steps[i];
+    if (step.executed > count) {
+      actions[i]
+          .At("executed")
+          .Fail(fmt::format("{} of {} steps", step.executed, count), fmt::format("1 to {}", count));
+    }
+    if (i > 0 && step.inserted <= steps[i - 1].inserted) {
+      actions[i]
+          .At("inserted")
+          .Fail("the actions are not in the order of insertion",
+                fmt::format("more than {}", steps[i - 1].inserted));
+    }
+    for (std::size_t j = 0; j < i; ++j) {
+      if (steps[j].name == step.name) actions[i].At("id").Fail("an id is given twice");
+      if (steps[j].executed == step.executed) {
+        actions[i]
+            .At("executed")
+            .Fail("two steps are executed at the same time",
+                  fmt::format("each of 1 to {} once", count));
+      }
+    }
+  }
+}
+
+Ordering ReadOrdering(const Value& ordering, const std::vector<PlannedStep>& steps) {
+  const std::vector<std::string> names = NamesOf(steps);
+  Ordering pairs;
+  for (const Value& pair : ordering.Items()) {
+    const std::vector<Value> ids = pair.Items();
+    if (ids.size() != 2) pair.Fail("not a pair", "[first, second]");
+    pairs.emplace_back(ids[0].OneOf(names), ids[1].OneOf(names));
+  }
+  if (!IsAcyclic(static_cast<int>(steps.size()), pairs)) ordering.Fail("the ordering is cyclic");
+  return pairs;
+}
+
+std::vector<std::string> ReadTexts(const std::optional<Value>& texts) {
+  std::vector<std::string> read;
+  if (!texts) return read;
+  for (const Value& text : texts->Items()) read.push_back(text.Text());
+  return read;
+}
+
+// Why there is no plan, or what the planner does not do.
+void ReadReasons(const Value& root, PlanResult& result) {
+  const bool is_none = result.outcome == Outcome::kNone;
+  const std::optional<Value> conflict = root.Find("conflict");
+  if (conflict.has_value() != is_none) {
+    root.Fail("a conflict is given if and only if the outcome is 'none'");
+  }
+  result.conflict = ReadTexts(conflict);
+  if (is_none && result.conflict.empty()) conflict->Fail("an empty conflict", "at least one");
+  const auto read = [&](const std::string& key, bool may_be_given, std::vector<std::string>& into) {
+    const std::optional<Value> texts = root.Find(key);
+    if (texts && !may_be_given) texts->Fail("not with this outcome");
+    into = ReadTexts(texts);
+  };
+  read("hypotheses", is_none, result.hypotheses);
+  read("near_misses", is_none, result.near_misses);
+  read("limits", result.outcome == Outcome::kBudget, result.limits);
+}
+
+std::map<std::string, std::int64_t> ReadCounters(const Value& counters) {
+  std::map<std::string, std::int64_t> counts;
+  for (const auto& [name, value] : counters.Entries()) {
+    const double count = value.Number();
+    if (std::abs(count) > kLargestCount || count != std::floor(count)) {
+      value.Fail("a counter that is no count", "an integer up to 2^53");
+    }
+    counts[name.Text()] = static_cast<std::int64_t>(count);
+  }
+  return counts;
+}
+
+// What the second phase of planning adds to the steps.
+void ReadAugmentation(const Value& root, const domain::Problem& problem, Plan& plan) {
+  const std::vector<std::string> names = NamesOf(plan.steps);
+  const std::vector<Value> actions = root.At("actions").Items();
+  for (std::size_t i = 0; i < actions.size(); ++i) {
+    const std::optional<Value> certificate = actions[i].Find("certificate");
+    if (certificate) plan.steps[i].certificate = ReadCertificate(*certificate, problem, names);
+  }
+  for (const Value& value : root.At("verifications").Items()) {
+    plan.verifications.push_back(ReadVerification(value, names));
+  }
+  for (const Value& value : root.At("recoveries").Items()) {
+    plan.recoveries.push_back(ReadRecovery(value, names));
+  }
+  plan.errors = root.At("errors").Integer(0, static_cast<int>(names.size()));
+}
+
+}  // namespace
+
+Json ToJson(const PlanResult& result, const domain::Problem& problem, const std::string& scenario) {
+  const Plan& plan = result.plan;
+  const std::vector<std::string> names = NamesOf(plan.steps);
+  Json verifications = Json::array();
+  for (const Verification& verification : plan.verifications) {
+    verifications.push_back(ToJson(verification, names));
+  }
+  Json recoveries = Json::array();
+  for (const Recovery& recovery : plan.recoveries) recoveries.push_back(ToJson(recovery, names));
+  Json json = {{"format", kFormat},
+               {"scenario", scenario},
+               {"problem", problem.name},
+               {"outcome", kOutcomes[static_cast<std::size_t>(result.outcome)]},
+               {"actions", ActionsToJson(plan, problem)},
+               {"ordering", OrderingToJson(plan)},
+               {"verifications", verifications},
+               {"recoveries", recoveries},
+               {"errors", plan.errors},
+               {"not_covered", NotCovered(plan)}};
+  if (plan.homing) json["homing"] = ToJson(*plan.homing);
+  if (result.outcome == Outcome::kNone) {
+    json["conflict"] = result.conflict;
+    json["hypotheses"] = result.hypotheses;
+    json["near_misses"] = result.near_misses;
+  }
+  if (!result.limits.empty()) json["limits"] = result.limits;
+  if (!result.obstruction.empty()) json["obstruction"] = result.obstruction;
+  json["counters"] = Json::object();
+  for (const auto& [name, count] : result.counters) json["counters"][name] = count;
+  return json;
+}
+
+std::string ScenarioOf(const Document& plan_file) {
+  plan_file.RequireFormat(kFormat);
+  return plan_file.root().At("scenario").Text();
+}
+
+PlanResult ReadPlan(const Document& plan_file, const domain::Problem& problem) {
+  plan_file.RequireFormat(kFormat);
+  const Value& root = plan_file.root();
+  root.AllowOnly({"format",      "scenario",      "problem",    "outcome",     "actions",
+                  "ordering",    "verifications", "recoveries", "errors",      "not_covered",
+                  "homing",      "conflict",      "hypotheses", "near_misses", "limits",
+                  "obstruction", "counters",      "seconds",    "instances",   "check"});
+  root.At("scenario").Text();
+  PlanResult result;
+  result.plan.problem = root.At("problem").Text();
+  root.At("problem").OneOf({problem.name});
+  result.outcome = static_cast<Outcome>(root.At("outcome").OneOf(kOutcomes));
+  const std::vector<Value> actions = root.At("actions").Items();
+  for (const Value& action : actions) result.plan.steps.push_back(ReadStep(action, problem));
+  CheckNumbering(actions, result.plan.steps);
+  result.plan.ordering = ReadOrdering(root.At("ordering"), result.plan.steps);
+  ReadAugmentation(root, problem, result.plan);
+  if (const auto homing = root.Find("homing")) result.plan.homing = ReadTravel(*homing);
+  ReadReasons(root, result);
+  if (const auto obstruction = root.Find("obstruction")) result.obstruction = obstruction->Text();
+  result.counters = ReadCounters(root.At("counters"));
+  return result;
+}
+
+}  // namespace assay::plan

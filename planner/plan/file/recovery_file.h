@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "planner/base/document.h"
+#include "planner/plan/data/plan.h"
+
+namespace assay::plan {
+
+// Verifications and recoveries as plan.json holds them (plan.schema.json). `step_names`: by StepId.
+nlohmann::ordered_json ToJson(const Verification& verification,
+                              const std::vector<std::string>& step_names);
+nlohmann::ordered_json ToJson(const Recovery& recovery, const std::vector<std::string>& step_names);
+
+// Throw InputError with the place for what does not fit.
+Verification ReadVerification(const Value& value, const std::vector<std::string>& step_names);
+Recovery ReadRecovery(const Value& value, const std::vector<std::string>& step_names);
+
+}  // namespace assay::plan

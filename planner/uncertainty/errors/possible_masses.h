@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "planner/domain/problem/problem.h"
+
+namespace assay::uncertainty {
+
+inline constexpr double kGravity = 9.81;  // m/s^2
+
+// As the problem says, and with the least and the greatest clearance. Between them the centre of
+// mass moves on a line that is straight to first order.
+std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& problem,
+                                                     domain::PartId part);
+// The greatest weight of these, newtons.
+double GreatestWeight(const domain::Problem& problem, domain::PartId part);
+
+}  // namespace assay::uncertainty

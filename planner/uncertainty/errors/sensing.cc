@@ -1,0 +1,51 @@
+#include "planner/uncertainty/errors/sensing.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "planner/algebra/expression/simplify.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/base/check.h"
+
+namespace assay::uncertainty {
+namespace {
+
+using algebra::operator+;
+using algebra::operator-;
+
+// Replaces `error`, if the promise says more, by a new variable; the belief shifts by the
+// difference, because the part stays where it is.
+void Measure(UncertainWorld& world, PartId part, const char* what, const Interval& promise,
+             Expression& error, Expression& shift) {
+  if (!TakesOver(world.TightRangeOf(error), promise)) return;
+  const Expression measured =
+      world.Declare(fmt::format("{}_{}", what, world.SymbolName(part)), promise, part);
+  shift = algebra::Simplify(shift + error - measured);
+  error = measured;
+}
+
+}  // namespace
+
+bool TakesOver(const Interval& known, const Interval& promise) {
+  return algebra::Width(promise) < algebra::Width(known);
+}
+
+void ApplySensing(UncertainWorld& world, PartId part, const std::string& sensor) {
+  const domain::Workcell& workcell = *world.problem().workcell;
+  const domain::SensorModel* model = workcell.uncertainty_operations().FindSensor(sensor);
+  ASSAY_CHECK(model != nullptr, "the workcell has no sensor '{}'", sensor);
+  RestingError error = world.resting_in_world(part);
+  BeliefShift shift = world.shift(part);
+  constexpr std::array<const char*, 3> kNames = {"dx", "dy", "dz"};
+  const std::array<Interval, 3> promises = {model->x, model->y, model->z};
+  for (const int axis : {0, 1, 2}) {
+    Measure(world, part, kNames[axis], promises[axis], error.displacement[axis],
+            shift.displacement[axis]);
+  }
+  Measure(world, part, "theta", model->theta, error.theta, shift.turn);
+  if (world.propagation() == Propagation::kPaper) shift = {};
+  world.SetBelief(part, shift, error);
+}
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,174 @@
+#include "planner/uncertainty/errors/squeezing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planner/algebra/expression/simplify.h"
+#include "planner/domain/part/part_model.h"
+#include "planner/uncertainty/errors/axis_angle.h"
+#include "planner/uncertainty/errors/possible_masses.h"
+
+namespace assay::uncertainty {
+namespace {
+
+constexpr double kRightAngle = std::numbers::pi / 2;
+constexpr double kTurnOfPush = 0.55;  // per radius of gyration
+
+HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
+  Pose R_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
+  R_WorldTool.translation().setZero();
+  const SymbolicVector D = algebra::Simplify(algebra::Inverse(AsTransform(R_WorldTool)) *
+                                             world.resting(part).displacement);
+  return {.x = D[0], .z = D[2]};
+}
+
+// Where the grasped point is before the pads close, in the frame of the true hand.
+SymbolicVector GraspedPoint(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+                            const ManipulatorError& draw) {
+  const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
+  const Transform X_TrueHandPart = algebra::Inverse(AsTransform(X_WorldTool) * draw.AsTransform()) *
+                                   PossiblePose(world.X_WorldPart(part), world.resting(part));
+  return algebra::Simplify(X_TrueHandPart * AsTransform(hold.X_PartTool).translation);
+}
+
+// Smoother pads let the part slip until it lies flat, which is among what jammed ones may leave.
+double GreatestPadFriction(const domain::Problem& problem) {
+  return problem.workcell->rules().pad_friction + problem.tolerances.pad_friction;
+}
+
+// What the closing of the pads does to the part at most. Angles in radians, lengths in metres,
+// along and about the tool's axes, all of them magnitudes.
+class Closing {
+ public:
+  Closing(const UncertainWorld& world, PartId part, const plan::Hold& hold,
+          const ManipulatorError& draw, const SymbolicVector& grasped)
+      : up_(VerticalInTool(world.X_WorldPart(part) * hold.X_PartTool)),
+        pad_x_(world.problem().workcell->gripper().pad_half_extents().x()),
+        pad_z_(world.problem().workcell->gripper().pad_half_extents().y()),
+        half_width_(hold.width / 2),
+        hand_(Magnitude(world.RangeOf(draw.theta))),
+        off_x_(Magnitude(world.RangeOf(grasped[0]))),
+        off_z_(Magnitude(world.RangeOf(grasped[2]))) {
+    const double theta = Magnitude(world.RangeOf(world.resting(part).theta));
+    const double push =
+        Magnitude(world.RangeOf(grasped[1])) + 2 * pad_x_ * std::sin(AtMostRight(theta + hand_));
+    for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
+      const double turn = TurnOfPush(mass, world.X_WorldPart(part), hold, theta + hand_, push);
+      pushed_turn_ = std::max(pushed_turn_, AtMostRight(turn));
+    }
+    turn_ = AtMostRight(theta + pushed_turn_ + hand_);
+    way_ = turn_ + pushed_turn_;
+    jams_ = !(turn_ + std::atan(GreatestPadFriction(world.problem())) <
+              std::atan(ContactLength() / hold.width));
+  }
+
+  bool jams() const { return jams_; }
+  double turn() const { return turn_; }  // between faces and pads, when these touch
+
+  // How much of the way that the part turns is about an axis. In a tool that leans, flat faces
+  // follow the hand's own rotation out of the vertical; and rotations about different axes make up
+  // to their product about the third.
+  double TurnAbout(int axis) const {
+    if (is_straight()) return axis == 2 ? way_ : 0;
+    const double products = up_.y() == 0 && !jams_ ? 0 : way_ * way_;
+    const double hand = axis == 1 ? way_ + hand_ : 1 + way_;
+    return std::min(TwistOf(AtMostRight(way_), up_[axis]) + products + hand_ * hand,
+                    std::numbers::pi);
+  }
+
+  double SlipX() const {
+    if (is_straight()) return StraightSlip();
+    const Vector3 way = WaysOfGraspedPoint();
+    return way.x() + turn_ * (way.y() + way.z());
+  }
+  double SlipZ() const {
+    if (is_straight()) return 0;
+    const Vector3 way = WaysOfGraspedPoint();
+    return way.z() + turn_ * (way.x() + way.y());
+  }
+  // Of a part that jammed: its two contacts lie within the pads, equally far from the middle.
+  double SkewY() const { return 2 * (pad_x_ + pad_z_) * std::sin(turn_); }
+
+ private:
+  static double AtMostRight(double angle) { return std::min(angle, kRightAngle); }
+
+  bool is_straight() const { return std::abs(up_.z()) == 1; }
+
+  // Across which the pads touch the faces, also if the part is displaced along them.
+  double ContactLength() const {
+    const double along_x = 2 * pad_x_ - off_x_;
+    return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
+  }
+
+  // How far the first pad may turn the part while it pushes it to the second.
+  double TurnOfPush(const geometry::MassProperties& mass, const Pose& X_WorldPart,
+                    const plan::Hold& hold, double turned, double push) const {
+    const Vector3 center = hold.X_PartTool.inverse() * mass.center;
+    const Vector3 level = up_.cross(Vector3::UnitY());  // along the pads
+    const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());
+    const double lever = std::abs(level.dot(center)) + std::hypot(off_x_, off_z_) +
+                         center.norm() * std::sin(AtMostRight(turned));
+    if (up_.y() == 0 && lever <= reach) return 0;
+    const Vector3 up = X_WorldPart.linear().transpose() * Vector3::UnitZ();
+    return kTurnOfPush * push / std::sqrt(up.dot(mass.inertia * up) / mass.mass);
+  }
+
+  // First to the turned position and back, or only back.
+  double StraightSlip() const {
+    const double across = half_width_ * (pushed_turn_ + std::sin(turn_));
+    const double along = 2 * pad_x_ * (1 - std::cos(turn_));
+    return across + (pushed_turn_ > 0 ? 2 * along : along);
+  }
+
+  // In the part's own axes, about points on its faces that the pads reach.
+  Vector3 WaysOfGraspedPoint() const {
+    const Vector3 about(TurnAbout(0), TurnAbout(1), TurnAbout(2));
+    const Vector3 arm(2 * pad_x_, half_width_, 2 * pad_z_);
+    return {about.z() * arm.y() + about.y() * arm.z(), about.z() * arm.x() + about.x() * arm.z(),
+            about.x() * arm.y() + about.y() * arm.x()};
+  }
+
+  Vector3 up_;  // in the tool's axes
+  double pad_x_;
+  double pad_z_;
+  double half_width_;
+  double hand_;
+  double off_x_;
+  double off_z_;
+  double pushed_turn_ = 0;
+  double turn_ = 0;
+  double way_ = 0;  // that the part turns in all
+  bool jams_ = false;
+};
+
+HeldError Sound(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                const ManipulatorError& draw) {
+  const SymbolicVector grasped = GraspedPoint(world, part, hold, draw);
+  const Closing closing(world, part, hold, draw, grasped);
+  const auto declare = [&](const char* what, double magnitude) {
+    return world.Declare(fmt::format("{}_{}", what, world.SymbolName(part)),
+                         {-magnitude, magnitude}, part);
+  };
+  HeldError held = {.x = grasped[0] + declare("slip", closing.SlipX()),
+                    .z = grasped[2] + declare("rise", closing.SlipZ()),
+                    .twist = declare("twist", closing.TurnAbout(1))};
+  if (closing.jams()) {
+    held.y = declare("jam", closing.SkewY());
+    held.skew = declare("skew", std::min(closing.turn(), closing.TurnAbout(2)));
+    held.tip = declare("tip", std::min(closing.turn(), closing.TurnAbout(0)));
+  }
+  return held;
+}
+
+}  // namespace
+
+HeldError ClosePads(UncertainWorld& world, PartId part, const plan::Hold& hold,
+                    const ManipulatorError& draw) {
+  if (world.propagation() == Propagation::kPaper) return AsPublished(world, part, hold);
+  return Sound(world, part, hold, draw);
+}
+
+}  // namespace assay::uncertainty

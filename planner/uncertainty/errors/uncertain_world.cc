@@ -1,0 +1,220 @@
+#include "planner/uncertainty/errors/uncertain_world.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/expression/simplify.h"
+#include "planner/algebra/forms/normal_form.h"
+#include "planner/algebra/methods/affine_form.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
+
+namespace assay::uncertainty {
+namespace {
+
+constexpr std::size_t kMostNodes = 60;  // of expressions that are kept as they are
+constexpr double kNegligible = 0.02;    // of what all variables of an expression do together
+
+std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>& expressions) {
+  std::set<algebra::VariableId> occurring;
+  for (const Expression& expression : expressions) {
+    const std::vector<algebra::VariableId> own = algebra::VariablesOf(expression);
+    occurring.insert(own.begin(), own.end());
+  }
+  return occurring;
+}
+
+}  // namespace
+
+// "peg-1" becomes "peg_1": names of variables have no hyphens.
+std::string UncertainWorld::SymbolName(PartId part) const {
+  std::string name = problem_->part(part).name;
+  std::ranges::replace(name, '-', '_');
+  return name;
+}
+
+UncertainWorld::UncertainWorld(const domain::Problem& problem, Propagation propagation)
+    : problem_(&problem), propagation_(propagation), variables_(std::make_shared<Variables>()) {
+  algebra::KeepNormalForms(variables_->pool);
+  for (std::size_t p = 0; p < problem.parts.size(); ++p) {
+    const domain::Part& part = problem.parts[p];
+    const PartId id(p);
+    const RestingError error = {.displacement = {DeclareOfPart("dx", part.error.x, id),
+                                                 DeclareOfPart("dy", part.error.y, id),
+                                                 DeclareOfPart("dz", part.error.z, id)},
+                                .theta = DeclareOfPart("theta", part.error.theta, id)};
+    parts_.push_back({part.X_WorldPart, {}, error, error});
+  }
+}
+
+Expression UncertainWorld::Declare(const std::string& stem, const Interval& range, PartId part) {
+  if (range.low == range.high) return range.low;
+  auto& [pool, declared, stems, owners, first_order, tight_ranges] = *variables_;
+  int& count = count_by_stem_[stem];
+  while (true) {
+    const std::string name = ++count == 1 ? stem : fmt::format("{}_{}", stem, count);
+    const std::optional<algebra::VariableId> known = pool.Find(name);
+    if (!known) {
+      stems.push_back(stem);
+      owners.push_back(part);
+      declared.box.push_back(range);
+      return pool.Declare(name, range);
+    }
+    const int v = known->index();
+    const Interval& its = declared.box[v];
+    if (stems[v] == stem && owners[v] == part && its.low == range.low && its.high == range.high) {
+      return pool.Variable(*known);
+    }
+  }
+}
+
+Expression UncertainWorld::DeclareOfPart(const char* what, const Interval& range, PartId part) {
+  return Declare(fmt::format("{}_{}", what, SymbolName(part)), range, part);
+}
+
+ManipulatorError UncertainWorld::DrawManipulator() {
+  if (only_draw_) return *only_draw_;
+  const domain::PoseError& error = problem_->gripper_error;
+  const ManipulatorError draw = {.x = Declare("dx_hand", error.x, PartId::None()),
+                                 .y = Declare("dy_hand", error.y, PartId::None()),
+                                 .z = Declare("dz_hand", error.z, PartId::None()),
+                                 .theta = Declare("theta_hand", error.theta, PartId::None())};
+  if (propagation_ == Propagation::kPaper) {
+    only_draw_ = std::make_shared<const ManipulatorError>(draw);
+  }
+  return draw;
+}
+
+Expression UncertainWorld::DrawTableHeight(PartId part) {
+  return DeclareOfPart("dz", problem_->part(part).error.z, part);
+}
+
+Expression UncertainWorld::Condensed(const Expression& e, const char* rest, PartId part) {
+  if (propagation_ == Propagation::kPaper || algebra::NodeCount(e) <= kMostNodes) return e;
+  using algebra::operator+;
+  std::optional<algebra::AffineForm> form =
+      variables_->first_order.Affine(e, constraints().box, kNegligible);
+  if (!form) form = algebra::AffineFormOf(e, constraints().box, kNegligible);
+  return form->linear + DeclareOfPart(rest, form->rest, part);
+}
+
+RestingError UncertainWorld::Condensed(const RestingError& error, PartId part) {
+  RestingError condensed = {.displacement = {},
+                            .theta = Condensed(error.theta, "theta_rest", part)};
+  for (const int axis : {0, 1, 2}) {
+    condensed.displacement[axis] = Condensed(error.displacement[axis], "rest", part);
+  }
+  return condensed;
+}
+
+void UncertainWorld::SetHeld(PartId part, const HeldError& error) {
+  in_hand_ = part;
+  held_ = {.x = Condensed(error.x, "rest", part),
+           .z = Condensed(error.z, "rest", part),
+           .twist = Condensed(error.twist, "theta_rest", part),
+           .y = Condensed(error.y, "rest", part),
+           .skew = Condensed(error.skew, "theta_rest", part),
+           .tip = Condensed(error.tip, "theta_rest", part)};
+}
+
+RestingError UncertainWorld::about_plan(PartId part) const {
+  const PartKnowledge& knowledge = parts_[part.index()];
+  return {algebra::Simplify(knowledge.shift.displacement + knowledge.in_world.displacement),
+          knowledge.shift.turn + knowledge.in_world.theta};
+}
+
+BeliefShift UncertainWorld::ShiftAt(PartId part, const Vector3& point) const {
+  const PartKnowledge& knowledge = parts_[part.index()];
+  const SymbolicVector arm = AsVector(point - knowledge.X_WorldPart.translation());
+  const SymbolicVector swung = algebra::RotationZ(knowledge.shift.turn) * arm - arm;
+  return {algebra::Simplify(knowledge.shift.displacement + swung), knowledge.shift.turn};
+}
+
+void UncertainWorld::SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error,
+                                const BeliefShift& shift) {
+  if (in_hand_ == part) in_hand_ = PartId::None();
+  const RestingError condensed = Condensed(error, part);
+  const SymbolicVector in_world =
+      algebra::Simplify(algebra::RotationZ(shift.turn) * condensed.displacement);
+  parts_[part.index()] = {X_WorldPart, shift, condensed,
+                          Condensed({in_world, condensed.theta}, part)};
+}
+
+void UncertainWorld::SetBelief(PartId part, const BeliefShift& shift,
+                               const RestingError& in_world) {
+  PartKnowledge& knowledge = parts_[part.index()];
+  knowledge.shift = shift;
+  knowledge.in_world = in_world;
+  knowledge.error = {algebra::Simplify(algebra::RotationZ(-shift.turn) * in_world.displacement),
+                     in_world.theta};
+}
+
+void UncertainWorld::TellWherePartsRest(bool with_heights) {
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    if (PartId(p) == in_hand_) continue;
+    const Expression height = with_heights ? 0 : parts_[p].in_world.displacement[2];
+    SetBelief(PartId(p), {}, {.displacement = {0, 0, height}, .theta = 0});
+  }
+}
+
+Interval UncertainWorld::RangeOf(const Expression& expression) const {
+  return algebra::Evaluate(expression, std::span<const Interval>(constraints().box));
+}
+
+Interval UncertainWorld::TightRangeOf(const Expression& expression) const {
+  if (expression.IsConstant()) return {expression.constant(), expression.constant()};
+  const auto [known, is_new] = variables_->tight_ranges.try_emplace(expression.index());
+  if (is_new) {
+    const algebra::BoundRequest request = {.highest = algebra::Rung::kCentred};
+    const algebra::BothBounds bounds =
+        algebra::PreparedExpression(expression).Both(constraints(), request);
+    known->second = {bounds.inf.value, bounds.sup.value};
+  }
+  return known->second;
+}
+
+algebra::Glance UncertainWorld::GlanceAbove(const Expression& expression, double limit) const {
+  return variables_->first_order.Above(expression, constraints().box, limit);
+}
+algebra::Glance UncertainWorld::GlanceBelow(const Expression& expression, double limit) const {
+  return variables_->first_order.Below(expression, constraints().box, limit);
+}
+
+algebra::Bound UncertainWorld::FirstOrderAbove(const Expression& expression) const {
+  return variables_->first_order.BoundAbove(expression, constraints().box);
+}
+algebra::Bound UncertainWorld::FirstOrderBelow(const Expression& expression) const {
+  return variables_->first_order.BoundBelow(expression, constraints().box);
+}
+
+std::vector<PartId> UncertainWorld::PartsIn(const std::vector<Expression>& expressions) const {
+  std::set<PartId> parts;
+  for (const algebra::VariableId v : VariablesOccurringIn(expressions)) {
+    const PartId owner = variables_->owners[v.index()];
+    if (!owner.IsNone()) parts.insert(owner);
+  }
+  return {parts.begin(), parts.end()};
+}
+
+std::vector<plan::ErrorVariable> UncertainWorld::VariablesIn(
+    const std::vector<Expression>& expressions) const {
+  std::vector<plan::ErrorVariable> variables;
+  for (const algebra::VariableId v : VariablesOccurringIn(expressions)) {
+    variables.push_back({variables_->pool.name(v), variables_->pool.bounds(v)});
+  }
+  return variables;
+}
+
+const std::string& UncertainWorld::NameOf(algebra::VariableId variable) const {
+  return variables_->pool.name(variable);
+}
+
+double Magnitude(const Interval& range) {
+  return std::max(std::abs(range.low), std::abs(range.high));
+}
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <initializer_list>
+
+#include "planner/algebra/expression/simplify.h"
+#include "planner/domain/part/part_model.h"
+#include "planner/geometry/box.h"
+#include "planner/uncertainty/errors/axis_angle.h"
+#include "planner/uncertainty/errors/mating_end.h"
+#include "planner/uncertainty/errors/release.h"
+#include "planner/uncertainty/preconditions/clearance.h"
+#include "planner/uncertainty/preconditions/precondition.h"
+#include "planner/uncertainty/preconditions/touching_cells.h"
+
+namespace assay::uncertainty {
+namespace {
+
+using geometry::Box;
+
+constexpr double kFlush = 1e-6;  // metres by which what lies in a plane may stand out of it
+
+// The box, along the frame's axes, about all these.
+Box Around(std::initializer_list<Box> boxes) {
+  Eigen::AlignedBox3d bounds;
+  for (const Box& box : boxes) {
+    for (const Vector3& corner : box.Corners()) bounds.extend(corner);
+  }
+  return Box::FromCorners(bounds.min(), bounds.max());
+}
+
+// In the tool's frame, as far as the hand goes straight to its work and from there.
+struct Hand {
+  std::vector<Box> palm;     // with its way back
+  std::vector<Box> open;     // fingers, with their way back
+  std::vector<Box> closing;  // the same fingers, from open to closed
+  std::vector<Box> swept;    // fingers, with all their ways
+  std::vector<Box> closed;   // hand and fingers
+
+  Hand(const domain::Workcell& workcell, double width) {
+    const kinematics::Gripper& gripper = workcell.gripper();
+    const Pose back = geometry::Translation(0, 0, -workcell.rules().approach_distance);
+    closed = gripper.HandBoxes();
+    for (const Box& box : gripper.HandBoxes()) {
+      palm.push_back(Around({box, box.Transformed(back)}));
+    }
+    const std::vector<Box> wide = gripper.FingerBoxes(gripper.max_opening());
+    const std::vector<Box> narrow = gripper.FingerBoxes(width);
+    for (std::size_t i = 0; i < wide.size(); ++i) {
+      closed.push_back(narrow[i]);
+      open.push_back(Around({wide[i], wide[i].Transformed(back)}));
+      closing.push_back(Around({wide[i], narrow[i]}));
+      swept.push_back(Around({open.back(), narrow[i], narrow[i].Transformed(back)}));
+    }
+  }
+};
+
+// As seen from the true hand.
+Transform GraspInHand(const HeldError& held) {
+  return PossibleGrasp(held, {0, 0, 0, 0}, Propagation::kSound);
+}
+
+class HandConditions {
+ public:
+  enum class Leaves { kYes, kNo };
+
+  // `tool`: where the hand may be as its pads close or open, if nothing were believed anew.
+  HandConditions(const UncertainWorld& world, PartId handled, const plan::Hold& hold,
+                 const PossibleFrame& tool)
+      : world_(world),
+        handled_(handled),
+        hold_(hold),
+        hand_(*world.problem().workcell, hold.width),
+        tool_(tool) {}
+
+  // All parts that rest but these, which the hand does not go by; it goes by a belief so shifted.
+  void RequireClearOfOthers(const std::vector<PartId>& but, const BeliefShift& shift,
+                            const Vector3& way_in) {
+    const PossibleFrame tool = Shifted(world_, tool_, shift);
+    const std::vector<Body> bodies = Swept(tool, WayOf(world_, way_in, shift.turn));
+    for (int p = 0; p < static_cast<int>(world_.problem().parts.size()); ++p) {
+      const PartId other(p);
+      if (std::ranges::count(but, other) > 0) continue;
+      RequireClear(tool, bodies, FrameOf(world_, other), other, other, Vector3::Zero());
+    }
+  }
+
+  // The part that the hand's belief is about, and that it comes to along the way in.
+  void RequireClearOfFixed(PartId fixed, const Vector3& way_in, const Vector3& slack) {
+    RequireClear(tool_, Swept(tool_, WayOf(world_, way_in, 0)), BelievedFrameOf(world_, fixed),
+                 fixed, PartId::None(), slack);
+  }
+
+  // The part between the pads, where it rests.
+  void RequireClearOfTaken() {
+    RequireClearOfHandled(tool_, BelievedFrameOf(world_, handled_), Vector3::Zero(), Leaves::kYes);
+  }
+
+  // The same where it is in the closed hand; `slack` in the world's axes. `leaves`: whether the
+  // open hand then goes away without it.
+  void RequireClearOfHeld(const HeldError& held, const Vector3& slack, Leaves leaves) {
+    const Pose planned = hold_.X_PartTool.inverse();
+    RequireClearOfHandled({Pose::Identity(), {}, 0},
+                          {planned, algebra::Simplify(GraspInHand(held) * AsTransform(planned)),
+                           OffInHandOf(world_, held).turn},
+                          tool_.planned.linear().transpose().cwiseAbs() * slack, leaves);
+  }
+
+  std::vector<Precondition> Take() { return conditions_.Take(); }
+
+ private:
+  // Hand and fingers on all their ways at the work, and closed on the way to it, unless that is the
+  // way on which they leave.
+  std::vector<Body> Swept(const PossibleFrame& tool, const StraightWay& way_in) const {
+    std::vector<Body> bodies;
+    for (const auto* boxes : {&hand_.palm, &hand_.swept}) {
+      for (const Box& box : *boxes) bodies.emplace_back(tool, box);
+    }
+    const Vector3 in_tool = tool.planned.linear().transpose() * way_in.planned;
+    const double approach = world_.problem().workcell->rules().approach_distance;
+    if (in_tool.head<2>().norm() < kFlush && in_tool.z() <= 0 && in_tool.z() >= -approach) {
+      return bodies;
+    }
+    for (const Box& box : hand_.closed) bodies.emplace_back(tool, box, way_in);
+    return bodies;
+  }
+
+  void RequireClear(const PossibleFrame& tool, const std::vector<Body>& bodies,
+                    const PossibleFrame& frame, PartId part, PartId neighbour,
+                    const Vector3& slack) {
+    const Clearance clearance = {ClearOf(part), DisplacementBetween(world_, tool, frame), slack,
+                                 neighbour};
+    for (const Box& box : world_.problem().part(part).model->boxes()) {
+      const Body other(frame, box);
+      for (const Body& body : bodies) RequireApart(body, other, clearance, conditions_);
+    }
+  }
+
+  void RequireClearOfHandled(const PossibleFrame& tool, const PossibleFrame& frame,
+                             const Vector3& slack, Leaves leaves) {
+    const Clearance clearance = {ClearOf(handled_), DisplacementBetween(world_, tool, frame),
+                                 slack};
+    std::vector<Body> passing;
+    for (const Box& piece : hand_.palm) passing.emplace_back(tool, piece);
+    for (const Box& piece : hand_.open) {
+      if (leaves == Leaves::kYes) passing.emplace_back(tool, piece);
+    }
+    for (const Box& box : world_.problem().part(handled_).model->boxes()) {
+      const Body other(frame, box);
+      for (const Body& body : passing) RequireApart(body, other, clearance, conditions_);
+      for (const Box& piece : hand_.closing) {
+        if (LiesBehindPad(box, piece)) continue;
+        RequireApart(Body(tool, piece), other, clearance, conditions_);
+      }
+    }
+  }
+
+  // Whether a box of the part is behind the plane in which a pad is to touch: what moves with that
+  // pad meets it where it is meant to, or not at all.
+  bool LiesBehindPad(const Box& of_part, const Box& of_finger) const {
+    const double side = of_finger.X_FrameBox.translation().y() > 0 ? 1 : -1;
+    const Box in_tool = of_part.Transformed(hold_.X_PartTool.inverse());
+    const double half =
+        in_tool.X_FrameBox.linear().row(1).cwiseAbs().dot(in_tool.half_extents.transpose());
+    return side * in_tool.X_FrameBox.translation().y() + half <= hold_.width / 2 + kFlush;
+  }
+
+  Statement ClearOf(PartId part) const {
+    return {"hand clear",
+            fmt::format("the hand stays clear of {}", world_.problem().part(part).name)};
+  }
+
+  const UncertainWorld& world_;
+  PartId handled_;
+  const plan::Hold& hold_;
+  Hand hand_;
+  PossibleFrame tool_;
+  Preconditions conditions_;
+};
+
+// By how much a part that is let go may move against the hand: pads slide down on it along the
+// motion that brought it, and it falls back on what it stands on.
+Vector3 MovesAsLetGo(const UncertainWorld& world, const LettingGo& work) {
+  Vector3 moves = SlideOfPads(world, work.draw, work.released) * work.motion.cwiseAbs();
+  if (!ComesUpright(world, work.hold, work.X_WorldPart)) {
+    const Vector3 up = VerticalInTool(work.X_WorldPart * work.hold.X_PartTool);
+    const double across = 2 * world.problem().part(work.part).model->shape().radius();
+    moves.array() += across * LeaningOf(world, up, work.draw).levelling;
+  }
+  return moves;
+}
+
+double AngleOf(const UncertainWorld& world, const ManipulatorError& draw) {
+  return Magnitude(world.RangeOf(draw.theta));
+}
+
+PossibleFrame ToolTold(const UncertainWorld& world, const Pose& X_WorldTool,
+                       const ManipulatorError& draw) {
+  return {X_WorldTool, algebra::Simplify(AsTransform(X_WorldTool) * draw.AsTransform()),
+          AngleOf(world, draw)};
+}
+
+// Where the hand is that has gone until the part met what it lands on.
+PossibleFrame ToolAtEnd(const UncertainWorld& world, const LettingGo& work) {
+  const Pose X_WorldTool = work.X_WorldPart * work.hold.X_PartTool;
+  const Transform told = AsTransform(X_WorldTool) * work.draw.AsTransform();
+  return {X_WorldTool, algebra::Simplify(Displaced(told, work.farther, work.motion)),
+          AngleOf(world, work.draw)};
+}
+
+// Where a strategy has led the hand: it yields to the walls, as the part in it does.
+PossibleFrame ToolLed(const UncertainWorld& world, const LettingGo& work) {
+  const Transform led = PossiblePose(work.X_WorldPart, work.released) *
+                        AsTransform(work.hold.X_PartTool) *
+                        algebra::Inverse(GraspInHand(world.held()));
+  return {work.X_WorldPart * work.hold.X_PartTool, algebra::Simplify(led),
+          Magnitude(world.RangeOf(work.released.theta)) + OffInHandOf(world, world.held()).turn};
+}
+
+}  // namespace
+
+std::vector<Precondition> HandClearanceAtGrasp(const UncertainWorld& world, PartId part,
+                                               const plan::Hold& hold, const ManipulatorError& draw,
+                                               const HeldError& held, bool opens_again) {
+  const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
+  HandConditions conditions(world, part, hold, ToolTold(world, X_WorldTool, draw));
+  conditions.RequireClearOfOthers({part}, world.ShiftAt(part, X_WorldTool.translation()),
+                                  Vector3::Zero());
+  conditions.RequireClearOfTaken();
+  conditions.RequireClearOfHeld(
+      held, Vector3::Zero(),
+      opens_again ? HandConditions::Leaves::kYes : HandConditions::Leaves::kNo);
+  return conditions.Take();
+}
+
+std::vector<Precondition> HandClearanceAtPutdown(const UncertainWorld& world,
+                                                 const LettingGo& work) {
+  HandConditions conditions(world, work.part, work.hold, ToolAtEnd(world, work));
+  conditions.RequireClearOfOthers({work.part}, {}, Vector3::Zero());
+  conditions.RequireClearOfHeld(world.held(), MovesAsLetGo(world, work),
+                                HandConditions::Leaves::kYes);
+  return conditions.Take();
+}
+
+std::vector<Precondition> HandClearanceAtMating(const UncertainWorld& world, domain::MatingId id,
+                                                const LettingGo& work, bool is_led) {
+  const domain::Mating& mating = world.problem().mating(id);
+  const PossibleFrame tool = is_led ? ToolLed(world, work) : ToolAtEnd(world, work);
+  const Vector3 moves =
+      MovesAsLetGo(world, work).array() + world.problem().workcell->rules().lateral_compliance;
+  const Drag drag = is_led ? Drag{} : DragOfFixed(world, id, work.hold, work.draw);
+  const double dragged =
+      drag.way + world.problem().part(mating.fixed).model->shape().radius() * drag.turn;
+  const Vector3 way_in = -LengthOfWay(world, id, work.farther) * work.motion;
+  HandConditions conditions(world, work.part, work.hold, tool);
+  conditions.RequireClearOfOthers({mating.held, mating.fixed},
+                                  world.ShiftAt(mating.fixed, tool.planned.translation()), way_in);
+  conditions.RequireClearOfFixed(mating.fixed, way_in, moves.array() + dragged);
+  conditions.RequireClearOfHeld(world.held(), moves, HandConditions::Leaves::kYes);
+  return conditions.Take();
+}
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,116 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planner/domain/part/part_model.h"
+#include "planner/plan/data/carrying.h"
+#include "planner/uncertainty/errors/axis_angle.h"
+#include "planner/uncertainty/errors/possible_masses.h"
+#include "planner/uncertainty/preconditions/grip.h"
+#include "planner/uncertainty/preconditions/precondition.h"
+
+namespace assay::uncertainty {
+namespace {
+
+constexpr int kDirections = 8;  // of a half circle of accelerations
+constexpr int kLeans = 12;      // from the plane of the pads to straight across
+
+// The greatest ratio of a unit force in any direction: of the corners of a polygon around the
+// circle, since the ratio is a norm.
+double RatioOfAnyForce(const PadFriction& friction, const Vector2& lever) {
+  double greatest = 0;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = std::numbers::pi * i / kDirections;
+    const PlaneLoad load = ActingAt(lever, {std::cos(angle), std::sin(angle)});
+    greatest = std::max(greatest, friction.RatioOf(load));
+  }
+  return greatest / std::cos(std::numbers::pi / (2 * kDirections));
+}
+
+// What is to be held.
+struct Carried {
+  geometry::MassProperties mass;
+  Vector3 center;  // of mass, in the tool
+  double off = 0;  // by which it may be elsewhere, metres
+};
+
+// The greatest of the weight, in the plane of the pads and across it.
+struct Weighing {
+  double in_plane = 0;  // over what one newton on each pad bears
+  double across = 0;    // newtons
+};
+
+Weighing WeighingOf(const Grip& grip, const Vector2& lever, double weight, const Vector3& up) {
+  const Vector2 in_plane = weight * Vector2(up.x(), up.z());
+  return {grip.friction.RatioOf(ActingAt(lever, in_plane)), weight * std::abs(up.y())};
+}
+
+// However the tool leans: so much of the weight acts in the plane of the pads, and so much across
+// it, at some lean within each step from the plane to straight across.
+std::vector<Weighing> AnyWeighing(double any_force, double weight) {
+  std::vector<Weighing> weighings;
+  for (int i = 0; i < kLeans; ++i) {
+    const double step = std::numbers::pi / 2 / kLeans;
+    weighings.push_back(
+        {weight * any_force * std::cos(i * step), weight * std::sin((i + 1) * step)});
+  }
+  return weighings;
+}
+
+// The load over what the grip bears with `force` newtons on each pad. `up`: the vertical, as the
+// tool sees it, to within `sway` radians; null where the hand may turn as it likes.
+double LoadRatio(const Grip& grip, double force, const Carried& carried, const Vector3* up,
+                 double sway) {
+  const Vector2 lever = Vector2(carried.center.x(), carried.center.z()) - grip.friction.center();
+  const double any_force = RatioOfAnyForce(grip.friction, lever);
+  const double weight = carried.mass.mass * kGravity;
+  const double inertial = carried.mass.mass * plan::kCarryingAcceleration + weight * sway;
+  const double turning = carried.mass.inertia.norm() * plan::kCarryingTurn;
+  const double off = (weight + inertial) * carried.off + turning;  // newton metres
+  const auto ratio_of = [&](const Weighing& weighing) {
+    const double across = weighing.across + inertial;
+    return grip.RatioOf({.slipping = weighing.in_plane + inertial * any_force +
+                                     grip.friction.RatioOf({.torsion = off}),
+                         .across = across,
+                         .tilting = across * lever.norm() +
+                                    (weight + inertial) * std::abs(carried.center.y()) + off},
+                        force);
+  };
+  if (up != nullptr) return ratio_of(WeighingOf(grip, lever, weight, *up));
+  double greatest = 0;
+  for (const Weighing& weighing : AnyWeighing(any_force, weight)) {
+    greatest = std::max(greatest, ratio_of(weighing));
+  }
+  return greatest;
+}
+
+// Pads that jammed before the part's faces lay flat on them may touch it at two corners. It rolls
+// from corner to corner without any friction, so that nothing keeps it from turning in the hand.
+bool MayHaveJammed(const UncertainWorld& world, const HeldError& held) {
+  return Magnitude(world.RangeOf(held.skew)) > 0 || Magnitude(world.RangeOf(held.tip)) > 0;
+}
+
+}  // namespace
+
+std::vector<Precondition> HoldingPreconditions(const UncertainWorld& world, PartId part,
+                                               const plan::Hold& hold, const HeldError& held,
+                                               Turning turning) {
+  const domain::Problem& problem = world.problem();
+  const domain::WorkcellRules& rules = problem.workcell->rules();
+  const OffInHand off = OffInHandOf(world, held);
+  const Grip grip = GripOf(problem, part, hold, off);
+  const Vector3 up = VerticalInTool(world.X_WorldPart(part) * hold.X_PartTool);
+  double ratio = MayHaveJammed(world, held) ? kNothingBorne : 0;
+  for (const geometry::MassProperties& mass : PossibleMasses(problem, part)) {
+    const Vector3 center = hold.X_PartTool.inverse() * mass.center;
+    const Carried carried = {mass, center, off.shift.norm() + off.turn * center.norm()};
+    ratio = std::max(
+        ratio, LoadRatio(grip, rules.grip_force, carried, turning == Turning::kNone ? &up : nullptr,
+                         Magnitude(problem.gripper_error.theta)));
+  }
+  Preconditions conditions;
+  conditions.Less("holding", "the pads' friction bears the part", ratio, 1);
+  return conditions.Take();
+}
+
+}  // namespace assay::uncertainty

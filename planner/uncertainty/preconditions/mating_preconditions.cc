@@ -1,0 +1,203 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/algebra/expression/simplify.h"
+#include "planner/algebra/numeric/interval_arithmetic.h"
+#include "planner/base/check.h"
+#include "planner/domain/mating/shaft_fit.h"
+#include "planner/uncertainty/errors/mating_end.h"
+#include "planner/uncertainty/preconditions/precondition.h"
+
+namespace assay::uncertainty {
+namespace {
+
+using algebra::kInfinity;
+using domain::kUnitProduct;
+using domain::ShaftFit;
+using domain::SideWall;
+using geometry::Polygon;
+using geometry::Vector2;
+
+// What may be worse in a mating than the problem says. Narrower holes and greater friction are the
+// worst case of every condition here: the larger hole has the smaller one's room, and it is not
+// assumed anywhere that a wall stops the shaft.
+struct Worst {
+  double narrowing = 0;  // of a hole, on each side, metres
+  double friction = 0;   // of mating surfaces
+};
+
+Worst WorstOf(const UncertainWorld& world) {
+  const double friction = world.problem().workcell->rules().friction;
+  if (world.propagation() == Propagation::kPaper) return {.friction = friction};
+  const domain::Tolerances& tolerances = world.problem().tolerances;
+  return {.narrowing = tolerances.clearance, .friction = friction + tolerances.friction};
+}
+
+// The pose of the shaft's part as the hole's part sees it: where it should be, and where it may be.
+struct Relative {
+  Pose nominal;
+  Transform possible;
+};
+
+class FitConditions {
+ public:
+  FitConditions(const ShaftFit& fit, const UncertainWorld& world, Preconditions& conditions)
+      : fit_(fit),
+        compliance_(world.problem().workcell->rules().lateral_compliance),
+        worst_(WorstOf(world)),
+        conditions_(conditions),
+        walls_(domain::SideWalls(fit, worst_.narrowing)),
+        section_(domain::CrossSection(fit)) {
+    ASSAY_CHECK(!walls_.empty() && !section_.empty(), "nothing to prove of {}", fit.name);
+  }
+
+  // `entering`: with the tip in the mouth; `seated`: `depth` metres further. In between the shaft
+  // moves straight, so that what holds at both ends holds on the way.
+  void Require(const Relative& entering, const Relative& seated, double depth) {
+    const double bevel = fit_.hole.chamfer + fit_.shaft.chamfer;
+    RequireInside("entry", entering, 0, bevel);
+    if (bevel > 0) RequireInside("slide-in", entering, 0, 0);
+    RequireInside("slide-in", seated, 0, 0);
+    RequireInside("slide-in", seated, depth, 0);
+    RequireUpright(seated, depth);
+  }
+
+ private:
+  // The corners of the shaft, `behind` metres behind its tip, lie inside the walls.
+  void RequireInside(const std::string& condition, const Relative& at, double behind,
+                     double bevel) {
+    std::vector<SymbolicVector> corners;
+    for (const Vector2& corner : section_) {
+      corners.push_back(at.possible * AsVector(fit_.shaft.X_PartFeature *
+                                               Vector3(corner.x(), corner.y(), -behind)));
+    }
+    const std::string meaning = fmt::format("{} stays inside the walls", fit_.name);
+    for (const SideWall& wall : walls_) {
+      const SideWall* opposite = Opposite(wall);
+      const double yields = opposite != nullptr ? compliance_ : 0;
+      for (const SymbolicVector& p : corners) {
+        conditions_.Greater(condition, meaning, algebra::Dot(AsVector(wall.normal), p),
+                            wall.offset - bevel - yields);
+      }
+      if (yields > 0) RequireBetween(condition, wall, *opposite, corners, bevel);
+    }
+  }
+
+  // However the wrist yields, the shaft is no wider than the hole.
+  void RequireBetween(const std::string& condition, const SideWall& wall, const SideWall& opposite,
+                      const std::vector<SymbolicVector>& corners, double bevel) {
+    for (const SymbolicVector& p : corners) {
+      for (const SymbolicVector& q : corners) {
+        if (&p == &q) continue;
+        conditions_.Greater(condition, fmt::format("{} fits between the walls", fit_.name),
+                            algebra::Dot(AsVector(wall.normal), p - q),
+                            wall.offset + opposite.offset - 2 * bevel);
+      }
+    }
+  }
+
+  // The wall that faces this one; null if there is none, or if another wall stands at another than
+  // a right angle to them: then to yield across one pair would be to yield across another.
+  const SideWall* Opposite(const SideWall& wall) const {
+    const SideWall* opposite = nullptr;
+    for (const SideWall& other : walls_) {
+      const double facing = other.normal.dot(wall.normal);
+      if (facing < kUnitProduct - 1) {
+        opposite = &other;
+      } else if (facing < 1 - kUnitProduct && std::abs(facing) > kUnitProduct) {
+        return nullptr;
+      }
+    }
+    return opposite;
+  }
+
+  void RequireUpright(const Relative& seated, double depth) {
+    const Vector3 axis = fit_.shaft.X_PartFeature.linear().col(2);
+    Transform turn = seated.possible;
+    turn.translation = {0, 0, 0};
+    const SymbolicVector direction = turn * AsVector(axis);
+    for (const domain::Slot& slot : domain::SlotsOf(walls_)) {
+      const Vector3& across = slot.across;
+      const double width = domain::ExtentOf(fit_, section_, across).width();
+      const double clearance = slot.high - slot.low - width;
+      const double wedging =
+          worst_.friction > 0 ? clearance / (worst_.friction * width) : kInfinity;
+      conditions_.Within(
+          "tilt", fmt::format("{} neither touches twice nor wedges", NameOf(fit_, slot)),
+          algebra::Dot(AsVector(across), direction), std::min(clearance / depth, wedging));
+    }
+  }
+
+  const ShaftFit& fit_;
+  double compliance_;
+  Worst worst_;
+  Preconditions& conditions_;
+  std::vector<SideWall> walls_;
+  Polygon section_;
+};
+
+class MatingConditions {
+ public:
+  MatingConditions(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+                   const Transform& X_ToolGrasp)
+      : world_(world),
+        mating_(world.problem().mating(id)),
+        end_(MatingEndOf(world, id, hold, X_ToolGrasp)),
+        seated_({mating_.X_FixedHeld,
+                 algebra::Simplify(algebra::Inverse(end_.fixed) * end_.Seated())}) {}
+
+  std::vector<Precondition> Run() {
+    for (const ShaftFit& fit : domain::FitsOf(world_.problem(), mating_)) RequireFit(fit);
+    RequireSeat();
+    return conditions_.Take();
+  }
+
+ private:
+  // So many metres before the end of the mating motion, which goes straight in the world.
+  Relative Before(double distance) const {
+    const Vector3 shift = -distance * mating_.mating_vector.normalized();
+    const Vector3 in_world = -distance * end_.motion;
+    Transform to_fixed = algebra::Inverse(end_.fixed);
+    to_fixed.translation = {0, 0, 0};
+    Transform possible = seated_.possible;
+    possible.translation = possible.translation + algebra::Simplify(to_fixed * AsVector(in_world));
+    return {geometry::Translation(shift) * seated_.nominal, possible};
+  }
+
+  static Relative Inverted(const Relative& relative) {
+    return {relative.nominal.inverse(), algebra::Inverse(relative.possible)};
+  }
+
+  void RequireFit(const ShaftFit& fit) {
+    const Relative entering = Before(fit.depth);
+    if (fit.shaft_is_held) {
+      FitConditions(fit, world_, conditions_).Require(entering, seated_, fit.depth);
+    } else {
+      FitConditions(fit, world_, conditions_)
+          .Require(Inverted(entering), Inverted(seated_), fit.depth);
+    }
+  }
+
+  void RequireSeat() {
+    conditions_.Within("seat", "the motion meets its end on the guarded way", end_.farther,
+                       world_.problem().workcell->rules().guarded_travel);
+  }
+
+  const UncertainWorld& world_;
+  const domain::Mating& mating_;
+  const MatingEnd end_;
+  const Relative seated_;
+  Preconditions conditions_;
+};
+
+}  // namespace
+
+std::vector<Precondition> MatingPreconditions(const UncertainWorld& world, domain::MatingId mating,
+                                              const plan::Hold& hold,
+                                              const Transform& X_ToolGrasp) {
+  return MatingConditions(world, mating, hold, X_ToolGrasp).Run();
+}
+
+}  // namespace assay::uncertainty

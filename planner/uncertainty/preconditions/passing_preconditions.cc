@@ -1,0 +1,186 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "planner/algebra/expression/simplify.h"
+#include "planner/domain/mating/shaft_fit.h"
+#include "planner/domain/part/part_model.h"
+#include "planner/plan/data/tool_route.h"
+#include "planner/uncertainty/errors/mating_end.h"
+#include "planner/uncertainty/preconditions/clearance.h"
+#include "planner/uncertainty/preconditions/precondition.h"
+#include "planner/uncertainty/preconditions/touching_cells.h"
+
+namespace assay::uncertainty {
+namespace {
+
+using domain::ShaftFit;
+using geometry::Box;
+
+constexpr double kInPlane = 1e-6;  // metres by which what lies in a plane may stand out of it
+
+double GreatestAlong(const Vector3& direction, const Box& box) {
+  return direction.dot(box.X_FrameBox.translation()) +
+         (box.X_FrameBox.linear().transpose() * direction).cwiseAbs().dot(box.half_extents);
+}
+
+// What `entry` and `slide-in` are about: a piece of a shaft, no wider than that is at its tip, and
+// a piece of the hole's part that lies behind one of the hole's walls, and no farther out than its
+// mouth.
+class FitPieces {
+ public:
+  explicit FitPieces(const ShaftFit& fit)
+      : fit_(fit), walls_(domain::SideWalls(fit, 0)), section_(domain::CrossSection(fit)) {}
+
+  bool Has(const Box& of_held, const Box& of_fixed) const {
+    return fit_.shaft_is_held ? IsOfShaft(of_held) && IsBehindWall(of_fixed)
+                              : IsOfShaft(of_fixed) && IsBehindWall(of_held);
+  }
+
+ private:
+  bool IsOfShaft(const Box& box) const {
+    const Pose X_FeaturePart = fit_.shaft.X_PartFeature.inverse();
+    return std::ranges::all_of(box.Corners(), [&](const Vector3& corner) {
+      const Vector3 p = X_FeaturePart * corner;
+      return p.z() < kInPlane && geometry::Depth(section_, p.head<2>()) > -kInPlane;
+    });
+  }
+  bool IsBehindWall(const Box& box) const {
+    const Vector3 out = fit_.hole.X_PartFeature.linear().col(2);
+    const double mouth = out.dot(fit_.hole.X_PartFeature.translation());
+    return GreatestAlong(out, box) < mouth + kInPlane &&
+           std::ranges::any_of(walls_, [&](const domain::SideWall& wall) {
+             return GreatestAlong(wall.normal, box) < wall.offset + kInPlane;
+           });
+  }
+
+  const ShaftFit& fit_;
+  std::vector<domain::SideWall> walls_;
+  geometry::Polygon section_;
+};
+
+// Where the held part goes straight, as if nothing were believed anew.
+struct WayIn {
+  PossibleFrame end;  // of the part, in the world
+  Vector3 back;       // from there to where it begins
+};
+
+// As the hand has it.
+double AngleOfHeld(const UncertainWorld& world) {
+  return Magnitude(world.problem().gripper_error.theta) + OffInHandOf(world, world.held()).turn;
+}
+
+WayIn WayToSeat(const UncertainWorld& world, domain::MatingId id, const plan::Hold& hold,
+                const Transform& X_ToolGrasp) {
+  const domain::Mating& mating = world.problem().mating(id);
+  const MatingEnd end = MatingEndOf(world, id, hold, X_ToolGrasp);
+  return {{world.X_WorldPart(mating.fixed) * mating.X_FixedHeld, algebra::Simplify(end.Seated()),
+           AngleOfHeld(world)},
+          -LengthOfWay(world, id, end.farther) * end.motion};
+}
+
+// To where the strategy starts; what comes then is its own.
+WayIn WayToStrategy(const UncertainWorld& world, const plan::Assemble& assemble,
+                    const Transform& X_ToolGrasp, const plan::Strategy& strategy) {
+  const domain::Mating& mating = world.problem().mating(assemble.mating);
+  const plan::ToolRoute route =
+      plan::RouteOf(world.problem(), assemble, strategy, world.X_WorldPart(mating.fixed));
+  const Pose& start = route.to_work.back();
+  const Pose& X_PartTool = assemble.hold.X_PartTool;
+  return {{start * X_PartTool.inverse(),
+           algebra::Simplify(PossibleHeldPose(start, X_ToolGrasp, X_PartTool)), AngleOfHeld(world)},
+          route.poised.translation() - start.translation()};
+}
+
+class PassingConditions {
+ public:
+  PassingConditions(const UncertainWorld& world, domain::MatingId id, const WayIn& way)
+      : world_(world),
+        mating_(world.problem().mating(id)),
+        held_model_(*world.problem().part(mating_.held).model),
+        way_(way) {}
+
+  // But for shafts and the walls of their holes, and for what lies ahead of the held part even at
+  // its seat: what meets first there is the seat.
+  void RequireClearOfFixed(bool to_seat) {
+    const std::vector<ShaftFit> fits = domain::FitsOf(world_.problem(), mating_);
+    const std::vector<FitPieces> pieces(fits.begin(), fits.end());
+    const auto are_to_meet = [&](const Box& of_held, const Box& of_fixed) {
+      return to_seat &&
+             (IsAhead(of_fixed, of_held) || std::ranges::any_of(pieces, [&](const FitPieces& fit) {
+                return fit.Has(of_held, of_fixed);
+              }));
+    };
+    const PossibleFrame fixed = BelievedFrameOf(world_, mating_.fixed);
+    const Clearance clearance = ClearOf(mating_.fixed, PartId::None(), way_.end, fixed);
+    for (const Box& of_held : held_model_.boxes()) {
+      const Body body(way_.end, of_held, WayOf(world_, way_.back, 0));
+      for (const Box& of_fixed : world_.problem().part(mating_.fixed).model->boxes()) {
+        if (are_to_meet(of_held, of_fixed)) continue;
+        RequireApart(body, Body(fixed, of_fixed), clearance, conditions_);
+      }
+    }
+  }
+
+  void RequireClearOf(PartId neighbour) {
+    const BeliefShift shift = world_.ShiftAt(mating_.fixed, way_.end.planned.translation());
+    const PossibleFrame held = Shifted(world_, way_.end, shift);
+    const PossibleFrame other = FrameOf(world_, neighbour);
+    const Clearance clearance = ClearOf(neighbour, neighbour, held, other);
+    const StraightWay way = WayOf(world_, way_.back, shift.turn);
+    for (const Box& of_held : held_model_.boxes()) {
+      const Body body(held, of_held, way);
+      for (const Box& box : world_.problem().part(neighbour).model->boxes()) {
+        RequireApart(body, Body(other, box), clearance, conditions_);
+      }
+    }
+  }
+
+  std::vector<Precondition> Take() { return conditions_.Take(); }
+
+ private:
+  bool IsAhead(const Box& of_fixed, const Box& of_held) const {
+    const Vector3 motion = mating_.mating_vector.normalized();
+    const double front = GreatestAlong(motion, of_held.Transformed(mating_.X_FixedHeld));
+    return front < -GreatestAlong(-motion, of_fixed) + kInPlane;
+  }
+
+  Clearance ClearOf(PartId part, PartId neighbour, const PossibleFrame& held,
+                    const PossibleFrame& other) const {
+    const domain::Problem& problem = world_.problem();
+    const double yields = problem.workcell->rules().lateral_compliance;
+    return {
+        {"passing clear", fmt::format("{} passes {} on its way in", problem.part(mating_.held).name,
+                                      problem.part(part).name)},
+        DisplacementBetween(world_, held, other),
+        Vector3::Constant(yields + problem.tolerances.clearance),
+        neighbour};
+  }
+
+  const UncertainWorld& world_;
+  const domain::Mating& mating_;
+  const domain::PartModel& held_model_;
+  const WayIn& way_;
+  Preconditions conditions_;
+};
+
+}  // namespace
+
+std::vector<Precondition> PassingPreconditions(const UncertainWorld& world,
+                                               const plan::Assemble& assemble,
+                                               const Transform& X_ToolGrasp,
+                                               const plan::Strategy* strategy) {
+  const domain::Mating& mating = world.problem().mating(assemble.mating);
+  const WayIn way = strategy != nullptr
+                        ? WayToStrategy(world, assemble, X_ToolGrasp, *strategy)
+                        : WayToSeat(world, assemble.mating, assemble.hold, X_ToolGrasp);
+  PassingConditions conditions(world, assemble.mating, way);
+  conditions.RequireClearOfFixed(strategy == nullptr);
+  for (int p = 0; p < static_cast<int>(world.problem().parts.size()); ++p) {
+    const PartId other(p);
+    if (other != mating.held && other != mating.fixed) conditions.RequireClearOf(other);
+  }
+  return conditions.Take();
+}
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,137 @@
+#include "planner/uncertainty/preconditions/support.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "planner/domain/part/face_contact.h"
+#include "planner/domain/part/part_model.h"
+#include "planner/uncertainty/errors/possible_masses.h"
+#include "planner/uncertainty/preconditions/precondition.h"
+
+namespace assay::uncertainty {
+namespace {
+
+using domain::PartModel;
+using geometry::Polygon;
+
+constexpr double kOnTheEdge = 1e-9;  // metres
+
+// Down, and turning about an edge.
+struct Pressing {
+  double down = 0;    // newtons
+  double moment = 0;  // newton metres, beyond the edge
+};
+
+Pressing PressingOver(const TippingEdge& edge, double level, const std::vector<Push>& pushes,
+                      double off) {
+  Pressing pressing;
+  for (const Push& push : pushes) {
+    double farthest = 0;
+    double highest = 0;
+    for (const Vector3& p : push.at) {
+      farthest = std::max(farthest, edge.Beyond(p) + off);
+      highest = std::max(highest, p.z() - level);
+    }
+    pressing.down += push.down;
+    pressing.moment += push.down * farthest + push.aside * highest;
+  }
+  return pressing;
+}
+
+// What a part that is pushed does to one that it stands on: the same, and its weight.
+Push PassedOn(const UncertainWorld& world, PartId part, const Standing& standing,
+              const std::vector<Push>& pushes) {
+  Push on = {.at = standing.at, .down = GreatestWeight(world.problem(), part)};
+  for (const Push& push : pushes) {
+    on.down += push.down;
+    on.aside += push.aside;
+  }
+  return on;
+}
+
+// `levels`: at most so many parts are looked at, one below the other.
+double TippingDown(const UncertainWorld& world, PartId part, double clamp,
+                   const std::vector<Push>& pushes, double off, std::size_t levels) {
+  const Pose& X_WorldPart = world.X_WorldPart(part);
+  const std::vector<Standing> standings = StandingsOf(world, part, X_WorldPart);
+  const std::vector<TippingEdge> edges = TippingEdgesOf(standings);
+  if (edges.empty() || levels == 0) return kNothingBorne;
+  const double level = standings.front().at.front().z();
+  double ratio = 0;
+  for (const geometry::MassProperties& mass : PossibleMasses(world.problem(), part)) {
+    for (const TippingEdge& edge : edges) {
+      const double inside = -edge.Beyond(X_WorldPart * mass.center);
+      if (!(inside > kOnTheEdge)) return kNothingBorne;
+      const double moment = PressingOver(edge, level, pushes, off).moment;
+      ratio = std::max(ratio, moment / ((mass.mass * kGravity + clamp) * inside));
+    }
+  }
+  for (const Standing& standing : standings) {
+    if (standing.on.IsNone()) continue;
+    Push on = PassedOn(world, part, standing, pushes);
+    on.down += clamp;
+    ratio = std::max(ratio, TippingDown(world, standing.on, 0, {on}, off, levels - 1));
+  }
+  return std::min(ratio, kNothingBorne);
+}
+
+}  // namespace
+
+std::vector<Standing> StandingsOf(const UncertainWorld& world, PartId part,
+                                  const Pose& X_WorldPart) {
+  const domain::Problem& problem = world.problem();
+  const PartModel& model = *problem.part(part).model;
+  std::vector<Standing> standings;
+  if (std::vector<Vector3> at = domain::CornersOnTable(model, X_WorldPart); !at.empty()) {
+    standings.push_back({PartId::None(), std::move(at)});
+  }
+  for (int p = 0; p < static_cast<int>(problem.parts.size()); ++p) {
+    const PartId other(p);
+    if (other == part || other == world.in_hand()) continue;
+    std::vector<Vector3> at = domain::CornersOfContact(
+        model, X_WorldPart, *problem.part(other).model, world.X_WorldPart(other));
+    if (!at.empty()) standings.push_back({other, std::move(at)});
+  }
+  return standings;
+}
+
+std::vector<TippingEdge> TippingEdgesOf(const std::vector<Standing>& standings) {
+  std::vector<Vector2> points;
+  for (const Standing& standing : standings) {
+    for (const Vector3& p : standing.at) points.push_back(p.head<2>());
+  }
+  const Polygon region = geometry::Hull2(points);
+  if (region.size() < 3) return {};
+  std::vector<TippingEdge> edges;
+  for (std::size_t i = 0; i < region.size(); ++i) {
+    const Vector2 along = region[(i + 1) % region.size()] - region[i];
+    const Vector2 outward = Vector2(along.y(), -along.x()).normalized();
+    edges.push_back({outward, outward.dot(region[i])});
+  }
+  return edges;
+}
+
+double TippingRatio(const UncertainWorld& world, PartId part, const std::vector<Push>& pushes,
+                    double off) {
+  const domain::Problem& problem = world.problem();
+  return TippingDown(world, part, problem.part(part).clamp, pushes, off, problem.parts.size());
+}
+
+double SlidingRatio(const domain::Problem& problem, PartId part, const std::vector<Push>& pushes) {
+  double aside = 0;
+  double down = std::numeric_limits<double>::infinity();
+  for (const geometry::MassProperties& mass : PossibleMasses(problem, part)) {
+    down = std::min(down, mass.mass * kGravity);
+  }
+  down += problem.part(part).clamp;
+  for (const Push& push : pushes) {
+    aside += push.aside;
+    down += push.down;
+  }
+  const double friction = problem.part(part).model->friction() - problem.tolerances.friction;
+  if (aside == 0) return 0;
+  return friction > 0 ? std::min(kNothingBorne, aside / (friction * down)) : kNothingBorne;
+}
+
+}  // namespace assay::uncertainty

@@ -1,0 +1,220 @@
+#include "sim/check/claims/certificate_check.h"
+
+#include <algorithm>
+#include <limits>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/check/claims/geometric_meaning.h"
+#include "sim/check/claims/observed_error.h"
+#include "sim/check/claims/step_events.h"
+
+namespace assay::check {
+namespace {
+
+constexpr double kLeftToTheEngine = 0.1;  // of a margin
+
+class CertificateCheck {
+ public:
+  CertificateCheck(const domain::Problem& problem, const plan::Plan& plan, const exec::Trace& trace,
+                   const HonestyGate& gate, plan::StepId first)
+      : problem_(problem), plan_(plan), trace_(trace), gate_(gate), steps_(StepsFrom(plan, first)) {
+    SortCollisions();
+  }
+
+  std::vector<Claim> Run() {
+    bool ended = true;
+    for (const StepEvents& events : EventsByStep(trace_)) {
+      step_ = events.step;
+      Check(events);
+      ended = events.end != nullptr;
+    }
+    if (ended) CheckStoppedOnTheWay();
+    return std::move(claims_);
+  }
+
+ private:
+  static std::vector<plan::StepId> StepsFrom(const plan::Plan& plan, plan::StepId first) {
+    std::vector<plan::StepId> steps = plan.ExecutionOrder();
+    if (!first.IsNone()) steps.erase(steps.begin(), std::ranges::find(steps, first));
+    return steps;
+  }
+  // The steps of the trace that came to their ends.
+  std::size_t Ended() const { return trace_.All<exec::StepEnd>().size(); }
+
+  // To the steps on whose ways or in whose work they happened; on the way home to the last one.
+  void SortCollisions() {
+    std::size_t ended = 0;
+    for (const exec::TraceEvent& event : trace_.events) {
+      if (std::holds_alternative<exec::StepEnd>(event)) ++ended;
+      const bool collided = std::holds_alternative<exec::CollisionRecord>(event);
+      if (collided) collided_.push_back(steps_[std::min(ended, steps_.size() - 1)]);
+    }
+  }
+
+  void Check(const StepEvents& events) {
+    const plan::PlannedStep& step = plan_.step(step_);
+    const plan::Certificate& certificate = step.certificate;
+    if (events.poised != nullptr) CheckSets(Claimed::kBefore, certificate.before, *events.poised);
+    CheckPreconditions(step, events);
+    if (events.recovered) assumed_ = false;
+    CheckClear();
+    if (events.end != nullptr) {
+      CheckSets(Claimed::kAfter, certificate.after, *events.end);
+    } else {
+      CheckStopped();
+    }
+  }
+
+  // The execution may end on the way to a step, before its tool is poised.
+  void CheckStoppedOnTheWay() {
+    if (Ended() >= steps_.size()) return;
+    step_ = steps_[Ended()];
+    if (trace_.events.empty() || !std::holds_alternative<exec::ExecutionEnd>(trace_.events.back()))
+      return;
+    CheckClear();
+    CheckStopped();
+  }
+
+  void CheckClear() {
+    if (std::ranges::count(collided_, step_) > 0) AddFailed("keeps clear of everything else");
+  }
+
+  void CheckSets(Claimed about, const std::vector<plan::ErrorSet>& sets,
+                 const exec::Moment& moment) {
+    for (const plan::ErrorSet& set : sets) {
+      const plan::Action& action = plan_.step(step_).action;
+      for (ObservedError& error : ObservedErrors(problem_, action, set, moment)) {
+        Add({.step = step_,
+             .about = about,
+             .name = std::move(error.name),
+             .unit = error.unit,
+             .predicted = error.predicted,
+             .observed = error.observed});
+      }
+    }
+  }
+
+  // Preconditions of one name are one claim, or two: what was proved of them, and what was not. A
+  // precondition that was not proved may fail in a trial, or nothing may measure whether it does.
+  // Then neither the other preconditions of its step nor anything later is claimed: a finger that
+  // comes down on the part has moved it before the next precondition is measured.
+  void CheckPreconditions(const plan::PlannedStep& step, const StepEvents& events) {
+    std::vector<Claim> claims;
+    std::set<std::string> done;
+    for (const plan::CertifiedPrecondition& claim : step.certificate.preconditions) {
+      if (!done.insert(claim.condition).second) continue;
+      if (plan::Absorbs(step.strategy, claim.condition)) continue;
+      if (!IsMeasured(claim.condition)) {
+        assumed_ = assumed_ && MarginOf(claim.condition, {}, step.certificate) > 0;
+        continue;
+      }
+      std::vector<Claim> proved;
+      std::vector<Claim> not_proved;
+      for (const GeometricMeaning& meaning : MeaningsOf(claim.condition, problem_, step, events)) {
+        const double margin = MarginOf(claim.condition, meaning.subject, step.certificate);
+        (margin > 0 ? proved : not_proved).push_back(ClaimOf(claim.condition, meaning, margin));
+      }
+      AppendWorst(proved, claims);
+      AppendWorst(not_proved, claims);
+    }
+    const auto fails = [](const Claim& claim) { return !claim.proved && claim.observed < 0; };
+    assumed_ = assumed_ && std::ranges::none_of(claims, fails);
+    for (Claim& claim : claims) Add(std::move(claim));
+  }
+
+  Claim ClaimOf(const std::string& condition, const GeometricMeaning& meaning, double margin) {
+    const bool proved = margin > 0;
+    return {.step = step_,
+            .about = Claimed::kPrecondition,
+            .name = proved ? condition : condition + ", not proved",
+            .unit = meaning.unit,
+            .predicted = {meaning.is_at_least_the_margin ? Tested(margin, meaning.unit) : 0,
+                          std::numeric_limits<double>::infinity()},
+            .proved = proved,
+            .observed = meaning.observed};
+  }
+
+  static void AppendWorst(const std::vector<Claim>& of_one_name, std::vector<Claim>& claims) {
+    if (of_one_name.empty()) return;
+    claims.push_back(std::ranges::min(
+        of_one_name, {}, [](const Claim& claim) { return claim.observed - claim.predicted.low; }));
+  }
+
+  // The certified margin, less a tenth of it or, of lengths, of the clearance if that is less. The
+  // arm yields under load by a micrometre, which an execution without noise does not tell.
+  double Tested(double margin, Unit unit) const {
+    const bool has_clearance = unit == Unit::kMetre && problem_.clearance > 0;
+    const double known = has_clearance ? std::min(margin, problem_.clearance) : margin;
+    return std::max(0.0, margin - kLeftToTheEngine * known);
+  }
+
+  // By how much the condition holds for the subject whatever errs; for all of its subjects, if it
+  // does not tell them apart.
+  static double MarginOf(const std::string& condition, const std::string& subject,
+                         const plan::Certificate& certificate) {
+    double of_all = std::numeric_limits<double>::infinity();
+    double of_subject = of_all;
+    for (const plan::CertifiedPrecondition& claim : certificate.preconditions) {
+      if (claim.condition != condition) continue;
+      of_all = std::min(of_all, claim.margin);
+      if (claim.meaning == subject) of_subject = std::min(of_subject, claim.margin);
+    }
+    return std::isfinite(of_subject) ? of_subject : of_all;
+  }
+
+  // A step whose preconditions hold comes to its end; that the arm reaches everything is one of
+  // them (assembly::WayConditions), if the plan was made with them. What the engine does when its
+  // numbers go bad, no certificate says.
+  void CheckStopped() {
+    const auto* end = std::get_if<exec::ExecutionEnd>(&trace_.events.back());
+    if (end == nullptr) return;
+    const bool about_it =
+        end->outcome == exec::ExecutionOutcome::kOverload ||
+        end->outcome == exec::ExecutionOutcome::kOperatorCalled ||
+        (end->outcome == exec::ExecutionOutcome::kUnreachable && SaysThatTheArmReaches());
+    if (about_it) AddFailed("comes to its end");
+  }
+
+  void AddFailed(const char* name) {
+    Add({.step = step_,
+         .about = Claimed::kAfter,
+         .name = name,
+         .unit = Unit::kNone,
+         .predicted = {1, 1},
+         .observed = 0});
+  }
+
+  bool SaysThatTheArmReaches() const {
+    return std::ranges::count(plan_.step(step_).certificate.preconditions, "reach",
+                              &plan::CertifiedPrecondition::condition) > 0;
+  }
+
+  void Add(Claim claim) {
+    claim = Judged(gate_.Passed(std::move(claim)));
+    if (!assumed_ || !claim.proved) claim.verdict = ClaimVerdict::kNotClaimed;
+    claims_.push_back(std::move(claim));
+  }
+
+  const domain::Problem& problem_;
+  const plan::Plan& plan_;
+  const exec::Trace& trace_;
+  const HonestyGate& gate_;
+  std::vector<plan::StepId> steps_;     // that the trace may tell of, in the order of execution
+  std::vector<plan::StepId> collided_;  // once for each collision
+  plan::StepId step_;
+  bool assumed_ = true;
+  std::vector<Claim> claims_;
+};
+
+}  // namespace
+
+std::vector<Claim> CheckCertificates(const domain::Problem& problem, const plan::Plan& plan,
+                                     const exec::Trace& trace, const HonestyGate& gate,
+                                     plan::StepId first) {
+  return CertificateCheck(problem, plan, trace, gate, first).Run();
+}
+
+}  // namespace assay::check

@@ -1,0 +1,17 @@
+#include "sim/check/claims/noiseless.h"
+
+namespace assay::check {
+
+Noiseless ExecuteWithoutNoise(const Experiment& experiment) {
+  Noiseless noiseless;
+  for (Claim& claim : RunNoisyTrial(experiment, {}, {.sample_rate = 0}).claims) {
+    if (claim.IsViolated()) {
+      noiseless.violated.push_back(std::move(claim));
+    } else if (experiment.gate.Hides(claim, experiment.problem.clearance)) {
+      noiseless.hidden.push_back(std::move(claim));
+    }
+  }
+  return noiseless;
+}
+
+}  // namespace assay::check

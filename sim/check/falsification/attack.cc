@@ -1,0 +1,444 @@
+#include "sim/check/falsification/attack.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <map>
+#include <mutex>
+#include <nlopt.hpp>
+
+#include "planner/base/check.h"
+#include "sim/check/falsification/attacked_step.h"
+#include "sim/check/falsification/main_effects.h"
+#include "sim/check/falsification/shrink.h"
+#include "sim/noise/sampling.h"
+
+namespace assay::check {
+namespace {
+
+// Of the attempts at a step, at most.
+constexpr double kShareOfDesign = 0.4;    // corners, by which effects of errors are told
+constexpr double kShareOfExtremes = 0.3;  // corners at which claims are likely to be extreme
+constexpr double kShareOfEven = 0.1;
+constexpr std::size_t kMostStates = 16;  // that the next step starts from
+constexpr std::size_t kSearches = 8;     // local ones, of a step's least margins
+// Attempts between two looks at whether something is violated, if that is enough.
+constexpr std::size_t kAtOnce = 4;
+
+bool Violates(const Sample& sample) {
+  return std::ranges::any_of(sample.attempt.claims, &Claim::IsViolated);
+}
+
+double Length(const Claim& claim) { return AsLength(claim.margin, claim.unit); }
+
+const Claim* Find(const std::vector<Claim>& claims, const ClaimKey& key) {
+  const auto found =
+      std::ranges::find_if(claims, [&](const Claim& claim) { return KeyOf(claim) == key; });
+  return found == claims.end() ? nullptr : &*found;
+}
+
+class Attacker {
+ public:
+  Attacker(const Experiment& experiment, const AttackOptions& options)
+      : experiment_(experiment),
+        options_(options),
+        arena_(options.jobs),
+        box_(noise::ErrorBox(experiment.problem, experiment.plan)),
+        worlds_(WorldsOf(experiment, box_)) {
+    result_.certificates.resize(experiment.plan.steps.size());
+  }
+
+  AttackResult Run() {
+    result_.noiseless = ExecuteWithoutNoise(experiment_);
+    if (result_.noiseless.Holds()) {
+      AttackSteps();
+      Shrink();
+    } else {
+      CountWithoutNoise();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void AttackSteps() {
+    const std::vector<plan::StepId> order = experiment_.plan.ExecutionOrder();
+    std::vector<Start> starts;
+    for (const AttackedWorld& world : worlds_) starts.push_back({&world, world.noise, nullptr});
+    for (std::size_t i = 0; i < order.size() && !starts.empty() && !Stops(); ++i) {
+      const auto done = static_cast<std::int64_t>(i);
+      const auto steps = static_cast<std::int64_t>(order.size());
+      const std::int64_t budget =
+          options_.attempts * (done + 1) / steps - options_.attempts * done / steps;
+      AttackedStep step(experiment_, order[i], worlds_.front().noise);
+      Poise(starts, step);
+      if (step.poised().empty()) break;
+      AttackStep(step, budget);
+      starts = Collect(step);
+      if (IsEnough(step)) return;
+    }
+  }
+
+  // There is nothing to shrink: no errors are left to leave out.
+  void CountWithoutNoise() {
+    const noise::Noise none(box_, std::vector<double>(box_.size(), 0));
+    const std::vector<Claim>& violated = result_.noiseless.violated;
+    if (!violated.empty()) result_.first_violation = 0;
+    for (const Claim& claim : violated) {
+      result_.claims.Add(claim.verdict);
+      result_.worst.push_back({claim, none, AttackPhase::kWithoutNoise, 0});
+    }
+    for (const CertificateVerdict& verdict : ByStep(violated)) {
+      result_.certificates[verdict.step.index()].Add(verdict.verdict);
+      if (result_.counterexamples.size() == static_cast<std::size_t>(options_.shrunk)) continue;
+      result_.counterexamples.push_back({.claim = verdict.worst,
+                                         .noise = none,
+                                         .steps = experiment_.plan.step(verdict.step).executed,
+                                         .replayed = true});
+    }
+  }
+
+  // What a step is approached from; null: the start of a trial.
+  struct Start {
+    const AttackedWorld* world;
+    noise::Noise noise;
+    std::shared_ptr<const exec::Checkpoint> from;
+  };
+
+  bool Stops() const { return options_.stop && options_.stop(); }
+
+  template <class Work>
+  void InParallel(std::size_t count, const Work& work) {
+    arena_.execute([&] { tbb::parallel_for(std::size_t{0}, count, work); });
+  }
+
+  void Poise(const std::vector<Start>& starts, AttackedStep& step) {
+    std::vector<Approach> approaches(starts.size());
+    InParallel(starts.size(), [&](std::size_t i) {
+      approaches[i] = step.attack().Poise(*starts[i].world, starts[i].noise, starts[i].from.get());
+    });
+    for (std::size_t i = 0; i < starts.size(); ++i) {
+      Count(approaches[i].claims, starts[i].noise, AttackPhase::kVertices);
+      if (approaches[i].poised) {
+        step.poised().push_back(std::move(*approaches[i].poised));
+      } else {
+        ++result_.failed_approaches;
+      }
+    }
+  }
+
+  void AttackStep(AttackedStep& step, std::int64_t budget) {
+    const auto share = [&](double of_all) {
+      return static_cast<std::int64_t>(of_all * static_cast<double>(budget));
+    };
+    // Upward: one attempt alone is a corner. More than all of the design tell no more of effects.
+    const std::int64_t left = budget - share(kShareOfExtremes) - share(kShareOfEven);
+    const std::int64_t design = std::min(
+        {left, static_cast<std::int64_t>(std::ceil(kShareOfDesign * static_cast<double>(budget))),
+         std::int64_t{noise::CornerDesignSize(step.dimensions())}});
+    TryAll(step, Design(step, design));
+    if (IsEnough(step)) return;
+    step.FindAims();
+    TryAll(step, LikelyCorners(step, share(kShareOfExtremes)));
+    if (IsEnough(step)) return;
+    TryAll(step, EvenPoints(step, share(kShareOfEven)));
+    if (IsEnough(step)) return;
+    SearchLocally(step, budget - std::ssize(step.samples()));
+  }
+
+  bool IsEnough(AttackedStep& step) const {
+    return options_.until_violated && std::ranges::any_of(step.samples(), Violates);
+  }
+
+  // A corner and its opposite after the same start, so that effects of errors are not taken for
+  // those of starts.
+  std::vector<Sample> Design(AttackedStep& step, std::int64_t count) const {
+    std::vector<Sample> samples;
+    for (int n = 0; n < count; ++n) {
+      samples.push_back({static_cast<std::size_t>(n / 2) % step.poised().size(),
+                         noise::CornerPoint(step.dimensions(), options_.seed, 1 + n)});
+    }
+    return samples;
+  }
+
+  std::vector<Sample> EvenPoints(AttackedStep& step, std::int64_t count) const {
+    std::vector<Sample> samples;
+    const std::vector<std::int64_t> counts = Allotted(count, step.aims());
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+      for (std::int64_t of_aim = 0; of_aim < counts[i]; ++of_aim) {
+        const int n = static_cast<int>(samples.size());
+        samples.push_back({static_cast<std::size_t>(n) % step.poised().size(),
+                           noise::EvenPoint(step.dimensions(), options_.seed, 1 + n),
+                           AttackPhase::kLowDiscrepancy, step.aims()[i].until});
+      }
+    }
+    return samples;
+  }
+
+  // At which the claims are likely to be extreme, as the samples up to here have it: those first
+  // whose margins are expected to be least; no corner twice.
+  static std::vector<Sample> LikelyCorners(AttackedStep& step, std::int64_t count) {
+    std::vector<std::pair<double, Sample>> likely;
+    for (const auto& [key, responses] : Responses(step)) {
+      const Claim& claim = *Find(step.samples().front().attempt.claims, key);
+      const Until until = step.AimAt(key)->until;
+      const LikelyExtremes extremes = ByMainEffects(responses);
+      const auto add = [&](const LikelyExtreme& extreme, double margin) {
+        if (!std::isfinite(margin)) return;
+        likely.emplace_back(AsLength(margin, claim.unit),
+                            Sample{extreme.start, extreme.corner, AttackPhase::kLikely, until});
+      };
+      add(extremes.least, extremes.least.expected - claim.predicted.low);
+      add(extremes.greatest, claim.predicted.high - extremes.greatest.expected);
+    }
+    std::ranges::stable_sort(likely, {}, [](const auto& entry) { return entry.first; });
+    std::map<std::pair<std::size_t, std::vector<double>>, Until> seen;
+    for (const Sample& sample : step.samples()) seen[{sample.start, sample.point}] = sample.until;
+    std::vector<Sample> samples;
+    for (auto& [margin, sample] : likely) {
+      if (std::ssize(samples) == count) break;
+      const auto [before, is_new] = seen.try_emplace({sample.start, sample.point}, sample.until);
+      if (!is_new && before->second >= sample.until) continue;
+      before->second = sample.until;
+      samples.push_back(std::move(sample));
+    }
+    return samples;
+  }
+
+  // Of the claims that all samples make of what errors can change.
+  static std::map<ClaimKey, std::vector<CornerResponse>> Responses(AttackedStep& step) {
+    std::map<ClaimKey, std::vector<CornerResponse>> responses;
+    for (const Sample& sample : step.samples()) {
+      for (const Claim& claim : sample.attempt.claims) {
+        if (claim.verdict == ClaimVerdict::kNotClaimed || claim.unit == Unit::kNone) continue;
+        responses[KeyOf(claim)].push_back({&sample.point, sample.start, claim.observed});
+      }
+    }
+    std::erase_if(responses,
+                  [&](const auto& entry) { return entry.second.size() != step.samples().size(); });
+    return responses;
+  }
+
+  void TryAll(AttackedStep& step, std::vector<Sample> samples) {
+    const std::size_t at_once = options_.until_violated ? kAtOnce : samples.size();
+    for (std::size_t first = 0; first < samples.size() && !IsEnough(step); first += at_once) {
+      const std::size_t count = std::min(at_once, samples.size() - first);
+      InParallel(count, [&](std::size_t i) { Try(step, samples[first + i]); });
+      for (std::size_t i = first; i < first + count; ++i) {
+        if (samples[i].was_made) step.samples().push_back(std::move(samples[i]));
+      }
+    }
+  }
+
+  void Try(const AttackedStep& step, Sample& sample) {
+    if (Stops()) return;
+    sample.attempt = step.Attempt(sample);
+    sample.was_made = true;
+    const std::int64_t made = ++made_;
+    if (!options_.progress) return;
+    const std::lock_guard lock(mutex_);
+    options_.progress(made);
+  }
+
+  // From the least margins of different claims, as many searches side by side.
+  void SearchLocally(AttackedStep& step, std::int64_t budget) {
+    std::vector<Aim> aims;
+    std::vector<const Sample*> starts;
+    for (const auto& [key, sample] : LeastMargins(step)) {
+      const Aim* const aim = step.AimAt(key);
+      if (aim == nullptr || aims.size() == kSearches) continue;
+      aims.push_back(*aim);
+      starts.push_back(sample);
+    }
+    if (aims.empty() || step.dimensions() == 0) return;
+    const std::vector<std::int64_t> counts = Allotted(budget, aims);
+    std::vector<std::vector<Sample>> found(aims.size());
+    InParallel(aims.size(),
+               [&](std::size_t i) { found[i] = Search(step, aims[i], *starts[i], counts[i]); });
+    for (std::vector<Sample>& samples : found) {
+      std::ranges::move(samples, std::back_inserter(step.samples()));
+    }
+  }
+
+  // Those whose errors can matter: sets without width are attained by any sample.
+  static std::vector<std::pair<ClaimKey, const Sample*>> LeastMargins(AttackedStep& step) {
+    std::map<ClaimKey, std::pair<double, const Sample*>> least;
+    for (const Sample& sample : step.samples()) {
+      for (const Claim& claim : sample.attempt.claims) {
+        if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
+        if (claim.predicted.high - claim.predicted.low <= 2 * claim.gate) continue;
+        const double margin = Length(claim);
+        const auto [at, is_new] = least.try_emplace(KeyOf(claim), margin, &sample);
+        if (!is_new && margin < at->second.first) at->second = {margin, &sample};
+      }
+    }
+    std::vector<std::pair<ClaimKey, const Sample*>> sorted;
+    for (const auto& [key, value] : least) sorted.emplace_back(key, value.second);
+    std::ranges::stable_sort(sorted, {},
+                             [&](const auto& entry) { return least.at(entry.first).first; });
+    return sorted;
+  }
+
+  std::vector<Sample> Search(const AttackedStep& step, const Aim& aim, const Sample& start,
+                             std::int64_t budget) {
+    std::vector<Sample> samples;
+    if (budget < 1) return samples;
+    const std::function<double(const std::vector<double>&)> margin =
+        [&](const std::vector<double>& point) {
+          Sample sample{start.start, point, AttackPhase::kLocalSearch, aim.until};
+          Try(step, sample);
+          if (!sample.was_made) throw nlopt::forced_stop();
+          const Claim* claim = Find(sample.attempt.claims, aim.claim);
+          const double value = claim == nullptr ? 1 : Length(*claim);
+          samples.push_back(std::move(sample));
+          if (options_.until_violated && Violates(samples.back())) throw nlopt::forced_stop();
+          return value;
+        };
+    Minimize(margin, start.point, budget);
+    return samples;
+  }
+
+  // Subplex (Rowan 1990): margins have kinks, and a little noise.
+  static void Minimize(const std::function<double(const std::vector<double>&)>& f,
+                       std::vector<double> point, std::int64_t evaluations) {
+    nlopt::opt search(nlopt::LN_SBPLX, static_cast<unsigned>(point.size()));
+    search.set_lower_bounds(0);
+    search.set_upper_bounds(1);
+    search.set_initial_step(0.25);
+    search.set_maxeval(static_cast<int>(evaluations));
+    using Function = std::function<double(const std::vector<double>&)>;
+    search.set_min_objective([](const std::vector<double>& x, std::vector<double>&,
+                                void* data) { return (*static_cast<const Function*>(data))(x); },
+                             const_cast<Function*>(&f));
+    double least = 0;
+    try {
+      search.optimize(point, least);
+    } catch (const nlopt::roundoff_limited&) {
+      // It cannot be done better than that.
+    } catch (const nlopt::forced_stop&) {
+      // The attack was stopped, or has found what it is to find.
+    }
+  }
+
+  // Counts the step's samples, and chooses those that the next step starts from.
+  std::vector<Start> Collect(AttackedStep& step) {
+    std::map<ClaimKey, std::pair<const Sample*, const Sample*>> farthest;  // out, each way
+    for (const Sample& sample : step.samples()) {
+      Count(sample);
+      if (!sample.attempt.end) continue;
+      for (const Claim& claim : sample.attempt.claims) {
+        if (claim.about != Claimed::kAfter) continue;
+        auto& [low, high] = farthest.try_emplace(KeyOf(claim), &sample, &sample).first->second;
+        if (claim.observed < Find(low->attempt.claims, KeyOf(claim))->observed) low = &sample;
+        if (claim.observed > Find(high->attempt.claims, KeyOf(claim))->observed) high = &sample;
+      }
+    }
+    std::vector<const Sample*> chosen;
+    const auto choose = [&](const Sample* sample) {
+      if (std::ranges::find(chosen, sample) == chosen.end()) chosen.push_back(sample);
+    };
+    for (const auto& [key, ends] : farthest) {
+      choose(ends.first);
+      choose(ends.second);
+    }
+    // And some of the others, spread over all.
+    const std::size_t stride = std::max<std::size_t>(1, step.samples().size() / kMostStates);
+    for (std::size_t i = 0; i < step.samples().size(); i += stride) {
+      if (step.samples()[i].attempt.end) choose(&step.samples()[i]);
+    }
+    std::vector<Start> starts;
+    for (const Sample* sample : chosen) {
+      if (starts.size() == kMostStates) break;
+      starts.push_back({step.poised()[sample->start].world, sample->attempt.noise,
+                        std::make_shared<const exec::Checkpoint>(*sample->attempt.end)});
+    }
+    return starts;
+  }
+
+  void Count(const Sample& sample) {
+    ++result_.attempts;
+    Count(sample.attempt.claims, sample.attempt.noise, sample.phase);
+  }
+  void Count(const std::vector<Claim>& claims, const noise::Noise& noise, AttackPhase phase) {
+    for (const CertificateVerdict& verdict : ByStep(claims)) {
+      result_.certificates[verdict.step.index()].Add(verdict.verdict);
+    }
+    const bool violates = std::ranges::any_of(claims, &Claim::IsViolated);
+    if (violates && !result_.first_violation) result_.first_violation = result_.attempts;
+    for (const Claim& claim : claims) {
+      result_.claims.Add(claim.verdict);
+      if (claim.verdict == ClaimVerdict::kNotClaimed) continue;
+      KeepIfWorst(claim, noise, phase);
+    }
+  }
+
+  void KeepIfWorst(const Claim& claim, const noise::Noise& noise, AttackPhase phase) {
+    const auto found = std::ranges::find_if(
+        result_.worst, [&](const WorstClaim& worst) { return KeyOf(worst.claim) == KeyOf(claim); });
+    const WorstClaim worst = {claim, noise, phase, result_.attempts};
+    if (found == result_.worst.end()) {
+      result_.worst.push_back(worst);
+    } else if (IsWorse(claim, found->claim)) {
+      *found = worst;
+    }
+  }
+
+  // Those that need the fewest steps first, then the most negative margins.
+  void Shrink() {
+    std::vector<const WorstClaim*> violations;
+    for (const WorstClaim& worst : result_.worst) {
+      if (worst.claim.IsViolated()) violations.push_back(&worst);
+    }
+    std::ranges::stable_sort(violations, {}, [this](const WorstClaim* worst) {
+      return std::pair(experiment_.plan.step(worst->claim.step).executed, Length(worst->claim));
+    });
+    const auto count = std::min(violations.size(), static_cast<std::size_t>(options_.shrunk));
+    std::vector<Counterexample> examples(count);
+    InParallel(count, [&](std::size_t i) {
+      examples[i] = Stops() ? AsFound(*violations[i]) : Shrunk(experiment_, *violations[i]);
+    });
+    result_.counterexamples = std::move(examples);
+  }
+
+  Counterexample AsFound(const WorstClaim& violation) const {
+    return {.claim = violation.claim,
+            .noise = violation.noise,
+            .steps = experiment_.plan.step(violation.claim.step).executed};
+  }
+
+  const Experiment& experiment_;
+  const AttackOptions& options_;
+  tbb::task_arena arena_;
+  std::vector<noise::Channel> box_;
+  std::vector<AttackedWorld> worlds_;
+  std::mutex mutex_;
+  std::atomic<std::int64_t> made_ = 0;
+  AttackResult result_;
+};
+
+}  // namespace
+
+std::string_view Name(AttackPhase phase) {
+  switch (phase) {
+    case AttackPhase::kWithoutNoise:
+      return "without-noise";
+    case AttackPhase::kVertices:
+      return "vertices";
+    case AttackPhase::kLikely:
+      return "likely-corners";
+    case AttackPhase::kLowDiscrepancy:
+      return "low-discrepancy";
+    case AttackPhase::kLocalSearch:
+      return "local-search";
+  }
+  ASSAY_CHECK(false, "a phase that the switch does not know");
+  return {};
+}
+
+AttackResult Attack(const Experiment& experiment, const AttackOptions& options) {
+  return Attacker(experiment, options).Run();
+}
+
+}  // namespace assay::check

@@ -1,0 +1,267 @@
+#include "sim/check/falsification/conservatism.h"
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "planner/uncertainty/preconditions/certify.h"
+#include "sim/noise/sampling.h"
+
+namespace assay::check {
+namespace {
+
+using noise::Channel;
+using noise::Effect;
+
+std::string NameOf(Effect effect) {
+  switch (effect) {
+    case Effect::kPartX:
+      return "x";
+    case Effect::kPartY:
+      return "y";
+    case Effect::kPartYaw:
+      return "yaw";
+    case Effect::kTableHeight:
+      return "height";
+    case Effect::kHandX:
+      return "x of the hand";
+    case Effect::kHandY:
+      return "y of the hand";
+    case Effect::kHandZ:
+      return "z of the hand";
+    case Effect::kHandYaw:
+      return "yaw of the hand";
+    case Effect::kSensedX:
+      return "sensed x";
+    case Effect::kSensedY:
+      return "sensed y";
+    case Effect::kSensedZ:
+      return "sensed z";
+    case Effect::kSensedYaw:
+      return "sensed yaw";
+    case Effect::kClearance:
+      return "clearance";
+    case Effect::kFriction:
+      return "friction";
+    case Effect::kPadFriction:
+      return "friction of the pads";
+  }
+  return {};
+}
+
+std::string VariableOf(const domain::Problem& problem, const Channel& channel) {
+  const std::string name = NameOf(channel.effect);
+  return channel.part.IsNone() ? name : name + " of " + problem.part(channel.part).name;
+}
+
+Interval Times(double factor, const Interval& range) {
+  return {factor * range.low, factor * range.high};
+}
+
+// The same problem in which only one variable errs, and by a multiple of its bounds.
+class ScaledProblem {
+ public:
+  ScaledProblem(const domain::Problem& problem, const std::string& variable)
+      : original_(problem), variable_(variable) {}
+
+  domain::Problem At(double multiple) const {
+    domain::Problem problem = original_;
+    for (domain::Part& part : problem.parts) {
+      Scale(" of " + part.name, multiple, "height", part.error);
+    }
+    Scale(" of the hand", multiple, "z", problem.gripper_error);
+    ScaleNumber("clearance", multiple, problem.tolerances.clearance);
+    ScaleNumber("friction", multiple, problem.tolerances.friction);
+    ScaleNumber("friction of the pads", multiple, problem.tolerances.pad_friction);
+    return problem;
+  }
+
+ private:
+  double FactorOf(const std::string& name, double multiple) const {
+    return variable_ == "all" || variable_ == name ? multiple : 0;
+  }
+  void Scale(const std::string& of, double multiple, const char* z,
+             domain::PoseError& error) const {
+    error.x = Times(FactorOf("x" + of, multiple), error.x);
+    error.y = Times(FactorOf("y" + of, multiple), error.y);
+    error.z = Times(FactorOf(z + of, multiple), error.z);
+    error.theta = Times(FactorOf("yaw" + of, multiple), error.theta);
+  }
+  void ScaleNumber(const char* name, double multiple, double& value) const {
+    value *= FactorOf(name, multiple);
+  }
+
+  const domain::Problem& original_;
+  const std::string& variable_;
+};
+
+// What a sensor promises is not multiplied: it belongs to the workcell.
+bool IsSensed(const Channel& channel) {
+  return channel.effect == Effect::kSensedX || channel.effect == Effect::kSensedY ||
+         channel.effect == Effect::kSensedZ || channel.effect == Effect::kSensedYaw;
+}
+
+// Between which multiples something begins to fail; none: not up to the greatest.
+struct Threshold {
+  double holds = 0;
+  std::optional<double> fails = {};
+};
+
+// Doubling from where it is looked first, then halving, to a relative precision.
+Threshold FindThreshold(const std::function<bool(double)>& fails, double first, double greatest,
+                        double precision) {
+  constexpr double kLeast = 1.0 / 64;
+  Threshold threshold;
+  for (double multiple = std::min(first, greatest); !threshold.fails;
+       multiple = std::min(2 * multiple, greatest)) {
+    if (fails(multiple)) {
+      threshold.fails = multiple;
+    } else {
+      threshold.holds = multiple;
+      if (multiple >= greatest) return threshold;
+    }
+  }
+  while (*threshold.fails - threshold.holds > precision * *threshold.fails &&
+         *threshold.fails > kLeast) {
+    const double middle = (threshold.holds + *threshold.fails) / 2;
+    if (fails(middle)) {
+      threshold.fails = middle;
+    } else {
+      threshold.holds = middle;
+    }
+  }
+  return threshold;
+}
+
+// Ends the comparison of a variable from inside.
+struct Stopped {};
+
+class Comparison {
+ public:
+  Comparison(const Experiment& experiment, const ConservatismOptions& options)
+      : experiment_(experiment),
+        options_(options),
+        box_(noise::ErrorBox(experiment.problem, experiment.plan)) {}
+
+  std::vector<std::string> Variables() const {
+    std::vector<std::string> variables;
+    for (const Channel& channel : box_) {
+      if (IsSensed(channel)) continue;
+      const std::string variable = VariableOf(experiment_.problem, channel);
+      if (std::ranges::find(variables, variable) == variables.end()) variables.push_back(variable);
+    }
+    variables.push_back("all");
+    return variables;
+  }
+
+  // None: the comparison was stopped before.
+  std::optional<ConservatismRatio> UnlessStopped(const std::string& variable) const {
+    try {
+      return Of(variable);
+    } catch (const Stopped&) {
+      return std::nullopt;
+    }
+  }
+
+ private:
+  ConservatismRatio Of(const std::string& variable) const {
+    const auto unproved = [&](double multiple) {
+      BreakOffIfStopped();
+      return !Proves(variable, multiple);
+    };
+    const auto fails = [&](double multiple) { return Fails(variable, multiple); };
+    constexpr double kFinely = 0.1;  // of the trials' precision: to prove costs next to nothing
+    const double guaranteed =
+        FindThreshold(unproved, 1, options_.greatest, kFinely * options_.precision).holds;
+    // Trials begin where the proof ends, less what the engine may make of it (a floor is at most a
+    // tenth of what is certified): still less is only tried if that fails.
+    constexpr double kInside = 0.9;
+    const double first = guaranteed > 0 ? kInside * guaranteed : 1;
+    return {.variable = variable,
+            .guaranteed = guaranteed,
+            .broken = FindThreshold(fails, first, options_.greatest, options_.precision).fails};
+  }
+
+  void BreakOffIfStopped() const {
+    if (options_.stop && options_.stop()) throw Stopped();
+  }
+
+  bool Proves(const std::string& variable, double multiple) const {
+    const domain::Problem problem = ScaledProblem(experiment_.problem, variable).At(multiple);
+    uncertainty::UncertainWorld world(problem, uncertainty::Propagation::kSound);
+    for (const plan::StepId id : experiment_.plan.ExecutionOrder()) {
+      const plan::PlannedStep& step = experiment_.plan.step(id);
+      using enum uncertainty::Wanted;
+      const auto unproved = uncertainty::DecideStep(world, step.action, {},
+                                                    step.strategy ? kAllUnproved : kFirstUnproved,
+                                                    step.strategy ? &*step.strategy : nullptr);
+      const bool holds = std::ranges::all_of(unproved, [&](const uncertainty::Unproved& unmet) {
+        return plan::Absorbs(step.strategy, unmet.claim.condition);
+      });
+      if (!holds) return false;
+    }
+    return true;
+  }
+
+  // At the ends of the variable's bounds, or at corners of the box of all, and of the sensors'
+  // promises.
+  bool Fails(const std::string& variable, double multiple) const {
+    std::vector<Channel> box = box_;
+    std::vector<std::size_t> varied;
+    for (std::size_t i = 0; i < box.size(); ++i) {
+      if (!IsSensed(box[i])) box[i].range = Times(multiple, box[i].range);
+      const bool is_varied =
+          variable == "all" || VariableOf(experiment_.problem, box[i]) == variable;
+      if (is_varied || IsSensed(box[i])) varied.push_back(i);
+    }
+    const int dimensions = static_cast<int>(varied.size());
+    const int trials = std::min(options_.corners, dimensions == 1 ? 2 : options_.corners);
+    for (int number = 1; number <= trials; ++number) {
+      BreakOffIfStopped();
+      std::vector<double> values(box.size(), 0);
+      const auto corner = noise::CornerPoint(dimensions, options_.seed, number);
+      for (std::size_t i = 0; i < varied.size(); ++i) {
+        const Interval& range = box[varied[i]].range;
+        values[varied[i]] = corner[i] > 0 ? range.high : range.low;
+      }
+      exec::ExecutorOptions executor;
+      executor.sample_rate = 0;
+      executor.recovers = false;
+      const Verdict verdict = JudgeNoisyTrial(experiment_, {box, std::move(values)}, executor);
+      if (verdict.outcome != TrialOutcome::kSucceeded) return true;
+    }
+    return false;
+  }
+
+  const Experiment& experiment_;
+  const ConservatismOptions& options_;
+  std::vector<Channel> box_;
+};
+
+}  // namespace
+
+std::optional<double> ConservatismRatio::ratio() const {
+  if (!broken || guaranteed <= 0) return std::nullopt;
+  return *broken / guaranteed;
+}
+
+std::vector<ConservatismRatio> Conservatism(const Experiment& experiment,
+                                            const ConservatismOptions& options) {
+  const Comparison comparison(experiment, options);
+  const std::vector<std::string> variables =
+      options.variables.empty() ? comparison.Variables() : options.variables;
+  std::vector<std::optional<ConservatismRatio>> found(variables.size());
+  tbb::task_arena(options.jobs).execute([&] {
+    tbb::parallel_for(std::size_t{0}, variables.size(),
+                      [&](std::size_t i) { found[i] = comparison.UnlessStopped(variables[i]); });
+  });
+  std::vector<ConservatismRatio> ratios;
+  for (std::optional<ConservatismRatio>& ratio : found) {
+    if (ratio) ratios.push_back(*std::move(ratio));
+  }
+  return ratios;
+}
+
+}  // namespace assay::check

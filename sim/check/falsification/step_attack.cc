@@ -1,0 +1,293 @@
+#include "sim/check/falsification/step_attack.h"
+
+#include <algorithm>
+
+#include "planner/base/check.h"
+#include "sim/check/claims/certificate_check.h"
+#include "sim/check/claims/confirmation.h"
+#include "sim/noise/sampling.h"
+
+namespace assay::check {
+namespace {
+
+using domain::PartId;
+using noise::Channel;
+using noise::Effect;
+
+bool IsOfWorld(const Channel& channel) {
+  return channel.effect == Effect::kClearance || channel.effect == Effect::kFriction ||
+         channel.effect == Effect::kPadFriction;
+}
+
+// The parts that an action handles, looks at or touches with what it handles.
+struct TouchedParts {
+  const domain::Problem& problem;
+
+  std::vector<PartId> operator()(const plan::Assemble& assemble) const {
+    const domain::Mating& mating = problem.mating(assemble.mating);
+    return {mating.held, mating.fixed};
+  }
+  std::vector<PartId> operator()(const auto& action) const { return {action.part}; }
+};
+
+std::vector<PartId> UntouchedBefore(const Experiment& experiment, plan::StepId step) {
+  std::vector<PartId> touched;
+  for (const plan::StepId id : experiment.plan.ExecutionOrder()) {
+    if (id == step) break;
+    const auto parts =
+        std::visit(TouchedParts{experiment.problem}, experiment.plan.step(id).action);
+    touched.insert(touched.end(), parts.begin(), parts.end());
+  }
+  std::vector<PartId> untouched;
+  for (std::size_t p = 0; p < experiment.problem.parts.size(); ++p) {
+    if (std::ranges::find(touched, PartId(p)) == touched.end()) untouched.push_back(PartId(p));
+  }
+  return untouched;
+}
+
+// Nothing more is claimed once something failed that had not been proved, or was mended.
+bool StillClaims(const std::vector<Claim>& claims) {
+  return std::ranges::none_of(claims, [](const Claim& claim) {
+    return claim.about == Claimed::kAfter && claim.verdict == ClaimVerdict::kNotClaimed;
+  });
+}
+
+exec::ExecutorOptions QuietOptions(const noise::Noise& noise) {
+  exec::ExecutorOptions options;
+  options.sample_rate = 0;
+  options.noise = noise;
+  options.recovers = false;  // after a recovery nothing is claimed
+  return options;
+}
+
+void End(const exec::Progress& failure, exec::Execution& execution) {
+  execution.trace().events.push_back(
+      exec::ExecutionEnd{failure->outcome, failure->reason, execution.Now(), execution.steps()});
+}
+
+double TimeOf(const exec::TraceEvent& event) {
+  if (const auto* milestone = std::get_if<exec::Milestone>(&event)) return milestone->moment.time;
+  if (const auto* end = std::get_if<exec::StepEnd>(&event)) return end->moment.time;
+  if (const auto* end = std::get_if<exec::ExecutionEnd>(&event)) return end->moment.time;
+  ASSAY_CHECK(false, "a trace of a step ends with one of these");
+  return 0;
+}
+
+exec::Stage StageOf(Until until) {
+  switch (until) {
+    case Until::kPoised:
+      return exec::Stage::kPoised;
+    case Until::kReached:
+      return exec::Stage::kReached;
+    case Until::kActed:
+    case Until::kEnd:
+      return exec::Stage::kActed;
+  }
+  return exec::Stage::kActed;
+}
+
+// The trace of a step as far as its stage; none: it did not come there.
+std::optional<exec::Trace> UpTo(Until until, const exec::Trace& trace) {
+  exec::Trace begun{.problem = trace.problem, .parts = trace.parts};
+  for (const exec::TraceEvent& event : trace.events) {
+    begun.events.push_back(event);
+    const auto* milestone = std::get_if<exec::Milestone>(&event);
+    if (milestone != nullptr && milestone->stage == StageOf(until)) return begun;
+  }
+  return std::nullopt;
+}
+
+bool SaysTheSame(const Claim& claim, const std::vector<Claim>& others) {
+  return std::ranges::any_of(others, [&](const Claim& other) {
+    return IsSame(claim, other) && claim.observed == other.observed &&
+           claim.verdict == other.verdict;
+  });
+}
+
+}  // namespace
+
+StepAttack::StepAttack(const Experiment& experiment, plan::StepId step, const noise::Noise& noise)
+    : experiment_(experiment), step_(step), untouched_(UntouchedBefore(experiment, step)) {
+  for (std::size_t i = 0; i < noise.box().size(); ++i) {
+    const Channel& channel = noise.box()[i];
+    const bool untouched = channel.step.IsNone() && !IsOfWorld(channel) &&
+                           std::ranges::find(untouched_, channel.part) != untouched_.end();
+    if (channel.step == step || untouched) free_.push_back(i);
+  }
+}
+
+// What the engine errs on the way adds up, so that the finer trial goes its own way from the start.
+Approach StepAttack::Poise(const AttackedWorld& world, const noise::Noise& noise,
+                           const exec::Checkpoint* from) const {
+  Approach approach = PoiseIn(world.scene, world, noise, from);
+  approach.claims = Confirmed(std::move(approach.claims),
+                              [&] { return PoiseIn(world.finer, world, noise, nullptr).claims; });
+  return approach;
+}
+
+Approach StepAttack::PoiseIn(const scene::Scene& scene, const AttackedWorld& world,
+                             const noise::Noise& noise, const exec::Checkpoint* from) const {
+  const exec::ExecutorOptions options = QuietOptions(noise);
+  mujoco::Data data = from == nullptr ? exec::StartOf(experiment_.problem, scene, noise)
+                                      : mujoco::Data(scene.model());
+  exec::Execution execution(experiment_.problem, scene, data, options);
+  exec::Progress failure;
+  if (from != nullptr) {
+    execution.Restore(*from);
+  } else {
+    failure = ExecuteStepsBefore(execution);
+  }
+  Approach approach;
+  if (failure) return approach;
+  execution.trace().events.clear();
+  exec::StepExecution step(experiment_.plan, step_, execution);
+  failure = step.Approach();
+  if (failure) End(failure, execution);
+  for (Claim& claim : ClaimsOf(execution.trace())) {
+    if (claim.unit == Unit::kNone) approach.claims.push_back(std::move(claim));
+  }
+  if (!failure) approach.poised = PoisedTrial{&world, noise, execution.Save()};
+  return approach;
+}
+
+exec::Progress StepAttack::ExecuteStepsBefore(exec::Execution& execution) const {
+  for (const plan::StepId id : experiment_.plan.ExecutionOrder()) {
+    if (id == step_) break;
+    exec::StepExecution step(experiment_.plan, id, execution);
+    if (exec::Progress failure = step.Approach()) return failure;
+    if (exec::Progress failure = step.Work()) return failure;
+  }
+  return std::nullopt;
+}
+
+// What is told of a step that was broken off is not claimed where something fails later that nobody
+// had proved.
+StepAttempt StepAttack::Attempt(const PoisedTrial& poised, const std::vector<double>& values,
+                                Until until) const {
+  noise::Noise noise = poised.noise;
+  for (std::size_t i = 0; i < free_.size(); ++i) noise.Set(free_[i], values[i]);
+  const AttackedWorld& world = *poised.world;
+  StepAttempt attempt = AttemptIn(world.scene, world, poised.checkpoint, noise, until);
+  const bool violates = std::ranges::any_of(attempt.claims, &Claim::IsViolated);
+  if (violates && until != Until::kEnd && !IsAllProved()) {
+    attempt = AttemptIn(world.scene, world, poised.checkpoint, noise, Until::kEnd);
+  }
+  Until latest = attempt.IsWhole() ? Until::kPoised : until;
+  for (std::size_t i = 0; i < attempt.decisions.size(); ++i) {
+    if (attempt.claims[i].IsViolated()) latest = std::max(latest, attempt.decisions[i].until);
+  }
+  attempt.claims =
+      Confirmed(std::move(attempt.claims), [&] { return FinerClaims(poised, noise, latest); });
+  return attempt;
+}
+
+bool StepAttack::IsAllProved() const {
+  const plan::PlannedStep& step = experiment_.plan.step(step_);
+  return std::ranges::all_of(
+      step.certificate.preconditions, [&](const plan::CertifiedPrecondition& claim) {
+        return claim.holds() || plan::Absorbs(step.strategy, claim.condition);
+      });
+}
+
+std::vector<Claim> StepAttack::FinerClaims(const PoisedTrial& poised, const noise::Noise& noise,
+                                           Until until) const {
+  const AttackedWorld& world = *poised.world;
+  FinerTrial& finer = *poised.finer;
+  std::call_once(finer.once, [&] {
+    const Approach approach = PoiseIn(world.finer, world, poised.noise, nullptr);
+    if (approach.poised) finer.checkpoint = approach.poised->checkpoint;
+  });
+  if (!finer.checkpoint) return {};
+  return AttemptIn(world.finer, world, *finer.checkpoint, noise, until).claims;
+}
+
+StepAttempt StepAttack::AttemptIn(const scene::Scene& scene, const AttackedWorld& world,
+                                  const exec::Checkpoint& from, const noise::Noise& noise,
+                                  Until until) const {
+  StepAttempt attempt{.noise = noise, .claims = {}};
+  const exec::ExecutorOptions options = QuietOptions(noise);
+  mujoco::Data data(scene.model());
+  exec::Execution execution(experiment_.problem, scene, data, options);
+  execution.Restore(from);
+  for (const PartId part : untouched_) {
+    scene.SetTableHeight(data, part, noise.TableHeight(part));
+    scene.SetPart(data, part, noise.TruePose(part, world.resting[part.index()]));
+  }
+  exec::StepExecution step(experiment_.plan, step_, execution);
+  exec::Progress failure = step.TakeUpNoise();
+  if (!failure) failure = Work(step, until);
+  if (failure) End(failure, execution);
+  attempt.claims = ClaimsOf(execution.trace());
+  if (failure || until == Until::kEnd) {
+    attempt.decisions = DecisionsOn(attempt.claims, execution.trace(), from.state.time);
+  }
+  if (!failure && until == Until::kEnd && StillClaims(attempt.claims)) {
+    attempt.end = execution.Save();
+  }
+  return attempt;
+}
+
+exec::Progress StepAttack::Work(exec::StepExecution& step, Until until) const {
+  switch (until) {
+    case Until::kPoised:
+      return std::nullopt;
+    case Until::kReached:
+      return step.Advance();
+    case Until::kActed:
+      return step.Attempt();
+    case Until::kEnd:
+      return step.Work();
+  }
+  return std::nullopt;
+}
+
+std::vector<Claim> StepAttack::ClaimsOf(const exec::Trace& trace) const {
+  return CheckCertificates(experiment_.problem, experiment_.plan, trace, experiment_.gate, step_);
+}
+
+// A claim is decided where what had happened until then already says the same of it.
+std::vector<Decision> StepAttack::DecisionsOn(const std::vector<Claim>& claims,
+                                              const exec::Trace& trace, double start) const {
+  const double whole = TimeOf(trace.events.back()) - start;
+  std::vector<Decision> decisions(claims.size(), {Until::kEnd, whole});
+  for (const Until until : {Until::kActed, Until::kReached, Until::kPoised}) {
+    const std::optional<exec::Trace> begun = UpTo(until, trace);
+    if (!begun) continue;
+    const std::vector<Claim> so_far = ClaimsOf(*begun);
+    for (std::size_t i = 0; i < claims.size(); ++i) {
+      if (SaysTheSame(claims[i], so_far)) {
+        decisions[i] = {until, TimeOf(begun->events.back()) - start};
+      }
+    }
+  }
+  return decisions;
+}
+
+std::vector<AttackedWorld> WorldsOf(const Experiment& experiment, const std::vector<Channel>& box) {
+  std::vector<std::size_t> of_world;
+  for (std::size_t i = 0; i < box.size(); ++i) {
+    if (IsOfWorld(box[i])) of_world.push_back(i);
+  }
+  const int dimensions = static_cast<int>(of_world.size());
+  // Two corners of one tolerance, four of two or three that are at both ends in turn.
+  const int count = dimensions == 0 ? 1 : dimensions == 1 ? 2 : 4;
+  std::vector<AttackedWorld> worlds;
+  for (int number = 1; number <= count; ++number) {
+    noise::Noise noise(box, std::vector<double>(box.size(), 0));
+    const std::vector<double> corner = noise::CornerPoint(dimensions, 0, number);
+    for (std::size_t i = 0; i < of_world.size(); ++i) {
+      const Interval& range = box[of_world[i]].range;
+      noise.Set(of_world[i], corner[i] > 0 ? range.high : range.low);
+    }
+    const scene::SceneOptions truth = exec::TrueScene(experiment.scene, noise);
+    scene::Scene scene(experiment.problem, truth);
+    std::vector<geometry::Pose> resting = exec::RestingPoses(experiment.problem, scene);
+    worlds.push_back({std::move(scene),
+                      {experiment.problem, Finer(truth)},
+                      std::move(noise),
+                      std::move(resting)});
+  }
+  return worlds;
+}
+
+}  // namespace assay::check

@@ -1,0 +1,62 @@
+#include "sim/check/trial/error_recognition.h"
+
+#include <algorithm>
+
+namespace assay::check {
+namespace {
+
+constexpr double kBefore = 0.01;  // seconds
+
+bool HasName(const ContactSet& contacts, const std::string& name) {
+  return std::ranges::any_of(contacts,
+                             [&](const ContactKey& key) { return finemotion::Name(key) == name; });
+}
+
+// What went on in an error state ends in the same one.
+std::vector<exec::ErrorState> ErrorStatesOf(const exec::StrategyEnd& end) {
+  std::vector<exec::ErrorState> states = end.recovered;
+  states.insert(states.end(), end.ignored.begin(), end.ignored.end());
+  if (end.outcome != exec::MatingOutcome::kDone && end.ignored.empty()) {
+    states.push_back({.outcome = end.outcome,
+                      .motion = end.motion,
+                      .recognized = end.recognized,
+                      .time = end.time});
+  }
+  return states;
+}
+
+void Add(const std::optional<exec::RecognizedContact>& recognized,
+         const std::vector<ContactSpan>& bridged, Recognition& recognition) {
+  ++recognition.errors;
+  if (!recognized) return;
+  ++recognition.named;
+  if (IsRight(*recognized, bridged)) ++recognition.right;
+}
+
+}  // namespace
+
+bool IsRight(const exec::RecognizedContact& named, const std::vector<ContactSpan>& bridged) {
+  const bool is_there = std::ranges::any_of(bridged, [&](const ContactSpan& span) {
+    return span.end >= named.time - kBefore && span.start <= named.time &&
+           HasName(span.contacts, named.name);
+  });
+  return is_there != named.is_loss;
+}
+
+void Count(const exec::StrategyEnd& end, const std::vector<ContactSpan>& bridged, bool diverged,
+           RecognitionTally& tally) {
+  std::vector<exec::ErrorState> states = ErrorStatesOf(end);
+  std::erase_if(states, [&](const exec::ErrorState& state) {
+    return std::ranges::count(bridged, state.motion, &ContactSpan::motion) == 0;
+  });
+  for (const exec::ErrorState& state : states) Add(state.recognized, bridged, tally.states);
+  if (!diverged) {
+    tally.needless += static_cast<int>(std::ssize(states));
+    return;
+  }
+  const auto named = std::ranges::find_if(
+      states, [](const exec::ErrorState& state) { return state.recognized.has_value(); });
+  Add(named == states.end() ? std::nullopt : named->recognized, bridged, tally.unwanted);
+}
+
+}  // namespace assay::check

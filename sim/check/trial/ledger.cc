@@ -1,0 +1,227 @@
+#include "sim/check/trial/ledger.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/check.h"
+#include "sim/check/claims/step_events.h"
+#include "sim/check/trial/tolerance_readings.h"
+#include "sim/sense/displacement.h"
+
+namespace assay::check {
+namespace {
+
+using domain::PartId;
+using geometry::Pose;
+using noise::Channel;
+using noise::Effect;
+using sense::Between;
+using sense::Displacement;
+
+constexpr double kTaken = 1e-9;  // metres or radians, in which what was told is what is believed
+
+struct Reading {
+  std::optional<double> applied = {};
+  std::optional<double> measured = {};
+};
+
+// Which coordinate of a displacement an effect is.
+Eigen::Index CoordinateOf(Effect effect) {
+  switch (effect) {
+    case Effect::kPartX:
+    case Effect::kHandX:
+    case Effect::kSensedX:
+      return 0;
+    case Effect::kPartY:
+    case Effect::kHandY:
+    case Effect::kSensedY:
+      return 1;
+    case Effect::kTableHeight:
+    case Effect::kHandZ:
+    case Effect::kSensedZ:
+      return 2;
+    case Effect::kPartYaw:
+    case Effect::kHandYaw:
+    case Effect::kSensedYaw:
+      return 3;
+    case Effect::kClearance:
+    case Effect::kFriction:
+    case Effect::kPadFriction:
+      break;
+  }
+  ASSAY_CHECK(false, "a tolerance is no displacement");
+  return 0;
+}
+
+std::string UnitOf(Effect effect) {
+  if (effect == Effect::kFriction || effect == Effect::kPadFriction) return "";
+  if (effect == Effect::kClearance) return "m";
+  return CoordinateOf(effect) == 3 ? "rad" : "m";
+}
+
+bool IsTolerance(const Channel& channel) {
+  return channel.effect == Effect::kClearance || channel.effect == Effect::kFriction ||
+         channel.effect == Effect::kPadFriction;
+}
+
+std::optional<double> Difference(const std::optional<double>& to,
+                                 const std::optional<double>& from) {
+  return to && from ? std::optional(*to - *from) : std::nullopt;
+}
+
+class Ledger {
+ public:
+  Ledger(const Experiment& experiment, const noise::Noise& noise, const exec::Trace& trace)
+      : experiment_(experiment),
+        problem_(experiment.problem),
+        noise_(noise),
+        scene_(problem_, exec::TrueScene(experiment.scene, noise)),
+        start_(exec::StartOf(problem_, scene_, noise)),
+        resting_(exec::RestingPoses(problem_, scene_)),
+        steps_(EventsByStep(trace)) {
+    if (!std::ranges::any_of(noise.box(), IsTolerance)) return;
+    const scene::Scene said(problem_, experiment.scene);
+    said_ = ReadTolerances(problem_, experiment.plan, said);
+    true_ = ReadTolerances(problem_, experiment.plan, scene_);
+  }
+
+  std::vector<LedgerEntry> Entries() const {
+    std::vector<LedgerEntry> entries;
+    for (std::size_t i = 0; i < noise_.box().size(); ++i) {
+      const Channel& channel = noise_.box()[i];
+      const Reading reading = ReadingOf(channel);
+      entries.push_back({.channel = channel,
+                         .unit = UnitOf(channel.effect),
+                         .drawn = noise_.values()[i],
+                         .applied = reading.applied,
+                         .measured = reading.measured});
+    }
+    return entries;
+  }
+
+ private:
+  Reading ReadingOf(const Channel& channel) const {
+    switch (channel.effect) {
+      case Effect::kPartX:
+      case Effect::kPartY:
+      case Effect::kPartYaw:
+        return OfPart(channel);
+      case Effect::kTableHeight:
+        return channel.step.IsNone() ? OfTableAtStart(channel) : OfTableAtStep(channel);
+      case Effect::kHandX:
+      case Effect::kHandY:
+      case Effect::kHandZ:
+      case Effect::kHandYaw:
+        return OfHand(channel);
+      case Effect::kSensedX:
+      case Effect::kSensedY:
+      case Effect::kSensedZ:
+      case Effect::kSensedYaw:
+        return OfSensor(channel);
+      case Effect::kClearance:
+        return {Difference(true_.wall, said_.wall), Difference(true_.play, said_.play)};
+      case Effect::kFriction:
+        return {Difference(true_.part_geom, said_.part_geom),
+                Difference(true_.part_contact, said_.part_contact)};
+      case Effect::kPadFriction:
+        return {Difference(true_.pad_geom, said_.pad_geom),
+                Difference(true_.pad_contact, said_.pad_contact)};
+    }
+    ASSAY_CHECK(false, "an effect that the switch does not know");
+    return {};
+  }
+
+  // When the first step is poised nothing has been touched yet.
+  const exec::Moment* FirstMoment() const {
+    return steps_.empty() ? nullptr : steps_.front().poised;
+  }
+  const StepEvents* Find(plan::StepId step) const {
+    const auto found = std::ranges::find(steps_, step, &StepEvents::step);
+    return found == steps_.end() ? nullptr : &*found;
+  }
+
+  // From where the part rests without errors. Heights and tilts of that are the engine's.
+  double FromRest(const Channel& channel, const exec::Moment& moment) const {
+    const std::size_t part = channel.part.index();
+    return Between(resting_[part], moment.parts[part].truth)[CoordinateOf(channel.effect)];
+  }
+
+  Reading OfPart(const Channel& channel) const {
+    const Pose& said = problem_.part(channel.part).X_WorldPart;
+    const Displacement given = Between(said, scene_.TruePose(start_, channel.part));
+    Reading reading{.applied = given[CoordinateOf(channel.effect)]};
+    if (const exec::Moment* first = FirstMoment()) reading.measured = FromRest(channel, *first);
+    return reading;
+  }
+
+  Reading OfTableAtStart(const Channel& channel) const {
+    const exec::Moment* first = FirstMoment();
+    if (first == nullptr) return {};
+    return {first->table_heights[channel.part.index()], FromRest(channel, *first)};
+  }
+
+  Reading OfTableAtStep(const Channel& channel) const {
+    const StepEvents* step = Find(channel.step);
+    if (step == nullptr || step->poised == nullptr) return {};
+    Reading reading{.applied = step->poised->table_heights[channel.part.index()]};
+    const auto* putdown = std::get_if<plan::Putdown>(&experiment_.plan.step(channel.step).action);
+    if (step->end == nullptr || putdown == nullptr) return reading;
+    const Pose& truth = step->end->parts[channel.part.index()].truth;
+    reading.measured = truth.translation().z() - RestingHeight(channel.part, putdown->to);
+    return reading;
+  }
+
+  // Where the part's origin would be without errors: alone in the world, so that no other part is
+  // in its place.
+  double RestingHeight(PartId part, const plan::Place& place) const {
+    domain::Problem alone = problem_;
+    alone.parts = {problem_.part(part)};
+    alone.parts.front().X_WorldPart = place.X_WorldPart;
+    return exec::RestingPoses(alone, scene::Scene(alone, scene_.options()))
+        .front()
+        .translation()
+        .z();
+  }
+
+  Reading OfHand(const Channel& channel) const {
+    const StepEvents* step = Find(channel.step);
+    if (step == nullptr || step->poised == nullptr) return {};
+    const exec::TrueAndBelieved& tool = step->poised->tool;
+    const Pose told = Pose::Identity();
+    const Eigen::Index coordinate = CoordinateOf(channel.effect);
+    return {Between(told, noise_.HandError(channel.step))[coordinate],
+            Between(told, tool.believed.inverse() * tool.truth)[coordinate]};
+  }
+
+  Reading OfSensor(const Channel& channel) const {
+    const StepEvents* step = Find(channel.step);
+    if (step == nullptr || step->look == nullptr || !step->look->found) return {};
+    const exec::LookRecord& look = *step->look;
+    const Eigen::Index coordinate = CoordinateOf(channel.effect);
+    Reading reading{.applied = Between(look.measured, look.before.truth)[coordinate]};
+    if (step->acted == nullptr) return reading;
+    const exec::TrueAndBelieved& part = step->acted->parts[channel.part.index()];
+    const bool taken = std::abs(Between(look.measured, part.believed)[coordinate]) < kTaken;
+    if (taken) reading.measured = Between(part.believed, part.truth)[coordinate];
+    return reading;
+  }
+
+  const Experiment& experiment_;
+  const domain::Problem& problem_;
+  const noise::Noise& noise_;
+  const scene::Scene scene_;
+  const mujoco::Data start_;
+  const std::vector<Pose> resting_;  // by PartId
+  const std::vector<StepEvents> steps_;
+  ToleranceReadings said_;
+  ToleranceReadings true_;
+};
+
+}  // namespace
+
+std::vector<LedgerEntry> LedgerOf(const Experiment& experiment, const noise::Noise& noise,
+                                  const exec::Trace& trace) {
+  return Ledger(experiment, noise, trace).Entries();
+}
+
+}  // namespace assay::check

@@ -1,0 +1,91 @@
+#include "sim/check/trial/noisy_trial.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "sim/check/claims/certificate_check.h"
+#include "sim/check/claims/confirmation.h"
+
+namespace assay::check {
+namespace {
+
+constexpr char kFailureOfTheEngine[] =
+    "; the failure is the engine's, since with half the timestep the trial succeeds";
+
+exec::Trace Traced(const Experiment& experiment, const scene::SceneOptions& nominal,
+                   const exec::ExecutorOptions& options) {
+  const scene::Scene scene(experiment.problem, exec::TrueScene(nominal, options.noise));
+  mujoco::Data data = exec::StartOf(experiment.problem, scene, options.noise);
+  return exec::Execute(experiment.problem, experiment.plan, scene, data, options);
+}
+
+std::vector<Claim> ClaimsOf(const Experiment& experiment, const exec::Trace& trace) {
+  return CheckCertificates(experiment.problem, experiment.plan, trace, experiment.gate);
+}
+
+// A trial with half the timestep, which is executed when it is first asked for.
+class WithHalfTheTimestep {
+ public:
+  WithHalfTheTimestep(const Experiment& experiment, exec::ExecutorOptions options)
+      : experiment_(experiment), options_(std::move(options)) {
+    options_.sample_rate = 0;
+    options_.observer = nullptr;
+  }
+
+  const exec::Trace& trace() {
+    if (!trace_) trace_ = Traced(experiment_, Finer(experiment_.scene), options_);
+    return *trace_;
+  }
+
+ private:
+  const Experiment& experiment_;
+  exec::ExecutorOptions options_;
+  std::optional<exec::Trace> trace_;
+};
+
+// Whose a failure is: the engine's, if it does not happen with half the timestep.
+Verdict Attributed(const Experiment& experiment, Verdict verdict, WithHalfTheTimestep& finer) {
+  if (verdict.outcome == TrialOutcome::kSucceeded) return verdict;
+  if (Judge(experiment.problem, finer.trace(), {}).outcome == TrialOutcome::kSucceeded) {
+    verdict.reason += kFailureOfTheEngine;
+  }
+  return verdict;
+}
+
+}  // namespace
+
+NoisyTrial RunNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
+                         exec::ExecutorOptions options) {
+  options.noise = noise;
+  exec::Trace trace = Traced(experiment, experiment.scene, options);
+  WithHalfTheTimestep finer(experiment, options);
+  NoisyTrial trial{.noise = noise,
+                   .trace = {},
+                   .verdict = Attributed(experiment, Judge(experiment.problem, trace, {}), finer),
+                   .claims = Confirmed(ClaimsOf(experiment, trace),
+                                       [&] { return ClaimsOf(experiment, finer.trace()); })};
+  for (const exec::VerificationRecord* check : trace.All<exec::VerificationRecord>()) {
+    if (!check->error.empty()) ++trial.errors_signalled;
+  }
+  trial.operator_called = trace.end().outcome == exec::ExecutionOutcome::kOperatorCalled;
+  // Every error but one that the operator was called for was followed by another try, and the last
+  // try of a step that went on mended it.
+  std::vector<plan::StepId> mended;
+  for (const exec::RecoveryRecord* recovery : trace.All<exec::RecoveryRecord>()) {
+    const auto ended = [&](const exec::StepEnd* end) { return end->step == recovery->step; };
+    if (std::ranges::any_of(trace.All<exec::StepEnd>(), ended)) mended.push_back(recovery->step);
+  }
+  std::ranges::sort(mended);
+  trial.recovered = static_cast<int>(std::ranges::unique(mended).begin() - mended.begin());
+  trial.trace = std::move(trace);
+  return trial;
+}
+
+Verdict JudgeNoisyTrial(const Experiment& experiment, const noise::Noise& noise,
+                        exec::ExecutorOptions options) {
+  options.noise = noise;
+  return Judge(experiment.problem, Traced(experiment, experiment.scene, options), {});
+}
+
+}  // namespace assay::check

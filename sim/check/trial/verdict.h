@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "planner/plan/data/plan.h"
+#include "sim/check/trial/predicate.h"
+#include "sim/exec/execution/trace.h"
+
+namespace assay::check {
+
+// How a trial ended, judged from the simulator's truth.
+enum class TrialOutcome {
+  kSucceeded,       // every goal holds
+  kUnreachable,     // the arm cannot go a way that the plan wants
+  kOverload,        // the wrist felt more force than it may, and the arm stopped
+  kEngineWarning,   // the engine's numbers cannot be trusted: the trial tells nothing
+  kNotFound,        // a sensor did not see the part that it was to look at
+  kOperatorCalled,  // an error was signalled, and no recovery mended it
+  kCollided,        // an arm touched something, or a hand what it does not handle
+  kGraspFailed,     // a goal does not hold, and before that the gripper missed what it was to hold
+  kNotSeated,       // a held part is not all the way in
+  kMisaligned,      // it is in, but off to the side, tilted or turned
+  kNotLocated,      // a part does not rest in a stable pose that a goal names
+  kNotReleased,     // a part is still in the hand
+  kNotAtRest,       // a part still moves
+};
+std::string_view Name(TrialOutcome outcome);  // "grasp-failed"
+
+struct Verdict {
+  TrialOutcome outcome = TrialOutcome::kSucceeded;
+  std::string reason = {};             // step, predicate, values; empty if succeeded
+  std::vector<Finding> findings = {};  // of all goals, whether they hold or not
+};
+
+// Judges an execution by its trace. Of several reasons for failure the outcome names the first in
+// the order of the enumeration; the findings tell all.
+Verdict Judge(const domain::Problem& problem, const exec::Trace& trace, const Limits& limits);
+
+}  // namespace assay::check

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/finemotion/graph/contact_chain.h"
+#include "sim/cli/trials/mating_report.h"
+#include "sim/cli/work/planned_problem.h"
+
+namespace assay::cli {
+
+// What the pictures are of.
+struct PicturedMating {
+  const PlannedProblem& planned;
+  const domain::Mating& mating;
+  const finemotion::MatingGeometry& geometry;
+  const finemotion::ContactChain& chain;
+  const finemotion::FineMotionPlan& plan;  // has motions
+  const plan::Strategy& strategy;          // of the plan
+  const std::optional<MatingStudy>& study;
+};
+
+// Writes the contact pictures (see contact_pictures.h), the contact graph of each critical
+// point as graph-1.svg and so on, and index.html, one page with all of it. Returns the files'
+// names.
+std::vector<std::string> WriteMatingPictures(const std::filesystem::path& folder,
+                                             const PicturedMating& mating);
+
+}  // namespace assay::cli

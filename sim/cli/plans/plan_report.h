@@ -1,0 +1,16 @@
+#pragma once
+
+#include "planner/plan/check/checker.h"
+#include "planner/plan/data/plan.h"
+#include "sim/cli/plans/report.h"
+#include "sim/cli/work/planned_problem.h"
+
+namespace assay::cli {
+
+// What the independent checker says about a plan, and whether its certificates hold up. It holds if
+// there are no flaws.
+Report ReportOn(const PlannedProblem& planned);
+
+nlohmann::ordered_json ToJson(const plan::Plan& plan, const plan::CheckReport& report);
+
+}  // namespace assay::cli

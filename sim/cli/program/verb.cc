@@ -1,0 +1,14 @@
+#include "sim/cli/program/verb.h"
+
+#include <array>
+
+namespace assay::cli {
+
+std::span<const Verb* const> Verbs() {
+  static constexpr std::array kVerbs = {
+      &kCheck,  &kPlan,   &kRun,   &kMate,  &kKnow,      &kEnact,  &kSweep, &kReplay,    &kReport,
+      &kRender, &kExport, &kLabel, &kBound, &kCalibrate, &kDoctor, &kList,  &kCompletion};
+  return kVerbs;
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <functional>
+#include <span>
+
+#include "sim/cli/program/exit_code.h"
+
+namespace CLI {
+class App;
+}
+
+namespace assay::cli {
+
+// What a verb does once its arguments are read.
+using Execution = std::function<ExitCode()>;
+
+// A word of the command line: `assay NAME ...`. Each has a file of its name, with its options and
+// what it does.
+struct Verb {
+  const char* name;
+  const char* summary;                      // one line
+  const char* example;                      // command lines, for the help
+  Execution (*declare)(CLI::App& command);  // adds its arguments to the command
+};
+
+extern const Verb kBound;
+extern const Verb kCalibrate;
+extern const Verb kCheck;
+extern const Verb kCompletion;
+extern const Verb kDoctor;
+extern const Verb kEnact;
+extern const Verb kExport;
+extern const Verb kKnow;
+extern const Verb kLabel;
+extern const Verb kList;
+extern const Verb kMate;
+extern const Verb kPlan;
+extern const Verb kRender;
+extern const Verb kReplay;
+extern const Verb kReport;
+extern const Verb kRun;
+extern const Verb kSweep;
+
+std::span<const Verb* const> Verbs();  // in the order of the help
+
+}  // namespace assay::cli

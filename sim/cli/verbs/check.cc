@@ -1,0 +1,150 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "planner/assembly/contingent_assembly.h"
+#include "planner/base/input_error.h"
+#include "planner/domain/part/part_file.h"
+#include "planner/plan/file/json_layout.h"
+#include "sim/cli/options/file_format.h"
+#include "sim/cli/options/models_folder.h"
+#include "sim/cli/options/quantity_option.h"
+#include "sim/cli/plans/part_report.h"
+#include "sim/cli/plans/plan_report.h"
+#include "sim/cli/plans/problem_report.h"
+#include "sim/cli/plans/workcell_report.h"
+#include "sim/cli/program/console.h"
+#include "sim/cli/program/progress.h"
+#include "sim/cli/program/verb.h"
+#include "sim/cli/trials/sweep_report.h"
+#include "sim/cli/work/output_file.h"
+#include "sim/cli/work/planned_problem.h"
+#include "sim/enact/walk/interpretation.h"
+#include "sim/scenario/models_folder.h"
+
+namespace assay::cli {
+namespace check_verb {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct Options {
+  std::vector<fs::path> files;
+  domain::ModelPath models;
+  fs::path output;
+  std::string workcell = "puma762-table";  // whose gripper takes a part
+  double clearance_mm = 0.5;               // of a part's holes
+  bool json = false;
+};
+
+Report CheckPart(const Document& document, const fs::path& file, const Options& options) {
+  const auto part = domain::PartFile::Read(document, options.clearance_mm / 1000);
+  const auto workcell = domain::Workcell::Load(
+      scenario::FindModels(file, options.models).WorkcellFile(options.workcell));
+  const kinematics::Gripper& gripper = workcell->gripper();
+  return ReportOn(*part,
+                  domain::ComputeGrasps(*part, gripper,
+                                        {workcell->rules().approach_step, gripper.max_opening()}));
+}
+
+// What a scenario's key `knowledge` says is of no matter to the report, but must be right.
+Report CheckScenario(const Document& document, const fs::path& file, const Options& options) {
+  if (document.root().Find("knowledge")) {
+    enact::Read(document, scenario::FindModels(file, options.models));
+  }
+  const std::vector<domain::Problem> worlds = scenario::ReadWorlds(document, options.models);
+  Report report = ReportOn(worlds.front());
+  if (worlds.size() == 1) return report;
+  std::vector<std::string> names;
+  for (const domain::Problem& world : worlds) names.push_back(assembly::NameOf(world));
+  Json json = *report.json;
+  json["worlds"] = names;
+  report.json = std::make_shared<const Json>(std::move(json));
+  report.text += fmt::format("worlds: {} (this is the first)\n", fmt::join(names, "; "));
+  return report;
+}
+
+Report CheckFile(const fs::path& file, const Options& options) {
+  const Document document = Document::Load(file);
+  switch (FormatOf(document)) {
+    case FileFormat::kScenarioFile:
+      return CheckScenario(document, file, options);
+    case FileFormat::kPartFile:
+      return CheckPart(document, file, options);
+    case FileFormat::kWorkcellFile:
+      return ReportOn(*domain::Workcell::Load(file));
+    case FileFormat::kPlanFile:
+      return ReportOn(ReadPlan(document, options.models));
+    case FileFormat::kSweepFile:
+      return ReportOn(sweep::Load(file), options.models);
+  }
+  return {};
+}
+
+// Reports on all files; a wrong one does not keep the others from being looked at.
+struct Summary {
+  Json files = Json::array();
+  std::string text;
+  bool all_right = true;  // as input
+  bool all_hold = true;
+
+  void Add(const fs::path& file, const Options& options) {
+    try {
+      const Progress progress("checking " + file.string());
+      Report report = CheckFile(file, options);
+      Json json = {{"file", file.string()}, {"holds", report.holds}};
+      json.update(*report.json);
+      files.push_back(std::move(json));
+      text += (text.empty() ? "" : "\n") + report.text;
+      all_hold = all_hold && report.holds;
+    } catch (const InputError& error) {
+      PrintError(error.what());
+      files.push_back({{"file", file.string()}, {"holds", false}, {"error", error.what()}});
+      all_right = false;
+    }
+  }
+};
+
+ExitCode Execute(const Options& options) {
+  RequireWritable(options.output);
+  Summary summary;
+  for (const fs::path& file : options.files) summary.Add(file, options);
+  const std::string json = plan::JsonText(Json{{"files", summary.files}});
+  PrintAndWrite(options.json ? json : summary.text, [&] {
+    if (!options.output.empty()) WriteFile(options.output, json);
+  });
+  if (!summary.all_right) return ExitCode::kWrongInput;
+  return summary.all_hold ? ExitCode::kDone : ExitCode::kFailed;
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("file", options->files, "scenario, sweep, part, workcell and plan files")
+      ->required();
+  command.add_flag("--json", options->json, "print the reports as JSON");
+  command.add_option("-o,--output", options->output, "write the reports, as JSON, to this file");
+  command.add_option("--workcell", options->workcell, "the workcell whose gripper takes a part")
+      ->capture_default_str();
+  command.add_option("--clearance", options->clearance_mm, "clearance of a part's holes, mm")
+      ->check(Within({0, 0.01}, domain::kMillimetres))
+      ->capture_default_str();
+  AddModelsOption(command, options->models);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace check_verb
+
+const Verb kCheck = {
+    .name = "check",
+    .summary = "checks scenario, sweep, part, workcell and plan files, and tells what they come to",
+    .example = "assay check scenarios/spar-fig13.yaml models/parts/block/part.yaml",
+    .declare = check_verb::Declare,
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,187 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "planner/assembly/contingent_assembly.h"
+#include "planner/contingent/format/pddl_text.h"
+#include "planner/contingent/format/task_file.h"
+#include "planner/contingent/grounding/grounding.h"
+#include "sim/cli/options/models_folder.h"
+#include "sim/cli/plans/dot.h"
+#include "sim/cli/plans/plan_text.h"
+#include "sim/cli/plans/plan_tree_report.h"
+#include "sim/cli/program/console.h"
+#include "sim/cli/program/usage_error.h"
+#include "sim/cli/program/verb.h"
+#include "sim/cli/work/output_file.h"
+#include "sim/cli/work/planned_problem.h"
+#include "sim/exec/commands/command_file.h"
+#include "sim/scene/mjcf.h"
+
+namespace assay::cli {
+namespace export_verb {
+
+struct Options {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  domain::ModelPath models;
+  bool mjcf = false;
+  bool dot = false;
+  bool network = false;
+  bool contacts = false;
+  bool commands = false;
+  bool pks = false;
+  std::filesystem::path pddl;  // the problem of the domain `input`
+};
+
+void Deliver(const std::string& text, const Options& options) {
+  if (options.output.empty()) {
+    Print(text);
+  } else {
+    WriteFile(options.output, text);
+  }
+}
+
+// Of several worlds the first. Whoever reads it steps it with the engine as it is.
+ExitCode ExportMjcf(const Options& options) {
+  const Document document = Document::Load(options.input);
+  const domain::Problem first = scenario::ReadWorlds(document, options.models).front();
+  scene::SceneOptions scene = scenario::ReadSimulation(document).scene;
+  scene.endless_tables = true;
+  Deliver(scene::ToMjcf(first, scene), options);
+  return ExitCode::kDone;
+}
+
+// What `write` makes of a plan; if there is none, why.
+ExitCode ExportPlan(const Options& options,
+                    std::string (*write)(const domain::Problem&, const plan::Plan&)) {
+  const PlannedProblem planned = ReadOrMakePlan(Document::Load(options.input), options.models);
+  if (planned.result.outcome == Outcome::kFound) {
+    Deliver(write(planned.problem, planned.result.plan), options);
+  } else {
+    Print(Text(planned.problem, planned.result));
+  }
+  return ExitCodeOf(planned.result.outcome);
+}
+
+std::string CommandFileText(const domain::Problem& problem, const plan::Plan& plan) {
+  return exec::Text(problem, plan, exec::CommandFileOf(problem, plan));
+}
+
+ExitCode ExportNetwork(const Options& options) {
+  const scenario::Scenario scenario = scenario::Load(options.input, options.models);
+  std::string dot;
+  const auto show = [&](const posting::PartialPlan& plan) { dot = ConstraintNetworkToDot(plan); };
+  const plan::PlanResult result = posting::MakePlan(scenario.problem, {.show_family = show});
+  if (result.outcome == Outcome::kFound) {
+    Deliver(dot, options);
+  } else {
+    Print(Text(scenario.problem, result));
+  }
+  return ExitCodeOf(result.outcome);
+}
+
+ExitCode ExportContacts(const Options& options) {
+  const scenario::Scenario scenario = scenario::Load(options.input, options.models);
+  const domain::Problem& problem = scenario.problem;
+  if (problem.matings.empty()) {
+    throw UsageError(fmt::format("export: {}: no goal mates parts", options.input.string()));
+  }
+  const finemotion::MatingGeometry geometry =
+      finemotion::GeometryOf(problem, problem.matings.back());
+  Deliver(ContactChainToDot(problem.name, ContactChainOf(geometry)), options);
+  return ExitCode::kDone;
+}
+
+// Two files beside each other, NAME-domain.pddl and NAME-problem.pddl, or both printed.
+ExitCode ExportPddl(const Options& options) {
+  const contingent::Task task = contingent::LoadTask(options.input, options.pddl);
+  contingent::Externs externs;
+  const contingent::PddlFiles files =
+      contingent::ToPddl(contingent::Ground(task.domain, task.problem, externs), task.problem.name);
+  if (options.output.empty()) {
+    Print(files.domain + files.problem);
+  } else {
+    WriteFile(options.output.string() + "-domain.pddl", files.domain);
+    WriteFile(options.output.string() + "-problem.pddl", files.problem);
+  }
+  return ExitCode::kDone;
+}
+
+// Likewise NAME-domain.pks and NAME-problem.pks: what `assay know` would plan with.
+ExitCode ExportPks(const Options& options) {
+  const std::vector<domain::Problem> worlds =
+      ReadWorldsToPlan(Document::Load(options.input), options.models);
+  const assembly::ContingentAssembly assembly = assembly::MakeContingentPlan(worlds, {}, {});
+  if (assembly.knowledge.domain.empty()) {
+    Print(Text(worlds, assembly));
+  } else if (options.output.empty()) {
+    Print(assembly.knowledge.domain + "\n" + assembly.knowledge.problem);
+  } else {
+    WriteFile(options.output.string() + "-domain.pks", assembly.knowledge.domain);
+    WriteFile(options.output.string() + "-problem.pks", assembly.knowledge.problem);
+  }
+  return ExitCodeOf(assembly.outcome);
+}
+
+// --dot beside the name of a graph says nothing more.
+void RequireOneThing(const Options& options) {
+  const bool names_graph = options.contacts || options.network;
+  const int things = (options.dot && !names_graph) + options.mjcf + options.network +
+                     options.contacts + options.commands + !options.pddl.empty() + options.pks;
+  if (things != 1) throw UsageError("export: one thing at a time is exported (see --help)");
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command
+      .add_option("scenario", options->input,
+                  "scenario file; for --dot and --commands also a plan file; for --pddl a domain")
+      ->required();
+  CLI::Option_group* const what = command.add_option_group("what");
+  what->add_flag("--mjcf", options->mjcf,
+                 "the scene as a model for MuJoCo, with the key frame home; where a pose is open, "
+                 "as in the first of its worlds");
+  what->add_flag("--dot", options->dot,
+                 "the plan's ordering graph for Graphviz; with --contacts or --network that graph, "
+                 "which they write without it, too");
+  what->add_flag("--network", options->network, "the plan's constraint network for Graphviz");
+  what->add_flag(
+      "--contacts", options->contacts,
+      "the contact states of the last mating at all of its critical points, for Graphviz");
+  what->add_flag("--commands", options->commands, "what the robot is told, command by command");
+  what->add_option("--pddl", options->pddl,
+                   "this contingent problem of a domain, and the domain, as contingent PDDL");
+  what->add_flag("--pks", options->pks,
+                 "what is known while the scenario's plans are executed: looks, verifications and "
+                 "recoveries as domain and problem for assay know");
+  what->require_option(1, 2);
+  command.add_option("-o,--output", options->output, "write to this file instead of printing");
+  AddModelsOption(command, options->models);
+  return [options] {
+    RequireOneThing(*options);
+    if (!options->pddl.empty()) return ExportPddl(*options);
+    if (options->pks) return ExportPks(*options);
+    RequireWritable(options->output);
+    if (options->mjcf) return ExportMjcf(*options);
+    if (options->contacts) return ExportContacts(*options);
+    if (options->network) return ExportNetwork(*options);
+    return ExportPlan(*options, options->dot ? OrderingGraphToDot : CommandFileText);
+  };
+}
+
+}  // namespace export_verb
+
+const Verb kExport = {
+    .name = "export",
+    .summary = "writes a scenario's scene, graphs and commands of its plan, or a domain as PDDL",
+    .example =
+        "assay export scenarios/spar-fig13.yaml --mjcf -o fig13.xml\n"
+        "assay export scenarios/know/force-sensing.pks --pddl scenarios/know/two-cans.pks -o cans\n"
+        "  writes cans-domain.pddl and cans-problem.pddl",
+    .declare = export_verb::Declare,
+};
+
+}  // namespace assay::cli

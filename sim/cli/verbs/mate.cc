@@ -1,0 +1,365 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <optional>
+
+#include "planner/assembly/strategy_reach.h"
+#include "planner/domain/mating/mating_errors_file.h"
+#include "planner/finemotion/search/likely_errors.h"
+#include "planner/plan/file/json_layout.h"
+#include "sim/check/contacts/margin_ranking.h"
+#include "sim/cli/options/models_folder.h"
+#include "sim/cli/options/quantity.h"
+#include "sim/cli/options/quantity_option.h"
+#include "sim/cli/pictures/mating_pictures.h"
+#include "sim/cli/program/console.h"
+#include "sim/cli/program/interruption.h"
+#include "sim/cli/program/progress.h"
+#include "sim/cli/program/stopwatch.h"
+#include "sim/cli/program/usage_error.h"
+#include "sim/cli/program/verb.h"
+#include "sim/cli/trials/contact_chain_report.h"
+#include "sim/cli/trials/mating_report.h"
+#include "sim/cli/work/mating_task.h"
+#include "sim/cli/work/mating_trials.h"
+#include "sim/cli/work/output_file.h"
+#include "sim/cli/work/trial.h"
+#include "sim/sweep/run/shell.h"
+
+namespace assay::cli {
+namespace mate_verb {
+
+using Json = nlohmann::ordered_json;
+using finemotion::FineMotionPlan;
+using finemotion::MatingGeometry;
+
+constexpr int kMostNodes = 1'000'000;
+
+struct Options {
+  std::filesystem::path scenario;
+  domain::ModelPath models;
+  std::optional<double> displacement_mm;
+  std::optional<double> rotation_deg;
+  std::optional<double> velocity;  // share
+  std::optional<double> clearance_mm;
+  std::optional<double> friction;
+  double beyond = 1;
+  int trials = 0;
+  std::optional<int> trial;  // the only one
+  int jobs = 1;
+  std::uint64_t seed = 1;
+  std::uint64_t search_seed = 1;
+  int nodes = finemotion::StrategyOptions().thorough_nodes;
+  finemotion::MeetingTest intersection = finemotion::MeetingTest::kExact;
+  scene::GraspMode grasp = scene::GraspMode::kWeld;
+  std::filesystem::path pictures;  // folder
+  bool json = false;
+};
+
+const std::map<std::string, finemotion::MeetingTest>& Intersections() {
+  using finemotion::MeetingTest;
+  static const std::map<std::string, MeetingTest> names = {{"exact", MeetingTest::kExact},
+                                                           {"edges", MeetingTest::kEdges},
+                                                           {"compare", MeetingTest::kCompare}};
+  return names;
+}
+
+PlannedProblem Planned(const Options& options) {
+  scenario::Overrides overrides;
+  if (options.clearance_mm) overrides.clearance = *options.clearance_mm * kLengthUnit.factor;
+  const Document document = Document::Load(options.scenario);
+  return MakePlan(document, scenario::Read(document, options.models, overrides), {}, {});
+}
+
+domain::MatingErrors HalfWidths(const Options& options, const domain::Problem& problem) {
+  domain::MatingErrors errors = problem.mating_errors;
+  if (options.displacement_mm) errors.displacement = *options.displacement_mm * kLengthUnit.factor;
+  if (options.rotation_deg) errors.rotation = *options.rotation_deg * kDegree;
+  if (options.velocity) errors.velocity = *options.velocity;
+  return errors;
+}
+
+finemotion::FineMotionErrors ErrorsOf(const domain::MatingErrors& half_widths,
+                                      const MatingGeometry& geometry) {
+  finemotion::FineMotionErrors errors;
+  errors.tolerances = geometry.tolerances;
+  errors.pose.head<3>().setConstant(half_widths.displacement);
+  errors.pose.tail<3>().setConstant(half_widths.rotation);
+  errors.velocity = half_widths.velocity;
+  return errors;
+}
+
+finemotion::StrategyOptions SearchOptions(const Options& options, const domain::Problem& problem) {
+  const double usual = problem.workcell->rules().friction + problem.tolerances.friction;
+  return {.friction = options.friction.value_or(usual),
+          .thorough_nodes = options.nodes,
+          .test = options.intersection,
+          .seed = options.search_seed};
+}
+
+// What makes the trials again, up to the number of one.
+std::string ReplayCommand(const Options& options) {
+  const Options usual;
+  std::string command = fmt::format("assay mate {}", sweep::Word(options.scenario.string()));
+  const auto add = [&](const char* name, const auto& value, const auto& default_value) {
+    if (value != default_value) command += fmt::format(" --{} {}", name, value);
+  };
+  const auto add_given = [&](const char* name, const std::optional<double>& value) {
+    if (value) command += fmt::format(" --{} {}", name, *value);
+  };
+  add_given("displacement", options.displacement_mm);
+  add_given("rotation", options.rotation_deg);
+  add_given("velocity", options.velocity);
+  add_given("clearance", options.clearance_mm);
+  add_given("friction", options.friction);
+  add("beyond", options.beyond, usual.beyond);
+  for (const auto& [name, test] : Intersections()) {
+    if (test == options.intersection) add("intersection", name, "exact");
+  }
+  add("seed", options.seed, usual.seed);
+  add("search-seed", options.search_seed, usual.search_seed);
+  add("nodes", options.nodes, usual.nodes);
+  add("grasp", scene::Name(options.grasp), scene::Name(usual.grasp));
+  command += sweep::ModelsOption(options.models);
+  return command + " --trial ";
+}
+
+std::vector<int> NumbersOf(const Options& options) {
+  if (options.trial) return {*options.trial};
+  std::vector<int> numbers(static_cast<std::size_t>(options.trials));
+  std::iota(numbers.begin(), numbers.end(), 1);
+  return numbers;
+}
+
+// A mating with its plan, and what is told of it.
+struct Planning {
+  MatingTask task;
+  MatingGeometry geometry;
+  finemotion::FineMotionErrors errors;
+  finemotion::StrategyOptions search;
+  finemotion::ContactChain chain = {};
+  FineMotionPlan plan = {};
+  plan::Strategy strategy = {};  // of the plan
+  std::optional<MatingStudy> study = {};
+
+  Json json = {};
+  std::string text = {};
+  ExitCode code = ExitCode::kNoPlan;
+};
+
+Planning Prepared(const Options& options) {
+  MatingTask task = LastMatingOf(Planned(options));
+  const domain::Problem& problem = task.planned.problem;
+  MatingGeometry geometry = finemotion::GeometryOf(problem, problem.mating(task.assemble.mating));
+  const finemotion::FineMotionErrors errors = ErrorsOf(HalfWidths(options, problem), geometry);
+  const finemotion::StrategyOptions search = SearchOptions(options, problem);
+  return {std::move(task), std::move(geometry), errors, search};
+}
+
+void Search(Planning& of) {
+  Json seconds;
+  const Stopwatch graphing;
+  of.chain = ContactChainOf(of.geometry);
+  seconds["graph"] = graphing.Seconds();
+  const Stopwatch searching;
+  of.plan = SearchStrategy(of.geometry.passage, of.errors, of.search);
+  seconds["search"] = searching.Seconds();
+  of.strategy = StrategyOf(of.geometry, of.plan, of.search);
+  TellLikelyErrors(of.geometry, of.plan, of.errors, of.search, of.strategy);
+  of.json = ToJson(of.geometry, of.plan);
+  of.json.update(ToJson(of.chain, of.plan));
+  of.json["seconds"] = seconds;
+  of.text = TextOf(of.geometry, of.plan, of.search) + TextOf(of.chain, of.plan);
+  of.code = ExitCodeOf(of.plan.outcome);
+}
+
+MatingStudy Tried(const Planning& of, const kinematics::JointVector& near, const Options& options) {
+  Progress progress("mating in physics");
+  MatingTrialSettings settings{.errors = of.errors,
+                               .beyond = options.beyond,
+                               .scene = of.task.planned.simulation.scene,
+                               .seed = options.seed,
+                               .near = near};
+  settings.scene.grasp = options.grasp;
+  if (options.friction) settings.scene.part_friction = *options.friction;
+  const MatingTrials trials(of.task, of.geometry, of.strategy, settings);
+  const check::PlannedContacts contacts = check::PlannedContactsOf(of.plan);
+  const std::vector<int> numbers = NumbersOf(options);
+  MatingStudy study{.strategy = std::vector<MatedTrial>(numbers.size()),
+                    .straight = std::vector<MatedTrial>(numbers.size()),
+                    .covered = of.plan.absorbed,
+                    .replay = ReplayCommand(options)};
+  const Interruption interruption;
+  ForEachTrial(static_cast<int>(numbers.size()), options.jobs, [&](int nth) {
+    const auto i = static_cast<std::size_t>(nth - 1);
+    MatedTrial strategy = trials.RunStrategy(numbers[i], contacts);
+    Interruption::BreakOffIfRequested();
+    study.straight[i] = trials.RunStraight(numbers[i]);
+    study.strategy[i] = std::move(strategy);
+    progress.Tell(fmt::format("mating in physics, trial {} of {}", nth, numbers.size()));
+  });
+  // Those that were not made have no number.
+  for (std::vector<MatedTrial>* made : {&study.strategy, &study.straight}) {
+    std::erase_if(*made, [](const MatedTrial& trial) { return trial.number == 0; });
+  }
+  std::vector<check::SequenceComparison> comparisons;
+  for (const MatedTrial& trial : study.strategy) comparisons.push_back(trial.sequence->comparison);
+  study.ranking = check::RankMargins(of.geometry.passage, of.plan, of.search.reach, comparisons);
+  return study;
+}
+
+// A strategy is certain of a fixed part that stays where it is.
+std::string FreeText(const Planning& of) {
+  const domain::Problem& problem = of.task.planned.problem;
+  const domain::Part& fixed = problem.part(problem.mating(of.task.assemble.mating).fixed);
+  if (fixed.clamp > 0) return "";
+  return fmt::format(
+      "nothing but its weight keeps {0} where it is, and what pushes against it may move it: a "
+      "fixture is declared by the key clamp of {0} in the scenario, in newtons\n",
+      fixed.name);
+}
+
+void Try(const kinematics::JointVector& near, const Options& options, Planning& of) {
+  if (options.trials == 0 && !options.trial) return;
+  const Stopwatch trying;
+  of.study = Tried(of, near, options);
+  of.json["seconds"]["trials"] = trying.Seconds();
+  of.text += TextOf(*of.study);
+  of.text += Interruption::Text(std::ssize(of.study->strategy), std::ssize(NumbersOf(options)));
+  of.json["trials"] = ToJson(*of.study);
+  if (Interruption::Requested()) of.json["interrupted"] = true;
+  if (!of.plan.found() || of.study->CoveredFailures() == 0) return;
+  of.code = ExitCode::kFailed;
+  of.text += FreeText(of);
+}
+
+// No proof: another strategy, or another place for the parts, may be one that the arm can execute.
+void Refuse(const assembly::Unreached& unreached, Planning& of) {
+  of.code = ExitCode::kBudgetSpent;
+  of.json["outcome"] = "budget";
+  of.json["unreached"] = ToJson(of.task, unreached);
+  of.text += TextOf(of.task, unreached);
+}
+
+void Execute(const Options& options, Planning& of) {
+  plan::Hold& hold = of.task.assemble.hold;
+  const auto chosen = assembly::ChooseHold(of.task.planned.problem, of.task.assemble, of.strategy);
+  if (const auto* unreached = std::get_if<assembly::Unreached>(&chosen)) {
+    if (of.plan.found()) Refuse(*unreached, of);
+    return;
+  }
+  const auto& [reaching, start] = std::get<assembly::ReachingHold>(chosen);
+  if (reaching.grasp != hold.grasp)
+    of.text += fmt::format("held by {}: {} does not reach\n", reaching.grasp, hold.grasp);
+  hold = reaching;
+  of.json["grasp"] = hold.grasp;
+  Try(start, options, of);
+}
+
+void Picture(const std::filesystem::path& folder, Planning& of) {
+  const PlannedProblem& planned = of.task.planned;
+  const std::vector<std::string> files =
+      WriteMatingPictures(folder, {planned, planned.problem.mating(of.task.assemble.mating),
+                                   of.geometry, of.chain, of.plan, of.strategy, of.study});
+  of.json["pictures"] = files;
+  of.text += fmt::format("{}\n", fmt::join(files, "\n"));
+}
+
+ExitCode Execute(const Options& options) {
+  if (!options.pictures.empty()) MakeFolder(options.pictures);
+  Planning planning = Prepared(options);
+  Search(planning);
+  if (!planning.plan.motions.empty()) {
+    Execute(options, planning);
+    if (!options.pictures.empty()) Picture(options.pictures, planning);
+  }
+  Print(options.json ? plan::JsonText(planning.json) : planning.text);
+  return Interruption::CodeOr(planning.code);
+}
+
+void AddUncertainty(CLI::App& command, Options& options) {
+  command
+      .add_option("--displacement", options.displacement_mm,
+                  "of the part in the hand at first: so many mm at most, in x, y and z, instead "
+                  "of the scenario's mating_errors")
+      ->check(Within(domain::kMatingDisplacements, kLengthUnit));
+  command
+      .add_option("--rotation", options.rotation_deg, "so many degrees at most, about x, y and z")
+      ->check(Within(domain::kMatingRotations, kAngleUnit));
+  command
+      .add_option("--velocity", options.velocity,
+                  "directions of motion err by such a share of the motion at most, 0.002 being "
+                  "0.2 %")
+      ->check(Within(domain::kMatingVelocities, kRatioUnit));
+  command
+      .add_option("--clearance", options.clearance_mm, "mm on each side, instead of the scenario's")
+      ->check(Within({0, 0.1}, kLengthUnit));
+  command.add_option("--friction", options.friction, "of the parts, instead of the part files'")
+      ->check(Within({0, 10}, kRatioUnit));
+  command
+      .add_option(
+          "--intersection", options.intersection,
+          "how it is decided whether errors can make a contact: exact (the default), edges "
+          "(as Dakin and Popplestone have it, which misses some), or compare (exact, and how "
+          "often edges differs)")
+      ->transform(CLI::CheckedTransformer(Intersections()));
+  command.add_option("--search-seed", options.search_seed, "of all that is random in planning")
+      ->capture_default_str();
+  command
+      .add_option("--nodes", options.nodes,
+                  "where no strategy is found: so many nodes at most for each critical point, to "
+                  "look through all sequences of contacts; if that is not enough, exit code 11")
+      ->check(CLI::Range(1, kMostNodes))
+      ->capture_default_str();
+}
+
+void AddTrials(CLI::App& command, Options& options) {
+  command
+      .add_option("--trials", options.trials, "execute it so often, and a straight line beside it")
+      ->check(CLI::Range(0, std::numeric_limits<int>::max()));
+  command.add_option("--trial", options.trial, "run only this one of the trials")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  command
+      .add_option("--beyond", options.beyond,
+                  "trials draw errors from a box so many times as wide as planned for")
+      ->check(Within({0, 100}, kRatioUnit))
+      ->capture_default_str();
+  command.add_option("--jobs", options.jobs, "how many threads")->check(CLI::Range(1, 1024));
+  command.add_option("--seed", options.seed, "of the trials' errors")->capture_default_str();
+  command
+      .add_option("--grasp", options.grasp,
+                  "how the gripper holds parts: friction or weld (the default)")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, scene::GraspMode>{
+          {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}}));
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("scenario", options->scenario, "scenario file with an assembled goal")
+      ->required();
+  AddUncertainty(command, *options);
+  AddTrials(command, *options);
+  command.add_option("--pictures", options->pictures,
+                     "folder for pictures of the contact states and their graphs; index.html has "
+                     "all of it");
+  command.add_flag("--json", options->json, "print the result as JSON");
+  AddModelsOption(command, options->models);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace mate_verb
+
+const Verb kMate = {
+    .name = "mate",
+    .summary = "plans the fine motion of one mating, and tries it in physics",
+    .example = "assay mate scenarios/mate-square.yaml --trials 20",
+    .declare = mate_verb::Declare,
+};
+
+}  // namespace assay::cli

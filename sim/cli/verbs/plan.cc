@@ -1,0 +1,263 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "planner/assembly/contingent_assembly.h"
+#include "planner/base/quotation.h"
+#include "planner/plan/file/json_layout.h"
+#include "planner/plan/file/plan_file.h"
+#include "sim/cli/options/models_folder.h"
+#include "sim/cli/options/resolver_option.h"
+#include "sim/cli/plans/explanation.h"
+#include "sim/cli/plans/plan_report.h"
+#include "sim/cli/plans/plan_text.h"
+#include "sim/cli/plans/plan_tree_report.h"
+#include "sim/cli/program/console.h"
+#include "sim/cli/program/progress.h"
+#include "sim/cli/program/stopwatch.h"
+#include "sim/cli/program/usage_error.h"
+#include "sim/cli/program/verb.h"
+#include "sim/cli/work/output_file.h"
+#include "sim/cli/work/planned_problem.h"
+
+namespace assay::cli {
+namespace plan_verb {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::filesystem::path input;
+  std::filesystem::path output;
+  domain::ModelPath models;
+  bool json = false;
+  bool trace = false;
+  bool check = false;
+  bool tree = false;
+  int instances = 1;
+  std::int64_t budget = posting::PlannerOptions().partial_plans;
+  std::string propagation = "sound";
+  std::vector<std::string> resolvers = {};           // empty: the scenario's
+  std::optional<std::string> explain;                // a step: its place, from 1, or its id
+  std::vector<const CLI::Option*> of_planning = {};  // of no use with a plan file
+};
+
+posting::PlannerOptions PlannerOptionsFrom(const Options& options) {
+  posting::PlannerOptions planner;
+  planner.partial_plans = options.budget;
+  if (options.trace) {
+    planner.trace = [](const std::string& line) { Remark(assay::Show(line) + "\n"); };
+  }
+  return planner;
+}
+
+posting::UncertaintyOptions UncertaintyOptionsFrom(const Options& options) {
+  return {.propagation = options.propagation == "paper" ? uncertainty::Propagation::kPaper
+                                                        : uncertainty::Propagation::kSound};
+}
+
+void RefuseOptionsOfPlanning(const Options& options) {
+  for (const CLI::Option* option : options.of_planning) {
+    if (option->count() == 0) continue;
+    throw UsageError(
+        fmt::format("{} is for scenarios, and {} is a plan file (see assay plan --help)",
+                    option->get_name(), options.input.string()));
+  }
+  if (options.tree) throw UsageError("--tree is for scenarios (see assay plan --help)");
+}
+
+// Plan instances of the first phase, in the order in which they are found.
+std::vector<plan::Plan> ListInstances(const domain::Problem& problem, const Options& options) {
+  std::vector<plan::Plan> instances;
+  if (options.instances == 1) return instances;
+  posting::PlannerOptions planner;
+  planner.partial_plans = options.budget;
+  planner.accept = [&](const plan::Plan& instance) {
+    instances.push_back(instance);
+    return std::ssize(instances) >= options.instances;
+  };
+  posting::MakePlan(problem, planner);
+  return instances;
+}
+
+Json InstanceToJson(const plan::Plan& instance, const domain::Problem& problem) {
+  const Json plan = plan::ToJson({Outcome::kFound, instance, {}, {}}, problem, "");
+  return {{"actions", plan["actions"]}, {"ordering", plan["ordering"]}};
+}
+
+plan::StepId StepToExplain(const plan::Plan& plan, const std::string& named) {
+  const std::vector<plan::StepId> order = plan.ExecutionOrder();
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (named == plan.step(order[i]).name || named == std::to_string(i + 1)) return order[i];
+  }
+  throw UsageError(fmt::format(
+      "plan: --explain: there is no step {}; allowed: 1 to {}, or an id such as {} (see assay plan "
+      "--help)",
+      Quote(named), order.size(), order.empty() ? "action_1" : plan.step(order.front()).name));
+}
+
+std::string CountersText(const plan::PlanResult& result, double seconds) {
+  std::vector<std::string> counters;
+  for (const auto& [name, count] : result.counters) {
+    counters.push_back(fmt::format("{} {}", name, count));
+  }
+  return fmt::format("{}; {:.2f} s\n", fmt::join(counters, ", "), seconds);
+}
+
+// What who looks at a plan file must know of its certificates first; nothing if they hold up.
+std::string WarningOf(const PlannedProblem& planned) {
+  if (planned.plan_file.empty()) return "";
+  const std::vector<plan::Flaw> flaws = CertificateFlaws(planned);
+  if (flaws.empty()) return "";
+  const plan::Flaw& first = flaws.front();
+  return fmt::format(
+      "warning: the certificates do not hold up; flaws: {} (assay check lists all)\n"
+      "  {}: {}\n",
+      flaws.size(), first.step.IsNone() ? "plan" : planned.result.plan.step(first.step).name,
+      first.what);
+}
+
+std::string ForPeople(const PlannedProblem& planned, const std::vector<plan::Plan>& instances,
+                      const Options& options) {
+  const bool found = planned.result.outcome == Outcome::kFound;
+  if (options.explain && found) {
+    return Explanation(planned.problem, planned.result.plan,
+                       StepToExplain(planned.result.plan, *options.explain), planned.file());
+  }
+  std::string text = Text(planned.problem, planned.result);
+  for (std::size_t i = 0; i < instances.size(); ++i) {
+    text += fmt::format("\nplan instance {} of the first phase\n{}", i + 1,
+                        PlanTable(planned.problem, instances[i]));
+  }
+  return text;
+}
+
+void RequireTreeOptions(const Options& options) {
+  if (!options.explain && !options.check && options.instances == 1 && options.output.empty())
+    return;
+  throw UsageError(
+      "a plan tree is printed, with --json for programs: --explain, --check, --instances and "
+      "--output are for plans of one world (see assay plan --help)");
+}
+
+ExitCode ExecuteTree(const std::vector<domain::Problem>& worlds, const Options& options) {
+  RequireTreeOptions(options);
+  const Stopwatch stopwatch;
+  const assembly::ContingentAssembly assembly = [&] {
+    const Progress progress("planning " + worlds.front().name);
+    return assembly::MakeContingentPlan(worlds, PlannerOptionsFrom(options),
+                                        UncertaintyOptionsFrom(options));
+  }();
+  Json json = ToJson(worlds, assembly);
+  json["seconds"] = stopwatch.Seconds();
+  Print(options.json ? plan::JsonText(json) : Text(worlds, assembly));
+  return ExitCodeOf(assembly.outcome);
+}
+
+ExitCode ExecutePlan(const PlannedProblem& planned, double seconds, const Options& options) {
+  const domain::Problem& problem = planned.problem;
+  const plan::PlanResult& result = planned.result;
+  const std::vector<plan::Plan> instances = ListInstances(problem, options);
+
+  Json json;
+  if (options.json || !options.output.empty()) {
+    json = plan::ToJson(result, problem, planned.scenario);
+  }
+  const std::string plan_file = options.output.empty() ? "" : plan::LaidOut(json);
+  const std::string warning = options.check ? "" : WarningOf(planned);
+  if (options.json && !warning.empty()) PrintError(warning);
+  std::string text = options.json ? "" : warning + ForPeople(planned, instances, options);
+  for (const plan::Plan& instance : instances) {
+    json["instances"].push_back(InstanceToJson(instance, problem));
+  }
+  bool holds = true;
+  if (options.check && result.outcome == Outcome::kFound) {
+    const plan::CheckReport report = CheckPlan(planned);
+    holds = report.flaws.empty();
+    json["check"] = ToJson(result.plan, report);
+    text += Text(result.plan, report);
+  }
+  json["seconds"] = seconds;
+  if (!options.explain) text += CountersText(result, seconds);
+  PrintAndWrite(options.json ? plan::LaidOut(json) : text, [&] {
+    if (!options.output.empty()) WriteFile(options.output, plan_file);
+  });
+  return holds ? ExitCodeOf(result.outcome) : ExitCode::kFailed;
+}
+
+ExitCode Execute(const Options& options) {
+  const Document document = Document::Load(options.input);
+  RequireWritable(options.output);
+  const Stopwatch stopwatch;
+  // A plan file is shown as it is.
+  if (IsPlanFile(document)) {
+    RefuseOptionsOfPlanning(options);
+    const PlannedProblem planned = ReadPlan(document, options.models);
+    return ExecutePlan(planned, stopwatch.Seconds(), options);
+  }
+  std::vector<domain::Problem> worlds =
+      ReadWorldsToPlan(document, options.models, {.resolvers = ResolversFrom(options.resolvers)});
+  if (worlds.size() > 1 || options.tree) return ExecuteTree(worlds, options);
+  const PlannedProblem planned =
+      MakePlan(document, {std::move(worlds.front()), scenario::ReadSimulation(document)},
+               PlannerOptionsFrom(options), UncertaintyOptionsFrom(options));
+  return ExecutePlan(planned, stopwatch.Seconds(), options);
+}
+
+void DeclarePlanning(CLI::App& command, Options& options) {
+  options.of_planning = {
+      command.add_flag("--trace", options.trace, "print the planner's decisions to standard error"),
+      command
+          .add_option("--instances", options.instances,
+                      "also list so many plan instances of the first phase, without certificates")
+          ->check(CLI::Range(1, 1'000'000)),
+      command
+          .add_option("--propagation", options.propagation,
+                      "how errors are carried from step to step: sound, so that no certificate is "
+                      "false; paper, as published")
+          ->check(CLI::IsMember({"sound", "paper"}))
+          ->capture_default_str(),
+      AddResolvers(command, options.resolvers),
+      command.add_option("--budget", options.budget, "how many partial plans to look at")
+          ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+          ->capture_default_str()};
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("input", options->input, "scenario file, or plan file to look at")->required();
+  command.add_option("-o,--output", options->output, "write the plan to this file");
+  CLI::Option* const json =
+      command.add_flag("--json", options->json, "print the plan as JSON, with the seconds it took");
+  command
+      .add_option("--explain", options->explain,
+                  "instead of the plan, tell why this step of it, named by its place or id, is "
+                  "safe or not")
+      ->type_name("STEP")
+      ->excludes(json);
+  command.add_flag("--check", options->check,
+                   "check the plan with the independent checker, and its certificates");
+  command.add_flag("--tree", options->tree,
+                   "print the plan as a tree: verifications branch, recoveries repeat");
+  DeclarePlanning(command, *options);
+  AddModelsOption(command, options->models);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace plan_verb
+
+const Verb kPlan = {
+    .name = "plan",
+    .summary = "makes a plan for a scenario, with certificates",
+    .example =
+        "assay plan scenarios/spar-fig13.yaml -o plan.json\n"
+        "  assay plan plan.json --explain action_3",
+    .declare = plan_verb::Declare,
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "planner/plan/file/json_layout.h"
+#include "sim/cli/options/models_folder.h"
+#include "sim/cli/pictures/film.h"
+#include "sim/cli/plans/plan_text.h"
+#include "sim/cli/program/console.h"
+#include "sim/cli/program/progress.h"
+#include "sim/cli/program/verb.h"
+#include "sim/cli/work/output_file.h"
+#include "sim/cli/work/planned_problem.h"
+#include "sim/cli/work/trial.h"
+
+namespace assay::cli {
+namespace render_verb {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+  std::filesystem::path input;
+  std::filesystem::path folder;
+  domain::ModelPath models;
+  PictureOptions pictures;
+  bool json = false;
+};
+
+Json ToJson(const Film& film, const exec::ExecutionEnd& end) {
+  return {
+      {"pictures", film.FileNames()}, {"outcome", exec::Name(end.outcome)}, {"reason", end.reason}};
+}
+
+std::string ForPeople(const Film& film, const exec::ExecutionEnd& end) {
+  std::string text = fmt::format("{}\n", fmt::join(film.FileNames(), "\n"));
+  if (end.outcome != exec::ExecutionOutcome::kDone) {
+    text += fmt::format("the execution ended early: {}: {}\n", exec::Name(end.outcome), end.reason);
+  }
+  return text;
+}
+
+ExitCode Execute(const Options& options) {
+  MakeFolder(options.folder);
+  const PlannedProblem planned = ReadOrMakePlan(Document::Load(options.input), options.models);
+  if (planned.result.outcome != Outcome::kFound) {
+    Print(Text(planned.problem, planned.result));
+    return ExitCodeOf(planned.result.outcome);
+  }
+  const scene::Scene scene(planned.problem, planned.simulation.scene);
+  Film film({planned.problem, planned.result.plan, scene}, planned.simulation.cameras,
+            options.pictures);
+  const Trial trial = [&] {
+    const Progress progress("executing the plan for " + planned.problem.name);
+    return RunTrial({planned.problem, planned.result.plan, scene}, 1, &film);
+  }();
+  film.Write(options.folder);
+  const exec::ExecutionEnd& end = trial.trace.end();
+  Print(options.json ? plan::JsonText(ToJson(film, end)) : ForPeople(film, end));
+  const bool done = end.outcome == exec::ExecutionOutcome::kDone;
+  return done ? ExitCode::kDone : ExitCode::kFailed;
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("input", options->input, "scenario file, or plan file")->required();
+  command.add_option("-o,--output", options->folder, "folder for the pictures")->required();
+  AddPictureOptions(command, options->pictures);
+  command.add_flag("--json", options->json, "print the pictures' names as JSON");
+  AddModelsOption(command, options->models);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace render_verb
+
+const Verb kRender = {
+    .name = "render",
+    .summary =
+        "takes pictures of the start, of every step's end, and of grasps and matings on the way",
+    .example = "assay render scenarios/spar-fig13.yaml -o out/fig13 --camera close --size 640x480",
+    .declare = render_verb::Declare,
+};
+
+}  // namespace assay::cli

@@ -1,0 +1,241 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "planner/base/input_error.h"
+#include "planner/plan/file/json_layout.h"
+#include "sim/check/trial/ledger.h"
+#include "sim/cli/options/models_folder.h"
+#include "sim/cli/options/quantity.h"
+#include "sim/cli/pictures/film.h"
+#include "sim/cli/plans/table.h"
+#include "sim/cli/program/console.h"
+#include "sim/cli/program/progress.h"
+#include "sim/cli/program/usage_error.h"
+#include "sim/cli/program/verb.h"
+#include "sim/cli/trials/ledger_report.h"
+#include "sim/cli/trials/verdict_tally.h"
+#include "sim/cli/work/output_file.h"
+#include "sim/cli/work/stored_trial.h"
+#include "sim/sweep/run/work.h"
+#include "sim/sweep/store/difference.h"
+#include "sim/sweep/store/recording.h"
+#include "sim/sweep/store/store.h"
+
+namespace assay::cli {
+namespace replay_verb {
+
+using Json = nlohmann::ordered_json;
+using sweep::TrialRecord;
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path database;
+  int trial = 1;
+  domain::ModelPath models;
+  fs::path folder;
+  PictureOptions pictures;
+  bool renders = false;
+  bool json = false;
+};
+
+TrialRecord FindTrial(const sweep::Store& store, int trial) {
+  const int trials = store.TrialsInAll();
+  if (trial > trials) {
+    throw UsageError(fmt::format("replay: there is no trial {}; allowed: 1 to {}", trial, trials));
+  }
+  const std::optional<TrialRecord> record = store.FindTrial(trial);
+  if (!record) {
+    throw UsageError(
+        fmt::format("replay: trial {} is not in {}: its cell has no plan, or it was not done yet "
+                    "(see assay sweep show)",
+                    trial, store.file().string()));
+  }
+  return *record;
+}
+
+bool IsAttack(const sweep::PlannedCell& cell) {
+  return cell.cell.noise == sweep::NoiseKind::kAttack;
+}
+
+void SetNumbers(const TrialRecord& from, TrialRecord& to) {
+  to.trial = from.trial;
+  to.cell = from.cell;
+  to.number = from.number;
+}
+
+// A trial as it came out again, and in what it differs. An attack has no ledger.
+struct Again {
+  TrialRecord record;
+  std::vector<check::CertificateVerdict> verdicts;
+  std::vector<std::string> differences = {};
+  std::vector<check::LedgerEntry> ledger = {};
+};
+
+Again RunAgain(const sweep::PlannedCell& cell, const TrialRecord& stored, Film* film) {
+  const Progress progress(fmt::format("trial {}", stored.trial));
+  const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
+  const sweep::Preparation& preparation = *cell.preparation;
+  const check::NoisyTrial trial = sweep::Execute(cell, noise, film);
+  const check::Experiment experiment{preparation.scenario.problem, preparation.plan,
+                                     preparation.scenario.simulation.scene};
+  sweep::TimedTrial timed = sweep::Recorded(preparation.plan, trial);
+  Again again{.record = std::move(timed.record),
+              .verdicts = std::move(timed.verdicts),
+              .ledger = check::LedgerOf(experiment, noise, trial.trace)};
+  SetNumbers(stored, again.record);
+  again.differences = sweep::Differences(stored, again.record);
+  return again;
+}
+
+// The same with pictures.
+Again RunFilmed(const sweep::PlannedCell& cell, const TrialRecord& stored, const Options& options) {
+  const scenario::Scenario& scenario = cell.preparation->scenario;
+  const noise::Noise noise = sweep::NoiseOf(cell, stored.number);
+  const scene::Scene scene(scenario.problem, exec::TrueScene(scenario.simulation.scene, noise));
+  Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
+            options.pictures);
+  film.TakeStart(exec::StartOf(scenario.problem, scene, noise));
+  Again again = RunAgain(cell, stored, &film);
+  film.Write(options.folder);
+  return again;
+}
+
+Again AttackAgain(const sweep::Store& store, const sweep::Work& work,
+                  const sweep::PlannedCell& cell, const TrialRecord& stored) {
+  if (const std::optional<sweep::AttackRecord> attack = store.FindAttack(stored.cell)) {
+    Progress progress(fmt::format("trial {}", stored.trial));
+    sweep::AttackControl control{
+        .jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()))};
+    control.progress = [&](std::int64_t made) {
+      progress.Tell(fmt::format("{} of {} attempts", made, attack->attempts));
+    };
+    sweep::TimedTrial timed = work.attack(cell, control);
+    SetNumbers(stored, timed.record);
+    std::vector<std::string> differences = sweep::Differences(stored, timed.record);
+    std::ranges::move(sweep::Differences(*attack, *timed.attack), std::back_inserter(differences));
+    return {.record = std::move(timed.record),
+            .verdicts = std::move(timed.verdicts),
+            .differences = std::move(differences)};
+  }
+  throw InputError({.file = store.file().string()},
+                   fmt::format("the attack of cell {} is missing", stored.cell),
+                   "a database as it was written");
+}
+
+Again Repeat(const sweep::Store& store, const sweep::Work& work, const sweep::PlannedCell& cell,
+             const TrialRecord& stored, const Options& options) {
+  if (!IsAttack(cell)) {
+    return options.renders ? RunFilmed(cell, stored, options) : RunAgain(cell, stored, nullptr);
+  }
+  if (options.renders) {
+    throw UsageError(fmt::format(
+        "replay: trial {} is an attack, which has no pictures; allowed: --renders for other "
+        "trials. Commands for its counterexamples: assay sweep show {}",
+        stored.trial, store.file().string()));
+  }
+  return AttackAgain(store, work, cell, stored);
+}
+
+std::string VerdictTable(const plan::Plan& plan,
+                         const std::vector<check::CertificateVerdict>& verdicts) {
+  Table table(
+      {{"step", Align::kRight}, {"id"}, {"verdict"}, {"worst claim"}, {"margin", Align::kRight}});
+  for (const check::CertificateVerdict& verdict : verdicts) {
+    const plan::PlannedStep& step = plan.step(verdict.step);
+    const check::Claim& worst = verdict.worst;
+    table.Add({std::to_string(step.executed), step.name, std::string(check::Name(verdict.verdict)),
+               Text(worst), QuantityText(worst.margin, UnitOf(worst.unit))});
+  }
+  return table.Text();
+}
+
+std::string OutcomeText(const TrialRecord& record) {
+  return record.reason.empty() ? record.outcome
+                               : fmt::format("{}: {}", record.outcome, record.reason);
+}
+
+std::string ForPeople(const plan::Plan& plan, const TrialRecord& stored, const Again& again) {
+  std::string text =
+      fmt::format("trial {}: number {} of cell {}\nnoise, in m and rad: {}\n", stored.trial,
+                  stored.number, stored.cell, stored.noise.empty() ? "none" : stored.noise);
+  text += fmt::format("stored: {}\nagain:  {}\n\n{}\n", OutcomeText(stored),
+                      OutcomeText(again.record), VerdictTable(plan, again.verdicts));
+  if (!again.ledger.empty()) text += Text(again.ledger) + "\n";
+  if (again.differences.empty()) return text + "equal to what is stored, to the last bit\n";
+  text += "different from what is stored (stored and again):\n";
+  for (const std::string& difference : again.differences) text += fmt::format("  {}\n", difference);
+  return text;
+}
+
+Json ToJson(const TrialRecord& record) {
+  Json verdicts = Json::array();
+  for (const sweep::VerdictRecord& verdict : record.verdicts) {
+    verdicts.push_back({{"step", verdict.step},
+                        {"action", verdict.action},
+                        {"verdict", verdict.verdict},
+                        {"claim", verdict.claim},
+                        {"observed", verdict.observed},
+                        {"margin", verdict.margin},
+                        {"gate", verdict.gate}});
+  }
+  return {{"outcome", record.outcome}, {"reason", record.reason}, {"verdicts", verdicts}};
+}
+
+ExitCode Execute(const Options& options) {
+  if (!options.folder.empty()) MakeFolder(options.folder);
+  const sweep::Store store = sweep::Store::Open(options.database);
+  const TrialRecord stored = FindTrial(store, options.trial);
+  const sweep::Sweep sweep = SweepOf(store);
+  const sweep::PlannedCell cell = RestoredCell(store, stored, options.models);
+  const Again again = Repeat(store, sweep::RealWork(sweep, options.models), cell, stored, options);
+  const bool equal = again.differences.empty();
+  const Json json = {{"trial", stored.trial},
+                     {"cell", stored.cell},
+                     {"number", stored.number},
+                     {"noise", stored.noise},
+                     {"equal", equal},
+                     {"differences", again.differences},
+                     {"stored", ToJson(stored)},
+                     {"again", ToJson(again.record)},
+                     {"ledger", cli::ToJson(again.ledger)}};
+  Print(options.json ? plan::JsonText(json) : ForPeople(cell.preparation->plan, stored, again));
+  return equal ? ExitCode::kDone : ExitCode::kFailed;
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("database", options->database, "of a sweep")->required();
+  command.add_option("trial", options->trial, "its number")
+      ->required()
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  CLI::Option* const folder =
+      command.add_option("-o,--output", options->folder, "folder for pictures");
+  command
+      .add_flag("--renders", options->renders,
+                "take pictures of the start, each step's end, and grasps and matings on the way")
+      ->needs(folder);
+  AddPictureOptions(command, options->pictures, "--renders");
+  command.add_flag("--json", options->json, "print the result as JSON");
+  AddModelsOption(command, options->models);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace replay_verb
+
+const Verb kReplay = {
+    .name = "replay",
+    .summary = "runs one trial of a sweep again, and tells whether it comes out the same",
+    .example = "assay replay fig15.sqlite 17 --renders -o out/trial-17",
+    .declare = replay_verb::Declare,
+};
+
+}  // namespace assay::cli

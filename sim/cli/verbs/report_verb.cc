@@ -1,0 +1,127 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <system_error>
+
+#include "planner/base/check.h"
+#include "sim/cli/options/models_folder.h"
+#include "sim/cli/pictures/film.h"
+#include "sim/cli/program/console.h"
+#include "sim/cli/program/progress.h"
+#include "sim/cli/program/verb.h"
+#include "sim/cli/work/output_file.h"
+#include "sim/cli/work/stored_trial.h"
+#include "sim/report/page/csv.h"
+#include "sim/report/page/page.h"
+
+namespace assay::cli {
+namespace report_verb {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path database;
+  fs::path page;
+  fs::path tables;  // folder; empty: none
+  domain::ModelPath models;
+  int cells_in_full = report::PageOptions().cells_in_full;
+  bool pictures = false;
+  PictureOptions picture = {.cameras = {}, .size = "400x300"};
+};
+
+// A folder for files on their way, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_(fs::temp_directory_path() / fmt::format("assay-report-{}", getpid())) {
+    MakeFolder(path_);
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  const fs::path path_;
+};
+
+// Executes a stored trial once more; its contact sheet, the contents of a PNG
+// file.
+std::string ContactSheetOf(const sweep::Store& store, int number, const Options& options) {
+  const std::optional<sweep::TrialRecord> trial = store.FindTrial(number);
+  ASSAY_CHECK(trial.has_value(), "a notable trial that is not there: {}", number);
+  const Progress progress(fmt::format("pictures of trial {}", number));
+  const sweep::PlannedCell cell = RestoredCell(store, *trial, options.models);
+  const scenario::Scenario& scenario = cell.preparation->scenario;
+  const noise::Noise noise = sweep::NoiseOf(cell, trial->number);
+  const scene::Scene scene(scenario.problem, exec::TrueScene(scenario.simulation.scene, noise));
+  Film film({scenario.problem, cell.preparation->plan, scene}, scenario.simulation.cameras,
+            options.picture);
+  film.TakeStart(exec::StartOf(scenario.problem, scene, noise));
+  sweep::Execute(cell, noise, &film);
+  const TemporaryFolder folder;
+  film.Write(folder.path());
+  std::ifstream in(folder.path() / film.FileNames().back(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void WriteTables(const report::Findings& findings, const fs::path& folder) {
+  for (const report::CsvFile& file : report::CsvFiles(findings)) {
+    WriteFile(folder / file.name, file.text);
+  }
+}
+
+ExitCode Execute(const Options& options) {
+  const sweep::Store store = sweep::Store::Open(options.database);
+  RequireWritable(options.page);
+  if (!options.tables.empty()) MakeFolder(options.tables);
+  const report::Findings findings = [&] {
+    const Progress progress("reading " + options.database.string());
+    return report::ReadFindings(store, options.database.string());
+  }();
+  report::PageOptions page{.cells_in_full = options.cells_in_full};
+  if (options.pictures) {
+    page.picture = [&](int trial) { return ContactSheetOf(store, trial, options); };
+  }
+  WriteFile(options.page, report::Page(findings, page));
+  if (!options.tables.empty()) WriteTables(findings, options.tables);
+  Print(fmt::format("{}: {} trials in {} cells\n", options.page.string(), findings.done(),
+                    findings.cells.size()));
+  return ExitCode::kDone;
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("database", options->database, "of a sweep")->required();
+  command.add_option("-o,--output", options->page, "the page, one HTML file")->required();
+  command.add_option("--csv", options->tables, "folder for the tables, one CSV file each");
+  command
+      .add_option("--cells", options->cells_in_full,
+                  "how many cells have their certificates told step by step, at most")
+      ->check(CLI::Range(0, 1000))
+      ->capture_default_str();
+  command.add_flag("--pictures", options->pictures,
+                   "execute the best, the typical and the worst trial again, with pictures");
+  AddPictureOptions(command, options->picture, "--pictures");
+  AddModelsOption(command, options->models);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace report_verb
+
+const Verb kReport = {
+    .name = "report",
+    .summary = "makes one HTML page of the database of a sweep, and tables",
+    .example = "assay report fig15.sqlite -o fig15.html --csv fig15-tables --pictures",
+    .declare = report_verb::Declare,
+};
+
+}  // namespace assay::cli

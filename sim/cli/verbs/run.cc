@@ -1,0 +1,379 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "planner/plan/file/json_layout.h"
+#include "planner/plan/file/plan_file.h"
+#include "sim/cli/options/models_folder.h"
+#include "sim/cli/options/quantity_option.h"
+#include "sim/cli/options/resolver_option.h"
+#include "sim/cli/pictures/film.h"
+#include "sim/cli/plans/certificate_text.h"
+#include "sim/cli/plans/plan_report.h"
+#include "sim/cli/plans/plan_text.h"
+#include "sim/cli/program/console.h"
+#include "sim/cli/program/interruption.h"
+#include "sim/cli/program/progress.h"
+#include "sim/cli/program/stopwatch.h"
+#include "sim/cli/program/usage_error.h"
+#include "sim/cli/program/verb.h"
+#include "sim/cli/trials/trial_report.h"
+#include "sim/cli/verbs/noisy_run.h"
+#include "sim/cli/verbs/scattered_run.h"
+#include "sim/cli/work/output_file.h"
+#include "sim/cli/work/planned_problem.h"
+#include "sim/cli/work/trial.h"
+#include "sim/sweep/run/shell.h"
+
+namespace assay::cli {
+namespace run_verb {
+
+using Json = nlohmann::ordered_json;
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path input;
+  fs::path folder;  // empty: nothing is written
+  domain::ModelPath models;
+  int trials = 1;
+  int jobs = 1;
+  std::optional<std::uint64_t> seed;
+  std::optional<scene::GraspMode> grasp;
+  PictureOptions pictures;
+  bool renders = false;
+  bool json = false;
+  bool scatter = false;
+  std::optional<int> trial;          // the only one
+  std::optional<std::string> noise;  // the name of a mode, or "attack"
+  std::optional<std::string> errors;
+  std::string sensing = "drawn";
+  std::int64_t attempts = 1000;
+  bool conservatism = false;
+  std::string propagation = "sound";
+  double error_scale = 1;
+  std::vector<std::string> resolvers = {};  // empty: the scenario's
+};
+
+bool IsNoisy(const Options& options) { return options.noise || options.errors; }
+
+// What is kept of each trial.
+struct Summary {
+  check::TrialOutcome outcome;
+  std::string reason;
+
+  bool Succeeded() const { return outcome == check::TrialOutcome::kSucceeded; }
+};
+
+class Run {
+ public:
+  Run(const Options& options, const PlannedProblem& planned)
+      : options_(options),
+        planned_(planned),
+        seed_(options.seed.value_or(planned.simulation.seed)),
+        scene_(planned.problem, SceneOptions()) {}
+
+  ExitCode Execute() {
+    std::optional<Film> film;
+    if (options_.renders) {
+      film.emplace(FilmSubject{planned_.problem, planned_.result.plan, scene_},
+                   planned_.simulation.cameras, options_.pictures);
+    }
+    const Interruption interruption;
+    RunTrials({planned_.problem, planned_.result.plan, scene_},
+              {options_.trials, options_.jobs, film ? &*film : nullptr},
+              [this](Trial trial) { Keep(std::move(trial)); });
+    progress_.reset();
+    const Json result = Result();
+    Json printed = result;
+    printed["seconds"] = stopwatch_.Seconds();
+    PrintAndWrite(options_.json ? plan::JsonText(printed) : Report(), [&] {
+      if (options_.folder.empty()) return;
+      WriteFile(options_.folder / "result.json", plan::JsonText(result));
+      if (film) film->Write(options_.folder);
+    });
+    return Interruption::CodeOr(Succeeded() == Trials() ? ExitCode::kDone : ExitCode::kFailed);
+  }
+
+ private:
+  scene::SceneOptions SceneOptions() const {
+    scene::SceneOptions scene = planned_.simulation.scene;
+    scene.grasp = options_.grasp.value_or(scene.grasp);
+    return scene;
+  }
+
+  void Keep(Trial trial) {
+    if (!options_.folder.empty()) WriteTrace(trial);
+    const std::lock_guard lock(mutex_);
+    summaries_[trial.number] = {trial.verdict.outcome, trial.verdict.reason};
+    progress_->Tell(fmt::format("{} of {} trials", Trials(), options_.trials));
+    if (trial.number == 1) first_ = std::move(trial);
+  }
+
+  void WriteTrace(const Trial& trial) const {
+    std::ostringstream text;
+    exec::WriteTrace(trial.trace, text);
+    const std::string name =
+        trial.number == 1 ? "trace.jsonl" : fmt::format("trace-{}.jsonl", trial.number);
+    WriteFile(options_.folder / name, text.str());
+  }
+
+  int Trials() const { return static_cast<int>(summaries_.size()); }
+  int Succeeded() const {
+    return static_cast<int>(std::ranges::count_if(
+        summaries_, [](const auto& entry) { return entry.second.Succeeded(); }));
+  }
+
+  // The failures by their name.
+  std::map<std::string, int> Failures() const {
+    std::map<std::string, int> failures;
+    for (const auto& [number, summary] : summaries_) {
+      if (!summary.Succeeded()) ++failures[std::string(check::Name(summary.outcome))];
+    }
+    return failures;
+  }
+
+  // The command that executes again what failed.
+  std::string ReplayCommand() const {
+    std::string command =
+        fmt::format("assay run {} --seed {}", sweep::Word(options_.input.string()), seed_);
+    if (options_.grasp) command += fmt::format(" --grasp {}", scene::Name(*options_.grasp));
+    command += sweep::ModelsOption(options_.models);
+    return command;
+  }
+
+  Json Result() const {
+    const int succeeded = Succeeded();
+    Json result = {{"trials", Trials()},
+                   {"succeeded", succeeded},
+                   {"failed", Failures()},
+                   {"verdicts", {{"contained", 0}, {"violated", 0}, {"inconclusive", 0}}},
+                   {"worst", Json::array()},
+                   {"replay", Json::array()}};
+    if (Interruption::Requested()) result["interrupted"] = true;
+    if (succeeded < Trials()) result["replay"].push_back(ReplayCommand());
+    result["scenario"] = planned_.scenario;
+    result["seed"] = seed_;
+    result["grasp"] = scene::Name(scene_.options().grasp);
+    if (first_) result["first"] = ToJson(planned_.problem, planned_.result.plan, *first_);
+    return result;
+  }
+
+  std::string Report() const {
+    std::string text =
+        first_ ? ForPeople(planned_.problem, planned_.result.plan, *first_) + "\n" : "";
+    const int succeeded = Succeeded();
+    text += fmt::format("{} of {} trials succeeded\n", succeeded, Trials());
+    for (const auto& [name, count] : Failures()) text += fmt::format("{}: {}\n", name, count);
+    if (succeeded < Trials()) {
+      const auto failed = std::ranges::find_if(
+          summaries_, [](const auto& entry) { return !entry.second.Succeeded(); });
+      text += fmt::format("trial {}: {}\nagain: {}\n", failed->first, failed->second.reason,
+                          ReplayCommand());
+    }
+    text += Interruption::Text(Trials(), options_.trials);
+    text += NotCoveredText(planned_.result.plan);
+    if (!options_.folder.empty()) text += fmt::format("files in {}\n", options_.folder.string());
+    return text;
+  }
+
+  const Options& options_;
+  const PlannedProblem& planned_;
+  const std::uint64_t seed_;
+  const scene::Scene scene_;
+  const Stopwatch stopwatch_;
+  std::mutex mutex_;
+  std::map<int, Summary> summaries_;  // by number
+  std::optional<Trial> first_;
+  std::unique_ptr<Progress> progress_ = std::make_unique<Progress>("executing the plan");
+};
+
+// Says why nothing is executed.
+ExitCode Refuse(const std::string& text, const Json& json, const Options& options, ExitCode code) {
+  Print(options.json ? plan::JsonText(json) : text);
+  return code;
+}
+
+ExitCode ExecuteScattered(const Options& options) {
+  scenario::Scenario scenario = scenario::Load(options.input, options.models);
+  scenario.simulation.scene.grasp = options.grasp.value_or(scenario.simulation.scene.grasp);
+  return RunScattered({.scenario = options.input,
+                       .models = options.models,
+                       .folder = options.folder,
+                       .trials = options.trials,
+                       .jobs = options.jobs,
+                       .only = options.trial,
+                       .seed = options.seed.value_or(scenario.simulation.seed),
+                       .json = options.json},
+                      scenario);
+}
+
+bool ChangesThePlan(const Options& options) {
+  return options.propagation != "sound" || options.error_scale != 1 || !options.resolvers.empty();
+}
+
+PlannedProblem Planned(const Options& options) {
+  const Document document = Document::Load(options.input);
+  if (!ChangesThePlan(options)) return ReadOrMakePlan(document, options.models);
+  if (IsPlanFile(document)) {
+    throw UsageError(
+        "run: --propagation, --resolvers and --error-scale are for scenarios: a plan file has been "
+        "planned already");
+  }
+  posting::UncertaintyOptions uncertainty;
+  if (options.propagation == "paper") uncertainty.propagation = uncertainty::Propagation::kPaper;
+  scenario::Overrides overrides;
+  overrides.error_scale = options.error_scale;
+  overrides.resolvers = ResolversFrom(options.resolvers);
+  return MakePlan(document, scenario::Read(document, options.models, overrides), {}, uncertainty);
+}
+
+// What makes the same plan again.
+std::string CommandFor(const Options& options) {
+  std::string command = "assay run " + sweep::Word(options.input.string());
+  if (options.propagation != "sound") command += " --propagation " + options.propagation;
+  if (!options.resolvers.empty()) {
+    command += fmt::format(" --resolvers {}", fmt::join(options.resolvers, ","));
+  }
+  if (options.error_scale != 1) command += fmt::format(" --error-scale {}", options.error_scale);
+  if (options.grasp) command += fmt::format(" --grasp {}", scene::Name(*options.grasp));
+  command += sweep::ModelsOption(options.models);
+  return command;
+}
+
+ExitCode ExecuteNoisy(const Options& options, PlannedProblem& planned) {
+  planned.simulation.scene.grasp = options.grasp.value_or(planned.simulation.scene.grasp);
+  const std::uint64_t seed = options.seed.value_or(planned.simulation.seed);
+  if (options.noise == "attack") {
+    return RunAttack({.planned = planned,
+                      .command = CommandFor(options),
+                      .folder = options.folder,
+                      .attempts = options.attempts,
+                      .jobs = options.jobs,
+                      .seed = seed,
+                      .conservatism = options.conservatism,
+                      .json = options.json});
+  }
+  const auto& names = noise::ModeNames();
+  const auto mode = std::ranges::find(names, options.noise.value_or("none")) - names.begin();
+  return RunNoisy({.planned = planned,
+                   .command = CommandFor(options),
+                   .folder = options.folder,
+                   .mode = static_cast<noise::Mode>(mode),
+                   .errors = options.errors,
+                   .camera = options.sensing == "camera",
+                   .trials = options.trials,
+                   .jobs = options.jobs,
+                   .only = options.trial,
+                   .seed = seed,
+                   .json = options.json});
+}
+
+// A plan that was read from there stays there as it is.
+void KeepPlan(const PlannedProblem& planned, const Json& plan_file, const Options& options) {
+  if (options.folder.empty()) return;
+  const fs::path file = options.folder / "plan.json";
+  std::error_code ignored;
+  if (!planned.plan_file.empty() && fs::equivalent(planned.plan_file, file, ignored)) return;
+  WriteFile(file, plan::LaidOut(plan_file));
+}
+
+ExitCode Execute(const Options& options) {
+  if (!options.folder.empty()) MakeFolder(options.folder);
+  if (options.scatter) return ExecuteScattered(options);
+  PlannedProblem planned = Planned(options);
+  const plan::PlanResult& result = planned.result;
+  Json plan_file = plan::ToJson(result, planned.problem, planned.scenario);
+  KeepPlan(planned, plan_file, options);
+  if (result.outcome != Outcome::kFound) {
+    return Refuse(Text(planned.problem, result), plan_file, options, ExitCodeOf(result.outcome));
+  }
+  if (options.errors) NoiseFrom(*options.errors, planned);  // refused before what takes its time
+  const plan::CheckReport check =
+      planned.plan_file.empty() ? CheckPlan(planned.problem, result.plan) : CheckPlan(planned);
+  if (!check.flaws.empty()) {
+    plan_file["check"] = ToJson(result.plan, check);
+    return Refuse(Text(result.plan, check), plan_file, options, ExitCode::kFailed);
+  }
+  if (IsNoisy(options)) return ExecuteNoisy(options, planned);
+  return Run(options, planned).Execute();
+}
+
+void AddNoise(CLI::App& command, Options& options, CLI::Option* scatter) {
+  std::vector<std::string> modes = noise::ModeNames();
+  modes.push_back("attack");
+  CLI::Option* const noise =
+      command.add_option("--noise", options.noise, "errors in the bounds that the planner assumes")
+          ->check(CLI::IsMember(modes))
+          ->excludes(scatter);
+  command
+      .add_option("--errors", options.errors,
+                  "the errors of the one trial: 'dx_block=0.002 theta_hand@action_2=-0.001', "
+                  "metres and radians")
+      ->excludes(noise)
+      ->excludes(scatter);
+  command
+      .add_option("--sensing", options.sensing,
+                  "drawn: within the sensor's promise, as the noise says; camera: from pictures")
+      ->check(CLI::IsMember({"drawn", "camera"}));
+  command.add_option("--attempts", options.attempts, "of an attack, at single steps")
+      ->check(CLI::Range(std::int64_t{1}, std::numeric_limits<std::int64_t>::max()));
+  command.add_flag("--conservatism", options.conservatism,
+                   "of an attack: how much more noise than is guaranteed breaks the plan");
+  command
+      .add_option("--propagation", options.propagation,
+                  "of errors by actions, in planning: sound or paper")
+      ->check(CLI::IsMember({"sound", "paper"}));
+  AddResolvers(command, options.resolvers)->excludes(scatter);
+  command
+      .add_option("--error-scale", options.error_scale, "multiplies all errors, in planning too")
+      ->check(Within(domain::kAtLeastZero, domain::kRatio));
+  command.add_option("--trial", options.trial, "run only this one of the trials")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+}
+
+Execution Declare(CLI::App& command) {
+  const auto options = std::make_shared<Options>();
+  command.add_option("input", options->input, "scenario file, or plan file")->required();
+  CLI::Option* const folder = command.add_option(
+      "-o,--output", options->folder, "folder for plan.json, trace.jsonl, result.json, pictures");
+  command.add_option("--trials", options->trials, "how many trials")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()));
+  command.add_option("--jobs", options->jobs, "how many threads")->check(CLI::Range(1, 1024));
+  command.add_option("--seed", options->seed, "of all that is random; the scenario's if left out")
+      ->check(CLI::NonNegativeNumber);
+  static const std::map<std::string, scene::GraspMode> kGraspModes = {
+      {"friction", scene::GraspMode::kFriction}, {"weld", scene::GraspMode::kWeld}};
+  command.add_option("--grasp", options->grasp, "how the gripper holds parts: friction or weld")
+      ->transform(CLI::CheckedTransformer(kGraspModes));
+  command
+      .add_flag("--renders", options->renders,
+                "take pictures of the start, each step's end, and grasps and matings on the way")
+      ->needs(folder);
+  AddPictureOptions(command, options->pictures, "--renders");
+  CLI::Option* const scatter = command.add_flag(
+      "--scatter", options->scatter,
+      "in each trial the parts lie at other places, drawn from the seed, and a plan is made anew");
+  AddNoise(command, *options, scatter);
+  command.add_flag("--json", options->json, "print the result as JSON");
+  AddModelsOption(command, options->models);
+  return [options] { return Execute(*options); };
+}
+
+}  // namespace run_verb
+
+const Verb kRun = {
+    .name = "run",
+    .summary = "executes a plan in physics and judges what came of it",
+    .example = "assay run scenarios/spar-fig13.yaml --renders -o out/fig13",
+    .declare = run_verb::Declare,
+};
+
+}  // namespace assay::cli

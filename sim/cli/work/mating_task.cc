@@ -1,0 +1,31 @@
+#include "sim/cli/work/mating_task.h"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "planner/base/check.h"
+#include "planner/posting/resolvers/moment.h"
+#include "sim/cli/program/usage_error.h"
+
+namespace assay::cli {
+
+MatingTask LastMatingOf(PlannedProblem planned) {
+  std::vector<plan::Action> actions;
+  for (const plan::StepId id : planned.result.plan.ExecutionOrder())
+    actions.push_back(planned.result.plan.step(id).action);
+  int step = static_cast<int>(actions.size()) - 1;
+  const auto assemble = [&] { return std::get_if<plan::Assemble>(&actions[step]); };
+  while (step >= 0 && assemble() == nullptr) --step;
+  if (step < 0)
+    throw UsageError(fmt::format("mate: {}: no plan with an assemble action", planned.scenario));
+  const auto states = posting::StatesOf(planned.problem, actions);
+  const domain::PartId held = planned.problem.mating(assemble()->mating).held;
+  const auto moment = posting::LatestGraspable(planned.problem, states, step, held);
+  ASSAY_CHECK(moment.has_value(), "a part that is mated was taken before");
+  planned.problem =
+      posting::ProblemFrom(planned.problem, states[static_cast<std::size_t>(*moment)]);
+  return {std::move(planned), *assemble()};
+}
+
+}  // namespace assay::cli

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+#include "sim/check/claims/honesty_gate.h"
+#include "sim/cli/work/planned_problem.h"
+
+namespace assay::cli {
+
+// check::MeasureGate of the plan. It is measured once: the user's cache folder (assay/noise-floor
+// in XDG_CACHE_HOME, or in .cache of HOME) keeps it by a hash of all that it depends on: this
+// program, the engine, each file that was read, the command with its options, the plan and the
+// scene. Without such a folder, or where it cannot be written, it is measured each time.
+check::HonestyGate NoiseFloor(const PlannedProblem& planned, std::string_view command);
+
+}  // namespace assay::cli

@@ -1,0 +1,125 @@
+#include "sim/cli/work/planned_problem.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "planner/assembly/certified_plan.h"
+#include "planner/assembly/plan_check.h"
+#include "planner/plan/file/plan_file.h"
+#include "sim/cli/program/progress.h"
+#include "sim/cli/proof/certificate_check.h"
+#include "sim/cli/proof/certificate_comparison.h"
+
+namespace assay::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path FindScenario(const fs::path& named, const fs::path& plan_file) {
+  std::error_code ignored;
+  const fs::path beside = plan_file.parent_path() / named;
+  return !fs::exists(named, ignored) && fs::exists(beside, ignored) ? beside : named;
+}
+
+std::vector<plan::Flaw> ClaimFlaws(const PlannedProblem& planned) {
+  const Progress progress("checking the certificates for " + planned.problem.name);
+  return CertificateFlaws(planned.result.plan, planned.file());
+}
+
+// Of a plan without other flaws.
+std::vector<plan::Flaw> Differences(const PlannedProblem& planned) {
+  const plan::Plan& plan = planned.result.plan;
+  if (planned.plan_file.empty() || !IsCertified(plan)) return {};
+  const Progress progress("computing the certificates anew for " + planned.problem.name);
+  return DifferencesFromAnew(planned.problem, plan, planned.file());
+}
+
+void Locate(const PlannedProblem& planned, std::vector<plan::Flaw>& flaws) {
+  for (plan::Flaw& flaw : flaws) {
+    const auto step = static_cast<std::size_t>(flaw.step.index());
+    if (!flaw.step.IsNone() && step < planned.places.size()) flaw.place = planned.places[step];
+  }
+}
+
+void RequireGoal(const Document& document, const domain::Problem& problem) {
+  if (!problem.goals.empty()) return;
+  throw InputError({.file = document.file()},
+                   "the goal is one of knowledge, which `assay enact` plans for",
+                   "a scenario with a key `goal`");
+}
+
+}  // namespace
+
+std::vector<domain::Problem> ReadWorldsToPlan(const Document& document,
+                                              const domain::ModelPath& models,
+                                              const scenario::Overrides& overrides) {
+  std::vector<domain::Problem> worlds = scenario::ReadWorlds(document, models, overrides);
+  RequireGoal(document, worlds.front());
+  return worlds;
+}
+
+PlannedProblem ReadPlan(const Document& plan_file, const domain::ModelPath& models) {
+  const fs::path path = FindScenario(plan::ScenarioOf(plan_file), plan_file.file());
+  scenario::Scenario scenario = scenario::Load(path, models);
+  plan::PlanResult result = plan::ReadPlan(plan_file, scenario.problem);
+  std::vector<FilePlace> places;
+  for (const Value& action : plan_file.root().At("actions").Items()) {
+    places.push_back(action.Place());
+  }
+  return {path.string(),
+          std::move(scenario.problem),
+          std::move(scenario.simulation),
+          std::move(result),
+          plan_file.file(),
+          std::move(places)};
+}
+
+PlannedProblem MakePlan(const Document& document, scenario::Scenario scenario,
+                        const posting::PlannerOptions& planner,
+                        const posting::UncertaintyOptions& uncertainty) {
+  RequireGoal(document, scenario.problem);
+  plan::PlanResult result = PlanWithProgress(scenario.problem, planner, uncertainty);
+  return {document.file(), std::move(scenario.problem), std::move(scenario.simulation),
+          std::move(result)};
+}
+
+PlannedProblem ReadOrMakePlan(const Document& document, const domain::ModelPath& models) {
+  return IsPlanFile(document) ? ReadPlan(document, models)
+                              : MakePlan(document, scenario::Read(document, models), {}, {});
+}
+
+bool IsPlanFile(const Document& document) {
+  return document.root().At("format").OneOf({"assay-scenario/1", "assay-plan/2"}) == 1;
+}
+
+plan::PlanResult PlanWithProgress(const domain::Problem& problem,
+                                  const posting::PlannerOptions& planner,
+                                  const posting::UncertaintyOptions& uncertainty) {
+  const Progress progress("planning " + problem.name);
+  return assembly::MakeCertifiedPlan(problem, planner, uncertainty);
+}
+
+plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan) {
+  const Progress progress("checking the plan for " + problem.name);
+  return assembly::Check(problem, plan, kMostLinearizations);
+}
+
+plan::CheckReport CheckPlan(const PlannedProblem& planned) {
+  plan::CheckReport report = CheckPlan(planned.problem, planned.result.plan);
+  std::ranges::move(ClaimFlaws(planned), std::back_inserter(report.flaws));
+  if (report.flaws.empty()) report.flaws = Differences(planned);
+  Locate(planned, report.flaws);
+  return report;
+}
+
+std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned) {
+  std::vector<plan::Flaw> flaws = assembly::FlawsOfStrategies(planned.problem, planned.result.plan);
+  std::ranges::move(ClaimFlaws(planned), std::back_inserter(flaws));
+  std::ranges::move(plan::FlawsOfCoverage(planned.result.plan), std::back_inserter(flaws));
+  const bool can_be_executed = plan::Check(planned.problem, planned.result.plan, 1).flaws.empty();
+  if (flaws.empty() && can_be_executed) flaws = Differences(planned);
+  Locate(planned, flaws);
+  return flaws;
+}
+
+}  // namespace assay::cli

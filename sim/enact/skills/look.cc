@@ -1,0 +1,40 @@
+#include "sim/enact/skills/skill.h"
+
+namespace assay::enact {
+namespace {
+
+// The arm that acts goes home, out of the camera's sight; the others are there. What cannot be told
+// is as if nobody had looked.
+class Look : public Skill {
+ public:
+  exec::Progress Do(const Roles& roles, Situation& situation) const override {
+    if (auto failure = situation.crew.GoHome()) return failure;
+    for (const PartId part : roles.parts) LookAt(part, situation);
+    return std::nullopt;
+  }
+
+ private:
+  static void LookAt(PartId part, Situation& situation) {
+    exec::Execution& execution = situation.execution();
+    const exec::Pose believed = execution.world().PartPose(part, execution.BelievedTool());
+    const sense::ColorId color = situation.color_sensor->Measure(execution.data(), part, believed);
+    situation.readings.colors.erase(part);
+    if (!color.IsNone()) situation.readings.colors[part] = color;
+  }
+};
+
+}  // namespace
+
+const SkillWord kLook = {
+    .name = "look",
+    .summary =
+        "looks with the overhead camera which of the scenario's `colors` each of the parts has, "
+        "the arms at their homes",
+    .read = [](const Value& map, const SkillContext& context) -> std::unique_ptr<const Skill> {
+      map.AllowOnly({"skill"});
+      if (context.colors.empty()) map.Fail("there are no colours to tell", "a key colors");
+      return std::make_unique<Look>();
+    },
+};
+
+}  // namespace assay::enact

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "planner/motion/path/joint_trajectory.h"
+#include "planner/motion/path/straight_line.h"
+#include "sim/exec/control/pace.h"
+
+namespace assay::exec {
+
+using kinematics::JointVector;
+using motion::FollowLine;
+using motion::JointRates;
+using motion::JointTrajectory;
+using motion::LinePath;
+using motion::LineResult;
+using motion::ToolAt;
+
+struct TimedLine {
+  JointTrajectory trajectory;
+  double final_from = 0;  // the time at which the pace's final length begins, seconds
+};
+
+// The path with times: from rest to rest, as fast as the pace and the joints' rates allow. Speed
+// limits are found at each point of the path and acceleration limits between, then one pass
+// forward and one backward make them compatible (Bobrow, Dubowsky and Gibson 1985, with limits of
+// rates in place of torques). Half of each joint's acceleration is kept for the curvature of its
+// path.
+TimedLine WithTimes(const LinePath& path, const Pace& pace, const JointRates& rates);
+
+}  // namespace assay::exec

@@ -1,0 +1,24 @@
+#include "sim/report/page/head.h"
+
+#include "sim/report/page/style.h"
+
+namespace assay::report {
+
+Element Head(const std::string& title) {
+  Element head("head");
+  head.Add("meta").Set("charset", "utf-8");
+  head.Add("meta").Set("name", "viewport").Set("content", "width=device-width, initial-scale=1");
+  head.Add("meta").Set("name", "color-scheme").Set("content", "light dark");
+  head.Add("meta").Set("name", "generator").Set("content", "assay report");
+  // Whatever a browser is told here, it fetches nothing.
+  head.Add("meta")
+      .Set("http-equiv", "Content-Security-Policy")
+      .Set("content", "default-src 'none'; style-src 'unsafe-inline'; img-src data:");
+  // Else a browser asks for one.
+  head.Add("link").Set("rel", "icon").Set("href", "data:,");
+  head.Add("title", title + " – assay report");
+  head.Add("style", StyleSheet());
+  return head;
+}
+
+}  // namespace assay::report

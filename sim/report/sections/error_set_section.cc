@@ -1,0 +1,121 @@
+#include <fmt/format.h>
+
+#include <array>
+
+#include "sim/report/page/chart.h"
+#include "sim/report/page/data_table.h"
+#include "sim/report/page/figures.h"
+#include "sim/report/sections/section.h"
+
+namespace assay::report {
+namespace {
+
+struct About {
+  std::string_view name;
+  const char* title;
+};
+constexpr std::array kAbouts = {
+    About{"before", "before the step: errors of the poses that it starts from"},
+    About{"precondition", "preconditions: how much room there is; negative: they do not hold"},
+    About{"after", "after the step: errors of the poses that it leaves"},
+};
+
+std::string ObservedText(const ClaimFindings& row) {
+  const Observed& seen = row.observed;
+  if (seen.claimed() == 0) return "–";
+  return IntervalText({seen.least, seen.greatest}, row.claim.unit);
+}
+
+// The worst, with how often it came out so.
+Element Worst(const StandingCounts& counts) {
+  const std::int64_t all = counts.Total();
+  for (const Standing standing :
+       {Standing::kViolated, Standing::kInconclusive, Standing::kWithinResolution,
+        Standing::kContained, Standing::kNotClaimed}) {
+    const std::int64_t count = counts.Of(standing);
+    if (count == 0) continue;
+    Element words = StandingWords(standing);
+    words.Text(count == all ? "" : fmt::format(" {} of {}", CountText(count), CountText(all)));
+    return words;
+  }
+  return Words("–");
+}
+
+void AddRow(DataTable& table, const ClaimFindings& row) {
+  const sweep::ClaimRecord& claim = row.claim;
+  table.AddRow(
+      {Words(claim.proved ? claim.name : claim.name + " (not proved)"), ErrorChart(row),
+       Words(IntervalText({claim.low, claim.high}, claim.unit)), Words(ObservedText(row)),
+       Words(row.observed.claimed() == 0 ? "–" : QuantityText(row.observed.median, claim.unit)),
+       Words(QuantityText(claim.gate, claim.unit)), Worst(row.observed.verdicts)});
+}
+
+Element StepTable(const StepFindings& step) {
+  DataTable table(fmt::format("Step {}, {}{}", step.step, step.action,
+                              step.what.empty() ? "" : fmt::format(": {}", step.what)),
+                  {{"component"},
+                   {"predicted and observed, mm or °", "chart"},
+                   {"predicted", "number"},
+                   {"observed", "number"},
+                   {"median", "number"},
+                   {"gate", "number"},
+                   {"verdict"}});
+  for (const About& about : kAbouts) {
+    bool first = true;
+    for (const ClaimFindings& row : step.claims) {
+      if (row.claim.about != about.name) continue;
+      if (first) table.AddGroup(about.title);
+      first = false;
+      AddRow(table, row);
+    }
+  }
+  return table.Take();
+}
+
+// An example of a row, with what its shapes mean.
+Element DrawingKey() {
+  ClaimFindings example;
+  example.claim.name = std::string("example");
+  example.claim.unit = std::string("m");
+  example.claim.low = -0.001;
+  example.claim.high = 0.001;
+  example.claim.gate = 0.0001;
+  example.observed = {-0.0006, -0.0003, 0.0001, 0.0004, 0.0009, {}};
+  example.observed.verdicts.Add(Standing::kContained);
+  Element key("ul");
+  key.Set("class", "key").Set("aria-label", "How to read the drawings");
+  Element& item = key.Add("li").Set("class", "drawn");
+  item.Add(ErrorChart(example));
+  item.Add(
+      "span",
+      "Wide bar: what was predicted, with its two ends; pale beside it: the honesty gate. Line: "
+      "what was observed, from least to greatest, a box for the middle half, a gap at the median. "
+      "Each row has its own axis; a dashed bar is not proved, and nothing is claimed.");
+  return key;
+}
+
+}  // namespace
+
+Element ErrorSets(const Subject& subject) {
+  Element section("div");
+  if (subject.in_full.empty()) {
+    section.Add("p", "Nothing has been observed yet.");
+    return section;
+  }
+  section.Add(DrawingKey());
+  for (const CellFindings* cell : subject.in_full) {
+    section.Add("h3", subject.NameOf(*cell));
+    for (const StepFindings& step : cell->steps) {
+      if (!step.claims.empty()) section.Add(StepTable(step));
+    }
+  }
+  if (subject.left_out() > 0) {
+    section
+        .Add("p", fmt::format("Not told here, but in error_sets.csv: {}.",
+                              CountText(subject.left_out(), "cell")))
+        .Set("class", "note");
+  }
+  return section;
+}
+
+}  // namespace assay::report

@@ -1,0 +1,55 @@
+#include <fmt/format.h>
+
+#include "sim/report/page/data_table.h"
+#include "sim/report/page/figures.h"
+#include "sim/report/sections/section.h"
+
+namespace assay::report {
+namespace {
+
+std::string Both(int successes, int trials) {
+  return fmt::format("{} ({})", RateText(successes, trials), WilsonText(successes, trials));
+}
+
+void AddRow(DataTable& table, const Subject& subject, const CellFindings& cell) {
+  const sweep::CellSummary& summary = cell.summary;
+  const RecoveryFindings& recovery = cell.recovery;
+  table.AddRow({Words(subject.NameOf(cell)), Words(CountText(summary.done)),
+                Words(fmt::format("{} ({})", CountText(summary.with_errors),
+                                  RateText(summary.with_errors, summary.done))),
+                Words(CountText(recovery.signalled)), Words(CountText(recovery.mended)),
+                Words(CountText(summary.recovered)), Words(CountText(summary.operator_called)),
+                Words(Both(recovery.unaided, summary.done)),
+                Words(Both(summary.succeeded, summary.done))});
+}
+
+}  // namespace
+
+Element Recoveries(const Subject& subject) {
+  DataTable table("Trials in which a verification signalled an error, and what became of them",
+                  {{"cell"},
+                   {"trials", "number"},
+                   {"with an error", "number"},
+                   {"errors", "number"},
+                   {"mended", "number"},
+                   {"trials recovered", "number"},
+                   {"operator called", "number"},
+                   {"success without recoveries", "number"},
+                   {"success with them", "number"}});
+  for (const CellFindings& cell : subject.findings.cells) {
+    if (cell.recovery.verifies && cell.summary.done > 0) AddRow(table, subject, cell);
+  }
+  Element section("div");
+  if (table.empty()) {
+    section.Add("p", "No plan has verifications: all that they assume is proved.");
+    return section;
+  }
+  section.Add("p",
+              "Where a precondition could not be proved, the plan measures after the step whether "
+              "it went well, and mends what did not. Without recoveries, every trial with an error "
+              "would have failed; a trial is recovered if it succeeded all the same.");
+  section.Add(table.Take());
+  return section;
+}
+
+}  // namespace assay::report

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sim/report/page/cell_name.h"
+#include "sim/report/page/element.h"
+#include "sim/report/sections/findings.h"
+
+namespace assay::report {
+
+// What the sections of a page are made of.
+struct Subject {
+  const Findings& findings;
+  std::vector<CellAxis> axes;                // on which the cells differ
+  std::vector<const CellFindings*> in_full;  // cells whose certificates are told step by step
+
+  std::string NameOf(const CellFindings& cell) const { return CellName(cell.cell(), axes); }
+  int left_out() const;  // cells that have certificates and are not told in full
+};
+
+// At most `most` cells in full, in the order of the grid: those with a
+// violation first, then those with noise.
+Subject SubjectOf(const Findings& findings, int most);
+
+// A part of the page with a heading of its own; none of them is empty.
+struct Section {
+  std::string id;
+  std::string title;
+  Element (*make)(const Subject& subject);
+};
+const std::vector<Section>& Sections();
+
+Element SummaryOf(const Subject& subject);
+Element Outcomes(const Subject& subject);
+Element Recoveries(const Subject& subject);
+Element Verdicts(const Subject& subject);
+Element ErrorSets(const Subject& subject);
+Element Attacks(const Subject& subject);
+Element ConservatismRatios(const Subject& subject);
+Element Setup(const Subject& subject);
+
+// Of the best, the typical and the worst trial.
+Element Pictures(const Findings& findings, const std::function<std::string(int trial)>& picture);
+
+}  // namespace assay::report

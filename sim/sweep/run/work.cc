@@ -1,0 +1,228 @@
+#include "sim/sweep/run/work.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "planner/assembly/certified_plan.h"
+#include "planner/plan/file/plan_file.h"
+#include "sim/check/falsification/attack.h"
+#include "sim/check/falsification/conservatism.h"
+#include "sim/sense/overhead_camera.h"
+#include "sim/sweep/run/clock.h"
+#include "sim/sweep/run/shell.h"
+#include "sim/sweep/store/recording.h"
+
+namespace assay::sweep {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string_view OutcomeName(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kFound:
+      return "planned";
+    case Outcome::kNone:
+      return "none";
+    case Outcome::kBudget:
+      return "budget";
+  }
+  return "";
+}
+
+scenario::Scenario LoadScenario(const Sweep& sweep, const domain::ModelPath& models,
+                                const Cell& cell) {
+  const fs::path file = sweep.PathOf(cell.scenario);
+  scenario::Scenario scenario = scenario::Load(
+      file, models,
+      {.clearance = cell.clearance, .error_scale = cell.error_scale, .resolvers = cell.resolvers});
+  return scenario;
+}
+
+// The command that makes the plan of a cell again and runs it under errors; empty where `assay run`
+// has no words for the cell.
+std::string RunCommand(const Sweep& sweep, const domain::ModelPath& models, const Cell& cell,
+                       scene::GraspMode grasp_of_scenario) {
+  const posting::PlannerOptions planner;
+  const posting::UncertaintyOptions uncertainty;
+  const bool usual =
+      sweep.partial_plans == planner.partial_plans && sweep.instances == uncertainty.instances;
+  if (cell.clearance || !usual) return "";
+  std::string command = "assay run " + Word(sweep.PathOf(cell.scenario).generic_string());
+  if (cell.propagation != uncertainty::Propagation::kSound) {
+    command += fmt::format(" --propagation {}", Name(cell.propagation));
+  }
+  if (cell.resolvers) command += fmt::format(" --resolvers {}", Name(*cell.resolvers));
+  if (cell.error_scale != 1) command += fmt::format(" --error-scale {}", cell.error_scale);
+  if (cell.grasp != grasp_of_scenario) command += fmt::format(" --grasp {}", Name(cell.grasp));
+  command += ModelsOption(models);
+  return command;
+}
+
+CellRecord RecordOf(const Cell& cell, const domain::Problem& problem,
+                    const plan::PlanResult& result) {
+  const bool found = result.outcome == Outcome::kFound;
+  return {.cell = cell.number,
+          .scenario = cell.scenario,
+          .clearance = problem.clearance,
+          .error_scale = cell.error_scale,
+          .propagation = std::string(Name(cell.propagation)),
+          .resolvers = Name(problem.resolvers),
+          .noise = std::string(Name(cell.noise)),
+          .sensing = std::string(Name(cell.sensing)),
+          .seed = static_cast<std::int64_t>(cell.seed),
+          .trials = cell.trials,
+          .grasp = std::string(Name(cell.grasp)),
+          .outcome = std::string(OutcomeName(result.outcome)),
+          .actions = static_cast<int>(result.plan.steps.size()),
+          .errors = result.plan.errors,
+          .proved = found && result.plan.errors == 0,
+          .conflict = fmt::format(
+              "{}", fmt::join(result.limits.empty() ? result.conflict : result.limits, "\n")),
+          .plan = plan::ToJson(result, problem, cell.scenario).dump()};
+}
+
+check::Experiment ExperimentOf(const Preparation& preparation) {
+  return {.problem = preparation.scenario.problem,
+          .plan = preparation.plan,
+          .scene = preparation.scenario.simulation.scene,
+          .gate = preparation.gate};
+}
+
+// Makes what the trials of cells have in common.
+class Planning {
+ public:
+  Planning(const Sweep& sweep, const domain::ModelPath& models) : sweep_(sweep), models_(models) {}
+
+  PlannedCell Plan(const Cell& cell) const {
+    scenario::Scenario scenario = LoadScenario(sweep_, models_, cell);
+    plan::PlanResult result = assembly::MakeCertifiedPlan(
+        scenario.problem, {.partial_plans = sweep_.partial_plans},
+        {.propagation = cell.propagation, .instances = sweep_.instances});
+    PlannedCell planned{cell, RecordOf(cell, scenario.problem, result), nullptr};
+    if (result.outcome == Outcome::kFound) {
+      planned.preparation = Prepare(cell, std::move(scenario), std::move(result.plan), nullptr);
+      planned.record.gate = planned.preparation->gate;
+      ExecuteWithoutNoise(*planned.preparation, planned.record);
+    }
+    return planned;
+  }
+
+  PlannedCell Restore(const Cell& cell, const CellRecord& record) const {
+    PlannedCell planned{cell, record, nullptr};
+    if (record.outcome != OutcomeName(Outcome::kFound)) return planned;
+    scenario::Scenario scenario = LoadScenario(sweep_, models_, cell);
+    plan::PlanResult result =
+        plan::ReadPlan(Document::Parse(record.plan, fmt::format("plan of cell {}", cell.number)),
+                       scenario.problem);
+    planned.preparation = Prepare(cell, std::move(scenario), std::move(result.plan), &record.gate);
+    return planned;
+  }
+
+ private:
+  // Trials say something only of a plan that holds without noise.
+  static void ExecuteWithoutNoise(const Preparation& preparation, CellRecord& record) {
+    const check::Noiseless noiseless = check::ExecuteWithoutNoise(ExperimentOf(preparation));
+    if (noiseless.Holds()) return;
+    record.outcome = "untestable";
+    record.conflict = WrongWithoutNoise(preparation.plan, noiseless, preparation.gate);
+  }
+
+  std::shared_ptr<const Preparation> Prepare(const Cell& cell, scenario::Scenario scenario,
+                                             plan::Plan plan,
+                                             const check::HonestyGate* known_gate) const {
+    auto preparation = std::make_shared<Preparation>();
+    scene::SceneOptions& scene = scenario.simulation.scene;
+    preparation->run_command = RunCommand(sweep_, models_, cell, scene.grasp);
+    scene.grasp = cell.grasp;
+    preparation->box = noise::ErrorBox(scenario.problem, plan);
+    preparation->gate =
+        known_gate != nullptr ? *known_gate : check::MeasureGate(scenario.problem, plan, scene);
+    preparation->scenario = std::move(scenario);
+    preparation->plan = std::move(plan);
+    return preparation;
+  }
+
+  const Sweep& sweep_;
+  const domain::ModelPath& models_;
+};
+
+bool Senses(const plan::Plan& plan) {
+  return std::ranges::any_of(plan.steps, [](const plan::PlannedStep& step) {
+    return std::holds_alternative<plan::Sense>(step.action);
+  });
+}
+
+TimedTrial RunTrial(const PlannedCell& cell, int number) {
+  const Clock::time_point start = Clock::now();
+  TimedTrial timed =
+      Recorded(cell.preparation->plan, Execute(cell, NoiseOf(cell, number), nullptr));
+  timed.seconds = SecondsSince(start);
+  return timed;
+}
+
+TimedTrial RunAttack(const Sweep& sweep, const PlannedCell& cell, const AttackControl& control) {
+  const Clock::time_point start = Clock::now();
+  const check::Experiment experiment = ExperimentOf(*cell.preparation);
+  check::AttackOptions options = {
+      .attempts = sweep.attempts, .seed = cell.cell.seed, .jobs = control.jobs};
+  options.progress = control.progress;
+  const check::AttackResult result = check::Attack(experiment, options);
+  std::vector<check::ConservatismRatio> ratios;
+  if (sweep.conservatism) {
+    // Told before each of its trials, progress may throw, as it may before each attempt.
+    const auto tell = [&] {
+      if (control.progress) control.progress(result.attempts);
+      return false;
+    };
+    ratios = check::Conservatism(experiment,
+                                 {.seed = cell.cell.seed, .jobs = control.jobs, .stop = tell});
+  }
+  TimedTrial timed = Recorded(
+      cell.preparation->plan,
+      Attacked{.result = result,
+               .ratios = ratios,
+               .run_command = cell.preparation->run_command,
+               .replay_command = fmt::format("assay replay DB {}", cell.cell.first_trial)});
+  timed.seconds = SecondsSince(start);
+  return timed;
+}
+
+}  // namespace
+
+noise::Noise NoiseOf(const PlannedCell& cell, int number) {
+  return noise::Sample(cell.preparation->box, ModeOf(cell.cell.noise), cell.cell.seed, number);
+}
+
+check::NoisyTrial Execute(const PlannedCell& cell, const noise::Noise& noise,
+                          exec::Observer* observer) {
+  const Preparation& preparation = *cell.preparation;
+  const check::Experiment experiment = ExperimentOf(preparation);
+  // The series of samples is of no use for verdicts.
+  exec::ExecutorOptions options;
+  options.sample_rate = 0;
+  options.observer = observer;
+  if (cell.cell.sensing == Sensing::kDrawn || !Senses(preparation.plan)) {
+    return check::RunNoisyTrial(experiment, noise, options);
+  }
+  // A camera belongs to its thread, and sees the true world.
+  const scene::Scene scene(experiment.problem, exec::TrueScene(experiment.scene, noise));
+  sense::OverheadCamera camera(scene, experiment.problem);
+  options.sensor = &camera;
+  return check::RunNoisyTrial(experiment, noise, options);
+}
+
+Work RealWork(const Sweep& sweep, const domain::ModelPath& models) {
+  return {
+      .plan = [sweep, models](const Cell& cell) { return Planning(sweep, models).Plan(cell); },
+      .restore =
+          [sweep, models](const Cell& cell, const CellRecord& record) {
+            return Planning(sweep, models).Restore(cell, record);
+          },
+      .run = RunTrial,
+      .attack = [sweep](const PlannedCell& cell,
+                        const AttackControl& control) { return RunAttack(sweep, cell, control); }};
+}
+
+}  // namespace assay::sweep

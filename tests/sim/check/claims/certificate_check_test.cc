@@ -1,0 +1,233 @@
+#include "sim/check/claims/certificate_check.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/sim/exec/figure15.h"
+
+namespace assay::check::certificate_check_test {
+namespace {
+
+using domain::PartId;
+using exec::Stage;
+using geometry::Pose;
+using geometry::Vector3;
+
+// A pickup with a certificate by hand, and traces of executions that never were.
+class CertificateCheckTest : public testing::Test {
+ protected:
+  CertificateCheckTest()
+      : problem_(exec::Figure15()),
+        plan_(exec::TwoActions(problem_)),
+        peg_(exec::PartNamed(problem_, "peg")),
+        pickup_(std::get<plan::Pickup>(plan_.step(kPickup).action)) {
+    plan::Certificate& certificate = plan_.steps[kPickup.index()].certificate;
+    const Interval wide = {-0.01, 0.01};
+    certificate.before = {{.part = peg_, .x = wide, .y = wide, .z = wide, .theta = wide}};
+    certificate.after = {{.part = peg_,
+                          .in_hand = true,
+                          .x = wide,
+                          .y = wide,
+                          .z = wide,
+                          .theta = wide,
+                          .tip = wide,
+                          .twist = wide}};
+    certificate.preconditions = {Precondition("between fingers", kJustProved)};
+    moment_.parts.resize(2);
+    moment_.table_heights.resize(2);
+    moment_.opening = problem_.workcell->gripper().max_opening();
+    moment_.tool = {pickup_.from.X_WorldPart * pickup_.hold.X_PartTool,
+                    pickup_.from.X_WorldPart * pickup_.hold.X_PartTool};
+    moment_.parts[peg_.index()] = {pickup_.from.X_WorldPart, pickup_.from.X_WorldPart};
+  }
+
+  static plan::CertifiedPrecondition Precondition(const char* condition, double margin) {
+    plan::CertifiedPrecondition claim;
+    claim.condition = condition;
+    claim.margin = margin;
+    return claim;
+  }
+  // The same moment, the peg displaced in the world.
+  exec::Moment Displaced(double y_of_tool) const {
+    exec::Moment moment = moment_;
+    Pose& truth = moment.parts[peg_.index()].truth;
+    truth.translation() += moment.tool.truth.linear().col(1) * y_of_tool;
+    return moment;
+  }
+  std::vector<Claim> Check(const exec::Moment& reached, const exec::Moment& end,
+                           bool recovered = false) {
+    exec::Trace trace;
+    trace.events.push_back(exec::Milestone{kPickup, Stage::kPoised, moment_});
+    trace.events.push_back(exec::Milestone{kPickup, Stage::kReached, reached});
+    trace.events.push_back(exec::Milestone{kPickup, Stage::kActed, end});
+    if (recovered) {
+      trace.events.push_back(exec::RecoveryRecord{.time = 0,
+                                                  .step = kPickup,
+                                                  .error = "error1",
+                                                  .strategy = domain::RecoveryStrategy::kRetry});
+    }
+    trace.events.push_back(exec::StepEnd{kPickup, "action_2", "pickup", end});
+    return CheckCertificates(problem_, plan_, trace, {});
+  }
+  static ClaimVerdict Worst(const std::vector<Claim>& claims) {
+    return ByStep(claims).front().verdict;
+  }
+  static const Claim& Named(const std::vector<Claim>& claims, Claimed about,
+                            const std::string& name) {
+    return *std::ranges::find_if(
+        claims, [&](const Claim& c) { return c.about == about && c.name == name; });
+  }
+
+  static constexpr plan::StepId kPickup = plan::StepId(1);
+  static constexpr double kJustProved = 1e-15;  // metres
+  static constexpr double kRounding = 1.1e-9;   // that every gate forgives
+  domain::Problem problem_;
+  plan::Plan plan_;
+  PartId peg_;
+  plan::Pickup pickup_;
+  exec::Moment moment_;
+};
+
+TEST_F(CertificateCheckTest, WithoutErrorsAllIsContained) {
+  const std::vector<Claim> claims = Check(moment_, moment_);
+  EXPECT_EQ(claims.size(), 4u + 1u + 6u);
+  EXPECT_EQ(Worst(claims), ClaimVerdict::kContained);
+}
+
+TEST_F(CertificateCheckTest, APartThatIsElsewhereInTheHandViolatesTheOutputSet) {
+  const std::vector<Claim> claims = Check(moment_, Displaced(0.012));
+  const Claim& y = Named(claims, Claimed::kAfter, "y of peg");
+  EXPECT_EQ(y.verdict, ClaimVerdict::kViolated);
+  EXPECT_NEAR(y.margin, -0.002, kRounding);
+  EXPECT_EQ(Named(claims, Claimed::kAfter, "x of peg").verdict, ClaimVerdict::kContained);
+}
+
+// The contacts are half the part's width from the grasped point, the pads half the opening.
+TEST_F(CertificateCheckTest, ContactsBesideThePadsViolateAProvedPrecondition) {
+  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  const auto between = [&](double y) {
+    return Named(Check(Displaced(y), moment_), Claimed::kPrecondition, "between fingers");
+  };
+  EXPECT_NEAR(between(room - 0.001).margin, 0.001, kRounding);
+  EXPECT_EQ(between(-room - 0.001).verdict, ClaimVerdict::kViolated);
+}
+
+// Nine tenths of it are held against what happened.
+TEST_F(CertificateCheckTest, LessThanTheCertifiedMarginViolatesAProvedPrecondition) {
+  problem_.clearance = 1;
+  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", 0.002)};
+  const auto between = [&](double left) {
+    return Named(Check(Displaced(room - left), moment_), Claimed::kPrecondition, "between fingers");
+  };
+  EXPECT_EQ(between(0.0019).verdict, ClaimVerdict::kContained);
+  EXPECT_EQ(between(0.0017).verdict, ClaimVerdict::kViolated);
+  EXPECT_NEAR(between(0.0017).margin, -0.0001, kRounding);
+  // Of a margin that is greater than the clearance, all but a tenth of that.
+  problem_.clearance = 0.001;
+  EXPECT_EQ(between(0.00195).verdict, ClaimVerdict::kContained);
+  EXPECT_EQ(between(0.00185).verdict, ClaimVerdict::kViolated);
+}
+
+TEST_F(CertificateCheckTest, NothingElseOfTheStepIsClaimedOnceAnUnprovedPreconditionFails) {
+  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", 0.002),
+                                                            Precondition("finger clear", -1)};
+  const double width = pickup_.hold.width;
+  const std::vector<Claim> failed = Check(Displaced(moment_.opening + width), moment_);
+  EXPECT_EQ(Named(failed, Claimed::kPrecondition, "between fingers").verdict,
+            ClaimVerdict::kNotClaimed);
+}
+
+TEST_F(CertificateCheckTest, NothingIsClaimedOnceAnUnprovedPreconditionFails) {
+  plan_.steps[kPickup.index()].certificate.preconditions = {Precondition("between fingers", -1)};
+  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  const std::vector<Claim> failed = Check(Displaced(room + 0.001), Displaced(0.012));
+  EXPECT_EQ(Named(failed, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);
+  // It may hold all the same: then the rest is claimed.
+  const std::vector<Claim> held = Check(moment_, Displaced(0.012));
+  EXPECT_EQ(Named(held, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kViolated);
+}
+
+// That pads hold a part is not measured: what was not proved of it may have failed.
+TEST_F(CertificateCheckTest, NothingIsClaimedAfterWhatIsNeitherProvedNorMeasured) {
+  auto& preconditions = plan_.steps[kPickup.index()].certificate.preconditions;
+  preconditions.push_back(Precondition("holding", -1));
+  const auto y_of_peg = [&] {
+    return Named(Check(moment_, Displaced(0.012)), Claimed::kAfter, "y of peg").verdict;
+  };
+  EXPECT_EQ(y_of_peg(), ClaimVerdict::kNotClaimed);
+  preconditions.back().margin = kJustProved;
+  EXPECT_EQ(y_of_peg(), ClaimVerdict::kViolated);
+}
+
+TEST_F(CertificateCheckTest, NothingIsClaimedAfterARecovery) {
+  const std::vector<Claim> claims = Check(moment_, Displaced(0.012), true);
+  EXPECT_EQ(Named(claims, Claimed::kAfter, "y of peg").verdict, ClaimVerdict::kNotClaimed);
+}
+
+TEST_F(CertificateCheckTest, AStepThatIsProvedComesToItsEnd) {
+  exec::Trace trace;
+  trace.events.push_back(exec::Milestone{kPickup, Stage::kPoised, moment_});
+  trace.events.push_back(exec::ExecutionEnd{exec::ExecutionOutcome::kOverload, "", moment_});
+  EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kViolated);
+  trace.events.back() = exec::ExecutionEnd{exec::ExecutionOutcome::kUnreachable, "", moment_};
+  EXPECT_EQ(Worst(CheckCertificates(problem_, plan_, trace, {})), ClaimVerdict::kContained);
+}
+
+TEST_F(CertificateCheckTest, AStepThatIsStoppedOnItsWayIsTheOneThatDoesNotComeToItsEnd) {
+  const std::vector<plan::StepId> order = plan_.ExecutionOrder();
+  const auto stopped = [&](const exec::Trace& trace, plan::StepId first) {
+    const std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {}, first);
+    const Claim& end = Named(claims, Claimed::kAfter, "comes to its end");
+    EXPECT_TRUE(end.IsViolated());
+    return end.step;
+  };
+  exec::Trace trace;
+  trace.events.push_back(exec::ExecutionEnd{exec::ExecutionOutcome::kOverload, "", moment_});
+  EXPECT_EQ(stopped(trace, order[1]), order[1]);
+  // Without the step in which the trace begins it is the plan's first, and then the one after it.
+  EXPECT_EQ(stopped(trace, plan::StepId::None()), order[0]);
+  trace.events.insert(trace.events.begin(), exec::StepEnd{order[0], "", "", moment_});
+  trace.events.insert(trace.events.begin(), exec::Milestone{order[0], Stage::kPoised, moment_});
+  EXPECT_EQ(stopped(trace, plan::StepId::None()), order[1]);
+}
+
+TEST_F(CertificateCheckTest, ACollisionIsAClaimOfTheStepInWhichItHappens) {
+  const std::vector<plan::StepId> order = plan_.ExecutionOrder();
+  exec::Trace trace;
+  trace.events.push_back(exec::Milestone{order[0], Stage::kPoised, moment_});
+  trace.events.push_back(exec::StepEnd{order[0], "", "", moment_});
+  trace.events.push_back(exec::CollisionRecord{.time = 0, .robot = "arm", .other = "block"});
+  trace.events.push_back(exec::Milestone{order[1], Stage::kPoised, moment_});
+  trace.events.push_back(exec::StepEnd{order[1], "", "", moment_});
+  const std::vector<Claim> claims = CheckCertificates(problem_, plan_, trace, {});
+  const Claim& clear = Named(claims, Claimed::kAfter, "keeps clear of everything else");
+  EXPECT_EQ(clear.step, order[1]);
+  EXPECT_TRUE(clear.IsViolated());
+}
+
+// The fingers' bounds are told apart: what is proved of one is held against physics whatever is not
+// proved of the other, and what was not proved is no violation.
+TEST_F(CertificateCheckTest, WhatIsProvedIsTestedEvenIfAnotherOfItsNameIsNot) {
+  const auto of_contact = [](int contact, bool proved) {
+    plan::CertifiedPrecondition claim = Precondition("between fingers", proved);
+    claim.meaning = "contact " + std::to_string(contact) + " lies on the inner side of finger 1";
+    return claim;
+  };
+  const double room = (moment_.opening - pickup_.hold.width) / 2;
+  for (const int proved : {1, 2}) {
+    plan_.steps[kPickup.index()].certificate.preconditions = {of_contact(1, proved == 1),
+                                                              of_contact(2, proved == 2)};
+    // Finger 1 is where y is least, and contact 2, on its side, is the one that it misses.
+    const std::vector<Claim> claims = Check(Displaced(-room - 0.001), moment_);
+    const Claim& claim = Named(claims, Claimed::kPrecondition, "between fingers");
+    EXPECT_EQ(claim.IsViolated(), proved == 2);
+    const Claim& other = Named(claims, Claimed::kPrecondition, "between fingers, not proved");
+    EXPECT_EQ(other.verdict, ClaimVerdict::kNotClaimed);
+    EXPECT_EQ(other.observed < 0, proved == 1);
+  }
+}
+
+}  // namespace
+}  // namespace assay::check::certificate_check_test

@@ -1,0 +1,181 @@
+#include "sim/check/claims/geometric_meaning.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "planner/base/random.h"
+#include "tests/sim/check/certified.h"
+
+namespace assay::check::geometric_meaning_test {
+namespace {
+
+using geometry::Box;
+using geometry::Pose;
+using geometry::Vector3;
+
+constexpr double kGrid = 0.006;     // metres between the oracle's points
+constexpr double kOverlap = -1e-3;  // what is said of bodies that overlap
+
+const Certified& Known() {
+  static const Certified certified = CertifiedPlan("uncertain-known");
+  return certified;
+}
+
+const domain::Part& PartNamed(const std::string& name) {
+  return *std::ranges::find(Known().problem.parts, name, &domain::Part::name);
+}
+
+// Points of the faces and the inside of boxes, no farther apart than the grid.
+std::vector<Vector3> PointsOf(const std::vector<Box>& boxes, const Pose& X_WorldBody) {
+  std::vector<Vector3> points;
+  for (const Box& box : boxes) {
+    const Eigen::Array3i n = (2 * box.half_extents / kGrid).array().ceil().cast<int>();
+    for (int i = 0; i <= n.x(); ++i) {
+      for (int j = 0; j <= n.y(); ++j) {
+        for (int k = 0; k <= n.z(); ++k) {
+          const Vector3 share = 2 * Vector3(i, j, k).cwiseQuotient(n.matrix().cast<double>());
+          const Vector3 at = box.half_extents.cwiseProduct(share - Vector3::Ones());
+          points.push_back(X_WorldBody * box.X_FrameBox * at);
+        }
+      }
+    }
+  }
+  return points;
+}
+
+double DistanceTo(const std::vector<Box>& boxes, const Pose& X_WorldBody, const Vector3& p) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Box& box : boxes) {
+    const Vector3 in_box = (X_WorldBody * box.X_FrameBox).inverse() * p;
+    nearest = std::min(nearest, (in_box.cwiseAbs() - box.half_extents).cwiseMax(0).norm());
+  }
+  return nearest;
+}
+
+// What the oracle finds: no less than the distance, and by the grid's points hardly more.
+double Sampled(const std::vector<Box>& a, const Pose& X_WorldA, const std::vector<Box>& b,
+               const Pose& X_WorldB) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vector3& p : PointsOf(a, X_WorldA))
+    nearest = std::min(nearest, DistanceTo(b, X_WorldB, p));
+  return nearest;
+}
+
+void ExpectMeasured(double sampled, double observed) {
+  if (observed == kOverlap) {
+    EXPECT_LT(sampled, kGrid);
+  } else {
+    EXPECT_GE(sampled, observed - 1e-9);
+    EXPECT_LE(sampled, observed + kGrid);
+  }
+}
+
+double Observed(const std::vector<GeometricMeaning>& meanings, const std::string& subject) {
+  const auto found = std::ranges::find(meanings, subject, &GeometricMeaning::subject);
+  EXPECT_NE(found, meanings.end()) << subject;
+  return found == meanings.end() ? 0 : found->observed;
+}
+
+template <class Action>
+const plan::PlannedStep& StepOf() {
+  return Known().plan.step(FirstStep<Action>(Known().plan));
+}
+
+exec::Moment MomentWith(const Pose& X_WorldTool, double opening) {
+  exec::Moment moment;
+  moment.tool = {X_WorldTool, X_WorldTool};
+  moment.opening = opening;
+  for (const domain::Part& part : Known().problem.parts) {
+    moment.parts.push_back({part.X_WorldPart, part.X_WorldPart});
+  }
+  return moment;
+}
+
+std::size_t IndexOf(const domain::Part& part) {
+  return static_cast<std::size_t>(&part - Known().problem.parts.data());
+}
+
+Pose Somewhere(double reach, RandomStream& random) {
+  const auto any = [&] { return random.Uniform(-reach, reach); };
+  return geometry::Translation(any(), any(), any()) * geometry::RotationZ(random.Uniform(-3, 3));
+}
+
+// The closed hand, as it acts, beside the block, which is put anywhere about it.
+TEST(GeometricMeaning, HandClearIsTheHandsDistanceFromAnotherPart) {
+  const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
+  const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
+  const domain::Part& peg = PartNamed("peg");
+  const domain::Part& block = PartNamed("block");
+  const kinematics::Gripper& gripper = Known().problem.workcell->gripper();
+  std::vector<Box> hand = gripper.HandBoxes();
+  std::ranges::copy(gripper.FingerBoxes(hold.width), std::back_inserter(hand));
+  RandomStream random(5, "hand clear");
+  int overlaps = 0;
+  for (int i = 0; i < 40; ++i) {
+    exec::Moment acted = MomentWith(peg.X_WorldPart * hold.X_PartTool, hold.width);
+    Pose& X_WorldBlock = acted.parts[IndexOf(block)].truth;
+    X_WorldBlock = acted.tool.truth * Somewhere(0.18, random);
+    StepEvents events;
+    events.step = FirstStep<plan::Pickup>(Known().plan);
+    events.acted = &acted;
+    const double observed = Observed(MeaningsOf("hand clear", Known().problem, pickup, events),
+                                     "the hand stays clear of block");
+    ExpectMeasured(Sampled(block.model->boxes(), X_WorldBlock, hand, acted.tool.truth), observed);
+    overlaps += observed == kOverlap;
+  }
+  EXPECT_GT(overlaps, 2);
+  EXPECT_LT(overlaps, 38);
+}
+
+// Pads on their faces are clear of the part; a hand that is too low is not.
+TEST(GeometricMeaning, HandClearLeavesOutWhatThePadsTouch) {
+  const plan::PlannedStep& pickup = StepOf<plan::Pickup>();
+  const plan::Hold& hold = std::get<plan::Pickup>(pickup.action).hold;
+  const domain::Part& peg = PartNamed("peg");
+  const auto observed = [&](double ahead) {
+    const exec::Moment acted = MomentWith(
+        peg.X_WorldPart * hold.X_PartTool * geometry::Translation(0, 0, ahead), hold.width);
+    StepEvents events;
+    events.step = FirstStep<plan::Pickup>(Known().plan);
+    events.acted = &acted;
+    return Observed(MeaningsOf("hand clear", Known().problem, pickup, events),
+                    "the hand stays clear of peg");
+  };
+  EXPECT_GT(observed(0), 0);
+  EXPECT_NEAR(observed(-0.01) - observed(0), 0.01, 1e-6);  // of the palm, above the part
+  EXPECT_EQ(observed(0.2), kOverlap);
+}
+
+// The held part, moved along the mating vector, beside the block: as it is planned, it comes near
+// the rim only; aside or too far in, it meets the block.
+TEST(GeometricMeaning, PassingClearIsTheWayToTheMouth) {
+  const plan::PlannedStep& step = StepOf<plan::Assemble>();
+  const auto& assemble = std::get<plan::Assemble>(step.action);
+  const domain::Mating& mating = Known().problem.mating(assemble.mating);
+  const domain::Part& peg = PartNamed("peg");
+  const domain::Part& block = PartNamed("block");
+  const Vector3 vector = block.X_WorldPart.linear() * mating.mating_vector;
+  const Vector3 aside = vector.unitOrthogonal();
+  const Pose X_WorldSeat = block.X_WorldPart * mating.X_FixedHeld;
+  const auto observed = [&](const Vector3& off) {
+    const Pose X_WorldPeg = geometry::Translation(off - vector) * X_WorldSeat;
+    exec::Moment poised = MomentWith(X_WorldPeg * assemble.hold.X_PartTool, assemble.hold.width);
+    poised.parts[IndexOf(peg)] = {X_WorldPeg, X_WorldPeg};
+    StepEvents events;
+    events.step = FirstStep<plan::Assemble>(Known().plan);
+    events.poised = &poised;
+    return Observed(MeaningsOf("passing clear", Known().problem, step, events),
+                    "peg passes block on its way in");
+  };
+  const double planned = observed(Vector3::Zero());
+  EXPECT_GT(planned, 0);
+  EXPECT_LT(planned, 2e-3);  // a millimetre before the mouth, which is as wide as the play
+  EXPECT_NEAR(observed(-0.01 * vector.normalized()), planned + 0.01, 1e-3);
+  EXPECT_NEAR(observed(1.0 * aside), 1.0, 0.2);
+  EXPECT_EQ(observed(0.01 * aside + 0.01 * vector.normalized()), kOverlap);
+}
+
+}  // namespace
+}  // namespace assay::check::geometric_meaning_test

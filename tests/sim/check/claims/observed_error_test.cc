@@ -1,0 +1,78 @@
+#include "sim/check/claims/observed_error.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/sim/exec/figure15.h"
+
+namespace assay::check::observed_error_test {
+namespace {
+
+using domain::PartId;
+using geometry::Pose;
+using geometry::Vector3;
+
+class ObservedErrorTest : public testing::Test {
+ protected:
+  ObservedErrorTest()
+      : problem_(exec::Figure15()),
+        plan_(exec::TwoActions(problem_)),
+        peg_(exec::PartNamed(problem_, "peg")) {
+    moment_.parts.resize(2);
+  }
+  exec::TrueAndBelieved& Peg() { return moment_.parts[peg_.index()]; }
+  double Named(const std::vector<ObservedError>& errors, const std::string& name) const {
+    for (const ObservedError& error : errors) {
+      if (error.name == name + " of peg") return error.observed;
+    }
+    ADD_FAILURE() << name;
+    return 0;
+  }
+
+  domain::Problem problem_;
+  plan::Plan plan_;
+  PartId peg_;
+  exec::Moment moment_;
+};
+
+TEST_F(ObservedErrorTest, AtRestItIsDisplacedInTheWorldAndTurnedAboutTheVertical) {
+  const Pose believed = problem_.part(peg_).X_WorldPart;
+  Pose truth = geometry::RotationZ(0.03) * believed;
+  truth.translation() = believed.translation() + Vector3(0.001, -0.002, 0.003);
+  Peg() = {truth, believed};
+  const plan::Action& pickup = plan_.step(plan::StepId(1)).action;
+  const auto errors = ObservedErrors(
+      problem_, pickup, {.part = peg_, .x = {}, .y = {}, .z = {}, .theta = {}}, moment_);
+  EXPECT_EQ(errors.size(), 4u);
+  EXPECT_NEAR(Named(errors, "x"), 0.001, 1e-12);
+  EXPECT_NEAR(Named(errors, "y"), -0.002, 1e-12);
+  EXPECT_NEAR(Named(errors, "z"), 0.003, 1e-12);
+  EXPECT_NEAR(Named(errors, "theta"), 0.03, 1e-12);
+}
+
+// X_ToolGrasp = Tr(x, y, z) Rz(theta) Rx(tip) Ry(twist), seen from where the hand believes itself.
+TEST_F(ObservedErrorTest, InTheHandItIsOfTheGraspedPoint) {
+  const plan::Action& pickup = plan_.step(plan::StepId(1)).action;
+  const Pose X_PartTool = std::get<plan::Pickup>(pickup).hold.X_PartTool;
+  Pose X_ToolGrasp = Pose::Identity();
+  X_ToolGrasp.linear() =
+      (Eigen::AngleAxisd(0.02, Vector3::UnitZ()) * Eigen::AngleAxisd(-0.03, Vector3::UnitX()) *
+       Eigen::AngleAxisd(0.05, Vector3::UnitY()))
+          .toRotationMatrix();
+  X_ToolGrasp.translation() = Vector3(0.001, 0.002, -0.004);
+  moment_.tool.believed = geometry::Translation(0.5, 0.1, 0.4) * geometry::RotationZ(1);
+  moment_.tool.truth = Pose::Identity();  // does not matter
+  Peg().truth = moment_.tool.believed * X_ToolGrasp * X_PartTool.inverse();
+  const auto errors = ObservedErrors(
+      problem_, pickup, {.part = peg_, .in_hand = true, .x = {}, .y = {}, .z = {}, .theta = {}},
+      moment_);
+  EXPECT_EQ(errors.size(), 6u);
+  EXPECT_NEAR(Named(errors, "x"), 0.001, 1e-12);
+  EXPECT_NEAR(Named(errors, "y"), 0.002, 1e-12);
+  EXPECT_NEAR(Named(errors, "z"), -0.004, 1e-12);
+  EXPECT_NEAR(Named(errors, "theta"), 0.02, 1e-12);
+  EXPECT_NEAR(Named(errors, "tip"), -0.03, 1e-12);
+  EXPECT_NEAR(Named(errors, "twist"), 0.05, 1e-12);
+}
+
+}  // namespace
+}  // namespace assay::check::observed_error_test

@@ -1,0 +1,142 @@
+#include "sim/check/falsification/step_attack.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "sim/noise/error_box.h"
+#include "tests/sim/check/certified.h"
+
+namespace assay::check::step_attack_test {
+namespace {
+
+// A look, and the pickup after it.
+class PickupAfterALook : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    certified_ = new Certified(CertifiedPlan("uncertain-sensing"));
+    certified_->plan = UpToThePickup(certified_->plan);
+    experiment_ = new Experiment{certified_->problem,
+                                 certified_->plan,
+                                 {},
+                                 MeasureGate(certified_->problem, certified_->plan, {})};
+    worlds_ = new std::vector<AttackedWorld>(
+        WorldsOf(*experiment_, noise::ErrorBox(certified_->problem, certified_->plan)));
+  }
+  static void TearDownTestSuite() {
+    delete worlds_;
+    delete experiment_;
+    delete certified_;
+  }
+
+  PickupAfterALook()
+      : pickup_(FirstStep<plan::Pickup>(certified_->plan)),
+        attack_(*experiment_, pickup_, world().noise) {}
+
+  static const AttackedWorld& world() { return worlds_->front(); }
+  PoisedTrial Poised() const {
+    // From the start of the plan: the look is made on the way.
+    return *attack_.Poise(world(), world().noise, nullptr).poised;
+  }
+  // All errors at their upper ends.
+  std::vector<double> Corner() const {
+    std::vector<double> values;
+    for (const std::size_t i : attack_.free_channels()) {
+      values.push_back(world().noise.box()[i].range.high);
+    }
+    return values;
+  }
+  domain::PartId part() const {
+    return std::get<plan::Pickup>(certified_->plan.step(pickup_).action).part;
+  }
+  // The same trial, in which the part lies elsewhere than it came to: as if the engine had erred.
+  PoisedTrial Spoiled(PoisedTrial poised, const geometry::Vector3& by) const {
+    exec::ExecutorOptions options;
+    options.noise = poised.noise;
+    mujoco::Data data(world().scene.model());
+    exec::Execution execution(certified_->problem, world().scene, data, options);
+    execution.Restore(poised.checkpoint);
+    const geometry::Pose truth = world().scene.TruePose(data, part());
+    world().scene.SetPart(data, part(), geometry::Translation(by) * truth);
+    poised.checkpoint = execution.Save();
+    return poised;
+  }
+
+  static inline Certified* certified_ = nullptr;
+  static inline Experiment* experiment_ = nullptr;
+  static inline std::vector<AttackedWorld>* worlds_ = nullptr;
+  const plan::StepId pickup_;
+  const StepAttack attack_;
+};
+
+const Claim* Find(const std::vector<Claim>& claims, const Claim& claim) {
+  const auto found =
+      std::ranges::find_if(claims, [&](const Claim& other) { return IsSame(other, claim); });
+  return found == claims.end() ? nullptr : &*found;
+}
+
+// Broken off where a claim is decided, an attempt says exactly the same of it.
+TEST_F(PickupAfterALook, ABrokenOffAttemptSaysTheSameOfWhatIsDecided) {
+  const PoisedTrial poised = Poised();
+  const StepAttempt whole = attack_.Attempt(poised, Corner(), Until::kEnd);
+  ASSERT_TRUE(whole.IsWhole());
+  ASSERT_TRUE(whole.end);
+  for (const Until until : {Until::kPoised, Until::kReached, Until::kActed}) {
+    const StepAttempt begun = attack_.Attempt(poised, Corner(), until);
+    EXPECT_FALSE(begun.IsWhole());
+    EXPECT_FALSE(begun.end);
+    int decided = 0;
+    for (std::size_t i = 0; i < whole.claims.size(); ++i) {
+      if (whole.decisions[i].until > until) continue;
+      ++decided;
+      const Claim* const claim = Find(begun.claims, whole.claims[i]);
+      ASSERT_NE(claim, nullptr) << whole.claims[i].name;
+      EXPECT_EQ(claim->observed, whole.claims[i].observed) << claim->name;
+      EXPECT_EQ(claim->verdict, whole.claims[i].verdict) << claim->name;
+    }
+    EXPECT_GT(decided, 0);
+  }
+}
+
+// What is claimed of the start of a step is decided there, and what is claimed of its end is not.
+TEST_F(PickupAfterALook, ClaimsAreDecidedInTheOrderOfTime) {
+  const StepAttempt whole = attack_.Attempt(Poised(), Corner(), Until::kEnd);
+  std::set<Until> seen;
+  for (std::size_t i = 0; i < whole.claims.size(); ++i) {
+    const Until until = whole.decisions[i].until;
+    seen.insert(until);
+    if (whole.claims[i].about == Claimed::kBefore) {
+      EXPECT_EQ(until, Until::kPoised);
+    }
+    if (whole.claims[i].about == Claimed::kAfter) {
+      EXPECT_EQ(until, Until::kEnd);
+    }
+  }
+  EXPECT_EQ(seen, (std::set{Until::kPoised, Until::kReached, Until::kActed, Until::kEnd}));
+}
+
+// What the engine has erred up to a saved state would be confirmed by whatever starts from there:
+// the finer trial starts where the plan does, and finds nothing.
+TEST_F(PickupAfterALook, WhatASavedStateHasOfItselfIsNoViolation) {
+  const PoisedTrial spoiled = Spoiled(Poised(), {0.004, 0, 0});
+  const StepAttempt attempt = attack_.Attempt(spoiled, Corner(), Until::kPoised);
+  EXPECT_FALSE(attempt.claims.empty());
+  for (const Claim& claim : attempt.claims) EXPECT_FALSE(claim.IsViolated()) << claim.name;
+}
+
+// But what is so with half the timestep, too, is one.
+TEST_F(PickupAfterALook, WhatIsSoFromTheStartIsAViolation) {
+  plan::Plan lied = certified_->plan;
+  for (plan::ErrorSet& set : lied.steps[pickup_.index()].certificate.before) {
+    set.x = {0.02, 0.03};
+  }
+  const Experiment experiment{certified_->problem, lied, {}, experiment_->gate};
+  const StepAttack attack(experiment, pickup_, world().noise);
+  const PoisedTrial poised = *attack.Poise(world(), world().noise, nullptr).poised;
+  const StepAttempt attempt = attack.Attempt(poised, Corner(), Until::kPoised);
+  EXPECT_TRUE(std::ranges::any_of(attempt.claims, &Claim::IsViolated));
+}
+
+}  // namespace
+}  // namespace assay::check::step_attack_test

@@ -1,0 +1,226 @@
+#include "sim/check/trial/ledger.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "sim/exec/execution/step_execution.h"
+#include "sim/noise/sampling.h"
+#include "tests/sim/check/certified.h"
+
+namespace assay::check::ledger_test {
+namespace {
+
+using noise::Effect;
+using noise::Noise;
+
+// What the engine resolves: the arm follows what it is told to half a micrometre, with a part in
+// the hand to two; parts rest within a fifth of one.
+constexpr double kLength = 3e-6;                           // metres
+constexpr double kAngle = 0.001 * std::numbers::pi / 180;  // radians
+constexpr double kFriction = 1e-12;
+constexpr double kGiven = 1e-6;  // metres or radians; of what the engine and the executor are given
+
+double ToleranceOf(const LedgerEntry& entry) {
+  if (entry.unit.empty()) return kFriction;
+  return entry.unit == "m" ? kLength : kAngle;
+}
+
+// A scenario with its plan, and a box that has errors of the tolerances besides.
+struct Case {
+  Certified certified;
+  std::vector<noise::Channel> box;
+
+  Experiment experiment() const { return {certified.problem, certified.plan}; }
+  Noise Drawn() const { return noise::Sample(box, noise::Mode::kUniform, 7, 1); }
+  Noise None() const { return noise::Sample(box, noise::Mode::kNone, 7, 1); }
+
+  // It ends with the first error that is signalled: groping takes long, and changes no entry.
+  exec::Trace TraceOf(const Noise& noise, plan::StepId last = plan::StepId::None()) const {
+    const domain::Problem& problem = certified.problem;
+    const scene::Scene scene(problem, exec::TrueScene({}, noise));
+    mujoco::Data data = exec::StartOf(problem, scene, noise);
+    return exec::Execute(problem, certified.plan, scene, data,
+                         {.sample_rate = 0, .noise = noise, .recovers = false, .last = last});
+  }
+  std::vector<LedgerEntry> Ledger(const Noise& noise, const exec::Trace& trace) const {
+    return LedgerOf(experiment(), noise, trace);
+  }
+};
+
+// Of a height that is known better than a sensor tells it, the sensor is not believed: then one
+// looks that tells no heights.
+domain::Problem WithSensorsThatAreBelieved(domain::Problem problem) {
+  constexpr double kPromised = 1e-4;  // metres, at least
+  const auto is_known_better = [](const domain::Part& part) {
+    return part.error.z.high < kPromised;
+  };
+  if (!problem.sensors.empty() && std::ranges::all_of(problem.parts, is_known_better)) {
+    problem.sensors = {"coarse-camera"};
+  }
+  return problem;
+}
+
+const Case& Of(const std::string& scenario) {
+  static std::map<std::string, Case> cases;
+  const auto [at, is_new] = cases.try_emplace(scenario);
+  if (is_new) {
+    Case& made = at->second;
+    made.certified = CertifiedPlan(WithSensorsThatAreBelieved(ScenarioNamed(scenario)));
+    domain::Problem& problem = made.certified.problem;
+    problem.tolerances = {
+        .clearance = 0.4 * problem.clearance, .friction = 0.05, .pad_friction = 0.05};
+    made.box = noise::ErrorBox(problem, made.certified.plan);
+  }
+  return at->second;
+}
+
+void ExpectAsDrawn(const LedgerEntry& entry) {
+  ASSERT_TRUE(entry.applied && entry.measured) << entry.channel.name;
+  EXPECT_NEAR(*entry.applied, entry.drawn, kGiven) << entry.channel.name;
+  EXPECT_NEAR(*entry.measured, entry.drawn, ToleranceOf(entry)) << entry.channel.name;
+}
+
+// All errors at once, each with a value of its own: so none shows in another's place.
+class WholeTrial : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Scenarios, WholeTrial, testing::Values("uncertain-sensing", "spar-fig15"));
+
+TEST_P(WholeTrial, WhatWasDrawnIsWhatIsMeasured) {
+  const Case& of = Of(GetParam());
+  const Noise drawn = of.Drawn();
+  const auto ledger = of.Ledger(drawn, of.TraceOf(drawn));
+  ASSERT_EQ(ledger.size(), of.box.size());
+  for (std::size_t i = 0; i < ledger.size(); ++i) {
+    EXPECT_EQ(ledger[i].channel, of.box[i]);
+    EXPECT_EQ(ledger[i].drawn, drawn.values()[i]);
+    EXPECT_NE(ledger[i].drawn, 0);
+    ExpectAsDrawn(ledger[i]);
+  }
+}
+
+// The table's height where a part is put down is not the one where it was taken; and steps that
+// were not reached have done nothing.
+TEST(Ledger, EndsWithTheTrial) {
+  const Case& of = Of("spar-fig13");
+  const plan::StepId putdown = FirstStep<plan::Putdown>(of.certified.plan);
+  const Noise drawn = of.Drawn();
+  int heights = 0;
+  int unreached = 0;
+  for (const LedgerEntry& entry : of.Ledger(drawn, of.TraceOf(drawn, putdown))) {
+    const plan::StepId step = entry.channel.step;
+    const auto executed = [&](plan::StepId id) { return of.certified.plan.step(id).executed; };
+    if (step.IsNone() || executed(step) <= executed(putdown)) {
+      ExpectAsDrawn(entry);
+      if (step == putdown && entry.channel.effect == Effect::kTableHeight) ++heights;
+    } else {
+      EXPECT_FALSE(entry.applied || entry.measured) << entry.channel.name;
+      ++unreached;
+    }
+  }
+  EXPECT_EQ(heights, 1);
+  EXPECT_GT(unreached, 0);
+}
+
+TEST(Ledger, NamesAreUnique) {
+  for (const char* scenario : {"spar-fig13", "uncertain-sensing"}) {
+    std::set<std::string> names;
+    for (const noise::Channel& channel : Of(scenario).box) {
+      EXPECT_TRUE(names.insert(channel.name).second) << channel.name;
+    }
+  }
+}
+
+class Alone : public testing::Test {
+ protected:
+  Noise Only(std::size_t channel) const {
+    Noise only = of_.None();
+    only.Set(channel, of_.box[channel].range.high);
+    return only;
+  }
+  // It moves its own entry, and no other that was reached.
+  void ExpectAlone(std::size_t channel, const std::vector<LedgerEntry>& ledger) const {
+    ExpectAsDrawn(ledger[channel]);
+    EXPECT_GT(std::abs(*ledger[channel].measured), ToleranceOf(ledger[channel]));
+    for (std::size_t i = 0; i < ledger.size(); ++i) {
+      if (i == channel || !ledger[i].measured) continue;
+      EXPECT_NEAR(*ledger[i].applied, 0, kGiven) << ledger[channel].channel.name;
+      EXPECT_NEAR(*ledger[i].measured, 0, ToleranceOf(ledger[i]))
+          << ledger[channel].channel.name << " moves " << ledger[i].channel.name;
+    }
+  }
+
+  const Case& of_ = Of("uncertain-sensing");
+  const plan::Plan& plan_ = of_.certified.plan;
+};
+
+TEST_F(Alone, EachErrorOfTheStartAndOfASensor) {
+  const plan::StepId look = plan_.ExecutionOrder().front();
+  ASSERT_TRUE(std::holds_alternative<plan::Sense>(plan_.step(look).action));
+  int tried = 0;
+  for (std::size_t i = 0; i < of_.box.size(); ++i) {
+    if (!of_.box[i].step.IsNone() && of_.box[i].step != look) continue;
+    const Noise only = Only(i);
+    ExpectAlone(i, of_.Ledger(only, of_.TraceOf(only, look)));
+    ++tried;
+  }
+  EXPECT_EQ(tried, 14);  // four of each part, three tolerances, three of the sensor
+}
+
+// The pickup is poised once; from there each error of the hand is taken up.
+TEST_F(Alone, EachErrorOfTheHand) {
+  const plan::StepId pickup = FirstStep<plan::Pickup>(plan_);
+  const domain::Problem& problem = of_.certified.problem;
+  const scene::Scene scene(problem, {});
+  mujoco::Data data = exec::StartOf(problem, scene, {});
+  exec::ExecutorOptions options{.sample_rate = 0};
+  exec::Execution poised(problem, scene, data, options);
+  ASSERT_FALSE(exec::StepExecution(plan_, pickup, poised).Approach());
+  const exec::Checkpoint checkpoint = poised.Save();
+  int tried = 0;
+  for (std::size_t i = 0; i < of_.box.size(); ++i) {
+    if (of_.box[i].step != pickup) continue;
+    options.noise = Only(i);
+    exec::Execution execution(problem, scene, data, options);
+    execution.Restore(checkpoint);
+    ASSERT_FALSE(exec::StepExecution(plan_, pickup, execution).TakeUpNoise());
+    ExpectAlone(i, of_.Ledger(options.noise, execution.trace()));
+    ++tried;
+  }
+  EXPECT_EQ(tried, 4);
+}
+
+// What is measured comes from the trial: with the trace of another one it is not what was drawn.
+TEST_F(Alone, AnErrorThatDoesNothingShows) {
+  const exec::Trace without = of_.TraceOf(of_.None(), plan_.ExecutionOrder().front());
+  for (const LedgerEntry& entry : of_.Ledger(of_.Drawn(), without)) {
+    if (entry.channel.part.IsNone() || !entry.measured) continue;
+    EXPECT_GT(std::abs(entry.drawn), ToleranceOf(entry)) << entry.channel.name;
+    EXPECT_NEAR(*entry.measured, 0, ToleranceOf(entry)) << entry.channel.name;
+  }
+}
+
+// A camera tells something else than was drawn; and what is not taken over has no effect.
+TEST_F(Alone, WhatASensorTellsIsNotAlwaysBelieved) {
+  const plan::StepId look = plan_.ExecutionOrder().front();
+  exec::Trace trace = of_.TraceOf(of_.None(), look);
+  for (exec::TraceEvent& event : trace.events) {
+    auto* record = std::get_if<exec::LookRecord>(&event);
+    if (record != nullptr) record->measured.translation().x() += 0.001;
+  }
+  int looked = 0;
+  for (const LedgerEntry& entry : of_.Ledger(of_.None(), trace)) {
+    if (entry.channel.step != look) continue;
+    const bool told = entry.channel.effect == Effect::kSensedX;
+    EXPECT_NEAR(entry.applied.value(), told ? -0.001 : 0, kGiven) << entry.channel.name;
+    EXPECT_EQ(entry.measured.has_value(), !told) << entry.channel.name;
+    ++looked;
+  }
+  EXPECT_EQ(looked, 3);
+}
+
+}  // namespace
+}  // namespace assay::check::ledger_test

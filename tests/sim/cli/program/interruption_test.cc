@@ -1,0 +1,129 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <optional>
+#include <thread>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli::interruption_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+// Ends the command, which would take for ever, by a signal, as soon as that is no longer the end of
+// it with nothing to tell.
+std::optional<Ended> Interrupted(const std::vector<std::string>& arguments, int signal) {
+  Running running(arguments);
+  for (int waits = 0; !running.Catches(signal); ++waits) {
+    if (waits == 12'000) {
+      ADD_FAILURE() << "its trials never began";
+      return std::nullopt;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  running.Signal(signal);
+  return running.Wait();
+}
+
+constexpr const char* kForEver = "100000000";
+
+TEST(Interruption, OfARunKeepsItsTrials) {
+  const Folder folder;
+  const std::string out = folder / "out";
+  Running running({"run", kTwoActions, "--trials", kForEver, "-o", out, "--json"});
+  while (!std::filesystem::exists(out + "/trace-2.jsonl")) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  running.Signal(SIGTERM);
+  const Ended ended = running.Wait();
+  EXPECT_EQ(ended.code, 143) << ended.err;
+  EXPECT_THAT(SchemaErrors("sim/cli/verbs/run.schema.json", ended.Json()), IsEmpty());
+  for (const nlohmann::json& result : {ended.Json(), JsonOf(out + "/result.json")}) {
+    EXPECT_EQ(result["interrupted"], true);
+    EXPECT_GE(result["trials"], 1);
+    EXPECT_EQ(result["succeeded"], result["trials"]);
+  }
+}
+
+struct InterruptedVerb {
+  const char* name;
+  std::vector<std::string> arguments;
+  const char* schema;
+};
+
+class OfTrials : public ::testing::TestWithParam<InterruptedVerb> {};
+
+TEST_P(OfTrials, TellsWhatIsThere) {
+  const auto& [name, arguments, schema] = GetParam();
+  std::vector<std::string> as_json = arguments;
+  as_json.emplace_back("--json");
+  if (const std::optional<Ended> ended = Interrupted(as_json, SIGTERM)) {
+    EXPECT_EQ(ended->code, 143) << ended->err;
+    EXPECT_EQ(ended->Json()["interrupted"], true);
+    EXPECT_THAT(SchemaErrors(schema, ended->Json()), IsEmpty());
+  }
+}
+
+const std::string kMated = kTree / "scenarios/mate-square.yaml";
+const std::string kCans = kTree / "scenarios/two-cans.yaml";
+
+INSTANTIATE_TEST_SUITE_P(
+    Verbs, OfTrials,
+    ::testing::Values(
+        InterruptedVerb{"noise",
+                        {"run", kTwoActions, "--noise", "uniform", "--trials", kForEver},
+                        "sim/cli/verbs/run.schema.json"},
+        InterruptedVerb{"attack",
+                        {"run", kTwoActions, "--noise", "attack", "--attempts", kForEver},
+                        "sim/cli/verbs/run.schema.json"},
+        InterruptedVerb{
+            "mate", {"mate", kMated, "--trials", "100000"}, "sim/cli/verbs/mate.schema.json"},
+        InterruptedVerb{
+            "enact", {"enact", kCans, "--trials", "100000"}, "sim/cli/verbs/enact.schema.json"}),
+    [](const auto& verb) { return std::string(verb.param.name); });
+
+TEST(Interruption, IsToldToPeople) {
+  const std::optional<Ended> ended =
+      Interrupted({"run", kTwoActions, "--noise", "uniform", "--trials", kForEver}, SIGINT);
+  if (ended) {
+    EXPECT_EQ(ended->code, 130) << ended->err;
+    EXPECT_THAT(ended->out, HasSubstr(std::string(" of ") + kForEver + " trials were made\n"));
+  }
+}
+
+// The end of a terminal is the end of the run, unless nohup has said otherwise.
+TEST(Interruption, ByAHangUpIsLikeTermination) {
+  const std::optional<Ended> ended =
+      Interrupted({"run", kTwoActions, "--noise", "uniform", "--trials", kForEver}, SIGHUP);
+  if (ended) {
+    EXPECT_EQ(ended->code, 143) << ended->err;
+  }
+}
+
+// Plans of figure 15 take their time.
+TEST(Interruption, OfASweepThatPlansIsAnsweredSoon) {
+  const Folder folder;
+  std::filesystem::copy(kTree / "scenarios/spar-fig15.yaml", folder / "s.yaml");
+  const std::string sweep = folder.Write(
+      "sweep.yaml",
+      "format: assay-sweep/1\nscenarios: [s.yaml]\nnoise: [uniform]\ntrials: 1\nerror_scales: "
+      "[1, 0.99, 0.98, 0.97, 0.96, 0.95, 0.94, 0.93, 0.92, 0.91, 0.9, 0.89, 0.88, 0.87]\n");
+  const std::string database = folder / "a.sqlite";
+  Running running({"sweep", sweep, "--db", database, "--jobs", "1", "--models", kTree / "models"});
+  while (!std::filesystem::exists(database)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  running.Signal(SIGINT);
+  const Ended ended = running.Wait();
+  EXPECT_EQ(ended.code, 130) << ended.err;
+  EXPECT_THAT(ended.err, HasSubstr("--resume goes on"));
+  EXPECT_EQ(Assay({"sweep", "show", database}).code, 0);
+}
+
+}  // namespace
+}  // namespace assay::cli::interruption_test

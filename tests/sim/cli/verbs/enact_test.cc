@@ -1,0 +1,100 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli::enact_test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+const std::string kTwoCans = kTree / "scenarios/two-cans.yaml";
+
+// A trial depends on the seed and its number alone.
+TEST(Enact, TrialsAreTheSameAloneAndOnAnyNumberOfThreads) {
+  const Ended both = Assay({"enact", kTwoCans, "--trials", "2", "--jobs", "2", "--json"});
+  EXPECT_EQ(both.code, 0) << both.err << both.out;
+  EXPECT_THAT(SchemaErrors("sim/cli/verbs/enact.schema.json", both.Json()), IsEmpty());
+  EXPECT_EQ(both.Json()["reached"], 2);
+  EXPECT_EQ(both.Json()["leaves"].size(), 4);
+  const Ended alone = Assay({"enact", kTwoCans, "--trial", "2", "--json"});
+  EXPECT_EQ(alone.Json()["rows"][0], both.Json()["rows"][1]);
+}
+
+TEST(Enact, AFalseClaimFailsATrialWithTheGoalReached) {
+  const Ended ended = Assay({"enact", kTwoCans, "--sensing-errors", "1"});
+  EXPECT_EQ(ended.code, 12);
+  EXPECT_THAT(ended.out,
+              AllOf(HasSubstr("trial 1: false-claim: after step 2 isSpillable(can1) is claimed"),
+                    HasSubstr("; the goal is true"), HasSubstr("--sensing-errors 1 --trial 1"),
+                    HasSubstr("made wrong in 1 trials, and the audit told in 1")));
+}
+
+// The folder of models was named, so the command that repeats the trial names it as well.
+TEST(Enact, TheCommandThatRepeatsATrialNamesTheModels) {
+  const std::string models = kTree / "models";
+  const Ended ended =
+      Assay({"enact", kTwoCans, "--sensing-errors", "1", "--models", models, "--json"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  EXPECT_EQ(ended.Json()["replay"][0], "assay enact " + kTwoCans + " --seed 0 --models " + models +
+                                           " --sensing-errors 1 --trial 1");
+}
+
+TEST(Enact, PicturesOfEachStep) {
+  if (Assay({"doctor", "--json"}).Json()["renderer"] == "") {
+    GTEST_SKIP() << "nothing renders on this machine";
+  }
+  const Folder folder;
+  const Ended ended = Assay({"enact", kTwoCans, "--pictures", folder / "out", "--camera", "top",
+                             "--size", "120x90", "--json"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  for (const char* name :
+       {"00-start.png", "01-grasp-can1.png", "08-ungrasp-can2.png", "contact-sheet.png"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder / (std::string("out/") + name))) << name;
+  }
+}
+
+// Steps of plans in their words; nothing here can spill.
+TEST(Enact, AnAssembly) {
+  const Ended ended = Assay({"enact", kTree / "scenarios/uncertain-known.yaml"});
+  EXPECT_EQ(ended.code, 0) << ended.err << ended.out;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr(" pickup("), HasSubstr(" assemble("),
+                               Not(HasSubstr("plan1-")), Not(HasSubstr("tilt"))));
+}
+
+TEST(Enact, WrongScenarios) {
+  const Ended none = Assay({"enact", kTree / "scenarios/impossible.yaml"});
+  EXPECT_EQ(none.code, 10) << none.err;
+  EXPECT_THAT(none.out, HasSubstr("What is missed by least:\n  - the tool would lean 45 deg"));
+  const Folder folder;
+  const std::string text = TextOf(kTwoCans);
+  const std::string cut = folder.Write("cut.yaml", text.substr(0, text.find("    ungrasp: {")));
+  const Ended ended = Assay({"enact", cut, "--models", kTree / "models"});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err, StartsWith("assay: " + cut + ":"));
+}
+
+// Where the arms would have to lift the bottle higher than they reach, no grasp serves it anywhere.
+TEST(Enact, WithoutAPlanTellsWhatNoGraspServes) {
+  const Folder folder;
+  std::string text = TextOf(kTree / "scenarios/bottles.yaml");
+  text.replace(text.find("parts:"), 6, "rules: {safe_height: 1300}\nparts:");
+  for (std::size_t at = 0; (at = text.find(": know/", at)) != std::string::npos;) {
+    text.replace(at, 2, ": " + (kTree / "scenarios").string() + "/");
+  }
+  const std::string high = folder.Write("high.yaml", text);
+  const Ended ended = Assay({"enact", high, "--models", kTree / "models"});
+  EXPECT_EQ(ended.code, 11) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("No plan was found. That is no proof that there is none"),
+                               HasSubstr("bottle (tableRight, left): "),
+                               HasSubstr("; the arm gets there from 1300 mm above the table")));
+  const Ended json = Assay({"enact", high, "--models", kTree / "models", "--json"});
+  EXPECT_THAT(SchemaErrors("sim/cli/verbs/enact.schema.json", json.Json()), IsEmpty());
+}
+
+}  // namespace
+}  // namespace assay::cli::enact_test

@@ -1,0 +1,239 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli::mate_test {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const std::string kSquare = kTree / "scenarios/mate-square.yaml";
+constexpr char kSchema[] = "sim/cli/verbs/mate.schema.json";
+
+int CountOf(const std::string& word, const std::string& text) {
+  int count = 0;
+  for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++count;
+  return count;
+}
+
+TEST(Mate, PlansAStrategyThatIsCertainForAllTheErrors) {
+  const Ended ended = Assay({"mate", kSquare, "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json result = ended.Json();
+  EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
+  EXPECT_EQ(result["outcome"], "plan");
+  EXPECT_EQ(result["critical_points"].size(), 2u);  // the tip at the mouth, the plate on the front
+  EXPECT_GE(result["absorbed"], 1);
+  EXPECT_GT(result["strategy"].size(), 2u);
+  EXPECT_GT(result["margins"].size(), 2u);
+  for (const auto& margin : result["margins"]) EXPECT_GT(margin["scale"], 1);
+}
+
+TEST(Mate, WithoutAStrategyThereIsNoPlan) {
+  const Ended ended = Assay({"mate", kSquare, "--displacement", "20", "--rotation", "10"});
+  EXPECT_EQ(ended.code, 10) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("; in the way: "));
+  EXPECT_THAT(ended.out, HasSubstr("looked through all sequences"));
+}
+
+// What is in the way comes beyond what is certain, and at a lesser multiple of greater errors.
+TEST(Mate, TheMarginOfTheObstacleIsOneOfTheErrors) {
+  double last = 1;
+  for (const auto& [displacement, rotation] : {std::pair("5", "2.5"), std::pair("10", "5")}) {
+    const Ended ended =
+        Assay({"mate", kSquare, "--displacement", displacement, "--rotation", rotation, "--json"});
+    EXPECT_EQ(ended.code, 10) << ended.err;
+    const nlohmann::json result = ended.Json();
+    EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
+    EXPECT_EQ(result["outcome"], "none");
+    const double margin = result["obstacle"]["scale"];
+    EXPECT_GT(margin, result["absorbed"].get<double>());
+    EXPECT_LT(margin, 0.8 * last);
+    last = margin;
+  }
+}
+
+TEST(Mate, ASpentBudgetIsNoProof) {
+  const Ended ended = Assay({"mate", kSquare, "--displacement", "5", "--nodes", "1"});
+  EXPECT_EQ(ended.code, 11) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("; in the way: "));
+  EXPECT_THAT(ended.out, HasSubstr("--nodes"));
+}
+
+// Each has the errors that it is for.
+TEST(Mate, EveryMatingScenarioHasAStrategy) {
+  for (const std::string name : {"keyed", "octagonal", "square", "stepped", "t-slot"}) {
+    const Ended ended = Assay({"mate", kTree / ("scenarios/mate-" + name + ".yaml")});
+    EXPECT_EQ(ended.code, 0) << name << ": " << ended.out;
+  }
+}
+
+TEST(Mate, ErrorsOnTheCommandLineReplaceTheScenarios) {
+  const Folder folder;
+  const std::string errors = "mating_errors: {displacement: 2, rotation: 1}";
+  std::string text = TextOf(kSquare);
+  text.replace(text.find(errors), errors.size(), "mating_errors: {displacement: 20, rotation: 10}");
+  const std::string file = folder.Write("much.yaml", text);
+  const std::string models = kTree / "models";
+  EXPECT_EQ(Assay({"mate", file, "--models", models}).code, 10);
+  const Ended ended =
+      Assay({"mate", file, "--models", models, "--displacement", "2", "--rotation", "1"});
+  EXPECT_EQ(ended.out, Assay({"mate", kSquare}).out);
+}
+
+// Free space, a crevice of the mouth, one of the lips, the seat: told for each critical point, and
+// by how many contacts the strategy came as far.
+TEST(Mate, GraphsOfAllCriticalPointsAreAChain) {
+  const Ended ended = Assay({"mate", kTree / "scenarios/mate-t-slot.yaml", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json result = ended.Json();
+  EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
+  const nlohmann::json& graphs = result["graphs"];
+  ASSERT_EQ(graphs.size(), 3u);
+  int motions = 0;
+  for (std::size_t i = 0; i < graphs.size(); ++i) {
+    const nlohmann::json one = 1;  // free space
+    EXPECT_EQ(graphs[i]["initial"], i > 0 ? graphs[i - 1]["goals"] : one);
+    EXPECT_GT(graphs[i]["goals"], 0);
+    EXPECT_GT(graphs[i]["transitions"], 0);
+    int states = 0;
+    for (const int count : graphs[i]["dimensions"]) states += count;
+    EXPECT_EQ(graphs[i]["states"], states);
+    if (graphs[i].contains("strategy")) motions += graphs[i]["strategy"]["motions"].get<int>();
+  }
+  EXPECT_EQ(motions, result["strategy"].size());
+  EXPECT_EQ(result["graph"]["states"], graphs[0]["states"]);
+}
+
+// The mouth, the lips, and the plate's landing.
+TEST(Mate, AStrategyLeadsThroughAllCriticalPoints) {
+  const Ended ended =
+      Assay({"mate", kTree / "scenarios/mate-t-slot.yaml", "--trials", "1", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json result = ended.Json();
+  EXPECT_EQ(result["critical_points"].size(), 3u);
+  EXPECT_GE(result["absorbed"], 1);
+  EXPECT_EQ(result["trials"]["strategy"]["seated"], 1);
+}
+
+// Nothing holds the block against what a strategy pushes.
+TEST(Mate, AFixturesAbsenceIsTold) {
+  const Ended ended = Assay({"mate", kTree / "scenarios/keyed.yaml", "--trials", "1"});
+  EXPECT_EQ(ended.code, 12) << ended.err;
+  EXPECT_THAT(ended.out, HasSubstr("a fixture is declared by the key clamp of block"));
+}
+
+// The block stands on an end, and is laid down before.
+TEST(Mate, TheFixedPartLiesWhereThePlanHasPutIt) {
+  const Folder folder;
+  std::string text = TextOf(kTree / "scenarios/keyed.yaml");
+  const std::string model = "model: keyed-block\n";
+  text.insert(text.find(model) + model.size(),
+              "    clamp: 300\n");  // against what a strategy pushes
+  const std::string file = folder.Write("clamped.yaml", text);
+  const Ended ended =
+      Assay({"mate", file, "--models", kTree / "models", "--trials", "1", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.Json()["trials"]["strategy"]["seated"], 1);
+}
+
+// At the edge of its reach the arm comes straight to the hole, but not with every tilt. That is no
+// proof: the search from another seed may find a strategy that the arm can execute.
+TEST(Mate, WhereTheArmDoesNotReachNoPlanIsFound) {
+  const Folder folder;
+  std::string text = TextOf(kSquare);
+  const std::string at = "at: [600, 50]";
+  text.replace(text.find(at), at.size(), "at: [870, 310]");
+  const std::string file = folder.Write("far.yaml", text);
+  int unreached = 0;
+  for (const char* seed : {"1", "2", "3", "4", "5", "6"}) {
+    const std::vector<std::string> command = {
+        "mate", file, "--models", kTree / "models", "--clearance", "0.5", "--search-seed", seed};
+    const Ended told = Assay(command);
+    if (told.code == 0) continue;
+    ++unreached;
+    EXPECT_EQ(told.code, 11) << told.out;
+    EXPECT_THAT(told.out, HasSubstr("the arm cannot execute it with any grasp"));
+    EXPECT_THAT(told.out, HasSubstr("where "));
+    std::vector<std::string> with_trials = command;
+    with_trials.insert(with_trials.end(), {"--trials", "1", "--json"});
+    const nlohmann::json result = Assay(with_trials).Json();
+    EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
+    EXPECT_EQ(result["outcome"], "budget");
+    EXPECT_TRUE(result["unreached"]["obstacle"].is_null());
+    EXPECT_FALSE(result.contains("trials"));
+  }
+  EXPECT_GT(unreached, 0);
+}
+
+// Far beyond what the plan is for, the first errors that are drawn may put the part into the block.
+TEST(Mate, ErrorsWithWhichNoTrialCanBeginAreDrawnAnew) {
+  const Ended ended = Assay({"mate", kSquare, "--beyond", "12", "--trial", "9", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json row = ended.Json()["trials"]["rows"][0];
+  EXPECT_THAT(SchemaErrors(kSchema, ended.Json()), IsEmpty());
+  EXPECT_GT(row["redrawn"], 0);
+  EXPECT_GT(row["simulated"], 1) << "it began";
+}
+
+// The one that is run alone is the same as among others.
+TEST(Mate, AFewTrialsComeToTheSeat) {
+  const Ended ended = Assay({"mate", kSquare, "--clearance", "0.5", "--trials", "2", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json trials = ended.Json()["trials"];
+  EXPECT_THAT(SchemaErrors(kSchema, ended.Json()), IsEmpty());
+  EXPECT_EQ(trials["strategy"]["seated"], 2);
+  EXPECT_EQ(trials["sequences"]["covered"], 2);
+  EXPECT_GT(trials["sequences"]["points"], 100);
+  // The engine may press at a seam between a part's pieces, where the model has no edge.
+  EXPECT_LT(trials["sequences"]["unmapped"], trials["sequences"]["points"].get<int>() / 100);
+  for (const auto& row : trials["rows"]) {
+    EXPECT_EQ(row["sequence"]["matches"], row["sequence"]["divergence"].is_null());
+    EXPECT_EQ(row["sequence"]["matches"], row["sequence"]["edit_distance"] == 0);
+  }
+  const Ended again = Assay({"mate", kSquare, "--clearance", "0.5", "--trial", "2", "--json"});
+  EXPECT_EQ(again.Json()["trials"]["rows"][0], trials["rows"][1]);
+}
+
+// Where edges lie on the same rim near each other, the second one takes over what the first one
+// bears; and errors that are covered, but greater than planned for, put them nearer still.
+TEST(Mate, WhatIsKeptIsNotLiftedByTheNextContact) {
+  for (const std::vector<std::string>& errors :
+       {std::vector<std::string>{"--clearance", "0.2", "--trial", "24"},
+        std::vector<std::string>{"--beyond", "1.35", "--trial", "7"}}) {
+    std::vector<std::string> command = {"mate", kSquare, "--friction", "0.2", "--json"};
+    command.insert(command.end(), errors.begin(), errors.end());
+    const Ended ended = Assay(command);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(ended.Json()["trials"]["sequences"]["covered_matching"], 1);
+  }
+}
+
+// A picture for each motion, one of all of them, the graphs, and a page that shows them.
+TEST(Mate, PicturesOfTheContactStates) {
+  const Folder folder;
+  const std::string pictures = folder / "pictures";
+  const Ended ended = Assay({"mate", kSquare, "--pictures", pictures, "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const nlohmann::json result = ended.Json();
+  EXPECT_THAT(SchemaErrors(kSchema, result), IsEmpty());
+  const int states = static_cast<int>(result["strategy"].size()) + 1;  // and the slide's end
+  EXPECT_EQ(static_cast<int>(result["pictures"].size()), states + 4);
+  for (const std::string file : result["pictures"])
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(pictures) / file)) << file;
+  int point = 0;
+  for (const nlohmann::json& graph : result["graphs"]) {
+    const std::string drawn = TextOf(pictures + "/graph-" + std::to_string(++point) + ".svg");
+    EXPECT_EQ(CountOf("class=\"state\"", drawn), graph["states"]);
+    EXPECT_EQ(CountOf("class=\"goal\"", drawn), graph["goals"]);
+  }
+  EXPECT_EQ(point, 2);
+  const std::string page = TextOf(pictures + "/index.html");
+  EXPECT_EQ(CountOf("<img", page), states);
+  EXPECT_EQ(CountOf("<svg", page), 2);
+}
+
+}  // namespace
+}  // namespace assay::cli::mate_test

@@ -1,0 +1,77 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/sim/cli/program.h"
+
+namespace assay::cli::plan_tree_test {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::StartsWith;
+
+const std::string kFallenPeg = kTree / "scenarios/fallen-peg.yaml";
+
+// Spar's figures 15 and 16: two actions where the peg lies, four where it stands.
+TEST(PlanTree, ALookThenAPlanForEachPose) {
+  const Ended ended = Assay({"plan", kFallenPeg, "--json"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  const auto json = ended.Json();
+  EXPECT_EQ(json["outcome"], "planned");
+  EXPECT_THAT(SchemaErrors("sim/cli/verbs/plan_tree.schema.json", json), IsEmpty());
+  ASSERT_EQ(json["plans"].size(), 2);
+  EXPECT_EQ(json["plans"][0]["worlds"][0]["peg"], "lying");
+  EXPECT_EQ(json["plans"][1]["worlds"][0]["peg"], "standing");
+  EXPECT_EQ(json["tree"]["nodes"][json["tree"]["root"].get<std::size_t>()]["act"]["name"],
+            "look-peg-coarse-camera");
+}
+
+TEST(PlanTree, VerificationsOfOneWorldBranch) {
+  const Ended ended = Assay({"plan", kTree / "scenarios/uncertain-failing.yaml", "--tree"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(HasSubstr("1: verify pickup(peg, PG63, initial)"),
+                               HasSubstr("recover from error1\n    go to 1"),
+                               HasSubstr("call the operator: error2")));
+}
+
+TEST(PlanTree, WhatIsKnownIsWrittenForKnow) {
+  const Folder folder;
+  const std::string name = folder / "peg";
+  EXPECT_EQ(Assay({"export", kFallenPeg, "--pks", "-o", name}).code, 0);
+  const Ended known = Assay({"know", name + "-domain.pks", name + "-problem.pks", "--check"});
+  EXPECT_EQ(known.code, 0) << known.err;
+  EXPECT_THAT(known.out, AllOf(StartsWith("look-peg-coarse-camera()\n"),
+                               HasSubstr("check: holds in all of the worlds")));
+}
+
+// Figure 15 of Spar begins with looks at parts of known pose: steps like others.
+TEST(PlanTree, FirstLooksAtKnownPosesAreSteps) {
+  const Ended ended = Assay({"plan", kTree / "scenarios/spar-fig15.yaml", "--tree"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_THAT(ended.out, AllOf(StartsWith("sense("), HasSubstr("\npickup(peg, "),
+                               HasSubstr("\nassemble(peg, block, ")));
+}
+
+TEST(PlanTree, AGoalOfKnowledgeHasNone) {
+  const std::string cans = kTree / "scenarios/two-cans.yaml";
+  for (const auto& command : {std::vector<std::string>{"plan", cans, "--tree"},
+                              std::vector<std::string>{"export", cans, "--pks"}}) {
+    const Ended ended = Assay(command);
+    EXPECT_EQ(ended.code, 3);
+    EXPECT_THAT(ended.err, HasSubstr("a scenario with a key `goal`"));
+  }
+}
+
+TEST(PlanTree, VerbsAboutOneWorldRefuseOpenPoses) {
+  const Ended ended = Assay({"run", kFallenPeg});
+  EXPECT_EQ(ended.code, 3);
+  EXPECT_THAT(ended.err,
+              AllOf(HasSubstr("fallen-peg.yaml:18:"), HasSubstr("the pose of 'peg' is open")));
+  const Ended check = Assay({"check", kFallenPeg});
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_THAT(check.out, HasSubstr("worlds: peg lying; peg standing"));
+}
+
+}  // namespace
+}  // namespace assay::cli::plan_tree_test

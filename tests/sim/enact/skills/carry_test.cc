@@ -1,0 +1,79 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim/enact/skills/skill.h"
+#include "sim/exec/execution/executor.h"
+#include "tests/sim/enact/two_cans.h"
+
+namespace assay::enact::carry_test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+const PartId kCan(0);
+const PartId kOtherCan(1);
+const PartId kPost(2);
+const plan::Hold kFromAbove = {
+    .grasp = "from above",
+    .X_PartTool = geometry::PoseFromColumns({1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {0, 0, 0.09}),
+    .width = 0.06};
+
+// The arm at its home believes that it holds a can from above. Nothing is truly in the hand: what a
+// skill does follows from what is believed.
+class Carry : public testing::Test {
+ protected:
+  Carry()
+      : loaded_(TwoCans({}, "post")),
+        problem_(loaded_.scenario.problem),
+        scene_(problem_, {}),
+        data_(exec::StartOf(problem_, scene_, {})),
+        crew_(problem_, scene_, data_, options_) {
+    crew_.acting().world().Take(kCan, kFromAbove);
+  }
+
+  void Believe(PartId part, double x, double y, double z = 0) {
+    crew_.acting().world().Believe(part, geometry::Translation(x, y, z));
+  }
+  // Why it is not done; empty if it is.
+  std::string FailureOf(const std::string& action) {
+    Situation situation{.crew = crew_,
+                        .readings = readings_,
+                        .sensor_noise = random_,
+                        .color_sensor = nullptr,
+                        .pose_sensor = nullptr};
+    const exec::Progress failure =
+        loaded_.interpretation.skills.at(action)->Do({.part = kCan}, situation);
+    return failure ? failure->reason : "";
+  }
+
+  const KnowledgeScenario loaded_;
+  const domain::Problem& problem_;
+  const scene::Scene scene_;
+  const exec::ExecutorOptions options_ = {.sample_rate = 0};
+  mujoco::Data data_;
+  Crew crew_;
+  Readings readings_;
+  RandomStream random_{1, "carry"};
+};
+
+// Beside the middle of the second table, on the side of the robot: the held can has room there, the
+// forearm over it has not. An earlier choice ended above that place, and nothing could be put down.
+TEST_F(Carry, EndsWhereWhatIsHeldCanBePutDown) {
+  Believe(kPost, 0.45, 0.32);
+  EXPECT_THAT(FailureOf("transfer"), IsEmpty());
+  EXPECT_THAT(FailureOf("ungrasp"), IsEmpty());
+}
+
+TEST_F(Carry, NamesThePairThatIsTooNearAtTheStart) {
+  const geometry::Vector3 held =
+      crew_.acting().world().PartPose(kCan, crew_.acting().BelievedTool()).translation();
+  Believe(kOtherCan, held.x() + 0.07, held.y(), held.z());  // 10 mm away
+  EXPECT_THAT(FailureOf("transfer"),
+              AllOf(HasSubstr("no way to a free place on second-table for can1: at the start, "),
+                    HasSubstr("can1"), HasSubstr("can2"), HasSubstr("nearer than 15.0 mm")));
+}
+
+}  // namespace
+}  // namespace assay::enact::carry_test

@@ -1,0 +1,183 @@
+#include "sim/enact/walk/enactment.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/sim/enact/two_cans.h"
+
+namespace assay::enact::enactment_test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kSpillable = 0.25;  // kg
+const HiddenWorld kOneFull = {{{PartId(0), 0.42}, {PartId(1), 0.1}}};
+const HiddenWorld kBothFull = {{{PartId(0), 0.42}, {PartId(1), 0.45}}};
+
+void ExpectSame(const EnactedTrial& a, const EnactedTrial& b) {
+  EXPECT_EQ(a.duration, b.duration);
+  EXPECT_EQ(a.greatest_tilt, b.greatest_tilt);
+  EXPECT_EQ(a.walk.branches, b.walk.branches);
+}
+
+// The paper's tree, in every world: which way is gone depends on what the cans weigh.
+TEST(Enactment, EveryLeafOfTwoCansIsReached) {
+  const KnowledgeScenario scenario = TwoCans();
+  const contingent::PlanTree tree = TreeOf(scenario);
+  const std::vector<Leaf> leaves = LeavesOf(scenario.interpretation.task, tree, 100);
+  ASSERT_EQ(leaves.size(), 4u);
+  for (int i = 0; i < 4; ++i) {
+    RandomStream random(1, "worlds");
+    const auto world =
+        WorldFor(leaves[i], scenario.interpretation, scenario.scenario.problem, random);
+    ASSERT_TRUE(world);
+    const EnactedTrial trial = RunTrial(scenario, tree, {i + 1, *world}, {});
+    EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
+    EXPECT_TRUE(leaves[i].IsOn(trial.walk));
+    EXPECT_TRUE(trial.is_goal_true);
+    EXPECT_THAT(trial.walk.false_claims, IsEmpty());
+    EXPECT_LT(trial.greatest_tilt, 5 * kDegree);
+    ASSERT_EQ(trial.walk.steps.size(), 8u);
+    for (int can = 0; can < 2; ++can) {
+      const bool is_full = world->masses.at(PartId(can)) > kSpillable;
+      EXPECT_THAT(trial.walk.steps[4 * can + 2].action,
+                  HasSubstr(is_full ? "transferUpright" : "transfer("));
+    }
+    if (i == 1) ExpectSame(trial, RunTrial(scenario, tree, {i + 1, *world}, {}));
+  }
+}
+
+// The cans come to stand on the second table all the same.
+TEST(Enactment, SensingThatErrsIsToldByTheAudit) {
+  const KnowledgeScenario scenario = TwoCans();
+  const EnactedTrial trial =
+      RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {.sensing_errors = 1});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_TRUE(trial.is_goal_true);
+  ASSERT_EQ(trial.walk.false_claims.size(), 2u);
+  const FalseClaim& first = trial.walk.false_claims.front();
+  EXPECT_EQ(first.step, 2);
+  EXPECT_EQ(first.atom, "isSpillable(can1)");
+  EXPECT_FALSE(first.claimed);
+  EXPECT_TRUE(first.is_true);
+  EXPECT_THAT(trial.reason, HasSubstr("isSpillable(can1) is claimed to be false and is true"));
+}
+
+// The plan needs no weighing of can1, and never asks whether it is spillable.
+TEST(Enactment, AnInitThatIsNotTrueIsToldByTheAudit) {
+  const KnowledgeScenario scenario = TwoCans(WithInit("add(Kf, !isSpillable(can1))"));
+  const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kFalseClaim);
+  EXPECT_TRUE(trial.is_goal_true);
+  ASSERT_EQ(trial.walk.false_claims.size(), 1u);
+  EXPECT_EQ(trial.walk.false_claims.front().step, 0);
+  EXPECT_THAT(trial.reason, HasSubstr("isSpillable(can1) is claimed to be false and is true"));
+}
+
+TEST(Enactment, ASpilledCanIsCaught) {
+  KnowledgeScenario scenario = TwoCans();
+  scenario.interpretation.spill->beyond = 1e-5;  // brimful: no way is as smooth as that
+  const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kSpilled);
+  EXPECT_THAT(trial.spilled, ElementsAre("can1"));  // the other one is as good as empty
+  EXPECT_TRUE(trial.is_goal_true);
+}
+
+// 0.255 kg, told within 1 N: it may be more or less than 0.25.
+TEST(Enactment, WhatTheSensorLeavesOpenIsSaid) {
+  const KnowledgeScenario scenario = TwoCans({{"error: 0.3", "error: 1"}});
+  const HiddenWorld world = {{{PartId(0), 0.255}, {PartId(1), 0.1}}};
+  const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kUncertain);
+  EXPECT_THAT(trial.reason, HasSubstr("isSpillable(can1)"));
+  EXPECT_EQ(trial.walk.steps.size(), 6u);  // the can is lifted and weighed five times
+  EXPECT_THAT(trial.walk.false_claims, IsEmpty());
+}
+
+// Between sensing and branch it is sensed, and not yet known.
+TEST(Enactment, AGoalMayAskThatWhatIsSensedIsNotKnown) {
+  const KnowledgeScenario scenario =
+      TwoCans(WithGoal("Kw(isSpillable(can1)) & !K(isSpillable(can1)) & !K(!isSpillable(can1))"));
+  for (const HiddenWorld& world : {kOneFull, kBothFull}) {
+    const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
+    EXPECT_EQ(trial.outcome, EnactmentOutcome::kReached) << trial.reason;
+    ASSERT_EQ(trial.walk.steps.size(), 2u);
+    EXPECT_EQ(trial.walk.steps.back().action, "senseWeight(can1)");
+  }
+}
+
+// The goal asks it, and no branch.
+TEST(Enactment, WhatTheGoalAsksOfSensingIsMadeWrongToo) {
+  const KnowledgeScenario scenario = TwoCans(WithGoal("Kw(isSpillable(can1))"));
+  for (const double errors : {0.0, 1.0}) {
+    const EnactedTrial trial =
+        RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {.sensing_errors = errors});
+    EXPECT_EQ(trial.walk.is_flipped, errors > 0);
+    std::vector<std::string> atoms;
+    for (const FalseClaim& claim : trial.walk.false_claims) atoms.push_back(claim.atom);
+    EXPECT_EQ(atoms, std::vector<std::string>(errors > 0 ? 1 : 0, "isSpillable(can1)"));
+  }
+}
+
+// A post stands where the straight way would lead: what goes around it upright does not spill, and
+// what just goes around it does.
+TEST(Enactment, WhatIsCarriedAroundAPostSpillsUnlessItIsKeptUpright) {
+  const auto run = [](const Replacements& replacements) {
+    const KnowledgeScenario scenario = TwoCans(replacements, "post");
+    return RunTrial(scenario, TreeOf(scenario), {1, kOneFull}, {});
+  };
+  const EnactedTrial upright = run({});
+  EXPECT_EQ(upright.outcome, EnactmentOutcome::kReached) << upright.reason;
+  EXPECT_LT(upright.greatest_tilt, 5 * kDegree);
+  const EnactedTrial any = run({{", upright: 5}", "}"}});
+  EXPECT_EQ(any.outcome, EnactmentOutcome::kSpilled);
+  EXPECT_THAT(any.spilled, ElementsAre("can1"));
+  EXPECT_THAT(any.collisions, IsEmpty());
+}
+
+// Somebody puts the post into the way when all motions have been looked at without it there.
+TEST(Enactment, AnArmThatRunsIntoSomethingHasFailed) {
+  const KnowledgeScenario scenario = TwoCans({{"at: [650, -142]", "at: [850, -640]"}}, "post");
+  const geometry::Vector3 into_the_way(-0.2, 0.498, 0);
+  HiddenWorld world = kOneFull;
+  world.mishap = Mishap{.action = "transferUpright", .part = PartId(2), .way = into_the_way};
+  const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kCollided) << trial.reason;
+  EXPECT_TRUE(trial.IsFailed());
+  ASSERT_FALSE(trial.collisions.empty());
+  EXPECT_THAT(trial.reason,
+              AllOf(HasSubstr("transferUpright(can1): "), HasSubstr(" touched part/post")));
+}
+
+// Somebody puts the other can to where this one is put down, in the middle of the second table.
+TEST(Enactment, AHeldPartThatRunsIntoAnotherHasFailed) {
+  const KnowledgeScenario scenario = TwoCans();
+  HiddenWorld world = kOneFull;
+  world.mishap = Mishap{.action = "ungrasp", .part = PartId(1), .way = {-0.03, 0.85, 0}};
+  const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, world}, {});
+  EXPECT_TRUE(trial.IsFailed());
+  ASSERT_FALSE(trial.collisions.empty());
+  EXPECT_EQ(trial.collisions.front().robot, "part/can1");
+  EXPECT_EQ(trial.collisions.front().other, "part/can2");
+}
+
+TEST(Enactment, WhatCannotBeReachedStopsTheWalk) {
+  const KnowledgeScenario scenario = TwoCans({
+      {"at: [550, -300]", "at: [860, -650]"},
+      {"workcell: two-tables", "workcell: two-tables\nrules: {safe_height: 1500}"},
+  });
+  const EnactedTrial trial = RunTrial(scenario, TreeOf(scenario), {1, kBothFull}, {});
+  EXPECT_EQ(trial.outcome, EnactmentOutcome::kStopped);
+  EXPECT_THAT(trial.reason, HasSubstr("grasp(can1): no grasp of can1 is reachable"));
+  EXPECT_THAT(trial.walk.false_claims, IsEmpty());
+  EXPECT_FALSE(trial.is_goal_true);
+}
+
+}  // namespace
+}  // namespace assay::enact::enactment_test
