@@ -7,6 +7,7 @@
 #include "bench/harness/contest.h"
 #include "bench/workloads/pegs.h"
 #include "planner/domain/problem/problem_file.h"
+#include "planner/finemotion/contacts/contact_finder.h"
 #include "planner/finemotion/contacts/mating.h"
 #include "planner/finemotion/graph/contact_chain.h"
 #include "planner/finemotion/graph/contact_graph.h"

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "planner/assembly/certified_plan.h"
+#include "sim/check/claims/measure_gate.h"
 #include "sim/check/trial/noisy_trial.h"
 #include "sim/noise/error_box.h"
 #include "sim/noise/sampling.h"

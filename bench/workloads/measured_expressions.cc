@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 
 namespace assay::workloads {
 namespace {

@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay::kinematics {
 namespace {

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "planner/base/check.h"
+#include "planner/domain/actions/actions.h"
 #include "planner/posting/least_actions.h"
 
 namespace assay::posting {

@@ -4,6 +4,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "sim/opencv/pixels.h"
+#include "sim/render/picture.h"
 
 namespace assay::opencv {
 namespace {

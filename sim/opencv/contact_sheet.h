@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/render/image.h"
+#include "sim/render/picture.h"
 
 namespace assay::opencv {
 

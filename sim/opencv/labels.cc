@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/opencv/pixels.h"
+#include "sim/render/picture.h"
 
 namespace assay::opencv {
 namespace {

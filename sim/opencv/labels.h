@@ -3,6 +3,7 @@
 #include <span>
 
 #include "sim/render/image.h"
+#include "sim/render/picture.h"
 
 namespace assay::opencv {
 

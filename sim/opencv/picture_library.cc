@@ -4,6 +4,7 @@
 #include "sim/opencv/contact_sheet.h"
 #include "sim/opencv/labels.h"
 #include "sim/opencv/pixels.h"
+#include "sim/render/picture.h"
 #include "sim/render/picture_library.h"
 
 namespace assay::opencv {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "planner/domain/part/part_file.h"
 #include "sim/scene/robot_mjcf.h"
 #include "sim/scene/stage_mjcf.h"
 #include "sim/scene/supporting_boxes.h"
@@ -120,7 +121,8 @@ double TrueFriction(double said, double error) { return std::max(0.0, said + err
 
 std::shared_ptr<const domain::PartModel> TrueModel(const Part& part, const SceneOptions& options) {
   if (options.clearance_error == 0) return part.model;
-  return part.model->WithClearance(part.model->clearance() + options.clearance_error);
+  return domain::PartFile::WithClearance(*part.model,
+                                         part.model->clearance() + options.clearance_error);
 }
 
 void AddMass(const geometry::MassProperties& mass, XmlElement& body) {
@@ -216,12 +218,6 @@ std::string_view Name(GraspMode mode) {
       return "weld";
   }
   return {};
-}
-
-std::string TableGeom(const domain::Table& table) { return table.name; }
-
-std::string TableGeom(const domain::Table& table, const std::string& part) {
-  return table.name + "/" + part;
 }
 
 std::string ToMjcf(const Problem& problem, const SceneOptions& options) {

@@ -47,9 +47,4 @@ struct SceneOptions {
 // is.
 std::string ToMjcf(const domain::Problem& problem, const SceneOptions& options);
 
-// The name of a table as a geom, for the hand: the table's own. For a part: "table/NAME", what the
-// part rests on, not drawn, at a height of its own.
-std::string TableGeom(const domain::Table& table);
-std::string TableGeom(const domain::Table& table, const std::string& part);
-
 }  // namespace assay::scene

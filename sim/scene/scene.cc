@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
+#include "sim/scene/stage_mjcf.h"
 
 namespace assay::scene {
 namespace {

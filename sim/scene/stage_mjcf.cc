@@ -6,7 +6,6 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/workcell/floor.h"
-#include "sim/scene/mjcf.h"
 
 namespace assay::scene {
 namespace {
@@ -175,6 +174,12 @@ void AddLights(const Problem& problem, double light, XmlElement& worldbody) {
 }
 
 }  // namespace
+
+std::string TableGeom(const domain::Table& table) { return table.name; }
+
+std::string TableGeom(const domain::Table& table, const std::string& part) {
+  return table.name + "/" + part;
+}
 
 void AddMaterials(XmlElement& asset) {
   asset.Add("texture")

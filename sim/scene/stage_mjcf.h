@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "planner/domain/problem/problem.h"
 #include "sim/scene/xml_element.h"
@@ -28,6 +29,11 @@ inline constexpr std::size_t kMostPartTables = 23;
 
 // Adds it, once for each table of the workcell.
 void AddPartTables(const domain::Problem& problem, const PartTable& table, XmlElement& worldbody);
+
+// The name of a table as a geom, for the hand: the table's own. For a part: "table/NAME", what the
+// part rests on, not drawn, at a height of its own.
+std::string TableGeom(const domain::Table& table);
+std::string TableGeom(const domain::Table& table, const std::string& part);
 
 // Adds the pictures' settings, under `mujoco`.
 void AddVisualSettings(const domain::Problem& problem, double light, XmlElement& mujoco);

@@ -2,6 +2,7 @@
 
 #include "sim/report/page/page.h"
 #include "sim/report/sections/findings.h"
+#include "sim/report/sections/read_findings.h"
 #include "sim/sweep/store/store.h"
 #include "sim/sweep/store/summary.h"
 #include "tests/fuzz/reader_input.h"

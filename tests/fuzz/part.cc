@@ -4,12 +4,13 @@
 #include "planner/domain/part/part_file.h"
 #include "planner/domain/part/stable_pose.h"
 #include "planner/domain/workcell/workcell.h"
+#include "planner/domain/workcell/workcell_file.h"
 #include "tests/fuzz/reader_input.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace assay;
   static const auto workcell =
-      domain::Workcell::Load(fuzz::kModels / "workcells" / "puma762-table" / "workcell.yaml");
+      domain::WorkcellFile::Read(fuzz::kModels / "workcells" / "puma762-table" / "workcell.yaml");
   return fuzz::RefusesOrDoes([&] {
     const Document document = Document::Parse(fuzz::TextOf(data, size), "part.yaml");
     const auto model = domain::PartFile::Read(document, 0.0005);

@@ -1,6 +1,7 @@
 // A workcell file, beside robots and grippers that it may name.
 
 #include "planner/domain/workcell/workcell.h"
+#include "planner/domain/workcell/workcell_file.h"
 #include "tests/fuzz/reader_input.h"
 
 namespace {
@@ -24,7 +25,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const bool is_prepared = (PrepareModels(), true);
   static_cast<void>(is_prepared);
   return fuzz::RefusesOrDoes([&] {
-    domain::Workcell::Load(
+    domain::WorkcellFile::Read(
         fuzz::FileOf(fuzz::TextOf(data, size), "models/workcells/fuzzed/workcell.yaml"));
   });
 }

@@ -12,8 +12,8 @@
 #include "planner/algebra/expression/name.h"
 #include "planner/algebra/expression/text.h"
 #include "planner/algebra/numeric/interval_arithmetic.h"
-#include "planner/base/document.h"
-#include "planner/base/input_file.h"
+#include "planner/base/document/document.h"
+#include "planner/base/document/input_file.h"
 
 namespace assay::algebra {
 namespace {

@@ -179,22 +179,6 @@ class Ladder {
 
 }  // namespace
 
-std::string_view Name(Rung rung) {
-  switch (rung) {
-    case Rung::kLinear:
-      return "linear";
-    case Rung::kTermwise:
-      return "termwise";
-    case Rung::kMonotone:
-      return "monotone";
-    case Rung::kCentred:
-      return "centred";
-    case Rung::kBranchAndBound:
-      return "branch-and-bound";
-  }
-  ASSAY_CHECK(false, "no such rung");
-}
-
 class PreparedExpression::Ready {
  public:
   explicit Ready(const Expression& e) : e_(e), form_(NormalFormOf(e)) {

@@ -18,7 +18,8 @@
 
 #include "planner/algebra/expression/name.h"
 #include "planner/base/check.h"
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
+#include "planner/base/document/nearest_name.h"
 
 namespace assay::algebra {
 

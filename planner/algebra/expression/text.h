@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "planner/algebra/expression/expression.h"
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 
 namespace assay::algebra {
 

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "planner/algebra/bounds/bounds.h"
+#include "planner/algebra/bounds/bound.h"
 #include "planner/algebra/bounds/branch_and_bound.h"
 #include "planner/algebra/methods/quadratic_bound.h"
 #include "planner/algebra/multiaffine/multiaffine_ascent.h"

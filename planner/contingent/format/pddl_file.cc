@@ -8,7 +8,8 @@
 #include <span>
 #include <utility>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
+#include "planner/base/document/nearest_name.h"
 #include "planner/contingent/format/s_expression.h"
 
 namespace assay::contingent {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "planner/base/input_file.h"
+#include "planner/base/document/input_file.h"
 #include "planner/contingent/format/pks_lexer.h"
 
 namespace assay::contingent {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <array>
 
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay::contingent {
 namespace {

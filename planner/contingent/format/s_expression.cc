@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay::contingent {
 namespace {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "planner/algebra/numeric/interval_arithmetic.h"
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/contingent/language/decimal.h"
 
 namespace assay::contingent {

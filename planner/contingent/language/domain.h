@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/base/interval.h"
 
 // What a contingent planning domain and problem say, before anything is checked or grounded: both

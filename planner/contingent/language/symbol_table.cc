@@ -5,7 +5,8 @@
 
 #include <set>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
+#include "planner/base/document/nearest_name.h"
 
 namespace assay::contingent {
 namespace {

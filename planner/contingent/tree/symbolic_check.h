@@ -2,7 +2,9 @@
 
 #include <optional>
 
-#include "planner/contingent/tree/tree_check.h"
+#include "planner/contingent/grounding/ground_task.h"
+#include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/tree/tree_check_result.h"
 
 namespace assay::contingent {
 

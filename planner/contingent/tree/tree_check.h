@@ -6,6 +6,7 @@
 
 #include "planner/contingent/grounding/ground_task.h"
 #include "planner/contingent/tree/plan_tree.h"
+#include "planner/contingent/tree/tree_check_result.h"
 
 namespace assay::contingent {
 
@@ -14,18 +15,6 @@ struct TreeCheckOptions {
   // sets (symbolic_check.h) and that tells whether the tree holds.
   std::int64_t worlds = 200'000;
   std::uint64_t seed = 1;
-};
-
-struct TreeCheck {
-  bool holds = false;
-  // If not: what fails, where in the tree, and in which world.
-  std::string failure;
-  std::int64_t worlds = 0;           // that were run to a leaf; as sets: initial ones
-  bool were_drawn = false;           // the worlds, of too many
-  bool are_numbers_sampled = false;  // what lies between them may be otherwise
-  std::vector<NodeId> unreached;     // nodes that no world came to
-
-  bool AreAllWorlds() const { return !were_drawn && !are_numbers_sampled; }
 };
 
 // Runs a plan tree in every world that the initial knowledge allows. Shares nothing with the

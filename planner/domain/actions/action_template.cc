@@ -4,8 +4,6 @@
 
 #include <array>
 
-#include "planner/domain/actions/actions.h"
-
 namespace assay::domain {
 std::string LabelName(const Problem& problem, const PlanVariable& variable, int label) {
   const Part& part = problem.part(variable.part);
@@ -27,11 +25,6 @@ std::string LabelList(const Problem& problem, const PlanVariable& variable,
 }
 
 }  // namespace
-
-std::span<const ActionRule> ActionRules() {
-  static const std::array rules = {kPickupRule, kPutdownRule, kAssembleRule};
-  return rules;
-}
 
 std::string_view Name(ActionKind kind) {
   switch (kind) {

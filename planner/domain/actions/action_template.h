@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,9 +66,6 @@ struct ActionRule {
   std::vector<ActionTemplate> (*achieve)(const Problem& problem, const Condition& condition,
                                          PlanVariables& variables);
 };
-
-// All actions that the planner may put into a plan.
-std::span<const ActionRule> ActionRules();
 
 std::string_view Name(ActionKind kind);
 // "BG3", "BP2", "initial".

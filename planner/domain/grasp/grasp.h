@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planner/base/id.h"
+#include "planner/domain/part/feature.h"
 #include "planner/domain/part/stable_pose.h"
 #include "planner/geometry/pose.h"
 #include "planner/kinematics/gripper.h"

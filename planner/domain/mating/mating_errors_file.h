@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/domain/mating/mating_errors.h"
 #include "planner/domain/problem/units.h"
 

@@ -9,6 +9,7 @@
 
 #include "planner/domain/mating/shaft_fit.h"
 #include "planner/domain/problem/name.h"
+#include "planner/domain/problem/part_name.h"
 #include "planner/geometry/collision.h"
 
 namespace assay::domain {

@@ -4,7 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "planner/domain/part/part_model.h"
+#include "planner/domain/part/feature.h"
+#include "planner/geometry/box.h"
 
 namespace assay::domain {
 

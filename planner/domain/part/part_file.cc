@@ -9,6 +9,7 @@
 
 #include "planner/base/check.h"
 #include "planner/domain/grasp/planar_region.h"
+#include "planner/domain/part/compute_stable_poses.h"
 #include "planner/domain/part/exposed_faces.h"
 #include "planner/domain/problem/name.h"
 
@@ -273,6 +274,19 @@ double ReadDensity(const Value& root) {
 }
 
 }  // namespace
+
+std::shared_ptr<const PartModel> PartFile::Load(const std::filesystem::path& file,
+                                                double clearance) {
+  return Read(Document::Load(file), clearance);
+}
+
+std::shared_ptr<const PartModel> PartFile::WithClearance(const PartModel& model, double clearance) {
+  return Read(model.file_, clearance);
+}
+
+geometry::MassProperties PartFile::MassWithClearance(const PartModel& model, double clearance) {
+  return ReadMass(model.file_, clearance);
+}
 
 std::shared_ptr<const PartModel> PartFile::Read(const Document& document, double clearance) {
   ASSAY_CHECK(std::isfinite(clearance));

@@ -1,12 +1,13 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/domain/part/part_model.h"
 #include "planner/domain/problem/units.h"
 
@@ -16,12 +17,20 @@ namespace assay::domain {
 // describes the format. Lives as long as the reading.
 class PartFile {
  public:
-  // `clearance`: metres, on each side of the axes along which a pocket is to be widened; a pocket
-  // is narrowed by what is below 0. Throws InputError at the place of what is wrong.
+  // Reads models/parts/NAME/part.yaml. `clearance` is in metres, on each side of the axes along
+  // which a pocket is to be widened; a negative clearance narrows it. Throws InputError at the
+  // place of what is wrong.
+  static std::shared_ptr<const PartModel> Load(const std::filesystem::path& file, double clearance);
   static std::shared_ptr<const PartModel> Read(const Document& document, double clearance);
-  static geometry::MassProperties ReadMass(const Document& document, double clearance);
+
+  // Reads and computes the same part anew with another clearance. Below 0, shafts are too wide for
+  // their holes. Throws InputError if a pocket becomes impossible.
+  static std::shared_ptr<const PartModel> WithClearance(const PartModel& model, double clearance);
+  static geometry::MassProperties MassWithClearance(const PartModel& model, double clearance);
 
  private:
+  static geometry::MassProperties ReadMass(const Document& document, double clearance);
+
   // A convex piece as the file names it: one box, and what the pockets have left of it.
   struct Solid {
     std::string name;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "planner/domain/grasp/planar_region.h"
-#include "planner/domain/part/part_file.h"
 
 namespace assay::domain {
 namespace {
@@ -20,21 +19,6 @@ bool IsUnder(const Feature& feature, FaceId face, const geometry::Polygon& regio
 }
 
 }  // namespace
-
-bool Face::Covers(const geometry::Polygon& polygon) const { return Fills(patches, polygon); }
-
-std::shared_ptr<const PartModel> PartModel::Load(const std::filesystem::path& file,
-                                                 double clearance) {
-  return PartFile::Read(Document::Load(file), clearance);
-}
-
-std::shared_ptr<const PartModel> PartModel::WithClearance(double clearance) const {
-  return PartFile::Read(file_, clearance);
-}
-
-geometry::MassProperties PartModel::MassWithClearance(double clearance) const {
-  return PartFile::ReadMass(file_, clearance);
-}
 
 const Feature* PartModel::FindFeature(FeatureNumber number) const {
   const auto found = std::ranges::find(features_, number, &Feature::number);

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/base/id.h"
-#include "planner/domain/grasp/grasp.h"
+#include "planner/domain/part/feature.h"
 #include "planner/domain/part/stable_pose.h"
 #include "planner/geometry/box.h"
 #include "planner/geometry/collision.h"
@@ -16,71 +16,10 @@
 
 namespace assay::domain {
 
-using geometry::Pose;
-using geometry::Vector2;
-using geometry::Vector3;
-
-// By how much rounding may change metres, radians and numbers near 1.
-inline constexpr double kRounding = 1e-9;
-
-using FaceId = Id<struct FaceTag>;
-
-// All exposed surface of a part that lies in one plane and looks the same way.
-struct Face {
-  Vector3 normal;                          // unit, outward, part frame
-  double offset = 0;                       // normal . p == offset on the face
-  Pose X_PartFace;                         // origin on the plane, z = normal
-  std::vector<geometry::Polygon> patches;  // in the face's x and y; disjoint, convex
-
-  // Whether every point of the polygon (face coordinates, convex) is on the face: pad contact.
-  bool Covers(const geometry::Polygon& polygon) const;
-};
-
-// A hole or recess that opens in a face: where its mouth is.
-struct Mouth {
-  FaceId face;
-  geometry::Polygon outline;  // in the face's x and y
-};
-
-// An inner side of a hole or recess.
-struct Wall {
-  FaceId face;
-  geometry::Polygon outline;  // in the face's x and y
-  // Whether a greater clearance sets it back by as much: the pocket is widened along this axis.
-  bool moves_with_clearance = false;
-};
-
-// A named geometric element, numbered by the part file as the papers do (Spar: surfaces 7 and 8
-// of peg and block mate). It is made of faces, or it is a hole.
-struct Feature {
-  FeatureNumber number;
-  std::string description;    // "square hole", for people
-  std::vector<FaceId> faces;  // empty for a hole
-  std::vector<Mouth> mouths;  // a through hole has two
-  std::vector<Wall> walls;    // of a hole, its floor included
-  Pose X_PartFeature;         // the mating frame: origin on the axis at the mouth, z along the
-                              // axis, outward; of a shaft: at the centre of its tip; of a face:
-                              // at its centroid, z = normal
-  // Of a hole's mouth or of a shaft's tip: how far its edges are bevelled, across the axis and
-  // along it, metres. The boxes do not show it.
-  double chamfer = 0;
-
-  bool is_plain_face() const { return faces.size() == 1 && mouths.empty(); }
-};
-
 // What the part file says, with everything that is computed from it. Immutable and shared: two
 // parts of one problem may have the same model.
 class PartModel {
  public:
-  // Reads models/parts/NAME/part.yaml ("assay-part/1"). `clearance` (metres, each side) widens the
-  // pockets that are marked as mating holes. Throws InputError.
-  static std::shared_ptr<const PartModel> Load(const std::filesystem::path& file, double clearance);
-
-  // The same part with another clearance, read and computed anew; below 0, shafts are too wide for
-  // their holes. Throws InputError if a pocket comes out impossible.
-  std::shared_ptr<const PartModel> WithClearance(double clearance) const;
-  geometry::MassProperties MassWithClearance(double clearance) const;  // of that model
-
   const std::string& name() const { return name_; }
   const std::string& initial() const { return initial_; }  // labels begin with it: BP1, BG1
   double clearance() const { return clearance_; }          // metres on each side

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "planner/domain/reach/reachability.h"
+#include "planner/domain/part/placed_part.h"
 
 namespace assay::domain {
 

@@ -4,13 +4,11 @@
 #include <vector>
 
 #include "planner/base/id.h"
-#include "planner/geometry/polygon.h"
+#include "planner/domain/part/feature.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::domain {
 
-class PartModel;
-using FeatureNumber = Id<struct FeatureTag>;  // as the part file numbers it
 using StablePoseId = Id<struct StablePoseTag>;
 
 // A way in which a part rests on the table: everything about its pose but x, y and yaw (Spar,
@@ -24,10 +22,5 @@ struct StablePose {
   double tilt_margin = 0;  // radians the part may be tilted over its nearest support edge
                            // before it falls
 };
-
-// The hull facets over which the centre of mass lies, at least `least_tilt` radians from tipping,
-// in the order of the hull's facets. Yaw 0: the first of the part's x, y, z axes that leans more
-// than 45 degrees away from the vertical points, projected, along the table's x.
-std::vector<StablePose> ComputeStablePoses(const PartModel& part, double least_tilt);
 
 }  // namespace assay::domain

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/domain/part/part_model.h"
 
 namespace assay::domain {

@@ -7,6 +7,7 @@
 #include "planner/domain/mating/mating_file.h"
 #include "planner/domain/part/stable_pose_names.h"
 #include "planner/domain/problem/name.h"
+#include "planner/domain/problem/part_name.h"
 
 namespace assay::domain {
 namespace {

@@ -23,10 +23,4 @@ std::string ReadAnyName(const Value& value) {
   return name;
 }
 
-PartId ReadPartName(const Value& value, const Problem& problem) {
-  std::vector<std::string> names;
-  for (const Part& part : problem.parts) names.push_back(part.name);
-  return PartId(value.OneOf(names));
-}
-
 }  // namespace assay::domain

@@ -3,8 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "planner/base/document.h"
-#include "planner/domain/problem/problem.h"
+#include "planner/base/document/document.h"
 
 namespace assay::domain {
 
@@ -14,8 +13,5 @@ std::string ReadName(const Value& key, std::string_view what);
 
 // Any text but none.
 std::string ReadAnyName(const Value& value);
-
-// The part of this name. Throws InputError if there is none.
-PartId ReadPartName(const Value& value, const Problem& problem);
 
 }  // namespace assay::domain

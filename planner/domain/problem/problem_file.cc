@@ -9,9 +9,10 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 #include "planner/domain/mating/mating_errors_file.h"
 #include "planner/domain/part/occlusion.h"
+#include "planner/domain/part/part_file.h"
 #include "planner/domain/problem/goal_file.h"
 #include "planner/domain/problem/initial_poses_file.h"
 #include "planner/domain/problem/name.h"
@@ -145,7 +146,7 @@ PoseError ProblemFile::ReadError(const Value& owner) const {
 void ProblemFile::ReadWorkcell(const Value& root) {
   const Value name = root.At("workcell");
   name.OneOf(models_.Workcells());
-  problem_.workcell = Workcell::Load(models_.WorkcellFile(name.Text()));
+  problem_.workcell = WorkcellFile::Read(models_.WorkcellFile(name.Text()));
   if (const auto rules = root.Find("rules")) {
     const Workcell& workcell = *problem_.workcell;
     problem_.workcell =
@@ -176,7 +177,7 @@ ProblemFile::Model ProblemFile::ReadModel(const Value& name) {
   name.OneOf(known_models_);
   const auto [model, is_new] = loaded_.try_emplace(name.Text());
   if (is_new) {
-    model->second.part = PartModel::Load(models_.PartFile(name.Text()), problem_.clearance);
+    model->second.part = PartFile::Load(models_.PartFile(name.Text()), problem_.clearance);
     const Workcell& workcell = *problem_.workcell;
     model->second.grasps = std::make_shared<const std::vector<Grasp>>(
         ComputeGrasps(*model->second.part, workcell.gripper(), GraspsIn(workcell)));

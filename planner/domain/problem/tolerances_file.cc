@@ -4,6 +4,8 @@
 
 #include <set>
 
+#include "planner/domain/part/part_file.h"
+
 namespace assay::domain {
 namespace {
 
@@ -38,7 +40,7 @@ void RequireSoundPockets(const Problem& problem, double tolerance) {
   for (const Part& part : problem.parts) {
     if (!known.insert(part.model.get()).second) continue;
     for (const double error : {-tolerance, tolerance}) {
-      part.model->WithClearance(problem.clearance + error);
+      PartFile::WithClearance(*part.model, problem.clearance + error);
     }
   }
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::domain {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "planner/domain/part/placed_part.h"
 #include "planner/domain/problem/problem.h"
 
 namespace assay::domain {
@@ -81,12 +82,6 @@ Limited MatingLean(const Problem& problem, const Mating& mating, const Pose& X_W
 // Whether the arm can bring the tool to X_WorldTool by a straight line of `approach` (world frame,
 // ending there) within joint limits and without changing its configuration on the way.
 bool CanApproach(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& approach);
-
-// A part somewhere in the world, for tests against hand and fingers.
-struct PlacedPart {
-  PartId part;
-  Pose X_WorldPart;
-};
 
 // The first of `others` that hand or fingers would go through when the tool is at X_WorldTool with
 // the given opening; None if it is free.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 
 namespace assay::domain {
 namespace {

@@ -1,16 +1,11 @@
 #include "planner/domain/workcell/workcell.h"
 
 #include "planner/base/check.h"
-#include "planner/domain/workcell/workcell_file.h"
 
 namespace assay::domain {
 
 geometry::Pose Placement::X_WorldTable() const {
   return geometry::Translation(x, y, 0) * geometry::RotationZ(yaw);
-}
-
-std::shared_ptr<const Workcell> Workcell::Load(const std::filesystem::path& file) {
-  return WorkcellFile::Read(file);
 }
 
 std::shared_ptr<const Workcell> Workcell::WithRules(const WorkcellRules& rules) const {

@@ -59,9 +59,6 @@ struct WorkcellRules {
 // gripper, base and home are those of the robot that acts, which is the file's first one.
 class Workcell {
  public:
-  // Reads models/workcells/NAME/workcell.yaml ("assay-workcell/1") and the URDF files it names.
-  static std::shared_ptr<const Workcell> Load(const std::filesystem::path& file);
-
   const std::string& name() const { return name_; }
   const std::vector<Robot>& robots() const { return robots_; }
   RobotId acting() const { return acting_; }

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/domain/problem/units.h"
 #include "planner/domain/workcell/workcell.h"
 
@@ -18,6 +18,8 @@ WorkcellRules ReadRules(const Value& map, const Units& units, const kinematics::
 // Builds a workcell from its file.
 class WorkcellFile {
  public:
+  // Reads models/workcells/NAME/workcell.yaml ("assay-workcell/1") and the URDF files that it
+  // names.
   static std::shared_ptr<const Workcell> Read(const std::filesystem::path& file);
 
  private:

@@ -541,4 +541,13 @@ std::vector<PrimitiveContact> ContactFinder::Of(std::span<const ContactKey> keys
   return std::move(linearizer).Take();
 }
 
+std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
+                                                const Polyhedron& stationary,
+                                                const Pose& X_StationaryMoving, double reach,
+                                                const std::vector<ModelTolerance>& tolerances,
+                                                double turn) {
+  return ContactFinder(moving, stationary, tolerances)
+      .Near(X_StationaryMoving, {.reach = reach, .turn = turn});
+}
+
 }  // namespace assay::finemotion

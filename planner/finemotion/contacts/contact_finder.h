@@ -10,6 +10,17 @@
 
 namespace assay::finemotion {
 
+// The primitive contacts that parts whose features touch to within `reach` (metres) at
+// X_StationaryMoving can make near there, turned by at most `turn` (radians) against it: contacts
+// that exist only when turned are among them, edges that may be parallel are not. Where gap and
+// limits are those of one contact seen twice (an edge that lies in a face), it is named once. For
+// many poses: ContactFinder.
+std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
+                                                const Polyhedron& stationary,
+                                                const Pose& X_StationaryMoving, double reach,
+                                                const std::vector<ModelTolerance>& tolerances = {},
+                                                double turn = 0);
+
 // Finds the primitive contacts of two parts at one pose after another (PrimitiveContacts tells
 // which these are): what depends on the parts alone is worked out once.
 class ContactFinder {

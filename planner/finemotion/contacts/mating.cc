@@ -8,6 +8,7 @@
 #include <set>
 
 #include "planner/base/check.h"
+#include "planner/domain/part/part_file.h"
 #include "planner/finemotion/replay/force_signature.h"
 
 namespace assay::finemotion {
@@ -144,9 +145,9 @@ MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& 
   geometry.X_HeldTip.linear() = mating.X_FixedHeld.linear().transpose();
   geometry.X_HeldTip.translation() = tip->X_PartFeature.translation();
   geometry.X_FixedSeat = mating.X_FixedHeld * geometry.X_HeldTip;
-  geometry.critical_points =
-      CriticalPoints(OutsideOf(*held.WithClearance(0)), OutsideOf(*fixed.WithClearance(0)),
-                     mating.X_FixedHeld, mating.mating_vector);
+  geometry.critical_points = CriticalPoints(OutsideOf(*domain::PartFile::WithClearance(held, 0)),
+                                            OutsideOf(*domain::PartFile::WithClearance(fixed, 0)),
+                                            mating.X_FixedHeld, mating.mating_vector);
   geometry.passage.moving = Transformed(OutsideOf(held), geometry.X_HeldTip.inverse());
   geometry.passage.stationary = OutsideOf(fixed);
   geometry.passage.mating = mating.mating_vector.normalized();

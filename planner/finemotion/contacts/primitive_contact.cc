@@ -7,18 +7,8 @@
 #include <sstream>
 
 #include "planner/base/check.h"
-#include "planner/finemotion/contacts/contact_finder.h"
 
 namespace assay::finemotion {
-
-std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
-                                                const Polyhedron& stationary,
-                                                const Pose& X_StationaryMoving, double reach,
-                                                const std::vector<ModelTolerance>& tolerances,
-                                                double turn) {
-  return ContactFinder(moving, stationary, tolerances)
-      .Near(X_StationaryMoving, {.reach = reach, .turn = turn});
-}
 
 ContactKey KeyOf(const PrimitiveContact& contact) {
   return {contact.kind, contact.moving, contact.stationary};

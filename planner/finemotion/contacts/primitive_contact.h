@@ -7,15 +7,10 @@
 #include <vector>
 
 #include "planner/finemotion/contacts/polyhedron.h"
+#include "planner/finemotion/numeric/generalized_point.h"
 #include "planner/finemotion/numeric/small_vector.h"
 
 namespace assay::finemotion {
-
-// A point of generalized contact space: displacement d of the moving part (3, metres), small
-// rotation w about its origin (3, radians; both in the stationary part's axes), then one dimension
-// for each tolerance (metres) (Dakin and Popplestone, section 3). 0: as planned, without errors.
-using GeneralizedPoint = Eigen::VectorXd;
-inline constexpr int kPoseDimensions = 6;
 
 // Coefficients of rows, and metres of offsets, below which C-surfaces are one.
 inline constexpr double kSameSurface = 1e-9;
@@ -56,17 +51,6 @@ struct PrimitiveContact {
 
   double Gap(const GeneralizedPoint& z) const { return offset + row.dot(z); }
 };
-
-// The primitive contacts that parts whose features touch to within `reach` (metres) at
-// X_StationaryMoving can make near there, turned by at most `turn` (radians) against it: contacts
-// that exist only when turned are among them, edges that may be parallel are not. Where gap and
-// limits are those of one contact seen twice (an edge that lies in a face), it is named once. For
-// many poses: ContactFinder.
-std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
-                                                const Polyhedron& stationary,
-                                                const Pose& X_StationaryMoving, double reach,
-                                                const std::vector<ModelTolerance>& tolerances = {},
-                                                double turn = 0);
 
 // A primitive contact by its features, wherever it is linearized.
 struct ContactKey {

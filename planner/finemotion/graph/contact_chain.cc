@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "planner/finemotion/contacts/contact_finder.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::finemotion {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "planner/finemotion/contacts/primitive_contact.h"
+#include "planner/finemotion/numeric/generalized_point.h"
 
 namespace assay::finemotion {
 

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "planner/finemotion/contacts/primitive_contact.h"
+#include "planner/finemotion/numeric/generalized_point.h"
 
 namespace assay::finemotion {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planner/base/budget.h"
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/network/network/counters.h"
 #include "planner/network/network/network.h"
 

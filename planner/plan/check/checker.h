@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/data/plan.h"
 

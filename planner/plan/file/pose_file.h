@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/geometry/pose.h"
 
 namespace assay::plan {

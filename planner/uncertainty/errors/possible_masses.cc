@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "planner/domain/part/part_file.h"
+
 namespace assay::uncertainty {
 
 std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& problem,
@@ -10,7 +12,7 @@ std::vector<geometry::MassProperties> PossibleMasses(const domain::Problem& prob
   std::vector<geometry::MassProperties> masses = {model.mass()};
   if (problem.tolerances.clearance == 0) return masses;
   for (const double error : {-problem.tolerances.clearance, problem.tolerances.clearance}) {
-    masses.push_back(model.MassWithClearance(problem.clearance + error));
+    masses.push_back(domain::PartFile::MassWithClearance(model, problem.clearance + error));
   }
   return masses;
 }

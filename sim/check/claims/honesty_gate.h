@@ -46,8 +46,4 @@ struct HonestyGate {
   bool Hides(const Claim& passed, double clearance) const;
 };
 
-// Executes the plan twice without noise, once with half the timestep.
-HonestyGate MeasureGate(const domain::Problem& problem, const plan::Plan& plan,
-                        const scene::SceneOptions& scene);
-
 }  // namespace assay::check

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "planner/base/random.h"
+#include "planner/finemotion/contacts/contact_finder.h"
 #include "sim/check/contacts/rank_correlation.h"
 
 namespace assay::check {

@@ -420,23 +420,6 @@ class Attacker {
 
 }  // namespace
 
-std::string_view Name(AttackPhase phase) {
-  switch (phase) {
-    case AttackPhase::kWithoutNoise:
-      return "without-noise";
-    case AttackPhase::kVertices:
-      return "vertices";
-    case AttackPhase::kLikely:
-      return "likely-corners";
-    case AttackPhase::kLowDiscrepancy:
-      return "low-discrepancy";
-    case AttackPhase::kLocalSearch:
-      return "local-search";
-  }
-  ASSAY_CHECK(false, "a phase that the switch does not know");
-  return {};
-}
-
 AttackResult Attack(const Experiment& experiment, const AttackOptions& options) {
   return Attacker(experiment, options).Run();
 }

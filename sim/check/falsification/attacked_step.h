@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "sim/check/falsification/attack.h"
+#include "sim/check/falsification/attack_result.h"
 #include "sim/check/falsification/step_attack.h"
 
 namespace assay::check {

@@ -5,6 +5,7 @@
 #include "planner/base/check.h"
 #include "sim/check/claims/certificate_check.h"
 #include "sim/check/claims/confirmation.h"
+#include "sim/exec/execution/executor.h"
 #include "sim/noise/sampling.h"
 
 namespace assay::check {

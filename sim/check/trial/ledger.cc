@@ -6,6 +6,7 @@
 #include "planner/base/check.h"
 #include "sim/check/claims/step_events.h"
 #include "sim/check/trial/tolerance_readings.h"
+#include "sim/exec/execution/executor.h"
 #include "sim/sense/displacement.h"
 
 namespace assay::check {

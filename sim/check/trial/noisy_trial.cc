@@ -6,6 +6,7 @@
 
 #include "sim/check/claims/certificate_check.h"
 #include "sim/check/claims/confirmation.h"
+#include "sim/exec/execution/executor.h"
 
 namespace assay::check {
 namespace {

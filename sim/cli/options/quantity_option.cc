@@ -5,7 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay::cli {
 

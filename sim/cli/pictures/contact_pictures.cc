@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/cli/work/output_file.h"
+#include "sim/render/picture.h"
 #include "sim/render/renderer.h"
 
 namespace assay::cli {

@@ -14,6 +14,7 @@
 #include "sim/cli/pictures/ghosts.h"
 #include "sim/cli/program/usage_error.h"
 #include "sim/cli/work/output_file.h"
+#include "sim/render/picture.h"
 #include "sim/render/work_view.h"
 #include "sim/scenario/scenario.h"
 

@@ -8,7 +8,7 @@
 
 #include "sim/cli/pictures/contact_pictures.h"
 #include "sim/cli/work/output_file.h"
-#include "sim/report/page/contact_graph_picture.h"
+#include "sim/report/fine_motion/contact_graph_picture.h"
 
 namespace assay::cli {
 namespace {

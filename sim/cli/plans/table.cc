@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "planner/base/check.h"
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay::cli {
 namespace {

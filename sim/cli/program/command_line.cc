@@ -12,9 +12,10 @@
 #include <sstream>
 #include <system_error>
 
-#include "planner/base/document.h"
-#include "planner/base/input_error.h"
-#include "planner/base/quotation.h"
+#include "planner/base/document/document.h"
+#include "planner/base/document/input_error.h"
+#include "planner/base/document/nearest_name.h"
+#include "planner/base/document/quotation.h"
 #include "sim/cli/program/console.h"
 #include "sim/cli/program/usage_error.h"
 #include "sim/cli/program/verb.h"

@@ -12,8 +12,8 @@
 #include <string>
 #include <system_error>
 
-#include "planner/base/input_error.h"
-#include "planner/base/quotation.h"
+#include "planner/base/document/input_error.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay::cli {
 namespace {

@@ -10,7 +10,7 @@ namespace assay::cli {
 // write, not the end of the program. Called once, first of all.
 void PrepareStreams();
 
-// Results go to standard output, shown as planner/base/quotation.h says. Both throw
+// Results go to standard output, shown as planner/base/document/quotation.h says. Both throw
 // EnvironmentError if it cannot be written.
 void Print(std::string_view text);
 void FlushOutput();

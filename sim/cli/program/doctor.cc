@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/plan/file/json_layout.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/plans/table.h"

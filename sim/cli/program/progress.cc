@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 #include "sim/cli/program/console.h"
 
 namespace assay::cli {

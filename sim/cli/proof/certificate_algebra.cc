@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "planner/algebra/expression/text.h"
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 
 namespace assay::cli {
 namespace {

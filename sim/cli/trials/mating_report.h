@@ -9,7 +9,7 @@
 #include "sim/check/contacts/margin_ranking.h"
 #include "sim/cli/work/mating_task.h"
 #include "sim/cli/work/mating_trials.h"
-#include "sim/report/page/mating_page.h"
+#include "sim/report/fine_motion/mating_page.h"
 
 namespace assay::cli {
 

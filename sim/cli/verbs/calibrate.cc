@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/domain/workcell/sensor_promise.h"
 #include "planner/plan/file/json_layout.h"
 #include "sim/cli/options/models_folder.h"

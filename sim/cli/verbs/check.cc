@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "planner/assembly/contingent_assembly.h"
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/domain/part/part_file.h"
+#include "planner/domain/workcell/workcell_file.h"
 #include "planner/plan/file/json_layout.h"
 #include "sim/cli/options/file_format.h"
 #include "sim/cli/options/models_folder.h"
@@ -26,6 +27,7 @@
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/planned_problem.h"
 #include "sim/enact/walk/interpretation.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/scenario/models_folder.h"
 
 namespace assay::cli {
@@ -45,7 +47,7 @@ struct Options {
 
 Report CheckPart(const Document& document, const fs::path& file, const Options& options) {
   const auto part = domain::PartFile::Read(document, options.clearance_mm / 1000);
-  const auto workcell = domain::Workcell::Load(
+  const auto workcell = domain::WorkcellFile::Read(
       scenario::FindModels(file, options.models).WorkcellFile(options.workcell));
   const kinematics::Gripper& gripper = workcell->gripper();
   return ReportOn(*part,
@@ -78,7 +80,7 @@ Report CheckFile(const fs::path& file, const Options& options) {
     case FileFormat::kPartFile:
       return CheckPart(document, file, options);
     case FileFormat::kWorkcellFile:
-      return ReportOn(*domain::Workcell::Load(file));
+      return ReportOn(*domain::WorkcellFile::Read(file));
     case FileFormat::kPlanFile:
       return ReportOn(ReadPlan(document, options.models));
     case FileFormat::kSweepFile:

@@ -28,6 +28,7 @@
 #include "sim/cli/trials/enactment_report.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/trial.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/enact/walk/plan_interpretation.h"
 #include "sim/scenario/models_folder.h"
 

@@ -8,9 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "planner/base/document.h"
-#include "planner/base/input_error.h"
+#include "planner/base/document/document.h"
+#include "planner/base/document/input_error.h"
 #include "planner/domain/actions/action_template.h"
+#include "planner/domain/actions/actions.h"
 #include "planner/plan/file/json_layout.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/plans/table.h"

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <vector>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/plan/file/json_layout.h"
 #include "sim/check/claims/noiseless.h"
 #include "sim/check/trial/ledger.h"
@@ -28,6 +28,7 @@
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/trial.h"
 #include "sim/exec/commands/command_file.h"
+#include "sim/exec/execution/executor.h"
 #include "sim/sense/overhead_camera.h"
 #include "sim/sweep/run/shell.h"
 #include "sim/sweep/store/wilson.h"

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "planner/assembly/contingent_assembly.h"
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 #include "planner/plan/file/json_layout.h"
 #include "planner/plan/file/plan_file.h"
 #include "sim/cli/options/models_folder.h"

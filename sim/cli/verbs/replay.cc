@@ -10,7 +10,7 @@
 #include <optional>
 #include <thread>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/plan/file/json_layout.h"
 #include "sim/check/trial/ledger.h"
 #include "sim/cli/options/models_folder.h"
@@ -25,6 +25,7 @@
 #include "sim/cli/trials/verdict_tally.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/stored_trial.h"
+#include "sim/exec/execution/executor.h"
 #include "sim/sweep/run/work.h"
 #include "sim/sweep/store/difference.h"
 #include "sim/sweep/store/recording.h"

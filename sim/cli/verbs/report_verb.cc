@@ -16,8 +16,10 @@
 #include "sim/cli/program/verb.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/cli/work/stored_trial.h"
+#include "sim/exec/execution/executor.h"
 #include "sim/report/page/csv.h"
 #include "sim/report/page/page.h"
+#include "sim/report/sections/read_findings.h"
 
 namespace assay::cli {
 namespace report_verb {

@@ -11,8 +11,8 @@
 #include <regex>
 #include <thread>
 
-#include "planner/base/input_error.h"
-#include "planner/base/quotation.h"
+#include "planner/base/document/input_error.h"
+#include "planner/base/document/quotation.h"
 #include "planner/plan/file/json_layout.h"
 #include "sim/cli/options/models_folder.h"
 #include "sim/cli/program/console.h"

@@ -13,10 +13,11 @@
 #include <utility>
 
 #include "planner/base/digest.h"
-#include "planner/base/input_error.h"
-#include "planner/base/input_file.h"
+#include "planner/base/document/input_error.h"
+#include "planner/base/document/input_file.h"
 #include "planner/plan/file/json_layout.h"
 #include "planner/plan/file/plan_file.h"
+#include "sim/check/claims/measure_gate.h"
 #include "sim/cli/work/output_file.h"
 #include "sim/scene/mjcf.h"
 

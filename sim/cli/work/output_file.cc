@@ -12,8 +12,8 @@
 #include <system_error>
 #include <utility>
 
-#include "planner/base/input_error.h"
-#include "planner/base/input_file.h"
+#include "planner/base/document/input_error.h"
+#include "planner/base/document/input_file.h"
 #include "sim/cli/program/usage_error.h"
 
 namespace assay::cli {

@@ -8,7 +8,7 @@ namespace assay::cli {
 
 // The one place that opens files to write. Everything here throws EnvironmentError, with the path
 // and the system's words, if it cannot be done, and UsageError if it would overwrite a file that
-// this command has read, by whatever path or link (planner/base/input_file.h).
+// this command has read, by whatever path or link (planner/base/document/input_file.h).
 
 // Asked before work begins whose result is to be written there.
 void RequireWritable(const std::filesystem::path& file);

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/domain/problem/problem.h"
 #include "planner/plan/check/checker.h"
 #include "planner/plan/data/plan.h"

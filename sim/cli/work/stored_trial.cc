@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 
 namespace assay::cli {
 

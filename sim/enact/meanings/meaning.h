@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/domain/problem/problem.h"
 #include "sim/enact/meanings/readings.h"
 #include "sim/enact/meanings/roles.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/base/random.h"
 #include "planner/domain/problem/units.h"
 #include "planner/domain/reach/reachability.h"

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "planner/domain/part/resting.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/enact/walk/plan_interpretation.h"
 #include "sim/enact/walk/tilt_watch.h"
 #include "sim/exec/commands/action_commands.h"

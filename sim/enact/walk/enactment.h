@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/enact/walk/interpretation.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/enact/walk/leaves.h"
 #include "sim/enact/walk/tree_walk.h"
 

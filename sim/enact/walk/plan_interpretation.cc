@@ -281,13 +281,6 @@ class Signals : public OfStep {
 
 }  // namespace
 
-const plan::Plan* PlannedWorlds::PlanOf(int world) const {
-  for (const assembly::PlanOfWorlds& planned : assembly.plans) {
-    if (std::ranges::count(planned.worlds, world) > 0) return &planned.plan;
-  }
-  return nullptr;
-}
-
 Interpretation InterpretationOf(Planned planned) {
   Interpretation interpretation;
   interpretation.task = planned->assembly.knowledge.task;

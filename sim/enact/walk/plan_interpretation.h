@@ -2,19 +2,10 @@
 
 #include <memory>
 
-#include "planner/assembly/contingent_assembly.h"
 #include "sim/enact/walk/interpretation.h"
+#include "sim/enact/walk/planned_worlds.h"
 
 namespace assay::enact {
-
-// The plans of a scenario's worlds, as one tree.
-struct PlannedWorlds {
-  std::vector<domain::Problem> worlds;
-  assembly::ContingentAssembly assembly;
-
-  // The plan of a world (null: it has none).
-  const plan::Plan* PlanOf(int world) const;
-};
 
 // What the words of that tree are in the workcell. Actions: a look tells which of the open poses a
 // part has, by the camera; steps of plans are executed, verified and recovered from like anywhere

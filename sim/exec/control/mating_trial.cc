@@ -5,6 +5,7 @@
 #include "planner/base/check.h"
 #include "planner/domain/reach/reachability.h"
 #include "sim/exec/commands/action_commands.h"
+#include "sim/exec/execution/executor.h"
 
 namespace assay::exec {
 namespace {

@@ -6,7 +6,7 @@
 #include "planner/motion/clear/collision_scene.h"
 #include "planner/motion/path/joint_trajectory.h"
 #include "sim/exec/execution/collision_watch.h"
-#include "sim/exec/execution/executor.h"
+#include "sim/exec/execution/executor_options.h"
 #include "sim/exec/execution/world_model.h"
 #include "sim/scene/servo.h"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "planner/base/document.h"
-#include "planner/base/input_error.h"
+#include "planner/base/document/document.h"
+#include "planner/base/document/input_error.h"
 #include "sim/report/page/chart.h"
 #include "sim/report/page/figures.h"
 #include "sim/report/page/head.h"

@@ -95,7 +95,4 @@ struct Findings {
   int done() const;
 };
 
-// Throws as Store does.
-Findings ReadFindings(const sweep::Store& store, const std::string& database);
-
 }  // namespace assay::report

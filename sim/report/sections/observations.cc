@@ -172,14 +172,6 @@ std::vector<Merit> Merits(const sweep::Store& store, const std::string& conditio
 
 }  // namespace
 
-ClaimVerdict VerdictNamed(std::string_view name) {
-  for (const auto verdict :
-       {ClaimVerdict::kContained, ClaimVerdict::kInconclusive, ClaimVerdict::kViolated}) {
-    if (check::Name(verdict) == name) return verdict;
-  }
-  return ClaimVerdict::kNotClaimed;
-}
-
 ClaimVerdict VerdictOn(const ClaimRecord& claim, double observed, ClaimVerdict of_step) {
   if (of_step == ClaimVerdict::kNotClaimed || !claim.proved) return ClaimVerdict::kNotClaimed;
   check::Claim observation;

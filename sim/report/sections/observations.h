@@ -25,9 +25,6 @@ std::vector<StepFindings> ReadSteps(const sweep::Store& store, int cell);
 // lies outside as well, that one counts as violated too.
 ClaimVerdict VerdictOn(const sweep::ClaimRecord& claim, double observed, ClaimVerdict of_step);
 
-// By its name; a name that there is not is not claimed.
-ClaimVerdict VerdictNamed(std::string_view name);
-
 // Best first: whether trials succeeded, then their worst verdict, then the
 // least margin of their certificates, radians as lengths at a tenth of a metre.
 // Only trials under noise, if there are any.

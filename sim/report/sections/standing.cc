@@ -3,9 +3,10 @@
 #include <numeric>
 
 #include "planner/base/check.h"
-#include "sim/report/sections/observations.h"
 
 namespace assay::report {
+
+using check::ClaimVerdict;
 
 std::string_view Name(Standing standing) {
   switch (standing) {
@@ -28,6 +29,14 @@ std::string_view TextOf(Standing standing) {
   if (standing == Standing::kWithinResolution) return "within the engine’s resolution";
   if (standing == Standing::kNotClaimed) return "not claimed";
   return Name(standing);
+}
+
+ClaimVerdict VerdictNamed(std::string_view name) {
+  for (const auto verdict :
+       {ClaimVerdict::kContained, ClaimVerdict::kInconclusive, ClaimVerdict::kViolated}) {
+    if (check::Name(verdict) == name) return verdict;
+  }
+  return ClaimVerdict::kNotClaimed;
 }
 
 Standing StandingOf(const StoredVerdict& verdict) {

@@ -26,6 +26,9 @@ inline constexpr std::array kStandings = {Standing::kContained, Standing::kWithi
 std::string_view Name(Standing standing);    // "within-resolution", of its colour and its mark
 std::string_view TextOf(Standing standing);  // "within the engine's resolution"
 
+// By its name; a name that there is not is not claimed.
+check::ClaimVerdict VerdictNamed(std::string_view name);
+
 // A verdict as it is stored: its name ("inconclusive"; a name that no verdict has counts as not
 // claimed), and the claim's margin and gate in one unit. A violation that was not confirmed has its
 // gate widened to just its margin.

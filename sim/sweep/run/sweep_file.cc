@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/base/input_file.h"
+#include "planner/base/document/input_file.h"
 #include "planner/domain/problem/units.h"
 
 namespace assay::sweep {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/domain/workcell/uncertainty_operations.h"
 #include "planner/posting/uncertainty_phase/uncertainty_phase.h"
 #include "sim/noise/sampling.h"

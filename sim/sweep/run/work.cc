@@ -7,8 +7,10 @@
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/plan/file/plan_file.h"
+#include "sim/check/claims/measure_gate.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/conservatism.h"
+#include "sim/exec/execution/executor.h"
 #include "sim/sense/overhead_camera.h"
 #include "sim/sweep/run/clock.h"
 #include "sim/sweep/run/shell.h"

@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "planner/base/check.h"
-#include "planner/base/input_error.h"
-#include "planner/base/input_file.h"
+#include "planner/base/document/input_error.h"
+#include "planner/base/document/input_file.h"
 
 namespace assay::sweep {
 namespace {

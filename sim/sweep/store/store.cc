@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "planner/base/check.h"
-#include "planner/base/input_file.h"
+#include "planner/base/document/input_file.h"
 #include "sim/sweep/run/grid.h"
 #include "sim/sweep/store/schema.h"
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/domain/part/part_file.h"
 #include "planner/domain/part/part_model.h"
 #include "planner/kinematics/gripper.h"
@@ -20,7 +20,7 @@ inline std::filesystem::path PartPath(const std::string& name) {
 
 inline std::shared_ptr<const PartModel> LoadPart(const std::string& name,
                                                  double clearance = 0.0005) {
-  return PartModel::Load(PartPath(name), clearance);
+  return PartFile::Load(PartPath(name), clearance);
 }
 
 inline std::shared_ptr<const PartModel> ParsePart(const std::string& text, double clearance = 0) {

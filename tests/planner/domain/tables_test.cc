@@ -4,8 +4,9 @@
 #include <fstream>
 #include <sstream>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/domain/part/resting.h"
+#include "planner/domain/workcell/workcell_file.h"
 #include "tests/planner/domain/scenario.h"
 #include "tests/scratch_file.h"
 
@@ -58,7 +59,7 @@ std::string ErrorOf(const std::string& tables) {
   const std::filesystem::path file = ScratchFile("workcell.yaml");
   std::ofstream(file) << changed;
   try {
-    Workcell::Load(file);
+    WorkcellFile::Read(file);
   } catch (const InputError& error) {
     return error.what();
   }

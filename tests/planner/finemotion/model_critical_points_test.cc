@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "planner/domain/part/part_file.h"
 #include "planner/finemotion/contacts/mating.h"
 #include "tests/planner/domain/scenario.h"
 
@@ -17,7 +18,7 @@ std::vector<CriticalPoint> CriticalPointsIn(const std::string& scenario) {
   const domain::Problem problem = domain::LoadScenario(scenario);
   const domain::Mating& mating = problem.matings.front();
   const auto outside = [&](domain::PartId part) {
-    return OutsideOf(*problem.part(part).model->WithClearance(0));
+    return OutsideOf(*domain::PartFile::WithClearance(*problem.part(part).model, 0));
   };
   return CriticalPoints(outside(mating.held), outside(mating.fixed), mating.X_FixedHeld,
                         mating.mating_vector);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 #include "planner/domain/problem/problem_file.h"
 #include "planner/plan/data/plan.h"
 

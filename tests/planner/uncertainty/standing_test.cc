@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "planner/domain/part/part_file.h"
 #include "planner/plan/data/pushing.h"
 #include "planner/uncertainty/errors/possible_masses.h"
 #include "planner/uncertainty/errors/squeezing.h"
@@ -161,7 +162,7 @@ features:
   1: {face: bar, normal: [0, 0, 1], what: top}
 stable_poses: {upside-down: [0, 0, 1]}
 )";
-  return domain::PartModel::Load(file, 0.001);
+  return domain::PartFile::Load(file, 0.001);
 }
 
 // What "pads that press" says of the T where they hold it `aside` of its middle.

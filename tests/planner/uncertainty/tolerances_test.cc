@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/domain/mating/shaft_fit.h"
+#include "planner/domain/part/part_file.h"
 #include "planner/uncertainty/errors/squeezing.h"
 #include "planner/uncertainty/preconditions/precondition.h"
 #include "tests/planner/uncertainty/part_on_table.h"
@@ -106,7 +107,8 @@ TEST(ToleranceOfClearance, IsTheNarrowestHole) {
   domain::Problem narrow = tolerant;
   tolerant.tolerances.clearance = kTolerance;
   narrow.clearance -= kTolerance;
-  for (domain::Part& part : narrow.parts) part.model = part.model->WithClearance(narrow.clearance);
+  for (domain::Part& part : narrow.parts)
+    part.model = domain::PartFile::WithClearance(*part.model, narrow.clearance);
   const auto a = Ending("stays inside the walls", OfMating(tolerant));
   const auto b = Ending("stays inside the walls", OfMating(narrow));
   ASSERT_EQ(a.size(), b.size());

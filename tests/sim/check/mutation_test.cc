@@ -18,6 +18,7 @@
 
 #include "sim/check/claims/certificate_check.h"
 #include "sim/check/claims/confirmation.h"
+#include "sim/check/claims/measure_gate.h"
 #include "sim/check/falsification/attack.h"
 #include "sim/check/falsification/main_effects.h"
 #include "sim/exec/execution/executor.h"

@@ -9,6 +9,7 @@
 #include "planner/contingent/search/contingent_planner.h"
 #include "planner/contingent/tree/tree_text.h"
 #include "sim/enact/walk/enactment.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/render/renderer.h"
 #include "tests/scratch_file.h"
 

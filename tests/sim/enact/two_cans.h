@@ -9,6 +9,7 @@
 #include "planner/base/check.h"
 #include "planner/contingent/search/contingent_planner.h"
 #include "sim/enact/walk/interpretation.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "tests/scratch_file.h"
 
 namespace assay::enact {

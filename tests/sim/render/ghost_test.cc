@@ -4,6 +4,7 @@
 
 #include <numbers>
 
+#include "planner/domain/part/part_file.h"
 #include "planner/domain/problem/problem_file.h"
 
 namespace assay::render::ghost_test {
@@ -18,7 +19,7 @@ double TotalLength(const std::vector<Edge>& edges) {
 }
 
 std::shared_ptr<const domain::PartModel> Peg() {
-  return domain::PartModel::Load(ASSAY_SOURCE_DIR "/models/parts/peg/part.yaml", 0);
+  return domain::PartFile::Load(ASSAY_SOURCE_DIR "/models/parts/peg/part.yaml", 0);
 }
 
 // Two boxes that meet at a seam, with a hole through one of them (inches): the plate, 1 by 3 by 3,

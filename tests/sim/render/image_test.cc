@@ -6,8 +6,9 @@
 #include <cmath>
 #include <fstream>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/base/random.h"
+#include "sim/render/picture.h"
 #include "tests/scratch_file.h"
 
 namespace assay::render::image_test {

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "sim/report/page/page.h"
+#include "sim/report/sections/read_findings.h"
 #include "tests/scratch_file.h"
 #include "tests/sim/report/sample_database.h"
 

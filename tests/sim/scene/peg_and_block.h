@@ -4,7 +4,9 @@
 #include <string>
 
 #include "planner/base/check.h"
+#include "planner/domain/part/part_file.h"
 #include "planner/domain/problem/problem.h"
+#include "planner/domain/workcell/workcell_file.h"
 
 namespace assay::scene {
 
@@ -26,7 +28,7 @@ inline domain::Part PartAt(const Resting& resting, double clearance) {
   domain::Part part;
   part.name = resting.model;
   part.model =
-      domain::PartModel::Load(ModelsFolder() / "parts" / resting.model / "part.yaml", clearance);
+      domain::PartFile::Load(ModelsFolder() / "parts" / resting.model / "part.yaml", clearance);
   part.resting = part.model->FindStablePose(resting.stable_pose);
   ASSAY_CHECK(!part.resting.IsNone(), "no stable pose {}", resting.stable_pose);
   const domain::Placement placement{resting.x, resting.y, resting.yaw};
@@ -39,7 +41,7 @@ inline domain::Problem ProblemWith(const std::vector<Resting>& restings) {
   domain::Problem problem;
   problem.name = "test";
   problem.workcell =
-      domain::Workcell::Load(ModelsFolder() / "workcells/puma762-table/workcell.yaml");
+      domain::WorkcellFile::Read(ModelsFolder() / "workcells/puma762-table/workcell.yaml");
   problem.clearance = 0.0005;
   for (const Resting& resting : restings) {
     problem.parts.push_back(PartAt(resting, problem.clearance));

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "planner/base/random.h"
+#include "planner/domain/part/part_file.h"
 #include "sim/scene/scene.h"
 #include "tests/sim/scene/all_parts.h"
 
@@ -63,7 +64,7 @@ double AngleFrom(const StablePose& pose, const geometry::Pose& X_WorldPart) {
 
 TEST_P(StablePosesOf, SurviveADrop) {
   const auto model =
-      domain::PartModel::Load(ModelsFolder() / "parts" / GetParam() / "part.yaml", 0.0005);
+      domain::PartFile::Load(ModelsFolder() / "parts" / GetParam() / "part.yaml", 0.0005);
   domain::Problem problem = ProblemWith({});
   domain::Part& part = problem.parts.emplace_back();
   part.name = GetParam();

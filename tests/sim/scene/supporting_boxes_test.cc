@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/domain/part/part_file.h"
 #include "tests/sim/scene/all_parts.h"
 
 namespace assay::scene::supporting_boxes_test {
@@ -10,7 +11,7 @@ namespace {
 class SupportingBoxesOf : public testing::TestWithParam<std::string> {
  protected:
   std::shared_ptr<const domain::PartModel> part =
-      domain::PartModel::Load(ModelsFolder() / "parts" / GetParam() / "part.yaml", 0.0005);
+      domain::PartFile::Load(ModelsFolder() / "parts" / GetParam() / "part.yaml", 0.0005);
   std::vector<geometry::Box> boxes = SupportingBoxes(*part);
 };
 
@@ -46,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Parts, SupportingBoxesOf, testing::ValuesIn(AllParts())
                          });
 
 TEST(SupportingBoxes, FillTheHolesOfTheBlock) {
-  const auto block = domain::PartModel::Load(ModelsFolder() / "parts/block/part.yaml", 0.0005);
+  const auto block = domain::PartFile::Load(ModelsFolder() / "parts/block/part.yaml", 0.0005);
   ASSERT_GT(block->boxes().size(), 4u);
   const auto boxes = SupportingBoxes(*block);
   ASSERT_EQ(boxes.size(), 1u);

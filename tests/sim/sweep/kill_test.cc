@@ -10,7 +10,7 @@
 #include <csignal>
 #include <thread>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/base/random.h"
 #include "sim/sweep/run/runner.h"
 #include "tests/sim/sweep/false_work.h"

@@ -7,7 +7,7 @@
 
 #include "planner/algebra/linear/sup_inf.h"
 #include "planner/algebra/numeric/interval_arithmetic.h"
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 
 namespace assay::algebra::bound_file_test {
 namespace {

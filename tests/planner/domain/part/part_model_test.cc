@@ -7,6 +7,7 @@
 
 #include "planner/domain/grasp/planar_region.h"
 #include "planner/domain/part/exposed_faces.h"
+#include "planner/domain/part/part_file.h"
 #include "tests/oracle/random_pose.h"
 #include "tests/planner/domain/parts.h"
 
@@ -77,13 +78,13 @@ TEST(WithClearance, IsThePartReadWithThatClearance) {
   for (const std::string& name : PartNames()) {
     const auto part = LoadPart(name, 0.0005);
     EXPECT_EQ(part->clearance(), 0.0005);
-    ExpectSameGeometry(*part->WithClearance(0.0005), *part);
-    const auto wider = part->WithClearance(0.0008);
+    ExpectSameGeometry(*PartFile::WithClearance(*part, 0.0005), *part);
+    const auto wider = PartFile::WithClearance(*part, 0.0008);
     ExpectSameGeometry(*wider, *LoadPart(name, 0.0008));
-    ExpectSameGeometry(*wider->WithClearance(0.0005), *part);
-    EXPECT_EQ(part->MassWithClearance(0.0008).mass, wider->mass().mass) << name;
-    EXPECT_EQ(part->MassWithClearance(0.0008).center, wider->mass().center) << name;
-    EXPECT_EQ(part->MassWithClearance(0.0008).inertia, wider->mass().inertia) << name;
+    ExpectSameGeometry(*PartFile::WithClearance(*wider, 0.0005), *part);
+    EXPECT_EQ(PartFile::MassWithClearance(*part, 0.0008).mass, wider->mass().mass) << name;
+    EXPECT_EQ(PartFile::MassWithClearance(*part, 0.0008).center, wider->mass().center) << name;
+    EXPECT_EQ(PartFile::MassWithClearance(*part, 0.0008).inertia, wider->mass().inertia) << name;
   }
 }
 
@@ -91,7 +92,7 @@ TEST(WithClearance, MovesTheWallsThatAreMarked) {
   int moved = 0;
   for (const std::string& name : PartNames()) {
     const auto part = LoadPart(name, 0.0005);
-    const auto wider = part->WithClearance(0.0008);
+    const auto wider = PartFile::WithClearance(*part, 0.0008);
     for (std::size_t f = 0; f < part->features().size(); ++f) {
       const auto& walls = part->features()[f].walls;
       ASSERT_EQ(walls.size(), wider->features()[f].walls.size());
@@ -109,14 +110,14 @@ TEST(WithClearance, MovesTheWallsThatAreMarked) {
 }
 
 TEST(WithClearance, BelowZeroTheHoleIsTooNarrow) {
-  const auto tight = LoadPart("block", 0.0005)->WithClearance(-0.0002);
+  const auto tight = PartFile::WithClearance(*LoadPart("block", 0.0005), -0.0002);
   EXPECT_GT(tight->mass().mass, LoadPart("block", 0)->mass().mass);
 }
 
 TEST(WithClearance, MustLeaveAPocketAndItsWalls) {
   const auto block = LoadPart("block");
-  EXPECT_THROW(block->WithClearance(-1), InputError);
-  EXPECT_THROW(block->WithClearance(1), InputError);
+  EXPECT_THROW(PartFile::WithClearance(*block, -1), InputError);
+  EXPECT_THROW(PartFile::WithClearance(*block, 1), InputError);
 }
 
 TEST(PartModelTest, MassAndVolumeOfTheBlock) {

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "planner/domain/part/compute_stable_poses.h"
 #include "planner/domain/part/part_model.h"
 #include "tests/oracle/rolling.h"
 #include "tests/planner/domain/parts.h"

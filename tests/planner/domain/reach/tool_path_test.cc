@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "planner/base/random.h"
+#include "planner/domain/workcell/workcell_file.h"
 #include "tests/planner/domain/scenario.h"
 
 namespace assay::domain::tool_path_test {
@@ -19,7 +20,7 @@ using kinematics::InverseSolution;
 using kinematics::JointVector;
 
 std::shared_ptr<const Workcell> PumaTable() {
-  return Workcell::Load(ModelsFolder() / "workcells/puma762-table/workcell.yaml");
+  return WorkcellFile::Read(ModelsFolder() / "workcells/puma762-table/workcell.yaml");
 }
 
 const Matrix3 kDown = geometry::RotationX(std::numbers::pi).linear();

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "planner/domain/workcell/workcell_file.h"
 #include "tests/scratch_file.h"
 
 namespace assay::domain::floor_test {
@@ -42,7 +43,7 @@ std::shared_ptr<const Workcell> WithRoot(const std::string& visuals) {
                       kModels / "grippers/parallel-jaw/gripper.urdf");
   fs::create_directories(ScratchFile("any"));
   std::ofstream(ScratchFile("any/workcell.yaml")) << workcell;
-  return Workcell::Load(ScratchFile("any/workcell.yaml"));
+  return WorkcellFile::Read(ScratchFile("any/workcell.yaml"));
 }
 
 std::string Visual(const std::string& shape, const std::string& origin) {
@@ -51,7 +52,7 @@ std::string Visual(const std::string& shape, const std::string& origin) {
 
 // The origin of the Puma's root is 0.7 m above the table's top, and 1.12 m above the floor.
 TEST(Floor, IsWhereTheShippedArmStands) {
-  const auto workcell = Workcell::Load(kModels / "workcells/puma762-table/workcell.yaml");
+  const auto workcell = WorkcellFile::Read(kModels / "workcells/puma762-table/workcell.yaml");
   EXPECT_NEAR(FloorHeight(*workcell), -0.42, 1e-12);
 }
 

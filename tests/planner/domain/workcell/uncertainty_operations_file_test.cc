@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 
 namespace assay::domain::uncertainty_operations_file_test {
 namespace {

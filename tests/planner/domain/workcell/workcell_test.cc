@@ -12,7 +12,8 @@
 #include <sstream>
 #include <tuple>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
+#include "planner/domain/workcell/workcell_file.h"
 #include "tests/scratch_file.h"
 
 namespace assay::domain::workcell_test {
@@ -28,7 +29,7 @@ std::filesystem::path FileOf(const std::string& workcell) {
 
 class AnyWorkcell : public testing::TestWithParam<const char*> {
  protected:
-  const std::shared_ptr<const Workcell> workcell_ = Workcell::Load(FileOf(GetParam()));
+  const std::shared_ptr<const Workcell> workcell_ = WorkcellFile::Read(FileOf(GetParam()));
 };
 INSTANTIATE_TEST_SUITE_P(Workcell, AnyWorkcell, testing::Values("puma762-table", "narrow-table"));
 
@@ -90,7 +91,7 @@ TEST_P(AnyWorkcell, PlacementsAreOnTheTableAndDiffer) {
 }
 
 TEST(Workcell, ReadsTheRules) {
-  const auto workcell = Workcell::Load(FileOf("puma762-table"));
+  const auto workcell = WorkcellFile::Read(FileOf("puma762-table"));
   EXPECT_NEAR(workcell->rules().tool_lean, 60 * kDegree, 1e-12);
   EXPECT_NEAR(workcell->rules().approach_step, 15 * kDegree, 1e-12);
   EXPECT_EQ(workcell->rules().friction, 0.25);
@@ -104,7 +105,7 @@ TEST(Workcell, ReadsTheRules) {
 
 // 5 by 7 places, 12 yaws; distance from (0.60, 0.00) first, then x, y and yaw.
 TEST(Workcell, PlacementsComeNearestFirst) {
-  const auto workcell = Workcell::Load(FileOf("puma762-table"));
+  const auto workcell = WorkcellFile::Read(FileOf("puma762-table"));
   const std::vector<Placement>& placements = workcell->placements();
   ASSERT_EQ(placements.size(), 5u * 7u * 12u);
   const auto distance = [](const Placement& p) { return std::hypot(p.x - 0.60, p.y); };
@@ -126,7 +127,7 @@ TEST(Workcell, PlacementTurnsBeforeItMoves) {
 }
 
 TEST(Workcell, WithRulesChangesNothingElse) {
-  const auto workcell = Workcell::Load(FileOf("puma762-table"));
+  const auto workcell = WorkcellFile::Read(FileOf("puma762-table"));
   WorkcellRules rules = workcell->rules();
   rules.tool_lean = 0.1;
   const auto changed = workcell->WithRules(rules);
@@ -139,13 +140,13 @@ TEST(Workcell, WithRulesChangesNothingElse) {
 }
 
 TEST(Workcell, OneRobotHasNoName) {
-  const auto workcell = Workcell::Load(FileOf("puma762-table"));
+  const auto workcell = WorkcellFile::Read(FileOf("puma762-table"));
   ASSERT_EQ(workcell->robots().size(), 1u);
   EXPECT_EQ(workcell->robot().Prefix(), "");
 }
 
 TEST(Workcell, IsSeenByTheRobotThatActs) {
-  const auto left = Workcell::Load(FileOf("two-pumas"));
+  const auto left = WorkcellFile::Read(FileOf("two-pumas"));
   ASSERT_EQ(left->robots().size(), 2u);
   EXPECT_EQ(left->robot().name, "left");
   const auto right = left->WorkedBy(RobotId(1));
@@ -160,19 +161,19 @@ TEST(Workcell, IsSeenByTheRobotThatActs) {
 }
 
 TEST(Workcell, PlacesHaveNamesAndRoom) {
-  const auto workcell = Workcell::Load(FileOf("two-pumas"));
+  const auto workcell = WorkcellFile::Read(FileOf("two-pumas"));
   const auto shared = std::ranges::find(workcell->places(), "shared", &Place::name);
   ASSERT_NE(shared, workcell->places().end());
   EXPECT_EQ(shared->room, 1);
   EXPECT_EQ(shared->radius, 0.02);
-  EXPECT_TRUE(Workcell::Load(FileOf("puma762-table"))->places().empty());
+  EXPECT_TRUE(WorkcellFile::Read(FileOf("puma762-table"))->places().empty());
 }
 
 // A file in the workcells' folder would be found by scenarios, so that the wrong ones go, beside
 // copies of the robot and the gripper, into a folder of their own.
 // For scenarios that show what is done where a look is not enough.
 TEST(Workcell, ThePumasTableHasACoarseCameraToo) {
-  const auto workcell = Workcell::Load(FileOf("puma762-table"));
+  const auto workcell = WorkcellFile::Read(FileOf("puma762-table"));
   const SensorModel* fine = workcell->uncertainty_operations().FindSensor("overhead-camera");
   const SensorModel* coarse = workcell->uncertainty_operations().FindSensor("coarse-camera");
   ASSERT_TRUE(fine != nullptr && coarse != nullptr);
@@ -204,7 +205,7 @@ class WrongWorkcell : public testing::Test {
     const std::filesystem::path file = folder_ / "workcells/wrong/workcell.yaml";
     std::ofstream(file) << text;
     try {
-      Workcell::Load(file);
+      WorkcellFile::Read(file);
     } catch (const InputError& error) {
       return error.what();
     }

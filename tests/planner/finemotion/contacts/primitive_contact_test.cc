@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "bench/workloads/pegs.h"
+#include "planner/finemotion/contacts/contact_finder.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::finemotion::primitive_contact_test {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "bench/workloads/pegs.h"
+#include "planner/finemotion/contacts/contact_finder.h"
 #include "planner/geometry/pose.h"
 #include "tests/planner/finemotion/feasible_contacts.h"
 

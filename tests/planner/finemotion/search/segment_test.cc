@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bench/workloads/pegs.h"
+#include "planner/finemotion/contacts/contact_finder.h"
 #include "tests/oracle/random_pose.h"
 
 namespace assay::finemotion::segment_test {

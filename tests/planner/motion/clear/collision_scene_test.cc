@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "planner/domain/workcell/workcell_file.h"
 #include "planner/geometry/collision.h"
 #include "tests/planner/motion/arm_scene.h"
 
@@ -136,7 +137,7 @@ TEST(CollisionScene, AnotherRobotStandsAtItsHome) {
   domain::Problem problem = Clutter();
   problem.parts.clear();
   problem.workcell =
-      domain::Workcell::Load(ASSAY_SOURCE_DIR "/models/workcells/two-pumas/workcell.yaml");
+      domain::WorkcellFile::Read(ASSAY_SOURCE_DIR "/models/workcells/two-pumas/workcell.yaml");
   const domain::Problem turned = WorkedBy(problem, domain::RobotId(1));
   const double opening = problem.workcell->gripper().max_opening();
   const CollisionScene left(problem, {.opening = opening});

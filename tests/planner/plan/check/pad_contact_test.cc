@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "planner/domain/part/part_file.h"
 #include "tests/planner/plan/peg_and_block.h"
 
 namespace assay::plan::pad_contact_test {
@@ -11,7 +12,7 @@ using geometry::Vector2;
 
 const domain::PartModel& Block() {
   static const auto model =
-      domain::PartModel::Load(ASSAY_SOURCE_DIR "/models/parts/block/part.yaml", 0.0005);
+      domain::PartFile::Load(ASSAY_SOURCE_DIR "/models/parts/block/part.yaml", 0.0005);
   return *model;
 }
 

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/base/random.h"
 
 namespace assay::plan::travel_file_test {

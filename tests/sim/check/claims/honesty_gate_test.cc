@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "sim/check/claims/measure_gate.h"
 #include "sim/check/falsification/attack.h"
 #include "tests/sim/check/certified.h"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "planner/finemotion/contacts/contact_finder.h"
 #include "sim/check/contacts/sequence_comparison.h"
 #include "sim/exec/control/mating_trial.h"
 #include "tests/sim/exec/figure15.h"

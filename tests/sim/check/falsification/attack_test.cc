@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "sim/check/claims/measure_gate.h"
 #include "sim/check/falsification/conservatism.h"
 #include "sim/check/falsification/shrink.h"
 #include "sim/noise/sampling.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "sim/check/claims/measure_gate.h"
 #include "sim/noise/error_box.h"
 #include "tests/sim/check/certified.h"
 

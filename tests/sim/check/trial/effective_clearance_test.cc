@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "planner/domain/part/part_file.h"
 #include "planner/domain/problem/problem_file.h"
 
 namespace assay::check::effective_clearance_test {
@@ -43,7 +44,8 @@ TEST(EffectiveClearance, LooksAcrossTheHole) {
 // half the play, whatever the problem says of it.
 TEST(EffectiveClearance, IsThatOfTheParts) {
   domain::Problem problem = WithClearance(0.5);
-  for (domain::Part& part : problem.parts) part.model = part.model->WithClearance(0.00025);
+  for (domain::Part& part : problem.parts)
+    part.model = domain::PartFile::WithClearance(*part.model, 0.00025);
   for (const Play& play : EffectiveClearance(problem, domain::MatingId(0))) {
     EXPECT_NEAR(play.measured, 0.0005, 5e-6);
     EXPECT_NEAR(play.nominal, 0.0005, 1e-8);

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "sim/exec/execution/executor.h"
 #include "sim/exec/execution/step_execution.h"
 #include "sim/noise/sampling.h"
 #include "tests/sim/check/certified.h"

@@ -5,9 +5,10 @@
 
 #include <cmath>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "sim/enact/walk/audit.h"
 #include "sim/enact/walk/enactment.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "tests/sim/enact/two_cans.h"
 
 namespace assay::enact::quantity_test {

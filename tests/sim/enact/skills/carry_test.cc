@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/enact/skills/skill.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/exec/execution/executor.h"
 #include "tests/sim/enact/two_cans.h"
 

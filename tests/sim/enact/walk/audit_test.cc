@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "sim/enact/walk/tilt_watch.h"
 #include "tests/sim/enact/two_cans.h"
 

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "tests/sim/enact/two_cans.h"
 
 namespace assay::enact::interpretation_test {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "sim/enact/walk/knowledge_scenario.h"
 #include "tests/sim/enact/two_cans.h"
 
 namespace assay::enact::leaves_test {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim/report/page/csv.h"
+#include "sim/report/sections/read_findings.h"
 #include "tests/scratch_file.h"
 #include "tests/sim/report/markup.h"
 #include "tests/sim/report/sample_database.h"

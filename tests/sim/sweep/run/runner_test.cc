@@ -7,7 +7,7 @@
 #include <mutex>
 #include <set>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "sim/sweep/store/merge.h"
 #include "sim/sweep/store/summary.h"
 #include "tests/sim/sweep/false_work.h"

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "tests/sim/sweep/sweep_folder.h"
 
 namespace assay::sweep::sweep_file_test {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "sim/sweep/run/machine.h"
 #include "tests/sim/sweep/false_work.h"
 #include "tests/sim/sweep/sweep_folder.h"

@@ -1,11 +1,11 @@
-#include "planner/base/input_file.h"
+#include "planner/base/document/input_file.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "tests/scratch_file.h"
 
 namespace assay::input_file_test {

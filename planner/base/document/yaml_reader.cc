@@ -8,8 +8,8 @@
 #include <sstream>
 #include <unordered_map>
 
-#include "planner/base/document_tree.h"
-#include "planner/base/quotation.h"
+#include "planner/base/document/document_tree.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay {
 namespace {
@@ -32,12 +32,12 @@ bool IsClosed(std::string_view text) {
 
 // Builds the tree from yaml-cpp's events. Its own tree would not do: it has dissolved the aliases
 // and forgotten the anchors, it keeps the last of equal keys, and it stops after one document.
-class Value::Node::YamlReader : public YAML::EventHandler {
+class DocumentNode::YamlReader : public YAML::EventHandler {
  public:
   explicit YamlReader(std::shared_ptr<Tree> tree) : tree_(std::move(tree)), text_(tree_->text) {}
 
   // The root; null if the document is empty.
-  const Node* Read();
+  const DocumentNode* Read();
 
   void OnDocumentStart(const YAML::Mark& mark) override;
   void OnDocumentEnd() override {}
@@ -55,10 +55,10 @@ class Value::Node::YamlReader : public YAML::EventHandler {
  private:
   // A map or a list whose end has not come yet.
   struct Open {
-    Node* node;
-    const Node* key = nullptr;  // of a map, without its value so far
-    std::vector<const Node*> keys = {};
-    std::vector<const Node*> items = {};
+    DocumentNode* node;
+    const DocumentNode* key = nullptr;  // of a map, without its value so far
+    std::vector<const DocumentNode*> keys = {};
+    std::vector<const DocumentNode*> items = {};
     std::unordered_map<std::string_view, int> line_of_key = {};
   };
 
@@ -72,24 +72,24 @@ class Value::Node::YamlReader : public YAML::EventHandler {
   void CheckLastQuote() const;
   [[noreturn]] void Refuse(const YAML::Exception& error) const;
   void RefuseExtras(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) const;
-  Node& Make(Kind kind, const FilePlace& place) const;
+  DocumentNode& Make(Kind kind, const FilePlace& place) const;
   void Begin(Kind kind, const YAML::Mark& mark);
   void End();
-  void Add(const Node& node);
-  void AddKey(Open& map, const Node& key) const;
-  [[noreturn]] void Fail(const Node& node, const std::string& what,
+  void Add(const DocumentNode& node);
+  void AddKey(Open& map, const DocumentNode& key) const;
+  [[noreturn]] void Fail(const DocumentNode& node, const std::string& what,
                          const std::string& allowed) const;
 
   std::shared_ptr<Tree> tree_;
   const std::string& text_;  // the tree's
-  const Node* root_ = nullptr;
+  const DocumentNode* root_ = nullptr;
   std::vector<Open> open_;
   FilePlace last_{.file = tree_->file, .line = 1, .column = 1};
   std::optional<YAML::Mark> last_quote_;  // of the last quoted scalar
   int documents_ = 0;
 };
 
-const Value::Node* Value::Node::YamlReader::Read() {
+const DocumentNode* DocumentNode::YamlReader::Read() {
   try {
     std::istringstream in(text_);
     YAML::Parser parser(in);
@@ -108,7 +108,7 @@ const Value::Node* Value::Node::YamlReader::Read() {
 }
 
 // yaml-cpp resets the column at the end of the text, so there it is counted anew.
-FilePlace Value::Node::YamlReader::At(const YAML::Mark& mark) const {
+FilePlace DocumentNode::YamlReader::At(const YAML::Mark& mark) const {
   if (mark.is_null()) return last_;
   const bool end = static_cast<std::size_t>(mark.pos) >= text_.size();
   const int column = end ? static_cast<int>(text_.size() - LineStart(text_.size())) : mark.column;
@@ -116,13 +116,13 @@ FilePlace Value::Node::YamlReader::At(const YAML::Mark& mark) const {
 }
 
 // Where the line begins that goes on before `end`.
-std::size_t Value::Node::YamlReader::LineStart(std::size_t end) const {
+std::size_t DocumentNode::YamlReader::LineStart(std::size_t end) const {
   const std::size_t line_break = end == 0 ? std::string::npos : text_.rfind('\n', end - 1);
   return line_break == std::string::npos ? 0 : line_break + 1;
 }
 
 // The last character before the mark that is not white space.
-FilePlace Value::Node::YamlReader::Before(const YAML::Mark& mark) const {
+FilePlace DocumentNode::YamlReader::Before(const YAML::Mark& mark) const {
   const auto end = std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), text_.size());
   if (end == 0) return At(mark);
   const std::size_t found = text_.find_last_not_of(" \t\r\n", end - 1);
@@ -139,16 +139,16 @@ FilePlace Value::Node::YamlReader::Before(const YAML::Mark& mark) const {
 }
 
 // yaml-cpp marks a value that is left out at whatever comes next, often a line too late.
-FilePlace Value::Node::YamlReader::OfNull(const YAML::Mark& mark) const {
+FilePlace DocumentNode::YamlReader::OfNull(const YAML::Mark& mark) const {
   if (SpellsNull(mark)) return At(mark);
   if (!open_.empty() && open_.back().key != nullptr) {
-    const Node& key = *open_.back().key;
+    const DocumentNode& key = *open_.back().key;
     return {.file = tree_->file, .line = key.line, .column = key.column};
   }
   return Before(mark);
 }
 
-bool Value::Node::YamlReader::SpellsNull(const YAML::Mark& mark) const {
+bool DocumentNode::YamlReader::SpellsNull(const YAML::Mark& mark) const {
   const std::string rest = Rest(mark);
   for (std::string_view name : {"~", "null", "Null", "NULL"}) {
     if (rest.starts_with(name)) return true;
@@ -157,13 +157,13 @@ bool Value::Node::YamlReader::SpellsNull(const YAML::Mark& mark) const {
 }
 
 // NUL, which no text contains, at the end.
-char Value::Node::YamlReader::CharacterAt(const YAML::Mark& mark) const {
+char DocumentNode::YamlReader::CharacterAt(const YAML::Mark& mark) const {
   const bool inside = !mark.is_null() && static_cast<std::size_t>(mark.pos) < text_.size();
   return inside ? text_[static_cast<std::size_t>(mark.pos)] : '\0';
 }
 
 // yaml-cpp lets the end of the file close a quote when a line break stands before it.
-void Value::Node::YamlReader::CheckLastQuote() const {
+void DocumentNode::YamlReader::CheckLastQuote() const {
   if (!last_quote_) return;
   if (IsClosed(std::string_view(text_).substr(static_cast<std::size_t>(last_quote_->pos)))) return;
   throw InputError(At(*last_quote_),
@@ -172,14 +172,14 @@ void Value::Node::YamlReader::CheckLastQuote() const {
 }
 
 // The text from the mark on, as far as a message may want it.
-std::string Value::Node::YamlReader::Rest(const YAML::Mark& mark) const {
+std::string DocumentNode::YamlReader::Rest(const YAML::Mark& mark) const {
   if (CharacterAt(mark) == '\0') return "";
   const auto start = static_cast<std::size_t>(mark.pos);
   const std::string some = text_.substr(start, 4 * (kQuotedCharacters + 1));
   return some.substr(0, some.find_first_of("\r\n"));
 }
 
-void Value::Node::YamlReader::Refuse(const YAML::Exception& error) const {
+void DocumentNode::YamlReader::Refuse(const YAML::Exception& error) const {
   const std::string rest = Rest(error.mark);
   throw InputError(
       At(error.mark),
@@ -189,8 +189,8 @@ void Value::Node::YamlReader::Refuse(const YAML::Exception& error) const {
 
 // An alias makes two places share one value, so no error could name the right one; a tag changes
 // the meaning of a value in a way that no format here defines.
-void Value::Node::YamlReader::RefuseExtras(const YAML::Mark& mark, const std::string& tag,
-                                           YAML::anchor_t anchor) const {
+void DocumentNode::YamlReader::RefuseExtras(const YAML::Mark& mark, const std::string& tag,
+                                            YAML::anchor_t anchor) const {
   if (anchor != YAML::NullAnchor) {
     throw InputError(At(mark), fmt::format("anchor or alias at {}", Quote(Rest(mark))),
                      "no anchors and aliases");
@@ -201,16 +201,16 @@ void Value::Node::YamlReader::RefuseExtras(const YAML::Mark& mark, const std::st
   }
 }
 
-Value::Node& Value::Node::YamlReader::Make(Kind kind, const FilePlace& place) const {
+DocumentNode& DocumentNode::YamlReader::Make(Kind kind, const FilePlace& place) const {
   return tree_->Add(kind, place.line, place.column);
 }
 
-void Value::Node::YamlReader::Fail(const Node& node, const std::string& what,
-                                   const std::string& allowed) const {
+void DocumentNode::YamlReader::Fail(const DocumentNode& node, const std::string& what,
+                                    const std::string& allowed) const {
   Value({tree_, &node}).Fail(what, allowed);
 }
 
-void Value::Node::YamlReader::AddKey(Open& map, const Node& key) const {
+void DocumentNode::YamlReader::AddKey(Open& map, const DocumentNode& key) const {
   if (key.kind != Kind::kScalar) {
     Fail(key, fmt::format("{} cannot be the key of a map", key.Describe()), "a text as the key");
   }
@@ -223,7 +223,7 @@ void Value::Node::YamlReader::AddKey(Open& map, const Node& key) const {
   map.key = &key;
 }
 
-void Value::Node::YamlReader::Add(const Node& node) {
+void DocumentNode::YamlReader::Add(const DocumentNode& node) {
   if (open_.empty()) {
     root_ = &node;
     return;
@@ -237,7 +237,7 @@ void Value::Node::YamlReader::Add(const Node& node) {
   parent.items.push_back(&node);
 }
 
-void Value::Node::YamlReader::Begin(Kind kind, const YAML::Mark& mark) {
+void DocumentNode::YamlReader::Begin(Kind kind, const YAML::Mark& mark) {
   if (open_.size() == kMaxDepth) {
     throw InputError(At(mark), fmt::format("nested too deeply at {}", Quote(Rest(mark))),
                      fmt::format("{} maps and lists in each other", kMaxDepth));
@@ -248,54 +248,54 @@ void Value::Node::YamlReader::Begin(Kind kind, const YAML::Mark& mark) {
 
 // Only now does the parent learn of the node: yaml-cpp takes a list that never ends for a key, and
 // its own error, which comes before this, says it better than AddKey would.
-void Value::Node::YamlReader::End() {
+void DocumentNode::YamlReader::End() {
   const Open& last = open_.back();
-  Node& node = *last.node;
+  DocumentNode& node = *last.node;
   node.keys = tree_->Keep(last.keys);
   node.items = tree_->Keep(last.items);
   open_.pop_back();
   Add(node);
 }
 
-void Value::Node::YamlReader::OnDocumentStart(const YAML::Mark& mark) {
+void DocumentNode::YamlReader::OnDocumentStart(const YAML::Mark& mark) {
   if (++documents_ == 1) return;
   throw InputError(At(mark), fmt::format("a second document starts at {}", Quote(Rest(mark))),
                    "one document in a file");
 }
 
-void Value::Node::YamlReader::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
+void DocumentNode::YamlReader::OnNull(const YAML::Mark& mark, YAML::anchor_t anchor) {
   RefuseExtras(mark, "", anchor);
   Add(Make(Kind::kNull, OfNull(mark)));
 }
 
-void Value::Node::YamlReader::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
+void DocumentNode::YamlReader::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) {
   RefuseExtras(mark, "", anchor);
 }
 
-void Value::Node::YamlReader::OnScalar(const YAML::Mark& mark, const std::string& tag,
-                                       YAML::anchor_t anchor, const std::string& text) {
+void DocumentNode::YamlReader::OnScalar(const YAML::Mark& mark, const std::string& tag,
+                                        YAML::anchor_t anchor, const std::string& text) {
   RefuseExtras(mark, tag, anchor);
   last_ = At(mark);
-  Node& node = Make(Kind::kScalar, last_);
+  DocumentNode& node = Make(Kind::kScalar, last_);
   node.text = tree_->Keep(text);
   node.style = tag == "!" ? Style::kQuoted : Style::kPlain;
   if (CharacterAt(mark) == '"' || CharacterAt(mark) == '\'') last_quote_ = mark;
   Add(node);
 }
 
-void Value::Node::YamlReader::OnSequenceStart(const YAML::Mark& mark, const std::string& tag,
-                                              YAML::anchor_t anchor, YAML::EmitterStyle::value) {
+void DocumentNode::YamlReader::OnSequenceStart(const YAML::Mark& mark, const std::string& tag,
+                                               YAML::anchor_t anchor, YAML::EmitterStyle::value) {
   RefuseExtras(mark, tag, anchor);
   Begin(Kind::kList, mark);
 }
 
-void Value::Node::YamlReader::OnMapStart(const YAML::Mark& mark, const std::string& tag,
-                                         YAML::anchor_t anchor, YAML::EmitterStyle::value) {
+void DocumentNode::YamlReader::OnMapStart(const YAML::Mark& mark, const std::string& tag,
+                                          YAML::anchor_t anchor, YAML::EmitterStyle::value) {
   RefuseExtras(mark, tag, anchor);
   Begin(Kind::kMap, mark);
 }
 
-const Value::Node* Value::Node::ReadYaml(const std::shared_ptr<Tree>& tree) {
+const DocumentNode* DocumentNode::ReadYaml(const std::shared_ptr<Tree>& tree) {
   return YamlReader(tree).Read();
 }
 

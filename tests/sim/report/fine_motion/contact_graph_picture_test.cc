@@ -1,4 +1,4 @@
-#include "sim/report/page/contact_graph_picture.h"
+#include "sim/report/fine_motion/contact_graph_picture.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "sim/report/page/mating_page.h"
+#include "sim/report/fine_motion/mating_page.h"
 #include "tests/sim/report/markup.h"
 
 namespace assay::report::contact_graph_picture_test {

@@ -1,4 +1,4 @@
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 
 #include <fmt/format.h>
 
@@ -54,8 +54,8 @@ CodePoint Decode(std::string_view text) {
 bool IsControl(char32_t c) { return c < 0x20 || (c >= 0x7f && c < 0xa0); }
 
 bool Disturbs(char32_t c) {
-  const bool is_direction = c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) ||
-                            (c >= 0x2066 && c <= 0x2069);
+  const bool is_direction =
+      c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
   const bool is_line_break = c == 0x2028 || c == 0x2029;
   return IsControl(c) || is_direction || is_line_break;
 }

@@ -1,4 +1,4 @@
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,11 @@
 #include <limits>
 
 #include "planner/base/check.h"
-#include "planner/base/decimal_text.h"
-#include "planner/base/document_tree.h"
-#include "planner/base/input_file.h"
-#include "planner/base/quotation.h"
+#include "planner/base/document/decimal_text.h"
+#include "planner/base/document/document_tree.h"
+#include "planner/base/document/input_file.h"
+#include "planner/base/document/nearest_name.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay {
 namespace {
@@ -35,28 +36,10 @@ std::optional<T> Convert(std::string_view digits) {
   return value;
 }
 
-// The optimal string alignment distance (Damerau 1964): insertions, deletions, substitutions and
-// swaps of neighbours each cost one.
-std::size_t EditDistance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> before, previous(b.size() + 1), current(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); ++j) current[j] = j;
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    before = std::exchange(previous, current);
-    current[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t substitution = previous[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      current[j] = std::min({substitution, previous[j] + 1, current[j - 1] + 1});
-      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
-      if (swapped) current[j] = std::min(current[j], before[j - 2] + 1);
-    }
-  }
-  return current[b.size()];
-}
-
 }  // namespace
 
 // What stands at the node, for a message.
-std::string Value::Node::Describe() const {
+std::string DocumentNode::Describe() const {
   switch (kind) {
     case Kind::kNull:
       return "nothing";
@@ -70,17 +53,17 @@ std::string Value::Node::Describe() const {
   ASSAY_CHECK(false);
 }
 
-std::vector<std::string> Value::Node::Keys() const {
+std::vector<std::string> DocumentNode::Keys() const {
   std::vector<std::string> names;
-  for (const Node* key : keys) names.emplace_back(key->text);
+  for (const DocumentNode* key : keys) names.emplace_back(key->text);
   return names;
 }
 
-Value::Value(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
+Value::Value(std::shared_ptr<const DocumentNode> node) : node_(std::move(node)) {}
 
-bool Value::IsMap() const { return node_->kind == Node::Kind::kMap; }
-bool Value::IsList() const { return node_->kind == Node::Kind::kList; }
-bool Value::IsScalar() const { return node_->kind == Node::Kind::kScalar; }
+bool Value::IsMap() const { return node_->kind == DocumentNode::Kind::kMap; }
+bool Value::IsList() const { return node_->kind == DocumentNode::Kind::kList; }
+bool Value::IsScalar() const { return node_->kind == DocumentNode::Kind::kScalar; }
 
 std::string Value::Text() const {
   if (!IsScalar()) Fail(node_->Describe() + " is not a text", "a text");
@@ -89,7 +72,7 @@ std::string Value::Text() const {
 
 double Value::Number() const {
   const std::string allowed = "a finite decimal number, such as 12, -0.5 or 2.5e-3, not quoted";
-  const bool plain = IsScalar() && node_->style == Node::Style::kPlain;
+  const bool plain = IsScalar() && node_->style == DocumentNode::Style::kPlain;
   if (!plain || !IsDecimal(node_->text)) Fail(node_->Describe() + " is not a number", allowed);
   const std::optional<double> number = Convert<double>(node_->text);
   if (!number) Fail(node_->Describe() + " is out of the range of a double", allowed);
@@ -100,7 +83,7 @@ int Value::Integer(int low, int high) const {
   const std::string allowed = low > high
                                   ? "nothing: there is none that a number could name"
                                   : fmt::format("an integer from {} to {}, not quoted", low, high);
-  const bool plain = IsScalar() && node_->style == Node::Style::kPlain;
+  const bool plain = IsScalar() && node_->style == DocumentNode::Style::kPlain;
   if (!plain || !IsInteger(node_->text)) Fail(node_->Describe() + " is not an integer", allowed);
   const std::optional<int> number = Convert<int>(node_->text);
   if (!number || *number < low || *number > high) {
@@ -110,7 +93,7 @@ int Value::Integer(int low, int high) const {
 }
 
 bool Value::Flag() const {
-  const bool plain = IsScalar() && node_->style == Node::Style::kPlain;
+  const bool plain = IsScalar() && node_->style == DocumentNode::Style::kPlain;
   if (plain && node_->text == "true") return true;
   if (plain && node_->text == "false") return false;
   Fail(node_->Describe() + " is not a truth value", "true or false, not quoted");
@@ -122,7 +105,7 @@ std::vector<double> Value::Numbers(std::size_t count) const {
          fmt::format("a list of {} numbers", count));
   }
   std::vector<double> numbers;
-  for (const Node* item : node_->items) numbers.push_back(Value({node_, item}).Number());
+  for (const DocumentNode* item : node_->items) numbers.push_back(Value({node_, item}).Number());
   return numbers;
 }
 
@@ -160,7 +143,7 @@ std::vector<Value> Value::Items() const {
   if (!IsList()) Fail(node_->Describe() + " is not a list", "a list");
   std::vector<Value> items;
   items.reserve(node_->items.size());
-  for (const Node* item : node_->items) items.push_back(Value({node_, item}));
+  for (const DocumentNode* item : node_->items) items.push_back(Value({node_, item}));
   return items;
 }
 
@@ -177,7 +160,7 @@ std::vector<std::pair<Value, Value>> Value::Entries() const {
 void Value::AllowOnly(std::initializer_list<std::string_view> keys) const {
   const std::vector<std::string> names(keys.begin(), keys.end());
   if (!IsMap()) Fail(node_->Describe() + " is not a map", "a map with the keys " + Join(names));
-  for (const Node* key : node_->keys) {
+  for (const DocumentNode* key : node_->keys) {
     const std::string_view text = key->text;
     if (std::find(names.begin(), names.end(), text) != names.end()) continue;
     Value({node_, key})
@@ -204,9 +187,9 @@ Document Document::Parse(const std::string& text, const std::string& file_name) 
   }
   const std::string body = text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;  // the BOM
   RequireText(body, file_name);
-  const auto tree = std::make_shared<Value::Node::Tree>(file_name, body);
-  const Value::Node* root = Value::Node::ReadJson(*tree);
-  if (root == nullptr) root = Value::Node::ReadYaml(tree);
+  const auto tree = std::make_shared<DocumentNode::Tree>(file_name, body);
+  const DocumentNode* root = DocumentNode::ReadJson(*tree);
+  if (root == nullptr) root = DocumentNode::ReadYaml(tree);
   if (root == nullptr) {
     throw InputError({.file = file_name, .line = 1, .column = 1}, "the document is empty",
                      "a map, a list or a text");
@@ -220,20 +203,6 @@ void Document::RequireFormat(std::string_view format) const {
   const std::string text = given.Text();
   if (text == format) return;
   given.Fail(fmt::format("unknown format {}{}", Quote(text), DidYouMean(text, known)), Join(known));
-}
-
-std::string NearestName(std::string_view text, const std::vector<std::string>& candidates) {
-  std::string nearest;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const std::string& candidate : candidates) {
-    const std::size_t slips = std::max<std::size_t>(candidate.size() / 3, 1);
-    if (text.size() > candidate.size() + slips) continue;  // also bounds the work
-    const std::size_t distance = EditDistance(text, candidate);
-    if (distance > slips || distance >= text.size() || distance >= least) continue;
-    least = distance;
-    nearest = candidate;
-  }
-  return nearest;
 }
 
 }  // namespace assay

@@ -1,9 +1,9 @@
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "planner/base/random.h"
 
 namespace assay::quotation_test {

@@ -1,4 +1,4 @@
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,29 +1,29 @@
 #include <algorithm>
 
-#include "planner/base/decimal_text.h"
-#include "planner/base/document_tree.h"
+#include "planner/base/document/decimal_text.h"
+#include "planner/base/document/document_tree.h"
 
 namespace assay {
 
-class Value::Node::JsonReader {
+class DocumentNode::JsonReader {
  public:
   explicit JsonReader(Tree& tree) : tree_(tree), rest_(tree.text) {}
 
   // The root; null if yaml-cpp is to read it.
-  const Node* Read();
+  const DocumentNode* Read();
 
  private:
-  using List = std::vector<const Node*>;
+  using List = std::vector<const DocumentNode*>;
 
   void SkipSpace();
   bool Take(char c);  // after space
-  Node& Make(Kind kind) const;
-  const Node* ReadValue(std::size_t depth);
-  const Node* ReadList(std::size_t depth);
-  const Node* ReadMap(std::size_t depth);
-  const Node* ReadKey();
-  const Node* ReadQuoted();
-  const Node* ReadPlain();
+  DocumentNode& Make(Kind kind) const;
+  const DocumentNode* ReadValue(std::size_t depth);
+  const DocumentNode* ReadList(std::size_t depth);
+  const DocumentNode* ReadMap(std::size_t depth);
+  const DocumentNode* ReadKey();
+  const DocumentNode* ReadQuoted();
+  const DocumentNode* ReadPlain();
   bool ReadEscapes(std::string_view written, std::string& meant) const;
 
   Tree& tree_;
@@ -32,15 +32,15 @@ class Value::Node::JsonReader {
   const char* line_start_ = rest_.data();
 };
 
-const Value::Node* Value::Node::JsonReader::Read() {
+const DocumentNode* DocumentNode::JsonReader::Read() {
   SkipSpace();
   if (!rest_.starts_with('{') && !rest_.starts_with('[')) return nullptr;
-  const Node* const root = ReadValue(0);
+  const DocumentNode* const root = ReadValue(0);
   SkipSpace();
   return rest_.empty() ? root : nullptr;
 }
 
-void Value::Node::JsonReader::SkipSpace() {
+void DocumentNode::JsonReader::SkipSpace() {
   while (!rest_.empty()) {
     const char c = rest_.front();
     if (c != ' ' && c != '\n') return;
@@ -51,7 +51,7 @@ void Value::Node::JsonReader::SkipSpace() {
   }
 }
 
-bool Value::Node::JsonReader::Take(char c) {
+bool DocumentNode::JsonReader::Take(char c) {
   SkipSpace();
   if (!rest_.starts_with(c)) return false;
   rest_.remove_prefix(1);
@@ -59,20 +59,20 @@ bool Value::Node::JsonReader::Take(char c) {
 }
 
 // At what comes next.
-Value::Node& Value::Node::JsonReader::Make(Kind kind) const {
+DocumentNode& DocumentNode::JsonReader::Make(Kind kind) const {
   return tree_.Add(kind, line_, static_cast<int>(rest_.data() - line_start_) + 1);
 }
 
-const Value::Node* Value::Node::JsonReader::ReadValue(std::size_t depth) {
+const DocumentNode* DocumentNode::JsonReader::ReadValue(std::size_t depth) {
   SkipSpace();
   if (rest_.starts_with('[')) return ReadList(depth);
   if (rest_.starts_with('{')) return ReadMap(depth);
   return rest_.starts_with('"') ? ReadQuoted() : ReadPlain();
 }
 
-const Value::Node* Value::Node::JsonReader::ReadList(std::size_t depth) {
+const DocumentNode* DocumentNode::JsonReader::ReadList(std::size_t depth) {
   if (depth == kMaxDepth) return nullptr;
-  Node& list = Make(Kind::kList);
+  DocumentNode& list = Make(Kind::kList);
   rest_.remove_prefix(1);
   if (Take(']')) return &list;
   List items;
@@ -84,9 +84,9 @@ const Value::Node* Value::Node::JsonReader::ReadList(std::size_t depth) {
   return Take(']') ? &list : nullptr;
 }
 
-const Value::Node* Value::Node::JsonReader::ReadMap(std::size_t depth) {
+const DocumentNode* DocumentNode::JsonReader::ReadMap(std::size_t depth) {
   if (depth == kMaxDepth) return nullptr;
-  Node& map = Make(Kind::kMap);
+  DocumentNode& map = Make(Kind::kMap);
   rest_.remove_prefix(1);
   if (Take('}')) return &map;
   List keys, items;
@@ -97,7 +97,7 @@ const Value::Node* Value::Node::JsonReader::ReadMap(std::size_t depth) {
     if (items.back() == nullptr) return nullptr;
   } while (Take(','));
   std::vector<std::string_view> names;
-  for (const Node* key : keys) names.push_back(key->text);
+  for (const DocumentNode* key : keys) names.push_back(key->text);
   std::ranges::sort(names);
   if (std::ranges::adjacent_find(names) != names.end()) return nullptr;
   map.keys = tree_.Keep(keys);
@@ -106,18 +106,18 @@ const Value::Node* Value::Node::JsonReader::ReadMap(std::size_t depth) {
 }
 
 // With its colon, which stands directly behind. yaml-cpp takes no longer keys than a kilobyte.
-const Value::Node* Value::Node::JsonReader::ReadKey() {
+const DocumentNode* DocumentNode::JsonReader::ReadKey() {
   constexpr std::size_t kLongest = 1000;
   SkipSpace();
   if (!rest_.starts_with('"')) return nullptr;
   const std::size_t before = rest_.size();
-  const Node* const key = ReadQuoted();
+  const DocumentNode* const key = ReadQuoted();
   if (key == nullptr || before - rest_.size() > kLongest || !rest_.starts_with(':')) return nullptr;
   rest_.remove_prefix(1);
   return key;
 }
 
-const Value::Node* Value::Node::JsonReader::ReadQuoted() {
+const DocumentNode* DocumentNode::JsonReader::ReadQuoted() {
   std::size_t end = 1;
   bool is_escaped = false;
   for (; end < rest_.size() && rest_[end] != '"'; ++end) {
@@ -127,7 +127,7 @@ const Value::Node* Value::Node::JsonReader::ReadQuoted() {
     ++end;
   }
   if (end >= rest_.size()) return nullptr;
-  Node& quoted = Make(Kind::kScalar);
+  DocumentNode& quoted = Make(Kind::kScalar);
   quoted.style = Style::kQuoted;
   quoted.text = rest_.substr(1, end - 1);
   if (is_escaped) {
@@ -139,7 +139,7 @@ const Value::Node* Value::Node::JsonReader::ReadQuoted() {
   return &quoted;
 }
 
-bool Value::Node::JsonReader::ReadEscapes(std::string_view written, std::string& meant) const {
+bool DocumentNode::JsonReader::ReadEscapes(std::string_view written, std::string& meant) const {
   constexpr std::string_view kNames = "\"\\/bfnrt";
   constexpr std::string_view kMeanings = "\"\\/\b\f\n\r\t";
   for (std::size_t i = 0; i < written.size(); ++i) {
@@ -155,15 +155,15 @@ bool Value::Node::JsonReader::ReadEscapes(std::string_view written, std::string&
 }
 
 // A number, true or false. Null is left to yaml-cpp: no format here has it.
-const Value::Node* Value::Node::JsonReader::ReadPlain() {
+const DocumentNode* DocumentNode::JsonReader::ReadPlain() {
   const std::string_view written = rest_.substr(0, rest_.find_first_of(",]} \n"));
   if (written != "true" && written != "false" && !IsDecimal(written)) return nullptr;
-  Node& plain = Make(Kind::kScalar);
+  DocumentNode& plain = Make(Kind::kScalar);
   plain.text = written;
   rest_.remove_prefix(written.size());
   return &plain;
 }
 
-const Value::Node* Value::Node::ReadJson(Tree& tree) { return JsonReader(tree).Read(); }
+const DocumentNode* DocumentNode::ReadJson(Tree& tree) { return JsonReader(tree).Read(); }
 
 }  // namespace assay

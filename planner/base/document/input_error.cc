@@ -1,8 +1,8 @@
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 
 #include <fmt/format.h>
 
-#include "planner/base/quotation.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay {
 

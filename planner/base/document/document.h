@@ -9,9 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 
 namespace assay {
+
+struct DocumentNode;  // document_tree.h
 
 // A place in a YAML or JSON document, with what stands there. Every accessor that does not find
 // what it wants throws an InputError with file, line, column, the offending text and what is
@@ -45,9 +47,8 @@ class Value {
 
  private:
   friend class Document;
-  struct Node;
-  explicit Value(std::shared_ptr<const Node> node);
-  std::shared_ptr<const Node> node_;
+  explicit Value(std::shared_ptr<const DocumentNode> node);
+  std::shared_ptr<const DocumentNode> node_;
 };
 
 // A YAML or JSON file read whole, with the place of each value.
@@ -67,9 +68,5 @@ class Document {
   explicit Document(Value root) : root_(std::move(root)) {}
   Value root_;
 };
-
-// The candidate with the smallest edit distance to `text`, if that is small enough to be a likely
-// slip of the keyboard; else empty.
-std::string NearestName(std::string_view text, const std::vector<std::string>& candidates);
 
 }  // namespace assay

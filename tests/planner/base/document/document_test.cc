@@ -1,4 +1,4 @@
-#include "planner/base/document.h"
+#include "planner/base/document/document.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "planner/base/document/nearest_name.h"
 #include "planner/base/random.h"
 #include "tests/scratch_file.h"
 

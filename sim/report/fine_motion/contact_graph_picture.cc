@@ -1,4 +1,4 @@
-#include "sim/report/page/contact_graph_picture.h"
+#include "sim/report/fine_motion/contact_graph_picture.h"
 
 #include <fmt/format.h>
 

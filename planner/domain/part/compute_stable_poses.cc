@@ -1,4 +1,4 @@
-#include "planner/domain/part/stable_pose.h"
+#include "planner/domain/part/compute_stable_poses.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "planner/domain/part/exposed_faces.h"
-#include "planner/domain/part/part_model.h"
 
 namespace assay::domain {
 namespace {

@@ -1,4 +1,4 @@
-#include "sim/report/page/mating_page.h"
+#include "sim/report/fine_motion/mating_page.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
-#include "sim/render/image.h"
+#include "sim/render/picture.h"
 
 #include <algorithm>
 #include <fstream>
 #include <iterator>
 
 #include "planner/base/check.h"
-#include "planner/base/input_error.h"
+#include "planner/base/document/input_error.h"
 #include "sim/render/picture_library.h"
 
 namespace assay::render {

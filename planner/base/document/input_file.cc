@@ -1,4 +1,4 @@
-#include "planner/base/input_file.h"
+#include "planner/base/document/input_file.h"
 
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -13,9 +13,9 @@
 #include <vector>
 
 #include "planner/base/digest.h"
-#include "planner/base/document.h"
-#include "planner/base/input_error.h"
-#include "planner/base/quotation.h"
+#include "planner/base/document/input_error.h"
+#include "planner/base/document/nearest_name.h"
+#include "planner/base/document/quotation.h"
 
 namespace assay {
 namespace {

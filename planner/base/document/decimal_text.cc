@@ -1,4 +1,4 @@
-#include "planner/base/decimal_text.h"
+#include "planner/base/document/decimal_text.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "planner/base/document/document.h"
+#include "planner/domain/problem/problem.h"
+
+namespace assay::domain {
+
+// Returns the part of this name. Throws InputError if the problem has none.
+PartId ReadPartName(const Value& value, const Problem& problem);
+
+}  // namespace assay::domain

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "sim/check/claims/honesty_gate.h"
+
+namespace assay::check {
+
+// Executes the plan twice without noise, once with half the timestep.
+HonestyGate MeasureGate(const domain::Problem& problem, const plan::Plan& plan,
+                        const scene::SceneOptions& scene);
+
+}  // namespace assay::check
