@@ -25,6 +25,14 @@ TEST(SourceTree, OwnHeaderComesFirst) { EXPECT_THAT(OwnHeaderNotFirst(kTree), Is
 TEST(SourceTree, HeadersAreLight) { EXPECT_THAT(HeavyHeaders(kTree), IsEmpty()); }
 TEST(SourceTree, EveryFileHasALibrary) { EXPECT_THAT(FilesOfNoLibrary(kTree), IsEmpty()); }
 
+TEST(SourceTree, TheTableNamesOnlyWhatIsIncluded) {
+  EXPECT_THAT(UnusedLibraries(kTree), IsEmpty());
+}
+TEST(SourceTree, NoFileIncludesItselfByWayOfOthers) { EXPECT_THAT(Cycles(kTree), IsEmpty()); }
+TEST(SourceTree, NoFolderHoldsMoreThan24Files) {
+  EXPECT_THAT(CrowdedFolders(kTree, 24), IsEmpty());
+}
+
 TEST(SourceTree, TheTableIsRead) {
   EXPECT_THAT(LibraryTable::Read(kTree).folders(),
               IsSupersetOf({"planner/base", "planner/geometry", "planner/posting", "sim/scene"}));
@@ -125,6 +133,30 @@ TEST_F(BrokenTree, HeavyHeaderIsSeen) {
   Write("planner/geometry/hull.h", "#include <Eigen/Geometry>\n  #  include <fcl/fcl.h>\n");
   EXPECT_THAT(HeavyHeaders(root_),
               ElementsAre("planner/geometry/hull.h:2: fcl/fcl.h: belongs into the .cc file"));
+}
+
+TEST_F(BrokenTree, UnusedLibraryIsSeen) {
+  Write("planner/geometry/box.h", "#include \"planner/base/id.h\"\n");
+  Write("planner/plan/plan.h", "#include \"planner/base/id.h\"\n");
+  Write("sim/scene/scene.h", "#include \"planner/plan/plan.h\"\n");
+  EXPECT_THAT(UnusedLibraries(root_),
+              ElementsAre("CMakeLists.txt:1: planner/plan includes nothing of planner/geometry"));
+}
+
+TEST_F(BrokenTree, CycleIsSeen) {
+  Write("planner/base/a.h", "#pragma once\n");
+  Write("planner/base/a.cc", "#include \"planner/base/a.h\"\n#include \"planner/base/b.h\"\n");
+  Write("planner/base/b.h", "#include \"planner/base/c.h\"\n");
+  Write("planner/base/c.h", "#include \"planner/base/a.h\"\n");
+  Write("planner/base/d.h", "#include \"planner/base/b.h\"\n");
+  EXPECT_THAT(Cycles(root_), ElementsAre("planner/base/a planner/base/b planner/base/c"));
+}
+
+TEST_F(BrokenTree, CrowdedFolderIsSeen) {
+  for (const char* name : {"a.h", "a.cc", "b.h", "rooms/c.h"}) {
+    Write(std::string("planner/base/") + name, "");
+  }
+  EXPECT_THAT(CrowdedFolders(root_, 2), ElementsAre("planner/base: 3 source files"));
 }
 
 TEST_F(BrokenTree, StrayFileIsSeen) {

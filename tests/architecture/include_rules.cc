@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <regex>
+#include <set>
+#include <utility>
 
 #include "tests/architecture/library_table.h"
 
@@ -57,6 +60,34 @@ std::vector<SourceFile> LibrarySources(const fs::path& root) {
     std::ranges::move(SourcesIn(root, top), std::back_inserter(sources));
   }
   return sources;
+}
+
+std::vector<SourceFile> AllSources(const fs::path& root) {
+  std::vector<SourceFile> sources;
+  for (const char* top : {"planner", "sim", "bench"}) {
+    std::ranges::move(SourcesIn(root, top), std::back_inserter(sources));
+  }
+  return sources;
+}
+
+std::string WithoutExtension(const std::string& file) {
+  return fs::path(file).replace_extension().generic_string();
+}
+
+using IncludeGraph = std::map<std::string, std::set<std::string>>;  // by names without extension
+
+std::set<std::string> ReachedFrom(const std::string& file, const IncludeGraph& graph) {
+  std::set<std::string> reached;
+  std::vector<std::string> open = {file};
+  while (!open.empty()) {
+    const auto included = graph.find(open.back());
+    open.pop_back();
+    if (included == graph.end()) continue;
+    for (const std::string& other : included->second) {
+      if (reached.insert(other).second) open.push_back(other);
+    }
+  }
+  return reached;
 }
 
 std::string Breach(const SourceFile& source, const Include& include, const std::string& what) {
@@ -132,6 +163,60 @@ std::vector<std::string> FilesOfNoLibrary(const fs::path& root) {
   for (const SourceFile& source : LibrarySources(root)) {
     if (!table.FolderOf(source.name).empty() || source.name.starts_with("sim/cli/")) continue;
     breaches.push_back(source.name + ":1: no line of the table of libraries covers it");
+  }
+  return breaches;
+}
+
+std::vector<std::string> UnusedLibraries(const fs::path& root) {
+  const LibraryTable table = LibraryTable::Read(root);
+  std::set<std::pair<std::string, std::string>> used;
+  for (const SourceFile& source : AllSources(root)) {
+    for (const Include& include : source.includes) {
+      used.emplace(table.FolderOf(source.name), table.FolderOf(include.name));
+    }
+  }
+  std::vector<std::string> breaches;
+  for (const std::string& folder : table.folders()) {
+    for (const std::string& other : table.UsesOf(folder)) {
+      if (used.contains({folder, other})) continue;
+      breaches.push_back("CMakeLists.txt:1: " + folder + " includes nothing of " + other);
+    }
+  }
+  return breaches;
+}
+
+std::vector<std::string> Cycles(const fs::path& root) {
+  IncludeGraph graph;
+  for (const SourceFile& source : AllSources(root)) {
+    for (const Include& include : source.includes) {
+      if (WithoutExtension(include.name) != WithoutExtension(source.name)) {
+        graph[WithoutExtension(source.name)].insert(WithoutExtension(include.name));
+      }
+    }
+  }
+  std::map<std::string, std::set<std::string>> reached;
+  for (const auto& [file, included] : graph) reached[file] = ReachedFrom(file, graph);
+  std::set<std::string> cycles;
+  for (const auto& [file, others] : reached) {
+    if (!others.contains(file)) continue;
+    std::string cycle;
+    for (const std::string& other : others) {
+      if (reached[other].contains(file)) cycle += (cycle.empty() ? "" : " ") + other;
+    }
+    cycles.insert(cycle);
+  }
+  return {cycles.begin(), cycles.end()};
+}
+
+std::vector<std::string> CrowdedFolders(const fs::path& root, int most) {
+  std::map<std::string, int> counts;
+  for (const SourceFile& source : AllSources(root)) {
+    ++counts[fs::path(source.name).parent_path().generic_string()];
+  }
+  std::vector<std::string> breaches;
+  for (const auto& [folder, count] : counts) {
+    if (count <= most) continue;
+    breaches.push_back(folder + ": " + std::to_string(count) + " source files");
   }
   return breaches;
 }

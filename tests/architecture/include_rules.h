@@ -24,4 +24,14 @@ std::vector<std::string> HeavyHeaders(const std::filesystem::path& root);
 // Every source file under planner/ and sim/ belongs to a library, but for the program in sim/cli.
 std::vector<std::string> FilesOfNoLibrary(const std::filesystem::path& root);
 
+// Each library includes something of every library that the table lets it use.
+std::vector<std::string> UnusedLibraries(const std::filesystem::path& root);
+
+// No file includes, by whatever way, one that includes it. X.h and X.cc count as one file. Each
+// line names the files of a cycle.
+std::vector<std::string> Cycles(const std::filesystem::path& root);
+
+// A folder holds at most `most` source files.
+std::vector<std::string> CrowdedFolders(const std::filesystem::path& root, int most);
+
 }  // namespace assay::architecture

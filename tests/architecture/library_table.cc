@@ -68,6 +68,10 @@ std::string LibraryTable::FolderOf(const std::string& file) const {
   return "";
 }
 
+const std::vector<std::string>& LibraryTable::UsesOf(const std::string& folder) const {
+  return uses_.at(folder);
+}
+
 std::set<std::string> LibraryTable::OpenTo(const std::string& folder) const {
   std::set<std::string> open = {folder};
   std::vector<std::string> pending = {folder};

@@ -18,6 +18,8 @@ class LibraryTable {
   std::vector<std::string> folders() const;
   // The folder of the table that a file lies in, as written from the root; "" if there is none.
   std::string FolderOf(const std::string& file) const;
+  // The folders that stand beside it in the table.
+  const std::vector<std::string>& UsesOf(const std::string& folder) const;
   // The folder itself, what stands beside it in the table, and what those use.
   std::set<std::string> OpenTo(const std::string& folder) const;
 
