@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
+#include "planner/verify/proof.h"
 #include "sim/cli/options/quantity.h"
 #include "sim/cli/plans/certificate_text.h"
 #include "sim/cli/plans/plan_text.h"
 #include "sim/cli/plans/table.h"
-#include "sim/cli/proof/proof.h"
 
 namespace assay::cli {
 namespace {
@@ -22,6 +22,10 @@ namespace {
 using plan::CertifiedPrecondition;
 using plan::PlannedStep;
 using plan::Relation;
+using verify::CertificateProofs;
+using verify::NarrowedVariable;
+using verify::Proof;
+using verify::VariableInProof;
 
 constexpr std::size_t kLineWidth = 100;
 constexpr std::string_view kIndent = "    ";

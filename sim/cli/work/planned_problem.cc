@@ -1,14 +1,15 @@
 #include "sim/cli/work/planned_problem.h"
 
-#include <algorithm>
-#include <iterator>
+#include <fmt/format.h>
+
+#include <optional>
+#include <string_view>
 
 #include "planner/assembly/certified_plan.h"
 #include "planner/assembly/plan_check.h"
 #include "planner/plan/file/plan_file.h"
+#include "planner/verify/plan_verification.h"
 #include "sim/cli/program/progress.h"
-#include "sim/cli/proof/certificate_check.h"
-#include "sim/cli/proof/certificate_comparison.h"
 
 namespace assay::cli {
 namespace {
@@ -21,18 +22,21 @@ fs::path FindScenario(const fs::path& named, const fs::path& plan_file) {
   return !fs::exists(named, ignored) && fs::exists(beside, ignored) ? beside : named;
 }
 
-std::vector<plan::Flaw> ClaimFlaws(const PlannedProblem& planned) {
-  const Progress progress("checking the certificates for " + planned.problem.name);
-  return CertificateFlaws(planned.result.plan, planned.file());
-}
+// Shows on a terminal what is being verified.
+class Verification {
+ public:
+  explicit Verification(const PlannedProblem& planned)
+      : submitted_{planned.problem, planned.result.plan, planned.file(), !planned.plan_file.empty(),
+                   [this](std::string_view part) {
+                     progress_.emplace(fmt::format("{} for {}", part, submitted_.problem.name));
+                   }} {}
 
-// Of a plan without other flaws.
-std::vector<plan::Flaw> Differences(const PlannedProblem& planned) {
-  const plan::Plan& plan = planned.result.plan;
-  if (planned.plan_file.empty() || !IsCertified(plan)) return {};
-  const Progress progress("computing the certificates anew for " + planned.problem.name);
-  return DifferencesFromAnew(planned.problem, plan, planned.file());
-}
+  const verify::Submitted& submitted() const { return submitted_; }
+
+ private:
+  std::optional<Progress> progress_;
+  verify::Submitted submitted_;
+};
 
 void Locate(const PlannedProblem& planned, std::vector<plan::Flaw>& flaws) {
   for (plan::Flaw& flaw : flaws) {
@@ -105,19 +109,15 @@ plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& pl
 }
 
 plan::CheckReport CheckPlan(const PlannedProblem& planned) {
-  plan::CheckReport report = CheckPlan(planned.problem, planned.result.plan);
-  std::ranges::move(ClaimFlaws(planned), std::back_inserter(report.flaws));
-  if (report.flaws.empty()) report.flaws = Differences(planned);
+  const Verification verification(planned);
+  plan::CheckReport report = verify::Verify(verification.submitted(), kMostLinearizations);
   Locate(planned, report.flaws);
   return report;
 }
 
 std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned) {
-  std::vector<plan::Flaw> flaws = assembly::FlawsOfStrategies(planned.problem, planned.result.plan);
-  std::ranges::move(ClaimFlaws(planned), std::back_inserter(flaws));
-  std::ranges::move(plan::FlawsOfCoverage(planned.result.plan), std::back_inserter(flaws));
-  const bool can_be_executed = plan::Check(planned.problem, planned.result.plan, 1).flaws.empty();
-  if (flaws.empty() && can_be_executed) flaws = Differences(planned);
+  const Verification verification(planned);
+  std::vector<plan::Flaw> flaws = verify::FlawsOfClaims(verification.submitted());
   Locate(planned, flaws);
   return flaws;
 }

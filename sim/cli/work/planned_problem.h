@@ -57,7 +57,7 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
 // fine motion hold up (planner/assembly/plan_check.h).
 inline constexpr int kMostLinearizations = 1000;
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan);
-// The same, and whether the certificates' claims hold up (certificate_check.h) and, of a plan file,
+// The same, and whether the certificates' claims hold up (planner/verify) and, of a plan file,
 // are those of the scenario (certificate_comparison.h).
 plan::CheckReport CheckPlan(const PlannedProblem& planned);
 // Of claims and strategies: what a plan says of itself.

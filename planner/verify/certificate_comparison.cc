@@ -1,4 +1,4 @@
-#include "sim/cli/proof/certificate_comparison.h"
+#include "planner/verify/certificate_comparison.h"
 
 #include <fmt/format.h>
 
@@ -14,10 +14,10 @@
 #include "planner/plan/file/recovery_file.h"
 #include "planner/posting/uncertainty_phase/verification.h"
 #include "planner/uncertainty/preconditions/certify.h"
-#include "sim/cli/proof/certificate_algebra.h"
-#include "sim/cli/proof/certificate_check.h"
+#include "planner/verify/certificate_algebra.h"
+#include "planner/verify/certificate_check.h"
 
-namespace assay::cli {
+namespace assay::verify {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -226,4 +226,4 @@ std::vector<Flaw> DifferencesFromAnew(const domain::Problem& problem, const plan
   return flaws;
 }
 
-}  // namespace assay::cli
+}  // namespace assay::verify

@@ -7,7 +7,7 @@
 #include "planner/plan/check/checker.h"
 #include "planner/plan/data/plan.h"
 
-namespace assay::cli {
+namespace assay::verify {
 
 // What in a plan's certificates, verifications and recoveries is not as it comes out when all is
 // computed anew from the scenario and the plan's actions: each with its place in the step
@@ -20,4 +20,4 @@ namespace assay::cli {
 std::vector<plan::Flaw> DifferencesFromAnew(const domain::Problem& problem, const plan::Plan& plan,
                                             const std::string& file);
 
-}  // namespace assay::cli
+}  // namespace assay::verify

@@ -1,4 +1,4 @@
-#include "sim/cli/proof/proof.h"
+#include "planner/verify/proof.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "planner/algebra/expression/simplify.h"
 #include "planner/algebra/expression/text.h"
 
-namespace assay::cli {
+namespace assay::verify {
 namespace {
 
 using algebra::BoundRequest;
@@ -104,4 +104,4 @@ Proof CertificateProofs::Of(const CertifiedPrecondition& claim) const {
   return proof;
 }
 
-}  // namespace assay::cli
+}  // namespace assay::verify

@@ -1,4 +1,4 @@
-#include "sim/cli/proof/certificate_check.h"
+#include "planner/verify/certificate_check.h"
 
 #include <fmt/format.h>
 
@@ -11,9 +11,9 @@
 #include "planner/algebra/bounds/bounds.h"
 #include "planner/algebra/methods/glance.h"
 #include "planner/uncertainty/errors/tip_error.h"
-#include "sim/cli/proof/certificate_algebra.h"
+#include "planner/verify/certificate_algebra.h"
 
-namespace assay::cli {
+namespace assay::verify {
 namespace {
 
 using algebra::VariableId;
@@ -226,4 +226,4 @@ std::vector<plan::Flaw> CertificateFlaws(const plan::Plan& plan, const std::stri
   return flaws;
 }
 
-}  // namespace assay::cli
+}  // namespace assay::verify

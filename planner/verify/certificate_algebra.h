@@ -8,7 +8,7 @@
 #include "planner/algebra/linear/constraint_set.h"
 #include "planner/plan/data/plan.h"
 
-namespace assay::cli {
+namespace assay::verify {
 
 // The variables of a step's certificate, and its expressions over them, read back from their texts.
 class CertificateAlgebra {
@@ -30,4 +30,4 @@ class CertificateAlgebra {
   std::vector<algebra::Expression> shared_;
 };
 
-}  // namespace assay::cli
+}  // namespace assay::verify

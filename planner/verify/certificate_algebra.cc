@@ -1,4 +1,4 @@
-#include "sim/cli/proof/certificate_algebra.h"
+#include "planner/verify/certificate_algebra.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include "planner/algebra/expression/text.h"
 #include "planner/base/document/input_error.h"
 
-namespace assay::cli {
+namespace assay::verify {
 namespace {
 
 bool IsName(const std::string& text) {
@@ -48,4 +48,4 @@ algebra::Expression CertificateAlgebra::Read(const std::string& text) const {
   return algebra::Parse(text, *pool_, {place_, 1, 1}, algebra::Layout::kAsInFile, shared_);
 }
 
-}  // namespace assay::cli
+}  // namespace assay::verify

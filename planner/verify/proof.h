@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "planner/plan/data/plan.h"
-#include "sim/cli/proof/certificate_algebra.h"
+#include "planner/verify/certificate_algebra.h"
 
-namespace assay::cli {
+namespace assay::verify {
 
 // One variable in the proof of a precondition.
 struct VariableInProof {
@@ -51,4 +51,4 @@ class CertificateProofs {
   CertificateAlgebra algebra_;
 };
 
-}  // namespace assay::cli
+}  // namespace assay::verify

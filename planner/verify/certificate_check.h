@@ -6,7 +6,7 @@
 #include "planner/plan/check/checker.h"
 #include "planner/plan/data/plan.h"
 
-namespace assay::cli {
+namespace assay::verify {
 
 // Whether any step has a certificate: else the plan was made without regard to uncertainty.
 bool IsCertified(const plan::Plan& plan);
@@ -28,4 +28,4 @@ bool IsUnproved(const plan::PlannedStep& step);
 // certificate does not read.
 std::vector<plan::Flaw> CertificateFlaws(const plan::Plan& plan, const std::string& file);
 
-}  // namespace assay::cli
+}  // namespace assay::verify
