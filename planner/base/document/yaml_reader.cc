@@ -207,7 +207,7 @@ DocumentNode& DocumentNode::YamlReader::Make(Kind kind, const FilePlace& place) 
 
 void DocumentNode::YamlReader::Fail(const DocumentNode& node, const std::string& what,
                                     const std::string& allowed) const {
-  Value({tree_, &node}).Fail(what, allowed);
+  throw InputError({.file = *node.file, .line = node.line, .column = node.column}, what, allowed);
 }
 
 void DocumentNode::YamlReader::AddKey(Open& map, const DocumentNode& key) const {
