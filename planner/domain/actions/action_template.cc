@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 namespace assay::domain {
+
 std::string LabelName(const Problem& problem, const PlanVariable& variable, int label) {
   const Part& part = problem.part(variable.part);
   if (variable.kind == VariableKind::kGrasp) return (*part.grasps)[label].label;
@@ -25,22 +24,6 @@ std::string LabelList(const Problem& problem, const PlanVariable& variable,
 }
 
 }  // namespace
-
-std::string_view Name(ActionKind kind) {
-  switch (kind) {
-    case ActionKind::kStart:
-      return "start";
-    case ActionKind::kFinish:
-      return "finish";
-    case ActionKind::kPickup:
-      return kPickupRule.name;
-    case ActionKind::kPutdown:
-      return kPutdownRule.name;
-    case ActionKind::kAssemble:
-      return kAssembleRule.name;
-  }
-  return "";
-}
 
 std::string Text(const Problem& problem, const PlanVariables& variables,
                  const GeometricConstraint& constraint) {

@@ -67,7 +67,22 @@ struct ActionRule {
                                          PlanVariables& variables);
 };
 
-std::string_view Name(ActionKind kind);
+constexpr std::string_view Name(ActionKind kind) {
+  switch (kind) {
+    case ActionKind::kStart:
+      return "start";
+    case ActionKind::kFinish:
+      return "finish";
+    case ActionKind::kPickup:
+      return "pickup";
+    case ActionKind::kPutdown:
+      return "putdown";
+    case ActionKind::kAssemble:
+      return "assemble";
+  }
+  return "";
+}
+
 // "BG3", "BP2", "initial".
 std::string LabelName(const Problem& problem, const PlanVariable& variable, int label);
 std::string Text(const Problem& problem, const PlanVariables& variables,

@@ -1,5 +1,7 @@
 #include "planner/domain/actions/actions.h"
 
+#include <array>
+
 namespace assay::domain {
 
 std::span<const ActionRule> ActionRules() {

@@ -36,7 +36,7 @@ std::vector<ActionTemplate> AchieveByAssembling(const Problem& problem, const Co
 
 }  // namespace
 
-const ActionRule kAssembleRule{.name = "assemble",
+const ActionRule kAssembleRule{.name = Name(ActionKind::kAssemble),
                                .summary = "mates the held part with one that rests",
                                .achieve = AchieveByAssembling};
 

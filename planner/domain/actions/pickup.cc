@@ -50,7 +50,8 @@ std::vector<ActionTemplate> AchieveByTaking(const Problem& problem, const Condit
 
 }  // namespace
 
-const ActionRule kPickupRule{
-    .name = "pickup", .summary = "takes a part from where it rests", .achieve = AchieveByTaking};
+const ActionRule kPickupRule{.name = Name(ActionKind::kPickup),
+                             .summary = "takes a part from where it rests",
+                             .achieve = AchieveByTaking};
 
 }  // namespace assay::domain

@@ -50,7 +50,7 @@ std::vector<ActionTemplate> AchieveByPuttingDown(const Problem& problem, const C
 
 }  // namespace
 
-const ActionRule kPutdownRule{.name = "putdown",
+const ActionRule kPutdownRule{.name = Name(ActionKind::kPutdown),
                               .summary = "rests the held part on the table",
                               .achieve = AchieveByPuttingDown};
 

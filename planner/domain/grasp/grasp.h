@@ -40,6 +40,8 @@ struct GraspSearch {
   bool with_misfits = false;
 };
 
+class PartModel;
+
 // The grasps of a part by a gripper: pairs of parallel faces not wider than `widest`, approach
 // directions quantized from a part axis, pads wholly on the faces and not on walls of holes, hand
 // and fingers clear of the part when open, on the way in, and closed (of grasps wider than the

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "planner/finemotion/contacts/primitive_contact.h"
 #include "planner/finemotion/numeric/zonotope.h"
 
 namespace assay::finemotion {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/finemotion/contacts/primitive_contact.h"
 #include "planner/finemotion/graph/forward_projection.h"
 
 namespace assay::finemotion {
