@@ -6,7 +6,7 @@
 
 namespace assay::algebra {
 
-// A point, by the variables of a multi-affine form, at which it can be evaluated.
+// A point, by the variables of a multi-affine form. The form can be evaluated at it.
 class MultiaffinePoint {
  public:
   explicit MultiaffinePoint(const MultiaffineForm& form)
