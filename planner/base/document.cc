@@ -25,7 +25,8 @@ std::string DidYouMean(std::string_view text, const std::vector<std::string>& na
   return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 
-// Empty if the number does not fit. Unlike strtod, from_chars ignores the locale; it refuses '+'.
+// Returns nothing if the number does not fit. Unlike strtod, from_chars ignores the locale. It does
+// not accept '+'.
 template <class T>
 std::optional<T> Convert(std::string_view digits) {
   if (digits[0] == '+') digits.remove_prefix(1);
@@ -35,8 +36,8 @@ std::optional<T> Convert(std::string_view digits) {
   return value;
 }
 
-// The optimal string alignment distance (Damerau 1964): insertions, deletions, substitutions and
-// swaps of neighbours each cost one.
+// Returns the optimal string alignment distance (Damerau 1964). Insertions, deletions,
+// substitutions and swaps of neighbours each cost one.
 std::size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, previous(b.size() + 1), current(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) current[j] = j;
@@ -55,7 +56,7 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-// What stands at the node, for a message.
+// Describes the value of the node for a message.
 std::string Value::Node::Describe() const {
   switch (kind) {
     case Kind::kNull:
@@ -173,7 +174,7 @@ std::vector<std::pair<Value, Value>> Value::Entries() const {
   return entries;
 }
 
-// A key that is given twice has been refused when the document was read.
+// A key that is given twice was refused when the document was read.
 void Value::AllowOnly(std::initializer_list<std::string_view> keys) const {
   const std::vector<std::string> names(keys.begin(), keys.end());
   if (!IsMap()) Fail(node_->Describe() + " is not a map", "a map with the keys " + Join(names));
@@ -202,7 +203,8 @@ Document Document::Parse(const std::string& text, const std::string& file_name) 
     throw InputError({.file = file_name}, "the file is too large",
                      fmt::format("{} bytes", kMostInputBytes));
   }
-  const std::string body = text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;  // the BOM
+  // Removes the byte order mark.
+  const std::string body = text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
   RequireText(body, file_name);
   const auto tree = std::make_shared<Value::Node::Tree>(file_name, body);
   const Value::Node* root = Value::Node::ReadJson(*tree);
@@ -227,7 +229,7 @@ std::string NearestName(std::string_view text, const std::vector<std::string>& c
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string& candidate : candidates) {
     const std::size_t slips = std::max<std::size_t>(candidate.size() / 3, 1);
-    if (text.size() > candidate.size() + slips) continue;  // also bounds the work
+    if (text.size() > candidate.size() + slips) continue;  // also limits the work
     const std::size_t distance = EditDistance(text, candidate);
     if (distance > slips || distance >= text.size() || distance >= least) continue;
     least = distance;

@@ -24,7 +24,7 @@ std::string Visible(char32_t control) {
   return fmt::format("\\x{:02x}", static_cast<std::uint32_t>(control));
 }
 
-// Takes the first character off a text that is not empty, and returns how it is shown.
+// Removes the first character of a non-empty text and returns it in its visible form.
 std::string TakeShown(std::string_view& text) {
   const CodePoint c = Decode(text);
   const std::string_view bytes = text.substr(0, std::max<std::size_t>(c.bytes, 1));
@@ -54,8 +54,8 @@ CodePoint Decode(std::string_view text) {
 bool IsControl(char32_t c) { return c < 0x20 || (c >= 0x7f && c < 0xa0); }
 
 bool Disturbs(char32_t c) {
-  const bool is_direction = c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) ||
-                            (c >= 0x2066 && c <= 0x2069);
+  const bool is_direction =
+      c == 0x200e || c == 0x200f || (c >= 0x202a && c <= 0x202e) || (c >= 0x2066 && c <= 0x2069);
   const bool is_line_break = c == 0x2028 || c == 0x2029;
   return IsControl(c) || is_direction || is_line_break;
 }
