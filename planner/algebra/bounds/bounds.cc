@@ -267,8 +267,8 @@ BothBounds PreparedExpression::Both(const ConstraintSet& constraints, const Boun
 
 namespace {
 
-// Bounds an expression once. Its normal form is left to the Ladder if the linear core may do
-// without it.
+// Bounds an expression once. If the linear core comes first, the normal form is computed by Ladder,
+// and only if it is needed.
 Bound BoundOnce(const Expression& e, int sign, const ConstraintSet& constraints,
                 const BoundRequest& request) {
   const bool starts_linear = !constraints.inequalities.empty() || request.highest == Rung::kLinear;

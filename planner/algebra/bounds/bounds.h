@@ -27,8 +27,8 @@ struct BoundRequest {
   Rung highest = Rung::kBranchAndBound;
   double gap = 1e-6;                   // the work ends when the bound is known to be this tight
   std::int64_t evaluations = 200'000;  // budget: evaluations over a box or at a point
-  // The work also ends once the bound is on this side of the limit, or a feasible point is on the
-  // other side. Either answers the question.
+  // The work also ends once the limit is decided. The bound may prove that the expression does not
+  // reach the limit, or a feasible point may show that it does.
   std::optional<double> limit = {};
 };
 

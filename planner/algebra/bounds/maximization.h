@@ -28,7 +28,7 @@ struct Maximization {
 
 // Returns the problem of maximizing e (sign = 1) or -e (sign = -1).
 Maximization MaximizationOf(const Expression& e, int sign, const ConstraintSet& constraints);
-// Takes the known normal form of e as an argument.
+// Returns the problem for an expression whose normal form is already known.
 Maximization MaximizationOf(const Expression& e, NormalForm form, int sign,
                             const ConstraintSet& constraints);
 

@@ -504,7 +504,7 @@ double ApplyToNumbers(const Expression& node, std::span<const double> x) {
       return std::sqrt(x[0]);
     case Operator::kAbs:
       return std::abs(x[0]);
-    // The first argument of std::min or std::max wins over NaN in the second, so NaN is tested for.
+    // std::min and std::max return the first argument if the second is NaN, so NaN is tested for.
     case Operator::kMin:
       return std::isnan(x[1]) ? x[1] : std::min(x[0], x[1]);
     case Operator::kMax:

@@ -51,7 +51,7 @@ class InternTable {
     }
   }
 
-  std::vector<Slot> slots_;  // their number is a power of two
+  std::vector<Slot> slots_;  // the number of slots is a power of two
   std::size_t count_ = 0;
 };
 

@@ -24,7 +24,7 @@ class Derivatives {
 
   // Sets the point or box, by variable, and returns the value there.
   Number Value(std::span<const Number> place);
-  // Both refer to the place that was last given to Value.
+  // DefinedEverywhere and DefinedSomewhere refer to the place that was last given to Value.
   bool DefinedEverywhere() const { return defined_everywhere_; }
   bool DefinedSomewhere() const { return defined_somewhere_; }
   const std::vector<Number>& Gradient();

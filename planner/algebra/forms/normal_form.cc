@@ -284,7 +284,7 @@ class Expansion {
     return ProductOf({a, {.written = written, .expanded = &reciprocal}});
   }
 
-  // The result is a single term.
+  // Returns the reciprocal of `a`, which is a single term.
   Polynomial ReciprocalOf(const Part& a) {
     if (a.expanded->size() == 1 && !Contains(a.expanded->front().coefficient, 0)) {
       return ReciprocalOfTerm(a.expanded->front());

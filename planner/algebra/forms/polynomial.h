@@ -49,7 +49,7 @@ class PolynomialAlgebra {
 
   Polynomial Sum(std::span<const Polynomial* const> terms);
   Polynomial Negated(Polynomial a) const;
-  // Both return nothing if the budget does not suffice.
+  // Product and Power return nothing if the budget does not suffice.
   std::optional<Polynomial> Product(const Polynomial& a, const Polynomial& b, Budget& budget);
   std::optional<Polynomial> Power(const Polynomial& a, int n, Budget& budget);  // n > 0
   // Returns the product of two single terms, without replacing squares.

@@ -33,8 +33,8 @@ Interval Narrowed(const Interval& a, const Interval& b);
 // Returns the variable's interval, narrowed to its SUP and INF.
 Interval TightenedInterval(VariableId variable, const Interval& interval, const LinearSupInf& core);
 
-// These describe parts of normal forms: a coefficient that is a single finite number, and a product
-// that is a variable.
+// IsNumber returns true for a coefficient that is a single finite number, and IsVariable for a
+// product that is a variable.
 bool IsNumber(const Interval& coefficient);
 bool IsVariable(const std::vector<NormalForm::Factor>& factors);
 

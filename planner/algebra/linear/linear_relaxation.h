@@ -16,13 +16,12 @@ namespace assay::algebra {
 // Writes non-linear expressions and constraints in linear terms, so that SUP/INF's linear core can
 // bound them. Every non-linear product of a normal form becomes a column, like a variable (the
 // rules are in the spirit of Brooks 1981). These constraints relate the columns:
-//   - A product lies in the range that interval arithmetic gives it from the ranges of its factors.
-//   - min(a, b) <= a and b; max(a, b) >= a and b; abs(a) >= a and -a.
-//   - A product R*K, where K contains only kept variables and has a known sign, lies between K
-//   times
-//     the bounds of R. These are symbolic if R is a variable, and numbers otherwise. If the sign of
-//     K is unknown, only the range is used.
-//   - The given constraints hold. A product has the same column in all of them.
+// - A product lies in the range that interval arithmetic gives it from the ranges of its factors.
+// - min(a, b) <= a and b; max(a, b) >= a and b; abs(a) >= a and -a.
+// - A product R*K, where K contains only kept variables and has a known sign, lies between K times
+//   the bounds of R. They are symbolic if R is a variable, and numbers otherwise. If the sign of K
+//   is unknown, only the range is used.
+// - The given constraints hold. A product has the same column in all of them.
 // Every constraint holds at every point that the given constraints allow, so SUP is never too
 // small.
 class LinearRelaxation {

@@ -13,7 +13,8 @@ namespace {
 
 using Keep = std::set<ColumnId>;
 
-// Stands for v or -v. The published LOWER and INFF of v are UPPER and SUPP of -v.
+// The column v (sign = 1) or -v (sign = -1). The published LOWER and INFF of v are UPPER and SUPP
+// of -v.
 struct SignedColumn {
   ColumnId column;
   int sign = 1;

@@ -20,7 +20,6 @@ namespace assay::algebra {
 // there are variables to keep. The numbers of a symbolic answer are rounded so that it stays a
 // bound. For a variable without bounds this may be impossible; that part of the answer is then left
 // out.
-// constraints has an interval in the constraints' box.
 Expression Sup(const Expression& j, const std::set<VariableId>& keep,
                const ConstraintSet& constraints);
 Expression Inf(const Expression& j, const std::set<VariableId>& keep,

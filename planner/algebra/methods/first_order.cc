@@ -211,7 +211,7 @@ FirstOrderForms::Form FirstOrderForms::OfSum(std::span<const Expression> terms) 
 }
 
 FirstOrderForms::Form FirstOrderForms::OfProduct(std::span<const Expression> factors) const {
-  if (factors.empty()) return {.rest = kInfinity};  // a negative power
+  if (factors.empty()) return {.rest = kInfinity};  // the power is negative
   Form product = Of(factors[0]);
   for (const Expression& factor : factors.subspan(1)) product = Product(product, Of(factor));
   return product;

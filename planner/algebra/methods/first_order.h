@@ -12,25 +12,26 @@
 
 namespace assay::algebra {
 
-// Expressions over a box to first order (affine arithmetic, Comba and Stolfi 1993, whose symbols
-// are the variables alone). Every variable is centre + radius * t with t in [-1, 1]. An expression
-// is its centre plus the sum of slope * t plus a rest that is bounded. One form bounds the extremum
-// from both sides: the greatest value of e is that of the linear part, plus or minus the rest.
+// Expressions over a box to first order, by affine arithmetic (Comba and Stolfi 1993) in which the
+// variables are the only symbols. Every variable is centre + radius * t with t in [-1, 1]. An
+// expression is its centre plus the sum of slope * t plus a rest that is bounded. One form bounds
+// the extremum from both sides: the greatest value of e is that of the linear part, plus or minus
+// the rest.
 //
 // The form of each stored expression is computed once, so that many expressions with common parts
-// cost little more than one. The forms cover sums, products, positive powers, sines and cosines;
-// any other operation gives an unknown form. Rounding errors are included in the rest.
+// cost little more than one. The forms cover sums, products, positive powers, sines and cosines.
+// Any other operation gives an unknown form. Rounding errors are included in the rest.
 class FirstOrderForms {
  public:
-  // Return the same kind of result as GlanceAbove and GlanceBelow. For an unknown form, `bound` and
-  // `attained` are infinitely far apart. If the limit is between them, e is evaluated at the corner
-  // to which the slopes point. All expressions must be of one pool. The box is by VariableId and
-  // must be the same in every call.
+  // Above and Below return a bound of e like GlanceAbove and GlanceBelow. For an unknown form,
+  // `bound` and `attained` are infinitely far apart. If the limit is between them, e is evaluated
+  // at the corner to which the slopes point. All expressions must be of one pool. The box is by
+  // VariableId and must be the same in every call.
   Glance Above(const Expression& e, std::span<const Interval> box, double limit);
   Glance Below(const Expression& e, std::span<const Interval> box, double limit);
 
-  // Return the bound with the corner to which the slopes point. The gap is measured from the value
-  // at that corner.
+  // BoundAbove and BoundBelow return a bound and the corner to which the slopes point. The gap is
+  // measured from the value at that corner.
   Bound BoundAbove(const Expression& e, std::span<const Interval> box);
   Bound BoundBelow(const Expression& e, std::span<const Interval> box);
 

@@ -12,9 +12,9 @@ namespace assay::algebra {
 // makes up for it, as in the alpha BB method (Adjiman and Floudas 1996).
 class QuadraticBound {
  public:
-  // Sets the box and the bound of the matrices. In the order of definiteness no matrix exceeds
-  // `curvature`, each of whose entries may be off by up to `error`. `widths` are the widths of the
-  // box.
+  // Sets the box and the upper bound of the matrices. `widths` are the widths of the box. No matrix
+  // is greater than `curvature` in the order of definiteness. Each entry of `curvature` may be off
+  // by up to `error`.
   void SetCurvature(const SymmetricMatrix& curvature, double error, std::span<const double> widths);
 
   // Returns true if all of the matrices are negative definite.
@@ -29,7 +29,7 @@ class QuadraticBound {
   void FindShift();
   double Slope(int i) const;
 
-  // These are in units of the widths. matrix_ is the negated curvature.
+  // These matrices are in units of the box's widths. matrix_ is the negated curvature.
   SymmetricMatrix matrix_, shifted_, deviation_;
   double shift_ = 0;  // added to the diagonal, it makes matrix_ positive definite
   std::vector<double> widths_, slopes_, place_;

@@ -22,7 +22,7 @@ struct MultiaffineForm {
     bool is_angle = false;
   };
 
-  std::vector<Variable> variables;  // angles first; within both kinds, those in more terms first
+  std::vector<Variable> variables;  // angles first; among each kind, those in more terms first
   int angle_count = 0;
   NestedForm nested;  // the sum of products
   // Bounds of the rounding error, as functions of the displacements' magnitudes. `point_error` is

@@ -16,11 +16,11 @@
 
 namespace assay::algebra {
 
-// Applies the bounding methods from kMonotone on to a multi-affine form over a box. It uses more
-// properties than hold for any form. Coordinates that monotonicity settles over the whole box are
-// substituted, so that the remaining form is short. An angle in which the form is convex is at one
-// of its ends, and so is every displacement. A single remaining angle has its extremum in closed
-// form. The memory is reused from one question to the next.
+// Applies the bounding methods from kMonotone on to a multi-affine form over a box. It uses special
+// properties of these forms. Coordinates that monotonicity settles over the whole box are
+// substituted, so that the remaining form is short. At the maximum, every displacement is at one of
+// its ends, and so is every angle in which the form is convex. A single remaining angle has its
+// extremum in closed form. The memory is reused from one question to the next.
 class MultiaffineSearch {
  public:
   explicit MultiaffineSearch(MultiaffineForm form);
@@ -115,7 +115,7 @@ class MultiaffineSearch {
   int sign_ = 1;
   NestedForm reduced_;           // sign * form with the settled coordinates substituted
   std::vector<Sector> whole_;    // the part of the box that monotonicity leaves
-  std::vector<int> free_;        // variables that are free in whole_
+  std::vector<int> free_;        // variables with a width in whole_
   Rung rung_ = Rung::kMonotone;  // the method that gave the upper bound
   double attained_ = 0;
   std::vector<double> best_point_;
@@ -124,7 +124,7 @@ class MultiaffineSearch {
 
   // The members below describe the current part.
   std::vector<Sector> part_;                  // by variable
-  std::vector<int> live_;                     // variables that are free in the part
+  std::vector<int> live_;                     // variables with a width in the part
   int part_waves_ = -1;                       // index in waves_
   std::vector<NearestInterval> part_slopes_;  // by variable
   std::vector<double> least_curvature_;       // by angle

@@ -12,17 +12,17 @@ namespace assay::algebra {
 // result is within the resulting interval, in spite of floating-point rounding. Each end is moved
 // outward after the operation, and the rounding mode is not changed. Ends of + - * / and sqrt,
 // which IEEE 754 rounds correctly, move by at most two units in the last place. Ends of sin and
-// cos, which the C library rounds to within one unit, move by at most four. Ends may be infinite. 0
-// * infinity counts as 0, because an infinite end stands for arbitrarily large numbers and not for
-// one number. No end is ever NaN. An operation on two single numbers is exact where its double
-// result is exact, and so is each end of a sum.
+// cos, which the C library rounds to within one unit, move by at most four. Ends may be infinite.
+// Zero times infinity counts as zero, because an infinite end stands for arbitrarily large numbers
+// and not for one number. No end is ever NaN. An operation on two single numbers is exact where its
+// double result is exact, and so is each end of a sum.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Interval kWholeLine = {-kInfinity, kInfinity};
 inline constexpr Interval kOne = {1, 1};
 
-// RoundedUp returns a double that is at least as large as any real that rounds to r. RoundedDown
-// returns one that is at least as small. A sum or product that rounds to +infinity may be any real
-// above the largest double, so RoundedDown(+infinity) is near the largest double.
+// RoundedUp(r) is a double that is not below any real that rounds to r, and RoundedDown(r) is one
+// that is not above any. A sum or product that rounds to +infinity may be any real above the
+// largest double, so RoundedDown(+infinity) is near the largest double.
 inline double RoundedUp(double r);
 inline double RoundedDown(double r);
 

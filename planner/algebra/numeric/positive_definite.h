@@ -35,9 +35,9 @@ void SolveFactored(const SymmetricMatrix& factor, std::span<double> b);
 // Returns true only if every symmetric matrix is positive definite whose entries differ from those
 // of `centre` by at most the entries of `deviation`. The test is rigorous. It subtracts the sum of
 // each row's deviations from the diagonal entry. The resulting matrix is less than all of those
-// matrices, because 2*d*x*y >= -|d|*(x^2 + y^2) for a deviation d. That matrix is positive definite
-// if Cholesky's factorization of it, less a bound of the rounding errors, succeeds (Rump 2006,
-// "Verification of positive definiteness").
+// matrices, because 2*d*x*y >= -|d|*(x^2 + y^2) for a deviation d. It is positive definite if
+// Cholesky's factorization still succeeds after a bound of the rounding errors is subtracted (Rump
+// 2006, "Verification of positive definiteness").
 bool IsSurelyPositiveDefinite(SymmetricMatrix centre, const SymmetricMatrix& deviation);
 
 }  // namespace assay::algebra

@@ -23,7 +23,7 @@ class Rational {
   double Nearest() const;  // the nearer of RoundedDown() and RoundedUp(); always finite
   std::optional<double> Exactly() const;  // a value only if the number is a double
 
-  // The fraction is in lowest terms, and its denominator is positive.
+  // Numerator() / Denominator() is the number in lowest terms. The denominator is positive.
   Rational Numerator() const;
   Rational Denominator() const;
 

@@ -53,7 +53,7 @@ class ArcConsistency {
   // Tells the object that the labels or the arcs of a node have changed since the last propagation.
   void Enqueue(int node) { Enqueue(node, kManyArcs); }
 
-  // Call it when the labels are undone to a consistent state.
+  // Empties the queue. Call it when the labels are undone to a consistent state.
   void ClearQueue();
 
   // Restores arc consistency after changes at the enqueued nodes. Returns false at a wipe-out. The
@@ -84,9 +84,9 @@ class ArcConsistency {
   std::vector<Word> kept_;  // the labels that survive the current revision
 
   std::vector<int> queue_;
-  // For a node in the queue: the only arc whose revision changed it, or kManyArcs. Otherwise
-  // kNotQueued. Labels that were lost on an arc supported nothing on that arc, so the arc need not
-  // be revised in the other direction because of them.
+  // By node: for a node in the queue, the only arc whose revision changed it, or kManyArcs; for any
+  // other node kNotQueued. Labels that were lost on an arc supported nothing on that arc. Therefore
+  // the arc need not be revised in the other direction because of them.
   static constexpr int kNotQueued = -2;
   std::vector<int> cause_;
 };

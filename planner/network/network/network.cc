@@ -13,7 +13,8 @@
 namespace assay::network {
 namespace {
 
-// The wipe-outs after which a search counts as long. Only then SIMD rows are built for it.
+// The number of wipe-outs after which a search counts as long. SIMD rows are built only for long
+// searches.
 constexpr std::int64_t kShortSearch = 10;
 
 Budget Unlimited() { return Budget(std::numeric_limits<std::int64_t>::max()); }

@@ -33,10 +33,10 @@ class OpenNodes {
   int count() const { return count_; }
   void Reopen(int count);  // restores the state in which count() had this value
 
-  // Increases the weight of the arc by one. Call it for each wipe-out.
+  // Increases the weight of the wipe-out's arc by one. Call it for each wipe-out.
   void Blame(const ArcConsistency::WipeOut& wipe_out);
 
-  // Both return -1 if no node is open.
+  // First and Heaviest return -1 if no node is open.
   int First() const;     // in the order of the scope
   int Heaviest() const;  // the node with the fewest labels per weight
 
