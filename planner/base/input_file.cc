@@ -29,7 +29,7 @@ struct ReadFiles {
   std::mutex mutex;
   std::set<FileId> ids;
   std::set<fs::path> paths;  // canonical; needed if another program has replaced a file since
-  std::map<fs::path, std::string> digests;  // by canonical path, for files read by ReadInput
+  std::map<fs::path, std::string> digests;  // of files read by ReadInput, by canonical path
 };
 
 ReadFiles& Files() {

@@ -15,7 +15,7 @@ using BatchRow = std::array<double, kBatch>;  // one number for each pose
 
 // The poses X_BaseFlange of a batch. Each entry has one number for each pose.
 struct alignas(64) PoseBatch {
-  std::array<std::array<BatchRow, 3>, 3> rotation;  // by row and column
+  std::array<std::array<BatchRow, 3>, 3> rotation;  // indexed by row and column
   std::array<BatchRow, 3> translation;              // metres
 };
 PoseBatch Batch(std::span<const Pose, kBatch> X_BaseFlange);
@@ -23,7 +23,7 @@ PoseBatch Batch(std::span<const Pose, kBatch> X_BaseFlange);
 // All eight solutions of each pose, in the order of kBatchIndicators, which is that of
 // Arm::Inverse.
 struct alignas(64) SolutionBatch {
-  std::array<std::array<BatchRow, 6>, 8> q;  // by solution and joint; radians in [-pi, pi]
+  std::array<std::array<BatchRow, 6>, 8> q;  // indexed by solution and joint; radians in [-pi, pi]
   // True if the pose has eight solutions and is well away from all singular poses. For other poses
   // the solutions have no meaning, and Arm::Inverse must be used.
   std::array<bool, kBatch> regular;

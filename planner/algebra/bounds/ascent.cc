@@ -46,7 +46,7 @@ class Ascent {
     }
   }
 
-  // Returns the negated second derivatives by the free variables, scaled.
+  // Returns the negated second derivatives with respect to the free variables, scaled.
   SymmetricMatrix Curvature() {
     const int n = static_cast<int>(free_.size());
     SymmetricMatrix curvature;

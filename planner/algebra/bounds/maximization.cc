@@ -80,7 +80,7 @@ class FixedAtoms {
     });
   }
 
-  std::span<const Interval> box_;  // by VariableId
+  std::span<const Interval> box_;  // indexed by VariableId
   std::map<int, std::pair<bool, Interval>> values_;
 };
 

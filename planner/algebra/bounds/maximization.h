@@ -14,15 +14,16 @@ namespace assay::algebra {
 struct Maximization {
   NormalForm form;
   std::vector<VariableId> variables;  // increasing: all that occur in the form or in an inequality
-  std::vector<Interval> box;          // by number
+  std::vector<Interval> box;          // indexed by number
   CompiledForm objective;
   // One slack for each inequality. All slacks are >= 0 where all inequalities hold.
   std::vector<CompiledForm> slacks;
-  std::vector<bool> constrained;  // by number: the variable occurs in an inequality
-  std::vector<double> elsewhere;  // by VariableId: a coordinate for each variable without a number
-  // The expression before it was brought to normal form, by VariableId. It is kept only if it may
-  // be undefined, because the normal form can have a value where the expression has none, as for
-  // sqrt(x)^2 = x.
+  std::vector<bool> constrained;  // indexed by number: the variable occurs in an inequality
+  // Indexed by VariableId: a coordinate for each variable without a number.
+  std::vector<double> elsewhere;
+  // The expression before it was brought to normal form. Its variables are indexed by VariableId.
+  // It is kept only if it may be undefined, because the normal form can have a value where the
+  // expression has none, as for sqrt(x)^2 = x.
   std::optional<CompiledForm> as_written;
 };
 
@@ -36,8 +37,8 @@ Maximization MaximizationOf(const Expression& e, NormalForm form, int sign,
 // inequalities, atoms that are constant over the smaller box are multiplied into the coefficients.
 Maximization Restricted(const Maximization& problem, std::span<const Interval> box);
 
-// Returns a point by VariableId: the given coordinates of the numbered variables, and `elsewhere`
-// for all others.
+// Returns a point indexed by VariableId: the given coordinates of the numbered variables, and
+// `elsewhere` for all others.
 std::vector<double> FullPoint(const Maximization& problem, std::span<const double> point);
 
 }  // namespace assay::algebra

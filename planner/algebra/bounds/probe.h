@@ -11,7 +11,7 @@
 
 namespace assay::algebra {
 
-using Box = std::vector<Interval>;  // by the variables' numbers in a Maximization
+using Box = std::vector<Interval>;  // indexed by the variables' numbers in a Maximization
 
 // Evaluates a maximization over boxes and at points. It counts the evaluations and keeps the best
 // feasible point.

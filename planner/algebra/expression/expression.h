@@ -144,7 +144,7 @@ class ExpressionPool {
   struct Storage;
   Expression At(int node) { return {this, node}; }
 
-  std::vector<StoredNode> nodes_;     // by Expression::index
+  std::vector<StoredNode> nodes_;     // indexed by Expression::index
   std::unique_ptr<Storage> storage_;  // hash table, operands and variables
   std::shared_ptr<KeptNormalForms> kept_normal_forms_;
 };
@@ -165,11 +165,11 @@ std::vector<VariableId> VariablesOf(const Expression& e);
 // Returns e with all variables of the map replaced simultaneously.
 Expression Substitute(const Expression& e, const std::map<VariableId, Expression>& replacements);
 
-// Returns the value of e at a point, which is given by VariableId. It is computed in doubles and
+// Returns the value of e at a point, which is indexed by VariableId. It is computed in doubles and
 // not rounded outward. The value is NaN where a square root or a quotient has no real value.
 double Evaluate(const Expression& e, std::span<const double> point);
 
-// Returns an interval that contains every value of e over a box, which is given by VariableId. It
+// Returns an interval that contains every value of e over a box, which is indexed by VariableId. It
 // is computed by interval arithmetic on the expression as it is stored.
 Interval Evaluate(const Expression& e, std::span<const Interval> box);
 

@@ -247,7 +247,7 @@ class Compiler {
   std::vector<int> count_of_factor_;  // scratch, all zero between uses
   std::vector<int> step_of_factor_;   // -1 if the factor has no step yet
   IndexMap<int> step_of_expression_;
-  IndexMap<int> sine_of_;  // by the step of the angle
+  IndexMap<int> sine_of_;  // indexed by the step of the angle
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ struct CompiledForm {
   };
   std::vector<Step> steps;  // the last step gives the value
   std::vector<Interval> constants;
-  std::vector<bool> affine;  // by variable: affine in it while all others are fixed
+  std::vector<bool> affine;  // indexed by variable: affine in it while all others are fixed
 };
 
 // Compiles a normal form. `variables` lists, in increasing order, at least all variables that occur

@@ -22,13 +22,14 @@ class Derivatives {
  public:
   explicit Derivatives(const CompiledForm& form);
 
-  // Sets the point or box, by variable, and returns the value there.
+  // Sets the point or box, indexed by variable, and returns the value there.
   Number Value(std::span<const Number> place);
   // DefinedEverywhere and DefinedSomewhere refer to the place that was last given to Value.
   bool DefinedEverywhere() const { return defined_everywhere_; }
   bool DefinedSomewhere() const { return defined_somewhere_; }
   const std::vector<Number>& Gradient();
-  // Returns row `variable` of the matrix of second derivatives, by variable. Call Gradient first.
+  // Returns row `variable` of the matrix of second derivatives, indexed by variable. Call Gradient
+  // first.
   const std::vector<Number>& SecondDerivatives(int variable);
 
  private:
@@ -42,12 +43,15 @@ class Derivatives {
   void PropagateAdjointTangent(int index);
 
   const CompiledForm& form_;
-  std::vector<Number> value_;            // by step
-  std::vector<Number> adjoint_;          // by step: derivative of the form by the step
-  std::vector<Number> tangent_;          // by step: derivative of the step by one variable
-  std::vector<Number> adjoint_tangent_;  // by step: derivative of its adjoint by that variable
-  std::vector<Number> gradient_;         // by variable
-  std::vector<Number> row_;              // by variable
+  // These vectors are indexed by step. The adjoint is the derivative of the form with respect to
+  // the step's value. Tangents are derivatives, of the value and of the adjoint, with respect to
+  // one variable.
+  std::vector<Number> value_;
+  std::vector<Number> adjoint_;
+  std::vector<Number> tangent_;
+  std::vector<Number> adjoint_tangent_;
+  std::vector<Number> gradient_;  // indexed by variable
+  std::vector<Number> row_;       // indexed by variable
   bool defined_everywhere_ = true;
   bool defined_somewhere_ = true;
 };

@@ -72,18 +72,19 @@ class NestedReduction {
                              std::span<const double> values, NestedForm& reduced);
 
  private:
-  std::vector<NestedForm::Term> outer_;  // by node: the product of its multipliers
+  std::vector<NestedForm::Term> outer_;  // indexed by node: the product of its multipliers
   std::vector<NestedForm::Term> terms_;
 };
 
-// Computes the value of a nested form and its derivatives by the atoms. Its memory is reused from
-// one evaluation to the next. Number is double or NearestInterval.
+// Computes the value of a nested form and its derivatives with respect to the atoms. Its memory is
+// reused from one evaluation to the next. Number is double or NearestInterval.
 template <class Number>
 class NestedEvaluation {
  public:
   // Returns the value at `atoms`, which holds the value of each atom.
   Number Value(const NestedForm& form, std::span<const Number> atoms);
-  // Returns the derivatives by the atoms, in one backward pass. Call Value at the same place first.
+  // Returns the derivatives with respect to the atoms, in one backward pass. Call Value at the same
+  // place first.
   const std::vector<Number>& Slopes(const NestedForm& form, std::span<const Number> atoms);
   // Returns the directional derivative of the slopes along the tangent. The result and `tangent`
   // are indexed by atom. Call Slopes at the same place first.
@@ -94,9 +95,9 @@ class NestedEvaluation {
   void ValueAlong(const NestedForm& form, std::span<const Number> atoms,
                   std::span<const Number> tangent);
 
-  std::vector<Number> value_, adjoint_;              // by node
-  std::vector<Number> value_along_, adjoint_along_;  // by node
-  std::vector<Number> slopes_, slopes_along_;        // by atom
+  std::vector<Number> value_, adjoint_;              // indexed by node
+  std::vector<Number> value_along_, adjoint_along_;  // indexed by node
+  std::vector<Number> slopes_, slopes_along_;        // indexed by atom
 };
 
 }  // namespace assay::algebra

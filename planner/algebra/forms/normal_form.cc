@@ -161,7 +161,7 @@ class Expansion {
 
   Polynomial Walked(const Expression& e) {
     const std::vector<Expression> nodes = NodesOf(e);
-    IndexMap<int> uses;  // by index: how often the expansion is still needed
+    IndexMap<int> uses;  // by expression index: how often it is still needed
     for (const Expression& node : nodes) {
       for (const Expression& operand : node.operands()) ++uses[operand.index()];
     }

@@ -13,7 +13,7 @@ struct Inequality {
 
 // The set that bounds are taken over: a box and inequalities between variables.
 struct ConstraintSet {
-  std::vector<Interval> box = {};  // by VariableId; ends may be infinite
+  std::vector<Interval> box = {};  // indexed by VariableId; ends may be infinite
   std::vector<Inequality> inequalities = {};
 };
 

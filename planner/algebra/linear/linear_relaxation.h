@@ -68,13 +68,13 @@ class LinearRelaxation {
   std::set<VariableId> keep_;
   std::set<ColumnId> kept_columns_;
   std::vector<Interval> box_;    // tightened on demand
-  std::vector<bool> tightened_;  // by VariableId
+  std::vector<bool> tightened_;  // indexed by VariableId
   std::vector<Column> columns_;  // the variables' columns come first
-  std::map<std::vector<std::pair<int, int>>, ColumnId> column_of_;  // by atom and exponent
+  std::map<std::vector<std::pair<int, int>>, ColumnId> column_of_;  // indexed by atom and exponent
   std::vector<LinearForm> rows_;
   std::optional<LinearSupInf> core_;            // over rows_; empty after rows_ has changed
   std::optional<LinearSupInf> variables_core_;  // over the rows that contain variables only
-  std::unordered_map<int, Interval> range_of_;  // by an expression's index
+  std::unordered_map<int, Interval> range_of_;  // indexed by an expression's index
 };
 
 }  // namespace assay::algebra

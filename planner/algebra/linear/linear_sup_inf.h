@@ -62,7 +62,7 @@ class LinearSupInf {
   std::vector<LinearForm> RelatedTo(const LinearForm& j) const;
 
   std::vector<LinearForm> rows_;                         // each is at most 0
-  std::map<ColumnId, std::vector<std::size_t>> places_;  // by column: the rows that contain it
+  std::map<ColumnId, std::vector<std::size_t>> places_;  // for each column, the rows with it
   int columns_ = 0;                                      // all columns have smaller numbers
   int most_steps_;
 };

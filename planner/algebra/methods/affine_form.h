@@ -17,7 +17,7 @@ struct AffineForm {
 
 // Returns the affine form of e. Its slopes are the derivatives at the middle of the box. Variables
 // whose share in the total variation of the expression is less than `negligible` go into the rest.
-// The box is by VariableId and finite.
+// The box is finite and indexed by VariableId.
 AffineForm AffineFormOf(const Expression& e, std::span<const Interval> box, double negligible);
 
 }  // namespace assay::algebra

@@ -25,8 +25,8 @@ class FirstOrderForms {
  public:
   // Above and Below return a bound of e like GlanceAbove and GlanceBelow. For an unknown form,
   // `bound` and `attained` are infinitely far apart. If the limit is between them, e is evaluated
-  // at the corner to which the slopes point. All expressions must be of one pool. The box is by
-  // VariableId and must be the same in every call.
+  // at the corner to which the slopes point. All expressions must be of one pool. The box is
+  // indexed by VariableId and must be the same in every call.
   Glance Above(const Expression& e, std::span<const Interval> box, double limit);
   Glance Below(const Expression& e, std::span<const Interval> box, double limit);
 
@@ -49,13 +49,13 @@ class FirstOrderForms {
     double centre = 0;
     double rest = 0;                 // infinite if the form is unknown
     double reach = 0;                // of the linear part: the sum of the absolute slopes
-    std::vector<Slope> slopes = {};  // by increasing variable
+    std::vector<Slope> slopes = {};  // sorted by variable
   };
-  // Adds up slopes by variable.
+  // Adds up slopes for each variable.
   class Slopes {
    public:
     void Add(int variable, double slope);
-    std::vector<Slope> Take();  // by increasing variable; the object is empty afterwards
+    std::vector<Slope> Take();  // sorted by variable; the object is empty afterwards
 
    private:
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
@@ -79,7 +79,7 @@ class FirstOrderForms {
   Form OfSum(std::span<const Expression> terms);
   Form OfProduct(std::span<const Expression> factors) const;
 
-  std::vector<Known> known_;      // by Expression::index
+  std::vector<Known> known_;      // indexed by Expression::index
   std::vector<Expression> open_;  // scratch: expressions whose form is still to be computed
   Slopes total_;                  // scratch
 };

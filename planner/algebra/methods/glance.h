@@ -16,7 +16,7 @@ struct Glance {
                         // point is known, it is the infinity opposite to the bound.
 };
 
-// Return a bound of e from above and from below, over a box that is given by VariableId. The work
+// Return a bound of e from above and from below, over a box that is indexed by VariableId. The work
 // ends as soon as the bound proves that e does not reach the limit.
 Glance GlanceAbove(const Expression& e, std::span<const Interval> box, double limit);
 Glance GlanceBelow(const Expression& e, std::span<const Interval> box, double limit);

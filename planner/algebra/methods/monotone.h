@@ -18,8 +18,8 @@ struct MonotoneBox {
 // form is largest. This is conservative: for any values of the other variables, the form does not
 // fall on the way to that end. Derivatives are tighter over a smaller box, so the remaining
 // variables are tried again. Where the form may be undefined nothing is set, because it might have
-// no value at the end. `held`, by variable, marks the variables to leave alone; an empty list marks
-// none.
+// no value at the end. `held`, indexed by variable, marks the variables to leave alone; an empty
+// list marks none.
 MonotoneBox SetMonotoneVariables(Probe& probe, Box box, const std::vector<bool>& held = {});
 
 }  // namespace assay::algebra

@@ -53,7 +53,8 @@ void QuadraticBound::FindShift() {
   shift_ = enough;
 }
 
-// Returns the derivative by coordinate i of the shifted quadratic function at place_.
+// Returns the derivative, with respect to coordinate i, of the shifted quadratic function at
+// place_.
 double QuadraticBound::Slope(int i) const {
   double slope = slopes_[i] - shift_ * place_[i];
   for (int j = 0; j < matrix_.size(); ++j) {

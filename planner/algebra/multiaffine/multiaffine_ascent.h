@@ -15,8 +15,8 @@ class MultiaffineAscent {
  public:
   explicit MultiaffineAscent(MultiaffinePoint& point) : point_(point) {}
 
-  // Moves the point's given variables within their sectors (by variable), starting from their
-  // present values. Returns the number of evaluations.
+  // Moves the point's given variables within their sectors (indexed by variable), starting from
+  // their present values. Returns the number of evaluations.
   int Climb(const NestedForm& form, std::span<const int> variables,
             std::span<const Sector> sectors);
 

@@ -7,10 +7,10 @@
 
 namespace assay::algebra {
 
-// Computes the value of a multi-affine form and its derivatives by the variables, at a point
-// (Number = double) or over a box (NearestInterval). Some coordinates may already be substituted in
-// the form. Results are rounded to nearest; MultiaffineForm bounds the error. A variable is
-// identified by its place in the form's list.
+// Computes the value of a multi-affine form and its derivatives with respect to the variables, at a
+// point (Number = double) or over a box (NearestInterval). Some coordinates may already be
+// substituted in the form. Results are rounded to nearest; MultiaffineForm bounds the error. A
+// variable is identified by its place in the form's list.
 template <class Number>
 class MultiaffineDerivatives {
  public:
@@ -43,7 +43,7 @@ class MultiaffineDerivatives {
     slopes_along_ = &evaluation_.SlopesAlong(nested, atoms_, tangent_);
     tangent_[cosine] = tangent_[cosine + 1] = 0;
   }
-  // Returns the second derivative by that angle and another variable.
+  // Returns the second derivative with respect to that angle and another variable.
   Number MixedCurvature(int variable) const { return SlopeIn(*slopes_along_, variable); }
 
  private:
@@ -54,10 +54,10 @@ class MultiaffineDerivatives {
   }
 
   const MultiaffineForm& form_;
-  std::vector<Number> atoms_, tangent_;  // by atom
+  std::vector<Number> atoms_, tangent_;  // indexed by atom
   NestedEvaluation<Number> evaluation_;
-  const std::vector<Number>* slopes_ = nullptr;        // by atom
-  const std::vector<Number>* slopes_along_ = nullptr;  // by atom
+  const std::vector<Number>* slopes_ = nullptr;        // indexed by atom
+  const std::vector<Number>* slopes_along_ = nullptr;  // indexed by atom
 };
 
 }  // namespace assay::algebra

@@ -144,7 +144,7 @@ class Reader {
   std::vector<NestedForm::Term> terms_;
   std::map<VariableId, Use> uses_;
   std::map<VariableId, int> places_;         // places in the form's variables
-  std::map<AtomSet, Magnitude> magnitudes_;  // by the displacements of the terms
+  std::map<AtomSet, Magnitude> magnitudes_;  // indexed by the displacements of the terms
 };
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace assay::algebra {
 // The arithmetic rounds to nearest, with one bound for all errors. If every term goes through at
 // most n roundings, the result is off by at most n (1 + small) units of rounding times the sum of
 // the terms' magnitudes (Higham 2002, "Accuracy and Stability of Numerical Algorithms", lemma 3.1).
-// The magnitude of a sine or cosine counts as 1, and this holds for derivatives by angles, too.
+// The magnitude of a sine or cosine counts as 1, and this holds for derivatives with respect to
+// angles, too.
 struct MultiaffineForm {
   struct Variable {
     VariableId id;

@@ -70,7 +70,7 @@ bool MultiaffineSearch::Enter(std::span<const Interval> box) {
 }
 
 // Since sines and cosines of angles count as 1, a bound of the value's error also bounds the error
-// of a derivative by an angle.
+// of a derivative with respect to an angle.
 void MultiaffineSearch::BoundErrors() {
   MultiaffineDerivatives<double>& magnitudes = point_.derivatives();
   for (std::size_t i = 0; i < box_.size(); ++i) {

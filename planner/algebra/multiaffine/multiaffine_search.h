@@ -27,8 +27,8 @@ class MultiaffineSearch {
   MultiaffineSearch(const MultiaffineSearch&) = delete;
   MultiaffineSearch& operator=(const MultiaffineSearch&) = delete;
 
-  // Sets the box of the following questions, by VariableId. Returns false if rounding errors cannot
-  // be bounded over it, because ends are infinite or far out.
+  // Sets the box of the following questions, indexed by VariableId. Returns false if rounding
+  // errors cannot be bounded over it, because ends are infinite or far out.
   bool Enter(std::span<const Interval> box);
 
   // Returns SUP of sign * form, where sign is 1 or -1. `request.highest` must be at least
@@ -102,7 +102,7 @@ class MultiaffineSearch {
   MultiaffineAscent ascent_;
   NestedReduction reduction_;
 
-  // The members below describe the whole box, by variable.
+  // The members below describe the whole box and are indexed by variable.
   std::vector<Sector> box_;
   NearestInterval range_;
   std::vector<NearestInterval> slopes_;
@@ -123,11 +123,11 @@ class MultiaffineSearch {
   std::int64_t splits_ = 0;
 
   // The members below describe the current part.
-  std::vector<Sector> part_;                  // by variable
+  std::vector<Sector> part_;                  // indexed by variable
   std::vector<int> live_;                     // variables with a width in the part
   int part_waves_ = -1;                       // index in waves_
-  std::vector<NearestInterval> part_slopes_;  // by variable
-  std::vector<double> least_curvature_;       // by angle
+  std::vector<NearestInterval> part_slopes_;  // indexed by variable
+  std::vector<double> least_curvature_;       // indexed by angle
   double upper_bound_ = 0;
   // An upper bound of the loss by variables that were settled although their slopes were within the
   // rounding error of 0.

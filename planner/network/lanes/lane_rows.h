@@ -11,8 +11,8 @@ namespace assay::network {
 
 inline constexpr int kNoLane = -1;
 
-// Returns, by node of the network, its place in the scope, or kNoLane. This place is its element
-// (Lane) in every SIMD row.
+// Returns, for each node of the network, its place in the scope, or kNoLane. This place is its
+// element (Lane) in every SIMD row.
 std::vector<int> LanesOf(std::span<const int> scope, int node_count);
 
 // The SIMD rows of all labels of the nodes of a scope. A row has one element for each node of the
@@ -43,7 +43,7 @@ class LaneRows {
 
   int blocks_;
   std::vector<Block<Lane>> blocks_of_rows_;
-  std::vector<Node> nodes_;  // by node of the scope
+  std::vector<Node> nodes_;  // indexed by node of the scope
 };
 
 }  // namespace assay::network

@@ -60,7 +60,7 @@ class LaneSearch {
   LaneRows<Lane> rows_;
   OpenLanes open_;
   Counters& counters_;
-  std::vector<Label> preferred_;  // by node of the scope
+  std::vector<Label> preferred_;  // indexed by node of the scope
   NarrowLanes<Lane> narrow_ = QuickestNarrowLanes<Lane>();
 
   std::vector<Block<Lane>> states_;  // one before each decision, and the present one last

@@ -31,9 +31,9 @@ class OpenLanes {
   void Swap(int place, int other);
 
   std::vector<int> arc_weights_;  // nodes x nodes
-  std::vector<int> weights_;      // by node: the total weight of its arcs to open nodes
+  std::vector<int> weights_;      // indexed by node: the total weight of its arcs to open nodes
   std::vector<int> order_;        // all nodes; the open ones come first
-  std::vector<int> places_;       // by node: its place in order_
+  std::vector<int> places_;       // indexed by node: its place in order_
   int count_ = 0;
 };
 

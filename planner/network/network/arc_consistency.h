@@ -77,7 +77,7 @@ class ArcConsistency {
   bool HasSupport(const Direction& direction, Label label, std::span<const Word> others);
 
   std::vector<Direction> directions_;  // two for each arc
-  std::vector<int> first_at_;          // by node: the head of a list in directions_
+  std::vector<int> first_at_;          // indexed by node: the head of a list in directions_
   std::vector<std::int64_t> weights_;
   WipeOut last_wipe_out_ = {};
   std::vector<std::uint16_t> residues_;

@@ -17,8 +17,8 @@ namespace assay::network {
 // A network whose nodes and labels have names.
 struct NamedNetwork {
   Network network;                               // not yet checked for consistency
-  std::vector<std::string> nodes;                // by node index
-  std::vector<std::vector<std::string>> labels;  // by node index, then by label
+  std::vector<std::string> nodes;                // indexed by node index
+  std::vector<std::vector<std::string>> labels;  // indexed by node index, then by label
 };
 
 // Reads a network in JSON or YAML, for example:

@@ -53,7 +53,7 @@ class ForwardChecking {
 
   const ArcConsistency& arcs_;
   Counters& counters_;
-  std::vector<Word> labels_;  // by node
+  std::vector<Word> labels_;  // indexed by node
   NodesByCount open_;
   std::vector<Decision> decisions_;
   std::vector<Change> trail_;

@@ -50,7 +50,7 @@ class Peeling {
 
   const LabelStore& labels_;
   const ArcConsistency& arcs_;
-  std::vector<int> degrees_;  // by node: open arcs to nodes that are not removed
+  std::vector<int> degrees_;  // indexed by node: open arcs to nodes that are not removed
   std::vector<int> peeled_;
   Fringe fringe_;
 };

@@ -47,10 +47,11 @@ class OpenNodes {
   const LabelStore& labels_;
   const ArcConsistency& arcs_;
   std::vector<int> scope_;
-  std::vector<int> nodes_;             // the scope; the open nodes come first
-  int count_ = 0;                      // the number of open nodes
-  std::vector<int> places_;            // by node: its place in nodes_
-  std::vector<std::int64_t> weights_;  // by node: the total weight of its arcs to open nodes
+  std::vector<int> nodes_;   // the scope; the open nodes come first
+  int count_ = 0;            // the number of open nodes
+  std::vector<int> places_;  // indexed by node: its place in nodes_
+  // Indexed by node: the total weight of its arcs to open nodes.
+  std::vector<std::int64_t> weights_;
 };
 
 }  // namespace assay::network

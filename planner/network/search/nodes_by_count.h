@@ -44,8 +44,8 @@ class NodesByCount {
     int count, previous, next;
   };
 
-  std::vector<Links> links_;  // by node
-  int first_[kWordBits];      // by count - 1
+  std::vector<Links> links_;  // indexed by node
+  int first_[kWordBits];      // indexed by count - 1
   Word counts_ = 0;           // bit i is set if the list of count i + 1 is not empty
 };
 
