@@ -40,7 +40,7 @@ struct Value::Node {
   const std::string* file;
   std::string_view text = {};               // only for a scalar
   std::span<const Node* const> keys = {};   // only for a map: scalars, as many as items
-  std::span<const Node* const> items = {};  // of a map or a list
+  std::span<const Node* const> items = {};  // the items of a list, or the values of a map
   int line;
   int column;  // in bytes, as compilers count
   Kind kind;

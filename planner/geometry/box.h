@@ -36,7 +36,7 @@ std::vector<Box> Subtract(const Box& minuend, const Box& pocket);
 // % otherwise.
 struct MassProperties {
   double mass = 0;                    // kg
-  Vector3 center = Vector3::Zero();   // in the frame of the boxes
+  Vector3 center = Vector3::Zero();   // centre of mass, in the frame of the boxes
   Matrix3 inertia = Matrix3::Zero();  // about the centre, along the axes of the frame, kg m^2
 };
 MassProperties MassOf(std::span<const Box> boxes, double density);

@@ -49,8 +49,8 @@ class Gripper {
   double max_opening_ = 0;
   double max_force_ = 0;
   std::vector<Box> hand_;
-  std::vector<Box> left_;   // at joint value 0
-  std::vector<Box> right_;  // at joint value 0
+  std::vector<Box> left_;   // the boxes at joint value 0
+  std::vector<Box> right_;  // the boxes at joint value 0
   Vector2 pad_half_extents_ = Vector2::Zero();
 };
 

@@ -24,7 +24,7 @@ class Probe {
 
   // Evaluates over a box, rounded outward.
   Interval Range(std::span<const Interval> box);
-  Derivatives<Interval>& over_box() { return over_box_; }  // over the box of the last Range
+  Derivatives<Interval>& over_box() { return over_box_; }  // derivatives over the last box
   // Evaluates over the box that contains this point alone.
   Interval RangeAt(std::span<const double> point);
   // Returns true if some inequality holds nowhere in the box.
@@ -32,7 +32,7 @@ class Probe {
 
   // Evaluates at a point, in doubles.
   double Value(std::span<const double> point);
-  Derivatives<double>& at_point() { return at_point_; }  // at the point of the last Value
+  Derivatives<double>& at_point() { return at_point_; }  // derivatives at the last point
   const std::vector<double>& Gradient();
   const std::vector<Interval>& GradientOverBox();
   void CountSecondDerivatives() { ++evaluations_; }

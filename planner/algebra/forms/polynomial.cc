@@ -198,7 +198,7 @@ bool PolynomialAlgebra::HasReplacedSquare(const Factorization& factors) const {
 // Returns the monomial with every replaceable square substituted.
 std::optional<Polynomial> PolynomialAlgebra::Reduced(const Factorization& factors, Budget& budget) {
   Factorization kept;
-  Factorization replaced;  // with half the exponents
+  Factorization replaced;  // the powers to be replaced, with halved exponents
   for (const AtomPower& factor : factors) {
     if (factor.exponent == 1 || !squares_.contains(factor.atom)) {
       kept.push_back(factor);

@@ -43,7 +43,7 @@ class LinearRelaxation {
   using Factors = std::vector<NormalForm::Factor>;
   struct Column {
     Factors factors;
-    Interval range;  // for a variable its declared range, which box_ may tighten
+    Interval range;  // range of the product; for a variable the declared one (box_ may be tighter)
   };
 
   void AddRow(const LinearForm& at_most_zero);

@@ -48,7 +48,7 @@ class FirstOrderForms {
   struct Form {
     double centre = 0;
     double rest = 0;                 // infinite if the form is unknown
-    double reach = 0;                // of the linear part: the sum of the absolute slopes
+    double reach = 0;                // the sum of the absolute slopes
     std::vector<Slope> slopes = {};  // sorted by variable
   };
   // Adds up slopes for each variable.

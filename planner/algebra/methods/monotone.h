@@ -10,8 +10,8 @@ namespace assay::algebra {
 // box occurs in the smaller box, too.
 struct MonotoneBox {
   Box box;
-  Interval range;                  // of the form over `box`
-  std::vector<Interval> gradient;  // of the form over `box`
+  Interval range;                  // the range of the form over `box`
+  std::vector<Interval> gradient;  // the ranges of its derivatives over `box`
 };
 
 // Sets each variable whose partial derivative has one sign all over the box to the end at which the

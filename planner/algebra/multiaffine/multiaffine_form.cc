@@ -14,8 +14,8 @@ using AtomSet = NestedForm::AtomSet;
 using Factor = NormalForm::Factor;
 
 constexpr double kUnit = 0x1p-53;    // unit of rounding
-constexpr double kSlack = 1.02;      // for products of units, and for roundings of the bounds
-constexpr int kRoundingsOfWave = 2;  // of the C library's sine or cosine
+constexpr double kSlack = 1.02;      // covers products of units and roundings of the bounds
+constexpr int kRoundingsOfWave = 2;  // roundings in the C library's sine or cosine
 
 bool IsWave(const Expression& atom) {
   return atom.op() == Operator::kSin || atom.op() == Operator::kCos;

@@ -143,7 +143,7 @@ class MultiaffineSearch {
   struct Waves {
     WaveSum sum;
     std::vector<int> angles;
-    double error = 0;  // of the range, slopes and curvatures over any part
+    double error = 0;  // rounding error of range, slopes and curvatures over any part
   };
   std::vector<Waves> waves_;
   int waves_count_ = 0;  // those used by this question

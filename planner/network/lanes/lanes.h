@@ -28,7 +28,7 @@ struct Rows {
 // Two sets of elements. Element l is bit l % 64 of word l / 64.
 struct NarrowedLanes {
   Word* changed;  // elements that lost a label are added to this set
-  Word* single;   // of these, elements that are left with one label are added to this set
+  Word* single;   // elements that lost a label and have one left are added to this set
 };
 
 inline constexpr int kNoWipeOut = -1;

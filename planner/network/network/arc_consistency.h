@@ -25,8 +25,8 @@ class ArcConsistency {
     int most_unsupporting;  // the most labels of the changed node that one revised label forbids
     int residues;           // index of the first label's residual support
     int next;               // the next direction of the same node, or kNoDirection
-    const Word* supports;   // for each label of the revised node: its supports at the changed node
-    const Word* supported;  // for each label of the changed node: what it supports
+    const Word* supports;   // the supports of each label of the revised node
+    const Word* supported;  // the labels that each label of the changed node supports
   };
 
   // Arcs and nodes are removed in the reverse of the order in which they were added. Relations must

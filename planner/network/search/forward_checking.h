@@ -30,7 +30,7 @@ class ForwardChecking {
   // only once for an object.
   std::optional<Outcome> Any(std::int64_t wipe_out_limit, Budget& budget);
 
-  Labeling labeling() const;  // only after kFound
+  Labeling labeling() const;  // available only after kFound
 
  private:
   struct Decision {

@@ -10,11 +10,11 @@ namespace assay::network {
 
 // A node of a pendant tree. An arc to its parent joins it to the rest of its component.
 struct HangingNode {
-  static constexpr int kNoParent = -1;  // for the root, if the whole component is a tree
+  static constexpr int kNoParent = -1;  // the parent of the root, if the whole component is a tree
 
   int node;
   int parent;
-  const Word* supported;  // for each label of the parent: what it supports here
+  const Word* supported;  // the labels here that each label of the parent supports
 };
 
 struct Fringe {

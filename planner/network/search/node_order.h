@@ -37,7 +37,7 @@ class OpenNodes {
   void Blame(const ArcConsistency::WipeOut& wipe_out);
 
   // First and Heaviest return -1 if no node is open.
-  int First() const;     // in the order of the scope
+  int First() const;     // the first open node of the scope
   int Heaviest() const;  // the node with the fewest labels per weight
 
  private:
