@@ -6,8 +6,8 @@
 
 namespace assay {
 
-// A hash of 128 bits of a sequence of texts. Different texts have the same hash only by an accident
-// of probability 2^-128. The hash is not cryptographic: somebody could construct two texts with the
+// A hash of 128 bits of a sequence of texts. Different texts have the same hash only with
+// probability 2^-128. The hash is not cryptographic: somebody could construct two texts with the
 // same hash.
 class Digest {
  public:

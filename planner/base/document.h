@@ -54,7 +54,7 @@ class Value {
 // A complete YAML or JSON file with the place of each value.
 class Document {
  public:
-  // Both throw InputError if the file cannot be read or is not YAML.
+  // Load and Parse throw InputError if the file cannot be read or is not YAML.
   static Document Load(const std::filesystem::path& file);
   static Document Parse(const std::string& text, const std::string& file_name);
 

@@ -11,7 +11,7 @@ struct Module {
   std::string file;             // for example "libassay_opencv.so"
   std::string entry;            // a function without arguments that returns the module's interface
   std::string needed_for;       // a plural that starts the error message: "pictures"
-  std::string debian_packages;  // those of the third-party libraries
+  std::string debian_packages;  // the packages of the third-party libraries
 };
 
 // Opens the module and returns the address of its entry. Throws EnvironmentError, which names the

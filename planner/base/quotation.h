@@ -11,9 +11,8 @@ namespace assay {
 // (\x1b), so that no text can move a terminal's cursor or imitate a line of the program. Long texts
 // are cut. Showing a text that was already shown does not change it.
 
-inline constexpr std::size_t kQuotedCharacters = 60;  // the most characters of a quoted text
-inline constexpr std::size_t kMessageCharacters =
-    2000;  // the most characters of a message or a part of it
+inline constexpr std::size_t kQuotedCharacters = 60;     // the most characters of a quoted text
+inline constexpr std::size_t kMessageCharacters = 2000;  // the most characters of a message part
 
 struct CodePoint {
   char32_t value = 0;

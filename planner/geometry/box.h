@@ -32,8 +32,8 @@ struct Box {
 std::vector<Box> Subtract(const Box& minuend, const Box& pocket);
 
 // Mass, centre of mass and inertia of a union of boxes. Overlaps count once. The result is exact if
-// all boxes are aligned with each other (up to multiples of 90 degrees), and accurate to about 0.1
-// % otherwise.
+// all boxes are aligned with each other (up to multiples of 90 degrees). Otherwise it is accurate
+// to about 0.1 %.
 struct MassProperties {
   double mass = 0;                    // kg
   Vector3 center = Vector3::Zero();   // centre of mass, in the frame of the boxes

@@ -39,7 +39,7 @@ double SlabWidth(const Vector3& direction, const RoundedHull& a, const RoundedHu
          GreatestAlong(direction, a.vertices());
 }
 
-// Returns the outward normal of the facet that p is farthest beyond.
+// Returns the outward normal of the facet whose plane p lies farthest beyond.
 const Vector3& NormalTowards(const Vector3& p, const ConvexHull& hull) {
   const auto beyond = [&](const Facet& facet) { return facet.normal.dot(p) - facet.offset; };
   return std::ranges::max_element(hull.facets, {}, beyond)->normal;

@@ -11,7 +11,7 @@
 namespace assay::kinematics {
 namespace {
 
-constexpr std::size_t kMostElementsInEachOther = 100;  // the readers of XML are recursive
+constexpr std::size_t kMostElementsInEachOther = 100;  // limited because readers recurse
 
 bool IsXmlBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
