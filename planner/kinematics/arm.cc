@@ -367,8 +367,8 @@ WristJacobian Arm::JacobianAt(const JointVector& q) const {
   const auto [c23, s23] = Direction::Of(q[1] + q[2]);
   const auto [c4, s4] = Direction::Of(q[3]);
   const auto [c5, s5] = Direction::Of(q[4]);
-  // The axes are those of Forward. The offset to the wrist centre along axes 2 and 3 matters only
-  // for axis 1.
+  // The axes are those of Forward. The offset d2 is along axes 2 and 3, so it matters only for
+  // axis 1.
   const Vector3 x3(c1 * c23, s1 * c23, -s23);
   const Vector3 y3(-s1, c1, 0);
   const Vector3 z3(c1 * s23, s1 * s23, c23);

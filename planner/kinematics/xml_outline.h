@@ -21,8 +21,8 @@ class XmlOutline {
   // the root.
   FilePlace PlaceOf(std::string_view element, std::string_view name) const;
   // Returns the place of an element with an attribute whose value occurs in the message in quotes
-  // or brackets. The value that occurs first decides. Without any, it returns the place of the
-  // root.
+  // or brackets. The value that occurs first decides. If no value occurs, it returns the place of
+  // the root.
   FilePlace PlaceOfMention(std::string_view message) const;
 
  private:

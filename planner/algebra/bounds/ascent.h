@@ -11,7 +11,8 @@ namespace assay::algebra {
 // point counts only after Probe::Offer has certified it. Inequalities are ignored.
 
 inline constexpr double kNegligible = 1e-15;  // relative to the value: smaller slopes end an ascent
-inline constexpr double kInvisible = 1e-13;   // relative to the value: a last step gains less
+// A step that gains less than this, relative to the value, is the last one.
+inline constexpr double kInvisible = 1e-13;
 
 // Starts at the centre. Moves every variable at once to the end that the gradient points to, and
 // repeats this while it helps.

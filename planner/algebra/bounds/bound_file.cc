@@ -83,7 +83,7 @@ void ReadVariable(const Value& name, const Value& interval, ExpressionPool& pool
   pool.Declare(text, ReadInterval(interval));
 }
 
-// The text of a file, which is looked up by the places of its values.
+// The text of a file. It finds the text at the place of a value.
 class Source {
  public:
   explicit Source(std::string_view text) {

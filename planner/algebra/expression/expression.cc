@@ -254,8 +254,8 @@ Expression Combined(const Folding& folding, std::span<const Expression> operands
   return list.Finish();
 }
 
-// Returns the number that an operation on numbers gives. With a pool, it returns a number only if
-// the result is exact.
+// Returns the result of an operation on numbers. In a pool, it returns nothing if the result is not
+// exact.
 std::optional<Expression> FoldedNumber(ExpressionPool* pool, double rounded,
                                        const Interval& enclosed) {
   if (pool != nullptr && !(IsSingle(enclosed) && enclosed.low == rounded)) return std::nullopt;

@@ -12,9 +12,9 @@ struct LinearOptimum {
   Rational value = {};  // only for kFinite
 };
 
-// Maximizes `objective` over all points, of any sign, at which each form of `at_most_zero` is <= 0.
-// The result is exact. The method is the simplex method in rational numbers, with the pivoting rule
-// of Bland (1977), under which it terminates.
+// Maximizes `objective` over all points, with coordinates of any sign, at which each form of
+// `at_most_zero` is <= 0. The result is exact. The method is the simplex method in rational
+// numbers, with the pivoting rule of Bland (1977), under which it terminates.
 LinearOptimum Maximize(const LinearForm& objective, const std::vector<LinearForm>& at_most_zero);
 
 }  // namespace assay::algebra

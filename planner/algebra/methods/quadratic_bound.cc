@@ -6,7 +6,7 @@
 namespace assay::algebra {
 namespace {
 
-constexpr int kShiftHalvings = 5;  // bisections of the interval of the least sufficient shift
+constexpr int kShiftHalvings = 5;  // bisections in the search for the least shift
 constexpr int kSweeps = 4;
 
 }  // namespace

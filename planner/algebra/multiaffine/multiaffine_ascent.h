@@ -39,7 +39,7 @@ class MultiaffineAscent {
   double value_ = 0;
   int evaluations_ = 0;
   std::vector<double> start_;  // the coordinates before a step
-  std::vector<int> movable_;   // angles that their slopes do not hold at an end
+  std::vector<int> movable_;   // angles whose slopes do not hold them at an end
   std::vector<double> slope_;  // the slopes of the movable angles
   std::vector<double> step_;
   SymmetricMatrix curvature_;  // the negated second derivatives

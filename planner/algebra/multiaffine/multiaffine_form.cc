@@ -48,7 +48,8 @@ class Reader {
     seen_.clear();
     const bool is_rounding_alone = IsRoundingAlone(term.coefficient);
     for (const Factor& factor : term.factors) {
-      if (IsWave(factor.atom) && is_rounding_alone) continue;  // at most 1 for any argument
+      // A sine or cosine is at most 1 for any argument.
+      if (IsWave(factor.atom) && is_rounding_alone) continue;
       const Expression inner = IsWave(factor.atom) ? factor.atom.operands()[0] : factor.atom;
       if (inner.op() != Operator::kVariable || factor.exponent != 1) return false;
       if (std::ranges::find(seen_, inner.variable()) != seen_.end()) return false;

@@ -12,7 +12,7 @@ struct Wave {
 Wave WaveAt(double angle);
 
 // The interval of a variable of a multi-affine form. For an angle it has the cosines and sines at
-// both ends, from which the range of those between follows.
+// both ends. They determine the range between the ends.
 struct Sector {
   double low = 0;
   double high = 0;

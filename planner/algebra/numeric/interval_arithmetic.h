@@ -88,7 +88,7 @@ inline double RoundedDown(double r) { return -RoundedUp(-r); }
 
 inline bool IsSingle(const Interval& a) { return a.low == a.high; }
 
-inline Interval operator-(const Interval& a) { return {0 - a.high, 0 - a.low}; }  // 0 - x avoids -0
+inline Interval operator-(const Interval& a) { return {0 - a.high, 0 - a.low}; }  // "0 -" avoids -0
 
 inline Interval operator+(const Interval& a, const Interval& b) {
   return {interval_detail::SumFromBelow(a.low, b.low),

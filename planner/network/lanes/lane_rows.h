@@ -27,8 +27,8 @@ class LaneRows {
 
   int blocks() const { return blocks_; }  // blocks in a row
   const Rows<Lane>& of(int lane) const { return nodes_[lane].rows; }
-  // Returns the most labels of this node that one label of another node forbids. If more labels are
-  // left, no label of another node can be removed.
+  // Returns the greatest number of labels of this node that one label of another node forbids. If
+  // more labels are left, no label of another node can be removed.
   int most_unsupporting(int lane) const { return nodes_[lane].most_unsupporting; }
   int degree(int lane) const { return nodes_[lane].degree; }  // number of arcs within the scope
 

@@ -82,7 +82,7 @@ class Network {
   // Forgets what earlier searches have learned for the variable order.
   void ForgetWeights() { consistency_.ForgetWeights(); }
 
-  // These two are for the searches of this library.
+  // label_store and arc_consistency are for the searches of this library.
   const LabelStore& label_store() const { return labels_; }
   const ArcConsistency& arc_consistency() const { return consistency_; }
 

@@ -33,7 +33,7 @@ class Relation {
   struct Direction {
     int count = 0;               // the number of labels of this end
     int words = 0;               // words in a label set of the other end
-    int most_unsupporting = 0;   // the most labels of the other end that one label here forbids
+    int most_unsupporting = 0;   // most labels at the other end that one label forbids
     std::vector<Word> supports;  // count x words
 
     std::span<const Word> Of(Label label) const {

@@ -47,7 +47,7 @@ class OpenNodes {
   const LabelStore& labels_;
   const ArcConsistency& arcs_;
   std::vector<int> scope_;
-  std::vector<int> nodes_;   // the scope; the open nodes come first
+  std::vector<int> nodes_;   // the nodes of the scope, open nodes first
   int count_ = 0;            // the number of open nodes
   std::vector<int> places_;  // indexed by node: its place in nodes_
   // Indexed by node: the total weight of its arcs to open nodes.
