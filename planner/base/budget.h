@@ -4,13 +4,13 @@
 
 namespace assay {
 
-// A bound on work, counted in nodes or steps and never in seconds, so that the same input gives
-// the same answer on every machine.
+// A limit on work. It is counted in nodes or steps and never in seconds, so that the same input
+// gives the same answer on every machine.
 class Budget {
  public:
   explicit Budget(std::int64_t limit) : limit_(limit) {}
 
-  // Takes one unit; false, from then on, once all are spent.
+  // Takes one unit. Returns false from the first call after all units are spent.
   bool Spend() { return ++spent_ <= limit_; }
   bool Exhausted() const { return spent_ > limit_; }
   std::int64_t spent() const { return spent_ < limit_ ? spent_ : limit_; }

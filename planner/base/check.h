@@ -13,9 +13,9 @@ namespace assay {
 
 }  // namespace assay
 
-// A broken invariant of our own code stops the program, in every build type. What a user can get
-// wrong is never an ASSAY_CHECK: it is an InputError (input_error.h); how a planner or a trial
-// ends is a value (outcome.h).
+// Stops the program, in every build type, if an invariant of the program is broken. It must not be
+// used for mistakes that a user can make: they are reported by InputError (input_error.h). The way
+// in which a planner or a trial ends is a value (outcome.h).
 #define ASSAY_CHECK(condition, ...)                                                        \
   do {                                                                                     \
     if (!(condition)) [[unlikely]] {                                                       \

@@ -9,7 +9,8 @@
 namespace assay {
 namespace {
 
-// A bijection of `hash` and of `word` (Stafford's variant 13 of MurmurHash3's last steps).
+// This is a bijection both of `hash` and of `word` (Stafford's variant 13 of MurmurHash3's final
+// steps).
 std::uint64_t Mixed(std::uint64_t hash, std::uint64_t word) {
   std::uint64_t z = hash + 0x9E3779B97F4A7C15U + word;
   z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9U;
@@ -19,7 +20,7 @@ std::uint64_t Mixed(std::uint64_t hash, std::uint64_t word) {
 
 }  // namespace
 
-// The size comes first, so that where one text ends and the next begins counts, too.
+// The size is added first, so that the borders between texts influence the hash.
 Digest& Digest::Add(std::string_view text) {
   Add(static_cast<std::uint64_t>(text.size()));
   for (std::uint64_t word = 0; !text.empty(); word = 0) {

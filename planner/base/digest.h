@@ -6,8 +6,9 @@
 
 namespace assay {
 
-// A hash of 128 bits of one text after another. Texts that differ have different ones but for an
-// accident of one in 2^128; nobody is kept from making two of the same on purpose.
+// A hash of 128 bits of a sequence of texts. Different texts have the same hash only with
+// probability 2^-128. The hash is not cryptographic: somebody could construct two texts with the
+// same hash.
 class Digest {
  public:
   Digest& Add(std::string_view text);

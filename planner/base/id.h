@@ -6,8 +6,8 @@
 
 namespace assay {
 
-// The index of one kind of thing (a node, a part, a step), in a type of its own, so that a part's
-// index cannot be handed to a function that wants a step's. None() names no thing.
+// The index of one kind of object (a node, a part, a step) in its own type, so that a part's index
+// cannot be passed to a function that expects a step's. None() stands for no object.
 template <class Tag>
 class Id {
  public:

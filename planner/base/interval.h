@@ -2,8 +2,8 @@
 
 namespace assay {
 
-// A closed interval of numbers, low <= high; an end may be infinite. Its arithmetic, rounded
-// outward, is in planner/algebra/numeric/interval_arithmetic.h.
+// A closed interval of numbers with low <= high. An end may be infinite. Outward-rounded arithmetic
+// is in planner/algebra/numeric/interval_arithmetic.h.
 struct Interval {
   double low = 0;
   double high = 0;

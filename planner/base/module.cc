@@ -6,7 +6,7 @@
 
 namespace assay {
 
-// Never closed: threads of the libraries behind a module may outlive everything else.
+// The module is never closed, because threads of third-party libraries may outlive everything else.
 void* EntryOf(const Module& module) {
   void* const opened = dlopen(module.file.c_str(), RTLD_LAZY);
   if (opened == nullptr) {

@@ -4,21 +4,21 @@
 
 namespace assay {
 
-// A shared library of ours that is opened when it is first needed: behind it stand libraries of
-// other people's that take longer to open than most verbs take to run. It is found where the
-// RUNPATH of the program points (of the shared library, where our libraries are linked into one).
+// A shared library of this program that is opened on first use. It depends on third-party libraries
+// that take longer to open than most verbs take to run. It is found by the RUNPATH of the program,
+// or by that of the shared library if all libraries of this program are linked into one.
 struct Module {
-  std::string file;             // "libassay_opencv.so"
-  std::string entry;            // a function without arguments that returns what the module offers
-  std::string needed_for;       // plural, as the error message starts: "pictures"
-  std::string debian_packages;  // of the libraries behind it
+  std::string file;             // for example "libassay_opencv.so"
+  std::string entry;            // a function without arguments that returns the module's interface
+  std::string needed_for;       // a plural that starts the error message: "pictures"
+  std::string debian_packages;  // the packages of the third-party libraries
 };
 
-// Opens the module and returns its entry. Throws EnvironmentError, which names the Debian packages,
-// if there is no such module, or if a library that it needs is missing.
+// Opens the module and returns the address of its entry. Throws EnvironmentError, which names the
+// Debian packages, if the module or a library that it needs is missing.
 void* EntryOf(const Module& module);
 
-// The one instance of what the module offers. Its entry returns a pointer to it.
+// Returns the only instance of the module's interface. The module's entry returns a pointer to it.
 template <class Interface>
 const Interface& Open(const Module& module) {
   return *reinterpret_cast<const Interface* (*)()>(EntryOf(module))();

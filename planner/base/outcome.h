@@ -4,11 +4,11 @@
 
 namespace assay {
 
-// How a search ended. The three are different answers everywhere, down to the exit codes.
+// How a search ended. The three outcomes are distinguished everywhere, down to the exit codes.
 enum class Outcome {
-  kFound,   // a plan, a labeling
+  kFound,   // found, for example a plan or a labeling
   kNone,    // proved that there is none
-  kBudget,  // no answer: the budget was spent, or a limit of the planner was met
+  kBudget,  // no answer: the budget was spent, or the planner reached one of its limits
 };
 
 }  // namespace assay

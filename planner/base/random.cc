@@ -11,7 +11,7 @@ std::uint64_t Mix(std::uint64_t z) {
   return z ^ (z >> 31);
 }
 
-// FNV-1a, so that a stream's name is as good as a second seed.
+// Hashes the name by FNV-1a, so that the name works as a second seed.
 std::uint64_t HashName(std::string_view name) {
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   for (unsigned char c : name) hash = (hash ^ c) * 0x100000001b3ULL;
@@ -32,7 +32,7 @@ double RandomStream::Uniform(double low, double high) { return low + (high - low
 int RandomStream::Index(int count) {
   ASSAY_CHECK(count > 0);
   const auto n = static_cast<std::uint64_t>(count);
-  const std::uint64_t unbiased = ~0ULL - ~0ULL % n;  // a multiple of n: no index is favoured
+  const std::uint64_t unbiased = ~0ULL - ~0ULL % n;  // a multiple of n, so no index is favoured
   std::uint64_t draw = Next();
   while (draw >= unbiased) draw = Next();
   return static_cast<int>(draw % n);

@@ -10,10 +10,10 @@
 namespace assay::geometry {
 namespace {
 
-constexpr double kAligned = 1e-9;  // of a rotation matrix's entries from -1, 0 or 1
-constexpr double kSliver = 1e-9;   // metres; thinner boxes are rounding, not matter
+constexpr double kAligned = 1e-9;  // greatest deviation of a rotation's entries from -1, 0 or 1
+constexpr double kSliver = 1e-9;   // metres; a thinner box is a rounding error
 
-// Whether a rotation permutes the axes (up to sign).
+// Returns true if the rotation permutes the axes (up to sign).
 bool IsAligned(const Matrix3& R) {
   const auto magnitude = R.cwiseAbs().array();
   return magnitude.min((magnitude - 1).abs()).maxCoeff() < kAligned;
@@ -24,14 +24,15 @@ struct Extent {
   Vector3 high;
 };
 
-// The part of `remaining` between two values along one axis.
+// Returns the part of `remaining` between two values along one axis.
 Extent Slab(Extent remaining, int axis, double low, double high) {
   remaining.low[axis] = low;
   remaining.high[axis] = high;
   return remaining;
 }
 
-// The pocket's extent in the minuend's frame, cut to the minuend; none if it misses.
+// Returns the pocket's extent in the minuend's frame, clipped to the minuend, or nothing if they do
+// not overlap.
 std::optional<Extent> ClippedPocket(const Box& minuend, const Box& pocket) {
   const Pose X_MinuendPocket = minuend.X_FrameBox.inverse() * pocket.X_FrameBox;
   ASSAY_CHECK(IsAligned(X_MinuendPocket.linear()), "a pocket must be aligned with its box");
@@ -43,8 +44,9 @@ std::optional<Extent> ClippedPocket(const Box& minuend, const Box& pocket) {
   return clipped;
 }
 
-// The axes with the fewest sides on which matter remains first: the floor of a blind hole is cut
-// off whole before its four walls, whichever way the hole points.
+// Returns the axes in the order of cutting: axes with fewer sides on which matter remains come
+// first. The floor of a blind hole is then cut off in one piece before its four walls, whichever
+// way the hole points.
 std::array<int, 3> CutOrder(const Extent& whole, const Extent& hole) {
   std::array<int, 3> axes = {0, 1, 2};
   const auto sides = [&](int axis) {
@@ -78,12 +80,13 @@ struct Moments {
   }
 };
 
-// A box as the target of lines parallel to the x axis of the frame.
+// A box prepared for intersections with lines parallel to the x axis of the frame.
 struct LineTarget {
   Pose X_BoxFrame;
   Vector3 half_extents;
 
-  // The slab method of Kay and Kajiya (1986). Empty: low >= high.
+  // Intersects a line with the box by the slab method of Kay and Kajiya (1986). If low >= high, the
+  // intersection is empty.
   Chord ChordAt(double y, double z) const {
     const Vector3 origin = X_BoxFrame * Vector3(0, y, z);
     const Vector3 direction = X_BoxFrame.linear().col(0);
@@ -101,8 +104,8 @@ struct LineTarget {
   }
 };
 
-// Borders of the columns along one axis: every corner's coordinate, and between them steps so
-// short that at least `columns` stand side by side.
+// Returns the borders of the columns along one axis: the coordinate of every corner, and steps
+// between them that are so short that there are at least `columns` columns.
 std::vector<double> ColumnBorders(std::span<const Box> boxes, int axis, int columns) {
   std::vector<double> coordinates;
   for (const Box& box : boxes) {
@@ -139,9 +142,9 @@ void AddColumn(std::span<const LineTarget> targets, Extent column, std::vector<C
   }
 }
 
-// Sums over columns along x, each standing for its middle line: exact along x. Where all boxes are
-// aligned with the axes, a column between corners is either inside a box or outside along its whole
-// width, and the sum is exact.
+// Integrates over columns along x, each represented by its middle line. The integral along x is
+// exact. If all boxes are aligned with the axes, a column between corners is inside or outside a
+// box over its whole width, and the sum is exact.
 Moments MomentsOf(std::span<const Box> boxes, int columns) {
   std::vector<LineTarget> targets;
   for (const Box& box : boxes) targets.push_back({box.X_FrameBox.inverse(), box.half_extents});
@@ -163,13 +166,13 @@ std::vector<Box> Transformed(std::span<const Box> boxes, const Pose& X_NewFrame)
   return transformed;
 }
 
-// The columns' frame for boxes at odd angles: no face of a box that is turned by a multiple of 15
-// degrees about one of the axes is parallel to the columns. The depth of matter along a column then
-// has no jumps, and the error falls with the square of the columns' width.
+// Returns the frame of the columns for boxes at arbitrary angles. No face of a box that is turned
+// by a multiple of 15 degrees about one axis is parallel to these columns. The depth of matter
+// along a column then has no jumps, and the error decreases with the square of the columns' width.
 Pose Tilted() { return RotationZ(1.44) * RotationY(-0.87); }
 
-// How many columns at least stand across a union of boxes at odd angles: errors below about 0.1 %,
-// also of slender ones.
+// The least number of columns across a union of boxes at arbitrary angles. It keeps errors below
+// about 0.1 %, even for slender unions.
 constexpr int kColumns = 250;
 
 }  // namespace
@@ -210,7 +213,8 @@ std::vector<Box> Subtract(const Box& minuend, const Box& pocket) {
   return boxes;
 }
 
-// Mutually aligned boxes are summed exactly in the frame of the first one, others by midpoints.
+// Mutually aligned boxes are integrated exactly in the frame of the first one. Other boxes are
+// integrated by the midpoint rule.
 MassProperties MassOf(std::span<const Box> boxes, double density) {
   if (boxes.empty()) return {};
   Pose X_FrameSum = boxes.front().X_FrameBox;

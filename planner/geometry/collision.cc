@@ -10,8 +10,8 @@
 namespace assay::geometry {
 namespace {
 
-// Faces that touch exactly overlap or not by the luck of rounding; a nanometre of overlap never
-// counts.
+// Rounding decides whether faces that touch exactly overlap. Therefore an overlap of up to one
+// nanometre never counts.
 constexpr double kTouching = 1e-9;
 
 }  // namespace
@@ -30,7 +30,7 @@ struct PreparedBox {
 
 namespace {
 
-// To the corner that is farthest from the point.
+// Returns the distance from the point to the farthest corner of the box.
 double GreatestDistanceTo(const PreparedBox& box, const Vector3& p_Shape) {
   return ((box.X_BoxShape * p_Shape).cwiseAbs() + box.half_extents).norm();
 }
@@ -53,13 +53,14 @@ Ball BoundingBall(std::span<const PreparedBox> boxes) {
   return {bounds.center(), GreatestDistanceTo(boxes, bounds.center())};
 }
 
-// The distance of a point from a box.
+// Returns the distance of a point from a box.
 double DistanceTo(const PreparedBox& box, const Vector3& p_Shape) {
   const Vector3 p_Box = box.X_BoxShape * p_Shape;
   return (p_Box.cwiseAbs() - box.half_extents).cwiseMax(0.0).norm();
 }
 
-// Full sides of a box with `inset` taken off every face; it keeps a tiny thickness.
+// Returns the full edge lengths of a box whose faces are moved inward by `inset`. The box keeps a
+// tiny thickness.
 Vector3 ShrunkSides(const Vector3& half_extents, double inset) {
   return 2 * (half_extents.array() - inset).max(kTouching / 10).matrix();
 }

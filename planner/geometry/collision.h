@@ -12,7 +12,7 @@ class CollisionShape {
  public:
   explicit CollisionShape(std::span<const Box> boxes);
 
-  // The radius of a ball about the frame's origin that holds the shape.
+  // The radius of a ball about the frame's origin that contains the shape.
   double radius() const { return radius_; }
 
   struct Prepared;
@@ -23,15 +23,16 @@ class CollisionShape {
   double radius_ = 0;
 };
 
-// Whether the shapes overlap by more than `allowance` metres: faces that touch, or that overlap
-// less than this, do not count. allowance >= 0. A nanometre is added to it, so that rounding does
-// not decide whether faces that touch overlap. Every box loses half of it on each face (one that
-// is thinner keeps a sheet): edges and corners have to overlap by up to sqrt(3) times as much.
+// Returns true if the shapes overlap by more than `allowance` metres. Faces that touch, or that
+// overlap by less, do not count. The allowance must be >= 0. One nanometre is added to it, so that
+// rounding does not decide whether touching faces overlap. Each face of every box is moved inward
+// by half the allowance, and a thinner box keeps a small thickness. Edges and corners therefore
+// have to overlap by up to sqrt(3) times as much.
 bool Overlaps(const CollisionShape& a, const Pose& X_WorldA, const CollisionShape& b,
               const Pose& X_WorldB, double allowance);
 
-// The least distance between the shapes, 0 if they overlap; to about 0.1 micrometres. Infinite if
-// a shape has no boxes.
+// Returns the least distance between the shapes, to about 0.1 micrometres, or 0 if they overlap. It
+// is infinite if a shape has no boxes.
 double Distance(const CollisionShape& a, const Pose& X_WorldA, const CollisionShape& b,
                 const Pose& X_WorldB);
 

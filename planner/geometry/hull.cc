@@ -14,9 +14,9 @@ extern "C" {
 namespace assay::geometry {
 namespace {
 
-// Relative to the size of the point set: points closer than this are one point, and points closer
-// than this to a plane or a line lie on it. For facets of ordinary shape this merges triangles
-// whose normals differ by less than about 1e-7.
+// Tolerance relative to the size of the point set. Points closer than this are one point, and
+// points closer than this to a plane or line lie on it. For facets of ordinary shape this merges
+// triangles whose normals differ by less than about 1e-7.
 constexpr double kTolerance = 1e-7;
 
 // A plane that Qhull found, with its outward normal.
@@ -66,7 +66,7 @@ class QhullRun {
   qhT qh_;
 };
 
-// Indices of the points without those that repeat an earlier one.
+// Returns the indices of the points that do not repeat an earlier point.
 std::vector<int> FirstOccurrences(std::span<const Vector3> points, double tolerance) {
   std::vector<int> kept;
   for (int i = 0; i < static_cast<int>(points.size()); ++i) {
@@ -76,7 +76,7 @@ std::vector<int> FirstOccurrences(std::span<const Vector3> points, double tolera
   return kept;
 }
 
-// Drops corners closer than `tolerance` to the line through their neighbours, flattest first.
+// Removes corners closer than `tolerance` to the line through their neighbours, the flattest first.
 void DropCollinear(Polygon& polygon, double tolerance) {
   while (polygon.size() >= 3) {
     const int count = static_cast<int>(polygon.size());
@@ -91,8 +91,8 @@ void DropCollinear(Polygon& polygon, double tolerance) {
   }
 }
 
-// The convex outline of the points that lie on a plane, its smallest index first; fewer than three
-// corners if they do not span it.
+// Returns the convex outline of the points that lie on a plane, beginning with the smallest index.
+// It has fewer than three corners if the points do not span the plane.
 Outline OutlineOn(const Plane& plane, const std::vector<Vector3>& points, double tolerance) {
   const Vector3 u = plane.normal.unitOrthogonal();
   const Vector3 v = plane.normal.cross(u);
@@ -118,8 +118,9 @@ int SharedCorners(const Outline& a, const Outline& b) {
   return static_cast<int>(std::ranges::count_if(a.loop, in_b));
 }
 
-// Two facets of a convex polyhedron share at most an edge: of outlines that share more, which are
-// triangles of the same facet and slivers of rounding, the widest stands for all. Sorted by loop.
+// Returns the outlines of distinct facets, sorted by loop. Two facets of a convex polyhedron share
+// at most an edge. Outlines that share more are triangles of one facet or slivers from rounding,
+// and only the widest of them is kept.
 std::vector<Outline> DistinctOutlines(const std::vector<Plane>& planes,
                                       const std::vector<Vector3>& points, double tolerance) {
   std::vector<Outline> candidates;
@@ -137,7 +138,7 @@ std::vector<Outline> DistinctOutlines(const std::vector<Plane>& planes,
   return distinct;
 }
 
-// The facet of a loop whose plane fits its corners (Newell's method).
+// Returns the facet of a loop, with the plane that fits its corners (Newell's method).
 Facet FacetOf(std::vector<int> loop, const std::vector<Vector3>& vertices) {
   Vector3 middle = Vector3::Zero();
   for (int i : loop) middle += vertices[i] / static_cast<double>(loop.size());
@@ -173,9 +174,9 @@ ConvexHull Assemble(const std::vector<Outline>& outlines, std::span<const Vector
 
 }  // namespace
 
-// Qhull names the planes of the facets; which points lie on each, and in which order, is decided
-// here with one tolerance, so that repeated and coplanar points cannot leave cracks or slivers.
-// Facets are sorted by their loops, which makes their order independent of the frame of the points.
+// Qhull gives the planes of the facets. The points on each plane and their order are determined
+// here with one tolerance, so that repeated and coplanar points cannot cause gaps or slivers.
+// Facets are sorted by their loops, so that their order does not depend on the frame of the points.
 ConvexHull HullOf(std::span<const Vector3> points) {
   ASSAY_CHECK(points.size() >= 4, "{} points do not span three dimensions", points.size());
   Eigen::AlignedBox3d bounds;

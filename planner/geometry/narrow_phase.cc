@@ -7,7 +7,7 @@
 
 #include <vector>
 
-// FCL's headers declare these extern, as its library has them, too.
+// FCL's headers declare these instantiations extern, because FCL's library contains them.
 namespace fcl {
 
 template class AABB<double>;
@@ -42,10 +42,10 @@ struct Nearness {
   Vector3 on_b = Vector3::Zero();
 };
 
-// GJK on libccd. With FCL's default tolerance of 1e-6 it stops centimetres short on a few pairs in
-// 10^4, and with 1e-9 micrometres short on nearly parallel faces; with 1e-14 the worst error of
-// 10^6 pairs of boxes of decimetres was 0.1 micrometres. FCL's own GJK solver errs by centimetres
-// at every tolerance.
+// Finds the nearest points with the GJK algorithm of libccd. With FCL's default tolerance of 1e-6
+// it stops centimetres short for a few pairs in 10^4; with 1e-9 it stops micrometres short on
+// nearly parallel faces. With 1e-14 the worst error in 10^6 pairs of boxes of decimetres was 0.1
+// micrometres. FCL's own GJK solver errs by centimetres at every tolerance.
 template <class Shape>
 Nearness NearnessOf(const Shape& a, const Pose& X_A, const Shape& b, const Pose& X_B) {
   using InGjk = fcl::detail::GJKInitializer<double, Shape>;
@@ -64,7 +64,7 @@ Nearness NearnessOf(const Shape& a, const Pose& X_A, const Shape& b, const Pose&
 
 }  // namespace
 
-// Without the objects that FCL puts around its test.
+// Calls FCL's box test directly, without the objects that FCL creates around it.
 bool AreOverlapping(const PlacedBox& a, const PlacedBox& b) {
   Vector3 normal;
   double depth = 0;
@@ -84,7 +84,7 @@ struct GjkHull {
 };
 
 std::shared_ptr<const GjkHull> MakeGjkHull(const ConvexHull& hull) {
-  // FCL's list of faces: each its number of corners, then their indices.
+  // FCL's list of faces has for each face its number of corners, followed by their indices.
   auto faces = std::make_shared<std::vector<int>>();
   for (const Facet& facet : hull.facets) {
     faces->push_back(static_cast<int>(facet.loop.size()));

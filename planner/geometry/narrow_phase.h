@@ -7,24 +7,26 @@
 
 namespace assay::geometry {
 
-// What FCL's templates tell of two convex bodies. They are instantiated here for the shapes that we
-// have (boxes and hulls): FCL's own library has them for all shapes, trees and meshes, and looking
-// up its 30,000 symbols would take longer than most plans.
+// FCL's overlap and distance tests for two convex bodies. FCL's templates are instantiated here for
+// boxes and hulls only. FCL's own library has them for all shapes, trees and meshes, and looking up
+// its 30,000 symbols would take longer than most plans.
 
 // A box about the origin of its own frame.
 struct PlacedBox {
-  Vector3 sides;  // full
+  Vector3 sides;  // full edge lengths
   const Pose& X_ABox;
 };
-// By the separating axis test (Gottschalk, Lin and Manocha 1996).
+// Returns true if the boxes overlap, by the separating axis test (Gottschalk, Lin and Manocha
+// 1996).
 bool AreOverlapping(const PlacedBox& a, const PlacedBox& b);
-// Negative if they overlap.
+// Returns the distance of the boxes. It is negative if they overlap.
 double Distance(const PlacedBox& a, const PlacedBox& b);
 
-// A hull in FCL's terms.
+// A hull in FCL's representation.
 struct GjkHull;
 std::shared_ptr<const GjkHull> MakeGjkHull(const ConvexHull& hull);
-// From A's nearest point to B's, in A's frame; zero if they overlap.
+// Returns the vector from A's nearest point to B's nearest point, in A's frame. It is zero if they
+// overlap.
 Vector3 NearestDifference(const GjkHull& a, const GjkHull& b, const Pose& X_AB);
 
 }  // namespace assay::geometry

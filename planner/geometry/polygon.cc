@@ -11,17 +11,17 @@ namespace {
 
 double Cross(const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-// Twice the area of the triangle a b c, positive if it turns left.
+// Returns twice the area of the triangle a b c. It is positive if the triangle turns left.
 double Turn(const Vector2& a, const Vector2& b, const Vector2& c) { return Cross(b - a, c - a); }
 
-// Appends p to a chain that turns left at every corner; drops the corners that no longer do.
-// Corners before `first` stay.
+// Appends p to a chain that turns left at every corner. Removes the corners at which it would not
+// turn left, except for those before `first`.
 void Extend(Polygon& chain, size_t first, const Vector2& p) {
   while (chain.size() >= first + 2 && Turn(chain.end()[-2], chain.back(), p) <= 0) chain.pop_back();
   chain.push_back(p);
 }
 
-// The part of a polygon on the left of the line from a to b.
+// Returns the part of a polygon to the left of the line from a to b.
 Polygon ClipLeft(const Polygon& polygon, const Vector2& a, const Vector2& b) {
   Polygon kept;
   for (size_t i = 0; i < polygon.size(); ++i) {
@@ -44,7 +44,7 @@ double DistanceToSegment(const Vector2& a, const Vector2& b, const Vector2& p) {
   return (a + t * along - p).norm();
 }
 
-// How far b lies beyond a along a direction; nothing is known from a zero direction.
+// Returns how far b lies beyond a along a direction, or minus infinity if the direction is zero.
 double SeparationAlong(const Polygon& a, const Polygon& b, const Vector2& direction) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const double length = direction.norm();
@@ -109,7 +109,7 @@ Polygon Intersection(const Polygon& a, const Polygon& b) {
   if (a.size() < 3 || b.size() < 3) return {};
   Polygon kept = a;
   for (size_t i = 0; i < b.size(); ++i) kept = ClipLeft(kept, b[i], b[(i + 1) % b.size()]);
-  kept = Hull2(kept);  // a corner on a clipping line comes out twice
+  kept = Hull2(kept);  // a corner on a clipping line occurs twice
   return Area(kept) > 0 ? kept : Polygon{};
 }
 
@@ -126,9 +126,9 @@ double Depth(const Polygon& polygon, const Vector2& p) {
   return depth;
 }
 
-// The separation along a direction is greatest along an edge's normal or, where a corner faces a
-// corner, along the line between the two; overlapping polygons need only the normals. No direction
-// overstates the separation, so all may be tried.
+// The separation is greatest along the normal of an edge or, if a corner faces a corner, along the
+// line between both corners. Overlapping polygons need only the normals. No direction overstates
+// the separation, so all may be tried.
 double Gap(const Polygon& a, const Polygon& b) {
   ASSAY_CHECK(!a.empty() && !b.empty());
   double best = std::max(SeparationAlongNormals(a, b), SeparationAlongNormals(b, a));

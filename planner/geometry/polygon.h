@@ -7,21 +7,23 @@
 
 namespace assay::geometry {
 
-// A convex polygon in the plane, corners counter-clockwise.
+// A convex polygon in the plane, with corners in counter-clockwise order.
 using Polygon = std::vector<Vector2>;
 
-// Andrew's monotone chain (1979): no three corners on a line, the first corner least in x, then y.
-// One or two corners if the points span no area.
+// Returns the convex hull of the points, by Andrew's monotone chain (1979). No three corners are on
+// a line. The first corner is least in x, then in y. There are one or two corners if the points
+// span no area.
 Polygon Hull2(std::span<const Vector2> points);
 double Area(const Polygon& polygon);       // 0 for fewer than three corners
-Vector2 Centroid(const Polygon& polygon);  // of the area; without one, the mean corner
-// Sutherland and Hodgman 1974. Empty if the polygons share no area.
+Vector2 Centroid(const Polygon& polygon);  // of the area; without an area the mean of the corners
+// Returns the intersection of two polygons (Sutherland and Hodgman 1974). It is empty if they share
+// no area.
 Polygon Intersection(const Polygon& a, const Polygon& b);
-// How far p is inside the polygon: the least distance to an edge's line, negative outside. Of a
-// point or a segment: minus the distance; of nothing: minus infinity.
+// Returns how far p is inside the polygon: the least distance to an edge's line, negative outside.
+// For a point or a segment it is minus the distance, and for an empty polygon minus infinity.
 double Depth(const Polygon& polygon, const Vector2& p);
-// The separation of two convex polygons along the best separating axis; negative: they overlap by
-// that much.
+// Returns the separation of two convex polygons along the best separating axis. A negative value is
+// the depth of their overlap.
 double Gap(const Polygon& a, const Polygon& b);
 
 }  // namespace assay::geometry

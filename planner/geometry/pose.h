@@ -8,7 +8,8 @@ using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
-// A rigid transform. X_AB is the pose of frame B in frame A: p_A = X_AB * p_B. Metres, radians.
+// A rigid transform. X_AB is the pose of frame B in frame A: p_A = X_AB * p_B. Units are metres and
+// radians.
 using Pose = Eigen::Isometry3d;
 
 Pose Translation(const Vector3& p);
@@ -17,11 +18,11 @@ Pose RotationX(double angle);
 Pose RotationY(double angle);
 Pose RotationZ(double angle);
 
-// The pose with these axes as columns and this origin. The axes must be orthonormal and
-// right-handed to 1e-6 (checked); they are made exactly so.
+// Returns the pose with these axes as columns and this origin. The axes must be orthonormal and
+// right-handed to within 1e-6 (checked), and are then made exactly so.
 Pose PoseFromColumns(const Vector3& x, const Vector3& y, const Vector3& z, const Vector3& origin);
 
-// The least angle in [0, pi] that turns R_A into R_B.
+// Returns the least angle in [0, pi] that turns R_A into R_B.
 double AngleBetween(const Matrix3& R_A, const Matrix3& R_B);
 
 }  // namespace assay::geometry

@@ -9,7 +9,8 @@
 
 namespace assay::geometry {
 
-// Made when it is asked for: most hulls are never so near to another that nearest points matter.
+// Created on first use, because most hulls are never near enough to another one for the nearest
+// points to matter.
 struct RoundedHull::Prepared {
   mutable std::once_flag made;
   mutable std::shared_ptr<const GjkHull> hull;
@@ -29,8 +30,8 @@ double GreatestAlong(const Vector3& direction, const std::vector<Vector3>& point
   return greatest;
 }
 
-// The width of the empty slab normal to `direction` (unit, in A's frame, from A to B); negative if
-// the cores overlap along it.
+// Returns the width of the empty slab normal to `direction`, a unit vector in A's frame from A to
+// B. It is negative if the cores overlap along the direction.
 double SlabWidth(const Vector3& direction, const RoundedHull& a, const RoundedHull& b,
                  const Pose& X_AB) {
   const Vector3 direction_B = X_AB.linear().transpose() * direction;
@@ -38,13 +39,14 @@ double SlabWidth(const Vector3& direction, const RoundedHull& a, const RoundedHu
          GreatestAlong(direction, a.vertices());
 }
 
-// Outward, of the facet that sees the most of a point beyond it.
+// Returns the outward normal of the facet whose plane p lies farthest beyond.
 const Vector3& NormalTowards(const Vector3& p, const ConvexHull& hull) {
   const auto beyond = [&](const Facet& facet) { return facet.normal.dot(p) - facet.offset; };
   return std::ranges::max_element(hull.facets, {}, beyond)->normal;
 }
 
-// Some empty slab is at least as wide, which is seen without looking for the nearest points.
+// Returns true if an empty slab of at least this width is found without the nearest points. `slab`
+// is then its direction.
 bool IsSeenApart(const RoundedHull& a, const RoundedHull& b, const Pose& X_AB, double width,
                  Vector3& slab) {
   const auto is_enough = [&](const Vector3& direction) {

@@ -10,20 +10,20 @@
 
 namespace assay::geometry {
 
-// All points within `radius` of a convex polyhedron: what a conservative model of a convex body
-// that moves is made of. Prepared for many queries of distance.
+// All points within `radius` of a convex polyhedron, prepared for many distance queries. Rounded
+// hulls form conservative models of convex bodies in motion.
 class RoundedHull {
  public:
-  // The points must span three dimensions (checked), radius >= 0.
+  // The points must span three dimensions (checked), and radius >= 0, in metres.
   explicit RoundedHull(std::span<const Vector3> points, double radius = 0)
       : RoundedHull(HullOf(points), radius) {}
   explicit RoundedHull(ConvexHull core, double radius = 0);
 
-  const ConvexHull& core() const { return core_; }  // without the radius
+  const ConvexHull& core() const { return core_; }  // the polyhedron without the radius
   const std::vector<Vector3>& vertices() const { return core_.vertices; }
   double radius() const { return radius_; }
 
-  // A ball that holds it all.
+  // A ball that contains the rounded hull.
   const Vector3& center() const { return center_; }
   double ball_radius() const { return ball_radius_; }
 
@@ -40,14 +40,16 @@ class RoundedHull {
 
 double Volume(const ConvexHull& hull);
 
-// A distance that the two surely have, 0 if they overlap or touch. The nearest points are FCL's,
-// but what is told is the width of the slab between the two that is normal to their difference:
-// never more than the distance (up to rounding), whatever FCL answers, and the distance itself
-// where its points are right. From `enough` on, anything that is at least `enough` may be told.
+// Returns a distance that the two hulls are surely apart, in metres, or 0 if they overlap or touch.
+// FCL finds the nearest points. The result is the width of the slab between the hulls that is
+// normal to the difference of these points. It never exceeds the distance (up to rounding),
+// whatever FCL answers, and it is the distance itself if FCL's points are right. If the hulls are
+// at least `enough` apart, the result may be any value of at least `enough`.
 double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
                   const Pose& X_WorldB, double enough = std::numeric_limits<double>::infinity());
-// The same, for two that have moved little since the last query: a slab along the same direction is
-// mostly wide enough again. `slab`: the direction, in A's frame; zero if there was no query.
+// Computes the separation of two hulls that have moved little since the last query. A slab along
+// the same direction is mostly wide enough again. `slab` is that direction in A's frame, or zero if
+// there was no query. It is updated.
 double Separation(const RoundedHull& a, const Pose& X_WorldA, const RoundedHull& b,
                   const Pose& X_WorldB, double enough, Vector3& slab);
 

@@ -4,18 +4,20 @@
 
 namespace assay::kinematics {
 
-// The angle of (x, y), not both 0, in [-pi, pi], to 5e-16 radians. `Real` is double, or one of
-// GCC's vectors of doubles: there are no branches and no tables, which std::atan2 has.
+// Returns the angle of (x, y) in [-pi, pi], to within 5e-16 radians. x and y must not both be 0.
+// `Real` is double, or one of GCC's vectors of doubles. Unlike std::atan2, the function has no
+// branches and no tables.
 //
-// The direction is mirrored into [0, pi/4], and turned back by pi/16 or 3 pi/16 so that at most
-// pi/16 is left; there a Chebyshev fit of atan(t) / t in t^2 is exact to 2e-20.
+// The direction is mirrored into [0, pi/4] and turned back by pi/16 or 3 pi/16, so that an angle of
+// at most pi/16 remains. There, a Chebyshev fit of atan(t) / t as a polynomial in t^2 is exact to
+// 2e-20.
 template <typename Real>
 [[gnu::always_inline]] inline Real Arctangent(const Real& y, const Real& x) {
   constexpr double kPi = std::numbers::pi;
-  constexpr double kTangentEighth = 0.41421356237309503;  // of pi/8, which parts the two sectors
-  constexpr double kCosine1 = 0.98078528040323043;        // of pi/16
+  constexpr double kTangentEighth = 0.41421356237309503;  // tan(pi/8), where the two sectors meet
+  constexpr double kCosine1 = 0.98078528040323043;        // cos(pi/16)
   constexpr double kSine1 = 0.19509032201612828;
-  constexpr double kCosine3 = 0.83146961230254524;  // of 3 pi/16
+  constexpr double kCosine3 = 0.83146961230254524;  // cos(3 pi/16)
   constexpr double kSine3 = 0.55557023301960222;
   const Real zero = x - x;
   const Real across = y < 0 ? -y : y;

@@ -11,14 +11,15 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kTurn = 2 * kPi;
-// Rounding beyond a limit that is still within it, radians.
+// The greatest excess over a joint limit that counts as rounding, in radians.
 constexpr double kLimitTolerance = 1e-9;
-// A squared length (m^2) this little below zero is zero: the pose is on the border of the reach.
+// A squared length (m^2) that is negative by at most this counts as zero: the pose is on the border
+// of the reach.
 constexpr double kBorder = 1e-13;
-// Below this, a direction (wrist: sine of q5; shoulder, elbow: metres) is lost in rounding.
+// A direction below this (wrist: sine of q5; shoulder, elbow: metres) is lost in rounding.
 constexpr double kSingular = 1e-10;
 
-// Radicands of at least -kBorder count as at least 0, so that the border belongs to the reach.
+// Radicands down to -kBorder count as 0, so that the border belongs to the reach.
 double ClampedSqrt(double radicand) { return radicand > 0 ? std::sqrt(radicand) : 0.0; }
 
 struct Direction {
@@ -33,29 +34,29 @@ Direction Sum(const Direction& a, const Direction& b) {
   return {a.cosine * b.cosine - a.sine * b.sine, a.sine * b.cosine + a.cosine * b.sine};
 }
 
-// Half a turn further, kept in [-pi, pi].
+// Returns the angle half a turn further, within [-pi, pi].
 double Opposite(double angle) { return angle > 0 ? angle - kPi : angle + kPi; }
 
-// The wrist centre's x in the frame turned by q1: how far the arm reaches before axis 1.
+// Returns the wrist centre's x in the frame that is turned by q1: how far the arm reaches before
+// axis 1.
 double Reach(const ArmGeometry& g, const Direction& t2, const Direction& t23) {
   return g.a2 * t2.cosine + g.a3 * t23.cosine + g.d4 * t23.sine;
 }
 
-// ARM = sign(-reach), and ELBOW = ARM sign(across), with sign(0) = +1; `across` is d4 c3 - a3 s3.
+// ARM = sign(-reach) and ELBOW = ARM sign(across), with sign(0) = +1. `across` is d4 c3 - a3 s3.
 Shoulder ShoulderOf(double reach) { return reach <= 0 ? Shoulder::kRight : Shoulder::kLeft; }
 Elbow ElbowOf(double reach, double across) {
   return (reach <= 0) == (across >= 0) ? Elbow::kAbove : Elbow::kBelow;
 }
 
-// Algebraic solve of one pose. The wrist centre seen in the arm's plane is
-//   ( x, z ) = ( a2 c2 + a3 c23 + d4 s23, -a2 s2 - a3 s23 + d4 c23 ),   x = -ARM r,
-// hence with along = a2 + a3 c3 + d4 s3 and e = d4 c3 - a3 s3 (the wrist centre along and across
-// the upper arm)
+// Solves one pose algebraically. Seen in the arm's plane, the wrist centre is
+//   ( x, z ) = ( a2 c2 + a3 c23 + d4 s23, -a2 s2 - a3 s23 + d4 c23 ),   x = -ARM r.
+// Let along = a2 + a3 c3 + d4 s3 and e = d4 c3 - a3 s3, the coordinates of the wrist centre along
+// and across the upper arm. Then
 //   along = (x^2 + z^2 + a2^2 - a3^2 - d4^2) / (2 a2),   along^2 + e^2 = x^2 + z^2,
-// and sign e = ARM ELBOW.
-// The cosines and sines of q1, q2, q3 and q23 follow without an angle in between; each angle is
-// taken once at the end. (The solutions are those of Lee and Ziegler 1983, who go through the
-// angles.)
+// and the sign of e is ARM ELBOW. The cosines and sines of q1, q2, q3 and q23 follow without
+// intermediate angles. Each angle is computed once, at the end. (The solutions are those of Lee and
+// Ziegler 1983, who compute them by way of the angles.)
 class InverseSolver {
  public:
   InverseSolver(const ArmGeometry& g, const Pose& X_BaseFlange, const JointVector& reference)
@@ -71,7 +72,7 @@ class InverseSolver {
     return solutions_;
   }
 
-  // As far as they are of a shoulder and an elbow.
+  // Returns only the solutions of the given shoulder and elbow.
   InverseSolutions Solve(Shoulder shoulder, Elbow elbow) {
     if (!MeetShoulder()) return {};
     for (const double x : {-r_, r_}) {
@@ -85,7 +86,7 @@ class InverseSolver {
   }
 
  private:
-  // What the first three joints have in common for one shoulder and elbow.
+  // The first three joints for one shoulder and elbow, and their directions.
   struct Position {
     Direction t1;
     Direction t23;
@@ -96,7 +97,7 @@ class InverseSolver {
     Elbow elbow = Elbow::kAbove;
   };
 
-  // False if the wrist centre is out of reach.
+  // Returns false if the wrist centre is out of reach.
   bool MeetShoulder() {
     const double radial2 = center_.x() * center_.x() + center_.y() * center_.y();
     const double r2 = radial2 - g_.d2 * g_.d2;
@@ -124,7 +125,7 @@ class InverseSolver {
     return position;
   }
 
-  // In the frame turned by q1 the wrist centre is at (x, d2).
+  // In the frame that is turned by q1, the wrist centre is at (x, d2).
   Direction Waist(double x) const {
     const double radial2 = x * x + g_.d2 * g_.d2;
     if (radial2 < kSingular * kSingular) return Direction::Of(reference_[0]);
@@ -132,7 +133,7 @@ class InverseSolver {
             (x * center_.y() - g_.d2 * center_.x()) / radial2};
   }
 
-  // `e` has its sign here.
+  // The sign of `e` is that of the solution.
   void AddElbow(double x, double e, Position position) {
     const double u = along_ - g_.a2;
     const double forearm2 = u * u + e * e;
@@ -146,7 +147,8 @@ class InverseSolver {
     AddWrists(position);
   }
 
-  // The wrist centre is at (along, e) in the upper arm's frame, at (x, z) in the shoulder's.
+  // The wrist centre is at (along, e) in the upper arm's frame and at (x, z) in the shoulder's
+  // frame.
   Direction ShoulderLift(double x, double e) const {
     if (R2_ < kSingular * kSingular) return Direction::Of(reference_[1]);
     return {(x * along_ + center_.z() * e) / R2_, (x * e - center_.z() * along_) / R2_};
@@ -155,7 +157,7 @@ class InverseSolver {
   void AddWrists(const Position& position) {
     const auto [c1, s1] = position.t1;
     const auto [c23, s23] = position.t23;
-    // The forearm's axes in the base, and the approach vector in the forearm.
+    // The forearm's axes in the base frame, and the approach vector in the forearm's frame.
     const Vector3 x3(c1 * c23, s1 * c23, -s23);
     const Vector3 y3(-s1, c1, 0);
     const Vector3 z3(c1 * s23, s1 * s23, c23);
@@ -163,7 +165,7 @@ class InverseSolver {
     const Direction t4 = WristRoll(a);
     const double q4 = t4.Angle();
     const double q5 = std::atan2(a.x() * t4.cosine + a.y() * t4.sine, a.z());
-    // Axis 5. Through it, q6 makes up for whatever q4 was taken.
+    // y4 is axis 5. It makes q6 consistent with the chosen q4.
     const Vector3 y4 = t4.cosine * y3 - t4.sine * x3;
     const double q6 = std::atan2(y4.dot(R_.col(0)), y4.dot(R_.col(1)));
     Add(position, {q4, q5, q6}, Wrist::kNoFlip);
@@ -186,20 +188,20 @@ class InverseSolver {
   const Matrix3 R_;
   const Vector3 center_;
   const JointVector& reference_;
-  double r_ = 0;   // |x|
-  double R2_ = 0;  // squared distance of shoulder and wrist centre in the arm's plane
+  double r_ = 0;   // the absolute value of x
+  double R2_ = 0;  // squared distance from shoulder to wrist centre in the arm's plane
   double along_ = 0;
   double e_ = 0;
   InverseSolutions solutions_;
 };
 
-// A joint's axis in the root's frame with all joint values 0.
+// A joint's axis in the root's frame when all joint values are 0.
 struct AxisLine {
   Vector3 point;
   Vector3 direction;
 };
 
-// Reads the lengths out of a chain, complaining of what the closed form could not follow.
+// Reads the lengths from a chain. Reports an error if the closed form does not apply to the chain.
 class GeometryReader {
  public:
   explicit GeometryReader(const RobotModel& model) : model_(model) {
@@ -306,7 +308,7 @@ bool Within(double angle, const JointLimits& limits) {
   return angle >= limits.lower - kLimitTolerance && angle <= limits.upper + kLimitTolerance;
 }
 
-// The least of the angles angle + k turns that is at least `low`, rounding forgiven.
+// Returns the least angle of the form angle + k turns that is at least `low`, up to rounding.
 double FirstTurnFrom(double angle, double low) {
   return angle + kTurn * std::ceil((low - kLimitTolerance - angle) / kTurn);
 }
@@ -334,7 +336,7 @@ Pose Arm::Forward(const JointVector& q) const {
   const double x = Reach(geometry_, t2, {c23, s23});
   const double z = -geometry_.a2 * t2.sine - geometry_.a3 * s23 + geometry_.d4 * c23;
 
-  // The forearm's axes, then the axes turned by each wrist joint: z4 = z3, y5 = y4, z6 = z5.
+  // The forearm's axes come first. Each wrist joint then turns them: z4 = z3, y5 = y4, z6 = z5.
   const Vector3 x3(t1.cosine * c23, t1.sine * c23, -s23);
   const Vector3 y3(-t1.sine, t1.cosine, 0);
   const Vector3 z3(t1.cosine * s23, t1.sine * s23, c23);
@@ -365,8 +367,8 @@ WristJacobian Arm::JacobianAt(const JointVector& q) const {
   const auto [c23, s23] = Direction::Of(q[1] + q[2]);
   const auto [c4, s4] = Direction::Of(q[3]);
   const auto [c5, s5] = Direction::Of(q[4]);
-  // Axes as in Forward. Of the way to the center, what is along axes 2 and 3 moves it by axis 1
-  // only.
+  // The axes are those of Forward. The offset d2 is along axes 2 and 3, so it matters only for
+  // axis 1.
   const Vector3 x3(c1 * c23, s1 * c23, -s23);
   const Vector3 y3(-s1, c1, 0);
   const Vector3 z3(c1 * s23, s1 * s23, c23);

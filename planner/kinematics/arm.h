@@ -12,18 +12,19 @@ namespace assay::kinematics {
 
 using JointVector = Eigen::Matrix<double, 6, 1>;  // radians, joint 1 first
 
-// Where the joints are, or are to be, and how fast.
+// The actual or desired positions and velocities of the joints.
 struct JointState {
   JointVector q = JointVector::Zero();   // rad
   JointVector qd = JointVector::Zero();  // rad/s
 };
 
-// The indicators that name the up to eight solutions (Lee and Ziegler 1983, whose convention of
-// joint values is used throughout).
-enum class Shoulder { kRight, kLeft };  // ARM = +1, -1: the wrist behind or before axis 1
+// The indicators that distinguish the up to eight solutions (Lee and Ziegler 1983). Their
+// convention of joint values is used throughout.
+enum class Shoulder { kRight, kLeft };  // ARM = +1, -1: the wrist is behind or before axis 1
 enum class Elbow { kAbove, kBelow };    // ELBOW = +1, -1
-// The paper's FLIP toggle, as a property of the joint values: sin(q5) >= 0, or < 0. (The paper's
-// WRIST compares the hand with axis 5 instead, and depends on the mounting of the hand.)
+// The paper's FLIP toggle as a property of the joint values: sin(q5) >= 0 (kNoFlip) or < 0 (kFlip).
+// The paper's indicator WRIST is different: it compares the hand with axis 5, and depends on how
+// the hand is mounted.
 enum class Wrist { kNoFlip, kFlip };
 
 struct Indicators {
@@ -35,11 +36,11 @@ struct Indicators {
 };
 
 struct InverseSolution {
-  JointVector q;  // each in [-pi, pi]; limits are not looked at
+  JointVector q;  // each in [-pi, pi]; joint limits are not tested
   Indicators indicators;
 };
 
-// At most eight solutions, in place.
+// A list of at most eight solutions that needs no memory allocation.
 class InverseSolutions {
  public:
   const InverseSolution* begin() const { return solutions_.data(); }
@@ -48,7 +49,7 @@ class InverseSolutions {
   std::size_t size() const { return size_; }
   bool empty() const { return size_ == 0; }
 
-  // A place for one more; at most eight times.
+  // Adds a solution and returns it. It may be called at most eight times.
   InverseSolution& Append() { return solutions_[size_++]; }
 
  private:
@@ -56,8 +57,8 @@ class InverseSolutions {
   std::size_t size_ = 0;
 };
 
-// Lengths of the Denavit-Hartenberg table alpha = (-90, 0, 90, -90, 90, 0) degrees,
-// a = (0, a2, a3, 0, 0, 0), d = (0, d2, 0, d4, 0, d6), in metres.
+// The lengths of the Denavit-Hartenberg table, in metres: alpha = (-90, 0, 90, -90, 90, 0) degrees,
+// a = (0, a2, a3, 0, 0, 0), d = (0, d2, 0, d4, 0, d6).
 struct ArmGeometry {
   double a2 = 0;  // shoulder axis to elbow axis, > 0
   double a3 = 0;  // elbow axis to the line of axis 4
@@ -66,65 +67,71 @@ struct ArmGeometry {
   double d6 = 0;  // wrist centre to flange
 };
 
-// The Jacobian about the wrist's center, which the last three joints leave where it is; in the
-// base's frame.
+// The Jacobian about the wrist centre, in the base frame. The last three joints do not move this
+// point.
 struct WristJacobian {
-  Matrix3 center;    // its velocities by the rates of the first three joints, metres
-  Matrix3 shoulder;  // the axes of these
-  Matrix3 wrist;     // and of the last three
+  Matrix3 center;    // velocities of the centre per rate of the first three joints, metres
+  Matrix3 shoulder;  // the axes of the first three joints
+  Matrix3 wrist;     // the axes of the last three joints
 };
 
-// A six-axis arm with parallel shoulder and elbow axes and a spherical wrist, like the Pumas.
+// A six-axis arm with parallel shoulder and elbow axes and a spherical wrist, like the Puma robots.
 class Arm {
  public:
-  // Throws InputError if the file is not URDF, or not an arm of this kind in Lee and Ziegler's
-  // convention: at joint values 0, axes 1, 4, 6 point along the root's z, axes 2, 3, 5 along its
-  // y, axes 1 and 2 meet in the root's origin, axes 4, 5, 6 in one point, and the last link's
-  // frame, the flange, has the root's orientation and its origin on axis 6.
+  // Reads an arm from a URDF file. Throws InputError if the file is not URDF, or if the arm does
+  // not satisfy Lee and Ziegler's convention. At joint values 0, axes 1, 4, 6 must point along the
+  // root's z, and axes 2, 3, 5 along its y. Axes 1 and 2 must meet in the root's origin, and axes
+  // 4, 5, 6 in one point. The frame of the last link, the flange, must have the root's orientation
+  // and its origin on axis 6.
   static Arm FromUrdf(const std::filesystem::path& file);
 
   const RobotModel& model() const { return model_; }
   const ArmGeometry& geometry() const { return geometry_; }
   const std::array<JointLimits, 6>& limits() const { return limits_; }
 
-  // X_BaseFlange.
+  // Returns X_BaseFlange, the pose of the flange in the base.
   Pose Forward(const JointVector& q) const;
 
-  // The poses of all seven links in the base, in the order of model().links: base first, flange
-  // last.
+  // Returns the poses of all seven links in the base, in the order of model().links: the base is
+  // first, the flange is last.
   std::array<Pose, 7> LinkPoses(const JointVector& q) const;
 
   WristJacobian JacobianAt(const JointVector& q) const;
 
-  // All joint vectors, without regard to limits, that put the flange at X_BaseFlange: eight
-  // inside the reach, none outside. At a singular pose:
-  // - shoulder (the wrist centre at its least distance from axis 1): the two shoulder solutions
-  //   coincide, and are given once, as kRight. Without an offset d2, q1 is free: `reference`'s.
-  // - elbow (stretched or folded): the two elbow solutions coincide, and are given once.
-  // - wrist (axes 4 and 6 in line): q4 is free. kNoFlip takes q4 of `reference`, kFlip that
-  //   plus pi; q6 makes up the rest.
-  // - wrist centre on axis 2 (if the upper arm is as long as the forearm): q2 is free, and
-  //   `reference`'s.
-  // A direction counts as lost below 1e-10 (metres, or sine of q5), so that every solution gives
-  // the pose back to better than 1e-9. Solutions that coincide only up to rounding are all given.
+  // Returns all joint vectors that put the flange at X_BaseFlange, without regard to joint limits.
+  // There are eight inside the reach and none outside. Singular poses are special:
+  // - Shoulder (the wrist centre is at its least distance from axis 1): the two shoulder solutions
+  //   coincide and are given once, as kRight. Without an offset d2, q1 is free and is taken from
+  //   `reference`.
+  // - Elbow (the arm is stretched or folded): the two elbow solutions coincide and are given once.
+  // - Wrist (axes 4 and 6 are in line): q4 is free. kNoFlip takes q4 of `reference`, and kFlip
+  //   takes that plus pi. q6 follows from the pose.
+  // - Wrist centre on axis 2 (only if the upper arm is as long as the forearm): q2 is free and is
+  //   taken from `reference`.
+  // A direction counts as lost below 1e-10 (metres, or the sine of q5), so that every solution
+  // reproduces the pose to better than 1e-9. Solutions that coincide only up to rounding are all
+  // given.
   InverseSolutions Inverse(const Pose& X_BaseFlange,
                            const JointVector& reference = JointVector::Zero()) const;
-  // The one of these with the indicators, for a part of the work; none if none has them.
+  // Returns the solution with the given indicators, or nothing if there is none. It takes a part of
+  // the work for all solutions.
   std::optional<JointVector> Inverse(const Pose& X_BaseFlange, const Indicators& indicators,
                                      const JointVector& reference) const;
 
-  // ARM = sign(-(d4 s23 + a3 c23 + a2 c2)), ELBOW = ARM sign(d4 c3 - a3 s3), where sign(0) = +1.
+  // Returns the indicators of q: ARM = sign(-(d4 s23 + a3 c23 + a2 c2)) and ELBOW = ARM sign(d4 c3
+  // - a3 s3), where sign(0) = +1.
   Indicators IndicatorsOf(const JointVector& q) const;
 
-  // Whether every joint is within its limits, or beyond by no more than rounding (1e-9 rad).
+  // Returns true if every joint is within its limits, or beyond them by no more than rounding (1e-9
+  // rad).
   bool InRange(const JointVector& q) const;
 
-  // Of the joint vectors that differ from q by whole turns and are within the limits, the one
-  // whose every joint is nearest to the reference's; none if there is none.
+  // Considers the joint vectors that differ from q by whole turns and are within the limits.
+  // Returns the one in which every joint is nearest to the reference, or nothing if there is none.
   std::optional<JointVector> NearestInRange(const JointVector& q,
                                             const JointVector& reference) const;
 
-  // All joint vectors that differ from q by whole turns and are within the limits, in
+  // Returns all joint vectors that differ from q by whole turns and are within the limits, in
   // lexicographic order.
   std::vector<JointVector> Representatives(const JointVector& q) const;
 
@@ -136,8 +143,8 @@ class Arm {
   std::array<JointLimits, 6> limits_;
 };
 
-// The joint vector that differs from q by whole turns and is the nearest to the reference's in
-// every joint, whatever the limits.
+// Returns the joint vector that differs from q by whole turns and is nearest to the reference in
+// every joint. Joint limits are ignored.
 JointVector NearestByTurns(const JointVector& q, const JointVector& reference);
 
 }  // namespace assay::kinematics

@@ -19,7 +19,7 @@ LinkId RequireLink(const RobotModel& model, const std::string& name) {
   return link;
 }
 
-// The link's pose in the root with all joint values 0.
+// Returns the link's pose in the root when all joint values are 0.
 Pose RestPose(const RobotModel& model, LinkId link) {
   const JointId joint = model.link(link).parent_joint;
   if (joint.IsNone()) return Pose::Identity();
@@ -59,7 +59,7 @@ const Joint& RequireFingerJoint(const RobotModel& model, const std::string& name
   return joint;
 }
 
-// Complains unless the finger moves along `direction` of the tool.
+// Reports an error unless the finger moves along `direction` of the tool.
 void RequireDirection(const RobotModel& model, const Joint& joint, const Pose& X_ToolFinger,
                       const Vector3& direction) {
   const Vector3 axis = X_ToolFinger.linear() * joint.axis;
@@ -69,7 +69,8 @@ void RequireDirection(const RobotModel& model, const Joint& joint, const Pose& X
              fmt::format("(0, {}, 0)", direction.y()));
 }
 
-// The pad of a finger at joint value 0, in the tool frame; `side` is +1 for the left one.
+// Returns the pad of a finger at joint value 0, in the tool frame. `side` is +1 for the left finger
+// and -1 for the right one.
 Box RequirePad(const RobotModel& model, LinkId id, const std::vector<Box>& boxes, double side) {
   const Link& finger = model.link(id);
   const auto named = std::find_if(finger.collisions.begin(), finger.collisions.end(),

@@ -7,10 +7,11 @@
 namespace assay::kinematics {
 namespace {
 
-// Squares of metres, and of the sine of joint 5, that are well above what is lost in rounding.
+// A pose is regular if squares of metres, and the squared sine of joint 5, are above this. That is
+// well above rounding errors.
 constexpr double kRegular = 1e-12;
 
-// A number of each pose, as the compiler's vector.
+// One number for each pose, as a vector type of the compiler.
 using Row [[gnu::vector_size(sizeof(BatchRow))]] = double;
 
 [[gnu::always_inline]] inline Row Load(const BatchRow& numbers) {
@@ -35,13 +36,13 @@ using Row [[gnu::vector_size(sizeof(BatchRow))]] = double;
   return angle > 0 ? angle - std::numbers::pi : angle + std::numbers::pi;
 }
 
-// Rotations of the flange, by row and column.
+// The rotations of the flanges, by row and column.
 struct Rotation {
   Row m[3][3];
 };
 
-// Joints 4 to 6 of both wrist solutions, from the cosines and sines of joint 1 and of joints 2 and
-// 3 together. Gives the square of the sine of joint 5.
+// Computes joints 4 to 6 of both wrist solutions, from the cosines and sines of joint 1 and of the
+// sum of joints 2 and 3. Returns the squared sine of joint 5.
 [[gnu::always_inline]] inline Row SolveWrist(const Rotation& R, const Row& c1, const Row& s1,
                                              const Row& c23, const Row& s23,
                                              std::array<BatchRow, 6>* solutions) {
@@ -50,7 +51,7 @@ struct Rotation {
   const Row ay = c1 * R.m[1][2] - s1 * R.m[0][2];
   const Row az = forward * s23 + c23 * R.m[2][2];
   const Row sine2 = ax * ax + ay * ay;
-  // Axis 5 times the sine of joint 5, which changes no angle.
+  // y4 is axis 5 times the sine of joint 5. This factor changes no angle.
   const Row y4x = -ax * s1 - ay * c1 * c23;
   const Row y4y = ax * c1 - ay * s1 * c23;
   const Row y4z = ay * s23;
@@ -67,7 +68,7 @@ struct Rotation {
   return sine2;
 }
 
-// arm.cc derives the formulas.
+// The formulas are derived in arm.cc.
 [[gnu::always_inline]] inline void Solve(const ArmGeometry& g, const PoseBatch& poses,
                                          SolutionBatch& solutions) {
   Rotation R;
@@ -140,8 +141,8 @@ JointVector SolutionBatch::Solution(int solution, int pose) const {
   return joints;
 }
 
-// Compiled for each kind of vector register; which one is used is decided once, when the program
-// is loaded.
+// Compiled for several kinds of vector registers. The version is chosen once, when the program is
+// loaded.
 [[gnu::target_clones("avx512f", "avx2", "default")]] void Inverse(const ArmGeometry& geometry,
                                                                   const PoseBatch& poses,
                                                                   SolutionBatch& solutions) {

@@ -8,22 +8,24 @@
 
 namespace assay::kinematics {
 
-// Poses that are solved side by side: as many as the widest vector registers hold numbers.
+// The number of poses that are solved together: as many as the widest vector registers hold
+// numbers.
 inline constexpr int kBatch = 8;
-using BatchRow = std::array<double, kBatch>;  // one number of each pose
+using BatchRow = std::array<double, kBatch>;  // one number for each pose
 
-// X_BaseFlange of kBatch poses, number by number.
+// The poses X_BaseFlange of a batch. Each entry has one number for each pose.
 struct alignas(64) PoseBatch {
-  std::array<std::array<BatchRow, 3>, 3> rotation;  // row, column
+  std::array<std::array<BatchRow, 3>, 3> rotation;  // indexed by row and column
   std::array<BatchRow, 3> translation;              // metres
 };
 PoseBatch Batch(std::span<const Pose, kBatch> X_BaseFlange);
 
-// All eight solutions of each pose, in the order and with the indicators of Arm::Inverse.
+// All eight solutions of each pose, in the order of kBatchIndicators, which is that of
+// Arm::Inverse.
 struct alignas(64) SolutionBatch {
-  std::array<std::array<BatchRow, 6>, 8> q;  // solution, joint; radians in [-pi, pi]
-  // The pose has eight solutions and is well away from all singular ones. Of others the solutions
-  // mean nothing: Arm::Inverse knows them.
+  std::array<std::array<BatchRow, 6>, 8> q;  // indexed by solution and joint; radians in [-pi, pi]
+  // True if the pose has eight solutions and is well away from all singular poses. For other poses
+  // the solutions have no meaning, and Arm::Inverse must be used.
   std::array<bool, kBatch> regular;
 
   JointVector Solution(int solution, int pose) const;
@@ -39,8 +41,8 @@ inline constexpr std::array<Indicators, 8> kBatchIndicators = {{
     {Shoulder::kLeft, Elbow::kAbove, Wrist::kFlip},
 }};
 
-// The closed form of Arm::Inverse without branches, for many poses at a time: several times as
-// quick a pose. Bits do not depend on the processor.
+// Solves a batch of poses by the closed form of Arm::Inverse without branches, which is several
+// times as fast per pose. The result is the same on every processor, bit for bit.
 void Inverse(const ArmGeometry& geometry, const PoseBatch& poses, SolutionBatch& solutions);
 
 }  // namespace assay::kinematics

@@ -15,7 +15,8 @@
 namespace assay::kinematics {
 namespace {
 
-// Takes what urdfdom would print on standard error; its errors become the text of an InputError.
+// Collects the errors that urdfdom would print to standard error. They become the text of an
+// InputError.
 class ErrorCollector : public console_bridge::OutputHandler {
  public:
   ErrorCollector() { console_bridge::useOutputHandler(this); }
@@ -36,8 +37,8 @@ class ErrorCollector : public console_bridge::OutputHandler {
   std::string errors_;
 };
 
-// What is beyond these is a slip, and would overflow later: metres, radians, kilograms, their
-// products, and their changes in a second.
+// Values beyond these limits are mistakes, and would overflow later. Units are metres, radians,
+// kilograms, their products, and changes per second.
 constexpr double kLeastExtent = 1e-6;
 constexpr double kMostLength = 100;
 constexpr double kMostAngle = 4 * std::numbers::pi;
@@ -47,7 +48,8 @@ constexpr double kMostEffort = 1e6;
 constexpr std::size_t kMostLinks = 1000;
 
 urdf::ModelInterfaceSharedPtr Parse(const std::string& text, const XmlOutline& outline) {
-  // console_bridge has one output handler for the whole process: one file at a time.
+  // console_bridge has one output handler for the whole process, so only one file is read at a
+  // time.
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   const ErrorCollector collector;
@@ -61,8 +63,8 @@ urdf::ModelInterfaceSharedPtr Parse(const std::string& text, const XmlOutline& o
 
 Vector3 ToVector(const urdf::Vector3& v) { return {v.x, v.y, v.z}; }
 
-// Turns urdfdom's tree into ours, depth first, with the place of the link or joint on every
-// complaint.
+// Converts urdfdom's tree into a RobotModel, depth first. Every error gives the place of its link
+// or joint.
 class Converter {
  public:
   Converter(const XmlOutline& outline, const urdf::ModelInterface& parsed) : outline_(outline) {
@@ -140,14 +142,14 @@ class Converter {
       Fail(fmt::format("link '{}' has a mass of {} kg", link, parsed.mass),
            fmt::format("a positive mass, at most {} kg", kMostMass));
     }
-    // The principal moments of a body are positive, and none is above the sum of the others.
+    // The principal moments of a body are positive, and none exceeds the sum of the other two.
     const double most = kMostMass * kMostLength * kMostLength;
     if (!(inertial.inertia.cwiseAbs().maxCoeff() <= most) || !inertial.inertia.allFinite()) {
       Fail(fmt::format("link '{}' has an inertia beyond measure", link),
            fmt::format("at most {} kg m^2", most));
     }
     const Eigen::SelfAdjointEigenSolver<Matrix3> solver(inertial.inertia, Eigen::EigenvaluesOnly);
-    const Vector3& moments = solver.eigenvalues();  // ascending
+    const Vector3& moments = solver.eigenvalues();  // in ascending order
     if (!(moments[0] > 0) || moments[2] > (moments[0] + moments[1]) * (1 + 1e-9)) {
       Fail(fmt::format("link '{}' has principal moments of inertia {}, {}, {} kg m^2", link,
                        moments[0], moments[1], moments[2]),
@@ -227,7 +229,7 @@ class Converter {
   }
 
   const XmlOutline& outline_;
-  FilePlace at_ = outline_.root();  // what is being converted
+  FilePlace at_ = outline_.root();  // the element that is being converted
   RobotModel model_;
 };
 

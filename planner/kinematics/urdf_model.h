@@ -22,10 +22,11 @@ struct JointTag;
 using LinkId = Id<LinkTag>;
 using JointId = Id<JointTag>;
 
-// How far, in metres and radians, a file may be from the geometry that it must have.
+// The tolerance, in metres and radians, within which a file must have the required geometry.
 inline constexpr double kFileTolerance = 1e-9;
 
-// Shapes are centred at their frame's origin; a cylinder's axis is z. Metres.
+// Shapes are centred at the origin of their frame. The axis of a cylinder is z. Lengths are in
+// metres.
 struct BoxShape {
   Vector3 size = Vector3::Zero();  // full edge lengths
 };
@@ -49,7 +50,7 @@ struct Visual {
   std::string name;  // may be empty
   Pose X_LinkShape = Pose::Identity();
   Shape shape;
-  Rgba color;  // grey where the file gives none
+  Rgba color;  // grey if the file gives no colour
 };
 
 struct Collision {
@@ -60,14 +61,14 @@ struct Collision {
 
 struct Inertial {
   double mass = 0;                        // kg
-  Pose X_LinkCenter = Pose::Identity();   // centre of mass and the axes of `inertia`
+  Pose X_LinkCenter = Pose::Identity();   // the centre of mass and the axes of `inertia`
   Matrix3 inertia = Matrix3::Identity();  // about the centre of mass, kg m^2
 };
 
 struct Link {
   std::string name;
-  JointId parent_joint = JointId::None();  // None: the root
-  std::optional<Inertial> inertial = {};   // none: a massless frame
+  JointId parent_joint = JointId::None();  // None for the root
+  std::optional<Inertial> inertial = {};   // nothing for a massless frame
   std::vector<Visual> visuals = {};
   std::vector<Collision> collisions = {};
   FilePlace place = {};
@@ -75,7 +76,8 @@ struct Link {
 
 enum class JointType { kFixed, kRevolute, kPrismatic };
 
-// Radians for revolute joints, metres for prismatic ones; velocity and effort are magnitudes.
+// The units are radians for revolute joints and metres for prismatic ones. Velocity and effort are
+// magnitudes.
 struct JointLimits {
   double lower = 0;
   double upper = 0;
@@ -89,35 +91,36 @@ struct Joint {
   LinkId parent;
   LinkId child;
   Pose X_ParentJoint = Pose::Identity();  // the child's frame in the parent's at joint value 0
-  Vector3 axis = Vector3::UnitZ();        // unit, in the child's frame; means nothing if fixed
+  Vector3 axis = Vector3::UnitZ();        // unit vector in the child's frame; unused if fixed
   JointLimits limits = {};                // zeros if fixed
   FilePlace place = {};
 
-  // The pose of the child's frame in the parent's at a joint value, which a fixed joint ignores.
+  // Returns the pose of the child's frame in the parent's at a joint value. A fixed joint ignores
+  // the value.
   Pose X_ParentChild(double value) const;
 };
 
-// A robot as its URDF file tells it, in plain data. Parents stand before their children: links[0]
-// is the root and joints[i] leads to links[i + 1].
+// The contents of a robot's URDF file as plain data. Parents come before their children: links[0]
+// is the root, and joints[i] leads to links[i + 1].
 struct RobotModel {
-  FilePlace place;  // of the robot in its file
+  FilePlace place;  // the place of the robot in its file
   std::string name;
   std::vector<Link> links;
   std::vector<Joint> joints;
 
   const Link& link(LinkId id) const { return links[static_cast<std::size_t>(id.index())]; }
   const Joint& joint(JointId id) const { return joints[static_cast<std::size_t>(id.index())]; }
-  LinkId FindLink(std::string_view link_name) const;     // None if there is none
-  JointId FindJoint(std::string_view joint_name) const;  // None if there is none
+  LinkId FindLink(std::string_view link_name) const;     // None if there is no such link
+  JointId FindJoint(std::string_view joint_name) const;  // None if there is no such joint
 
-  // Throws InputError about the robot as a whole.
+  // Throws an InputError that concerns the robot as a whole.
   [[noreturn]] void Fail(const std::string& what, const std::string& allowed = "") const;
 };
 
-// Reads a URDF file (no meshes, no xacro; joints fixed, revolute or prismatic). Throws InputError
-// with line and column if it cannot be read, is not URDF, or holds what is not supported or cannot
-// be (no joint limits, a negative mass, an inertia that no body has, a shape without extent,
-// lengths over 100 m).
+// Reads a URDF file without meshes and xacro. Joints are fixed, revolute or prismatic. Throws
+// InputError, with line and column, if the file cannot be read, is not URDF, or contains something
+// unsupported or impossible: missing joint limits, a negative mass, an inertia that no body has, a
+// shape without extent, or lengths over 100 m.
 RobotModel ReadUrdf(const std::filesystem::path& file);
 
 }  // namespace assay::kinematics

@@ -11,7 +11,7 @@
 namespace assay::kinematics {
 namespace {
 
-constexpr std::size_t kMostElementsInEachOther = 100;  // readers of XML go down by recursion
+constexpr std::size_t kMostElementsInEachOther = 100;  // limited because readers recurse
 
 bool IsXmlBlank(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
@@ -50,14 +50,14 @@ class XmlTagReader {
     text_.remove_prefix(std::min(count, text_.size()));
   }
 
-  // False: it does not come any more.
+  // Returns false if the text does not occur any further on.
   bool SkipTo(std::string_view what) {
     const std::size_t at = text_.find(what);
     Advance(std::min(at, text_.size()));
     return at != std::string_view::npos;
   }
 
-  // Comments, declarations and raw text.
+  // Skips a comment, a declaration or raw text.
   bool SkipWithoutElement() {
     constexpr std::array<std::array<std::string_view, 2>, 4> kOthers = {
         {{"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}, {"<!", ">"}}};
@@ -132,10 +132,10 @@ class XmlTagReader {
     open_.pop_back();
   }
 
-  std::string_view text_;  // what is left
+  std::string_view text_;  // the text that is still to be read
   FilePlace here_;
   std::vector<Tag> tags_;
-  std::vector<std::size_t> open_;  // indices of tags
+  std::vector<std::size_t> open_;  // indices in tags_ of elements that are not closed
 };
 
 XmlOutline::XmlOutline(std::string_view text, const std::string& file)

@@ -8,18 +8,21 @@
 
 namespace assay::kinematics {
 
-// Where the elements of an XML text stand, which urdfdom forgets. Only the tags are looked at.
+// The places of the elements of an XML text, which urdfdom does not keep. Only the tags are read.
 class XmlOutline {
  public:
-  // Throws InputError, with line and column, unless there is an element, every one is closed in its
-  // turn, attributes have values in quotes, and at most 100 elements are in each other.
+  // Reads the tags of the text. Throws InputError, with line and column, unless there is an
+  // element, all elements are properly nested and closed, attributes have quoted values, and at
+  // most 100 elements are nested.
   XmlOutline(std::string_view text, const std::string& file);
 
   FilePlace root() const { return tags_.front().place; }
-  // Of the first such element whose attribute `name` is this; else of the root.
+  // Returns the place of the first such element whose attribute `name` has this value, or else of
+  // the root.
   FilePlace PlaceOf(std::string_view element, std::string_view name) const;
-  // Of the element with the attribute whose value the message has first in quotes or brackets; else
-  // of the root.
+  // Returns the place of an element with an attribute whose value occurs in the message in quotes
+  // or brackets. The value that occurs first decides. If no value occurs, it returns the place of
+  // the root.
   FilePlace PlaceOfMention(std::string_view message) const;
 
  private:

@@ -12,9 +12,10 @@ namespace {
 
 constexpr int kCornerSteps = 4;
 constexpr int kNewtonSteps = 40;
-constexpr int kMostVariablesForNewton = 16;  // above: steepest ascent
+constexpr int kMostVariablesForNewton = 16;  // with more variables: steepest ascent
 
-// One ascent. Coordinates are scaled by the widths of the box, so that one damping fits all.
+// One ascent. Coordinates are scaled by the widths of the box, so that one damping suits all of
+// them.
 class Ascent {
  public:
   Ascent(std::vector<double> start, Probe& probe, std::span<const Interval> box)
@@ -34,7 +35,7 @@ class Ascent {
     return std::min(Width(box_[variable]), 1 + std::abs(point_[variable]));
   }
 
-  // Those that are not held at an end by the gradient.
+  // Finds the variables that the gradient does not hold at an end of their intervals.
   void FindFree() {
     free_.clear();
     for (int i = 0; i < static_cast<int>(point_.size()); ++i) {
@@ -45,7 +46,7 @@ class Ascent {
     }
   }
 
-  // Minus the second derivatives, scaled, of the free variables.
+  // Returns the negated second derivatives with respect to the free variables, scaled.
   SymmetricMatrix Curvature() {
     const int n = static_cast<int>(free_.size());
     SymmetricMatrix curvature;
@@ -82,8 +83,8 @@ class Ascent {
     return false;
   }
 
-  // Whether a step gains too little to be seen in the value. It is still worth taking: the top is
-  // where the slopes vanish, and a value cannot tell that.
+  // Returns true if the step gains too little to be visible in the value. The step is taken
+  // nevertheless, because it brings the slopes nearer to zero than the value can show.
   bool IsLast(const std::vector<double>& step, const std::vector<double>& slope) const {
     double gain = 0;
     for (std::size_t i = 0; i < step.size(); ++i) gain += step[i] * slope[i] / 2;

@@ -19,7 +19,7 @@ namespace assay::algebra {
 namespace {
 
 constexpr const char* kEnds = "a number, \"N deg\", \"inf\" or \"-inf\"";
-constexpr Interval kPi = {0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1};  // holds pi
+constexpr Interval kPi = {0x1.921fb54442d18p+1, 0x1.921fb54442d19p+1};  // contains pi
 constexpr std::array<std::string_view, 7> kReserved = {"sin", "cos", "sqrt", "abs",
                                                        "min", "max", "deg"};
 
@@ -29,7 +29,7 @@ std::string_view Trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\n") - first + 1);
 }
 
-// None if it is not a finite number and nothing else.
+// Returns a number only if the whole text is one finite number.
 std::optional<double> NumberIn(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double number = 0;
@@ -39,7 +39,7 @@ std::optional<double> NumberIn(std::string_view text) {
   return number;
 }
 
-// The interval in which the end lies: the number itself, except for degrees.
+// Returns an interval that contains the end. It is the number itself, except for degrees.
 Interval ReadEnd(const Value& value) {
   const std::string whole = value.Text();
   const std::string_view text = Trimmed(whole);
@@ -83,7 +83,7 @@ void ReadVariable(const Value& name, const Value& interval, ExpressionPool& pool
   pool.Declare(text, ReadInterval(interval));
 }
 
-// The text of a file, by the places of its values.
+// The text of a file. It finds the text at the place of a value.
 class Source {
  public:
   explicit Source(std::string_view text) {
@@ -96,7 +96,7 @@ class Source {
     }
   }
 
-  // Up to the end of the line.
+  // Returns the text from the place to the end of its line.
   std::string_view From(const FilePlace& place) const {
     if (place.line < 1 || place.line > std::ssize(lines_) || place.column < 1) return {};
     const std::string_view line = lines_[static_cast<std::size_t>(place.line) - 1];
@@ -107,14 +107,15 @@ class Source {
   std::vector<std::string_view> lines_;
 };
 
-// A text with one expression or two in it.
+// A text that contains one or two expressions.
 struct ExpressionText {
   std::string text;
-  FilePlace place;  // where it begins; of the whole value if it is not laid out as in the file
+  FilePlace place;  // where the text begins; where the whole value begins if the layout is kOther
   Layout layout = Layout::kAsInFile;
 };
 
-// Escapes, line breaks and the indent of blocks make the text another than what the file has there.
+// Reads a text and its layout. Escapes, line breaks and the indentation of blocks make the text
+// differ from the characters in the file.
 ExpressionText ReadText(const Value& value, const Source& source) {
   ExpressionText read = {.text = value.Text(), .place = value.Place()};
   std::string_view rest = source.From(read.place);
@@ -128,7 +129,7 @@ ExpressionText ReadText(const Value& value, const Source& source) {
   return read;
 }
 
-// A piece of the text, as an expression.
+// Reads a part of the text as an expression.
 Expression ReadPiece(const ExpressionText& whole, std::size_t first, std::size_t length,
                      ExpressionPool& pool) {
   const std::string_view piece = std::string_view(whole.text).substr(first, length);
@@ -143,7 +144,7 @@ Expression ReadPiece(const ExpressionText& whole, std::size_t first, std::size_t
 }
 
 struct Comparison {
-  std::size_t begin = 0;  // in the text
+  std::size_t begin = 0;  // offset in the text
   std::size_t end = 0;
   char kind = '<';  // '<', '>' or '='
 };

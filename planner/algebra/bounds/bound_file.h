@@ -9,27 +9,26 @@
 
 namespace assay::algebra {
 
-// Expressions to be bounded, as `assay bound` reads them.
+// The expressions that `assay bound` reads in order to bound them.
 struct BoundProblem {
   struct Question {
-    std::string text;  // as the file has it
+    std::string text;  // as it stands in the file
     Expression expression;
   };
 
-  std::unique_ptr<ExpressionPool> pool;  // of all expressions
+  std::unique_ptr<ExpressionPool> pool;  // owns all expressions
   ConstraintSet constraints;
   std::vector<Question> questions;
 };
 
-// Reads, in JSON or YAML:
+// Reads a problem in JSON or YAML, for example:
 //   {"variables": {"x": [0, "inf"], "t": ["-5.5 deg", "5.5 deg"]},
 //    "constraints": ["x <= y + 1"],
 //    "expressions": ["3*cos(t) + x"]}
-// with one expression at least. A variable's ends are numbers, "N deg" (in radians, rounded
-// outward), "inf" or "-inf".
-// Constraints compare two expressions (text.h) by <=, >=, < or > (the strict ones count as closed:
-// the bounds are the same or larger) or ==; there may be none. Throws InputError with the place of
-// what is wrong.
+// At least one expression is required. The ends of a variable are numbers, "N deg" (converted to
+// radians and rounded outward), "inf" or "-inf". A constraint compares two expressions (text.h) by
+// <=, >=, <, > or ==. Strict comparisons count as closed, so that the bounds are the same or
+// larger. Constraints are optional. Throws InputError with the place of the error.
 BoundProblem ReadBoundProblem(const std::string& text, const std::string& file_name);
 BoundProblem LoadBoundProblem(const std::filesystem::path& file);
 

@@ -24,11 +24,11 @@
 namespace assay::algebra {
 namespace {
 
-// What holds whatever the sign: a bound from above of e (sign = 1) or of -e (sign = -1). Each rung
-// can only lower the value, and every value is an upper bound by itself.
+// Bounds e (sign = 1) or -e (sign = -1) from above, by one bounding method after the other. A
+// method can only lower the value, and every value is an upper bound by itself.
 class Ladder {
  public:
-  // `form`: the normal form of e, if it is known.
+  // `form` is the normal form of e, or null if it is not known.
   Ladder(const Expression& e, const NormalForm* form, int sign, const ConstraintSet& constraints,
          const BoundRequest& request)
       : e_(e), form_(form), sign_(sign), constraints_(constraints), request_(request) {
@@ -44,7 +44,7 @@ class Ladder {
   }
 
  private:
-  // The inequalities, by SUP/INF: what they say of the expression, and of the box.
+  // Uses SUP/INF over the inequalities to bound the expression and to tighten the box.
   void StepOnLinear() {
     bound_.rung = Rung::kLinear;
     const Expression sup = sign_ > 0 ? Sup(e_, {}, constraints_) : -Inf(e_, {}, constraints_);
@@ -83,7 +83,7 @@ class Ladder {
     Learn(probe);
   }
 
-  // Leaves the smaller problem that is left when monotone variables are set.
+  // Returns the smaller problem that remains after monotone variables are set to their best ends.
   Maximization StepOnMonotone(Probe& probe) {
     const Maximization& problem = probe.problem();
     const MonotoneBox monotone = SetMonotoneVariables(probe, problem.box, problem.constrained);
@@ -98,8 +98,9 @@ class Ladder {
     return is_defined ? Restricted(problem, monotone.box) : problem;
   }
 
-  // The normal form writes a sine's square as 1 - cos^2, and small errors are then small
-  // differences: mostly, but not always, the expression as it stands is looser.
+  // The normal form writes the square of a sine as 1 - cos^2, so that a small error becomes a
+  // difference of large terms. The expression as it is written is mostly, but not always, looser;
+  // both are bounded.
   void StepOnCentred(Probe& probe) {
     const double as_it_stands = sign_ > 0 ? GlanceAbove(e_, constraints_.box, -kInfinity).bound
                                           : -GlanceBelow(e_, constraints_.box, kInfinity).bound;
@@ -114,7 +115,7 @@ class Ladder {
     Learn(probe);
   }
 
-  // A point for the first rungs, for little work.
+  // Finds a point for the first bounding methods with little work.
   static void FindFirstPoint(Probe& probe) {
     const Maximization& problem = probe.problem();
     if (problem.slacks.empty()) {
@@ -137,12 +138,12 @@ class Ladder {
   }
 
   void Lower(double value, Rung rung) {
-    if (!(value < bound_.value)) return;  // also if it is NaN
+    if (!(value < bound_.value)) return;  // is also true if the value is NaN
     bound_.value = value;
     bound_.rung = rung;
   }
 
-  // Takes over what the probe has found and spent.
+  // Takes over the probe's best point and its count of evaluations.
   void Learn(const Probe& probe) {
     if (&probe.problem() != counted_) spent_before_ = bound_.evaluations;
     counted_ = &probe.problem();
@@ -186,15 +187,16 @@ class PreparedExpression::Ready {
     if (auto multiaffine = MultiaffineFormOf(form_)) search_.emplace(*std::move(multiaffine));
   }
 
-  // Whether questions over these constraints are for Search.
+  // Returns true if Search can answer questions over these constraints.
   bool Enter(const ConstraintSet& constraints, const BoundRequest& request) {
     const bool is_for_search =
         search_ && request.highest >= Rung::kMonotone && constraints.inequalities.empty();
     return is_for_search && search_->Enter(constraints.box);
   }
 
-  // After Enter. Where the search ends by itself and misses the gap, its rounding errors, which it
-  // bounds beforehand, are too large: the ladder may be tighter.
+  // Answers a question after Enter has returned true. The search bounds its rounding errors
+  // beforehand. If it ends by itself and misses the gap, these errors are too large, and Climb may
+  // be tighter.
   Bound Entered(int sign, const ConstraintSet& constraints, const BoundRequest& request) {
     Bound found = Search(sign, constraints, request);
     const bool is_done = found.gap <= request.gap || found.evaluations >= request.evaluations ||
@@ -249,7 +251,8 @@ BothBounds PreparedExpression::Both(const ConstraintSet& constraints, const Boun
 
 namespace {
 
-// The normal form of an expression that the linear core may do without is left to the ladder.
+// Bounds an expression once. If the linear core comes first, the normal form is computed by Ladder,
+// and only if it is needed.
 Bound BoundOnce(const Expression& e, int sign, const ConstraintSet& constraints,
                 const BoundRequest& request) {
   const bool starts_linear = !constraints.inequalities.empty() || request.highest == Rung::kLinear;

@@ -7,9 +7,9 @@
 
 namespace assay::algebra {
 
-// An expression made ready to be bounded again and again: what does not depend on the constraints
-// (its normal form above all, which mostly takes longer than the search) is done once. Not to be
-// shared between threads.
+// An expression prepared for being bounded repeatedly. Work that does not depend on the constraints
+// is done once, above all the normal form, which mostly takes longer than the search. An object
+// must not be shared between threads.
 class PreparedExpression {
  public:
   explicit PreparedExpression(const Expression& e);
@@ -19,7 +19,8 @@ class PreparedExpression {
 
   Bound Above(const ConstraintSet& constraints, const BoundRequest& request);
   Bound Below(const ConstraintSet& constraints, const BoundRequest& request);
-  // In less time than one after the other. A limit is of either.
+  // Returns both bounds in less time than two separate calls. The request's limit applies to each
+  // of them.
   BothBounds Both(const ConstraintSet& constraints, const BoundRequest& request);
 
  private:
@@ -27,7 +28,8 @@ class PreparedExpression {
   std::unique_ptr<Ready> ready_;
 };
 
-// SUP: bounds the expression from above over the constraints; BoundBelow: INF, from below.
+// BoundAbove returns SUP, a bound of e from above over the constraints. BoundBelow returns INF, a
+// bound from below.
 Bound BoundAbove(const Expression& e, const ConstraintSet& constraints,
                  const BoundRequest& request);
 Bound BoundBelow(const Expression& e, const ConstraintSet& constraints,

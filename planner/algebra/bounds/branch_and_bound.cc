@@ -15,14 +15,14 @@
 namespace assay::algebra {
 namespace {
 
-constexpr double kFarthestSplit = 1e100;  // an infinite interval is not split beyond
+constexpr double kFarthestSplit = 1e100;  // infinite intervals are not split beyond it
 
-// A part of the box that may hold more than the best point so far.
+// A part of the box in which the form may exceed the best point so far.
 struct Part {
   Box box;
   double upper_bound = kInfinity;
-  int split = -1;        // variable; -1: none is left that can be split
-  std::int64_t age = 0;  // parts of the same bound: the oldest first
+  int split = -1;        // a variable, or -1 if none can be split further
+  std::int64_t age = 0;  // breaks ties: of parts with the same bound the oldest comes first
 };
 
 struct IsLessPromising {
@@ -34,7 +34,8 @@ struct IsLessPromising {
 
 bool IsFree(const Interval& interval) { return interval.low < interval.high; }
 
-// A place inside the interval to split it at; none if it is too narrow or too far out.
+// Returns a place inside the interval to split it at. Returns nothing if the interval is too narrow
+// or too far out.
 std::optional<double> SplitPoint(const Interval& x) {
   const bool is_infinite = std::isinf(x.low) || std::isinf(x.high);
   if (!is_infinite) {
@@ -72,8 +73,9 @@ class Search {
   }
 
  private:
-  // A form that is affine in a variable is largest at one of its two ends, whatever the others are:
-  // what lies between need not be looked at. An inequality may forbid an end, though.
+  // A form that is affine in a variable is largest at one of the variable's two ends, for any
+  // values of the others. Places between the ends need no search, unless an inequality may forbid
+  // an end.
   bool HasOnlyItsEnds(int variable) const {
     const Interval& x = problem_.box[variable];
     return problem_.objective.affine[variable] && !problem_.constrained[variable] &&
@@ -93,7 +95,7 @@ class Search {
     }
   }
 
-  // Bounds a part, and keeps it if it can hold more than the best point.
+  // Bounds a part, and keeps it if the form may exceed the best point there.
   void Add(Box box, double upper_bound) {
     if (probe_.SurelyInfeasible(box)) return;
     MonotoneBox part = SetMonotoneVariables(probe_, std::move(box), problem_.constrained);
@@ -108,21 +110,22 @@ class Search {
     parts_.push({std::move(part.box), upper_bound, split, ++age_});
   }
 
-  // NaN (of infinite intermediate results) says nothing.
+  // Ignores NaN, which comes from infinite intermediate results.
   static void Lower(double& upper_bound, double other) {
     if (other < upper_bound) upper_bound = other;
   }
 
   void LowerByDerivatives(double& upper_bound, const MonotoneBox& part) {
     // Variables of inequalities keep their intervals in the part, so that the inequalities can be
-    // judged over it; what bounds the form may set them too, as if there were no inequality.
+    // tested over it. For a bound of the form alone they may be set, too, as if there were no
+    // inequality.
     const MonotoneBox relaxed =
         problem_.slacks.empty() ? part : SetMonotoneVariables(probe_, part.box);
     Lower(upper_bound, relaxed.range.high);
     Lower(upper_bound, UpperBoundByDerivatives(probe_, relaxed.box, relaxed.gradient));
   }
 
-  // A better feasible point, if the middle of the part promises one.
+  // Looks for a better feasible point if the middle of the part promises one.
   void Improve(const Box& box) {
     std::vector<double> middle = CentreOf(box);
     const double value = probe_.Value(middle);
@@ -134,8 +137,8 @@ class Search {
     }
   }
 
-  // The variable whose interval makes the form vary most: where the derivative times the width is
-  // largest; of several infinite ones the widest.
+  // Returns the variable that varies the form most: the one with the largest product of derivative
+  // and width. Of several infinite products the one with the widest interval is taken.
   int SplitVariable(const MonotoneBox& part) const {
     int best = -1;
     std::pair<double, double> largest = {-1, -1};

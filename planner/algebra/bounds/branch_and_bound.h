@@ -7,23 +7,26 @@
 
 namespace assay::algebra {
 
-// An interval, relative to 1 and the coordinate, that is not split further.
+// An interval narrower than this, relative to 1 plus the coordinate's magnitude, is not split
+// further.
 inline constexpr double kNarrowest = 1e-13;
 
-// When the search for a better bound may end.
+// Decides when the search for a better bound ends.
 struct StopRule {
-  double gap = 0;                                           // bound and best point this near
-  std::int64_t evaluations = 0;                             // of the probe, all told
-  double limit = std::numeric_limits<double>::quiet_NaN();  // bound below it, or best not below
+  double gap = 0;                // ends when bound and best point differ by at most this
+  std::int64_t evaluations = 0;  // the greatest count of the probe's evaluations
+  // The search ends when the bound is below the limit, or the best value is not.
+  double limit = std::numeric_limits<double>::quiet_NaN();
 
   bool IsMet(double upper_bound, double best_value) const;
 };
 
-// An upper bound of the form over the problem's box, found by splitting the box and bounding the
-// parts by the rungs below; the probe learns of good feasible points on the way. Conservative since
-// the parts cover all of the box but what (a) cannot hold more than elsewhere in it, by
-// monotonicity or affinity, (b) surely violates an inequality or leaves the form without a value,
-// or (c) cannot hold more than a feasible point already attains.
+// Returns an upper bound of the form over the problem's box. It splits the box and bounds the parts
+// by the cheaper methods. The probe keeps good feasible points that are found on the way. The bound
+// is conservative because the parts cover the whole box except for three kinds of regions: (a)
+// regions where, by monotonicity or affinity, the form is nowhere larger than elsewhere in the box,
+// (b) regions that surely violate an inequality or in which the form has no value, and (c) regions
+// where the form cannot exceed a value that a feasible point attains.
 double BranchAndBound(Probe& probe, double upper_bound, const StopRule& stop);
 
 }  // namespace assay::algebra

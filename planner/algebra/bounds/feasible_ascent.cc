@@ -12,7 +12,7 @@ namespace {
 constexpr int kCrossings = 50;
 constexpr int kAscents = 60;
 constexpr int kStepHalvings = 50;
-constexpr double kTouching = 1e-9;  // slack, relative: less stands in the way of a step
+constexpr double kTouching = 1e-9;  // relative slack: an inequality with less blocks a step
 constexpr double kInward = 1e-10;   // how steeply a step along an inequality leaves it
 
 using Vector = std::vector<double>;
@@ -31,7 +31,8 @@ Vector Along(const Vector& start, const Vector& direction, double length, const 
   return end;
 }
 
-// Takes out of the direction what leads out of the box or across an inequality that is touched.
+// Removes from a direction the components that lead out of the box or across an inequality that the
+// point touches.
 class Deflection {
  public:
   Deflection(const Vector& point, Probe& probe) : point_(point), box_(probe.problem().box) {
@@ -46,7 +47,7 @@ class Deflection {
   }
 
   Vector Of(Vector direction) const {
-    // Taking out one part may bring back another: a few rounds.
+    // Removing one component may bring back another, so a few rounds are needed.
     for (int round = 0; round < 20; ++round) {
       StayInBox(direction);
       for (const Vector& wall : walls_) Deflect(wall, direction);
@@ -73,10 +74,11 @@ class Deflection {
 
   const Vector& point_;
   const Box& box_;
-  std::vector<Vector> walls_;  // unit vectors into the feasible side
+  std::vector<Vector> walls_;  // unit vectors towards the feasible side
 };
 
-// The longest step that stays feasible and climbs, to a factor of two.
+// Takes the longest step that stays feasible and increases the value, to within a factor of two.
+// Returns false if there is none.
 bool TakeLongestStep(Vector& point, double& value, const Vector& direction, Probe& probe) {
   const Box& box = probe.problem().box;
   double longest = 0;
@@ -106,7 +108,7 @@ std::vector<double> ApproachFeasible(std::vector<double> start, Probe& probe) {
       const Vector& slope = slack.Gradient();
       const double steepness = DotProduct(slope, slope);
       if (!(value <= 0) || !(steepness > 0)) continue;
-      // A little beyond, as rounding could leave the point on the wrong side.
+      // The step goes a little farther, because rounding could leave the point on the wrong side.
       const double length = -value / steepness * 1.001 + kTouching / std::sqrt(steepness);
       point = Along(point, slope, length, probe.problem().box);
     }

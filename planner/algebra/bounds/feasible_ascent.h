@@ -6,13 +6,14 @@
 
 namespace assay::algebra {
 
-// As ascent.h, where inequalities hold: in doubles, without any promise.
+// Searches for points at which a form is large and the inequalities hold. As in ascent.h, the
+// search uses doubles and guarantees nothing.
 
-// A point of the problem's box that violates the inequalities as little as steps across the
-// violated ones bring it to.
+// Returns a point of the problem's box that violates the inequalities as little as possible. It is
+// found by steps across the violated inequalities.
 std::vector<double> ApproachFeasible(std::vector<double> start, Probe& probe);
 
-// Uphill from a feasible point, along the inequalities that stand in the way.
+// Ascends from a feasible point. A step follows the inequalities that block it.
 std::vector<double> AscendFeasibly(std::vector<double> start, Probe& probe);
 
 }  // namespace assay::algebra

@@ -14,9 +14,9 @@ namespace {
 using Factor = NormalForm::Factor;
 using FactorKeys = std::vector<std::pair<int, int>>;  // the atoms' indices and exponents
 
-// Adds the form's variables to others; all in increasing order.
+// Adds the form's variables to the given ones and keeps the list in increasing order.
 void InsertVariables(const NormalForm& form, std::vector<VariableId>& variables) {
-  IndexMap<bool> seen;  // of atoms
+  IndexMap<bool> seen;  // atoms whose variables have been added
   for (const NormalForm::Term& term : form.terms) {
     for (const Factor& factor : term.factors) {
       if (std::exchange(seen[factor.atom.index()], true)) continue;
@@ -60,12 +60,12 @@ void FillIn(Maximization& problem, std::vector<VariableId> variables,
   problem.objective = Compile(problem.form, problem.variables);
 }
 
-// Atoms without freedom, as their values; each is evaluated once.
+// The values of atoms that are constant over the box. Each atom is evaluated once.
 class FixedAtoms {
  public:
   explicit FixedAtoms(std::span<const Interval> box) : box_(box) {}
 
-  // Null if the atom can still vary.
+  // Returns null if the atom varies over the box.
   const Interval* Find(const Expression& atom) {
     const auto [at, is_new] = values_.try_emplace(atom.index());
     if (is_new && !Varies(atom)) at->second = {true, Evaluate(atom, box_)};
@@ -80,7 +80,7 @@ class FixedAtoms {
     });
   }
 
-  std::span<const Interval> box_;  // by VariableId
+  std::span<const Interval> box_;  // indexed by VariableId
   std::map<int, std::pair<bool, Interval>> values_;
 };
 

@@ -9,32 +9,36 @@
 
 namespace assay::algebra {
 
-// The question behind every bound: how large can a form become over a box, where some inequalities
-// hold? A variable has a number of its own here: its place in `variables`.
+// The problem behind every bound: how large can a form become over a box in which some inequalities
+// hold? The number of a variable is its place in `variables`.
 struct Maximization {
   NormalForm form;
-  std::vector<VariableId> variables;  // that occur in the form or an inequality, increasing
-  std::vector<Interval> box;          // by number
+  std::vector<VariableId> variables;  // increasing: all that occur in the form or in an inequality
+  std::vector<Interval> box;          // indexed by number
   CompiledForm objective;
-  std::vector<CompiledForm> slacks;  // of each inequality: none is negative where all hold
-  std::vector<bool> constrained;     // by number: occurs in an inequality
-  std::vector<double> elsewhere;     // by VariableId: a coordinate for those without a number
-  // The expression before it was brought to normal form, by VariableId, if it may be undefined: the
-  // normal form can have a value where it has none, as sqrt(x)^2 = x.
+  // One slack for each inequality. All slacks are >= 0 where all inequalities hold.
+  std::vector<CompiledForm> slacks;
+  std::vector<bool> constrained;  // indexed by number: the variable occurs in an inequality
+  // Indexed by VariableId: a coordinate for each variable without a number.
+  std::vector<double> elsewhere;
+  // The expression before it was brought to normal form. Its variables are indexed by VariableId.
+  // It is kept only if it may be undefined, because the normal form can have a value where the
+  // expression has none, as for sqrt(x)^2 = x.
   std::optional<CompiledForm> as_written;
 };
 
-// Of e (sign = 1) or of -e (sign = -1).
+// Returns the problem of maximizing e (sign = 1) or -e (sign = -1).
 Maximization MaximizationOf(const Expression& e, int sign, const ConstraintSet& constraints);
-// With the normal form of e, where it is known.
+// Returns the problem for an expression whose normal form is already known.
 Maximization MaximizationOf(const Expression& e, NormalForm form, int sign,
                             const ConstraintSet& constraints);
 
-// The same over a smaller box, where the form is defined everywhere. If there are no inequalities,
-// atoms that are left no freedom go into the coefficients.
+// Returns the problem over a smaller box in which the form is defined everywhere. If there are no
+// inequalities, atoms that are constant over the smaller box are multiplied into the coefficients.
 Maximization Restricted(const Maximization& problem, std::span<const Interval> box);
 
-// The coordinates of the numbered variables with all others', by VariableId.
+// Returns a point indexed by VariableId: the given coordinates of the numbered variables, and
+// `elsewhere` for all others.
 std::vector<double> FullPoint(const Maximization& problem, std::span<const double> point);
 
 }  // namespace assay::algebra

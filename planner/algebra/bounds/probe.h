@@ -11,10 +11,10 @@
 
 namespace assay::algebra {
 
-using Box = std::vector<Interval>;  // by the variables' numbers in a Maximization
+using Box = std::vector<Interval>;  // indexed by the variables' numbers in a Maximization
 
-// Everything that is learned about a maximization by evaluating it: over boxes, at points; and the
-// best feasible point so far. Counts the evaluations.
+// Evaluates a maximization over boxes and at points. It counts the evaluations and keeps the best
+// feasible point.
 class Probe {
  public:
   explicit Probe(const Maximization& problem);
@@ -22,15 +22,17 @@ class Probe {
   const Maximization& problem() const { return problem_; }
   std::int64_t evaluations() const { return evaluations_; }
 
-  // Over a box, outward-rounded.
+  // Evaluates over a box, rounded outward.
   Interval Range(std::span<const Interval> box);
-  Derivatives<Interval>& over_box() { return over_box_; }  // of the last range
-  Interval RangeAt(std::span<const double> point);         // the box that holds this point alone
-  bool SurelyInfeasible(std::span<const Interval> box);    // an inequality holds nowhere in it
+  Derivatives<Interval>& over_box() { return over_box_; }  // derivatives over the last box
+  // Evaluates over the box that contains this point alone.
+  Interval RangeAt(std::span<const double> point);
+  // Returns true if some inequality holds nowhere in the box.
+  bool SurelyInfeasible(std::span<const Interval> box);
 
-  // At a point, in doubles.
+  // Evaluates at a point, in doubles.
   double Value(std::span<const double> point);
-  Derivatives<double>& at_point() { return at_point_; }  // of the last value
+  Derivatives<double>& at_point() { return at_point_; }  // derivatives at the last point
   const std::vector<double>& Gradient();
   const std::vector<Interval>& GradientOverBox();
   void CountSecondDerivatives() { ++evaluations_; }
@@ -39,13 +41,14 @@ class Probe {
 
   std::vector<Derivatives<double>>& slacks_at_point() { return slacks_at_point_; }
 
-  // Keeps the point if it surely satisfies the inequalities and attains more than the best so far;
-  // tells whether it did.
+  // Keeps the point and returns true if it surely satisfies the inequalities and attains more than
+  // the best point.
   bool Offer(std::span<const double> point);
   bool SurelyFeasible(std::span<const double> point);
   bool has_best() const { return best_value_ > -std::numeric_limits<double>::infinity(); }
   const std::vector<double>& best_point() const { return best_point_; }
-  // No more than the expression attains there; -infinity if there is no point.
+  // Returns a lower bound of the expression's value at the best point, or -infinity if there is no
+  // point.
   double best_value() const { return best_value_; }
 
  private:
@@ -65,7 +68,7 @@ class Probe {
   std::int64_t splits_ = 0;
 };
 
-// Each variable's midpoint.
+// Returns the midpoint of each variable's interval.
 std::vector<double> CentreOf(std::span<const Interval> box);
 
 }  // namespace assay::algebra

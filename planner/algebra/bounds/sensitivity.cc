@@ -9,7 +9,7 @@
 namespace assay::algebra {
 namespace {
 
-constexpr int kFactorSteps = 1000;  // factors are told to three digits
+constexpr int kFactorSteps = 1000;  // factors are found to three digits
 
 Interval Shrunk(const Interval& interval, double factor) {
   const double middle = Midpoint(interval);
@@ -24,7 +24,7 @@ Bound SupWithShrunk(VariableId variable, double factor, PreparedExpression& e,
   return e.Above(constraints, request);
 }
 
-// The variables of e that have a width to lose.
+// Returns the variables of e whose intervals have a width.
 std::vector<VariableId> UncertainVariables(const Expression& e, const ConstraintSet& constraints) {
   std::vector<VariableId> uncertain;
   for (VariableId variable : VariablesOf(e)) {
@@ -34,12 +34,13 @@ std::vector<VariableId> UncertainVariables(const Expression& e, const Constraint
   return uncertain;
 }
 
-// How far two bounds may differ although the true extrema are the same.
+// Returns the greatest difference of two bounds whose true extrema are the same.
 double Noise(const Bound& a, const Bound& b, const BoundRequest& request) {
   return std::min(a.gap + b.gap, request.gap);
 }
 
-// The greatest factor, if any, that brings SUP below the limit. A smaller one does, too.
+// Returns the greatest factor that brings SUP below the limit, if there is one. Every smaller
+// factor does so, too.
 std::optional<Tightening> MildestTightening(VariableId variable, double limit,
                                             PreparedExpression& e, const ConstraintSet& constraints,
                                             const BoundRequest& request) {
@@ -68,7 +69,7 @@ std::vector<Share> SharesOfSup(const Expression& e, const ConstraintSet& constra
   for (VariableId variable : UncertainVariables(e, constraints)) {
     const Bound without = SupWithShrunk(variable, 0, prepared, constraints, exact);
     const double cost = all.value - without.value;
-    // -infinity: no point with that midpoint satisfies the inequalities; nothing can be said.
+    // With -infinity, no point at this midpoint satisfies the inequalities, so the cost is unknown.
     if (std::isfinite(without.value) && cost > Noise(all, without, exact)) {
       shares.push_back({variable, cost});
     }

@@ -6,27 +6,28 @@
 
 namespace assay::algebra {
 
-// What one variable's uncertainty costs a bound.
+// The cost of one variable's uncertainty to a bound.
 struct Share {
   VariableId variable;
-  double cost = 0;  // by how much the bound would improve, were the variable at its midpoint
+  double cost = 0;  // the improvement of the bound if the variable were at its midpoint
 };
 
-// The variables that cost most, first; those are left out that cost nothing, or less than the
-// request's gap where the bounds are not known better.
+// Return the variables and their costs, the greatest cost first. Variables without a cost are left
+// out, and so are costs below the request's gap that may come from the looseness of the bounds.
 std::vector<Share> SharesOfSup(const Expression& e, const ConstraintSet& constraints,
                                const BoundRequest& request);
 std::vector<Share> SharesOfInf(const Expression& e, const ConstraintSet& constraints,
                                const BoundRequest& request);
 
-// A variable's interval, shrunk about its midpoint to `factor` of its width.
+// A reduction of a variable's interval, about its midpoint, to `factor` of its width.
 struct Tightening {
   VariableId variable;
   double factor = 1;  // in [0, 1)
 };
 
-// The tightenings of a single variable that make SUP < limit (INF > limit), each as mild as it can
-// be to three digits; the mildest first. Empty if no single one does, or none is needed.
+// Return the tightenings of a single variable that achieve SUP < limit (INF > limit). Each shrinks
+// its interval as little as possible (to three digits), and the mildest comes first. The result is
+// empty if no tightening of a single variable suffices, or if none is needed.
 std::vector<Tightening> TighteningsToBringSupBelow(double limit, const Expression& e,
                                                    const ConstraintSet& constraints,
                                                    const BoundRequest& request);

@@ -47,7 +47,7 @@ bool MayBeUndefined(const StoredNode& node) {
 }  // namespace
 
 struct ExpressionPool::Storage {
-  // Lists of operands, which stay where they are.
+  // Stores lists of operands. A stored list never moves in memory.
   class OperandArena {
    public:
     std::span<const Expression> Keep(std::span<const Expression> operands) {
@@ -73,10 +73,11 @@ struct ExpressionPool::Storage {
 
   InternTable table;
   OperandArena arena;
-  std::vector<Expression> listed;  // scratch: the operands of a sum or product in the making
+  std::vector<Expression> listed;  // scratch: the operands of a sum or product under construction
   std::vector<DeclaredVariable> variables;
   std::map<std::string, VariableId, std::less<>> by_name;
-  // Scratch of a walk: the last walk that met each node, and the place that it gave the node.
+  // Scratch of a walk over the nodes. `met_by` holds the last walk that met each node, and `place`
+  // holds the place which that walk gave to the node.
   std::vector<std::uint32_t> met_by;
   std::vector<int> place;
   std::uint32_t walk = 0;
@@ -90,7 +91,7 @@ struct ExpressionPool::Storage {
     }
   }
 
-  // Whether the walk meets it for the first time.
+  // Returns true if the current walk meets the node for the first time.
   bool Meet(int index) { return std::exchange(met_by[index], walk) != walk; }
 };
 
@@ -119,7 +120,7 @@ struct NodeAccess {
 
 namespace {
 
-// The pool of both; null if both are plain numbers.
+// Returns the pool of both operands, or null if both are plain numbers.
 ExpressionPool* JoinedPool(ExpressionPool* a, const Expression& b) {
   ASSAY_CHECK(a == nullptr || b.pool() == nullptr || a == b.pool(),
               "an operation joins expressions of two pools");
@@ -134,7 +135,7 @@ ExpressionPool* JoinedPool(std::span<const Expression> operands) {
   return pool;
 }
 
-// A number, in the pool if there is one.
+// Returns the number, stored in the pool if there is one.
 Expression Number(double value, ExpressionPool* pool) {
   if (pool != nullptr) return pool->Constant(value);
   ASSAY_CHECK(!std::isnan(value), "an operation on numbers has no real result");
@@ -145,7 +146,7 @@ Expression InPool(const Expression& e, ExpressionPool* pool) {
   return e.pool() == nullptr ? pool->Constant(e.constant()) : e;
 }
 
-// How sums and products fold their numbers, and what they leave out.
+// How sums and products fold their numbers, and which neutral number they leave out.
 struct Folding {
   Operator op;
   double neutral;
@@ -164,7 +165,7 @@ constexpr Folding kProductFolding = {
     .rounded = [](double a, double b) { return a * b; },
     .enclosed = [](const Interval& a, const Interval& b) { return a * b; }};
 
-// The operands of a sum or product in the making, in a pool.
+// The operands of a sum or product under construction in a pool.
 class OperandList {
  public:
   OperandList(const Folding& folding, ExpressionPool* pool)
@@ -196,8 +197,8 @@ class OperandList {
     }
   }
 
-  // Folds the number with those that stand in the list, until no two fold exactly; the result
-  // stands where the last of them stood.
+  // Folds the number with numbers of the list until no two of them fold exactly. The result takes
+  // the place of the number that was folded last.
   void AddNumber(double value) {
     if (folding_.op == Operator::kProduct && value == 0) is_absorbed_ = true;
     std::size_t place = operands_.size();
@@ -205,7 +206,7 @@ class OperandList {
       if (!operands_[i].IsConstant() || !Folds(operands_[i].constant(), value)) continue;
       value = folding_.rounded(operands_[i].constant(), value);
       operands_.erase(operands_.begin() + static_cast<std::ptrdiff_t>(i));
-      place = std::exchange(i, std::size_t(-1));  // and from the front again
+      place = std::exchange(i, std::size_t(-1));  // start again from the front
     }
     if (value == folding_.neutral) return;
     operands_.insert(operands_.begin() + static_cast<std::ptrdiff_t>(place), Number(value, pool_));
@@ -222,11 +223,12 @@ class OperandList {
 Expression CombinedNumbers(const Folding& folding, std::span<const Expression> numbers) {
   double value = folding.neutral;
   for (const Expression& number : numbers) value = folding.rounded(value, number.constant());
-  return Number(value + 0.0, nullptr);  // never -0
+  return Number(value + 0.0, nullptr);  // avoids -0
 }
 
-// The result, where at most one operand says more than the neutral number, or one absorbs the
-// others: most operands that transforms are made of are 0 and 1.
+// Returns the result if at most one operand differs from the neutral number, or if one operand
+// absorbs the others. This shortcut pays because most operands in products of transforms are 0 or
+// 1.
 std::optional<Expression> CombinedAtOnce(const Folding& folding, ExpressionPool* pool,
                                          std::span<const Expression> operands) {
   const Expression* result = &operands.front();
@@ -252,7 +254,8 @@ Expression Combined(const Folding& folding, std::span<const Expression> operands
   return list.Finish();
 }
 
-// The number that an operation on numbers gives: in a pool only if it is exact.
+// Returns the result of an operation on numbers. In a pool, it returns nothing if the result is not
+// exact.
 std::optional<Expression> FoldedNumber(ExpressionPool* pool, double rounded,
                                        const Interval& enclosed) {
   if (pool != nullptr && !(IsSingle(enclosed) && enclosed.low == rounded)) return std::nullopt;
@@ -373,7 +376,7 @@ Expression ExpressionPool::Variable(VariableId id) {
 
 Expression ExpressionPool::Constant(double value) {
   ASSAY_CHECK(!std::isnan(value), "a number is NaN");
-  return NodeAccess::Intern(*this, {.constant = value + 0.0});  // never -0
+  return NodeAccess::Intern(*this, {.constant = value + 0.0});  // avoids -0
 }
 
 int ExpressionPool::variable_count() const { return static_cast<int>(storage_->variables.size()); }
@@ -396,9 +399,10 @@ int ExpressionPool::node_count() const { return static_cast<int>(nodes_.size());
 
 namespace {
 
-constexpr std::size_t kUsualNodes = 64;  // of an expression, mostly
+constexpr std::size_t kUsualNodes = 64;  // most expressions have fewer
 
-// The distinct expressions that e, of a pool, is made of: e first, and each before its operands.
+// Returns the distinct sub-expressions of e in the order in which a breadth-first walk meets them.
+// The first is e itself. e must belong to a pool.
 std::vector<Expression> NodesAsMet(const Expression& e) {
   auto& stored = NodeAccess::StorageOf(*e.pool());
   stored.BeginWalk(e.pool()->node_count());
@@ -433,7 +437,8 @@ std::size_t NodeCount(const Expression& e) {
 
 namespace {
 
-// The nodes of e, of a pool, operands before what they stand in: as NodesOf, but without sorting.
+// Returns the distinct sub-expressions of e, operands before the expressions that they stand in.
+// Unlike NodesOf it does not sort them by index. e must belong to a pool.
 std::vector<Expression> NodesInPostorder(const Expression& e) {
   auto& stored = NodeAccess::StorageOf(*e.pool());
   stored.BeginWalk(e.pool()->node_count());
@@ -441,7 +446,7 @@ std::vector<Expression> NodesInPostorder(const Expression& e) {
   nodes.reserve(kUsualNodes);
   struct Visit {
     Expression node;
-    std::size_t next = 0;  // operand
+    std::size_t next = 0;  // the next operand to visit
   };
   std::vector<Visit> path = {{e}};
   path.reserve(kUsualNodes);
@@ -459,8 +464,8 @@ std::vector<Expression> NodesInPostorder(const Expression& e) {
   return nodes;
 }
 
-// What `apply(node, values of its operands)` gives for e, from one application to each of its
-// nodes, in this order. `apply` may add nodes, but not walk over others.
+// Applies `apply(node, values of its operands)` once to each node, in the given order, and returns
+// the result for e. `apply` may add nodes, but must not start another walk.
 template <class Result, class Apply>
 Result ForwardPass(const Expression& e, const std::vector<Expression>& nodes, const Apply& apply) {
   const auto& stored = NodeAccess::StorageOf(*e.pool());
@@ -482,7 +487,7 @@ double ApplyToNumbers(const Expression& node, std::span<const double> x) {
     case Operator::kConstant:
       return node.constant();
     case Operator::kVariable:
-      break;  // the caller's
+      break;  // the caller handles variables
     case Operator::kSum:
       return std::accumulate(x.begin(), x.end(), 0.0);
     case Operator::kProduct:
@@ -499,7 +504,7 @@ double ApplyToNumbers(const Expression& node, std::span<const double> x) {
       return std::sqrt(x[0]);
     case Operator::kAbs:
       return std::abs(x[0]);
-    // NaN comes through on either side.
+    // std::min and std::max return the first argument if the second is NaN, so NaN is tested for.
     case Operator::kMin:
       return std::isnan(x[1]) ? x[1] : std::min(x[0], x[1]);
     case Operator::kMax:
@@ -513,7 +518,7 @@ Interval ApplyToIntervals(const Expression& node, std::span<const Interval> x) {
     case Operator::kConstant:
       return Single(node);
     case Operator::kVariable:
-      break;  // the caller's
+      break;  // the caller handles variables
     case Operator::kSum:
       return std::accumulate(x.begin() + 1, x.end(), x[0], kSumFolding.enclosed);
     case Operator::kProduct:

@@ -16,37 +16,39 @@
 
 namespace assay::algebra {
 
-using VariableId = Id<struct BoundedVariableTag>;  // a variable of one ExpressionPool
+using VariableId = Id<struct BoundedVariableTag>;  // identifies a variable of one ExpressionPool
 
 enum class Operator : std::uint8_t {
   kConstant,
   kVariable,
-  kSum,       // of two or more
-  kProduct,   // of two or more
-  kPower,     // operand ^ exponent(), an integer, not 0 or 1
+  kSum,       // two or more operands
+  kProduct,   // two or more operands
+  kPower,     // operand ^ exponent(); the exponent is an integer other than 0 and 1
   kQuotient,  // operand 0 / operand 1
   kSin,
   kCos,
   kSqrt,
   kAbs,
-  kMin,  // of two
-  kMax,  // of two
+  kMin,  // two operands
+  kMax,  // two operands
 };
 
 class ExpressionPool;
-class KeptNormalForms;  // normal_form.h
+class KeptNormalForms;  // defined in normal_form.cc
 
-// An immutable expression over the bounded variables of a pool: a value, cheap to copy. Equal
-// sub-expressions are stored once in the pool (hash-consing), so that == is structural and takes
-// constant time. A number is an expression of no pool; an operation joins the pools of its
-// operands, which must not be two different ones. The pool must outlive its expressions.
+// An immutable expression over the bounded variables of a pool. It is a value and cheap to copy.
+// The pool stores equal sub-expressions once (hash-consing), so that == is structural and takes
+// constant time. A number is an expression without a pool. The operands of an operation must not
+// belong to two different pools, and the result belongs to their pool. The pool must outlive its
+// expressions.
 //
-// The operations below apply what holds exactly and without search: 0 and 1 as neutral and
-// absorbing elements, numbers folded where the double result is exact or no pool is there to hold
-// them apart, sums and products of up to kMostFlattened operands flattened into the one that they
-// stand in (larger ones stay, so that a chain of n additions takes room in proportion to n), --e =
-// e. Simplify (simplify.h) does the rest. Between plain numbers an operation without a real result
-// (1 / 0, the root of -1) is a broken invariant; in a pool it stands as written.
+// The operations below apply only rules that are exact and need no search. 0 and 1 act as neutral
+// and absorbing elements, and --e = e. Numbers are folded where the double result is exact, or
+// where there is no pool that could store them separately. A sum (product) is flattened into the
+// sum (product) that it is an operand of, if it has at most kMostFlattened operands. Larger ones
+// are kept, so that a chain of n additions takes memory proportional to n. Simplify (simplify.h)
+// does the rest. An operation on plain numbers without a real result (1 / 0, the root of -1) breaks
+// an invariant; in a pool the operation is kept as written.
 class Expression {
  public:
   static constexpr std::size_t kMostFlattened = 64;
@@ -54,23 +56,25 @@ class Expression {
   Expression(double constant = 0) : constant_(constant) {}  // NOLINT: numbers are expressions
 
   Operator op() const;
-  double constant() const;      // of kConstant
-  VariableId variable() const;  // of kVariable
-  int exponent() const;         // of kPower
+  double constant() const;      // only for kConstant
+  VariableId variable() const;  // only for kVariable
+  int exponent() const;         // only for kPower
   std::span<const Expression> operands() const;
 
   bool IsConstant() const { return op() == Operator::kConstant; }
   bool IsConstant(double value) const { return IsConstant() && constant() == value; }
 
-  // Null for a plain number.
+  // Returns null for a plain number.
   ExpressionPool* pool() const { return pool_; }
-  // Among the expressions of one pool: its number; operands have smaller ones. -1: a plain number.
+  // Returns the number of this expression in its pool, or -1 for a plain number. Operands have
+  // smaller numbers than the expression that they stand in.
   int index() const { return pool_ == nullptr ? -1 : node_; }
 
-  // Whether there are square roots or divisions in it, so that it may have no value somewhere.
+  // Returns true if the expression contains a square root or a division, so that it may have no
+  // value at some points.
   bool MayBeUndefined() const;
 
-  // Numbers are equal if their values are, in a pool or not.
+  // Two numbers are equal if their values are equal, whether or not they are in a pool.
   bool operator==(const Expression& other) const;
 
  private:
@@ -80,17 +84,17 @@ class Expression {
 
   ExpressionPool* pool_ = nullptr;
   union {
-    double constant_;  // of a plain number
-    int node_;         // of the pool
+    double constant_;  // for a plain number
+    int node_;         // for an expression of a pool: the value of index()
   };
 };
 
-// What a pool keeps of an expression.
+// The record that a pool stores for one expression.
 struct StoredNode {
   Operator op = Operator::kConstant;
   bool may_be_undefined = false;
-  int number = 0;       // the variable's, or the exponent
-  double constant = 0;  // of kConstant
+  int number = 0;       // the variable's number, or the exponent of a power
+  double constant = 0;  // only for kConstant
   std::span<const Expression> operands = {};
 };
 
@@ -99,17 +103,17 @@ Expression operator+(const Expression& a, const Expression& b);
 Expression operator-(const Expression& a, const Expression& b);
 Expression operator*(const Expression& a, const Expression& b);
 Expression operator/(const Expression& a, const Expression& b);
-Expression Power(const Expression& a, int exponent);  // exponent 0 gives 1
+Expression Power(const Expression& a, int exponent);  // returns 1 for exponent 0
 Expression Sin(const Expression& a);
 Expression Cos(const Expression& a);
 Expression Sqrt(const Expression& a);
 Expression Abs(const Expression& a);
 Expression Min(const Expression& a, const Expression& b);
 Expression Max(const Expression& a, const Expression& b);
-Expression Sum(std::span<const Expression> terms);        // of none: 0
-Expression Product(std::span<const Expression> factors);  // of none: 1
+Expression Sum(std::span<const Expression> terms);        // returns 0 for no terms
+Expression Product(std::span<const Expression> factors);  // returns 1 for no factors
 
-// Owns expressions and the bounded variables that they speak of. Single-threaded; not copyable.
+// Owns expressions and the bounded variables in them. It is single-threaded and not copyable.
 class ExpressionPool {
  public:
   ExpressionPool();
@@ -117,11 +121,12 @@ class ExpressionPool {
   ExpressionPool(const ExpressionPool&) = delete;
   ExpressionPool& operator=(const ExpressionPool&) = delete;
 
-  // A new variable. `name` (a letter or _, then letters, digits, _) is not taken yet, the bounds
-  // have no NaN and do not go down: broken invariants otherwise.
+  // Adds a variable. The name is a letter or _, followed by letters, digits and _. A name that is
+  // already taken, a bound that is NaN, and a lower bound above the upper one each break an
+  // invariant.
   Expression Declare(std::string name, const Interval& bounds);
   Expression Variable(VariableId id);
-  Expression Constant(double value);  // a number kept in the pool: operations do not round it away
+  Expression Constant(double value);  // stored in the pool, so never rounded away
 
   int variable_count() const;
   const std::string& name(VariableId id) const;
@@ -129,42 +134,43 @@ class ExpressionPool {
   std::optional<VariableId> Find(std::string_view name) const;
   int node_count() const;
 
-  // None until KeepNormalForms.
+  // Returns null until KeepNormalForms has been called.
   KeptNormalForms* kept_normal_forms() const { return kept_normal_forms_.get(); }
 
  private:
   friend class Expression;
   friend void KeepNormalForms(ExpressionPool& pool);
-  friend struct NodeAccess;  // of the operations (expression.cc)
+  friend struct NodeAccess;  // used by the operations (expression.cc)
   struct Storage;
   Expression At(int node) { return {this, node}; }
 
-  std::vector<StoredNode> nodes_;     // by Expression::index
-  std::unique_ptr<Storage> storage_;  // what finds them again, and their operands
+  std::vector<StoredNode> nodes_;     // indexed by Expression::index
+  std::unique_ptr<Storage> storage_;  // hash table, operands and variables
   std::shared_ptr<KeptNormalForms> kept_normal_forms_;
 };
 
-// The distinct expressions that e is made of, by increasing index: operands before what they stand
-// in, e itself last. A loop over them costs time in proportion to the stored expression, however
-// deep it is and however often its parts occur.
+// Returns the distinct sub-expressions of e, by increasing index. Operands precede the expressions
+// that they stand in, and e itself is last. A loop over them takes time proportional to the stored
+// size of e, however deep e is and however often its parts occur.
 std::vector<Expression> NodesOf(const Expression& e);
 std::size_t NodeCount(const Expression& e);
 
-// As many operands as the operator has, at least one; the exponent is that of a power.
+// Applies the operator to its operands. There is at least one operand, and there are as many as the
+// operator takes. The exponent matters only for a power.
 Expression Apply(Operator op, std::span<const Expression> operands, int exponent = 0);
 
-// The variables that occur, in increasing number.
+// Returns the variables that occur in e, by increasing number.
 std::vector<VariableId> VariablesOf(const Expression& e);
 
-// e with every variable of the map replaced, all at once.
+// Returns e with all variables of the map replaced simultaneously.
 Expression Substitute(const Expression& e, const std::map<VariableId, Expression>& replacements);
 
-// The value at a point (coordinates by VariableId), in doubles: not rounded outward. NaN where a
-// square root or a quotient has no real value.
+// Returns the value of e at a point, which is indexed by VariableId. It is computed in doubles and
+// not rounded outward. The value is NaN where a square root or a quotient has no real value.
 double Evaluate(const Expression& e, std::span<const double> point);
 
-// The range over a box (intervals by VariableId) by interval arithmetic on the expression as it
-// stands; contains every value.
+// Returns an interval that contains every value of e over a box, which is indexed by VariableId. It
+// is computed by interval arithmetic on the expression as it is stored.
 Interval Evaluate(const Expression& e, std::span<const Interval> box);
 
 inline const StoredNode& Expression::node() const { return pool_->nodes_[node_]; }

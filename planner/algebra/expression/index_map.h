@@ -8,16 +8,16 @@
 
 namespace assay::algebra {
 
-// Values by indices of expressions: what std::map does, in two pieces of memory. Values move when
-// others are added.
+// A map from indices of expressions to values. It replaces std::map and uses two blocks of memory.
+// Adding a value may move the others in memory.
 template <class Value>
 class IndexMap {
  public:
-  // Null if there is none.
+  // Returns null if the index has no value.
   Value* Find(int index) { return At(Place(index)); }
   const Value* Find(int index) const { return At(Place(index)); }
 
-  // The value, and whether it is new: default-constructed.
+  // Returns the value of the index, and true if it was added (default-constructed) by this call.
   std::pair<Value&, bool> Insert(int index) {
     if (Value* known = Find(index)) return {*known, false};
     table_.Insert(HashOf(index), static_cast<int>(entries_.size()));

@@ -7,11 +7,11 @@
 
 namespace assay::algebra {
 
-// A hash table of indices, for things that are stored elsewhere once each: open addressing, linear
-// probing. Deterministic: nothing iterates over it.
+// A hash table of the indices of objects that are stored elsewhere, each once. It uses open
+// addressing with linear probing. Nothing iterates over it, so results are deterministic.
 class InternTable {
  public:
-  // The stored index with this hash for which `is_equal(index)`, or -1.
+  // Returns the stored index that has this hash and satisfies `is_equal(index)`, or -1.
   template <class IsEqual>
   int Find(std::uint64_t hash, const IsEqual& is_equal) const {
     if (slots_.empty()) return -1;
@@ -21,7 +21,7 @@ class InternTable {
     return -1;
   }
 
-  // Of something that Find did not find.
+  // Adds an index that Find did not find.
   void Insert(std::uint64_t hash, int index) {
     if (2 * (count_ + 1) > slots_.size()) Grow();
     Place({Kept(hash), index});
@@ -29,7 +29,7 @@ class InternTable {
   }
 
  private:
-  struct Slot {  // small, because most of the time goes into fetching one
+  struct Slot {  // kept small, because most of the time goes into fetching one
     std::uint32_t hash = 0;
     int index = -1;
   };
@@ -51,11 +51,11 @@ class InternTable {
     }
   }
 
-  std::vector<Slot> slots_;  // a power of two of them
+  std::vector<Slot> slots_;  // the number of slots is a power of two
   std::size_t count_ = 0;
 };
 
-// `hash` with another word mixed in.
+// Returns `hash` combined with one more word.
 inline std::uint64_t MixedHash(std::uint64_t hash, std::uint64_t word) {
   const std::uint64_t mixed = (hash ^ word) * 0x9E3779B97F4A7C15U;
   return mixed ^ (mixed >> 32U);

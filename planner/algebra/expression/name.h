@@ -10,7 +10,8 @@ inline bool IsLetter(char c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_';
 }
 
-// Whether a variable may be named so: a letter or _, then letters, digits and _.
+// Returns true if the text is a valid variable name: a letter or _, followed by letters, digits and
+// _.
 inline bool IsName(std::string_view text) {
   return !text.empty() && IsLetter(text[0]) &&
          std::ranges::all_of(text, [](char c) { return IsLetter(c) || IsDigit(c); });

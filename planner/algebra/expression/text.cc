@@ -38,19 +38,20 @@ constexpr Function kFunctions[] = {
 
 constexpr int kDeepestNesting = 200;
 
-// Where a piece stands, which decides whether it takes parentheses.
+// The position of a sub-expression, which decides whether it needs parentheses.
 enum class Place {
-  kWhole,        // alone, as an argument or in parentheses
-  kTerm,         // of a sum, sign included
-  kNegatedTerm,  // of a sum, its minus sign already written
+  kWhole,        // the whole text, an argument, or inside parentheses
+  kTerm,         // a term of a sum, with its sign
+  kNegatedTerm,  // a term of a sum whose minus sign is already written
   kNumerator,
   kFirstFactor,
-  kFactor,  // a later one, or a denominator
-  kBase,    // of a power
+  kFactor,  // a factor after the first, or a denominator
+  kBase,    // the base of a power
 };
 
-// Whether the text begins with a minus sign, which Parse applies to the whole product. It folds
-// into the product's number only if the product is one that is flattened.
+// Returns true if the text of e begins with a minus sign. Parse applies that sign to the whole
+// product. The sign folds into the product's number only if the product is small enough to be
+// flattened.
 bool IsNegated(const Expression& e) {
   if (e.IsConstant()) return e.constant() < 0;
   return e.op() == Operator::kProduct && e.operands().size() <= Expression::kMostFlattened &&
@@ -83,11 +84,11 @@ bool TakesParentheses(const Expression& e, Place place) {
   return false;
 }
 
-// The places of the expressions that are written once, by Expression::index.
+// The places of the sub-expressions that are written once, by Expression::index.
 using SharedPlaces = std::unordered_map<int, std::size_t>;
 
-// Writes what is not nested too deeply by recursion; the rest waits, so that no depth overflows the
-// stack.
+// Writes an expression by recursion down to a fixed depth. Deeper pieces wait in an explicit stack,
+// so that no expression overflows the call stack.
 class Writer {
  public:
   explicit Writer(const SharedPlaces& shared) : shared_(shared) {}
@@ -107,7 +108,7 @@ class Writer {
 
  private:
   struct Piece {
-    std::string text;  // empty: the expression's
+    std::string text;  // if empty, `expression` is written instead
     Expression expression = {};
     Place place = Place::kWhole;
   };
@@ -133,7 +134,7 @@ class Writer {
 
   bool IsShared(const Expression& e) const { return shared_.contains(e.index()); }
 
-  // What was put goes before what waits.
+  // Moves the pieces onto the stack, so that the first of them is written next.
   void FlushPieces() {
     std::move(pieces_.rbegin(), pieces_.rend(), std::back_inserter(stack_));
     pieces_.clear();
@@ -224,8 +225,8 @@ class Writer {
   const SharedPlaces& shared_;
   std::string text_;
   int nesting_ = 0;
-  std::vector<Piece> stack_;   // the next one last
-  std::vector<Piece> pieces_;  // of one expansion, in order: those that wait
+  std::vector<Piece> stack_;   // the piece to write next is last
+  std::vector<Piece> pieces_;  // the waiting pieces of one expansion, in order
 };
 
 constexpr int kLargestWrittenExponent = 100;
@@ -233,7 +234,7 @@ constexpr std::string_view kOperandAllowed = "a number, a variable, a function o
 
 bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-// By recursive descent: one member function for each rule of the grammar.
+// A recursive-descent parser with one member function for each rule of the grammar.
 class Parser {
  public:
   Parser(std::string_view text, ExpressionPool& pool, const FilePlace& place, Layout layout,
@@ -266,13 +267,13 @@ class Parser {
                : fmt::format("character {}", at + 1);
   }
 
-  // At what stands at at_, which is not what should.
+  // Reports that the text at at_ is not what the grammar allows there.
   [[noreturn]] void FailAtNext(std::string_view allowed) const {
     if (at_ >= text_.size()) Fail(at_, "the expression ends too early", allowed);
     Fail(at_, fmt::format("unexpected '{}' in an expression", NextWord()), allowed);
   }
 
-  // The name, number or character at at_, for messages.
+  // Returns the name, number or character at at_, for error messages.
   std::string_view NextWord() const {
     std::size_t end = at_;
     while (end < text_.size() && (IsLetter(text_[end]) || IsDigit(text_[end]))) ++end;
@@ -286,7 +287,7 @@ class Parser {
     while (at_ < text_.size() && IsSpace(text_[at_])) ++at_;
   }
 
-  // Skips the space before it, too.
+  // Skips white space before it tests the next character.
   bool IsNext(char c) {
     SkipSpace();
     return at_ < text_.size() && text_[at_] == c;
@@ -495,7 +496,7 @@ class Parser {
   int depth_ = 0;
 };
 
-// The operations that occur more than once, each after what it is made of.
+// Returns the operations that occur more than once, each after its own operands.
 std::vector<Expression> SharedBy(std::span<const Expression> expressions) {
   std::map<int, Expression> found, shared;
   std::vector<Expression> pending(expressions.begin(), expressions.end());

@@ -8,7 +8,8 @@ namespace assay::algebra {
 
 using SymbolicVector = std::array<Expression, 3>;
 
-// A rigid transform with symbolic entries: the upper three rows of the papers' 4x4 matrices.
+// A rigid transform with symbolic entries. It holds the upper three rows of the papers' 4x4
+// matrices.
 struct Transform {
   std::array<std::array<Expression, 3>, 3> rotation = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};  // rows
   SymbolicVector translation = {0, 0, 0};
@@ -21,13 +22,14 @@ Transform RotationZ(const Expression& angle);
 
 Transform operator*(const Transform& a, const Transform& b);
 SymbolicVector operator*(const Transform& a, const SymbolicVector& point);
-Transform Inverse(const Transform& a);  // R^t, -R^t t: right for rotations only
+// Returns the transform (R^t, -R^t t) for a = (R, t). It is the inverse only if R is a rotation.
+Transform Inverse(const Transform& a);
 
 SymbolicVector operator+(const SymbolicVector& a, const SymbolicVector& b);
 SymbolicVector operator-(const SymbolicVector& a, const SymbolicVector& b);
 Expression Dot(const SymbolicVector& a, const SymbolicVector& b);
 
-// Each entry simplified.
+// Return the argument with each entry simplified.
 Transform Simplify(const Transform& a);
 SymbolicVector Simplify(const SymbolicVector& a);
 

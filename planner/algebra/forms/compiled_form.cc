@@ -33,7 +33,7 @@ class Compiler {
     count_of_factor_.assign(factors_.size(), 0);
     step_of_factor_.assign(factors_.size(), -1);
     const int value = AddSum(terms);
-    // The value stands last, also where it is a step that others share.
+    // The value must be the last step, even if it is a step that other steps share.
     if (value + 1 != static_cast<int>(form_.steps.size())) {
       AddBinary(Operator::kSum, value, AddConstant({0, 0}));
     }
@@ -43,10 +43,10 @@ class Compiler {
  private:
   struct Term {
     Interval coefficient;
-    std::span<int> factors;  // numbers in factors_, increasing
+    std::span<int> factors;  // places in factors_, increasing
   };
 
-  // Of all factors, term by term.
+  // Returns the numbers of all factors, term by term.
   std::vector<int> NumbersOf(const NormalForm& form) {
     std::vector<int> numbers;
     for (const NormalForm::Term& term : form.terms) {
@@ -66,7 +66,7 @@ class Compiler {
     return number;
   }
 
-  // A variable is affine if it occurs only as a factor of its own, to the first power.
+  // The form is affine in a variable that occurs only as a separate factor, to the first power.
   void NoteAffineVariables(const Factor& factor) {
     if (factor.atom.op() == Operator::kVariable && factor.exponent == 1) return;
     for (VariableId variable : VariablesOfAtom(factor.atom))
@@ -92,8 +92,8 @@ class Compiler {
 
   int AddBinary(Operator op, int a, int b) { return AddStep({.op = op, .a = a, .b = b}); }
 
-  // Terms that hold the most frequent factor are summed without it and multiplied by it; so on with
-  // those that are left, until no two share one.
+  // Finds the most frequent factor, sums the terms that contain it without it, and multiplies that
+  // sum by it. Repeats this with the remaining terms until no two of them share a factor.
   int AddSum(std::span<Term> terms) {
     int sum = -1;
     const auto add = [&](int step) { sum = sum < 0 ? step : AddBinary(Operator::kSum, sum, step); };
@@ -109,7 +109,8 @@ class Compiler {
     return sum < 0 ? AddConstant({0, 0}) : sum;
   }
 
-  // The factor that most terms hold, the first of several; -1 if none is in two terms.
+  // Returns the factor that most terms contain, the first of several, or -1 if no factor is in two
+  // terms.
   int SharedFactor(std::span<const Term> terms) {
     int best = -1;
     int best_count = 1;
@@ -128,7 +129,8 @@ class Compiler {
     return best;
   }
 
-  // Moves the terms that hold the factor behind the others, and the factor out of them.
+  // Moves the terms that contain the factor behind the others, removes the factor from them, and
+  // returns them.
   std::span<Term> MoveSharingBehind(int factor, std::span<Term> terms) {
     const auto stays = [&](Term& term) {
       const auto at = std::ranges::find(term.factors, factor);
@@ -225,7 +227,7 @@ class Compiler {
     ASSAY_CHECK(false, "no such operator");
   }
 
-  // Sine and cosine stand beside each other: each is the other's derivative.
+  // Adds sine and cosine together, because each is needed for the other's derivative.
   int AddSineAndCosine(Operator wanted, int angle) {
     const auto [sine, is_new] = sine_of_.Insert(angle);
     if (is_new) {
@@ -239,13 +241,13 @@ class Compiler {
   std::span<const VariableId> variables_;
   CompiledForm form_;
   std::vector<Factor> factors_;
-  InternTable numbers_;               // in factors_
-  std::vector<Term> sharing_;         // scratch of MoveSharingBehind
-  std::vector<int> operands_;         // steps: of the expressions that are being added
+  InternTable numbers_;        // indices of factors_
+  std::vector<Term> sharing_;  // scratch of MoveSharingBehind
+  std::vector<int> operands_;  // the steps of the operands of the expressions that are being added
   std::vector<int> count_of_factor_;  // scratch, all zero between uses
-  std::vector<int> step_of_factor_;   // -1: none yet
+  std::vector<int> step_of_factor_;   // -1 if the factor has no step yet
   IndexMap<int> step_of_expression_;
-  IndexMap<int> sine_of_;  // by the step of the angle
+  IndexMap<int> sine_of_;  // indexed by the step of the angle
 };
 
 }  // namespace

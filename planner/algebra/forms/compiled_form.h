@@ -7,28 +7,31 @@
 
 namespace assay::algebra {
 
-// A normal form as a list of steps to be carried out one after another, made for many evaluations
-// (derivatives.h). Factors that several terms share are taken out greedily, as Horner does:
-// c*x*y + d*x*z becomes x*(c*y + d*z), which costs less and, by the sub-distributivity of interval
-// arithmetic, is never wider. Variables are numbered as in the list they are compiled with.
+// A normal form compiled to a list of steps that are executed one after another. It is made for
+// many evaluations (derivatives.h). Factors shared by several terms are factored out greedily, as
+// in Horner's scheme: c*x*y + d*x*z becomes x*(c*y + d*z). The result costs less to evaluate and,
+// because interval arithmetic is sub-distributive, never gives a wider interval. A variable's
+// number is its place in the list of variables that was given to Compile.
 struct CompiledForm {
   struct Step {
+    // Sums and products have two operands. A quotient is compiled as the product with a reciprocal.
+    // The sine and cosine of one angle refer to each other.
     Operator op = Operator::kConstant;
-    int a = -1;        // operand, by step; of kConstant and kVariable: its number
-    int b = -1;        // second operand; of kSin: the step of the same angle's cosine; of kCos: of
-                       // its sine
-    int exponent = 0;  // of kPower
+    int a = -1;  // the step of the first operand; the number of a constant or variable
+    int b = -1;  // the step of the second operand; for kSin (kCos) the step of the cosine (sine)
+    int exponent = 0;  // only for kPower
   };
-  std::vector<Step> steps;  // the last one gives the value; sums and products have two operands,
-                            // a quotient is the product with a reciprocal
+  std::vector<Step> steps;  // the last step gives the value
   std::vector<Interval> constants;
-  std::vector<bool> affine;  // by variable: the form is affine in it while all others stand still
+  std::vector<bool> affine;  // indexed by variable: affine in it while all others are fixed
 };
 
-// `variables`: in increasing order, all that occur in the form, perhaps more.
+// Compiles a normal form. `variables` lists, in increasing order, at least all variables that occur
+// in the form.
 CompiledForm Compile(const NormalForm& form, std::span<const VariableId> variables);
 
-// The variables of an atom, in increasing number: as VariablesOf, quick for x, sin(x) and the like.
+// Returns the variables of an atom, in increasing order. It gives the same result as VariablesOf,
+// and is faster for atoms like x and sin(x).
 std::vector<VariableId> VariablesOfAtom(const Expression& atom);
 
 }  // namespace assay::algebra

@@ -10,7 +10,7 @@
 namespace assay::algebra {
 namespace {
 
-// Interval arithmetic, and the same for doubles.
+// The operations for both kinds of numbers: doubles and intervals.
 double RaisedTo(double a, int n) {
   if (n < 0) return 1 / RaisedTo(a, -n);
   double power = 1;
@@ -49,7 +49,7 @@ double High(const Interval& a) { return a.high; }
 bool IsZero(double a) { return a == 0; }
 bool IsZero(const Interval& a) { return a.low == 0 && a.high == 0; }
 
-// What holds the values of something that may be undefined, or has none.
+// Returns a number that stands for an unknown or undefined value.
 template <class Number>
 Number Unknown() {
   if constexpr (std::is_same_v<Number, double>) {
@@ -59,7 +59,8 @@ Number Unknown() {
   }
 }
 
-// The slope of |a|, of min and max by one operand: where it may jump, both sides.
+// Returns the slope at a place where it may jump from `low` to `high`. It occurs in |a|, min and
+// max. The interval covers both sides.
 template <class Number>
 Number Between(double low, double high) {
   if constexpr (std::is_same_v<Number, double>) {
@@ -78,7 +79,8 @@ Number Constant(const Interval& value) {
   }
 }
 
-// Of min or max: the slope by the first operand. By the second it is one minus that.
+// Returns the derivative of min or max with respect to the first operand. That for the second
+// operand is one minus it.
 template <class Number>
 Number SlopeByFirst(Operator op, const Number& a, const Number& b) {
   const bool first_is_less = High(a) < Low(b);

@@ -11,7 +11,7 @@ namespace {
 using AtomSet = NestedForm::AtomSet;
 using Term = NestedForm::Term;
 
-// Of sorted terms.
+// Merges terms with equal sets of atoms. The terms must be sorted.
 void MergeEqualTerms(std::vector<Term>& terms) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -36,9 +36,9 @@ void NestedForm::Assign(std::vector<Term>& terms) {
   Nest(terms, ~AtomSet{0});
 }
 
-// Of sorted terms, looking only at the atoms in `rest`: those that share their first atom stand
-// together. What a branch holds comes before its node; leaves and branches of one node stay
-// together.
+// Adds the node for sorted terms and returns its number. Only the atoms in `rest` count; because of
+// the order, terms with the same first atom are adjacent. The nodes of branches are added before
+// the node itself, so that each node's leaves and branches are contiguous.
 int NestedForm::Nest(std::span<const Term> terms, AtomSet rest) {
   const std::size_t first_pending = pending_.size();
   const auto for_each_first_atom = [&](const auto& visit) {

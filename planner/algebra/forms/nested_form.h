@@ -6,14 +6,15 @@
 
 namespace assay::algebra {
 
-// A sum of products of atoms, no atom twice in one product, nested as Horner does: the first atom
-// of its terms is taken out of them, so on with what it multiplies. c + d*x + e*x*y + f*y becomes
-// c + x*(d + e*y) + f*y. In flat arrays, for many evaluations.
+// A sum of products of atoms, nested as in Horner's scheme. No atom occurs twice in one product.
+// The first atom of a group of terms is factored out, and the remaining sum is nested recursively:
+// c + d*x + e*x*y + f*y becomes c + x*(d + e*y) + f*y. The form is stored in flat arrays, for many
+// evaluations.
 class NestedForm {
  public:
   static constexpr int kMostAtoms = 64;
 
-  // The set of a product's atoms: the smaller the atom's number, the more significant its bit.
+  // The set of a product's atoms. An atom with a smaller number has a more significant bit.
   using AtomSet = std::uint64_t;
   static AtomSet SetOf(int atom) { return AtomSet{1} << (kMostAtoms - 1 - atom); }
 
@@ -22,7 +23,8 @@ class NestedForm {
     double coefficient = 0;
   };
 
-  // A sum; of its leaves and branches it holds those from where the node before ended.
+  // A sum of a constant, leaves and branches. Its leaves (branches) begin where those of the
+  // preceding node end, and end before leaves_end (branches_end).
   struct Node {
     double constant = 0;
     int leaves_end = 0;
@@ -34,10 +36,10 @@ class NestedForm {
   };
   struct Branch {
     int atom = 0;
-    int node = 0;  // smaller than the number of the node that the branch is of
+    int node = 0;  // smaller than the number of the node that the branch belongs to
   };
 
-  // Sorts the terms, and merges those of equal sets of atoms.
+  // Builds the form. Sorts the given terms and merges those with equal sets of atoms.
   void Assign(std::vector<Term>& terms);
 
   int node_count() const { return static_cast<int>(nodes_.size()); }
@@ -54,35 +56,38 @@ class NestedForm {
  private:
   int Nest(std::span<const Term> terms, AtomSet rest);
 
-  std::vector<Node> nodes_;  // the last one is the form
+  std::vector<Node> nodes_;  // the last one is the whole form
   std::vector<Leaf> leaves_;
   std::vector<Branch> branches_;
-  std::vector<Branch> pending_;  // branches of nodes that are not there yet
+  std::vector<Branch> pending_;  // branches of nodes that are still being built
 };
 
-// What is left of forms once the values of some atoms are known.
+// Substitutes known values for some atoms of a form. The object owns scratch memory that is reused.
 class NestedReduction {
  public:
-  // scale * form, with the values by atom of those that are not free. Returns the atoms that are
-  // left in it.
+  // Sets `reduced` to scale * form, in which the atoms outside `free` are replaced by their values.
+  // `values` is indexed by atom and read only for replaced atoms. Returns the set of the atoms that
+  // remain.
   NestedForm::AtomSet Reduce(const NestedForm& form, double scale, NestedForm::AtomSet free,
                              std::span<const double> values, NestedForm& reduced);
 
  private:
-  std::vector<NestedForm::Term> outer_;  // by node: what stands before it
+  std::vector<NestedForm::Term> outer_;  // indexed by node: the product of its multipliers
   std::vector<NestedForm::Term> terms_;
 };
 
-// The value of a nested form and its derivatives by the atoms, with room that is used again and
-// again. Number: double or NearestInterval.
+// Computes the value of a nested form and its derivatives with respect to the atoms. Its memory is
+// reused from one evaluation to the next. Number is double or NearestInterval.
 template <class Number>
 class NestedEvaluation {
  public:
-  // `atoms`: the place, by atom; also below.
+  // Returns the value at `atoms`, which holds the value of each atom.
   Number Value(const NestedForm& form, std::span<const Number> atoms);
-  // After Value at the same place: one pass back.
+  // Returns the derivatives with respect to the atoms, in one backward pass. Call Value at the same
+  // place first.
   const std::vector<Number>& Slopes(const NestedForm& form, std::span<const Number> atoms);
-  // How the slopes change along the tangent, also by atom; after Slopes at the same place.
+  // Returns the directional derivative of the slopes along the tangent. The result and `tangent`
+  // are indexed by atom. Call Slopes at the same place first.
   const std::vector<Number>& SlopesAlong(const NestedForm& form, std::span<const Number> atoms,
                                          std::span<const Number> tangent);
 
@@ -90,9 +95,9 @@ class NestedEvaluation {
   void ValueAlong(const NestedForm& form, std::span<const Number> atoms,
                   std::span<const Number> tangent);
 
-  std::vector<Number> value_, adjoint_;              // by node
-  std::vector<Number> value_along_, adjoint_along_;  // by node
-  std::vector<Number> slopes_, slopes_along_;        // by atom
+  std::vector<Number> value_, adjoint_;              // indexed by node
+  std::vector<Number> value_along_, adjoint_along_;  // indexed by node
+  std::vector<Number> slopes_, slopes_along_;        // indexed by atom
 };
 
 }  // namespace assay::algebra

@@ -27,7 +27,7 @@ bool IsConstant(const Polynomial& a) { return a.empty() || (a.size() == 1 && a[0
 
 Interval ConstantIn(const Polynomial& a) { return a.empty() ? Interval{} : a[0].coefficient; }
 
-// atom^exponent; a reciprocal's power as one negative power.
+// Returns atom^exponent. A power of a reciprocal is written as one negative power.
 Expression PowerOfAtom(const NormalForm::Factor& factor) {
   const Expression& atom = factor.atom;
   const bool is_reciprocal = atom.op() == Operator::kPower && atom.exponent() == -1;
@@ -55,13 +55,13 @@ class SumWriter {
   }
 
   std::vector<Expression> terms_;
-  std::vector<Expression> factors_;  // of the present term
+  std::vector<Expression> factors_;  // factors of the current term
   bool is_rounding_alone_ = false;
 };
 
 }  // namespace
 
-// Rewrites the nodes of expressions, one by one.
+// Expands the nodes of expressions, one by one.
 class Expansion {
  public:
   Expansion(ExpressionPool* pool, int most_terms, AtomArguments arguments)
@@ -69,15 +69,15 @@ class Expansion {
 
   int most_terms() const { return most_terms_; }
 
-  // Of one expression: what it is made of is forgotten on the way.
+  // Expands a single expression. The expansions of its sub-expressions are freed on the way.
   Polynomial Of(const Expression& e) { return Walked(e); }
 
-  // Of one of many: what they are made of is kept.
+  // Expands one of many expressions. The expansions of its sub-expressions are kept.
   const Polynomial& OfOneOfMany(const Expression& e) {
     ExpandAllOf(e);
     return *expanded_.Find(e.index());
   }
-  // The same written as an expression, which is kept, too.
+  // Returns the expansion of OfOneOfMany written as an expression, which is kept, too.
   Expression WrittenOneOfMany(const Expression& e) {
     const auto [written, is_new] = written_.Insert(e.index());
     if (is_new) written = Written(OfOneOfMany(e));
@@ -112,19 +112,19 @@ class Expansion {
   }
 
  private:
-  // A part of a product: the expression as it was written, and expanded.
+  // A factor of a product: the expression as it was written, and its expansion.
   struct Part {
     Expression written;
     const Polynomial* expanded = nullptr;
   };
-  // sign * expression, the sign such that e and -e give the same expression.
+  // Stands for sign * expression. The sign is chosen so that e and -e give the same expression.
   struct SignedArgument {
     Expression expression;
     int sign = 1;
   };
 
-  // In the order in which they were made, so that atoms are made in the order in which they are for
-  // one expression: it is theirs in the normal form.
+  // Expands nodes in the order in which they were created. Atoms are then numbered as they would be
+  // for a single expression, and that number decides their order in the normal form.
   void ExpandAllOf(const Expression& e) {
     for (const Expression& node : UnexpandedNodesOf(e)) {
       Polynomial expanded = ExpandedNode(node);
@@ -135,7 +135,7 @@ class Expansion {
 
   std::vector<Expression> UnexpandedNodesOf(const Expression& e) const {
     std::vector<Expression> nodes;
-    InternTable met;  // in nodes
+    InternTable met;  // indices of `nodes`
     const auto meet = [&](const Expression& node) {
       if (expanded_.Find(node.index()) != nullptr) return;
       const std::uint64_t hash = MixedHash(0, node.index());
@@ -161,7 +161,7 @@ class Expansion {
 
   Polynomial Walked(const Expression& e) {
     const std::vector<Expression> nodes = NodesOf(e);
-    IndexMap<int> uses;  // yet to come
+    IndexMap<int> uses;  // by expression index: how often it is still needed
     for (const Expression& node : nodes) {
       for (const Expression& operand : node.operands()) ++uses[operand.index()];
     }
@@ -235,7 +235,8 @@ class Expansion {
     return *std::move(result);
   }
 
-  // Whether the part is itself a product that was not expanded: then no larger one is.
+  // Returns true if the factor is a product that was left unexpanded. Larger products with it are
+  // then left unexpanded, too.
   bool HoldsUnexpanded(const Part& part) const {
     if (part.expanded->size() != 1) return false;
     const auto factors = algebra_.Factors(part.expanded->front().monomial);
@@ -245,7 +246,7 @@ class Expansion {
     });
   }
 
-  // The product as one term, with the sums in it for atoms.
+  // Returns the product as one term in which each sum is an atom.
   Polynomial Unexpanded(const std::vector<Part>& parts) {
     Polynomial result = algebra_.Constant(kOne);
     for (const Part& part : parts) {
@@ -272,7 +273,7 @@ class Expansion {
     PolynomialAlgebra::Budget budget = NewBudget();
     if (auto power = algebra_.Power(*base.expanded, exponent, budget)) return *std::move(power);
     const Expression argument = Argument(base);
-    // A sum has no square that a later product would put in, and may be a factor.
+    // A sum is kept as a power of an atom, because no square of it has a replacement.
     if (argument.op() == Operator::kSum) return AtomPolynomial(argument, exponent);
     return AtomPolynomial(Power(argument, exponent), 1);
   }
@@ -283,7 +284,7 @@ class Expansion {
     return ProductOf({a, {.written = written, .expanded = &reciprocal}});
   }
 
-  // A single term.
+  // Returns the reciprocal of `a`, which is a single term.
   Polynomial ReciprocalOf(const Part& a) {
     if (a.expanded->size() == 1 && !Contains(a.expanded->front().coefficient, 0)) {
       return ReciprocalOfTerm(a.expanded->front());
@@ -412,7 +413,7 @@ class KeptNormalForms {
   }
 
  private:
-  static constexpr std::size_t kMostTerms = 1'000'000;  // some 30 MB
+  static constexpr std::size_t kMostTerms = 1'000'000;  // about 30 MB
 
   std::optional<Expansion> exact_;
   std::optional<Expansion> rounded_;

@@ -6,14 +6,15 @@
 
 namespace assay::algebra {
 
-// A sum of products of powers of atoms (simplify.h says of what), with intervals for numbers: the
-// expression's value at every point is in the normal form's, whatever was rounded on the way. What
-// is exact stays a single number. Sine, cosine, root and so on of numbers are numbers.
+// A sum of products of powers of atoms, with intervals for numbers. The atoms are defined in
+// simplify.h. At every point the value of the expression lies in the value of its normal form,
+// whatever was rounded on the way. Exact numbers stay single numbers. A function (sine, cosine,
+// root) of a number is replaced by a number.
 struct NormalForm {
   struct Factor {
-    // A reciprocal is an atom of its own: kPower with exponent -1. It does not cancel against its
-    // base, so that what divides by an interval that holds 0 keeps doing so. A sum that was not
-    // expanded is an atom, too.
+    // A reciprocal is an atom: kPower with exponent -1. It does not cancel against its base, so
+    // that a division by an interval that contains 0 is never lost. A sum that was not expanded is
+    // an atom, too.
     Expression atom;
     int exponent = 1;  // positive
 
@@ -21,38 +22,40 @@ struct NormalForm {
   };
   struct Term {
     Interval coefficient;
-    std::vector<Factor> factors;  // distinct atoms, by increasing index; empty: the constant term
+    std::vector<Factor> factors;  // distinct atoms by increasing index; none in the constant term
 
     bool operator==(const Term&) const = default;
   };
-  std::vector<Term> terms;  // distinct factors, in lexicographic order: the constant term first
+  std::vector<Term> terms;  // distinct products, in lexicographic order: the constant term is first
 
   bool operator==(const NormalForm&) const = default;
 };
 
-// The atoms' arguments are expressions, whose numbers cannot be intervals.
+// How the arguments of atoms are simplified. Arguments are expressions, whose numbers cannot be
+// intervals.
 enum class AtomArguments {
   kExact,    // simplified only where that rounds nothing
-  kRounded,  // always simplified: the normal form is no longer rigorous
+  kRounded,  // always simplified, so that the normal form is not rigorous
 };
 
-// A product is expanded if that takes no more than 100 multiplications of terms for each of
-// `most_terms`, and gives no more terms than these.
+// Returns the normal form of e. A product is expanded only if the result has at most `most_terms`
+// terms and the expansion takes at most 100 * `most_terms` multiplications of terms.
 NormalForm NormalFormOf(const Expression& e, int most_terms = 20'000,
                         AtomArguments arguments = AtomArguments::kExact);
 
-// Whether it may be 0, and is there only because numbers were rounded.
+// Returns true if the coefficient may be 0 and differs from 0 only because numbers were rounded.
 bool IsRoundingAlone(const Interval& coefficient);
 
-// From now on what the normal forms of the pool's expressions have in common is expanded once and
-// kept, up to a limit: for many expressions that are made of the same ones. The normal forms are
-// the same.
+// From this call on, sub-expressions that the pool's expressions share are expanded once, and their
+// normal forms are kept, up to a limit. This pays for many expressions with common parts. It does
+// not change any normal form.
 void KeepNormalForms(ExpressionPool& pool);
 
-// ToExpression of the normal form with rounded arguments, without making the form.
+// Returns ToExpression of the normal form with rounded arguments, without building that form.
 Expression SimplifiedExpression(const Expression& e, int most_terms);
 
-// With the coefficients' midpoints; a term that is rounding alone is left out.
+// Writes a normal form as an expression with the midpoints of its coefficients. A term for which
+// IsRoundingAlone holds is left out.
 Expression ToExpression(const NormalForm& form);
 
 }  // namespace assay::algebra

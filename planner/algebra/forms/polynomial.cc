@@ -26,7 +26,7 @@ std::uint64_t HashOf(std::span<const AtomPower> factors) {
 
 }  // namespace
 
-// Merges equal monomials.
+// Collects terms and merges those with equal monomials.
 class PolynomialAlgebra::TermCollector {
  public:
   TermCollector(std::vector<std::vector<int>>& idle_places, std::size_t expected)
@@ -195,10 +195,10 @@ bool PolynomialAlgebra::HasReplacedSquare(const Factorization& factors) const {
   });
 }
 
-// The monomial with every square that has a replacement replaced.
+// Returns the monomial with every replaceable square substituted.
 std::optional<Polynomial> PolynomialAlgebra::Reduced(const Factorization& factors, Budget& budget) {
   Factorization kept;
-  Factorization replaced;  // with half the exponents
+  Factorization replaced;  // the powers to be replaced, with halved exponents
   for (const AtomPower& factor : factors) {
     if (factor.exponent == 1 || !squares_.contains(factor.atom)) {
       kept.push_back(factor);

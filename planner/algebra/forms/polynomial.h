@@ -11,7 +11,7 @@
 
 namespace assay::algebra {
 
-// A power of an atom, which here is no more than a number.
+// A power of an atom. An atom is represented by a number alone.
 struct AtomPower {
   int atom = 0;
   int exponent = 1;  // positive
@@ -19,21 +19,22 @@ struct AtomPower {
   auto operator<=>(const AtomPower&) const = default;
 };
 
-// Sums of products of powers of atoms, with intervals for numbers; every operation's result holds
-// the values of its operands' results. Monomials (products of powers) are stored once each. The
-// squares of some atoms can be replaced by polynomials, and always are: sin^2 by 1 - cos^2.
+// Sums of products of powers of atoms, with intervals as coefficients. The result of an operation
+// contains the results for all values of its operands. Each monomial (product of powers) is stored
+// once. The square of an atom can be given a replacement polynomial, which is then always
+// substituted: sin^2 becomes 1 - cos^2.
 class PolynomialAlgebra {
  public:
   struct Term {
-    int monomial = 0;  // 0: the empty product
+    int monomial = 0;  // 0 stands for the empty product
     Interval coefficient;
   };
-  using Polynomial = std::vector<Term>;  // distinct monomials, no exact 0 before them
+  using Polynomial = std::vector<Term>;  // distinct monomials, no coefficient that is exactly 0
 
-  // What an expansion may cost at most; spent by the operations.
+  // The greatest cost of an expansion. Operations subtract from it.
   struct Budget {
-    int most_terms = 0;         // of any result
-    std::int64_t products = 0;  // of two terms each
+    int most_terms = 0;         // the most terms of any result
+    std::int64_t products = 0;  // the number of products of two terms
   };
 
   PolynomialAlgebra();
@@ -42,18 +43,19 @@ class PolynomialAlgebra {
   Polynomial Atom(int atom, int exponent);
   std::span<const AtomPower> Factors(int monomial) const { return monomials_[monomial]; }
 
-  // From now on atom^2 = base^power; power is 1 or 2, and base knows nothing of the atom.
+  // From this call on, atom^2 is replaced by base^power. The power is 1 or 2, and `base` must not
+  // contain the atom.
   void ReplaceSquare(int atom, Polynomial base, int power);
 
   Polynomial Sum(std::span<const Polynomial* const> terms);
   Polynomial Negated(Polynomial a) const;
-  // Nothing if the budget does not suffice.
+  // Product and Power return nothing if the budget does not suffice.
   std::optional<Polynomial> Product(const Polynomial& a, const Polynomial& b, Budget& budget);
   std::optional<Polynomial> Power(const Polynomial& a, int n, Budget& budget);  // n > 0
-  // Of two single terms, squares left as they are.
+  // Returns the product of two single terms, without replacing squares.
   Term PlainProduct(const Term& a, const Term& b);
 
-  // Terms by their factors, lexicographically: the constant first.
+  // Sorts terms lexicographically by their factors. The constant term comes first.
   void Sort(Polynomial& a) const;
 
  private:
@@ -65,7 +67,8 @@ class PolynomialAlgebra {
   class TermCollector;
 
   int Intern(const Factorization& factors);
-  // The product of two monomials; none if it has a square that is replaced.
+  // Returns the product of two monomials, or nothing if it contains a square that has a
+  // replacement.
   std::optional<int> PlainProduct(int a, int b);
   static Factorization Merged(std::span<const AtomPower> a, std::span<const AtomPower> b);
   bool HasReplacedSquare(const Factorization& factors) const;
@@ -75,7 +78,7 @@ class PolynomialAlgebra {
   std::vector<Factorization> monomials_;
   InternTable table_;
   std::unordered_map<int, Square> squares_;
-  // Products of two monomials that were asked for.
+  // A product of two monomials that was computed before.
   struct KnownProduct {
     int a = 0;
     int b = 0;
@@ -83,8 +86,8 @@ class PolynomialAlgebra {
   };
   std::vector<KnownProduct> products_;
   InternTable product_table_;
-  // Scratch of sums in the making, one inside another: the places of their terms by monomial, all
-  // -1 between uses.
+  // Scratch memory for nested sums under construction: the places of their terms by monomial. All
+  // entries are -1 between uses.
   std::vector<std::vector<int>> idle_places_;
 };
 

@@ -11,13 +11,13 @@ struct Inequality {
   Expression greater;  // lesser <= greater
 };
 
-// What bounds are taken over: a box, and inequalities between variables.
+// The set that bounds are taken over: a box and inequalities between variables.
 struct ConstraintSet {
-  std::vector<Interval> box = {};  // by VariableId; ends may be infinite
+  std::vector<Interval> box = {};  // indexed by VariableId; ends may be infinite
   std::vector<Inequality> inequalities = {};
 };
 
-// The bounds that the variables were declared with.
+// Returns the bounds with which the variables were declared.
 ConstraintSet DeclaredBox(const ExpressionPool& pool);
 
 }  // namespace assay::algebra

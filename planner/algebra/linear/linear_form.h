@@ -7,10 +7,10 @@
 
 namespace assay::algebra {
 
-// What linear forms are linear in: a variable, or a non-linear product that is treated as one.
+// A column of linear forms: a variable, or a non-linear product that is treated like a variable.
 using ColumnId = Id<struct LinearColumnTag>;
 
-// r1*v1 + r2*v2 + ... + constant, in exact numbers.
+// The linear form r1*v1 + r2*v2 + ... + constant, in exact rational numbers.
 struct LinearForm {
   std::map<ColumnId, Rational> coefficients = {};  // none is 0
   Rational constant = {};

@@ -74,7 +74,7 @@ class LinearReader {
     return Rational(1) / divisor->constant * *dividend;
   }
 
-  std::unordered_map<int, OptionalForm> known_;  // by an expression's index
+  std::unordered_map<int, OptionalForm> known_;  // indexed by an expression's index
 };
 
 }  // namespace

@@ -9,31 +9,32 @@
 
 namespace assay::algebra {
 
-// The form that the expression is, if it is linear as it stands. The column of a variable has the
+// Returns e as a linear form if it is linear as it is written. The column of a variable has the
 // variable's number.
 std::optional<LinearForm> ExactLinearForm(const Expression& e);
 
-// The same also for what is linear only up to normal form, if nothing was rounded there.
+// Returns e as a linear form if its normal form is linear and the normal form needed no rounding.
 std::optional<LinearForm> LinearFormOf(const Expression& e);
 
-// What a constraint set says in linear terms.
+// The constraints of a set, divided into linear ones and others.
 struct LinearPart {
   std::vector<LinearForm> at_most_zero;  // the box's ends and the linear inequalities
   std::vector<Inequality> others;
 };
 LinearPart LinearPartOf(const ConstraintSet& constraints);
 
-// The finite ends of the range as forms that are at most 0.
+// Returns the finite ends of the range as linear forms that are at most 0.
 std::vector<LinearForm> EndsOf(ColumnId column, const Interval& range);
 
-// What a and b have in common; a if that is nothing, as can be where constraints contradict each
-// other and nothing that is said is wrong.
+// Returns the intersection of a and b. If it is empty, it returns a, which is conservative; this
+// can happen where constraints contradict each other.
 Interval Narrowed(const Interval& a, const Interval& b);
 
-// The variable's interval, narrowed to its SUP and INF.
+// Returns the variable's interval, narrowed to its SUP and INF.
 Interval TightenedInterval(VariableId variable, const Interval& interval, const LinearSupInf& core);
 
-// Of normal forms: a coefficient that is one number; a product that is a variable.
+// IsNumber returns true for a coefficient that is a single finite number, and IsVariable for a
+// product that is a variable.
 bool IsNumber(const Interval& coefficient);
 bool IsVariable(const std::vector<NormalForm::Factor>& factors);
 

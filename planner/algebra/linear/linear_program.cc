@@ -8,8 +8,8 @@ namespace {
 
 using Kind = LinearOptimum::Kind;
 
-// Chvatal's dictionary: basic slacks and the objective as forms in the columns that are not basic.
-// A slack is what a row lacks to 0, and not negative; a column that is not basic stands at 0.
+// Chvatal's dictionary: basic slacks and the objective, written as forms in the non-basic columns.
+// A slack is how far a row is below 0, and is not negative. A non-basic column has the value 0.
 class Dictionary {
  public:
   Dictionary(const LinearForm& objective, const std::vector<LinearForm>& at_most_zero)
@@ -24,7 +24,7 @@ class Dictionary {
 
   LinearOptimum Solve() {
     if (!MakeFeasible()) return {.kind = Kind::kContradiction};
-    // What could not be eliminated is in no row.
+    // A column that could not be eliminated occurs in no row.
     if (!objective_.IsConstant() && !IsSlack(objective_.coefficients.begin()->first)) {
       return {.kind = Kind::kUnbounded};
     }
@@ -44,7 +44,8 @@ class Dictionary {
 
   bool IsSlack(ColumnId column) const { return column.index() >= first_slack_; }
 
-  // A column without a sign is solved for by some row, which then says nothing else.
+  // Eliminates a column without a sign. One row is solved for it, and that row then constrains
+  // nothing else.
   void Eliminate(ColumnId column) {
     for (const auto& [slack, form] : basic_) {
       if (form.CoefficientOf(column).IsZero()) continue;
@@ -68,7 +69,7 @@ class Dictionary {
     basic_.emplace(entering, solved);
   }
 
-  // False if the rows contradict each other.
+  // Returns false if the rows contradict each other.
   bool MakeFeasible() {
     const auto is_negative = [](const auto& row) { return row.second.constant.Sign() < 0; };
     for (;;) {
@@ -80,7 +81,7 @@ class Dictionary {
     }
   }
 
-  // The first slack that makes the form greater.
+  // Returns the first slack that increases the form.
   std::optional<ColumnId> FirstRising(const LinearForm& form) const {
     for (const auto& [column, coefficient] : form.coefficients) {
       if (IsSlack(column) && coefficient.Sign() > 0) return column;
@@ -88,7 +89,7 @@ class Dictionary {
     return std::nullopt;
   }
 
-  // The basic slack that first comes down to 0 as the entering one rises.
+  // Returns the basic slack that is the first to reach 0 as the entering slack grows.
   std::optional<ColumnId> Tightest(ColumnId entering) const {
     std::optional<ColumnId> tightest;
     Rational least;
@@ -103,7 +104,7 @@ class Dictionary {
     return tightest;
   }
 
-  int first_slack_ = 0;  // columns below it are the problem's own
+  int first_slack_ = 0;  // columns below it belong to the problem
   std::map<ColumnId, LinearForm> basic_;
   LinearForm objective_;
 };

@@ -9,11 +9,12 @@ namespace assay::algebra {
 // The greatest value of a linear form.
 struct LinearOptimum {
   enum class Kind { kFinite, kUnbounded, kContradiction } kind = Kind::kContradiction;
-  Rational value = {};  // of kFinite
+  Rational value = {};  // only for kFinite
 };
 
-// Maximizes over the points, of any sign, where each of `at_most_zero` is <= 0. Exact: the simplex
-// method in rational numbers, with the pivoting rule of Bland (1977), under which it ends.
+// Maximizes `objective` over all points, with coordinates of any sign, at which each form of
+// `at_most_zero` is <= 0. The result is exact. The method is the simplex method in rational
+// numbers, with the pivoting rule of Bland (1977), under which it terminates.
 LinearOptimum Maximize(const LinearForm& objective, const std::vector<LinearForm>& at_most_zero);
 
 }  // namespace assay::algebra

@@ -39,7 +39,8 @@ void LinearRelaxation::AddRow(const LinearForm& at_most_zero) {
   core_.reset();
 }
 
-// greater - lesser, which is not negative, is at most its upper form.
+// The difference greater - lesser is not negative and at most its upper form, so the upper form is
+// not negative either.
 void LinearRelaxation::AddInequality(const Inequality& inequality) {
   const Expression difference = inequality.greater - inequality.lesser;
   if (const std::optional<LinearForm> upper = UpperForm(difference)) AddRow(-*upper);
@@ -59,7 +60,7 @@ bool LinearRelaxation::IsKept(const Expression& e) const {
   return std::ranges::all_of(VariablesOf(e), [&](VariableId v) { return keep_.contains(v); });
 }
 
-// A form that is nowhere less than e; none if nothing bounds e.
+// Returns a form that is nowhere less than e, or nothing if nothing bounds e.
 std::optional<LinearForm> LinearRelaxation::UpperForm(const Expression& e) {
   if (std::optional<LinearForm> exact = ExactLinearForm(e)) return exact;
   LinearForm form;
@@ -74,9 +75,9 @@ std::optional<LinearForm> LinearRelaxation::UpperForm(const Expression& e) {
   return form;
 }
 
-// Adds what is nowhere less than coefficient * column: one number out of the coefficient times the
-// column, and the most that the other numbers can make of the difference. False if that is
-// infinite.
+// Adds a form that is nowhere less than coefficient * column. It is one number of the coefficient
+// times the column, plus the greatest difference that the other numbers of the coefficient can
+// make. Returns false if that difference is infinite.
 bool LinearRelaxation::AddUpper(const Interval& coefficient, ColumnId column, LinearForm& form) {
   const Interval& range = RangeOf(column);
   double chosen = IsNumber(coefficient) ? coefficient.low : Midpoint(coefficient);
@@ -137,8 +138,8 @@ void LinearRelaxation::TieToKept(ColumnId column, const Factors& factors) {
   TieToKept(column, sup_of_negative, -1, kept_column);
 }
 
-// column = R*K with side * R at most each of the forms f: K times either side, whose sense turns
-// where K is negative.
+// The column stands for R*K, where side * R is at most each of the forms f, and `kept` stands for
+// K. Multiplies both sides by K, which reverses the inequality where K is negative.
 void LinearRelaxation::TieToKept(ColumnId column, const LeastOf& sup_of_rest, int side,
                                  ColumnId kept) {
   const Rational sign(SignOf(RangeOf(kept)));
@@ -147,7 +148,7 @@ void LinearRelaxation::TieToKept(ColumnId column, const LeastOf& sup_of_rest, in
   }
 }
 
-// Of the product of the factors, and of its negative.
+// Returns the bounds of the product of the factors, and those of its negative.
 std::pair<LeastOf, LeastOf> LinearRelaxation::SymbolicBounds(const Factors& factors) {
   if (IsVariable(factors)) {
     const LinearForm form = FormOf(ColumnOf(factors));
@@ -224,7 +225,7 @@ Interval LinearRelaxation::RangeOfAtom(const Expression& atom) {
     case Operator::kMax:
       return Max(operand(0), operand(1));
     case Operator::kConstant:
-    case Operator::kSum:  // too long to be expanded
+    case Operator::kSum:  // a sum that was too long to be expanded
     case Operator::kProduct:
     case Operator::kQuotient:
       return RangeAsItStands(atom);

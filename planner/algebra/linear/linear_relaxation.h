@@ -13,26 +13,28 @@
 
 namespace assay::algebra {
 
-// Non-linear expressions and constraints in linear terms, so that SUP/INF's linear core can bound
-// them: every non-linear product of a normal form is a column like a variable (the rules are in the
-// spirit of Brooks 1981). What ties the columns:
-//   - a product lies in the range that interval arithmetic gives it, its factors taken numerically;
-//   - min(a, b) <= a and b, max(a, b) >= a and b, abs(a) >= a and -a;
-//   - a product R*K, K of kept variables alone and of known sign, lies between K times what bounds
-//     R: symbolic bounds if R is a variable, else numbers. K of unknown sign leaves the range;
-//   - the constraints, likewise: a product's column is the same one in all of them.
-// Every column's bounds hold at every point that the constraints allow, so SUP is never too small.
+// Writes non-linear expressions and constraints in linear terms, so that SUP/INF's linear core can
+// bound them. Every non-linear product of a normal form becomes a column, like a variable (the
+// rules are in the spirit of Brooks 1981). These constraints relate the columns:
+// - A product lies in the range that interval arithmetic gives it from the ranges of its factors.
+// - min(a, b) <= a and b; max(a, b) >= a and b; abs(a) >= a and -a.
+// - A product R*K, where K contains only kept variables and has a known sign, lies between K times
+//   the bounds of R. They are symbolic if R is a variable, and numbers otherwise. If the sign of K
+//   is unknown, only the range is used.
+// - The given constraints hold. A product has the same column in all of them.
+// Every constraint holds at every point that the given constraints allow, so SUP is never too
+// small.
 class LinearRelaxation {
  public:
   LinearRelaxation(ExpressionPool& pool, const ConstraintSet& constraints,
                    std::set<VariableId> keep);
 
-  // Bounds of e in the kept columns; none is kept for RangeOf, which is never worse than interval
-  // arithmetic on e as it stands.
+  // Return bounds of e. Sup gives bounds in the kept columns. RangeOf keeps no column, and it is
+  // never worse than interval arithmetic on e as it is written.
   LeastOf Sup(const Expression& e);
   Interval RangeOf(const Expression& e);
 
-  bool IsKept(const Expression& e) const;  // speaks of kept variables alone
+  bool IsKept(const Expression& e) const;  // contains kept variables only
   double GreatestOf(const LinearForm& form) { return core().Sup(form, {}).Greatest(); }
   const Interval& RangeOf(ColumnId column);
   Expression ProductOf(ColumnId column) const;
@@ -41,7 +43,7 @@ class LinearRelaxation {
   using Factors = std::vector<NormalForm::Factor>;
   struct Column {
     Factors factors;
-    Interval range;  // of a variable: as declared; box_ knows more
+    Interval range;  // range of the product; for a variable the declared one (box_ may be tighter)
   };
 
   void AddRow(const LinearForm& at_most_zero);
@@ -65,14 +67,14 @@ class LinearRelaxation {
 
   std::set<VariableId> keep_;
   std::set<ColumnId> kept_columns_;
-  std::vector<Interval> box_;                                       // tightened where asked for
-  std::vector<bool> tightened_;                                     // by VariableId
-  std::vector<Column> columns_;                                     // the variables' come first
-  std::map<std::vector<std::pair<int, int>>, ColumnId> column_of_;  // atom's index and exponent
+  std::vector<Interval> box_;    // tightened on demand
+  std::vector<bool> tightened_;  // indexed by VariableId
+  std::vector<Column> columns_;  // the variables' columns come first
+  std::map<std::vector<std::pair<int, int>>, ColumnId> column_of_;  // indexed by atom and exponent
   std::vector<LinearForm> rows_;
-  std::optional<LinearSupInf> core_;            // over rows_, unless they have changed
-  std::optional<LinearSupInf> variables_core_;  // over the rows that speak of variables alone
-  std::unordered_map<int, Interval> range_of_;  // by an expression's index
+  std::optional<LinearSupInf> core_;            // over rows_; empty after rows_ has changed
+  std::optional<LinearSupInf> variables_core_;  // over the rows that contain variables only
+  std::unordered_map<int, Interval> range_of_;  // indexed by an expression's index
 };
 
 }  // namespace assay::algebra

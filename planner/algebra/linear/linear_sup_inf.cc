@@ -13,7 +13,8 @@ namespace {
 
 using Keep = std::set<ColumnId>;
 
-// v or -v: LOWER and INFF of v are UPPER and SUPP of -v.
+// The column v (sign = 1) or -v (sign = -1). The published LOWER and INFF of v are UPPER and SUPP
+// of -v.
 struct SignedColumn {
   ColumnId column;
   int sign = 1;
@@ -22,7 +23,7 @@ struct SignedColumn {
 };
 
 LeastOf SuppOfSigned(SignedColumn x, const LinearForm& y) {
-  // x <= b*x + rest
+  // Solves x <= b*x + rest for x.
   const Rational b = Rational(x.sign) * y.CoefficientOf(x.column);
   const LinearForm rest = y.Without(x.column);
   if (b < 1) return LeastOf((Rational(1) / (Rational(1) - b)) * rest);
@@ -36,7 +37,7 @@ Keep With(const Keep& keep, ColumnId column) {
   return more;
 }
 
-// One question's recursion, with what was found on the way.
+// The recursion for one question, with the results it has already found.
 class Recursion {
  public:
   Recursion(const std::vector<LinearForm>& rows, int most_steps) : budget_(most_steps) {
@@ -50,8 +51,8 @@ class Recursion {
 
   bool Exhausted() const { return budget_.Exhausted(); }
 
-  // J = r*v + B: with v kept, B is at most the least of some B'; in each r*v + B', which speaks of
-  // v and of kept columns only, v is replaced by its bounds.
+  // Computes SUP for J = r*v + B. While v is kept, B is at most the least of some forms B'. Each
+  // r*v + B' contains only v and kept columns, and v is then replaced by its bounds.
   LeastOf Sup(const LinearForm& j, const Keep& keep) {
     const auto v = FirstNotKept(j, keep);
     if (v.IsNone()) return LeastOf(j);
@@ -75,7 +76,7 @@ class Recursion {
     return ColumnId::None();
   }
 
-  // Of r*v + rest, where only v is not kept.
+  // Returns SUP of r*v + rest, where only v is not kept.
   LeastOf SupOfMultiple(const Rational& r, ColumnId v, const LinearForm& rest, const Keep& keep) {
     if (r.IsZero()) return LeastOf(rest);
     const LeastOf& of_column = SupOfColumn({v, r.Sign()}, keep);
@@ -102,7 +103,7 @@ class Recursion {
   }
 
   Budget budget_;
-  std::map<SignedColumn, LeastOf> upper_;  // UPPER
+  std::map<SignedColumn, LeastOf> upper_;  // the bounds that the paper calls UPPER
   std::map<std::pair<SignedColumn, Keep>, LeastOf> known_;
 };
 
@@ -164,7 +165,7 @@ LinearSupInf::LinearSupInf(std::vector<LinearForm> at_most_zero, int most_steps)
   }
 }
 
-// Columns that no row ties to others are bounded each by itself, whatever becomes of the rest.
+// A column that no row relates to others is bounded by itself, independently of all other columns.
 LeastOf LinearSupInf::Sup(const LinearForm& j, const std::set<ColumnId>& keep) const {
   LinearForm alone, tied;
   for (const auto& [column, coefficient] : j.coefficients) {
@@ -221,7 +222,8 @@ LeastOf LinearSupInf::SupOfTied(const LinearForm& j, const std::set<ColumnId>& k
   return recursion.Exhausted() ? SupBySimplex(j, rows) : sup;
 }
 
-// The rows that speak of j's columns, or of columns that such rows speak of, and so on.
+// Returns the rows that are connected with j: those that contain a column of j, or a column that is
+// connected through other such rows.
 std::vector<LinearForm> LinearSupInf::RelatedTo(const LinearForm& j) const {
   std::set<std::size_t> related;
   Keep seen;

@@ -13,7 +13,7 @@ namespace {
 
 enum class Side { kSup, kInf };
 
-// The answer to one question, of an expression that is no number.
+// The answer to one question about an expression that is not a number.
 class Answer {
  public:
   Answer(ExpressionPool& pool, const std::set<VariableId>& keep, const ConstraintSet& constraints)
@@ -34,7 +34,7 @@ class Answer {
     return op == Operator::kMin ? Min(a, b) : Max(a, b);
   }
 
-  // INF(J) is -SUP(-J): the greatest of the negated forms.
+  // INF(J) is -SUP(-J), the greatest of the negated forms.
   Expression Symbolic(const Expression& j, Side side) {
     const Operator choice = side == Side::kSup ? Operator::kMin : Operator::kMax;
     const double none = side == Side::kSup ? kInfinity : -kInfinity;
@@ -49,7 +49,8 @@ class Answer {
     return answer.value_or(none);
   }
 
-  // Without a number that another form never exceeds: the range of a product often is one.
+  // Returns the forms without a number that another form never exceeds. The range of a product
+  // often gives a number of this kind.
   std::vector<LinearForm> WithoutIdleNumber(const LeastOf& sup) {
     std::vector<LinearForm> forms = sup.Forms();
     const auto number = std::ranges::find_if(forms, &LinearForm::IsConstant);
@@ -61,8 +62,9 @@ class Answer {
     return forms;
   }
 
-  // The form with numbers that are doubles, or quotients of two: never below it for SUP, never
-  // above it for INF. None where a variable without bounds has a number that is neither.
+  // Returns the form with numbers that are doubles or quotients of two doubles. The result is never
+  // below the form for SUP and never above it for INF. Returns nothing if a variable without bounds
+  // has a coefficient that is neither.
   std::optional<Expression> Rounded(const LinearForm& form, Side side) {
     Expression sum = 0;
     LinearForm slack{.constant = form.constant};

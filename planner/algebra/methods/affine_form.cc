@@ -9,7 +9,7 @@
 namespace assay::algebra {
 namespace {
 
-// Of the variables that occur in e, in their order.
+// Returns the derivatives of e at the middle of the box, in the order of `variables`.
 std::vector<double> SlopesAtTheMiddle(const Expression& e, std::span<const VariableId> variables,
                                       std::span<const Interval> box) {
   std::vector<double> middle;

@@ -7,16 +7,17 @@
 
 namespace assay::algebra {
 
-// An expression over a box as a sum of multiples of its variables and a rest that is known only by
-// its range (affine arithmetic, Comba and Stolfi 1993): however long the expression is, its affine
-// form is short, and keeps which variables it depends on.
+// An expression over a box as a linear combination of its variables plus a rest. Only the range of
+// the rest is known (affine arithmetic, Comba and Stolfi 1993). The affine form is short for any
+// length of the expression, and it keeps the dependence on the variables.
 struct AffineForm {
   Expression linear;
-  Interval rest;  // of the expression less `linear`, at every point of the box: guaranteed
+  Interval rest;  // the range of the expression minus `linear` over the box: guaranteed
 };
 
-// The slopes are those at the middle of the box. Variables that move the expression by less than
-// `negligible` of what all of them do go into the rest. The box is by VariableId and finite.
+// Returns the affine form of e. Its slopes are the derivatives at the middle of the box. Variables
+// whose share in the total variation of the expression is less than `negligible` go into the rest.
+// The box is finite and indexed by VariableId.
 AffineForm AffineFormOf(const Expression& e, std::span<const Interval> box, double negligible);
 
 }  // namespace assay::algebra

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kMostVariablesForConcavity = 16;
 
-// Where derivative.high * (high - c), the most to the right of c, equals what is to its left.
+// Returns the centre c at which derivative.high * (high - c), the greatest gain on its right,
+// equals the greatest gain on its left.
 double BestCentre(const Interval& interval, const Interval& derivative) {
   if (derivative.low >= 0) return interval.high;
   if (derivative.high <= 0) return interval.low;
@@ -22,7 +23,8 @@ double BestCentre(const Interval& interval, const Interval& derivative) {
   return std::clamp(centre, interval.low, interval.high);
 }
 
-// The form's value at c plus the most that the derivatives times the distances from c can be.
+// Returns the form's value at c plus the greatest sum of the derivatives times the distances from
+// c.
 double ValuePlusSlopes(const Interval& value, std::span<const Interval> box,
                        std::span<const double> c, std::span<const Interval> gradient) {
   Interval sum = value;
@@ -33,8 +35,8 @@ double ValuePlusSlopes(const Interval& value, std::span<const Interval> box,
   return sum.high;
 }
 
-// The variables with freedom, if the form can be strictly concave in them: none is affine, and
-// there are not too many.
+// Returns the variables that are free in the box. Returns nothing if the form cannot be strictly
+// concave in them, because it is affine in one of them, or if there are too many.
 std::optional<std::vector<int>> VariablesThatBend(const CompiledForm& form,
                                                   std::span<const Interval> box) {
   std::vector<int> free;

@@ -7,24 +7,25 @@
 
 namespace assay::algebra {
 
-// An upper bound of the form over a box where it is defined, given ranges of its partial
-// derivatives there: the best of those below.
+// Returns an upper bound of the form over a box in which it is defined, given ranges of its partial
+// derivatives there. It is the better of the two bounds below.
 double UpperBoundByDerivatives(Probe& probe, std::span<const Interval> box,
                                std::span<const Interval> gradient);
 
-// The form's value at a centre c plus, for each variable, the most that derivative * (x - c) can
-// be. Conservative by the mean value theorem. The centre is the one for which that most is least
-// (Baumann 1988).
+// Returns the form's value at a centre c plus, for each variable x, the greatest value of
+// derivative * (x - c). The bound is conservative by the mean value theorem. The centre is the one
+// that makes the bound least (Baumann 1988).
 double CentredUpperBound(Probe& probe, std::span<const Interval> box,
                          std::span<const Interval> gradient);
 
-// Of a form that is concave over the box: the greatest value of its tangent plane at c, which lies
-// nowhere below a concave function. Tight to rounding if c is where the form is largest.
+// Returns the greatest value over the box of the tangent plane at c of a form that is concave
+// there. A tangent plane is nowhere below a concave function. The bound is tight up to rounding if
+// the form is largest at c.
 double TangentUpperBound(Probe& probe, std::span<const Interval> box, std::span<const double> c);
 
-// Whether the form is surely concave in the given variables over the last box of the probe (after
-// GradientOverBox), the others standing still: its matrix of second derivatives is negative
-// definite everywhere.
+// Returns true if the form is surely concave in the given variables over the last box of the probe,
+// with the other variables fixed: its matrix of second derivatives is negative definite everywhere
+// in the box. Call GradientOverBox first.
 bool IsConcave(Probe& probe, std::span<const int> variables);
 
 }  // namespace assay::algebra

@@ -9,10 +9,10 @@
 namespace assay::algebra {
 namespace {
 
-// More than a few operations on doubles can be off by, as a share of what goes into them.
+// A bound of the rounding error of a few operations on doubles, relative to their operands.
 constexpr double kRounding = 1e-15;
 
-// Not less than a sum of numbers that are not negative, however it was rounded.
+// Returns an upper bound of a sum of non-negative numbers, however it was rounded.
 double AtLeast(double sum) { return sum * (1 + 1e-12); }
 
 Interval ValueAt(const Expression& e, std::span<const double> point) {
@@ -74,7 +74,7 @@ std::optional<AffineForm> FirstOrderForms::Affine(const Expression& e,
   const Form form = FormOf(e, box);
   if (!std::isfinite(form.rest)) return std::nullopt;
   AffineForm affine = {.linear = 0, .rest = {}};
-  double middle = form.centre;  // of the rest
+  double middle = form.centre;  // the middle of the rest
   double half = form.rest;
   double sizes = std::abs(form.centre) + form.reach;
   for (const auto& [variable, slope] : form.slopes) {
@@ -94,7 +94,8 @@ std::optional<AffineForm> FirstOrderForms::Affine(const Expression& e,
   return affine;
 }
 
-// Where its linear part is greatest (sign = 1), or least; all else in the middle.
+// Returns the corner of the box at which the linear part of e is greatest (sign = 1) or least (sign
+// = -1). Variables without a slope are at their midpoints.
 std::vector<double> FirstOrderForms::Corner(const Expression& e, double sign,
                                             std::span<const Interval> box) const {
   std::vector<double> corner;
@@ -160,7 +161,7 @@ FirstOrderForms::Form FirstOrderForms::Made(const Expression& e, std::span<const
 
 FirstOrderForms::Form FirstOrderForms::OfNumber(double value) { return {.centre = value}; }
 
-// An end of the interval may lie a rounding away from t = 1 or -1.
+// The rest allows for an end of the interval that lies a rounding error beyond t = 1 or -1.
 FirstOrderForms::Form FirstOrderForms::OfVariable(int variable, const Interval& range) {
   const double centre = Midpoint(range);
   const double radius = std::max(range.high - centre, centre - range.low);
@@ -210,18 +211,19 @@ FirstOrderForms::Form FirstOrderForms::OfSum(std::span<const Expression> terms) 
 }
 
 FirstOrderForms::Form FirstOrderForms::OfProduct(std::span<const Expression> factors) const {
-  if (factors.empty()) return {.rest = kInfinity};  // a negative power
+  if (factors.empty()) return {.rest = kInfinity};  // the power is negative
   Form product = Of(factors[0]);
   for (const Expression& factor : factors.subspan(1)) product = Product(product, Of(factor));
   return product;
 }
 
-// (a + A + r) * (b + B + s), A and B the linear parts: a*b + a*B + b*A, and for a rest A*B, r and s
-// times what stands beside them. Of A*B, what one variable's slopes do together has one sign.
+// Computes (a + A + r) * (b + B + s), where A and B are the linear parts, and r and s the rests.
+// The result is a*b + a*B + b*A plus a rest: A*B, and the products with r or s. In A*B, the product
+// of both slopes of one variable is a multiple of t^2, whose sign is known.
 FirstOrderForms::Form FirstOrderForms::Product(const Form& a, const Form& b) {
   Form product = {.centre = a.centre * b.centre};
   product.slopes.reserve(a.slopes.size() + b.slopes.size());
-  double squares = 0;  // of t, half of what they are multiplied by
+  double squares = 0;  // the sum of half the coefficients of t^2
   double squares_size = 0;
   auto x = a.slopes.begin();
   auto y = b.slopes.begin();
@@ -254,8 +256,8 @@ FirstOrderForms::Form FirstOrderForms::Product(const Form& a, const Form& b) {
   return product;
 }
 
-// Of sine and cosine alike, by Taylor's theorem: f(c + d) = f(c) + f'(c) * d - f(x) * d^2 / 2 for
-// an x between c and c + d.
+// Computes sine or cosine by Taylor's theorem: f(c + d) = f(c) + f'(c) * d - f(x) * d^2 / 2 for an
+// x between c and c + d.
 FirstOrderForms::Form FirstOrderForms::Wave(const Form& a, double value, double slope) {
   const double farthest = AtLeast(a.reach + a.rest);
   if (!(farthest < 1)) return {.rest = kInfinity};

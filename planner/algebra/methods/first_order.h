@@ -12,27 +12,31 @@
 
 namespace assay::algebra {
 
-// Expressions over a box to first order: every variable is centre + radius * t with t in [-1, 1],
-// and e is centre + sum of slope * t, but for a rest that stays within bounds (affine arithmetic,
-// Comba and Stolfi 1993, with the variables alone for symbols). The same sum tells from both sides:
-// the greatest value of e is that of the linear part, give or take the rest.
+// Expressions over a box to first order, by affine arithmetic (Comba and Stolfi 1993) in which the
+// variables are the only symbols. Every variable is centre + radius * t with t in [-1, 1]. An
+// expression is its centre plus the sum of slope * t plus a rest that is bounded. One form bounds
+// the extremum from both sides: the greatest value of e is that of the linear part, plus or minus
+// the rest.
 //
-// Worked out once for each stored expression, so that many that share most of what they are made of
-// cost little more than one. Knows sums, products, positive powers, sines and cosines; of anything
-// else it tells nothing. Rounding is counted in the rest.
+// The form of each stored expression is computed once, so that many expressions with common parts
+// cost little more than one. The forms cover sums, products, positive powers, sines and cosines.
+// Any other operation gives an unknown form. Rounding errors are included in the rest.
 class FirstOrderForms {
  public:
-  // As GlanceAbove and GlanceBelow: infinitely far apart where nothing is known. Where the limit is
-  // in between, e is evaluated at the corner that the slopes point to. All expressions are of one
-  // pool; the variables' intervals by VariableId, the same whenever it is asked.
+  // Above and Below return a bound of e like GlanceAbove and GlanceBelow. For an unknown form,
+  // `bound` and `attained` are infinitely far apart. If the limit is between them, e is evaluated
+  // at the corner to which the slopes point. All expressions must be of one pool. The box is
+  // indexed by VariableId and must be the same in every call.
   Glance Above(const Expression& e, std::span<const Interval> box, double limit);
   Glance Below(const Expression& e, std::span<const Interval> box, double limit);
 
-  // With the corner that the slopes point to, from which the gap is measured.
+  // BoundAbove and BoundBelow return a bound and the corner to which the slopes point. The gap is
+  // measured from the value at that corner.
   Bound BoundAbove(const Expression& e, std::span<const Interval> box);
   Bound BoundBelow(const Expression& e, std::span<const Interval> box);
 
-  // As AffineFormOf, whose rest is tighter and takes longer; none where nothing is known.
+  // Returns an affine form more quickly than AffineFormOf, whose rest is tighter. Returns nothing
+  // if the form is unknown.
   std::optional<AffineForm> Affine(const Expression& e, std::span<const Interval> box,
                                    double negligible);
 
@@ -43,20 +47,20 @@ class FirstOrderForms {
   };
   struct Form {
     double centre = 0;
-    double rest = 0;                 // infinite: nothing is known
-    double reach = 0;                // of the linear part: the sum of the slopes' sizes
-    std::vector<Slope> slopes = {};  // by increasing variable
+    double rest = 0;                 // infinite if the form is unknown
+    double reach = 0;                // the sum of the absolute slopes
+    std::vector<Slope> slopes = {};  // sorted by variable
   };
-  // Sums of slopes, by variable.
+  // Adds up slopes for each variable.
   class Slopes {
    public:
     void Add(int variable, double slope);
-    std::vector<Slope> Take();  // by increasing variable; leaves none
+    std::vector<Slope> Take();  // sorted by variable; the object is empty afterwards
 
    private:
     static constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     std::vector<double> total_;
-    std::vector<int> variables_;  // that have a slope
+    std::vector<int> variables_;  // the variables that have a slope
   };
   struct Known {
     bool is_known = false;
@@ -75,8 +79,8 @@ class FirstOrderForms {
   Form OfSum(std::span<const Expression> terms);
   Form OfProduct(std::span<const Expression> factors) const;
 
-  std::vector<Known> known_;      // by Expression::index
-  std::vector<Expression> open_;  // scratch: yet to be worked out
+  std::vector<Known> known_;      // indexed by Expression::index
+  std::vector<Expression> open_;  // scratch: expressions whose form is still to be computed
   Slopes total_;                  // scratch
 };
 

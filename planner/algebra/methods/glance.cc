@@ -10,7 +10,8 @@
 namespace assay::algebra {
 namespace {
 
-// The expression (sign = 1), or its negation, as the only term of its form.
+// Returns the maximization of the expression (sign = 1) or of its negation (sign = -1). The
+// expression is the only atom of the only term of the form.
 Maximization AsItStands(const Expression& e, double sign, std::span<const Interval> box) {
   Maximization problem;
   problem.form = {{{.coefficient = {sign, sign}, .factors = {{.atom = e, .exponent = 1}}}}};

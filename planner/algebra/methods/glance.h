@@ -7,17 +7,17 @@
 
 namespace assay::algebra {
 
-// What is seen of an expression as it stands, without bringing it to normal form: less than the
-// ladder of bounds sees, for a small part of the work, and mostly enough to tell on which side of a
-// limit it stays.
+// A cheap bound of an expression as it is stored, without its normal form. It is looser than the
+// other bounding methods and costs a small part of their work. Mostly it is enough to tell on which
+// side of a limit the expression stays.
 struct Glance {
-  double bound = 0;     // guaranteed, never crossed by the expression over the box
-  double attained = 0;  // the expression goes at least as far somewhere in the box; infinite on the
-                        // other side if no point is known
+  double bound = 0;     // guaranteed: the expression never crosses it in the box
+  double attained = 0;  // The expression reaches at least this value somewhere in the box. If no
+                        // point is known, it is the infinity opposite to the bound.
 };
 
-// From above, and from below, over a box by VariableId. Looks no further than is needed to know
-// that the bound is on this side of the limit.
+// Return a bound of e from above and from below, over a box that is indexed by VariableId. The work
+// ends as soon as the bound proves that e does not reach the limit.
 Glance GlanceAbove(const Expression& e, std::span<const Interval> box, double limit);
 Glance GlanceBelow(const Expression& e, std::span<const Interval> box, double limit);
 

@@ -5,7 +5,8 @@
 namespace assay::algebra {
 namespace {
 
-// Whether the interval became smaller.
+// Sets the interval to its best end if the derivative has one sign. Returns true if the interval
+// became smaller.
 bool SetToBestEnd(Interval& interval, const Interval& derivative) {
   const bool rises = derivative.low >= 0;
   const bool falls = derivative.high <= 0;

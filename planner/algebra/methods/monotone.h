@@ -6,19 +6,20 @@
 
 namespace assay::algebra {
 
-// What monotonicity leaves of a box: the form is as large somewhere in the smaller one as anywhere
-// in the first.
+// The smaller box that monotonicity leaves of a box. The greatest value of the form in the first
+// box occurs in the smaller box, too.
 struct MonotoneBox {
   Box box;
-  Interval range;                  // of the form over it
-  std::vector<Interval> gradient;  // over it
+  Interval range;                  // the range of the form over `box`
+  std::vector<Interval> gradient;  // the ranges of its derivatives over `box`
 };
 
-// Sets each variable whose partial derivative has one sign all over the box to the end where the
-// form is largest. Conservative: whatever the others are, the form does not fall on the way to that
-// end. The derivatives are better known over the smaller box, so the rest gets another try. Where
-// the form may be undefined nothing is set: the end may be a place where it has no value. `held`,
-// by variable: those to be left alone; none if empty.
+// Sets each variable whose partial derivative has one sign all over the box to the end at which the
+// form is largest. This is conservative: for any values of the other variables, the form does not
+// fall on the way to that end. Derivatives are tighter over a smaller box, so the remaining
+// variables are tried again. Where the form may be undefined nothing is set, because it might have
+// no value at the end. `held`, indexed by variable, marks the variables to leave alone; an empty
+// list marks none.
 MonotoneBox SetMonotoneVariables(Probe& probe, Box box, const std::vector<bool>& held = {});
 
 }  // namespace assay::algebra

@@ -6,7 +6,7 @@
 namespace assay::algebra {
 namespace {
 
-constexpr int kShiftHalvings = 5;  // of the interval that the least shift is in
+constexpr int kShiftHalvings = 5;  // bisections in the search for the least shift
 constexpr int kSweeps = 4;
 
 }  // namespace
@@ -38,7 +38,7 @@ void QuadraticBound::FindShift() {
   if (IsEnough(0)) return;
   double too_little = 0;
   double enough = 1e-290;
-  for (int i = 0; i < matrix_.size(); ++i) {  // Gershgorin's circles
+  for (int i = 0; i < matrix_.size(); ++i) {  // by Gershgorin's circles
     double radius = 0;
     for (int j = 0; j < matrix_.size(); ++j) {
       radius += j == i ? -matrix_(i, i) : std::abs(matrix_(std::max(i, j), std::min(i, j)));
@@ -53,7 +53,8 @@ void QuadraticBound::FindShift() {
   shift_ = enough;
 }
 
-// Of the shifted quadratic function at place_.
+// Returns the derivative, with respect to coordinate i, of the shifted quadratic function at
+// place_.
 double QuadraticBound::Slope(int i) const {
   double slope = slopes_[i] - shift_ * place_[i];
   for (int j = 0; j < matrix_.size(); ++j) {
@@ -62,8 +63,8 @@ double QuadraticBound::Slope(int i) const {
   return slope;
 }
 
-// The shifted function is concave, so that its tangent plane at any place lies nowhere below it;
-// the place is near its greatest value, coordinate by coordinate.
+// The shifted function is concave, so its tangent plane at any place is nowhere below it. The place
+// is moved near the maximum, coordinate by coordinate.
 double QuadraticBound::Most(std::span<const double> slopes) {
   const int n = matrix_.size();
   slopes_.resize(n);
@@ -79,7 +80,7 @@ double QuadraticBound::Most(std::span<const double> slopes) {
   double magnitude = most;
   for (int i = 0; i < n; ++i) {
     const double slope = Slope(i);
-    // q(p) = p . (slopes + Slope(p)) / 2
+    // The value of the shifted function at place_ p is p . (slopes + Slope(p)) / 2.
     most += place_[i] * (slopes_[i] + slope) / 2;
     most += std::max(slope * (0.5 - place_[i]), slope * (-0.5 - place_[i]));
     magnitude += std::abs(slopes_[i]) + std::abs(slope);

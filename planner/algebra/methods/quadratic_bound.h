@@ -7,18 +7,21 @@
 
 namespace assay::algebra {
 
-// Bounds of quadratic functions over a box about 0 whose matrix of second derivatives is known to
-// be no larger than another one. What keeps that one from being concave is made up for by a
-// multiple of the squared distances, as in the alpha BB method (Adjiman and Floudas 1996).
+// Bounds quadratic functions over a box about 0, given an upper bound of their matrices of second
+// derivatives. If that upper bound is not negative definite, a multiple of the squared distances
+// makes up for it, as in the alpha BB method (Adjiman and Floudas 1996).
 class QuadraticBound {
  public:
-  // `curvature`: the matrix that the others do not exceed by more than `error` in any entry.
+  // Sets the box and the upper bound of the matrices. `widths` are the widths of the box. No matrix
+  // is greater than `curvature` in the order of definiteness. Each entry of `curvature` may be off
+  // by up to `error`.
   void SetCurvature(const SymmetricMatrix& curvature, double error, std::span<const double> widths);
 
-  // Whether all of the matrices are negative definite.
+  // Returns true if all of the matrices are negative definite.
   bool IsConcave() const { return shift_ == 0; }
 
-  // No less than slopes . d + d . C d / 2 for any such C, where -widths/2 <= d <= widths/2.
+  // Returns an upper bound of slopes . d + d . C d / 2 for every matrix C below the bound and every
+  // d with -widths/2 <= d <= widths/2.
   double Most(std::span<const double> slopes);
 
  private:
@@ -26,9 +29,9 @@ class QuadraticBound {
   void FindShift();
   double Slope(int i) const;
 
-  // In units of the widths; the matrix is minus the curvature.
+  // These matrices are in units of the box's widths. matrix_ is the negated curvature.
   SymmetricMatrix matrix_, shifted_, deviation_;
-  double shift_ = 0;  // that makes it positive definite
+  double shift_ = 0;  // added to the diagonal, it makes matrix_ positive definite
   std::vector<double> widths_, slopes_, place_;
 };
 

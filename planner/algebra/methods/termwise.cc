@@ -6,7 +6,7 @@
 namespace assay::algebra {
 namespace {
 
-// Atoms are mostly a variable, or its sine or cosine.
+// The common atoms, a variable and its sine or cosine, are evaluated directly for speed.
 Interval RangeOfAtom(const Expression& atom, std::span<const Interval> box) {
   if (atom.op() == Operator::kVariable) return box[atom.variable().index()];
   const bool is_wave = atom.op() == Operator::kSin || atom.op() == Operator::kCos;
@@ -18,7 +18,7 @@ Interval RangeOfAtom(const Expression& atom, std::span<const Interval> box) {
 }  // namespace
 
 Interval TermwiseRange(const NormalForm& form, std::span<const Interval> box) {
-  IndexMap<Interval> known;  // of the atoms
+  IndexMap<Interval> known;  // ranges of the atoms
   Interval sum = {0, 0};
   for (const NormalForm::Term& term : form.terms) {
     Interval product = term.coefficient;

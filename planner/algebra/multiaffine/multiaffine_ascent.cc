@@ -36,7 +36,7 @@ bool MultiaffineAscent::Improve() {
   return ImproveByEnds() || ImproveByNewton();
 }
 
-// Keeps the step if it gains, and takes it back if not.
+// Keeps the step if the value grows, and undoes it otherwise.
 bool MultiaffineAscent::KeepIfBetter() {
   const double value = Value();
   if (value > value_ + kNegligible * std::abs(value_)) {
@@ -62,7 +62,7 @@ bool MultiaffineAscent::ImproveByEnds() {
   }
   if (!moved) return false;
   if (KeepIfBetter()) return true;
-  Value();  // of where it stands again
+  Value();  // evaluates again at the restored point
   point_.derivatives().Differentiate(*form_);
   return false;
 }
@@ -118,8 +118,8 @@ bool MultiaffineAscent::ImproveByNewton() {
   return false;
 }
 
-// Whether the step gains too little to be seen in the value. It is still worth taking: the top is
-// where the slopes vanish, and a value cannot tell that.
+// Returns true if the step gains too little to be visible in the value. The step is taken
+// nevertheless, because it brings the slopes nearer to zero than the value can show.
 bool MultiaffineAscent::IsLast() const {
   double gain = 0;
   for (std::size_t i = 0; i < step_.size(); ++i) gain += step_[i] * slope_[i] / 2;

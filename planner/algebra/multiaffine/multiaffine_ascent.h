@@ -8,20 +8,20 @@
 
 namespace assay::algebra {
 
-// As ascent.h, for multi-affine forms: searches for a point where the form is large, in doubles and
-// without any promise. Displacements go to the ends that their slopes point to, angles by Newton's
-// method, damped where the form is not concave.
+// Searches for a point at which a multi-affine form is large. As in ascent.h, the search uses
+// doubles and guarantees nothing. Displacements move to the ends that their slopes point to. Angles
+// move by Newton's method, damped where the form is not concave.
 class MultiaffineAscent {
  public:
   explicit MultiaffineAscent(MultiaffinePoint& point) : point_(point) {}
 
-  // Moves the point's given variables within their sectors (by variable), from where they are.
-  // Returns the number of evaluations.
+  // Moves the point's given variables within their sectors (indexed by variable), starting from
+  // their present values. Returns the number of evaluations.
   int Climb(const NestedForm& form, std::span<const int> variables,
             std::span<const Sector> sectors);
 
  private:
-  // Of one climb.
+  // The functions below are the parts of one climb.
   bool Improve();
   bool ImproveByEnds();
   bool ImproveByNewton();
@@ -38,11 +38,11 @@ class MultiaffineAscent {
   std::span<const Sector> sectors_;
   double value_ = 0;
   int evaluations_ = 0;
-  std::vector<double> start_;  // coordinates before a step
-  std::vector<int> movable_;   // angles that their slopes do not hold at an end
-  std::vector<double> slope_;  // of those
+  std::vector<double> start_;  // the coordinates before a step
+  std::vector<int> movable_;   // angles whose slopes do not hold them at an end
+  std::vector<double> slope_;  // the slopes of the movable angles
   std::vector<double> step_;
-  SymmetricMatrix curvature_;  // minus the second derivatives
+  SymmetricMatrix curvature_;  // the negated second derivatives
   SymmetricMatrix damped_;
 };
 

@@ -7,10 +7,10 @@
 
 namespace assay::algebra {
 
-// The value of a multi-affine form, or of what is left of it once some coordinates are known, and
-// its derivatives by the variables: at a point (Number = double) or over a box (NearestInterval).
-// Rounded to nearest; MultiaffineForm bounds the error. Variables are told by their places in the
-// form's list.
+// Computes the value of a multi-affine form and its derivatives with respect to the variables, at a
+// point (Number = double) or over a box (NearestInterval). Some coordinates may already be
+// substituted in the form. Results are rounded to nearest; MultiaffineForm bounds the error. A
+// variable is identified by its place in the form's list.
 template <class Number>
 class MultiaffineDerivatives {
  public:
@@ -26,7 +26,7 @@ class MultiaffineDerivatives {
 
   Number Value(const NestedForm& nested) { return evaluation_.Value(nested, atoms_); }
 
-  // After Value at the same place.
+  // Call Value at the same place first.
   void Differentiate(const NestedForm& nested) { slopes_ = &evaluation_.Slopes(nested, atoms_); }
   Number Slope(int variable) const { return SlopeIn(*slopes_, variable); }
   Number SlopeByAtom(int atom) const { return (*slopes_)[atom]; }
@@ -35,7 +35,7 @@ class MultiaffineDerivatives {
     return -(atoms_[cosine] * (*slopes_)[cosine] + atoms_[cosine + 1] * (*slopes_)[cosine + 1]);
   }
 
-  // After Differentiate at the same place.
+  // Call Differentiate at the same place first.
   void DifferentiateSlopes(const NestedForm& nested, int angle) {
     const int cosine = form_.AtomOf(angle);
     tangent_[cosine] = -atoms_[cosine + 1];
@@ -43,7 +43,7 @@ class MultiaffineDerivatives {
     slopes_along_ = &evaluation_.SlopesAlong(nested, atoms_, tangent_);
     tangent_[cosine] = tangent_[cosine + 1] = 0;
   }
-  // By that angle and another variable.
+  // Returns the second derivative with respect to that angle and another variable.
   Number MixedCurvature(int variable) const { return SlopeIn(*slopes_along_, variable); }
 
  private:
@@ -54,10 +54,10 @@ class MultiaffineDerivatives {
   }
 
   const MultiaffineForm& form_;
-  std::vector<Number> atoms_, tangent_;  // by atom
+  std::vector<Number> atoms_, tangent_;  // indexed by atom
   NestedEvaluation<Number> evaluation_;
-  const std::vector<Number>* slopes_ = nullptr;        // by atom
-  const std::vector<Number>* slopes_along_ = nullptr;  // by atom
+  const std::vector<Number>* slopes_ = nullptr;        // indexed by atom
+  const std::vector<Number>* slopes_along_ = nullptr;  // indexed by atom
 };
 
 }  // namespace assay::algebra

@@ -13,9 +13,9 @@ namespace {
 using AtomSet = NestedForm::AtomSet;
 using Factor = NormalForm::Factor;
 
-constexpr double kUnit = 0x1p-53;    // of rounding
-constexpr double kSlack = 1.02;      // for products of units, and for roundings of the bounds
-constexpr int kRoundingsOfWave = 2;  // the C library's sine or cosine
+constexpr double kUnit = 0x1p-53;    // unit of rounding
+constexpr double kSlack = 1.02;      // covers products of units and roundings of the bounds
+constexpr int kRoundingsOfWave = 2;  // roundings in the C library's sine or cosine
 
 bool IsWave(const Expression& atom) {
   return atom.op() == Operator::kSin || atom.op() == Operator::kCos;
@@ -43,12 +43,13 @@ class Reader {
     int terms = 0;
   };
 
-  // False if the term is of another kind.
+  // Returns false if the term is not of a multi-affine form.
   bool NoteVariables(const NormalForm::Term& term) {
     seen_.clear();
     const bool is_rounding_alone = IsRoundingAlone(term.coefficient);
     for (const Factor& factor : term.factors) {
-      if (IsWave(factor.atom) && is_rounding_alone) continue;  // 1 at most, whatever of
+      // A sine or cosine is at most 1 for any argument.
+      if (IsWave(factor.atom) && is_rounding_alone) continue;
       const Expression inner = IsWave(factor.atom) ? factor.atom.operands()[0] : factor.atom;
       if (inner.op() != Operator::kVariable || factor.exponent != 1) return false;
       if (std::ranges::find(seen_, inner.variable()) != seen_.end()) return false;
@@ -98,8 +99,9 @@ class Reader {
     const auto terms = static_cast<int>(terms_.size());
     const auto variables = static_cast<int>(form_.variables.size());
     form_.point_error = ErrorAfter(RoundingsOfValue() + 1);
-    // Terms are merged, once coordinates are known; added, multiplied by what stands beside them;
-    // and so are the changes of what stands there along a tangent.
+    // The roundings come from merging terms after coordinates are known, adding terms, multiplying
+    // them by the factors of their nodes, and from the derivatives of these factors along a
+    // tangent.
     form_.error = ErrorAfter(8 * (terms + variables) + 64);
   }
 
@@ -114,7 +116,7 @@ class Reader {
     return form;
   }
 
-  // On the longest way of a term through NestedEvaluation::Value.
+  // Returns the number of roundings on the longest path of a term through NestedEvaluation::Value.
   int RoundingsOfValue() const {
     std::vector<int> roundings;
     for (int node = 0; node < form_.nested.node_count(); ++node) {
@@ -139,11 +141,11 @@ class Reader {
 
   const NormalForm& normal_form_;
   MultiaffineForm form_;
-  std::vector<VariableId> seen_;  // scratch: in the term that is read
+  std::vector<VariableId> seen_;  // scratch: the variables of the term that is being read
   std::vector<NestedForm::Term> terms_;
   std::map<VariableId, Use> uses_;
-  std::map<VariableId, int> places_;         // in the form's variables
-  std::map<AtomSet, Magnitude> magnitudes_;  // by the displacements of the terms
+  std::map<VariableId, int> places_;         // places in the form's variables
+  std::map<AtomSet, Magnitude> magnitudes_;  // indexed by the displacements of the terms
 };
 
 }  // namespace

@@ -8,37 +8,38 @@
 
 namespace assay::algebra {
 
-// A sum of products in each of which a variable occurs once at most: as itself (a displacement) or
-// as its sine or cosine (an angle). Chains of transforms with errors of their own are of this kind.
-// In a displacement such a form is affine, in an angle A cos + B sin + C.
+// A sum of products in which a variable occurs at most once per product: either as itself (a
+// displacement), or as its sine or cosine (an angle). Chains of transforms with independent errors
+// have this form. It is affine in a displacement, and it is A cos + B sin + C in an angle.
 //
-// Its arithmetic rounds to nearest, with one bound for all errors: a result that every term reaches
-// through at most n roundings is off by no more than n (1 + small) units of rounding times the sum
-// of the terms' magnitudes (Higham 2002, "Accuracy and Stability of Numerical Algorithms", lemma
-// 3.1). The magnitude of a sine or cosine counts as 1, which holds for derivatives by angles, too.
+// The arithmetic rounds to nearest, with one bound for all errors. If every term goes through at
+// most n roundings, the result is off by at most n (1 + small) units of rounding times the sum of
+// the terms' magnitudes (Higham 2002, "Accuracy and Stability of Numerical Algorithms", lemma 3.1).
+// The magnitude of a sine or cosine counts as 1, and this holds for derivatives with respect to
+// angles, too.
 struct MultiaffineForm {
   struct Variable {
     VariableId id;
     bool is_angle = false;
   };
 
-  std::vector<Variable> variables;  // angles first; what is in more terms before what is in fewer
+  std::vector<Variable> variables;  // angles first; among each kind, those in more terms first
   int angle_count = 0;
-  NestedForm nested;  // of the products
-  // By magnitudes of displacements: how far the form's value at a point, computed once, may be off;
-  // and anything else that is computed of the form: its range and derivatives over a box, also once
-  // coordinates that are known have been put in.
+  NestedForm nested;  // the sum of products
+  // Bounds of the rounding error, as functions of the displacements' magnitudes. `point_error` is
+  // for the form's value at a point, computed once. `error` is for everything else: its range and
+  // its derivatives over a box, even after known coordinates have been substituted.
   NestedForm point_error, error;
 
   int atom_count() const { return angle_count + static_cast<int>(variables.size()); }
-  // The atom of a displacement, or of an angle's cosine; its sine is the next one. By the place in
-  // `variables`.
+  // Returns the atom of a displacement, or that of an angle's cosine, which is followed by its
+  // sine. The argument is the place in `variables`.
   int AtomOf(int variable) const {
     return variable < angle_count ? 2 * variable : variable + angle_count;
   }
 };
 
-// None if the normal form is not of this kind, a number, or has more atoms than
+// Returns nothing if the normal form is not of this kind, is a number, or has more atoms than
 // NestedForm::kMostAtoms.
 std::optional<MultiaffineForm> MultiaffineFormOf(const NormalForm& form);
 

@@ -6,7 +6,8 @@
 
 namespace assay::algebra {
 
-// A point, by the variables of a multi-affine form, at which it can be evaluated.
+// A point at which a multi-affine form can be evaluated. Coordinates are indexed by the form's
+// variables.
 class MultiaffinePoint {
  public:
   explicit MultiaffinePoint(const MultiaffineForm& form)

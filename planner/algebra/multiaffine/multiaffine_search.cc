@@ -11,14 +11,15 @@
 namespace assay::algebra {
 namespace {
 
-// Products of coordinates stay below this: what vanishes by underflow is then below kVanishing.
+// Products of coordinates stay below kLargestProduct, so that anything lost by underflow is below
+// kVanishing.
 constexpr double kLargestProduct = 1e30;
 constexpr double kVanishing = 1e-280;
 
 double Size(const Interval& x) { return std::max(std::abs(x.low), std::abs(x.high)); }
 
-// Where slope.high * (high - c), the most to the right of c, equals what is to its left (Baumann
-// 1988).
+// Returns the centre c at which slope.high * (high - c), the greatest gain on its right, equals the
+// greatest gain on its left (Baumann 1988).
 double BestCentre(const Sector& x, const NearestInterval& slope) {
   if (slope.low >= 0) return x.high;
   if (slope.high <= 0) return x.low;
@@ -26,7 +27,7 @@ double BestCentre(const Sector& x, const NearestInterval& slope) {
   return std::clamp(right * x.high + (1 - right) * x.low, x.low, x.high);
 }
 
-// The angle in or nearest to the sector at which A cos + B sin is largest.
+// Returns the first angle at or above the sector's low end at which A cos + B sin is largest.
 double Summit(double a, double b, const Sector& sector) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double summit = std::atan2(b, a);
@@ -68,7 +69,8 @@ bool MultiaffineSearch::Enter(std::span<const Interval> box) {
   return true;
 }
 
-// Where an angle's sine and cosine count as 1, an error of the value is one of its derivative, too.
+// Since sines and cosines of angles count as 1, a bound of the value's error also bounds the error
+// of a derivative with respect to an angle.
 void MultiaffineSearch::BoundErrors() {
   MultiaffineDerivatives<double>& magnitudes = point_.derivatives();
   for (std::size_t i = 0; i < box_.size(); ++i) {
@@ -119,7 +121,7 @@ Bound MultiaffineSearch::Maximize(int sign, const BoundRequest& request,
           .splits = splits_};
 }
 
-// Until monotonicity settles no more; what it has settled goes into the form.
+// Settles variables by monotonicity and substitutes them in the form, until nothing changes.
 void MultiaffineSearch::SettleWhole() {
   SettleBySlopesOfBox();
   while (!free_.empty()) {
@@ -131,7 +133,7 @@ void MultiaffineSearch::SettleWhole() {
   }
 }
 
-// By the slopes over the box as they are known from entering it.
+// Settles variables by the slopes over the whole box, which Enter has computed.
 void MultiaffineSearch::SettleBySlopesOfBox() {
   part_ = box_;
   free_.clear();
@@ -145,7 +147,8 @@ void MultiaffineSearch::SettleBySlopesOfBox() {
   }
 }
 
-// All variables are settled. Where no two share a product, each product alone is as large.
+// Bounds the form after all variables are settled. If no product has two variables, bounding each
+// product alone gives the same value.
 void MultiaffineSearch::LowerAtCorner() {
   const double termwise = upper_bound_;
   const double corner = RoundedUp(Offer() + point_error_ + slack_);
@@ -186,7 +189,7 @@ NestedForm::AtomSet MultiaffineSearch::AtomsOf(const std::vector<int>& variables
   return atoms;
 }
 
-// ---- The part that is looked at ----
+// ---- The current part ----
 
 void MultiaffineSearch::EnterSector(int variable) {
   const Sector& sector = part_[variable];
@@ -203,8 +206,8 @@ void MultiaffineSearch::Lower(double upper_bound, Rung rung) {
   rung_ = rung;
 }
 
-// Sets variables to the end where the form is largest if it does not fall on the way there; the
-// slopes are better known over the smaller part, so the rest gets another try.
+// Sets variables to the end at which the form is largest if it does not fall on the way there.
+// Slopes are tighter over the smaller part, so the remaining variables are tried again.
 void MultiaffineSearch::Settle() {
   live_.clear();
   for (const int variable : free_) {
@@ -259,7 +262,7 @@ bool MultiaffineSearch::SettleBySlope(int variable) {
   return true;
 }
 
-// After Settle.
+// Bounds the part. Call Settle first.
 void MultiaffineSearch::Examine() {
   if (live_.empty()) return LowerAtPoint();
   if (live_.size() == 1 && IsAngle(live_[0])) return LowerByOneAngle();
@@ -273,7 +276,7 @@ void MultiaffineSearch::Examine() {
   }
 }
 
-// If only angles have freedom, and it has not been done.
+// Turns the form into a trigonometric polynomial if only angles are free and it is not one yet.
 bool MultiaffineSearch::TurnToWaves() {
   const bool has_displacements =
       std::ranges::any_of(live_, [&](int variable) { return !IsAngle(variable); });
@@ -286,7 +289,8 @@ bool MultiaffineSearch::TurnToWaves() {
   PutAtLow();
   reduction_.Reduce(reduced_, 1, AtomsOf(live_), point_.derivatives().atoms(), angles_only_);
   if (!waves.sum.Assign(angles_only_, cosines_)) return false;
-  // The error covers 64 roundings at least; here, arguments are rounded and waves are added.
+  // error_ covers at least 64 roundings. The factors cover the rounding of the cosines' arguments
+  // and the addition of the terms.
   waves.error = error_ * wave_reach_ * (1 + waves.sum.wave_count() / 64.0);
   slack_ += waves.sum.left_out();
   part_waves_ = waves_count_++;
@@ -300,7 +304,7 @@ void MultiaffineSearch::LowerAtPoint() {
   if (value > attained_) Offer();
 }
 
-// A cos + B sin + C is largest at its summit, or else at an end.
+// A cos + B sin + C is largest at its summit, if that is in the sector, and at an end otherwise.
 void MultiaffineSearch::LowerByOneAngle() {
   const int angle = live_[0];
   const Sector& sector = part_[angle];
@@ -322,11 +326,12 @@ void MultiaffineSearch::LowerByOneAngle() {
     best = std::max(best, value_at(wave));
     point_.Set(angle, summit, wave);
   }
-  Lower(best + 2 * error_ + slack_, Rung::kCentred);  // of the value, and of a and b
+  Lower(best + 2 * error_ + slack_, Rung::kCentred);  // errors of the value, and of a and b
   if (best > attained_) Offer();
 }
 
-// The form's value at a centre plus the most that the slopes times the distances from it can be.
+// Bounds the part by the form's value at a centre plus the greatest sum of slopes times distances
+// from it.
 void MultiaffineSearch::LowerByCentre() {
   PutAtLow();
   double most = error_ + slack_;
@@ -346,8 +351,8 @@ void MultiaffineSearch::LowerByCentre() {
   }
 }
 
-// The form's value at the middle, plus the most that its slopes there and the greatest curvature
-// in the part let it rise (Taylor).
+// Bounds the part by the form's value at the middle plus the greatest rise that its slopes there
+// and the greatest curvature in the part allow (Taylor).
 void MultiaffineSearch::LowerByCurvature() {
   PutAtMiddle();
   const double value = Value();
@@ -371,7 +376,8 @@ void MultiaffineSearch::LowerByCurvature() {
   if (!IsHopeless() && quadratic_bound_.IsConcave()) LowerByConcavity();
 }
 
-// The greatest value of the tangent plane at the summit, which lies nowhere below a concave form.
+// Bounds the part by the greatest value of the tangent plane at the summit. This plane is nowhere
+// below a concave form.
 void MultiaffineSearch::LowerByConcavity() {
   evaluations_ += ascent_.Climb(reduced_, live_, part_);
   Lower(TangentBound(), Rung::kCentred);
@@ -390,7 +396,7 @@ double MultiaffineSearch::TangentBound() {
   return bound;
 }
 
-// ---- Parts ----
+// ---- The parts ----
 
 double MultiaffineSearch::Search(const StopRule& stop) {
   while (!parts_.empty()) {
@@ -422,7 +428,7 @@ void MultiaffineSearch::Split(const Part& part) {
   unused_sectors_.push_back(part.sectors);
 }
 
-// Looks at the part with the split variable's sector made smaller.
+// Examines the part in which `half` replaces the split variable's sector.
 void MultiaffineSearch::Open(const Part& part, const Sector& half) {
   for (std::size_t i = 0; i < free_.size(); ++i) part_[free_[i]] = sectors_[part.sectors + i];
   part_[part.split] = half;
@@ -454,7 +460,7 @@ int MultiaffineSearch::RoomForSectors() {
   return room;
 }
 
-// The variable whose interval makes the form vary most.
+// Chooses the variable that varies the form most.
 void MultiaffineSearch::ChooseSplit(Part& part) const {
   double largest = -1;
   for (const int variable : live_) {
@@ -470,8 +476,8 @@ void MultiaffineSearch::ChooseSplit(Part& part) const {
   }
 }
 
-// The form is affine in a displacement. Where it is convex in an angle, whatever the others are, it
-// is largest at an end, too.
+// The form is affine in a displacement. If it is convex in an angle for any values of the others,
+// it is largest at an end of that angle, too.
 bool MultiaffineSearch::HasOnlyItsEnds(int variable) const {
   return !IsAngle(variable) || least_curvature_[variable] >= SlopeError(variable);
 }
@@ -494,8 +500,8 @@ double MultiaffineSearch::Value() {
   return point_.derivatives().Value(reduced_);
 }
 
-// Keeps the point if the form as it was given surely attains more there than at the best so far.
-// Returns its value there.
+// Keeps the point if the given form surely attains more there than at the best point so far.
+// Returns the form's value at the point.
 double MultiaffineSearch::Offer() {
   ++evaluations_;
   const double value = sign_ * point_.derivatives().Value(form_.nested);

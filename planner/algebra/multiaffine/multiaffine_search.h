@@ -16,34 +16,35 @@
 
 namespace assay::algebra {
 
-// The rungs from monotone on, for multi-affine forms over boxes. It knows more of them than the
-// ladder knows of any form: coordinates that monotonicity settles over the whole box are put into
-// the form, and what is left is short; an angle in which the form is convex is at one of its ends,
-// as a displacement is; a single angle has its extremum in closed form. Its memory is used again
-// from one question to the next.
+// Applies the bounding methods from kMonotone on to a multi-affine form over a box. It uses special
+// properties of these forms. Coordinates that monotonicity settles over the whole box are
+// substituted, so that the remaining form is short. At the maximum, every displacement is at one of
+// its ends, and so is every angle in which the form is convex. A single remaining angle has its
+// extremum in closed form. The memory is reused from one question to the next.
 class MultiaffineSearch {
  public:
   explicit MultiaffineSearch(MultiaffineForm form);
   MultiaffineSearch(const MultiaffineSearch&) = delete;
   MultiaffineSearch& operator=(const MultiaffineSearch&) = delete;
 
-  // Sets the box of the questions that follow, by VariableId. False where rounding errors cannot be
-  // bounded over it: ends are infinite or far out.
+  // Sets the box of the following questions, indexed by VariableId. Returns false if rounding
+  // errors cannot be bounded over it, because ends are infinite or far out.
   bool Enter(std::span<const Interval> box);
 
-  // SUP of sign * form, sign being 1 or -1; `request.highest` is kMonotone at least. Puts the point
-  // into `elsewhere`, which has a coordinate for every VariableId.
+  // Returns SUP of sign * form, where sign is 1 or -1. `request.highest` must be at least
+  // kMonotone. `elsewhere` has a coordinate for every VariableId; the returned point is `elsewhere`
+  // with the form's variables replaced.
   Bound Maximize(int sign, const BoundRequest& request, std::vector<double> elsewhere);
 
  private:
-  // A part of the box that may hold more than the best point.
+  // A part of the box in which the form may exceed the best point.
   struct Part {
     double upper_bound = 0;
-    std::int64_t age = 0;  // parts of the same bound: the oldest first
+    std::int64_t age = 0;  // breaks ties: of parts with the same bound the oldest comes first
     double slack = 0;
-    int sectors = 0;  // where those of the free variables begin in sectors_
-    int waves = -1;   // in waves_, where only angles have freedom; -1: none
-    int split = -1;   // the variable; -1: none is left that can be split
+    int sectors = 0;  // where the sectors of the free variables begin in sectors_
+    int waves = -1;   // index in waves_ if only angles are free; -1: none
+    int split = -1;   // the variable; -1: none can be split further
     bool has_only_ends = false;
 
     bool operator<(const Part& other) const {
@@ -53,7 +54,7 @@ class MultiaffineSearch {
 
   bool IsAngle(int variable) const { return variable < form_.angle_count; }
 
-  // Of the whole box.
+  // These functions work on the whole box.
   void BoundErrors();
   void SettleWhole();
   void SettleBySlopesOfBox();
@@ -62,7 +63,7 @@ class MultiaffineSearch {
   void Climb(const StopRule& stop, Rung highest);
   double Search(const StopRule& stop);
 
-  // Of the part that is looked at.
+  // These functions work on the current part.
   void EnterSector(int variable);
   void Settle();
   void EvaluateNested();
@@ -81,7 +82,7 @@ class MultiaffineSearch {
   void Lower(double upper_bound, Rung rung);
   bool IsHopeless() const { return upper_bound_ <= attained_; }
 
-  // Of parts.
+  // These functions manage parts.
   void Keep();
   void ChooseSplit(Part& part) const;
   bool HasOnlyItsEnds(int variable) const;
@@ -89,7 +90,7 @@ class MultiaffineSearch {
   void Open(const Part& part, const Sector& half);
   int RoomForSectors();
 
-  // Of the point.
+  // These functions move or evaluate the point.
   void PutAtLow();
   void PutAtMiddle();
   double Value();
@@ -101,48 +102,51 @@ class MultiaffineSearch {
   MultiaffineAscent ascent_;
   NestedReduction reduction_;
 
-  // The whole box, by variable.
+  // The members below describe the whole box and are indexed by variable.
   std::vector<Sector> box_;
   NearestInterval range_;
   std::vector<NearestInterval> slopes_;
   std::vector<double> slope_error_;
   double error_ = 0;
   double point_error_ = 0;
-  double wave_reach_ = 0;  // the arguments of waves go no further
+  double wave_reach_ = 0;  // a bound of the arguments of the trigonometric polynomials
 
-  // The question.
+  // The members below describe the current question.
   int sign_ = 1;
-  NestedForm reduced_;           // sign * form, with the coordinates put in that are settled
-  std::vector<Sector> whole_;    // what monotonicity leaves of the box
-  std::vector<int> free_;        // variables that have freedom there
-  Rung rung_ = Rung::kMonotone;  // that gave the upper bound
+  NestedForm reduced_;           // sign * form with the settled coordinates substituted
+  std::vector<Sector> whole_;    // the part of the box that monotonicity leaves
+  std::vector<int> free_;        // variables with a width in whole_
+  Rung rung_ = Rung::kMonotone;  // the method that gave the upper bound
   double attained_ = 0;
   std::vector<double> best_point_;
   std::int64_t evaluations_ = 0;
   std::int64_t splits_ = 0;
 
-  // The part that is looked at.
-  std::vector<Sector> part_;                  // by variable
-  std::vector<int> live_;                     // variables that have freedom there
-  int part_waves_ = -1;                       // in waves_
-  std::vector<NearestInterval> part_slopes_;  // by variable
-  std::vector<double> least_curvature_;       // by angle
+  // The members below describe the current part.
+  std::vector<Sector> part_;                  // indexed by variable
+  std::vector<int> live_;                     // variables with a width in the part
+  int part_waves_ = -1;                       // index in waves_
+  std::vector<NearestInterval> part_slopes_;  // indexed by variable
+  std::vector<double> least_curvature_;       // indexed by angle
   double upper_bound_ = 0;
-  double slack_ = 0;  // lost at most where slopes were rounding alone
+  // An upper bound of the loss by variables that were settled although their slopes were within the
+  // rounding error of 0.
+  double slack_ = 0;
 
   std::vector<Part> parts_;  // a heap
   std::vector<Sector> sectors_;
   std::vector<int> unused_sectors_;
   std::int64_t age_ = 0;
 
-  // What is left of the form where only angles have freedom, as waves; several parts share one.
+  // The remaining form as a trigonometric polynomial, where only angles are free. Several parts
+  // share one.
   struct Waves {
     WaveSum sum;
     std::vector<int> angles;
-    double error = 0;  // of the range, slopes and curvatures over any part
+    double error = 0;  // rounding error of range, slopes and curvatures over any part
   };
   std::vector<Waves> waves_;
-  int waves_count_ = 0;  // of this question
+  int waves_count_ = 0;  // those used by this question
   WaveEvaluation wave_evaluation_;
   QuadraticBound quadratic_bound_;
   std::vector<NearestInterval> wave_box_;

@@ -7,8 +7,8 @@ namespace {
 
 constexpr double kLessThanHalfTurn = 3.1415;
 
-// The range of a wave from its values at the ends and its slopes there: it has no more than one
-// extremum in less than half a turn.
+// Returns the range of a sine or cosine over an interval, from its values and slopes at the ends.
+// It has at most one extremum in less than half a turn.
 NearestInterval RangeBetween(double low_value, double high_value, double low_slope,
                              double high_slope) {
   NearestInterval range(std::min(low_value, high_value), std::max(low_value, high_value));

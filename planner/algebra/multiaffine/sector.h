@@ -4,15 +4,15 @@
 
 namespace assay::algebra {
 
-// A sine and a cosine.
+// The cosine and sine of an angle.
 struct Wave {
   double cosine = 1;
   double sine = 0;
 };
 Wave WaveAt(double angle);
 
-// The interval of a variable of a multi-affine form; of an angle with the waves at its ends, from
-// which those between follow.
+// The interval of a variable of a multi-affine form. For an angle it has the cosines and sines at
+// both ends. They determine the range between the ends.
 struct Sector {
   double low = 0;
   double high = 0;

@@ -11,11 +11,11 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kMostParts = 20'000;       // of products, written as sums of exponentials
-constexpr double kFaintestWave = 1e-16;  // of the largest: left out below
+constexpr int kMostParts = 20'000;       // the most exponentials that all products may expand to
+constexpr double kFaintestWave = 1e-16;  // relative to the largest: smaller terms are left out
 
-// Writes products of cosines and sines as sums of exponentials, exp(i turns . angles), numbered by
-// their turns plus one as digits to the base three.
+// Writes products of cosines and sines as sums of exponentials exp(i turns . angles). The number of
+// an exponential has its turns plus one as digits to the base three.
 class ExponentialSum {
  public:
   explicit ExponentialSum(std::span<const int> cosines) : cosines_(cosines) {
@@ -28,18 +28,18 @@ class ExponentialSum {
     coefficients_.assign(static_cast<std::size_t>(count), 0);
   }
 
-  // False if the form has too many products.
+  // Returns false if the form has too many products.
   bool Add(const NestedForm& form) {
     Add(form, form.node_count() - 1);
     return parts_ <= kMostParts;
   }
 
-  int still() const { return still_; }  // the number of exp(0)
+  int still() const { return still_; }  // the number of the exponential exp(0)
   int place(std::size_t angle) const { return places_[angle]; }
   const std::vector<Complex>& coefficients() const { return coefficients_; }
 
  private:
-  // What the node holds, times the atoms of the way to it.
+  // Adds the node's sum times the atoms on the path to the node.
   void Add(const NestedForm& form, int node) {
     if (parts_ > kMostParts) return;
     AddProduct(form.constant(node));
@@ -74,7 +74,7 @@ class ExponentialSum {
   }
 
   std::span<const int> cosines_;
-  std::vector<int> places_;  // what the digits count
+  std::vector<int> places_;  // the weights of the digits
   int still_ = 0;
   std::vector<Complex> coefficients_;
   std::vector<int> way_;
@@ -107,7 +107,7 @@ bool WaveSum::Assign(const NestedForm& form, std::span<const int> cosines) {
   for (const Complex& coefficient : sum.coefficients()) {
     largest = std::max(largest, std::abs(coefficient));
   }
-  // Of the two exponentials of a wave, the one whose last turn is positive.
+  // Each term comes from two exponentials. The one whose last turn is positive is taken.
   for (std::size_t i = static_cast<std::size_t>(sum.still()) + 1; i < sum.coefficients().size();
        ++i) {
     const double amplitude = 2 * std::abs(sum.coefficients()[i]);

@@ -11,21 +11,22 @@
 
 namespace assay::algebra {
 
-// A multi-affine form of angles alone as a sum of waves: constant + sum of amplitude * cos(phase +
-// turns . angles), in which an angle turns by 1, 0 or -1. What products of sines and cosines hide
-// stands in the open: of rotations about one axis there is one wave for each sum of angles. Each
-// wave's range over a box is exact.
+// A multi-affine form of angles alone as a trigonometric polynomial: constant + sum of amplitude *
+// cos(phase + turns . angles), where each turn is 1, 0 or -1. This shows structure that products of
+// sines and cosines hide: rotations about one axis give one term for each sum of angles. The range
+// of each term over a box is exact.
 class WaveSum {
  public:
   static constexpr int kMostAngles = 7;
 
-  // `cosines`: the atoms of the angles' cosines; sines are the next ones. No other atoms are in the
-  // form. False if there are too many angles, or too many products of them.
+  // `cosines` are the atoms of the angles' cosines, each followed by the atom of its sine. The form
+  // must contain no other atoms. Returns false if there are too many angles or too many products of
+  // them.
   bool Assign(const NestedForm& form, std::span<const int> cosines);
 
   int angle_count() const { return angle_count_; }
   int wave_count() const { return static_cast<int>(waves_.size()); }
-  // The sum of amplitudes of waves that are rounding alone and were left out.
+  // Returns the sum of the amplitudes of terms that are rounding alone and were left out.
   double left_out() const { return left_out_; }
 
  private:
@@ -42,7 +43,8 @@ class WaveSum {
   std::vector<Wave> waves_;
 };
 
-// A sum of waves over a box: its range, its slopes, and how it bends. Ends are rounded to nearest.
+// Evaluates a trigonometric polynomial over a box: its range, slopes and curvatures. Ends are
+// rounded to nearest.
 class WaveEvaluation {
  public:
   void Enter(const WaveSum& sum, std::span<const NearestInterval> box);
@@ -50,8 +52,8 @@ class WaveEvaluation {
   const NearestInterval& range() const { return range_; }
   const NearestInterval& Slope(int angle) const { return slopes_[angle]; }
   double LeastCurvature(int angle) const { return least_curvature_[angle]; }
-  // No matrix of second derivatives in the box is larger: their difference from this one is
-  // positive semidefinite. For a wave's is its cosine, of either sign, times turns turns^T.
+  // An upper bound of the matrices of second derivatives in the box: its difference from any of
+  // them is positive semidefinite. The matrix of one term is -amplitude * cosine * turns turns^T.
   const SymmetricMatrix& greatest_curvature() const { return greatest_curvature_; }
 
  private:

@@ -10,9 +10,9 @@ using interval_detail::kLargest;
 using interval_detail::ZeroIfNaN;
 
 constexpr double kTiniest = std::numeric_limits<double>::denorm_min();
-// Above it, the rounding error of a product is a double (no underflow).
+// Above this magnitude nothing underflows, so the rounding error of a product is itself a double.
 constexpr double kSmallestSafeProduct = 0x1p-960;
-// Not above pi: the double next to pi is below it.
+// A lower bound of pi: the double nearest to pi is below it.
 constexpr double kPiFromBelow = std::numbers::pi;
 
 bool IsExactProduct(double a, double b, double product) {
@@ -32,13 +32,13 @@ bool HasFactorsOfEqualSign(const Interval& a, const Interval& b) {
 Interval QuotientOfSingles(double a, double b) {
   const double quotient = a / b;
   if (IsExactProduct(quotient, b, a) && quotient * b == a) {
-    return {quotient + 0.0, quotient + 0.0};  // never -0
+    return {quotient + 0.0, quotient + 0.0};  // + 0.0 avoids -0
   }
   if (quotient == 0) return interval_detail::RoundedFromZeroEnds({a, a}, {b, b}, {0, 0});
   return {RoundedDown(quotient), RoundedUp(quotient)};
 }
 
-// x^n of an x >= 0, every product by `round`ed.
+// Returns x^n for x >= 0. Each product is rounded by `round`.
 template <double (*round)(double)>
 double PowerOfMagnitude(double x, int n) {
   double result = 1;
@@ -90,11 +90,11 @@ Interval PositivePower(const Interval& a, int n) {
   return {-PowerFromAbove(-a.low, n), PowerFromAbove(a.high, n)};
 }
 
-// The C library's sine and cosine are within one unit in the last place; these
-// are not above the true ones.
+// The C library's sine and cosine are within one unit in the last place. These functions return
+// bounds that the true values never cross.
 double SinFromBelow(double x) {
   const double sine = std::sin(x);
-  const double least = sine >= 0 ? 0 : -1;  // the sign is right, also of the smallest ones
+  const double least = sine >= 0 ? 0 : -1;  // the computed sign is always right
   return std::max(least, RoundedDown(RoundedDown(sine)));
 }
 double SinFromAbove(double x) { return 0 - SinFromBelow(-x); }
@@ -106,20 +106,20 @@ double CosFromAbove(double x) {
   return x == 0 ? 1 : std::min(1.0, RoundedUp(RoundedUp(std::cos(x))));
 }
 
-// The range of f, a sine shifted by any phase, over an interval, from bounds of
-// its values at the ends and of its slopes there. The signs of the slopes are
-// right, since no double is so near a zero of sine or cosine, other than 0,
-// that the C library would miss its side.
+// Describes a function f, a sine shifted by any phase, at the ends of an interval: bounds of its
+// values, and its slopes there. The range of f follows from these. The signs of the slopes are
+// right, because no double other than 0 is so near a zero of sine or cosine that the C library
+// would return the wrong sign.
 struct WaveEnds {
-  Interval at_low, at_high;  // hold the values
+  Interval at_low, at_high;  // they contain the values of f at the ends
   double slope_at_low = 0;
   double slope_at_high = 0;
 };
 
 Interval RangeOfWave(const WaveEnds& ends, double width) {
   const Interval hull = Hull(ends.at_low, ends.at_high);
-  // The slope has at most one zero in less than pi, at most two in less than 2
-  // pi; an odd number of them changes its sign.
+  // The slope has at most one zero over a length below pi, and at most two below 2 pi. Its sign
+  // changes only if the number of zeros is odd.
   if (ends.slope_at_low > 0 && ends.slope_at_high < 0) return {hull.low, 1};
   if (ends.slope_at_low < 0 && ends.slope_at_high > 0) return {-1, hull.high};
   const bool is_zero_at_an_end = ends.slope_at_low == 0 || ends.slope_at_high == 0;
@@ -133,7 +133,7 @@ namespace interval_detail {
 
 Interval ProductOfSingles(double a, double b) {
   const double product = ZeroIfNaN(a * b);
-  if (IsExactProduct(a, b, product)) return {product + 0.0, product + 0.0};  // never -0
+  if (IsExactProduct(a, b, product)) return {product + 0.0, product + 0.0};  // + 0.0 avoids -0
   if (product == 0) return RoundedFromZeroEnds({a, a}, {b, b}, {0, 0});
   return {RoundedDown(product), RoundedUp(product)};
 }
@@ -150,8 +150,8 @@ Interval RoundedFromZeroEnds(const Interval& a, const Interval& b, const Interva
 Interval operator/(const Interval& a, const Interval& b) {
   if (b.low <= 0 && b.high >= 0) return kWholeLine;
   if (IsSingle(a) && IsSingle(b)) return QuotientOfSingles(a.low, b.low);
-  // Infinity / infinity stands for a set that comes near to 0, and whose other
-  // end another of the four quotients has.
+  // NaN from infinity / infinity is replaced by 0, because that quotient stands for a set that
+  // comes near 0. The other end of this set is the value of another of the four quotients.
   const double ll = ZeroIfNaN(a.low / b.low);
   const double lh = ZeroIfNaN(a.low / b.high);
   const double hl = ZeroIfNaN(a.high / b.low);
@@ -224,7 +224,7 @@ double Midpoint(const Interval& a) {
   if (a == kWholeLine) return 0;
   if (a.low == -kInfinity) return -Midpoint(-a);
   if (a.high == kInfinity) {
-    // Grows with a's end, so that halving again and again gets anywhere.
+    // The result grows with a's low end, so that repeated halving makes progress.
     return a.low < 0 ? 0 : std::min(2 * a.low + 1, kLargest);
   }
   const double sum = a.low + a.high;

@@ -8,19 +8,21 @@
 
 namespace assay::algebra {
 
-// Interval arithmetic that is never too narrow: whatever reals stand in the operands, the true
-// result stands in the answer, in spite of floating-point rounding. Each end is moved outward after
-// the operation (no change of the rounding mode): by at most two units in the last place after
-// + - * / and sqrt, which IEEE 754 rounds correctly, and by at most four after sin and cos, which
-// the C library rounds to within one. Ends may be infinite; 0 * infinity counts as 0 (the infinite
-// end stands for arbitrarily large numbers, not for one). No end is ever NaN. Facts that hold:
-// a op b of single numbers is exact where the double result is; so is every end of a sum.
+// Interval arithmetic with outward rounding. For any real operands within the intervals, the true
+// result is within the resulting interval, in spite of floating-point rounding. Each end is moved
+// outward after the operation, and the rounding mode is not changed. Ends of + - * / and sqrt,
+// which IEEE 754 rounds correctly, move by at most two units in the last place. Ends of sin and
+// cos, which the C library rounds to within one unit, move by at most four. Ends may be infinite.
+// Zero times infinity counts as zero, because an infinite end stands for arbitrarily large numbers
+// and not for one number. No end is ever NaN. An operation on two single numbers is exact where its
+// double result is exact, and so is each end of a sum.
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 inline constexpr Interval kWholeLine = {-kInfinity, kInfinity};
 inline constexpr Interval kOne = {1, 1};
 
-// A double at least as large (as small) as any real that rounds to r. A sum or product that rounds
-// to +infinity may be any real above the largest double: RoundedDown(+infinity) is near that one.
+// RoundedUp(r) is a double that is not below any real that rounds to r, and RoundedDown(r) is one
+// that is not above any. A sum or product that rounds to +infinity may be any real above the
+// largest double, so RoundedDown(+infinity) is near the largest double.
 inline double RoundedUp(double r);
 inline double RoundedDown(double r);
 
@@ -28,11 +30,11 @@ inline Interval operator-(const Interval& a);
 inline Interval operator+(const Interval& a, const Interval& b);
 inline Interval operator-(const Interval& a, const Interval& b);
 inline Interval operator*(const Interval& a, const Interval& b);
-Interval operator/(const Interval& a, const Interval& b);  // the whole line if b holds 0
-Interval Power(const Interval& a, int n);                  // n < 0: 1 / a^-n; a^0 = 1
+Interval operator/(const Interval& a, const Interval& b);  // returns the whole line if b contains 0
+Interval Power(const Interval& a, int n);                  // for n < 0 it is 1 / a^-n; a^0 = 1
 Interval Sin(const Interval& a);
 Interval Cos(const Interval& a);
-// Of the part of a that is not negative; the whole line if there is none.
+// Returns the roots of the non-negative part of a, or the whole line if a has no such part.
 Interval Sqrt(const Interval& a);
 Interval Abs(const Interval& a);
 inline Interval Min(const Interval& a, const Interval& b);
@@ -42,20 +44,21 @@ inline Interval Hull(const Interval& a, const Interval& b);
 inline bool Contains(const Interval& a, double x);
 inline bool IsSingle(const Interval& a);
 double Width(const Interval& a);     // rounded up
-double Midpoint(const Interval& a);  // finite and in a; 0 for the whole line
+double Midpoint(const Interval& a);  // finite and within a; 0 for the whole line
 
 namespace interval_detail {
 
 inline constexpr double kLargest = std::numeric_limits<double>::max();
 
-// At least half a unit in the last place of r, so that r + it is rounded to another double (Rump,
-// Zimmermann, Boldo and Melquiond 2009, "Computing predecessor and successor in rounding to
+// Returns at least half a unit in the last place of r, so that r + Step(r) rounds to another double
+// (Rump, Zimmermann, Boldo and Melquiond 2009, "Computing predecessor and successor in rounding to
 // nearest").
 inline double Step(double r) {
   return std::abs(r) * 0x1.0000000000001p-53 + std::numeric_limits<double>::denorm_min();
 }
 
-// a + b, from below: the rounding error of the sum is itself a double, by Knuth's two-sum.
+// Returns a lower bound of a + b. The rounding error of a sum is itself a double, which Knuth's
+// two-sum computes.
 inline double SumFromBelow(double a, double b) {
   const double sum = a + b;
   const double b_seen = sum - a;
@@ -64,12 +67,13 @@ inline double SumFromBelow(double a, double b) {
   return RoundedDown(sum);
 }
 
-// For the products of ends: only 0 * infinity gives NaN.
+// Returns 0 for NaN. Among products of ends only 0 * infinity gives NaN.
 inline double ZeroIfNaN(double r) { return r == r ? r : 0; }
 
 Interval ProductOfSingles(double a, double b);
-// The product or quotient of a and b from its ends as computed, one of which is 0: that is exact
-// where a factor is 0, else a tiny number that vanished.
+// Returns the outward-rounded product or quotient of a and b, given its computed ends, of which one
+// is 0. A zero end is exact where a factor is 0. Otherwise it stands for a tiny number that
+// underflowed.
 Interval RoundedFromZeroEnds(const Interval& a, const Interval& b, const Interval& computed);
 
 }  // namespace interval_detail
@@ -84,7 +88,7 @@ inline double RoundedDown(double r) { return -RoundedUp(-r); }
 
 inline bool IsSingle(const Interval& a) { return a.low == a.high; }
 
-inline Interval operator-(const Interval& a) { return {0 - a.high, 0 - a.low}; }  // never -0
+inline Interval operator-(const Interval& a) { return {0 - a.high, 0 - a.low}; }  // "0 -" avoids -0
 
 inline Interval operator+(const Interval& a, const Interval& b) {
   return {interval_detail::SumFromBelow(a.low, b.low),

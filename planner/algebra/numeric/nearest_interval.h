@@ -6,9 +6,9 @@
 
 namespace assay::algebra {
 
-// Interval arithmetic whose ends are rounded to nearest, for evaluations without infinite ends
-// whose rounding errors are bounded as a whole (multiaffine_form.h): that costs one addition at the
-// end, where rounding each end outward costs more than the operations do.
+// Interval arithmetic with finite ends that are rounded to nearest. It is for evaluations whose
+// rounding errors are bounded as a whole (multiaffine_form.h). That bound costs one addition at the
+// end, whereas rounding each end outward costs more than the operations themselves.
 struct NearestInterval {
   double low = 0;
   double high = 0;

@@ -43,7 +43,7 @@ bool IsSurelyPositiveDefinite(SymmetricMatrix centre, const SymmetricMatrix& dev
   const int n = centre.size();
   double trace = 0;
   for (int i = 0; i < n; ++i) trace += std::abs(centre(i, i));
-  // Four times what (n + 2) roundings can do.
+  // Four times the greatest effect of n + 2 roundings.
   const double rounding = 4 * (n + 2) * 0x1p-53 * trace + 1e-290;
   for (int i = 0; i < n; ++i) {
     double sum = rounding;

@@ -13,7 +13,7 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kGreatest = std::numeric_limits<double>::max();
 
-// The doubles next to q on either side; both q itself, if that is a double.
+// The doubles next to q on either side. Both are q itself if q is a double.
 struct Neighbours {
   double below;
   double above;
@@ -22,7 +22,7 @@ struct Neighbours {
 Neighbours NeighboursOf(const mpq_class& q) {
   if (q > kGreatest) return {kGreatest, kInfinite};
   if (q < -kGreatest) return {-kInfinite, -kGreatest};
-  const double truncated = q.get_d();  // towards 0
+  const double truncated = q.get_d();  // truncated towards 0
   if (q == truncated) return {truncated, truncated};
   return q > 0 ? Neighbours{truncated, std::nextafter(truncated, kInfinite)}
                : Neighbours{std::nextafter(truncated, -kInfinite), truncated};

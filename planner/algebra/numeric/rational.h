@@ -6,22 +6,24 @@
 
 namespace assay::algebra {
 
-// An exact rational number: an immutable value, cheap to copy. Every finite double is one.
+// An exact rational number. It is an immutable value and cheap to copy. Every finite double is a
+// rational number.
 class Rational {
  public:
   Rational() = default;    // 0
-  Rational(double value);  // NOLINT: doubles are rationals; finite (checked)
+  Rational(double value);  // NOLINT: doubles are rationals; the value must be finite (checked)
 
-  int Sign() const;  // -1, 0, 1
+  int Sign() const;  // returns -1, 0 or 1
   bool IsZero() const { return number_ == nullptr; }
 
-  // The least double that is not below, the greatest that is not above; infinite beyond the range.
+  // RoundedUp returns the least double that is not below the number, and RoundedDown the greatest
+  // that is not above it. Both are infinite beyond the range of doubles.
   double RoundedUp() const;
   double RoundedDown() const;
-  double Nearest() const;                 // one of the two, the nearer; finite
-  std::optional<double> Exactly() const;  // if it is a double
+  double Nearest() const;  // the nearer of RoundedDown() and RoundedUp(); always finite
+  std::optional<double> Exactly() const;  // a value only if the number is a double
 
-  // In lowest terms; the denominator is positive.
+  // Numerator() / Denominator() is the number in lowest terms. The denominator is positive.
   Rational Numerator() const;
   Rational Denominator() const;
 
@@ -29,7 +31,7 @@ class Rational {
   friend Rational operator+(const Rational& a, const Rational& b);
   friend Rational operator-(const Rational& a, const Rational& b);
   friend Rational operator*(const Rational& a, const Rational& b);
-  friend Rational operator/(const Rational& a, const Rational& b);  // b is not 0 (checked)
+  friend Rational operator/(const Rational& a, const Rational& b);  // b must not be 0 (checked)
   friend bool operator==(const Rational& a, const Rational& b);
   friend std::strong_ordering operator<=>(const Rational& a, const Rational& b);
 
@@ -38,7 +40,7 @@ class Rational {
   explicit Rational(Number number);
   const Number& number() const;
 
-  std::shared_ptr<const Number> number_;  // null: 0
+  std::shared_ptr<const Number> number_;  // null stands for 0
 };
 
 Rational Abs(const Rational& a);

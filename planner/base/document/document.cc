@@ -26,7 +26,8 @@ std::string DidYouMean(std::string_view text, const std::vector<std::string>& na
   return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 
-// Empty if the number does not fit. Unlike strtod, from_chars ignores the locale; it refuses '+'.
+// Returns nothing if the number does not fit. Unlike strtod, from_chars ignores the locale. It does
+// not accept '+'.
 template <class T>
 std::optional<T> Convert(std::string_view digits) {
   if (digits[0] == '+') digits.remove_prefix(1);
@@ -38,7 +39,7 @@ std::optional<T> Convert(std::string_view digits) {
 
 }  // namespace
 
-// What stands at the node, for a message.
+// Describes the value of the node for a message.
 std::string DocumentNode::Describe() const {
   switch (kind) {
     case Kind::kNull:
@@ -156,7 +157,7 @@ std::vector<std::pair<Value, Value>> Value::Entries() const {
   return entries;
 }
 
-// A key that is given twice has been refused when the document was read.
+// A key that is given twice was refused when the document was read.
 void Value::AllowOnly(std::initializer_list<std::string_view> keys) const {
   const std::vector<std::string> names(keys.begin(), keys.end());
   if (!IsMap()) Fail(node_->Describe() + " is not a map", "a map with the keys " + Join(names));
@@ -185,7 +186,7 @@ Document Document::Parse(const std::string& text, const std::string& file_name) 
     throw InputError({.file = file_name}, "the file is too large",
                      fmt::format("{} bytes", kMostInputBytes));
   }
-  const std::string body = text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;  // the BOM
+  const std::string body = text.starts_with("\xef\xbb\xbf") ? text.substr(3) : text;
   RequireText(body, file_name);
   const auto tree = std::make_shared<DocumentNode::Tree>(file_name, body);
   const DocumentNode* root = DocumentNode::ReadJson(*tree);

@@ -12,13 +12,13 @@
 
 #include "planner/base/document/input_error.h"
 
-// What a document has inside: for Value and for those who read documents.
+// The inside of a document, for Value and for the readers of documents.
 namespace assay {
 
-inline constexpr std::size_t kMaxDepth = 256;  // of maps and lists in each other
+inline constexpr std::size_t kMaxDepth = 256;  // levels of nested maps and lists
 
-// Nodes lie in their document's tree, where texts and lists are kept once and together: plans have
-// tens of thousands of numbers. A Value keeps the whole tree alive.
+// A node of a document. Nodes belong to their document's tree, which stores texts and lists
+// together, because plans have tens of thousands of numbers. A Value keeps the whole tree alive.
 struct DocumentNode {
   enum class Kind : std::uint8_t { kNull, kScalar, kList, kMap };
   enum class Style : std::uint8_t { kPlain, kQuoted };
@@ -26,12 +26,12 @@ struct DocumentNode {
   class YamlReader;
   class JsonReader;
 
-  // The root; null if the document is empty. Throws InputError for all that is wrong.
+  // Returns the root, or null if the document is empty. Throws InputError for any error.
   static const DocumentNode* ReadYaml(const std::shared_ptr<Tree>& tree);
-  // Reads JSON as our own plans are written, in an eighth of the time that yaml-cpp takes. It does
-  // not tell what is wrong: it returns null for whatever it does not know (comments, characters by
-  // number, a key given twice), which is left to yaml-cpp, and what it knows means the same to
-  // yaml-cpp.
+  // Reads JSON in the style of this program's plan files, in an eighth of the time that yaml-cpp
+  // takes. It reports no errors. It returns null for anything that it does not know (comments,
+  // characters given by number, a key given twice), and yaml-cpp then reads the text. Every text
+  // that it accepts means the same to yaml-cpp.
   static const DocumentNode* ReadJson(Tree& tree);
 
   std::string Describe() const;
@@ -42,9 +42,9 @@ struct DocumentNode {
   std::span<const DocumentNode* const> keys = {};   // of a map, scalars, as many as items
   std::span<const DocumentNode* const> items = {};  // of a map or a list
   int line;
-  int column;  // in bytes, like a compiler's
+  int column;  // in bytes, as compilers count
   Kind kind;
-  Style style = Style::kPlain;  // of a scalar
+  Style style = Style::kPlain;  // only for a scalar
 };
 
 struct DocumentNode::Tree {
@@ -63,9 +63,9 @@ struct DocumentNode::Tree {
   }
 
   std::string file;  // its name
-  std::string text;  // all that was read
+  std::string text;  // the whole text that was read
   std::deque<DocumentNode> nodes;
-  std::deque<std::string> texts;  // of scalars that are written otherwise than they are meant
+  std::deque<std::string> texts;  // scalars whose meaning differs from their spelling
   std::deque<std::vector<const DocumentNode*>> lists;
 };
 

@@ -22,14 +22,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file by what links to it have in common.
+// Identifies a file independently of the links to it.
 using FileId = std::pair<dev_t, ino_t>;
 
 struct ReadFiles {
   std::mutex mutex;
   std::set<FileId> ids;
-  std::set<fs::path> paths;  // canonical: another program may have replaced the file since
-  std::map<fs::path, std::string> digests;  // of what ReadInput read, by canonical path
+  std::set<fs::path> paths;  // canonical; needed if another program has replaced a file since
+  std::map<fs::path, std::string> digests;  // of files read by ReadInput, by canonical path
 };
 
 ReadFiles& Files() {
@@ -37,7 +37,7 @@ ReadFiles& Files() {
   return files;
 }
 
-// Terminals, pipes and devices are no inputs that could be lost.
+// Terminals, pipes and devices are excluded, because overwriting them loses no input.
 bool IsRegular(const fs::path& file, struct stat& status) {
   return stat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode);
 }
@@ -62,7 +62,7 @@ std::string NearestInFolder(const fs::path& file) {
   return nearest.empty() ? "" : fmt::format("; did you mean {}?", Quote(nearest));
 }
 
-// What YAML calls printable, which leaves out NUL and with it binary files and UTF-16.
+// Tests what YAML calls printable. This excludes NUL, and thereby binary files and UTF-16.
 bool IsPrintable(char32_t c) {
   return c == U'\t' || c == U'\n' || c == U'\r' || c == 0x85 || (!IsControl(c) && c < 0xfffe) ||
          c >= 0x10000;
@@ -126,7 +126,7 @@ std::string DigestOfInputs() {
 
 void RequireText(std::string_view text, const std::string& file_name) {
   FilePlace place{.file = file_name, .line = 1, .column = 1};
-  const auto is_plain = [](char c) { return c >= 0x20 && c < 0x7f; };  // most are
+  const auto is_plain = [](char c) { return c >= 0x20 && c < 0x7f; };  // true for most characters
   while (true) {
     const auto plain = std::ranges::find_if_not(text, is_plain) - text.begin();
     place.column += static_cast<int>(plain);

@@ -9,14 +9,14 @@ class DocumentNode::JsonReader {
  public:
   explicit JsonReader(Tree& tree) : tree_(tree), rest_(tree.text) {}
 
-  // The root; null if yaml-cpp is to read it.
+  // Returns the root, or null if yaml-cpp has to read the text.
   const DocumentNode* Read();
 
  private:
   using List = std::vector<const DocumentNode*>;
 
   void SkipSpace();
-  bool Take(char c);  // after space
+  bool Take(char c);  // skips space first
   DocumentNode& Make(Kind kind) const;
   const DocumentNode* ReadValue(std::size_t depth);
   const DocumentNode* ReadList(std::size_t depth);
@@ -58,7 +58,7 @@ bool DocumentNode::JsonReader::Take(char c) {
   return true;
 }
 
-// At what comes next.
+// Makes a node at the place of the next character.
 DocumentNode& DocumentNode::JsonReader::Make(Kind kind) const {
   return tree_.Add(kind, line_, static_cast<int>(rest_.data() - line_start_) + 1);
 }
@@ -105,7 +105,8 @@ const DocumentNode* DocumentNode::JsonReader::ReadMap(std::size_t depth) {
   return Take('}') ? &map : nullptr;
 }
 
-// With its colon, which stands directly behind. yaml-cpp takes no longer keys than a kilobyte.
+// Reads a key and the colon directly after it. yaml-cpp accepts no keys longer than about a
+// kilobyte.
 const DocumentNode* DocumentNode::JsonReader::ReadKey() {
   constexpr std::size_t kLongest = 1000;
   SkipSpace();
@@ -154,7 +155,8 @@ bool DocumentNode::JsonReader::ReadEscapes(std::string_view written, std::string
   return true;
 }
 
-// A number, true or false. Null is left to yaml-cpp: no format here has it.
+// Reads a number, true or false. Null is left to yaml-cpp, because no format of this program uses
+// it.
 const DocumentNode* DocumentNode::JsonReader::ReadPlain() {
   const std::string_view written = rest_.substr(0, rest_.find_first_of(",]} \n"));
   if (written != "true" && written != "false" && !IsDecimal(written)) return nullptr;

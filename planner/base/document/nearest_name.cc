@@ -7,8 +7,8 @@
 namespace assay {
 namespace {
 
-// The optimal string alignment distance (Damerau 1964): insertions, deletions, substitutions and
-// swaps of neighbours each cost one.
+// Returns the optimal string alignment distance (Damerau 1964). Insertions, deletions,
+// substitutions and swaps of neighbours each cost one.
 std::size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, previous(b.size() + 1), current(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) current[j] = j;
@@ -32,7 +32,7 @@ std::string NearestName(std::string_view text, const std::vector<std::string>& c
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string& candidate : candidates) {
     const std::size_t slips = std::max<std::size_t>(candidate.size() / 3, 1);
-    if (text.size() > candidate.size() + slips) continue;  // also bounds the work
+    if (text.size() > candidate.size() + slips) continue;  // also limits the work
     const std::size_t distance = EditDistance(text, candidate);
     if (distance > slips || distance >= text.size() || distance >= least) continue;
     least = distance;

@@ -6,8 +6,8 @@
 
 namespace assay {
 
-// The candidate with the smallest edit distance to `text`, if that is small enough to be a likely
-// slip of the keyboard; else empty.
+// Returns the candidate with the smallest edit distance to `text`, or an empty text if that
+// distance is too large for a typing mistake.
 std::string NearestName(std::string_view text, const std::vector<std::string>& candidates);
 
 }  // namespace assay

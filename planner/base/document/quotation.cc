@@ -24,7 +24,7 @@ std::string Visible(char32_t control) {
   return fmt::format("\\x{:02x}", static_cast<std::uint32_t>(control));
 }
 
-// Takes the first character off a text that is not empty, and returns how it is shown.
+// Removes the first character of a non-empty text and returns it in its visible form.
 std::string TakeShown(std::string_view& text) {
   const CodePoint c = Decode(text);
   const std::string_view bytes = text.substr(0, std::max<std::size_t>(c.bytes, 1));

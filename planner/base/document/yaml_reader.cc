@@ -14,7 +14,8 @@
 namespace assay {
 namespace {
 
-// Whether the quote that begins the text is closed in it. Doubled single quotes stand for one.
+// Returns true if the quotation mark that begins the text is closed within it. Two single quotation
+// marks in a row stand for one.
 bool IsClosed(std::string_view text) {
   const char quote = text[0];
   for (std::size_t i = 1; i < text.size(); ++i) {
@@ -30,13 +31,14 @@ bool IsClosed(std::string_view text) {
 
 }  // namespace
 
-// Builds the tree from yaml-cpp's events. Its own tree would not do: it has dissolved the aliases
-// and forgotten the anchors, it keeps the last of equal keys, and it stops after one document.
+// Builds the tree from yaml-cpp's events. The tree of yaml-cpp itself is not suitable: it has
+// resolved the aliases and dropped the anchors, it keeps the last of equal keys, and it ends after
+// one document.
 class DocumentNode::YamlReader : public YAML::EventHandler {
  public:
   explicit YamlReader(std::shared_ptr<Tree> tree) : tree_(std::move(tree)), text_(tree_->text) {}
 
-  // The root; null if the document is empty.
+  // Returns the root, or null if the document is empty.
   const DocumentNode* Read();
 
   void OnDocumentStart(const YAML::Mark& mark) override;
@@ -53,7 +55,7 @@ class DocumentNode::YamlReader : public YAML::EventHandler {
   void OnMapEnd() override { End(); }
 
  private:
-  // A map or a list whose end has not come yet.
+  // A map or a list whose end has not been read yet.
   struct Open {
     DocumentNode* node;
     const DocumentNode* key = nullptr;  // of a map, without its value so far
@@ -81,11 +83,11 @@ class DocumentNode::YamlReader : public YAML::EventHandler {
                          const std::string& allowed) const;
 
   std::shared_ptr<Tree> tree_;
-  const std::string& text_;  // the tree's
+  const std::string& text_;  // refers to the tree's text
   const DocumentNode* root_ = nullptr;
   std::vector<Open> open_;
   FilePlace last_{.file = tree_->file, .line = 1, .column = 1};
-  std::optional<YAML::Mark> last_quote_;  // of the last quoted scalar
+  std::optional<YAML::Mark> last_quote_;  // the last quoted scalar
   int documents_ = 0;
 };
 
@@ -107,7 +109,7 @@ const DocumentNode* DocumentNode::YamlReader::Read() {
   return root_ && root_->kind != Kind::kNull ? root_ : nullptr;
 }
 
-// yaml-cpp resets the column at the end of the text, so there it is counted anew.
+// yaml-cpp resets the column at the end of the text, so the column is counted here.
 FilePlace DocumentNode::YamlReader::At(const YAML::Mark& mark) const {
   if (mark.is_null()) return last_;
   const bool end = static_cast<std::size_t>(mark.pos) >= text_.size();
@@ -115,13 +117,13 @@ FilePlace DocumentNode::YamlReader::At(const YAML::Mark& mark) const {
   return {.file = tree_->file, .line = mark.line + 1, .column = column + 1};
 }
 
-// Where the line begins that goes on before `end`.
+// Returns the start of the line that contains the character before `end`.
 std::size_t DocumentNode::YamlReader::LineStart(std::size_t end) const {
   const std::size_t line_break = end == 0 ? std::string::npos : text_.rfind('\n', end - 1);
   return line_break == std::string::npos ? 0 : line_break + 1;
 }
 
-// The last character before the mark that is not white space.
+// Returns the place of the last character before the mark that is not white space.
 FilePlace DocumentNode::YamlReader::Before(const YAML::Mark& mark) const {
   const auto end = std::min(static_cast<std::size_t>(std::max(mark.pos, 0)), text_.size());
   if (end == 0) return At(mark);
@@ -138,7 +140,8 @@ FilePlace DocumentNode::YamlReader::Before(const YAML::Mark& mark) const {
           .column = static_cast<int>(found - LineStart(found)) + 1};
 }
 
-// yaml-cpp marks a value that is left out at whatever comes next, often a line too late.
+// For a missing value yaml-cpp gives the place of whatever comes next, which is often a line too
+// late.
 FilePlace DocumentNode::YamlReader::OfNull(const YAML::Mark& mark) const {
   if (SpellsNull(mark)) return At(mark);
   if (!open_.empty() && open_.back().key != nullptr) {
@@ -156,13 +159,13 @@ bool DocumentNode::YamlReader::SpellsNull(const YAML::Mark& mark) const {
   return false;
 }
 
-// NUL, which no text contains, at the end.
+// Returns NUL at the end of the text, since no text contains it.
 char DocumentNode::YamlReader::CharacterAt(const YAML::Mark& mark) const {
   const bool inside = !mark.is_null() && static_cast<std::size_t>(mark.pos) < text_.size();
   return inside ? text_[static_cast<std::size_t>(mark.pos)] : '\0';
 }
 
-// yaml-cpp lets the end of the file close a quote when a line break stands before it.
+// yaml-cpp accepts the end of the file as the end of a quotation if a line break precedes it.
 void DocumentNode::YamlReader::CheckLastQuote() const {
   if (!last_quote_) return;
   if (IsClosed(std::string_view(text_).substr(static_cast<std::size_t>(last_quote_->pos)))) return;
@@ -171,7 +174,7 @@ void DocumentNode::YamlReader::CheckLastQuote() const {
                    "YAML or JSON");
 }
 
-// The text from the mark on, as far as a message may want it.
+// Returns as much of the text after the mark as a message may need.
 std::string DocumentNode::YamlReader::Rest(const YAML::Mark& mark) const {
   if (CharacterAt(mark) == '\0') return "";
   const auto start = static_cast<std::size_t>(mark.pos);
@@ -187,15 +190,15 @@ void DocumentNode::YamlReader::Refuse(const YAML::Exception& error) const {
       "YAML or JSON");
 }
 
-// An alias makes two places share one value, so no error could name the right one; a tag changes
-// the meaning of a value in a way that no format here defines.
+// With an alias two places share one value, so that no error could name the right place. A tag
+// changes the meaning of a value, and no format of this program defines tags.
 void DocumentNode::YamlReader::RefuseExtras(const YAML::Mark& mark, const std::string& tag,
                                             YAML::anchor_t anchor) const {
   if (anchor != YAML::NullAnchor) {
     throw InputError(At(mark), fmt::format("anchor or alias at {}", Quote(Rest(mark))),
                      "no anchors and aliases");
   }
-  const bool named = tag != "" && tag != "?" && tag != "!";  // yaml-cpp's for plain and quoted
+  const bool named = tag != "" && tag != "?" && tag != "!";  // the tags of plain and quoted scalars
   if (named || CharacterAt(mark) == '!') {
     throw InputError(At(mark), fmt::format("tag at {}", Quote(Rest(mark))), "no tags");
   }
@@ -246,8 +249,8 @@ void DocumentNode::YamlReader::Begin(Kind kind, const YAML::Mark& mark) {
   open_.push_back({.node = &Make(kind, last_)});
 }
 
-// Only now does the parent learn of the node: yaml-cpp takes a list that never ends for a key, and
-// its own error, which comes before this, says it better than AddKey would.
+// The parent gets the node only when the node ends. yaml-cpp takes a list without an end for a key,
+// and its own error, which comes first, is clearer than that of AddKey.
 void DocumentNode::YamlReader::End() {
   const Open& last = open_.back();
   DocumentNode& node = *last.node;

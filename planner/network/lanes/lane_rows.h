@@ -11,24 +11,26 @@ namespace assay::network {
 
 inline constexpr int kNoLane = -1;
 
-// By node of the network: its place in the scope, which is its lane, or kNoLane.
+// Returns, for each node of the network, its place in the scope, or kNoLane. This place is its
+// element (Lane) in every SIMD row.
 std::vector<int> LanesOf(std::span<const int> scope, int node_count);
 
-// The rows of all labels that the nodes of a scope have. What an arc does not reach is supported
-// by every label, and in its own lane a label supports itself.
+// The SIMD rows of all labels of the nodes of a scope. A row has one element for each node of the
+// scope: the labels there that the row's label supports. A node that no arc joins to the label's
+// node is supported entirely. At its own node a label supports only itself.
 template <class Lane>
 class LaneRows {
  public:
-  // `lane_of` as LanesOf gives it. Label sets have one word, no wider than a lane.
+  // `lane_of` is the result of LanesOf. Each label set is one word and not wider than an element.
   LaneRows(std::span<const int> scope, std::span<const int> lane_of, const LabelStore& labels,
            const ArcConsistency& arcs);
 
-  int blocks() const { return blocks_; }  // of a row
+  int blocks() const { return blocks_; }  // blocks in a row
   const Rows<Lane>& of(int lane) const { return nodes_[lane].rows; }
-  // The most labels of this node that a label of another forbids: with more of them left, nothing
-  // can be taken from the others.
+  // Returns the greatest number of labels of this node that one label of another node forbids. If
+  // more labels are left, no label of another node can be removed.
   int most_unsupporting(int lane) const { return nodes_[lane].most_unsupporting; }
-  int degree(int lane) const { return nodes_[lane].degree; }  // arcs within the scope
+  int degree(int lane) const { return nodes_[lane].degree; }  // number of arcs within the scope
 
  private:
   struct Node {
@@ -41,7 +43,7 @@ class LaneRows {
 
   int blocks_;
   std::vector<Block<Lane>> blocks_of_rows_;
-  std::vector<Node> nodes_;  // by lane
+  std::vector<Node> nodes_;  // indexed by node of the scope
 };
 
 }  // namespace assay::network

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kMostRowBytes = 1 << 20;
 
-// The narrowest lanes that hold all labels of the scope.
+// Returns the width of the narrowest elements that can hold all labels of the scope.
 int LaneBits(std::span<const int> scope, const LabelStore& labels) {
   Word all = 0;
   for (int node : scope) all |= labels.OneWord(node);
@@ -38,7 +38,7 @@ class LaneSearch {
   struct Decision {
     int lane;
     Label label;
-    int open;  // the length of open_ before
+    int open;  // the length of open_ before the decision
   };
 
   std::optional<Outcome> Advance(Budget& budget, std::int64_t wipe_out_limit);
@@ -60,12 +60,13 @@ class LaneSearch {
   LaneRows<Lane> rows_;
   OpenLanes open_;
   Counters& counters_;
-  std::vector<Label> preferred_;  // by lane
+  std::vector<Label> preferred_;  // indexed by node of the scope
   NarrowLanes<Lane> narrow_ = QuickestNarrowLanes<Lane>();
 
-  std::vector<Block<Lane>> states_;  // before each decision, and the present one
+  std::vector<Block<Lane>> states_;  // one before each decision, and the present one last
   std::vector<Decision> decisions_;
-  std::vector<Word> changed_, single_;  // lanes to be propagated; of them, those with one label
+  // Nodes to be propagated, and those of them that have one label.
+  std::vector<Word> changed_, single_;
 };
 
 template <class Lane>
@@ -85,7 +86,7 @@ LaneSearch<Lane>::LaneSearch(std::span<const int> scope, const std::vector<int>&
       changed_(WordsFor(rows_.blocks() * kLanesOfBlock<Lane>), 0),
       single_(changed_) {
   decisions_.reserve(scope.size());
-  // Lanes that no node has are full: every label supports them.
+  // Elements without a node are full, because every label supports them.
   std::fill_n(lanes(), rows_.blocks() * kLanesOfBlock<Lane>, static_cast<Lane>(~Lane{0}));
   for (std::size_t lane = 0; lane < scope.size(); ++lane) {
     lanes()[lane] = static_cast<Lane>(labels.OneWord(scope[lane]));

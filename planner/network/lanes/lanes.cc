@@ -38,8 +38,9 @@ int NarrowOneByOne(Block<Lane>* lanes, const Rows<Lane>& rows, Word left, Narrow
 #ifdef ASSAY_HAS_TARGETS
 #define ASSAY_WIDE __attribute__((target("avx512bw,bmi2")))
 
-// In lanes of the first argument's type: whether a and b differ, whether they have nothing in
-// common, and a less one, of which a set of one label has nothing.
+// These functions work on elements of the first argument's type. Differ tells where a and b differ,
+// and AreDisjoint where they have no bit in common. LessOne subtracts one; a set with one label has
+// no bit in common with the result.
 ASSAY_WIDE inline Word Differ(std::uint16_t, __m512i a, __m512i b) {
   return _mm512_cmpneq_epi16_mask(a, b);
 }
@@ -68,7 +69,7 @@ ASSAY_WIDE inline __m512i LessOne(std::uint64_t, __m512i a) {
   return _mm512_sub_epi64(a, _mm512_set1_epi64(1));
 }
 
-// Some blocks at once, so that each is a register while the rows go by.
+// Handles several blocks at once, so that each stays in a register during the pass over the rows.
 template <int kBlocks, class Lane>
 ASSAY_WIDE inline int NarrowBlocks(Block<Lane>* lanes, const Rows<Lane>& rows, Word places,
                                    int block, NarrowedLanes narrowed) {

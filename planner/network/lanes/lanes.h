@@ -6,8 +6,8 @@
 
 namespace assay::network {
 
-// The label sets of many nodes side by side, each in a lane of 16, 32 or 64 bits, in blocks as wide
-// as the widest vector registers.
+// A SIMD row holds the label sets of many nodes. Each set is one element (Lane) of 16, 32 or 64
+// bits. Elements are grouped in blocks as wide as the widest vector registers.
 inline constexpr int kBlockBytes = 64;
 template <class Lane>
 inline constexpr int kLanesOfBlock = kBlockBytes / static_cast<int>(sizeof(Lane));
@@ -17,29 +17,30 @@ struct alignas(kBlockBytes) Block {
   Lane lanes[kLanesOfBlock<Lane>];
 };
 
-// Of one node: for each of its labels a row of blocks, with what the label supports in each lane.
+// The rows of one node: for each of its labels, what the label supports at every node.
 template <class Lane>
 struct Rows {
   const Block<Lane>* first;
-  Lane labels;  // that have a row, in order
-  int blocks;   // of each row
+  Lane labels;  // the labels that have a row, in order
+  int blocks;   // blocks in each row
 };
 
-// Sets of lanes, lane l in bit l % 64 of word l / 64.
+// Two sets of elements. Element l is bit l % 64 of word l / 64.
 struct NarrowedLanes {
-  Word* changed;  // lanes that lost a label are added to it
-  Word* single;   // and to this those of them that are left with one label
+  Word* changed;  // elements that lost a label are added to this set
+  Word* single;   // elements that lost a label and have one left are added to this set
 };
 
 inline constexpr int kNoWipeOut = -1;
 
-// Takes from all lanes what none of the labels `left`, some of rows.labels, supports. Returns
-// kNoWipeOut, or a lane that would be left empty: lanes are then in between.
+// Removes from all elements the labels that none of the labels `left` supports. `left` is a subset
+// of rows.labels. Returns kNoWipeOut, or an element that would become empty. In that case the
+// elements are only partly revised.
 template <class Lane>
 using NarrowLanes = int (*)(Block<Lane>* lanes, const Rows<Lane>& rows, Word left,
                             NarrowedLanes narrowed);
 
-// The quickest way that the processor has.
+// Returns the fastest implementation that the processor supports.
 template <class Lane>
 NarrowLanes<Lane> QuickestNarrowLanes();
 

@@ -8,20 +8,20 @@
 
 namespace assay::network {
 
-// What OpenNodes is to label sets, for lanes: the weights of the arcs are a matrix, of which rows
-// are added and subtracted.
+// The open nodes of a LaneSearch with the weights of their arcs. It corresponds to OpenNodes. The
+// weights of the arcs are a matrix, whose rows are added and subtracted.
 class OpenLanes {
  public:
   OpenLanes(std::span<const int> scope, std::span<const int> lane_of, const ArcConsistency& arcs);
 
-  // Closes what has one label by now.
+  // Closes the nodes that have one label.
   template <class Lane>
   void Update(const Lane* lanes);
   int count() const { return count_; }
-  void Reopen(int count);  // as it was when count() was this
+  void Reopen(int count);  // restores the state in which count() had this value
   void Blame(int changed, int revised);
 
-  // The fewest labels, squared, per weight; -1 if no lane is open.
+  // Returns the open node with the fewest labels, squared, per weight, or -1 if no node is open.
   template <class Lane>
   int Heaviest(const Lane* lanes) const;
 
@@ -30,10 +30,10 @@ class OpenLanes {
   bool IsOpen(int lane) const { return places_[lane] < count_; }
   void Swap(int place, int other);
 
-  std::vector<int> arc_weights_;  // lanes x lanes
-  std::vector<int> weights_;      // by lane: of the arcs to open lanes
-  std::vector<int> order_;        // all lanes; the open ones first
-  std::vector<int> places_;       // by lane: in order_
+  std::vector<int> arc_weights_;  // nodes x nodes
+  std::vector<int> weights_;      // indexed by node: the total weight of its arcs to open nodes
+  std::vector<int> order_;        // all nodes; the open ones come first
+  std::vector<int> places_;       // indexed by node: its place in order_
   int count_ = 0;
 };
 

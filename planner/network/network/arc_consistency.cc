@@ -19,7 +19,7 @@ void ForEachLabel(std::span<const Word> words, const Visit& visit) {
   }
 }
 
-constexpr std::size_t kCompared = 32;  // nodes of the queue
+constexpr std::size_t kCompared = 32;  // nodes of the queue that TakeSmallest compares
 
 enum class SmallerSet { kRevised, kChanged };
 
@@ -89,7 +89,7 @@ void ArcConsistency::ClearQueue() {
   queue_.clear();
 }
 
-// Of the last ones, so that a long queue does not cost its square.
+// Only the last nodes of the queue are compared, so that a long queue does not take quadratic time.
 int ArcConsistency::TakeSmallest(const LabelStore& labels) {
   std::size_t smallest = queue_.size() > kCompared ? queue_.size() - kCompared : 0;
   for (std::size_t i = smallest + 1; i < queue_.size(); ++i) {
@@ -115,7 +115,8 @@ inline ArcConsistency::Revision ArcConsistency::Revise(const Direction& directio
   return Revision::kChanged;
 }
 
-// Such a node, whose turn in the queue is over, has left only labels around that support its own.
+// Returns true if the node has one label and is not in the queue. Its neighbours then have only
+// labels that support this label.
 inline bool ArcConsistency::IsSettled(int node, const LabelStore& labels) const {
   return labels.count(node) == 1 && cause_[node] == kNotQueued;
 }
@@ -124,7 +125,8 @@ bool ArcConsistency::ReviseAround(int node, LabelStore& labels, Counters& counte
   const int cause = cause_[node];
   cause_[node] = kNotQueued;
   const int count = labels.count(node);
-  // With more labels left here than any label at the other end forbids, each there has a support.
+  // If more labels are left here than any label at the other end forbids, each label there has a
+  // support.
   for (const Direction& direction : at(node)) {
     if (direction.arc == cause || count > direction.most_unsupporting ||
         IsSettled(direction.revised, labels)) {

@@ -9,53 +9,55 @@
 
 namespace assay::network {
 
-// Arc consistency over the label sets of a store: every label keeps a support on every arc.
-// AC-3 with a queue of nodes (Mackworth 1977; McGregor 1979), small label sets first, label sets
-// and supports as words of bits (Lecoutre and Vion 2008) and, in sets of several words, the word
-// of the last support remembered (residual supports, Lecoutre and Hemery 2007).
+// Arc consistency over the label sets of a store: every label keeps a support on every arc. The
+// algorithm is AC-3 with a queue of nodes, small label sets first (Mackworth 1977; McGregor 1979).
+// Label sets and supports are words of bits (Lecoutre and Vion 2008). In sets of several words, the
+// word of the last support is remembered (residual supports, Lecoutre and Hemery 2007).
 //
-// Each wipe-out adds to the weight of the arc at which it happened, for the variable order of
-// searches (Boussemart, Hemery, Lecoutre and Sais 2004).
+// Each wipe-out adds to the weight of the arc at which it happened. The variable order of searches
+// uses these weights (Boussemart, Hemery, Lecoutre and Sais 2004).
 class ArcConsistency {
  public:
-  // One direction of an arc, kept at the node whose change calls for the revision.
+  // One direction of an arc. It is stored at the node whose change requires the revision.
   struct Direction {
-    int revised;            // the node at the other end
-    int arc;                // the index that AddArc was given
-    int most_unsupporting;  // labels of the changed node that one revised label forbids, at most
+    int revised;            // the node at the other end, whose labels are revised
+    int arc;                // the index that was given to AddArc
+    int most_unsupporting;  // the most labels of the changed node that one revised label forbids
     int residues;           // index of the first label's residual support
-    int next;               // of the same node, or kNoDirection
-    const Word* supports;   // of each label of the revised node
-    const Word* supported;  // by each label of the changed node
+    int next;               // the next direction of the same node, or kNoDirection
+    const Word* supports;   // the supports of each label of the revised node
+    const Word* supported;  // the labels that each label of the changed node supports
   };
 
-  // Arcs and nodes come and go last in, first out. Relations must outlive their arcs. The two
-  // nodes of an arc differ: an arc from a node to itself is a restriction of its labels.
+  // Arcs and nodes are removed in the reverse of the order in which they were added. Relations must
+  // outlive their arcs. The two nodes of an arc must differ, since an arc from a node to itself is
+  // a restriction of its labels.
   void AddNode();
   void RemoveLastNode();
   void AddArc(int arc, int a, int b, const Relation& relation);
   void RemoveLastArc(int a, int b);
 
-  // The directions kept at one node, last arc first.
+  // The directions that are stored at one node, in the reverse of the order of their arcs.
   class Directions;
   Directions at(int node) const;
 
   std::int64_t weight(int arc) const { return weights_[arc]; }
-  void ForgetWeights();  // all equal, as at the beginning
+  void ForgetWeights();  // makes all weights equal, as for a new object
 
-  // Where the last wipe-out happened: the arc, and its ends.
+  // Where the last wipe-out happened: the arc and its two nodes.
   struct WipeOut {
     int arc, changed, revised;
   };
   const WipeOut& last_wipe_out() const { return last_wipe_out_; }
 
-  // Says that the labels or the arcs of a node have changed since the last propagation.
+  // Tells the object that the labels or the arcs of a node have changed since the last propagation.
   void Enqueue(int node) { Enqueue(node, kManyArcs); }
 
-  void ClearQueue();  // when the labels are undone to a state that was consistent
+  // Empties the queue. Call it when the labels are undone to a consistent state.
+  void ClearQueue();
 
-  // Makes everything consistent that was, but for the nodes enqueued. False at a wipe-out: the
-  // label sets are then in between, and the caller undoes them.
+  // Restores arc consistency after changes at the enqueued nodes. Returns false at a wipe-out. The
+  // label sets are then only partly revised, and the caller must undo them.
   bool Propagate(LabelStore& labels, Counters& counters);
 
  private:
@@ -75,16 +77,16 @@ class ArcConsistency {
   bool HasSupport(const Direction& direction, Label label, std::span<const Word> others);
 
   std::vector<Direction> directions_;  // two for each arc
-  std::vector<int> first_at_;          // by node: the head of a list in directions_
+  std::vector<int> first_at_;          // indexed by node: the head of a list in directions_
   std::vector<std::int64_t> weights_;
   WipeOut last_wipe_out_ = {};
   std::vector<std::uint16_t> residues_;
-  std::vector<Word> kept_;  // the labels that survive the revision at hand
+  std::vector<Word> kept_;  // the labels that survive the current revision
 
   std::vector<int> queue_;
-  // For a node in the queue: the only arc whose revision changed it, else kManyArcs; kNotQueued.
-  // Labels that were lost on an arc supported nothing there, so that the arc need not be revised
-  // the other way on their account.
+  // By node: for a node in the queue, the only arc whose revision changed it, or kManyArcs; for any
+  // other node kNotQueued. Labels that were lost on an arc supported nothing on that arc. Therefore
+  // the arc need not be revised in the other direction because of them.
   static constexpr int kNotQueued = -2;
   std::vector<int> cause_;
 };

@@ -7,18 +7,19 @@
 namespace assay::network {
 namespace {
 
-// Junker's QX with the network as the background: constraints are pushed on it and undone.
+// Junker's algorithm QX with the network as the background. Constraints are posted to the network
+// and undone.
 class QuickXplain {
  public:
   QuickXplain(const Network& background, std::span<const Constraint> constraints, Budget& budget)
       : network_(background), constraints_(constraints), budget_(budget) {}
 
-  // Whether the background with these is consistent.
+  // Decides whether the background with the added constraints is consistent.
   Outcome Decide(std::span<const int> added);
 
   enum class Background { kUnchanged, kExtended };
-  // A minimal part of `candidates` that is inconsistent with the background; together all of them
-  // are. Empty optional when the budget is spent.
+  // Returns a minimal subset of `candidates` that is inconsistent with the background. All
+  // candidates together must be inconsistent with it. Returns nothing when the budget is spent.
   std::optional<std::vector<int>> Explain(std::span<const int> candidates, Background background);
 
  private:

@@ -11,13 +11,13 @@
 
 namespace assay::network {
 
-// The node's label is one of these.
+// The label of `node` is one of `allowed`.
 struct UnaryConstraint {
   NodeId node;
   LabelSet allowed;
 };
 
-// The pair of labels is one of the relation's.
+// The labels of `a` and `b` are a pair of the relation.
 struct BinaryConstraint {
   NodeId a, b;
   std::shared_ptr<const Relation> relation;
@@ -25,20 +25,21 @@ struct BinaryConstraint {
 
 using Constraint = std::variant<UnaryConstraint, BinaryConstraint>;
 
-// Adds the constraint without a check.
+// Adds the constraint to the network without a consistency check.
 void Add(Network& network, const Constraint& constraint);
 
 struct Conflict {
   // kFound: `constraints` is a minimal conflict. kNone: all constraints together are consistent.
-  // kBudget: not known.
+  // kBudget: the budget was spent, and nothing is known.
   Outcome outcome = Outcome::kNone;
-  std::vector<int> constraints;  // indices into the list, in increasing order
+  std::vector<int> constraints;  // indices into the given list, in increasing order
 };
 
-// A minimal conflict among constraints over the nodes of `background`: together with the network
-// they leave no labeling, and would leave one if any of them were left out. The conflict is empty
-// if the background is inconsistent by itself. Of several minimal conflicts, one whose constraints
-// stand early in the list is preferred (QuickXplain: Junker 2004).
+// Finds a minimal conflict among constraints over the nodes of `background`. Together with the
+// network the constraints of the conflict leave no labeling; without any one of them they would
+// leave one. The conflict is empty if the background is inconsistent by itself. Of several minimal
+// conflicts, one with constraints that are early in the list is preferred (QuickXplain: Junker
+// 2004).
 Conflict MinimalConflict(const Network& background, std::span<const Constraint> constraints,
                          Budget& budget);
 

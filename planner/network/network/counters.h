@@ -4,9 +4,9 @@
 
 namespace assay::network {
 
-// Machine-free counts of the work done on a network.
+// Counts of the work done on a network. They do not depend on the machine.
 struct Counters {
-  std::int64_t visited = 0;    // nodes of search trees: labels tried
+  std::int64_t visited = 0;    // nodes of search trees: the number of labels tried
   std::int64_t wipe_outs = 0;  // label sets that became empty
   std::int64_t revisions = 0;  // arcs made consistent in one direction
 

@@ -8,17 +8,17 @@
 
 namespace assay::network {
 
-// A possible value of a node: an index into whatever the caller's table of values is.
+// A possible value of a node: an index into the caller's table of values.
 using Label = int;
 
-// Label sets are stored in words of 64 labels, label l in bit l % 64 of word l / 64. Bits beyond
+// Label sets are stored in words of 64 labels. Label l is bit l % 64 of word l / 64. Bits beyond
 // the last label are zero.
 using Word = std::uint64_t;
 inline constexpr int kWordBits = 64;
 constexpr int WordsFor(int size) { return (size + kWordBits - 1) / kWordBits; }
 constexpr Word BitOf(Label label) { return Word{1} << (label % kWordBits); }
 
-// The most labels that a node can have.
+// The greatest number of labels of a node.
 inline constexpr int kMaxLabels = 1 << 16;
 
 // A subset of the labels 0 .. size() - 1.
@@ -30,20 +30,20 @@ class LabelSet {
   static LabelSet Of(int size, std::initializer_list<Label> labels);
   static LabelSet OfWords(int size, std::span<const Word> words);
 
-  int size() const { return size_; }  // labels that could be members
-  int count() const;                  // labels that are
+  int size() const { return size_; }  // the number of possible members
+  int count() const;                  // the number of members
   bool empty() const;
   bool contains(Label label) const;  // false for labels outside 0 .. size() - 1
-  Label first() const;               // the least member; the set is not empty
+  Label first() const;               // the least member; the set must not be empty
 
   void insert(Label label);
   void erase(Label label);
-  void intersect(const LabelSet& other);  // of the same size
+  void intersect(const LabelSet& other);  // both sets must have the same size
 
   std::span<const Word> words() const { return words_; }
   bool operator==(const LabelSet&) const = default;
 
-  // The members in increasing order.
+  // Iterates over the members in increasing order.
   class Iterator {
    public:
     using iterator_category = std::input_iterator_tag;
@@ -65,7 +65,7 @@ class LabelSet {
 
     std::span<const Word> words_;
     int word_;
-    Word rest_;  // members of the current word that are still to come
+    Word rest_;  // members of the current word that are still to be visited
   };
   Iterator begin() const { return Iterator(words_, 0); }
   Iterator end() const { return Iterator(words_, static_cast<int>(words_.size())); }

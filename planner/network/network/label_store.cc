@@ -32,7 +32,8 @@ void LabelStore::SetWord(int node, int word, Word value) {
   Node& at = nodes_[node];
   if (at.words == 1) return SetOneWord(node, value);
   Word& present = wide_[at.offset + word];
-  // Every change is recorded: undone in reverse, the oldest count comes back last.
+  // Every change is recorded. Undo restores them in reverse, so that the oldest count is restored
+  // last.
   trail_.push_back({.node = node, .word = word, .count = at.count, .value = present});
   at.count -= std::popcount(present ^ value);
   present = value;

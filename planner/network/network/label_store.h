@@ -12,15 +12,15 @@ namespace assay::network {
 
 using NodeId = Id<struct NodeTag>;
 
-// The label sets of all nodes of a network, side by side, with a trail: label sets only shrink, and
-// open again only by undoing to an earlier mark, last change first. A set of one word, as most are,
-// stands beside its count.
+// The label sets of all nodes of a network, with a trail. Label sets only shrink. They grow again
+// only by undoing to an earlier mark, the last change first. A set of one word, the most common
+// kind, is stored beside its count.
 class LabelStore {
  public:
   using Mark = std::size_t;  // a length of the trail
 
   void AddNode(const LabelSet& labels);
-  void RemoveLastNode();  // nothing of it may be left on the trail
+  void RemoveLastNode();  // the trail must not contain changes of this node
 
   int node_count() const { return static_cast<int>(nodes_.size()); }
   int size(int node) const { return nodes_[node].size; }
@@ -28,7 +28,7 @@ class LabelStore {
   bool Contains(int node, Label label) const {
     return (Words(node)[label / kWordBits] & BitOf(label)) != 0;
   }
-  Label First(int node) const;  // the least label; there is one
+  Label First(int node) const;  // the least label; the set must not be empty
   bool IsOneWord(int node) const { return nodes_[node].words == 1; }
   Word OneWord(int node) const { return nodes_[node].word; }
   std::span<const Word> Words(int node) const {
@@ -38,26 +38,27 @@ class LabelStore {
   }
   LabelSet Labels(int node) const { return LabelSet::OfWords(size(node), Words(node)); }
 
-  // Changes to one label set. SetWord replaces its word `word` by a subset of it.
+  // These functions change one label set. SetWord replaces word `word` of the set by a subset of
+  // it.
   void SetOneWord(int node, Word value);
   void SetWord(int node, int word, Word value);
-  void Replace(int node, const LabelSet& labels);  // by a subset
-  void Assign(int node, Label label);              // a member becomes the only one
-  void Remove(int node, Label label);              // a member is taken out
+  void Replace(int node, const LabelSet& labels);  // replaces the set by a subset
+  void Assign(int node, Label label);              // makes a member the only one
+  void Remove(int node, Label label);              // removes a member
 
   Mark Save();
   void Undo(Mark mark);
 
  private:
   struct Node {
-    Word word;  // of a set of one word
-    // The period between two marks in which `word` was last put on the trail: within one period
-    // the first value is the one to come back to, so that later ones need not be recorded.
+    Word word;  // the whole set if it has one word
+    // The period between two marks in which `word` was last put on the trail. Undo returns to the
+    // first value of a period, so later values within the period need not be recorded.
     std::int64_t recorded_in;
     int count;
     int size;
     int words;
-    int offset;  // of several words, in wide_
+    int offset;  // the place in wide_ of a set of several words
   };
   struct Change {
     int node;

@@ -9,7 +9,7 @@ namespace assay::network {
 
 // One label for each node of a network.
 struct Labeling {
-  std::vector<Label> labels;  // by node index
+  std::vector<Label> labels;  // indexed by node index
 
   Label operator[](NodeId node) const { return labels[node.index()]; }
   auto operator<=>(const Labeling&) const = default;

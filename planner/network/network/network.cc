@@ -13,7 +13,8 @@
 namespace assay::network {
 namespace {
 
-// Wipe-outs of a search that is over before the rows of lanes are made.
+// The number of wipe-outs after which a search counts as long. SIMD rows are built only for long
+// searches.
 constexpr std::int64_t kShortSearch = 10;
 
 Budget Unlimited() { return Budget(std::numeric_limits<std::int64_t>::max()); }
@@ -83,7 +84,7 @@ void Network::AddArc(NodeId a, NodeId b, std::shared_ptr<const Relation> relatio
   arcs_.push_back({.a = a, .b = b, .relation = std::move(relation)});
 }
 
-// An arc from a node to itself allows the labels that are paired with themselves.
+// An arc from a node to itself allows the labels that the relation pairs with themselves.
 void Network::NarrowToLoop(NodeId node, const Relation& relation) {
   LabelSet allowed = LabelSet::None(relation.rows());
   for (Label label = 0; label < relation.rows(); ++label) {
@@ -103,8 +104,8 @@ Outcome Network::Decide(Budget& budget) {
   return Outcome::kFound;
 }
 
-// A search starts from label sets that were arc consistent without the constraint in question: when
-// it is taken back they need not be made so again.
+// Before a search, label sets are made arc consistent without the new constraint. If the constraint
+// is then undone, this work need not be repeated.
 template <class Constrain>
 Outcome Network::Try(std::initializer_list<NodeId> ends, const Constrain& constrain,
                      Budget& budget) {
@@ -122,7 +123,7 @@ Outcome Network::Try(std::initializer_list<NodeId> ends, const Constrain& constr
   const Outcome outcome = Search(budget);
   if (outcome == Outcome::kFound) return outcome;
   Undo(before);
-  // Only a labeling that was found replaces the witness, so that the old one is still there.
+  // Only a labeling that was found replaces the witness, so the old witness is still stored.
   witness_holds_ = held;
   return outcome;
 }
@@ -151,8 +152,8 @@ Outcome Network::Search(Budget& budget) {
   return outcome;
 }
 
-// The parts of the network that do not depend on each other are searched one by one, and only
-// those where the last labeling does not hold any more.
+// Searches independent components one by one, and only those in which the last labeling does not
+// hold.
 Outcome Network::FindWitness(Budget& budget) {
   Labeling found = witness_;
   for (int node = 0; node < node_count(); ++node) {
@@ -203,8 +204,8 @@ void Network::LabelFringe(const Fringe& fringe, Labeling& found) const {
   }
 }
 
-// Whether the witness, which does not hold only on account of the last constraint, holds with
-// another label of this node.
+// Returns true if the witness holds with another label of this node, and changes that label. Only
+// the last constraint may be violated.
 bool Network::Mend(NodeId node) {
   const std::span<const Word> words = labels_.Words(node.index());
   for (std::size_t word = 0; word < words.size(); ++word) {
@@ -225,7 +226,8 @@ bool Network::HoldsWithin(std::span<const int> component) const {
     const Label label = witness_.labels[node];
     return label != TreeSearch::kNoLabel && labels_.Contains(node, label);
   });
-  // Arcs that leave the component lead to nodes of one label, and every label left agrees with it.
+  // Arcs that leave the component lead to nodes with one label, and every label of the component is
+  // consistent with it.
   const auto arc_holds = [&](const ArcConsistency::Direction& direction) {
     const Arc& arc = arcs_[direction.arc];
     return labels_.count(direction.revised) == 1 ||

@@ -17,27 +17,29 @@
 
 namespace assay::network {
 
-// An undirected constraint between two nodes: the first takes the relation's rows, the second its
-// columns. The two may be the same node, and two nodes may have several arcs.
+// An undirected constraint between two nodes. Rows of the relation are labels of the first node,
+// columns are labels of the second. Both may be the same node, and two nodes may have several arcs.
 struct Arc {
   NodeId a, b;
   std::shared_ptr<const Relation> relation;
 };
 
-// A binary constraint network that constraints are posted to one by one, each with a complete
-// answer whether a labeling is left (Spar: Hutchinson and Kak 1990, "Constraints at the Geometric
-// Level of Planning"). Differences from the paper: the last labeling is kept, and where it does not
-// hold any more first mended in one node, so that most posts need neither propagation nor search;
-// search maintains arc consistency; label sets are made arc consistent when they are asked for.
+// A binary constraint network for constraint posting. Each posted constraint gets a complete
+// answer: whether a labeling remains (Spar: Hutchinson and Kak 1990, "Constraints at the Geometric
+// Level of Planning").
+//
+// Differences from the paper: The last labeling is kept as a witness. If a new constraint violates
+// it, another label for one node is tried first, so that most posts need neither propagation nor
+// search. The search maintains arc consistency. Label sets are made arc consistent on demand.
 class Network {
  public:
   // ---- Constraints with a consistency check -----------------------------------------------
-  // kFound: a labeling is left, the constraint holds from now on. kNone: proved that none would be
-  // left. kBudget: not decided. After kNone and kBudget label sets, arcs and the witness are as
-  // before. Searches take one unit of the budget for each node of the search tree; without a
-  // budget they go on to an answer.
+  // kFound: a labeling remains, and the constraint holds from then on. kNone: it is proved that no
+  // labeling would remain. kBudget: not decided. After kNone and kBudget label sets, arcs and the
+  // witness are unchanged. A search takes one unit of the budget for each node of the search tree.
+  // Without a budget it continues until the answer is known.
 
-  // The paper's member(Variable, Labels), for a variable that is a node already.
+  // The paper's member(Variable, Labels), for a variable that is already a node.
   Outcome Restrict(NodeId node, const LabelSet& allowed);
   Outcome Restrict(NodeId node, const LabelSet& allowed, Budget& budget);
 
@@ -45,13 +47,13 @@ class Network {
   Outcome Post(NodeId a, NodeId b, std::shared_ptr<const Relation> relation, Budget& budget);
 
   // ---- Constraints without a check --------------------------------------------------------
-  // The variable's initial constraint: nothing else can be violated yet.
+  // AddNode states the variable's initial constraint. It cannot violate any other constraint.
   NodeId AddNode(const LabelSet& labels);
   void Narrow(NodeId node, const LabelSet& allowed);
   void AddArc(NodeId a, NodeId b, std::shared_ptr<const Relation> relation);
 
-  // Whether the network has a labeling. Afterwards, unless the answer is kNone, the label sets are
-  // arc consistent and, at kFound, the witness is known; at kNone the label sets are as before.
+  // Decides whether the network has a labeling. After kFound the witness is known. After kFound and
+  // kBudget the label sets are arc consistent; after kNone they are unchanged.
   Outcome Decide();
   Outcome Decide(Budget& budget);
 
@@ -62,16 +64,17 @@ class Network {
     bool propagated, owed;
   };
   Mark Save();
-  // Takes back everything since the mark, which was set on this network and not undone before.
+  // Undoes everything since the mark. The mark must have been set on this network and not undone
+  // before.
   void Undo(const Mark& mark);
 
   // ---- What is known ----------------------------------------------------------------------
   int node_count() const { return labels_.node_count(); }
-  // The labels still possible, by the constraints so far and by arc consistency as of the last
-  // check.
+  // Returns the labels that are still possible by the constraints so far and by arc consistency as
+  // of the last check.
   LabelSet labels(NodeId node) const;
   std::span<const Arc> arcs() const { return arcs_; }
-  // A labeling of the present network; null if none is known.
+  // Returns a labeling of the present network, or null if none is known.
   const Labeling* witness() const { return witness_holds_ ? &witness_ : nullptr; }
   bool Satisfies(const Labeling& labeling) const;
   const Counters& counters() const { return counters_; }
@@ -79,7 +82,7 @@ class Network {
   // Forgets what earlier searches have learned for the variable order.
   void ForgetWeights() { consistency_.ForgetWeights(); }
 
-  // For the searches of this library.
+  // label_store and arc_consistency are for the searches of this library.
   const LabelStore& label_store() const { return labels_; }
   const ArcConsistency& arc_consistency() const { return consistency_; }
 
@@ -98,18 +101,18 @@ class Network {
   bool Mend(NodeId node);
   void NarrowToLoop(NodeId node, const Relation& relation);
 
-  // Mutable, because arc consistency says nothing new: what is owed is made up for when somebody
-  // asks for it.
+  // These are mutable because arc consistency only makes known facts explicit. Propagation that is
+  // owed is done when a caller asks for its result.
   mutable LabelStore labels_;
   mutable ArcConsistency consistency_;
   mutable Counters counters_;
   std::vector<Arc> arcs_;
-  // What is not propagated is in the queue of consistency_. It is owed once a check has found that
-  // there is a labeling.
+  // Changes that are not propagated are in the queue of consistency_. Their propagation is owed
+  // once a check has found a labeling.
   mutable bool propagated_ = true;
   bool owed_ = false;
 
-  // The last labeling found. When it does not hold any more it is still the best guess.
+  // The last labeling found. If it does not hold, it is still the best guess.
   Labeling witness_;
   bool witness_holds_ = true;
 };

@@ -16,7 +16,7 @@ bool IsNumber(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
 }
 
-// Places of names in a list, to find them by name. Names may be given once only.
+// A list of names that finds the place of a name. No name may be given twice.
 class NameIndex {
  public:
   void Add(const Value& value) {
@@ -40,7 +40,7 @@ class NameIndex {
   bool numbers_only_ = true;
 };
 
-// The labels of one node, as the file gives them.
+// The labels of one node as the file gives them.
 struct LabelNames {
   enum class Kind { kListed, kCounted } kind = Kind::kListed;
   NameIndex listed;
@@ -68,14 +68,14 @@ std::vector<std::string> NamesOf(const LabelNames& labels) {
   return names;
 }
 
-// Empty for a number that the node's list of numbers leaves out.
+// Returns nothing for a number that is missing from the node's list of numbers.
 std::optional<Label> ReadLabel(const Value& value, const LabelNames& labels) {
   if (labels.kind == LabelNames::Kind::kCounted) return value.Integer(0, labels.count - 1);
   const std::string name = value.Text();
   const int label = labels.listed.Find(name);
   if (label >= 0) return label;
   if (labels.listed.numbers_only() && IsNumber(name)) return std::nullopt;
-  return value.OneOf(labels.listed.names());  // fails, and suggests the nearest
+  return value.OneOf(labels.listed.names());  // reports an error and suggests the nearest name
 }
 
 std::pair<Value, Value> ReadTwo(const Value& value, std::string_view what) {

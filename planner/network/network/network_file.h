@@ -17,18 +17,18 @@ namespace assay::network {
 // A network whose nodes and labels have names.
 struct NamedNetwork {
   Network network;                               // not yet checked for consistency
-  std::vector<std::string> nodes;                // by node index
-  std::vector<std::vector<std::string>> labels;  // by node index, then by label
+  std::vector<std::string> nodes;                // indexed by node index
+  std::vector<std::vector<std::string>> labels;  // indexed by node index, then by label
 };
 
-// Reads a network, in JSON or YAML:
+// Reads a network in JSON or YAML, for example:
 //   {"nodes": {"v": ["a", "b"], "w": 3},
 //    "arcs": [{"between": ["v", "w"], "pairs": [["a", 0], ["b", 2]]}]}
 // A node has a list of labels, or a count n for the labels 0 .. n - 1. An arc has the allowed
-// `pairs` or the `forbidden` ones, first node first. A pair may name a label that its node does not
-// have if all labels of the node are numbers and this is one, too: the list is then a choice among
-// more labels, and the pair says nothing. Throws InputError with the place of anything else that
-// is wrong: an unknown node or label, a name or label given twice, more labels than kMaxLabels.
+// `pairs` or the `forbidden` ones; each pair names the label of the first node first. If all labels
+// of a node are numbers, a pair may name another number, too: the list of labels is then a
+// selection, and the pair has no effect. Throws InputError, with its place, for any other error: an
+// unknown node or label, a name or label given twice, more labels than kMaxLabels.
 NamedNetwork ReadNetwork(const Document& document);
 NamedNetwork LoadNetwork(const std::filesystem::path& file);
 
@@ -39,8 +39,8 @@ using NamedLabeling = std::vector<std::pair<std::string, std::string>>;  // node
 // The answer of `assay label`.
 struct LabelReport {
   Outcome outcome = Outcome::kNone;
-  std::vector<NamedLabeling> labelings;  // at most one for kFirst; none for kCount
-  std::optional<std::uint64_t> count;    // for kAll and kCount; kManyLabelings: as many or more
+  std::vector<NamedLabeling> labelings;  // at most one for kFirst; empty for kCount
+  std::optional<std::uint64_t> count;    // only for kAll and kCount; may be kManyLabelings
   Counters counters;
 };
 

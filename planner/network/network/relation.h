@@ -10,10 +10,10 @@
 
 namespace assay::network {
 
-using LabelPair = std::pair<Label, Label>;  // of a row and a column
+using LabelPair = std::pair<Label, Label>;  // row and column
 
-// The pairs of labels that an arc allows between its first node (rows) and its second (columns).
-// Immutable, so that arcs, networks and their copies share one.
+// The pairs of labels that an arc allows between its first node (rows) and its second node
+// (columns). A relation is immutable, so that arcs, networks and their copies can share it.
 class Relation {
  public:
   using Predicate = std::function<bool(Label row, Label column)>;
@@ -31,9 +31,9 @@ class Relation {
 
   // One direction of the relation: for each label of one end, its supports at the other end.
   struct Direction {
-    int count = 0;               // labels of this end
-    int words = 0;               // of the other end's label sets
-    int most_unsupporting = 0;   // the most labels of the other end that one label here forbids
+    int count = 0;               // the number of labels of this end
+    int words = 0;               // words in a label set of the other end
+    int most_unsupporting = 0;   // most labels at the other end that one label forbids
     std::vector<Word> supports;  // count x words
 
     std::span<const Word> Of(Label label) const {

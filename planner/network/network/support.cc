@@ -18,7 +18,7 @@ ASSAY_TARGET("default") Word Supported(const Word* supports, Word labels, Word o
 }
 
 #ifdef ASSAY_HAS_TARGETS
-// Eight labels at once.
+// Tests eight labels at once.
 ASSAY_TARGET("avx512f,bmi2") Word Supported(const Word* supports, Word labels, Word others) {
   const __m512i wanted = _mm512_set1_epi64(static_cast<long long>(others));
   const auto of_eight = [&](int first) __attribute__((target("avx512f,bmi2"))) {

@@ -2,7 +2,7 @@
 
 #include "planner/network/network/label_set.h"
 
-// Where the compiler knows several targets, the loader chooses the best that the processor has.
+// If the compiler supports several targets, the loader chooses the best one for the processor.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define ASSAY_TARGET(name) __attribute__((target(name)))
 #define ASSAY_HAS_TARGETS
@@ -12,8 +12,8 @@
 
 namespace assay::network {
 
-// The labels of `labels` that have a support in `others`, where both sets are one word. `supports`
-// has a word for each label.
+// Returns the labels of `labels` that have a support in `others`. Both sets are one word.
+// `supports` has one word for each label.
 ASSAY_TARGET("default") Word Supported(const Word* supports, Word labels, Word others);
 #ifdef ASSAY_HAS_TARGETS
 ASSAY_TARGET("avx512f,bmi2") Word Supported(const Word* supports, Word labels, Word others);

@@ -6,7 +6,8 @@
 namespace assay::network {
 namespace {
 
-// Takes `start` and all open nodes that are reached from it and not yet taken.
+// Returns `start` and all open nodes that are reachable from it and not taken yet. Marks them as
+// taken.
 std::vector<int> TakeComponent(int start, const LabelStore& labels, const ArcConsistency& arcs,
                                std::vector<char>& taken) {
   std::vector<int> component = {start};

@@ -8,10 +8,10 @@
 
 namespace assay::network {
 
-// The connected components of the open nodes (those with more than one label) among `nodes`, by
-// arcs between open nodes: in arc consistent label sets the components do not depend on each
-// other. All open nodes that an arc joins to one of `nodes` are among them, too. Components come
-// in the order of their first nodes.
+// Returns the connected components of the open nodes (those with more than one label) among
+// `nodes`. Only arcs between open nodes count. If the label sets are arc consistent, the components
+// are independent of each other. `nodes` must contain all open nodes that an arc joins to one of
+// `nodes`. Components are in the order of their first nodes.
 std::vector<std::vector<int>> OpenComponents(std::span<const int> nodes, const LabelStore& labels,
                                              const ArcConsistency& arcs);
 

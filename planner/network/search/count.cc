@@ -11,7 +11,7 @@
 namespace assay::network {
 namespace {
 
-// Counts stop at kManyLabelings.
+// Sum and Product saturate at kManyLabelings.
 std::uint64_t Sum(std::uint64_t a, std::uint64_t b) {
   return a > kManyLabelings - b ? kManyLabelings : a + b;
 }
@@ -23,8 +23,8 @@ std::uint64_t Product(std::uint64_t a, std::uint64_t b) {
 // A node of a tree.
 struct Hung {
   int node = 0;
-  int above = -1;                                     // what it hangs from, as place in a list
-  const ArcConsistency::Direction* by_arc = nullptr;  // from there to here
+  int above = -1;                                     // place of the parent in a list
+  const ArcConsistency::Direction* by_arc = nullptr;  // direction from the parent to this node
 };
 
 class LabelingCounter {
@@ -37,7 +37,7 @@ class LabelingCounter {
     arcs_.ForgetWeights();
   }
 
-  // Empty when the budget is spent.
+  // Returns nothing when the budget is spent.
   std::optional<std::uint64_t> CountAll();
   const Counters& counters() const { return counters_; }
 
@@ -49,8 +49,8 @@ class LabelingCounter {
   bool IsTree(const std::vector<int>& component) const;
   std::uint64_t CountTree(int root) const;
   std::vector<Hung> HungFrom(int root) const;
-  // For each label of the node above, the labelings of what hangs there; `below`: for each label of
-  // the node itself.
+  // Returns, for each label of the parent node `above`, the number of labelings of the subtree at
+  // `hung`. `below` has these numbers for each label of the subtree's root.
   std::vector<std::uint64_t> CountsAbove(const Hung& hung, int above,
                                          const std::vector<std::uint64_t>& below) const;
 
@@ -75,8 +75,8 @@ std::optional<std::uint64_t> LabelingCounter::CountAll() {
   return CountComponents(components);
 }
 
-// Where there is none, the search for one labeling shows it several times sooner than counting
-// does, which looks for what falls apart at every node.
+// If there is no labeling, a search for one shows it several times sooner than counting does,
+// because counting looks for components at every node.
 Outcome LabelingCounter::FindOne() {
   if (network_.witness() != nullptr) return Outcome::kFound;
   const FirstLabeling first = First(network_, {}, budget_);
@@ -118,7 +118,7 @@ std::optional<std::uint64_t> LabelingCounter::CountByBranching(const std::vector
   return sum;
 }
 
-// Connected, with one arc less than nodes.
+// A connected component is a tree if it has one arc less than nodes.
 bool LabelingCounter::IsTree(const std::vector<int>& component) const {
   std::size_t ends = 0;
   for (int node : component) {
@@ -129,7 +129,7 @@ bool LabelingCounter::IsTree(const std::vector<int>& component) const {
   return ends == 2 * (component.size() - 1);
 }
 
-// From the leaves up; no recursion, for long paths.
+// Counts from the leaves up. It uses no recursion, because paths may be long.
 std::uint64_t LabelingCounter::CountTree(int root) const {
   const std::vector<Hung> tree = HungFrom(root);
   std::vector<std::vector<std::uint64_t>> counts;
@@ -147,7 +147,7 @@ std::uint64_t LabelingCounter::CountTree(int root) const {
   return sum;
 }
 
-// Every node after what it hangs from.
+// Returns the nodes of the tree, parents before children.
 std::vector<Hung> LabelingCounter::HungFrom(int root) const {
   std::vector<Hung> tree = {{.node = root}};
   for (std::size_t i = 0; i < tree.size(); ++i) {

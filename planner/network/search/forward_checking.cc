@@ -44,7 +44,7 @@ void ForwardChecking::OpenDecision() {
       {.node = node, .before = labels_[node], .untried = labels_[node], .trail = trail_.size()});
 }
 
-// Goes back to the decision before, if there is one.
+// Returns to the previous decision. Returns false if there is none.
 bool ForwardChecking::CloseDecision() {
   const Decision& last = decisions_.back();
   labels_[last.node] = last.before;
@@ -67,7 +67,8 @@ bool ForwardChecking::TryNextLabel() {
   return false;
 }
 
-// Nodes that have been decided lose nothing: what they do not support was taken from this node.
+// Decided nodes lose no label, because the labels that they do not support were already removed
+// from this node.
 bool ForwardChecking::TakeUnsupported(int node, Label label) {
   for (const ArcConsistency::Direction& direction : arcs_.at(node)) {
     ++counters_.revisions;

@@ -14,29 +14,30 @@
 
 namespace assay::network {
 
-// Depth-first search that takes from a node's neighbours what the label chosen for it does not
-// support, and propagates nothing further (Haralick and Elliott 1980). Nodes with the fewest labels
-// come first, of those the last one changed. Where labelings are many it goes straight to one, and
-// needs no more than a look at each arc.
+// Depth-first search that removes from the neighbours of a node the labels that the chosen label
+// does not support, and propagates no further (Haralick and Elliott 1980). It branches on nodes
+// with the fewest labels first, and among those on the node that changed last. If there are many
+// labelings, it leads straight to one and examines each arc about once.
 class ForwardChecking {
  public:
-  // Whether every label set has one word, and a label in it.
+  // Returns true if every label set fits in one word and is not empty.
   static bool Fits(const LabelStore& labels);
 
-  // Of a network that fits.
+  // The label sets must satisfy Fits.
   ForwardChecking(const LabelStore& labels, const ArcConsistency& arcs, Counters& counters);
 
-  // Any labeling. Empty when the limit of wipe-outs is exceeded. Once for an object.
+  // Searches for any labeling. Returns nothing when the limit of wipe-outs is exceeded. Call it
+  // only once for an object.
   std::optional<Outcome> Any(std::int64_t wipe_out_limit, Budget& budget);
 
-  Labeling labeling() const;  // at kFound
+  Labeling labeling() const;  // available only after kFound
 
  private:
   struct Decision {
     int node;
-    Word before;        // its labels
-    Word untried;       // of them
-    std::size_t trail;  // the length of trail_ before
+    Word before;        // its labels before the decision
+    Word untried;       // those that have not been tried
+    std::size_t trail;  // the length of trail_ before the decision
   };
   struct Change {
     int node;
@@ -52,7 +53,7 @@ class ForwardChecking {
 
   const ArcConsistency& arcs_;
   Counters& counters_;
-  std::vector<Word> labels_;  // by node
+  std::vector<Word> labels_;  // indexed by node
   NodesByCount open_;
   std::vector<Decision> decisions_;
   std::vector<Change> trail_;

@@ -5,7 +5,7 @@
 namespace assay::network {
 namespace {
 
-// Takes away nodes of one open arc, again and again.
+// Removes nodes with one open arc repeatedly.
 class Peeling {
  public:
   Peeling(std::span<const int> component, const LabelStore& labels, const ArcConsistency& arcs)
@@ -50,7 +50,7 @@ class Peeling {
 
   const LabelStore& labels_;
   const ArcConsistency& arcs_;
-  std::vector<int> degrees_;  // by node: open arcs to what is not taken
+  std::vector<int> degrees_;  // indexed by node: open arcs to nodes that are not removed
   std::vector<int> peeled_;
   Fringe fringe_;
 };

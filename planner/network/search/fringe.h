@@ -8,22 +8,23 @@
 
 namespace assay::network {
 
-// A node of a tree that hangs from the rest of its component by the arc to its parent.
+// A node of a pendant tree. An arc to its parent joins it to the rest of its component.
 struct HangingNode {
-  static constexpr int kNoParent = -1;  // the root, if the whole component is a tree
+  static constexpr int kNoParent = -1;  // the parent of the root, if the whole component is a tree
 
   int node;
   int parent;
-  const Word* supported;  // by each label of the parent
+  const Word* supported;  // the labels here that each label of the parent supports
 };
 
 struct Fringe {
-  std::vector<int> core;             // what is left without the trees, in the component's order
+  std::vector<int> core;  // the component without its pendant trees, in the component's order
   std::vector<HangingNode> hanging;  // children before parents
 };
 
-// The trees that hang from a component's cycles. In arc consistent label sets they need no search:
-// whatever label the parent takes, its children have one (Freuder 1982).
+// Returns the pendant trees of a component, which hang from its cycles. If the label sets are arc
+// consistent, pendant trees need no search: for any label of the parent its children have a label
+// (Freuder 1982).
 Fringe FringeOf(std::span<const int> component, const LabelStore& labels,
                 const ArcConsistency& arcs);
 

@@ -10,34 +10,35 @@ namespace assay::network {
 
 // How a search chooses the node to branch on.
 enum class NodeOrder {
-  // The heaviest open node. Changes as the search learns. (Going back to the node whose last choice
-  // failed, as last-conflict reasoning does, made the search trees of the proofs tried larger.)
+  // The open node with the fewest labels per weight. It changes as the search learns.
+  // (Last-conflict reasoning, which returns to the node whose last choice failed, was tried. It
+  // made the search trees of proofs larger.)
   kConflictWeighted,
-  // The first open node.
+  // The first open node in the given order.
   kGiven,
 };
 
-// The open nodes of a search, which are those with more than one label, and the weights of their
-// arcs to each other (dom/wdeg: Boussemart, Hemery, Lecoutre and Sais 2004). Nodes are closed as
-// they are found to have one label, and opened again in reverse, so that weights are kept up to
-// date without being summed anew.
+// The open nodes of a search, which are those with more than one label, and the weights of the arcs
+// between them (dom/wdeg: Boussemart, Hemery, Lecoutre and Sais 2004). A node is closed when it is
+// found to have one label. Nodes are reopened in reverse order, so that weights are updated without
+// being summed anew.
 class OpenNodes {
  public:
-  // All other nodes are closed. The label sets and the weights of the arcs change by this search
-  // alone.
+  // Nodes outside `scope` count as closed. Only this search may change the label sets and the
+  // weights of the arcs.
   OpenNodes(std::vector<int> scope, const LabelStore& labels, const ArcConsistency& arcs);
 
-  // Closes what has one label by now.
+  // Closes the nodes that have one label.
   void Update();
   int count() const { return count_; }
-  void Reopen(int count);  // as it was when count() was this
+  void Reopen(int count);  // restores the state in which count() had this value
 
-  // To be told of each wipe-out, whose arc becomes heavier by one.
+  // Increases the weight of the wipe-out's arc by one. Call it for each wipe-out.
   void Blame(const ArcConsistency::WipeOut& wipe_out);
 
-  // Both are -1 if no node is open.
-  int First() const;     // in the order of the scope
-  int Heaviest() const;  // the fewest labels per weight
+  // First and Heaviest return -1 if no node is open.
+  int First() const;     // the first open node of the scope
+  int Heaviest() const;  // the node with the fewest labels per weight
 
  private:
   bool IsOpen(int node) const { return places_[node] < count_; }
@@ -46,10 +47,11 @@ class OpenNodes {
   const LabelStore& labels_;
   const ArcConsistency& arcs_;
   std::vector<int> scope_;
-  std::vector<int> nodes_;             // the scope; the open ones first
-  int count_ = 0;                      // of them
-  std::vector<int> places_;            // by node: in nodes_
-  std::vector<std::int64_t> weights_;  // by node: of the arcs to open nodes
+  std::vector<int> nodes_;   // the nodes of the scope, open nodes first
+  int count_ = 0;            // the number of open nodes
+  std::vector<int> places_;  // indexed by node: its place in nodes_
+  // Indexed by node: the total weight of its arcs to open nodes.
+  std::vector<std::int64_t> weights_;
 };
 
 }  // namespace assay::network

@@ -7,8 +7,8 @@
 
 namespace assay::network {
 
-// Nodes in lists by how many labels they have, so that one of the fewest is found, and a node moves
-// from list to list, in constant time. Counts are from 1 to kWordBits.
+// Nodes in lists by their number of labels, from 1 to kWordBits. Finding a node with the fewest
+// labels and moving a node between lists take constant time.
 class NodesByCount {
  public:
   explicit NodesByCount(int node_count) : links_(node_count) {
@@ -16,7 +16,7 @@ class NodesByCount {
   }
 
   bool empty() const { return counts_ == 0; }
-  // Of the nodes with the fewest labels, the last one added. There is a node.
+  // Returns, of the nodes with the fewest labels, the one added last. There must be a node.
   int First() const { return first_[std::countr_zero(counts_)]; }
 
   void Add(int node, int count) {
@@ -44,9 +44,9 @@ class NodesByCount {
     int count, previous, next;
   };
 
-  std::vector<Links> links_;  // by node
-  int first_[kWordBits];      // by count - 1
-  Word counts_ = 0;           // of the lists that are not empty, less one
+  std::vector<Links> links_;  // indexed by node
+  int first_[kWordBits];      // indexed by count - 1
+  Word counts_ = 0;           // bit i is set if the list of count i + 1 is not empty
 };
 
 }  // namespace assay::network

@@ -11,7 +11,7 @@
 namespace assay::network {
 namespace {
 
-// The nodes of `order`, then all others by number.
+// Returns the nodes of `order`, followed by all others by number.
 std::vector<int> Scope(int node_count, const std::vector<NodeId>& order) {
   std::vector<int> scope;
   std::vector<char> taken(node_count, 0);
@@ -31,8 +31,9 @@ ArcConsistency WithoutWeights(ArcConsistency consistency) {
   return consistency;
 }
 
-// Networks of many labelings are labeled before arc consistency would be reached. False if it was
-// not decided with a wipe-out for every other node.
+// If a network has many labelings, forward checking finds one before arc consistency would be
+// reached. Returns false if the question is still open after half as many wipe-outs as there are
+// nodes.
 bool DecideByForwardChecking(const Network& network, Budget& budget, FirstLabeling& first) {
   if (!ForwardChecking::Fits(network.label_store())) return false;
   ForwardChecking search(network.label_store(), network.arc_consistency(), first.counters);
@@ -111,8 +112,8 @@ FirstLabeling First(const Network& network, const SearchOptions& options, Budget
   return first;
 }
 
-// An inconsistent part that comes late in the order would be found inconsistent again and again:
-// the network is decided first.
+// The network is decided first. Otherwise an inconsistent part that is late in the order would be
+// found inconsistent again and again.
 AllLabelings All(const Network& network, const SearchOptions& options, Budget& budget) {
   AllLabelings all;
   const FirstLabeling first = First(network, {}, budget);

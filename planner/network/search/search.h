@@ -12,14 +12,15 @@
 namespace assay::network {
 
 struct SearchOptions {
-  // Nodes to branch on first, in this order, before the others by number. Labelings then come in
-  // lexicographic order of their labels in this order, so that those which differ only in the
-  // last nodes follow each other. Empty: an order that learns from failures.
+  // The nodes to branch on first, in this order; the others follow by number. Labelings then come
+  // in lexicographic order of their labels in this order of nodes, so that labelings which differ
+  // only in the last nodes follow each other. If empty, the order learns from failures.
   std::vector<NodeId> order;
 };
 
-// The labelings of a network, one after another: each exactly once, in an order that depends on
-// the network and the options alone. Keeps a copy of the network: the original may change or go.
+// Enumerates the labelings of a network, each exactly once. The order depends only on the network
+// and the options. The object keeps a copy of the network, so the original may change or be
+// destroyed.
 class Labelings {
  public:
   explicit Labelings(const Network& network, const SearchOptions& options = {});
@@ -28,7 +29,7 @@ class Labelings {
   Labelings& operator=(Labelings&&) noexcept;
 
   // kFound: labeling() is the next one. kNone: there are no more. kBudget: not known yet; a call
-  // with another budget goes on. Takes one unit of the budget for each node of the search tree.
+  // with another budget continues. Takes one unit of the budget for each node of the search tree.
   Outcome Next(Budget& budget);
   Outcome Next();
 
@@ -42,11 +43,12 @@ class Labelings {
 
 struct FirstLabeling {
   Outcome outcome = Outcome::kNone;
-  Labeling labeling;  // at kFound
+  Labeling labeling;  // only for kFound
   Counters counters;
 };
 
-// Some labeling of the network, or the lexicographically first if the options give an order.
+// Returns any labeling of the network, or the lexicographically first one if the options give an
+// order.
 FirstLabeling First(const Network& network, const SearchOptions& options, Budget& budget);
 
 struct AllLabelings {

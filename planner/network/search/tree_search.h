@@ -13,35 +13,35 @@
 
 namespace assay::network {
 
-// Depth-first search with arc consistency maintained (Sabin and Freuder 1994) and two branches at
-// each node: a label is chosen, then excluded. It works on label sets that are arc consistent and
-// leaves them to the caller, who undoes to a mark set before.
+// Depth-first search that maintains arc consistency (Sabin and Freuder 1994). It has two branches
+// at each node: a label is chosen, then excluded. The label sets must be arc consistent at the
+// start. The search does not restore them; the caller undoes to a mark that was set before.
 class TreeSearch {
  public:
-  // Searches the nodes of `scope` only; all that an arc joins to one of them is in the scope, too,
-  // or has one label.
+  // Searches only the nodes of `scope`. A node that an arc joins to the scope must be in the scope
+  // or have one label.
   TreeSearch(LabelStore& labels, ArcConsistency& arcs, Counters& counters, std::vector<int> scope,
              NodeOrder order);
 
-  // For each node of the network the label to try first, or kNoLabel. As the search goes on, the
-  // last label that did not fail at once takes its place (not with NodeOrder::kGiven, which takes
-  // labels in order).
+  // Sets, for each node of the network, the label to try first, or kNoLabel. During the search it
+  // is replaced by the last label that did not fail at once. NodeOrder::kGiven does not replace it
+  // and tries labels in order.
   static constexpr Label kNoLabel = -1;
   void Prefer(const std::vector<Label>& preferred) { preferred_ = preferred; }
 
-  // Goes on to the next labeling of the scope. At kFound each node of the scope has one label, at
-  // kNone there are no more labelings, at kBudget the search can go on with another budget. With
+  // Continues to the next labeling of the scope. At kFound each node of the scope has one label. At
+  // kNone there are no more labelings. At kBudget the search can continue with another budget. With
   // NodeOrder::kGiven labelings come in lexicographic order.
   Outcome Next(Budget& budget);
 
-  // Any labeling of the scope. Starts anew, with the weights learned, when a growing limit of
-  // wipe-outs is reached (Walsh 1999).
+  // Searches for any labeling of the scope. It restarts with the learned weights when a limit of
+  // wipe-outs is reached, and the limit grows (Walsh 1999).
   Outcome Any(Budget& budget);
   static constexpr std::int64_t kFirstWipeOutLimit = 200;
   static constexpr double kWipeOutLimitGrowth = 2;
 
-  // Any labeling of the scope. Empty when the limit of wipe-outs is reached: label sets are then as
-  // at first, but for labels that were refuted.
+  // Searches for any labeling of the scope. Returns nothing when the limit of wipe-outs is reached.
+  // The label sets are then as at the start, except for labels that were refuted.
   std::optional<Outcome> AnyWithin(std::int64_t wipe_out_limit, Budget& budget);
 
  private:
@@ -49,11 +49,11 @@ class TreeSearch {
     LabelStore::Mark mark;
     int node;
     Label label;
-    int open;  // the length of open_ before
+    int open;  // the length of open_ before the decision
   };
 
   static constexpr std::int64_t kUnlimited = -1;
-  // Empty when the limit of wipe-outs is reached.
+  // Returns nothing when the limit of wipe-outs is reached.
   std::optional<Outcome> Advance(Budget& budget, std::int64_t wipe_out_limit);
   bool Descend(int node);
   bool Backtrack();
