@@ -16,8 +16,9 @@
 namespace assay::uncertainty {
 namespace {
 
-constexpr std::size_t kMostNodes = 60;  // of expressions that are kept as they are
-constexpr double kNegligible = 0.02;    // of what all variables of an expression do together
+// the greatest size of expressions that are kept as they are
+constexpr std::size_t kMostNodes = 60;
+constexpr double kNegligible = 0.02;  // share of what all variables of an expression move it by
 
 std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>& expressions) {
   std::set<algebra::VariableId> occurring;
@@ -30,7 +31,7 @@ std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>
 
 }  // namespace
 
-// "peg-1" becomes "peg_1": names of variables have no hyphens.
+// Names of variables have no hyphens: "peg-1" becomes "peg_1".
 std::string UncertainWorld::SymbolName(PartId part) const {
   std::string name = problem_->part(part).name;
   std::ranges::replace(name, '-', '_');
