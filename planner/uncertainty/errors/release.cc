@@ -59,7 +59,7 @@ bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
 // Returns the turn, in radians, of a part that is dragged by `way` at any of its points. It turns
 // like a part that a pad pushes (squeezing.h).
 double TurnOfDrag(const domain::Part& part, const Pose& X_WorldPart, double way) {
-  constexpr double kTurn = 0.55;  // per radius of gyration
+  constexpr double kTurn = 0.55;  // of the way over the radius of gyration
   const geometry::MassProperties& mass = part.model->mass();
   const Vector3 up = X_WorldPart.linear().transpose() * Vector3::UnitZ();
   return std::min(std::numbers::pi, kTurn * way / std::sqrt(up.dot(mass.inertia * up) / mass.mass));

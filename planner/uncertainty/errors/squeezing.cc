@@ -15,7 +15,7 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
-constexpr double kTurnOfPush = 0.55;  // per radius of gyration
+constexpr double kTurnOfPush = 0.55;  // of the push over the radius of gyration
 
 HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
   Pose R_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
@@ -67,7 +67,7 @@ class Closing {
   }
 
   bool jams() const { return jams_; }
-  double turn() const { return turn_; }  // between faces and pads, when these touch
+  double turn() const { return turn_; }  // between faces and pads, when they touch
 
   // Returns how much of the part's total turn is about an axis, in radians. In a tool that leans,
   // flat faces follow the hand's own rotation out of the vertical. Rotations about two axes
@@ -109,7 +109,7 @@ class Closing {
   double TurnOfPush(const geometry::MassProperties& mass, const Pose& X_WorldPart,
                     const plan::Hold& hold, double turned, double push) const {
     const Vector3 center = hold.X_PartTool.inverse() * mass.center;
-    const Vector3 level = up_.cross(Vector3::UnitY());  // along the pads
+    const Vector3 level = up_.cross(Vector3::UnitY());  // horizontal, along the pads
     const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());
     const double lever = std::abs(level.dot(center)) + std::hypot(off_x_, off_z_) +
                          center.norm() * std::sin(AtMostRight(turned));

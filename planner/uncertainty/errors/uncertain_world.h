@@ -75,7 +75,7 @@ class UncertainWorld {
   // errors unless `with_heights` is set.
   void TellWherePartsRest(bool with_heights);
 
-  const algebra::ConstraintSet& constraints() const {  // the box of all variables
+  const algebra::ConstraintSet& constraints() const {  // box of all variables
     return variables_->declared;
   }
   // Return guaranteed ranges of the expression, which contain all its values: by plain interval

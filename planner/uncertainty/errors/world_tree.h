@@ -54,7 +54,7 @@ class WorldTree {
 
   algebra::BoundRequest request_;
   std::function<void(UncertainWorld&)> learn_;
-  std::deque<Moment> moments_;  // the beginning first
+  std::deque<Moment> moments_;  // starts with the beginning of the problem
 };
 
 }  // namespace assay::uncertainty

@@ -90,7 +90,7 @@ class StepCertifier {
     RestingError error =
         Release(world_, squeeze.part, squeeze.hold, PossibleGrasp(held, draw, world_.propagation()),
                 draw, world_.X_WorldPart(squeeze.part));
-    error.displacement[2] = height;  // it stays on the table
+    error.displacement[2] = height;  // the part stays on the table
     world_.SetResting(squeeze.part, world_.X_WorldPart(squeeze.part), error, shift);
     After(squeeze.part);
   }

@@ -9,7 +9,7 @@ namespace assay::uncertainty {
 struct Unproved {
   plan::CertifiedPrecondition claim;
   Expression expression;  // the claim's expression, in the variables of the world it was decided in
-  PartId neighbour = PartId::None();  // Precondition::neighbour
+  PartId neighbour = PartId::None();  // see Precondition::neighbour
 };
 
 struct CertifiedStep {
@@ -58,7 +58,6 @@ Unproved AsCertified(Unproved unproved, const UncertainWorld& world,
 void Propagate(UncertainWorld& world, const plan::Action& action,
                const plan::Strategy* strategy = nullptr);
 
-// What is known of a part: while held, in the frame of the commanded hand.
 // Returns the known errors of a part. The version with X_ToolGrasp is for a held part, and its
 // errors are in the frame of the commanded hand.
 plan::ErrorSet ErrorSetOf(const UncertainWorld& world, PartId part, const Transform& X_ToolGrasp);

@@ -13,8 +13,8 @@ namespace assay::uncertainty {
 // possible pose, and the greatest angle by which it may be turned.
 struct PossibleFrame {
   Pose planned;
-  Transform possible;  // radians, about any axis
-  double angle = 0;    // about any axis, radians
+  Transform possible;
+  double angle = 0;  // about any axis, radians
 };
 // Returns the greatest displacement, along each axis and in metres, of the origin of one frame
 // against that of the other.
@@ -41,7 +41,7 @@ StraightWay WayOf(const UncertainWorld& world, const Vector3& planned, const Exp
 // The convex hull of a box that moves with a frame, and of the same box at the other end of a way.
 class Body {
  public:
-  // `frame` must outlive it.
+  // `frame` must outlive the body.
   Body(const PossibleFrame& frame, const geometry::Box& box, const StraightWay& way = {});
 
   // A corner of the box, at one end of the way.
@@ -67,13 +67,13 @@ class Body {
   geometry::Box box_;
   StraightWay way_;
   geometry::Matrix3 axes_;
-  Vector3 middle_;  // of the box, as planned
+  Vector3 middle_;  // middle of the box, as planned
   double turned_ = 0;
 };
 
 // The text of a precondition that keeps two bodies apart.
-struct Statement {        // see Precondition::condition
-  std::string condition;  // of Precondition, as is
+struct Statement {
+  std::string condition;  // see Precondition::condition
   std::string meaning;
 };
 

@@ -48,7 +48,7 @@ class PadFriction {
 
   std::vector<PadCell> cells_;  // positions are from the center
   Vector2 center_ = Vector2::Zero();
-  double friction_ = 0;  // of all cells, newtons
+  double friction_ = 0;  // sum over all cells, newtons
   double reach_ = 0;     // mean distance of the friction from the center, metres
 };
 

@@ -35,7 +35,7 @@ double ReachOf(const UncertainWorld& world, PartId part, const RestingError& err
 
 // A part beside the one that is pushed, and the room that is left between the two, in metres.
 struct Neighbour {
-  PartId part = PartId::None();  // None: there is none
+  PartId part = PartId::None();  // None: no neighbour
   double room = std::numeric_limits<double>::infinity();
 };
 
@@ -151,13 +151,14 @@ class ClosingConditions {
   const plan::Hold& hold_;
   Pose X_WorldPart_;
   Pose X_WorldTool_;
-  double hand_turn_;  // radians
-  double hand_;       // metres
+  double hand_turn_;  // error of the hand, radians
+  double hand_;       // error of the hand, metres
   OffInHand off_;
   RestingError before_;
 };
 
-// ---- What is let go -------------------------------------------------------------------------
+// ---- A part that is let go
+// -------------------------------------------------------------------------
 
 class StandingConditions {
  public:
