@@ -20,23 +20,24 @@ using geometry::Pose;
 using geometry::Vector2;
 using geometry::Vector3;
 
-// By how much rounding may change metres, radians and numbers near 1.
+// The greatest change by rounding of metres, radians and numbers near 1.
 inline constexpr double kRounding = 1e-9;
 
 using FaceId = Id<struct FaceTag>;
 
-// All exposed surface of a part that lies in one plane and looks the same way.
+// The whole exposed surface of a part that lies in one plane and looks the same way.
 struct Face {
   Vector3 normal;                          // unit, outward, part frame
   double offset = 0;                       // normal . p == offset on the face
   Pose X_PartFace;                         // origin on the plane, z = normal
   std::vector<geometry::Polygon> patches;  // in the face's x and y; disjoint, convex
 
-  // Whether every point of the polygon (face coordinates, convex) is on the face: pad contact.
+  // Returns whether every point of the polygon (face coordinates, convex) is on the face. This is
+  // pad contact.
   bool Covers(const geometry::Polygon& polygon) const;
 };
 
-// A hole or recess that opens in a face: where its mouth is.
+// The mouth of a hole or recess in a face.
 struct Mouth {
   FaceId face;
   geometry::Polygon outline;  // in the face's x and y
@@ -46,45 +47,47 @@ struct Mouth {
 struct Wall {
   FaceId face;
   geometry::Polygon outline;  // in the face's x and y
-  // Whether a greater clearance sets it back by as much: the pocket is widened along this axis.
+  // True if a greater clearance sets the wall back by as much: the pocket is widened along this
+  // axis.
   bool moves_with_clearance = false;
 };
 
-// A named geometric element, numbered by the part file as the papers do (Spar: surfaces 7 and 8
-// of peg and block mate). It is made of faces, or it is a hole.
+// A named geometric element, with the number of the part file as in the papers (Spar: surfaces 7
+// and 8 of peg and block mate). It is made of faces, or it is a hole.
 struct Feature {
   FeatureNumber number;
-  std::string description;    // "square hole", for people
+  std::string description;    // for people: "square hole"
   std::vector<FaceId> faces;  // empty for a hole
   std::vector<Mouth> mouths;  // a through hole has two
-  std::vector<Wall> walls;    // of a hole, its floor included
+  std::vector<Wall> walls;    // of a hole, with its floor
   Pose X_PartFeature;         // the mating frame: origin on the axis at the mouth, z along the
                               // axis, outward; of a shaft: at the centre of its tip; of a face:
                               // at its centroid, z = normal
-  // Of a hole's mouth or of a shaft's tip: how far its edges are bevelled, across the axis and
-  // along it, metres. The boxes do not show it.
+  // Size of the bevelled edges of a hole's mouth or of a shaft's tip, across the axis and along it,
+  // in metres. The boxes do not show the bevels.
   double chamfer = 0;
 
   bool is_plain_face() const { return faces.size() == 1 && mouths.empty(); }
 };
 
-// What the part file says, with everything that is computed from it. Immutable and shared: two
-// parts of one problem may have the same model.
+// The content of a part file, with everything that is computed from it. It is immutable and shared:
+// two parts of one problem may have the same model.
 class PartModel {
  public:
   // Reads models/parts/NAME/part.yaml ("assay-part/1"). `clearance` (metres, each side) widens the
   // pockets that are marked as mating holes. Throws InputError.
   static std::shared_ptr<const PartModel> Load(const std::filesystem::path& file, double clearance);
 
-  // The same part with another clearance, read and computed anew; below 0, shafts are too wide for
-  // their holes. Throws InputError if a pocket comes out impossible.
+  // Returns the same part with another clearance, read and computed anew. With a negative
+  // clearance, shafts are too wide for their holes. Throws InputError if a pocket becomes
+  // impossible.
   std::shared_ptr<const PartModel> WithClearance(double clearance) const;
-  geometry::MassProperties MassWithClearance(double clearance) const;  // of that model
+  geometry::MassProperties MassWithClearance(double clearance) const;  // mass of that part
 
   const std::string& name() const { return name_; }
-  const std::string& initial() const { return initial_; }  // labels begin with it: BP1, BG1
-  double clearance() const { return clearance_; }          // metres on each side
-  const std::vector<geometry::Box>& boxes() const { return boxes_; }      // disjoint or overlapping
+  const std::string& initial() const { return initial_; }             // start of labels: BP1, BG1
+  double clearance() const { return clearance_; }                     // metres on each side
+  const std::vector<geometry::Box>& boxes() const { return boxes_; }  // disjoint or overlapping
   const std::vector<Eigen::Vector4f>& colors() const { return colors_; }  // rgba of each box
   const geometry::CollisionShape& shape() const { return shape_; }
   const geometry::ConvexHull& hull() const { return hull_; }
@@ -94,10 +97,10 @@ class PartModel {
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Feature>& features() const { return features_; }
   const Feature* FindFeature(FeatureNumber number) const;  // null if the part has none
-  // The features that a convex region on a face touches or covers, in increasing number.
+  // Returns the features that a convex region on a face touches or covers, in increasing number.
   std::vector<FeatureNumber> FeaturesUnder(FaceId face, const geometry::Polygon& region) const;
 
-  // The poses in which the part rests on the table (computed, stable_pose.h).
+  // Returns the poses in which the part rests on the table (computed, stable_pose.h).
   const std::vector<StablePose>& stable_poses() const { return stable_poses_; }
   StablePoseId FindStablePose(std::string_view name) const;  // None if no pose has the name
 

@@ -10,24 +10,25 @@
 namespace assay::domain {
 
 class PartModel;
-using FeatureNumber = Id<struct FeatureTag>;  // as the part file numbers it
+using FeatureNumber = Id<struct FeatureTag>;  // number in the part file
 using StablePoseId = Id<struct StablePoseTag>;
 
-// A way in which a part rests on the table: everything about its pose but x, y and yaw (Spar,
+// One way in which a part rests on the table: everything about its pose except x, y and yaw (Spar,
 // "Stable Poses and Position Classes").
 struct StablePose {
-  std::string label;                  // the paper's form xPy: "BP5"
-  std::string name;                   // the part file's word for it: "on-back"; may be empty
-  geometry::Pose X_TablePart;         // at yaw 0: the part's origin above the table's origin
+  std::string label;                  // in the paper's form xPy: "BP5"
+  std::string name;                   // name in the part file: "on-back"; may be empty
+  geometry::Pose X_TablePart;         // at yaw 0, with the part's origin above the table's origin
   std::vector<FeatureNumber> hidden;  // features that the table touches or covers, increasing
   geometry::Polygon support;          // table coordinates, at yaw 0
   double tilt_margin = 0;  // radians the part may be tilted over its nearest support edge
                            // before it falls
 };
 
-// The hull facets over which the centre of mass lies, at least `least_tilt` radians from tipping,
-// in the order of the hull's facets. Yaw 0: the first of the part's x, y, z axes that leans more
-// than 45 degrees away from the vertical points, projected, along the table's x.
+// Returns the stable poses: the hull facets over which the centre of mass lies, at least
+// `least_tilt` radians from tipping, in the order of the hull's facets. At yaw 0, the first of the
+// part's x, y, z axes that leans more than 45 degrees away from the vertical points along the
+// table's x when projected onto the table.
 std::vector<StablePose> ComputeStablePoses(const PartModel& part, double least_tilt);
 
 }  // namespace assay::domain

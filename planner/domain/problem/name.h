@@ -8,14 +8,14 @@
 
 namespace assay::domain {
 
-// A name that a file gives: letters, digits, - and _. Throws InputError, which tells what it is to
-// name ("a part").
+// Reads a name in a file: letters, digits, - and _. Throws InputError, with `what` as the thing
+// that is named ("a part").
 std::string ReadName(const Value& key, std::string_view what);
 
-// Any text but none.
+// Reads any text that is not empty.
 std::string ReadAnyName(const Value& value);
 
-// The part of this name. Throws InputError if there is none.
+// Returns the part of this name. Throws InputError if there is none.
 PartId ReadPartName(const Value& value, const Problem& problem);
 
 }  // namespace assay::domain
