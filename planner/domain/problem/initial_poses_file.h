@@ -12,8 +12,8 @@ namespace assay::domain {
 // Reads the poses of the parts at the start into a problem that has its parts with their models.
 // They come from the `pose` of each entry of `parts`, or from the matings of `initially`. For an
 // open pose (`one-of`), `chosen` gives the choice by the part's name; without an entry there, the
-// first is taken. `root` is the scenario's root. Throws InputError, for parts that are beside or in
-// the table or overlap as well.
+// first is taken. `root` is the scenario's root. Throws InputError for malformed poses, and for
+// parts that are beside or in the table, or overlap.
 void ReadInitialPoses(const Value& root, const Units& units,
                       const std::map<std::string, int>& chosen, Problem& problem);
 

@@ -8,8 +8,8 @@
 
 namespace assay::domain {
 
-// Reads a name in a file: letters, digits, - and _. Throws InputError, with `what` as the thing
-// that is named ("a part").
+// Reads a name in a file: letters, digits, - and _. Throws InputError for other text; the message
+// says what it is to name: `what` ("a part").
 std::string ReadName(const Value& key, std::string_view what);
 
 // Reads any text that is not empty.

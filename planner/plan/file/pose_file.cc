@@ -28,7 +28,7 @@ Vector3 ReadVector(const Value& value) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-// The numbers are taken as they stand, so that they are written again as they were read.
+// The numbers are taken exactly as they are, so that they are written again as they were read.
 Pose ReadPose(const Value& value) {
   const std::string allowed = "four columns [x, y, z, position] of three numbers each";
   const std::vector<Value> columns = value.Items();
