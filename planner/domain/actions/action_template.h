@@ -19,10 +19,11 @@ enum class ConstraintKind {
 
 struct GeometricConstraint {
   ConstraintKind kind;
-  VariableId grasp = VariableId::None();     // of kMember and of the reachable constraints
-  VariableId position = VariableId::None();  // of kInPositionClass and of the reachable constraints
-  MatingId mating = MatingId::None();        // of kMateReachable: Ta
-  std::vector<int> labels = {};              // of kMember and kInPositionClass
+  VariableId grasp = VariableId::None();  // only for kMember and the reachable constraints
+  // Only for kInPositionClass and the reachable constraints.
+  VariableId position = VariableId::None();
+  MatingId mating = MatingId::None();  // only for kMateReachable: Ta
+  std::vector<int> labels = {};        // only for kMember and kInPositionClass
 
   // Returns the variable that a unary constraint restricts.
   VariableId subject() const { return grasp.IsNone() ? position : grasp; }
@@ -49,7 +50,7 @@ struct InitialConstraint {
 struct ActionTemplate {
   ActionKind kind;
   PartId part = PartId::None();        // the part that the hand takes, puts down or mates
-  MatingId mating = MatingId::None();  // only of assemble
+  MatingId mating = MatingId::None();  // only for assemble
   VariableId grasp = VariableId::None();
   VariableId position = VariableId::None();  // position of the part; in assemble, of the fixed part
   std::vector<Condition> preconditions = {};

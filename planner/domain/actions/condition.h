@@ -60,9 +60,9 @@ enum class Predicate {
 // links operational with geometric planning (Spar, "Representation of Goals").
 struct Condition {
   Predicate predicate;
-  PartId part = PartId::None();              // of kHolding and kPartLocation
-  VariableId variable = VariableId::None();  // of kHolding and kPartLocation
-  MatingId mating = MatingId::None();        // of kAssembled
+  PartId part = PartId::None();              // only for kHolding and kPartLocation
+  VariableId variable = VariableId::None();  // only for kHolding and kPartLocation
+  MatingId mating = MatingId::None();        // only for kAssembled
 
   static Condition GripperOpen() { return {.predicate = Predicate::kGripperOpen}; }
   static Condition Holding(PartId part, VariableId grasp) {

@@ -20,7 +20,7 @@ void AppendCrossing(const Vector3& p, const Vector3& q, double height,
 }  // namespace
 
 geometry::Polygon ShadowBetween(const geometry::Box& box, double low, double high) {
-  // bit k of the index is the side along axis k
+  // Bit k of the index is the side along axis k.
   const std::array<Vector3, 8> corners = box.Corners();
   std::vector<Vector2> points;
   for (int i = 0; i < 8; ++i) {

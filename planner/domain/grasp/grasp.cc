@@ -19,9 +19,10 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kOpposite = 0.1 * std::numbers::pi / 180;  // between normals, radians
-constexpr double kGridStep = 4e-3;                          // between candidate positions, metres
-// margin around the pads beyond which more is no better, metres
+// Greatest angle between opposite normals, radians.
+constexpr double kOpposite = 0.1 * std::numbers::pi / 180;
+constexpr double kGridStep = 4e-3;  // distance between candidate positions, metres
+// Margin around the pads beyond which more is no better, metres.
 constexpr double kDeepEnough = 4e-3;
 constexpr double kAllowance = 1e-4;  // overlap of hand and part that is forgiven, metres
 constexpr double kEqual = 1e-7;      // lengths that differ less are equal, metres
@@ -83,7 +84,7 @@ std::vector<FacePair> PairsOf(const PartModel& part, double widest) {
 
 // A candidate position of the pads' centres on a pair of faces.
 struct Spot {
-  Vector2 center;        // in the middle plane
+  Vector2 center;        // position in the middle plane
   double from_mass = 0;  // distance to the centre of mass in that plane
   double clearance = 0;  // distance to the border of the region, or less
 };

@@ -59,7 +59,7 @@ class HandClearance {
   void Add(const std::vector<geometry::Box>& gripper_boxes, Moment moment, double allowance);
   static CObstacle ObstacleOf(const Encounter& encounter, const Approach& approach);
 
-  std::vector<geometry::Box> part_boxes_;  // in the plane's frame
+  std::vector<geometry::Box> part_boxes_;  // boxes of the part, in the plane's frame
   std::vector<Encounter> encounters_;
 };
 

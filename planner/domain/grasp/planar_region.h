@@ -17,7 +17,7 @@ Patches Without(const Patches& region, const geometry::Polygon& cut);
 Patches Common(const Patches& a, const Patches& b);
 
 double Area(const Patches& region);
-// centroid of the area, which must not be 0 (checked)
+// Centroid of the area, which must not be 0 (checked).
 geometry::Vector2 Centroid(const Patches& region);
 geometry::Polygon Hull(const Patches& region);
 

@@ -17,7 +17,7 @@ using MatingId = Id<struct MatingTag>;  // a mating of the problem
 struct Mating {
   PartId held;
   PartId fixed;
-  // feature of the held part, feature of the fixed part
+  // Feature of the held part, feature of the fixed part.
   std::vector<std::pair<FeatureNumber, FeatureNumber>> features;
   geometry::Pose X_FixedHeld;       // Ta
   geometry::Vector3 mating_vector;  // metres, frame of the fixed part; the motion starts at

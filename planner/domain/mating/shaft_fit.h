@@ -21,10 +21,10 @@ struct ShaftFit {
   const Feature& hole;
   const PartModel& shaft_model;
   const Feature& shaft;
-  Pose X_HoleShaft;    // between the two parts, when mated
+  Pose X_HoleShaft;    // pose of the shaft's part in the hole's part, when mated
   bool shaft_is_held;  // true: the shaft's part is held; false: the hole's part is
   std::string name;    // "shaft of peg in hole of block"
-  double depth;        // of the seated shaft's tip behind the mouth, metres
+  double depth;        // distance of the seated shaft's tip behind the mouth, metres
 };
 std::vector<ShaftFit> FitsOf(const Problem& problem, const Mating& mating);
 
@@ -89,7 +89,7 @@ bool FitsInside(const std::vector<ShaftFit>& fits, const Pose& X_FixedHeld);
 // The distance and angle by which a seated shaft may be out of the middle of its hole, whatever
 // holds it.
 struct SeatPlay {
-  double shift = 0;  // of the held part's origin, in any direction, metres
+  double shift = 0;  // shift of the held part's origin, in any direction, metres
   double turn = 0;   // about any axis, radians
 };
 // `widening` is added to the clearance on each side, in metres.

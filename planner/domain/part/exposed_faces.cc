@@ -96,7 +96,7 @@ Patches Exposed(const Plane& plane, std::span<const Box> boxes) {
 }  // namespace
 
 std::array<Side, 6> SidesOf(const Box& box) {
-  // bit k of the index is the side along axis k
+  // Bit k of the index is the side along axis k.
   const std::array<Vector3, 8> corners = box.Corners();
   std::array<Side, 6> sides;
   for (int i = 0; i < 6; ++i) {

@@ -20,11 +20,11 @@ using geometry::Box;
 // Poses that stand more precariously are left out: a part that is put down with a few millimetres
 // of error must not fall over.
 constexpr double kLeastTilt = 2 * kDegrees.factor;
-// of a direction from the pose that it names
+// Greatest angle between a direction and the down direction of the pose that it names, radians.
 constexpr double kFarthestName = 30 * kDegrees.factor;
 constexpr double kShortestSide = 1e-4;  // least side of a box in the file, metres
 constexpr double kThinnestWall = 1e-5;  // least wall that a pocket may leave, metres
-constexpr double kJointDepth = 1e-6;    // of a test whether pieces touch, metres
+constexpr double kJointDepth = 1e-6;    // depth of a test whether pieces touch, metres
 constexpr double kLeastCut = 1e-12;     // least volume of a pocket, cubic metres
 constexpr double kAligned = 1e-6;       // greatest difference of unit vectors that should be equal
 constexpr Range kChamfers = {0, 0.02};  // metres
@@ -140,8 +140,8 @@ Box Clipped(const Box& pocket, const Box& solid) {
 
 // A pocket and the solid that it is cut from, in the part frame.
 struct Hollow {
-  Box solid;                       // before pockets are cut
-  Box pocket;                      // widened by the clearance
+  Box solid;                       // the solid before pockets are cut
+  Box pocket;                      // the pocket, widened by the clearance
   Box clipped;                     // the part of the pocket in the solid
   std::array<bool, 3> is_widened;  // along the pocket's own axes
 };

@@ -56,10 +56,10 @@ struct Wall {
 // and 8 of peg and block mate). It is made of faces, or it is a hole.
 struct Feature {
   FeatureNumber number;
-  std::string description;    // for people: "square hole"
+  std::string description;    // text for people: "square hole"
   std::vector<FaceId> faces;  // empty for a hole
   std::vector<Mouth> mouths;  // a through hole has two
-  std::vector<Wall> walls;    // of a hole, with its floor
+  std::vector<Wall> walls;    // inner sides of a hole, with its floor
   Pose X_PartFeature;         // the mating frame: origin on the axis at the mouth, z along the
                               // axis, outward; of a shaft: at the centre of its tip; of a face:
                               // at its centroid, z = normal

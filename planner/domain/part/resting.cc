@@ -10,7 +10,7 @@ namespace {
 
 using geometry::Polygon;
 
-// least lean that counts as not lying flat, radians
+// Least lean that counts as not lying flat, radians.
 constexpr double kLeastLean = std::numbers::pi / 180;
 constexpr double kLeastLift = 0.001;  // least height that counts as not touching the table, metres
 

@@ -21,8 +21,9 @@ namespace assay::domain {
 struct Part {
   std::string name;
   std::shared_ptr<const PartModel> model;
-  std::shared_ptr<const std::vector<Grasp>> grasps;  // for the workcell's gripper; shared by model
-  Pose X_WorldPart = Pose::Identity();               // at the start; derived if assembled
+  // Grasps by the workcell's gripper; shared by model.
+  std::shared_ptr<const std::vector<Grasp>> grasps;
+  Pose X_WorldPart = Pose::Identity();  // pose at the start; derived if assembled
   // The state at the start. `resting` is None if the part leans, lies on another part or is
   // assembled. `hidden` has the features that the table or other parts cover. `position_class` is
   // the stable pose that the part rests in, or else the one that hides the same features.
@@ -63,7 +64,7 @@ struct Problem {
   std::string description;  // may be empty
   std::shared_ptr<const Workcell> workcell;
   std::vector<Part> parts;
-  std::vector<OpenPose> open_poses = {};  // of `parts`, in their order
+  std::vector<OpenPose> open_poses = {};  // the open poses of `parts`, in their order
   std::vector<Mating> matings;
   std::vector<MatingId> assembled;  // those that are true at the start
   std::vector<Goal> goals;
@@ -73,7 +74,7 @@ struct Problem {
   // default is as in Spar.
   std::vector<ResolverKind> resolvers = {ResolverKind::kSensing, ResolverKind::kSqueezing};
   double clearance = 0;        // metres on each side of a mated shaft
-  Tolerances tolerances = {};  // of the clearance and of frictions
+  Tolerances tolerances = {};  // tolerances of the clearance and of frictions
   MatingErrors mating_errors = {};
 
   const Part& part(PartId id) const { return parts[id.index()]; }

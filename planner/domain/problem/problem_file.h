@@ -28,7 +28,7 @@ struct Overrides {
   // tolerances are not scaled.
   double error_scale = 1;
   std::optional<std::vector<ResolverKind>> resolvers = std::nullopt;
-  // index of the chosen pose, by the name of a part with an open pose
+  // Index of the chosen pose, by the name of a part with an open pose.
   std::map<std::string, int> poses = {};
 };
 // Reads the problem with these changes. Each open pose is the first one unless the overrides choose

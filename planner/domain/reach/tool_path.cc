@@ -20,7 +20,7 @@ using kinematics::JointVector;
 constexpr double kStep = 0.05;        // metres between tested positions
 constexpr double kTurnStep = 0.1;     // radians between tested orientations
 constexpr double kLargestTurn = 0.4;  // greatest turn of a joint from one test to the next, radians
-constexpr int kHalvings = 1;          // of a step in which a joint turns farther than that
+constexpr int kHalvings = 1;          // number of times that a step with a greater turn is halved
 
 Pose PoseOf(const Matrix3& R_WorldTool, const Vector3& p_World) {
   Pose X_WorldTool = geometry::Translation(p_World);

@@ -17,7 +17,7 @@ bool CanFollow(const Workcell& workcell, const geometry::Matrix3& R_WorldTool,
 // How far the arm gets along a path of the tool through a list of poses. Between two poses, the
 // tool's origin moves on a straight line, and the tool turns about one axis.
 struct PathReach {
-  // number of poses, from the first on, that the best single configuration reaches
+  // Number of poses, from the first on, that the best single configuration reaches.
   std::size_t reached = 0;
   // Joints at the first pose of a configuration that reaches the last one: the nearest to the
   // workcell's home. None if no configuration does.

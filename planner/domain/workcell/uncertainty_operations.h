@@ -18,7 +18,7 @@ namespace assay::domain {
 struct SensorModel {
   std::string name;  // "overhead-camera"
   std::string description;
-  Interval x, y, z, theta;  // of the true pose against the measured one; metres, radians
+  Interval x, y, z, theta;  // error of the true pose against the measured one; metres, radians
 };
 
 enum class VerifiedAction { kPickup, kPutdown, kAssemble };
@@ -46,8 +46,8 @@ enum class RecoveryStrategy {
 struct RecoveryTemplate {
   std::string error;
   RecoveryStrategy strategy = RecoveryStrategy::kCallOperator;
-  double radius = 0;  // of a groping search, metres
-  double pitch = 0;   // between tries of a groping search, metres
+  double radius = 0;  // radius of a groping search, metres
+  double pitch = 0;   // distance between tries of a groping search, metres
 };
 
 // The ways to meet uncertainty-reduction goals, in the order in which they are preferred (Spar,

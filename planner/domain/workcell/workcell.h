@@ -33,7 +33,7 @@ struct Placement {
 struct Place {
   std::string name;
   Placement middle;   // middle of the disc; parts there are turned by its yaw
-  double radius = 0;  // of the disc in which the origins of parts at this place lie, metres
+  double radius = 0;  // radius of the disc that contains the origins of parts at this place, metres
   int room = 1;       // number of parts that find room
 };
 
@@ -43,17 +43,17 @@ struct WorkcellRules {
   double approach_step = 0;      // quantization of approach directions, radians
   double approach_distance = 0;  // length of the straight approach along the tool's z, metres
   double safe_height = 0;        // height of the tool for travel, metres above the table
-  double friction = 0;           // of mating surfaces, for the friction cone
-  double pad_friction = 0;
-  double grip_force = 0;         // newtons
+  double friction = 0;           // friction of mating surfaces, for the friction cone
+  double pad_friction = 0;       // friction of the gripper's pads
+  double grip_force = 0;         // force of each pad, newtons
   double part_gap = 0;           // least horizontal gap to leave to other parts, metres
   double contact_allowance = 0;  // overlap that a geometric test ignores, metres
-  // least distance of contact points from the pads' edges, on the inside, metres
+  // Least distance of contact points from the pads' edges, on the inside, metres.
   double pad_margin = 0;
   // Greatest distance, in metres, by which the guarded descent of a putdown or of a mating may end
   // before or beyond the expected height. A guarded descent goes on until it meets resistance.
   double guarded_travel = 0;
-  // greatest yielding of the wrist sideways in a mating, metres; 0: rigid
+  // Greatest distance by which the wrist yields sideways in a mating, metres; 0: rigid.
   double lateral_compliance = 0;
 };
 
@@ -81,7 +81,7 @@ class Workcell {
   const kinematics::JointVector& joint_acceleration() const { return robot().joint_acceleration; }
   // Returns the placements at which parts may be put down, best first.
   const std::vector<Placement>& placements() const { return placements_; }
-  // the named places; there may be none
+  // The named places; there may be none.
   const std::vector<Place>& places() const { return places_; }
   const UncertaintyOperations& uncertainty_operations() const { return uncertainty_operations_; }
 

@@ -20,7 +20,7 @@ using geometry::Vector3;
 using kinematics::JointVector;
 
 using BodyId = Id<struct BodyTag>;
-// poses of the arm's links in its base, as from Arm::LinkPoses
+// Poses of the arm's links in its base, as from Arm::LinkPoses.
 using LinkPoses = std::array<Pose, 7>;
 
 // A union of convex polyhedra that moves with one link of the arm, or stands still.

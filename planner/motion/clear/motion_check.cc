@@ -15,9 +15,10 @@ namespace {
 // Share of the distance in a given posture that must be kept elsewhere.
 constexpr double kShareOfGiven = 0.9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr int kFirstOfWrist = 4;   // link of the arm: the axes beyond it meet in one point
-constexpr int kLastLink = 6;       // the flange, with which the tool moves
-constexpr int kMostBoxes = 1'000;  // of joints, tested about one posture
+constexpr int kFirstOfWrist = 4;  // link of the arm: the axes beyond it meet in one point
+constexpr int kLastLink = 6;      // the flange, with which the tool moves
+// Greatest number of boxes of joints that are tested about one posture.
+constexpr int kMostBoxes = 1'000;
 
 double AngleBetweenUnits(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -128,7 +129,7 @@ LinkPoses MotionCheck::Swayed(const WatchedPair& watched, const JointVector& q,
 MotionCheck::Verdict MotionCheck::LookAt(const JointVector& q, const LinkPoses& X_BaseLink,
                                          double motion, WatchedPair& watched) const {
   struct Box {
-    JointVector offset;  // of the box's middle from q
+    JointVector offset;  // the box's middle, from q
     JointVector half;
   };
   std::vector<Box> open;

@@ -45,7 +45,7 @@ struct Obstruction {
     kPair,    // `pair` comes nearer than its clearance
   };
   Kind kind = Kind::kPair;
-  BodyPair pair = {};    // only of kPair
+  BodyPair pair = {};    // the bodies, only for kPair
   double clearance = 0;  // clearance that `pair` must keep, metres
   JointVector at = JointVector::Zero();
 };
@@ -87,13 +87,14 @@ class MotionCheck {
     double clearance = 0;  // metres
     double most = 0;       // upper limit of the clearance with the tool's errors, metres
     bool is_seen_from_tool = false;
-    JointVector sway = JointVector::Zero();   // of the joints that move one body against the other
+    // Errors of the joints that move one body against the other.
+    JointVector sway = JointVector::Zero();
     JointVector reach = JointVector::Zero();  // distance of the second body from their axes, metres
-    CollisionScene::Slabs slabs = {};         // of the posture that was tested last
+    CollisionScene::Slabs slabs = {};         // slabs of the posture that was tested last
   };
   struct OpenPair {
     WatchedPair* watched;
-    double motion = 0;  // of its bodies on the whole way, metres
+    double motion = 0;  // movement of its bodies on the whole way, metres
   };
   // A part of a motion, with the pairs that are not yet known to be free on it.
   struct Interval {

@@ -19,7 +19,7 @@ namespace assay::motion {
 namespace {
 
 const MotionRules kWay = {.clearance = 0.01};  // metres
-// where hand and fingers come near the table, metres
+// For work where hand and fingers come near the table, metres.
 const MotionRules kWork = {.clearance = 0.001};
 constexpr SweepAccuracy kVolume = {.sagitta = 0.0005};
 constexpr double kWayStep = 0.02;  // metres

@@ -16,19 +16,21 @@ namespace {
 using geometry::Matrix3;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr int kMostHalvings = 40;  // of a cell: near a singular posture the halving would not end
-constexpr int kMostCells = 3'000;  // on one way
-constexpr double kLeastDoubt = 1e-6;  // of any error: rounding is far smaller
-constexpr double kInflation = 1.2;    // of a guess at the turns of joints
+// Greatest number for one cell: near a singular posture the halving would not end.
+constexpr int kMostHalvings = 40;
+constexpr int kMostCells = 3'000;     // greatest number on one way
+constexpr double kLeastDoubt = 1e-6;  // least half width of any error: rounding is far smaller
+constexpr double kInflation = 1.2;    // factor on a guess at the turns of joints
 constexpr int kGuesses = 5;           // number of guesses, each computed from the last one
 constexpr double kWidestCell = 0.25;  // greatest turn of a joint in a cell, radians
 
 // Derivatives of the arm in one posture, as the tool moves with it. They are about the wrist's
 // center, through which the last three axes pass, in the world's axes.
 struct Differential {
-  Matrix6 inverse;                   // A of the Jacobian J: joint rates by twists of the tool
-  std::array<Matrix6, 6> change;     // |A dJ/dq| for each joint
-  std::array<double, 6> lever = {};  // of the wrist's center to each joint's axis, metres
+  Matrix6 inverse;                // A of the Jacobian J: joint rates by twists of the tool
+  std::array<Matrix6, 6> change;  // |A dJ/dq| for each joint
+  // Distance of the wrist's center from each joint's axis, metres.
+  std::array<double, 6> lever = {};
 };
 
 Vector3 WristInFlange(const domain::Workcell& workcell) {

@@ -16,7 +16,7 @@ struct SweptPiece {
 
 struct SweepAccuracy {
   double sagitta = 0.003;  // greatest growth of a piece, metres
-  // share by which a merged piece may be larger than its parts together
+  // Share by which a merged piece may be larger than its parts together.
   double added_volume = 0.15;
 };
 

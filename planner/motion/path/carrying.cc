@@ -65,7 +65,7 @@ JointTrajectory Carrying(const JointTrajectory& trajectory, const domain::Workce
           std::max(greatest, Demand(state, AccelerationAt(a, b, share), workcell, p_ToolCenter));
     }
   }
-  // accelerations are proportional to the square of speed
+  // Accelerations are proportional to the square of speed.
   const double slower = std::sqrt(greatest);
   for (JointTrajectory::Knot& knot : knots) {
     knot.time *= slower;

@@ -25,7 +25,7 @@ JointState Between(const Knot& a, const Knot& b, double time) {
 // A trapezoid of velocity over time, in shares of a motion's way.
 struct Trapezoid {
   double cruise = 0;    // 1/s
-  double ramp = 0;      // of speeding up, and equally of slowing down; seconds
+  double ramp = 0;      // time of speeding up, and equally of slowing down; seconds
   double duration = 0;  // seconds; 0: nothing moves
 };
 
@@ -38,7 +38,8 @@ Trapezoid FastestTrapezoid(const JointVector& way, const JointRates& rates) {
     acceleration = std::min(acceleration, rates.acceleration[j] / std::abs(way[j]));
   }
   if (std::isinf(speed)) return {};
-  speed = std::min(speed, std::sqrt(acceleration));  // at the second value the motion never cruises
+  // With the second value, the motion never cruises.
+  speed = std::min(speed, std::sqrt(acceleration));
   const double ramp = speed / acceleration;
   return {.cruise = speed, .ramp = ramp, .duration = 1 / speed + ramp};
 }

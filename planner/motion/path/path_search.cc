@@ -15,7 +15,8 @@ namespace assay::motion {
 namespace {
 
 constexpr std::int64_t kUnlikely = 20;  // divisor of the budget where a path is unlikely
-constexpr double kLongestMotion = 1.5;  // of the trees, metres as measured with JointWeights
+// Greatest length in the trees, metres as measured with JointWeights.
+constexpr double kLongestMotion = 1.5;
 
 // Joints are weighted by how far they can move the flange. Distances in the trees are then roughly
 // metres.
@@ -116,7 +117,7 @@ class ObstructionTally {
   }
 
  private:
-  std::vector<std::pair<Obstruction, int>> counts_;  // in the order of their first occurrence
+  std::vector<std::pair<Obstruction, int>> counts_;  // by the order of their first occurrence
 };
 
 // Returns RRT-Connect's path; empty if the budget was spent before one was found.

@@ -9,7 +9,8 @@ namespace {
 using kinematics::Indicators;
 using kinematics::InverseSolution;
 
-constexpr double kGreatestTurn = 0.2;      // of a joint, radians, in a step of a centimetre or less
+// Greatest turn of a joint, radians, in a step of a centimetre or less.
+constexpr double kGreatestTurn = 0.2;
 constexpr double kCentimetre = 0.01;       // metres; in longer steps joints may turn more
 constexpr double kSameJointValues = 1e-6;  // radians
 

@@ -14,7 +14,7 @@ using kinematics::JointVector;
 // Joint values at equal distances along a straight line of the tool, which keeps its orientation.
 struct LinePath {
   double step = 0;             // metres between neighbours
-  std::vector<JointVector> q;  // at least two, from the start of the line to its end
+  std::vector<JointVector> q;  // at least two postures, from the start of the line to its end
 };
 
 // The result of following a line: its path, or the first point (origin of the tool, world) where

@@ -115,7 +115,7 @@ class ArmWatch {
                              .rules = {.clearance = kTravelGap, .given = {request_.from, q}},
                              .budget = kBudget});
   }
-  // of the last way; empty if it was free
+  // Returns what obstructed the last way; empty if it was free.
   const std::string& in_the_way() const { return in_the_way_; }
 
  private:

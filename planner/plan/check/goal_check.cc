@@ -12,7 +12,7 @@ namespace {
 
 using geometry::Vector3;
 
-// height over the lowest corner at which corners count as touching, metres
+// Height over the lowest corner at which corners count as touching, metres.
 constexpr double kLowest = 1e-6;
 
 std::vector<std::size_t> LowestCorners(const std::vector<Vector3>& corners,

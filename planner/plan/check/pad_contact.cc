@@ -12,7 +12,7 @@ using geometry::Polygon;
 using geometry::Vector2;
 using geometry::Vector3;
 
-constexpr int kPointsPerSide = 17;    // of the grid; points are 1 mm apart on a pad of 16 mm
+constexpr int kPointsPerSide = 17;    // points of the grid per side: 1 mm apart on a pad of 16 mm
 constexpr double kProbe = 1e-5;       // distance of the tested points from the surface, metres
 constexpr double kSeam = 1e-6;        // metres, between boxes of one solid, and around rims
 constexpr double kSameNormal = 1e-6;  // 1 - cosine, of normals that count as equal

@@ -13,7 +13,7 @@ using geometry::Vector3;
 constexpr double kTouch = 1e-6;      // metres from the table
 constexpr double kSameLine = 1e-9;   // metres between grid lines that count as one
 constexpr double kHalfPlane = 1e-9;  // radians
-// uniform grid lines along each axis, in addition to the corners'
+// Uniform grid lines along each axis, in addition to the corners'.
 constexpr int kSubdivisions = 32;
 
 // Returns the grid lines along one axis: the corners' coordinates, and uniform ones between them.

@@ -27,7 +27,7 @@ struct PartState {
 struct WorldState {
   std::vector<PartState> parts;  // by PartId
   PartId in_hand;                // None: the hand is empty and open
-  Hold hold;                     // of the part in the hand
+  Hold hold;                     // grasp of the part in the hand
   std::vector<MatingId> assembled;
 
   const PartState& part(PartId id) const { return parts[id.index()]; }

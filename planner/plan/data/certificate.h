@@ -38,8 +38,8 @@ struct ErrorSet {
   domain::PartId part;
   bool in_hand = false;
   Interval x, y, z, theta;  // metres, radians
-  Interval tip = {};        // in the hand; radians
-  Interval twist = {};      // in the hand, left by closed pads; radians
+  Interval tip = {};        // only in the hand; radians
+  Interval twist = {};      // only in the hand, left by closed pads; radians
 
   bool operator==(const ErrorSet&) const = default;
 };
@@ -48,15 +48,15 @@ enum class Relation { kLess, kGreater };
 
 // An uncertainty-reduction precondition, expression < limit (or >), and what was proved about it.
 struct CertifiedPrecondition {
-  // its kind: "between fingers", "pad contact", "landing height", "slide-in"
+  // The kind, such as "between fingers", "pad contact", "landing height", "slide-in".
   std::string condition;
-  std::string meaning;     // for people: "contact 2 lies on the inner side of finger 1"
+  std::string meaning;     // text for people: "contact 2 lies on the inner side of finger 1"
   std::string expression;  // over the certificate's variables and its shared expressions
   Relation relation = Relation::kLess;
   double limit = 0;
   double bound = 0;   // SUP of the expression for <, INF for >; guaranteed, rounded outward
-  double margin = 0;  // from the bound to the limit; positive: it is proved
-  double gap = 0;     // how loose the bound may be
+  double margin = 0;  // distance from the bound to the limit; positive: it is proved
+  double gap = 0;     // greatest difference of the bound from the true value
   std::string rung;   // name of the bounding method that gave the bound
   std::vector<ErrorValue> worst = {};  // worst corner found, of the expression's variables
 
@@ -68,7 +68,7 @@ struct CertifiedPrecondition {
 // has none.
 struct NotNeeded {
   std::string condition;
-  std::string reason;  // for people and programs: a reason that the kind allows
+  std::string reason;  // text for people and programs: a reason that the kind allows
 
   bool operator==(const NotNeeded&) const = default;
 };
@@ -85,12 +85,12 @@ struct Resolution {
 // What is known before and after a step, and what was proved about it. It is empty if the plan was
 // made without regard to uncertainty.
 struct Certificate {
-  // input error sets: all variables of the preconditions
+  // Input error sets: all variables of the preconditions.
   std::vector<ErrorVariable> variables = {};
   // Expressions that the preconditions share, each once. planner/algebra/expression/text.h reads
   // them.
   std::vector<std::string> shared = {};
-  std::vector<ErrorSet> before = {};  // of the parts that the step handles
+  std::vector<ErrorSet> before = {};  // input error sets of the parts that the step handles
   std::vector<CertifiedPrecondition> preconditions = {};
   // Together with the preconditions, these are all kinds that the step needs.
   std::vector<NotNeeded> not_needed = {};

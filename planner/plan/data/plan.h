@@ -113,8 +113,9 @@ struct PlannedStep {
   int inserted = 0;  // position in the order in which the planner added the steps, from 1
   int executed = 0;  // position in the order of execution, from 1
   Certificate certificate = {};
-  std::optional<Strategy> strategy = {};  // of assemble, executed by fine motion; none: straight
-  std::optional<Travel> travel = {};      // none: the usual way, in any posture
+  // Fine motion that executes an assemble step; none: straight.
+  std::optional<Strategy> strategy = {};
+  std::optional<Travel> travel = {};  // none: the usual way, in any posture
 };
 
 // A check after a step whose preconditions could not be proved. It compares a measured quantity
@@ -134,22 +135,23 @@ struct Recovery {
   StepId step;  // step whose failure it recovers from
   std::string error;
   domain::RecoveryStrategy strategy;
-  double radius = 0;  // of a groping search, metres
-  double pitch = 0;   // between tries of a groping search, metres
+  double radius = 0;  // radius of a groping search, metres
+  double pitch = 0;   // distance between tries of a groping search, metres
 };
 
 // A plan instance: every plan variable has its value (Spar, "Representation of Plans"). With the
 // error count, the verifications and the recoveries, it is an augmented plan instance.
 struct Plan {
   std::string problem;                  // name of the scenario
-  std::vector<PlannedStep> steps = {};  // in the order of insertion
+  std::vector<PlannedStep> steps = {};  // the steps in the order of insertion
   // Each pair is first before second. The order of execution is one of the ordering's
   // linearizations, and every other linearization works, too.
   std::vector<std::pair<StepId, StepId>> ordering = {};
   std::vector<Verification> verifications = {};
   std::vector<Recovery> recoveries = {};
   int errors = 0;  // actions whose uncertainty-reduction goals are not met (Spar's error count)
-  std::optional<Travel> homing = {};  // after the last step, to the arm's home; none: the usual way
+  // Travel from the last step to the arm's home; none: the usual way.
+  std::optional<Travel> homing = {};
 
   const PlannedStep& step(StepId id) const { return steps[id.index()]; }
   std::vector<StepId> ExecutionOrder() const;
@@ -161,7 +163,7 @@ struct PlanResult {
   Outcome outcome = Outcome::kBudget;
   Plan plan;
   std::vector<std::string> conflict;
-  // independent of the machine: nodes, instances, ...
+  // Independent of the machine: nodes, instances, ...
   std::map<std::string, std::int64_t> counters;
   // What obstructed the first plan instance, as a sentence, if the arm could execute none. With
   // kBudget: no path was found, which is no proof that there is none.

@@ -23,8 +23,8 @@ inline constexpr double kUnit = 1e-6;
 // Popplestone, section 3). Everything is in the fixed part's axes.
 struct StrategyContact {
   std::string name;                  // "vertex 3 on face 1"
-  Vector3 normal = Vector3::Zero();  // from the fixed part into free space, unit
-  Vector3 at = Vector3::Zero();      // from the tip's origin, metres
+  Vector3 normal = Vector3::Zero();  // unit vector from the fixed part into free space
+  Vector3 at = Vector3::Zero();      // position relative to the tip's origin, metres
 };
 
 // The tip's pose relative to its believed pose at the start, in the fixed part's axes.
@@ -38,9 +38,10 @@ struct TipError {
 struct UnwantedContact {
   int contact = 0;  // index in Strategy::contacts
   bool is_loss = false;
-  double scale = 0;       // least enlargement of all errors, of those tried, at which it happens
-  double gap = 0;         // distance, metres, at the end of the motion without errors
-  double separation = 0;  // between the force signatures of the error state and the plan, 0 .. 1
+  double scale = 0;  // least enlargement of all errors, of those tried, at which it happens
+  double gap = 0;    // distance, metres, at the end of the motion without errors
+  // Distance between the force signatures of the error state and the plan, 0 .. 1.
+  double separation = 0;
   std::optional<TipError> likely = {};  // mean of the errors that lead to it; none: not known
 };
 
@@ -55,9 +56,11 @@ struct StrategyMotion {
   std::vector<int> kept;  // contacts that are pressed on all the way; indices
   Pose X_FixedTip;  // end pose without errors; the way is straight, with a rotation about one axis
   std::optional<int> until;  // the contact that ends it; none: the motion as a whole
-  double beyond = 0;    // how much farther it may go until that contact, in lengths of the motion
+  // How much farther the motion may go until `until` is made, in lengths of the motion.
+  double beyond = 0;
   bool slides = false;  // in a crevice: all but the motion's direction is force-controlled to zero
-  std::vector<UnwantedContact> unwanted = {};  // of the tried enlargements, by rising scale
+  // Those among the tried enlargements, by rising scale.
+  std::vector<UnwantedContact> unwanted = {};
 };
 
 // The guarantee of a strategy: all its motions happen as planned while the tip is at its believed
@@ -80,7 +83,8 @@ struct Strategy {
   Pose X_FixedStart;  // the tip's pose where the first motion starts, in free space
   std::vector<StrategyContact> contacts;
   std::vector<StrategyMotion> motions;
-  double friction = 0;   // of the parts at the contacts; it sets the width of force signatures
+  // Friction of the parts at the contacts; it sets the width of force signatures.
+  double friction = 0;
   double length = 0.02;  // torques are divided by it to compare with forces, metres
   StrategyCertificate certificate = {};
 };

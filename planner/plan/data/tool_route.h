@@ -10,7 +10,7 @@ namespace assay::plan {
 // The route of the tool in a step, as poses X_WorldTool. The arm travels between the routes of two
 // steps.
 struct ToolRoute {
-  Pose poised = Pose::Identity();  // before or above its work
+  Pose poised = Pose::Identity();  // pose before or above the work
   std::vector<Pose> to_work = {};  // ends of straight lines, up to where it works
   std::vector<Pose> away = {};     // ends of straight lines after the work, up to where it is free
 

@@ -11,7 +11,7 @@ using geometry::Pose;
 using geometry::Vector3;
 using Json = nlohmann::ordered_json;
 
-constexpr double kOrthonormal = 1e-6;  // of a rotation's columns
+constexpr double kOrthonormal = 1e-6;  // greatest error of the products of a rotation's columns
 
 }  // namespace
 

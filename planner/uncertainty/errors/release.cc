@@ -46,7 +46,7 @@ bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
   const domain::Part& fixed = problem.part(mating.fixed);
   const double own = fixed.model->friction();
   const double between = std::max(own, problem.part(mating.held).model->friction());
-  // the least weight, later the least total load on the table, in newtons
+  // The least weight, later the least total load on the table, in newtons.
   double keeping = std::numeric_limits<double>::infinity();
   for (const geometry::MassProperties& mass : PossibleMasses(problem, mating.fixed)) {
     keeping = std::min(keeping, mass.mass * kGravity);
@@ -59,7 +59,7 @@ bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
 // Returns the turn, in radians, of a part that is dragged by `way` at any of its points. It turns
 // like a part that a pad pushes (squeezing.h).
 double TurnOfDrag(const domain::Part& part, const Pose& X_WorldPart, double way) {
-  constexpr double kTurn = 0.55;  // of the way over the radius of gyration
+  constexpr double kTurn = 0.55;  // the turn, in shares of the way over the radius of gyration
   const geometry::MassProperties& mass = part.model->mass();
   const Vector3 up = X_WorldPart.linear().transpose() * Vector3::UnitZ();
   return std::min(std::numbers::pi, kTurn * way / std::sqrt(up.dot(mass.inertia * up) / mass.mass));

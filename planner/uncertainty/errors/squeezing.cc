@@ -15,7 +15,7 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
-constexpr double kTurnOfPush = 0.55;  // of the push over the radius of gyration
+constexpr double kTurnOfPush = 0.55;  // the turn, in shares of the push over the radius of gyration
 
 HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
   Pose R_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
@@ -135,7 +135,7 @@ class Closing {
             about.x() * arm.y() + about.y() * arm.x()};
   }
 
-  Vector3 up_;  // in the tool's axes
+  Vector3 up_;  // the vertical, in the tool's axes
   double pad_x_;
   double pad_z_;
   double half_width_;

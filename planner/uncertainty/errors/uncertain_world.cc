@@ -16,7 +16,7 @@
 namespace assay::uncertainty {
 namespace {
 
-// the greatest size of expressions that are kept as they are
+// The greatest size of expressions that are kept as they are.
 constexpr std::size_t kMostNodes = 60;
 constexpr double kNegligible = 0.02;  // share of what all variables of an expression move it by
 

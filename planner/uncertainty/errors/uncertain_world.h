@@ -103,8 +103,8 @@ class UncertainWorld {
   struct Variables {
     algebra::ExpressionPool pool;
     algebra::ConstraintSet declared = {};
-    std::vector<std::string> stems = {};  // by VariableId
-    std::vector<PartId> owners = {};      // by VariableId; None: the hand
+    std::vector<std::string> stems = {};  // the name's stem of each variable, by VariableId
+    std::vector<PartId> owners = {};  // the part of each variable, by VariableId; None: the hand
     algebra::FirstOrderForms first_order = {};
     std::map<int, Interval> tight_ranges = {};  // by Expression::index
   };

@@ -303,7 +303,8 @@ class StepCertifier {
   const algebra::BoundRequest& request_;
   const plan::Strategy* strategy_;
   CertifiedStep certified_;
-  std::vector<Expression> expressions_;  // of the certificate's preconditions, in the same order
+  // Expressions of the certificate's preconditions, in the same order.
+  std::vector<Expression> expressions_;
 };
 
 }  // namespace

@@ -46,8 +46,8 @@ class Body {
 
   // A corner of the box, at one end of the way.
   struct Point {
-    Vector3 local;    // in the frame
-    Vector3 planned;  // where the plan has it
+    Vector3 local;    // position in the frame
+    Vector3 planned;  // planned position
     bool at_far_end = false;
   };
   SymbolicVector Possible(const Point& point) const;

@@ -8,7 +8,7 @@ namespace assay::uncertainty {
 // The load on a part between two pads.
 struct GripLoad {
   double slipping = 0;  // load in the plane of the pads, over what one newton on each pad bears
-  double across = 0;    // along the closing direction, newtons
+  double across = 0;    // force along the closing direction, newtons
   double tilting = 0;   // moment about the axes in the plane of the pads, newton metres
 };
 
@@ -16,8 +16,9 @@ struct GripLoad {
 // newton on each pad.
 struct Grip {
   PadFriction friction{{}};
-  Vector2 reach = Vector2::Zero();  // from the center of friction to the patch's edges
-  bool alike = false;               // true if both pads touch in the same places
+  // Distance from the center of friction to the patch's edges, metres.
+  Vector2 reach = Vector2::Zero();
+  bool alike = false;  // true if both pads touch in the same places
 
   // Returns the load over what the pads bear when each presses with `force` newtons. Below 1 they
   // hold. Nothing is borne where a pad may touch nothing.

@@ -24,8 +24,8 @@ using geometry::Vector2;
 // are the worst case of every condition in this file: a larger hole contains the smaller one's
 // room, and no condition assumes that a wall stops the shaft.
 struct Worst {
-  double narrowing = 0;  // on each side of a hole, metres
-  double friction = 0;   // of the mating surfaces
+  double narrowing = 0;  // loss of width on each side of a hole, metres
+  double friction = 0;   // friction of the mating surfaces
 };
 
 Worst WorstOf(const UncertainWorld& world) {

@@ -40,8 +40,8 @@ class PadFriction {
 
  private:
   struct Node {
-    double force = 0;    // along the force on the line, newtons
-    double aside = 0;    // across it, newtons
+    double force = 0;    // force along the given direction, newtons
+    double aside = 0;    // force across the given direction, newtons
     double torsion = 0;  // newton metres
   };
   Node TurningAbout(double distance, const Vector2& along) const;

@@ -15,7 +15,7 @@ struct Precondition {
   Expression expression;  // metres, radians, or a ratio
   plan::Relation relation = plan::Relation::kLess;
   double limit = 0;
-  // the part that is kept clear of, if the action does not handle it
+  // The part that is kept clear of, if the action does not handle it.
   PartId neighbour = PartId::None();
 };
 
@@ -137,7 +137,7 @@ struct LettingGo {
   PartId part;
   const plan::Hold& hold;
   const ManipulatorError& draw;
-  Pose X_WorldPart;    // where it is let go
+  Pose X_WorldPart;    // pose at which the part is let go
   Vector3 motion;      // unit vector of the motion that brings it there, world
   Expression farther;  // metres along the motion to where the part meets what it is let go on
   const RestingError& released;  // its error once it is let go
