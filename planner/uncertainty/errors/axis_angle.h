@@ -9,9 +9,9 @@ namespace assay::uncertainty {
 Vector3 VerticalInTool(const Pose& X_WorldTool);
 
 // These functions split a rotation by at most `angle` into a twist about a second axis and a swing
-// (swing-twist decomposition). `cosine` is that of the angle between the two axes. They return the
-// greatest possible twist and swing. Angles are in radians; angle >= 0, and the results are at most
-// pi.
+// (swing-twist decomposition). `cosine` is the cosine of the angle between the two axes. They
+// return the greatest possible twist and swing. Angles are in radians; angle >= 0, and the results
+// are at most pi.
 double TwistOf(double angle, double cosine);
 double SwingOf(double angle, double cosine);
 

@@ -67,11 +67,11 @@ double TurnOfDrag(const domain::Part& part, const Pose& X_WorldPart, double way)
 
 }  // namespace
 
-// The part is turned by `turned` about the tool's axes, and the table turns it back until a turn
-// twist * up is left. The pads decide about which axes it is turned back. In every case the turn
-// that is left lies between the twists at which one of the axes needs no turning back: any twist
-// beyond these would have to turn farther about each axis. Turning about several axes adds the
-// products of angles.
+// The part is turned by `turned` about the tool's axes, and the table turns it back until the turn
+// `twist` * up is left. The pads decide about which axes the part is turned back. In every case the
+// turn that is left lies between the twists at which one of the axes needs no turning back: any
+// twist beyond these would have to turn farther about each axis. Turning about several axes adds
+// the products of angles.
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw) {
   const HeldError& held = world.held();
   const auto most = [&](const Expression& angle) { return Magnitude(world.RangeOf(angle)); };

@@ -10,18 +10,20 @@ namespace assay::uncertainty {
 // upright again while the pads still hold it. (Paper mode leaves this levelling out.)
 bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pose& X_WorldPart);
 
-// What the errors of hand and grasp do to a part that comes down leaning. Angles are in radians.
+// The effect of the errors of hand and grasp on a part that comes down leaning. Angles are in
+// radians.
 //
-// Which axis the levelling turns about depends on the pads: they resist turns about each of the
-// tool's axes by a different amount. A hand that leans by a and errs by theta about its approach
-// vector may leave the part turned by theta / cos a, if the pads give way across the approach
-// vector. It may leave the part not turned at all, if they give way about the approach vector.
+// The axis of the levelling depends on the pads: they resist turns about each of the tool's axes by
+// a different amount. A hand that leans by a and errs by theta about its approach vector may leave
+// the part turned by theta / cos a, if the pads give way across the approach vector. If they give
+// way about the approach vector, the part may not be turned at all.
 struct Leaning {
   double tilt = 0;   // how far the part leans
   double twist = 0;  // turn about the vertical that is left once the table has levelled the part
   double levelling = 0;  // angle of the levelling, by which the part's points move
 };
-// `up` is the vertical in the tool's axes; `draw` is the hand's error.
+// Returns the leaning of a part whose tool has the vertical `up` in its axes. `draw` is the hand's
+// error.
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw);
 
 // Returns how many metres the pads slide down on a part that already stands: 0 if they bear the
@@ -29,9 +31,9 @@ Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const Manipula
 double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
                    const RestingError& released);
 
-// Returns the error of a part on the table once the hand has let it go; X_WorldPart is its believed
-// pose then, and X_ToolGrasp is T'_d. The displacement is that of the part in the hand, but for the
-// component that the surface under the part determines.
+// Returns the error of a part on the table once the hand has let it go. X_WorldPart is its believed
+// pose then, and X_ToolGrasp is T'_d. The displacement is that of the part in the hand, except for
+// the component that the surface under the part determines.
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);
@@ -42,20 +44,21 @@ RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
 RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                            const Transform& X_ToolGrasp, const ManipulatorError& draw);
 
-// Returns the error of a part that a strategy has led into its seat. The walls hold it there,
-// whatever the hand does: it is displaced like the fixed part, plus the play between the two.
+// Returns the error of a part that a strategy has led into its seat. The walls hold the part there,
+// whatever the hand does. So it is displaced like the fixed part, plus the play between the two.
 RestingError LedToSeat(UncertainWorld& world, domain::MatingId mating);
 
-// The largest movement of a fixed part that is dragged along by a mating. A held part that lands
-// leaning in its seat, or that yields to the seat's walls, drags the fixed part by as much, if
-// friction between the two exceeds what keeps the fixed part in place.
+// The greatest movement of a fixed part that a mating drags along. A held part moves when it lands
+// leaning in its seat, or when it yields to the seat's walls. It drags the fixed part by the same
+// distance if friction between the two exceeds what keeps the fixed part in place.
 struct Drag {
   double way = 0;   // metres, along x and along y each
   double turn = 0;  // radians
 };
 Drag DragOfFixed(const UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                  const ManipulatorError& draw);
-// Adds the movement of DragOfFixed to the error of the fixed part. (Paper mode leaves it out.)
+// Adds the movement that DragOfFixed returns to the error of the fixed part. (Paper mode leaves it
+// out.)
 void DragFixed(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                const ManipulatorError& draw);
 

@@ -71,8 +71,8 @@ TipBox BoxOf(const UncertainWorld& world, const std::vector<TipError>& errors) {
   return box;
 }
 
-// The greater an angle is, the smaller is its sine relative to it, so the whole vector's angle
-// decides.
+// The sine of an angle is smaller relative to the angle, the greater the angle is. So the angle of
+// the whole vector decides.
 Vector3 SinesWithin(const Vector3& w) {
   const double angle = w.norm();
   return angle > 0 ? Vector3(std::sin(angle) / angle * w) : w;

@@ -12,7 +12,7 @@ struct TipError {
   SymbolicVector sine;  // the turn's axis, as long as the sine of the turn's angle
 };
 
-// The part of the tip's way that its error depends on.
+// The data of the tip's way on which its error depends.
 struct TipWay {
   Pose X_HeldTip;
   Pose X_FixedStart;
@@ -21,9 +21,9 @@ struct TipWay {
 TipWay WayOf(const plan::Strategy& strategy);
 
 // Returns the tip's error at the start, and its error once it is turned as at the end. The second
-// one is given as it is seen when the tip is turned back to the start. The two differ: fine motion
-// assumes that errors turn with the hand, which those of the hand and of the grasp do, while those
-// of the fixed part do not. X_ToolGrasp is T'_d.
+// error is given as it is seen when the tip is turned back to the start. Fine motion assumes that
+// errors turn with the hand. The errors of the hand and of the grasp do so, but those of the fixed
+// part do not, so the two results differ. X_ToolGrasp is T'_d.
 std::vector<TipError> TipErrors(const UncertainWorld& world, domain::MatingId mating,
                                 const plan::Hold& hold, const Transform& X_ToolGrasp,
                                 const TipWay& way);

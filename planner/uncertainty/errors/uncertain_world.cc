@@ -16,9 +16,10 @@
 namespace assay::uncertainty {
 namespace {
 
-// The greatest size of expressions that are kept as they are.
+// Greatest number of operations in an expression that is kept as it is.
 constexpr std::size_t kMostNodes = 60;
-constexpr double kNegligible = 0.02;  // share of what all variables of an expression move it by
+// share of an expression's variation below which variables go into the rest
+constexpr double kNegligible = 0.02;
 
 std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>& expressions) {
   std::set<algebra::VariableId> occurring;

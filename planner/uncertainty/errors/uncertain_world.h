@@ -16,11 +16,11 @@ namespace assay::uncertainty {
 
 using domain::PartId;
 
-// What is known of the place of everything at one time of a plan instance: the world description of
-// Spar's uncertainty-reduction level. Copies share their variables, so a copy must not outlive the
-// last of them. Two copies that go on in different ways stay independent of each other. They
-// declare the same variables as long as their actions are the same: no expression may join what the
-// two know.
+// What is known about the pose of everything at one time of a plan instance: the world description
+// of Spar's uncertainty-reduction level. Copies share their variables, and expressions must not
+// outlive the last copy. Two copies that go on in different ways stay independent of each other.
+// Equal declarations in both give the same variable, so no expression may combine what the two
+// know.
 class UncertainWorld {
  public:
   // Creates the world as the problem begins.
@@ -29,20 +29,22 @@ class UncertainWorld {
   const domain::Problem& problem() const { return *problem_; }
   Propagation propagation() const { return propagation_; }
 
-  // Returns where the plan has the part; for the part in the hand, the pose at which it was taken.
+  // Returns the part's planned pose. For the part in the hand, it is the pose at which it was
+  // taken.
   const Pose& X_WorldPart(PartId part) const { return parts_[part.index()].X_WorldPart; }
-  // Returns the difference of the pose that is believed now from the plan's.
+  // Returns the difference between the part's believed pose and its planned pose.
   const BeliefShift& shift(PartId part) const { return parts_[part.index()].shift; }
-  // Returns the part's error about its believed pose, in axes that turn with that pose. What the
-  // hand does with the part is shifted and turned like the believed pose. So everything between the
-  // two happens as if the believed pose had never changed.
+  // Returns the part's error about its believed pose, in axes that turn with that pose. The hand's
+  // work on the part is shifted and turned like the believed pose. So everything between the two
+  // happens as if the believed pose had never changed.
   const RestingError& resting(PartId part) const { return parts_[part.index()].error; }
-  // Returns the part's error about its believed pose, in the world's axes: this is what a sensor
+  // Returns the part's error about its believed pose, in the world's axes. This is what a sensor
   // measures.
   const RestingError& resting_in_world(PartId part) const { return parts_[part.index()].in_world; }
   // Returns the part's error about its planned pose, in the world's axes.
   RestingError about_plan(PartId part) const;
-  // Returns the shift from the plan's pose of a point that goes with the part's believed pose.
+  // Returns how far a point that moves with the part's believed pose is shifted from its planned
+  // place.
   BeliefShift ShiftAt(PartId part, const Vector3& point) const;
   PartId in_hand() const { return in_hand_; }  // None: the hand is empty
   const HeldError& held() const { return held_; }
@@ -56,7 +58,7 @@ class UncertainWorld {
   // Returns a bounded variable that is new to this world and belongs to a part. Returns a number if
   // the interval has no width.
   Expression Declare(const std::string& stem, const Interval& range, PartId part);
-  // Returns the part's name, as it ends the names of the part's variables.
+  // Returns the part's name in the form that ends the names of its variables.
   std::string SymbolName(PartId part) const;
 
   // Sets the error of the part in the hand. In sound mode, this function and SetResting condense
@@ -78,8 +80,8 @@ class UncertainWorld {
   const algebra::ConstraintSet& constraints() const {  // box of all variables
     return variables_->declared;
   }
-  // Return guaranteed ranges of the expression, which contain all its values: by plain interval
-  // arithmetic, and by the tighter bounding methods.
+  // Return guaranteed ranges, which contain all values of the expression. RangeOf uses plain
+  // interval arithmetic, and TightRangeOf the tighter bounding methods.
   Interval RangeOf(const Expression& expression) const;
   Interval TightRangeOf(const Expression& expression) const;
   // Return bounds to first order. They cost very little work where much has been bounded before.

@@ -31,7 +31,8 @@ class WorldTree {
   // the list next.
   const std::vector<Unproved>& UnprovedAt(MomentId moment);
   bool IsProved(MomentId moment) { return UnprovedAt(moment).empty(); }
-  // Returns one of UnprovedAt, with the bound that the action's certificate states.
+  // Returns one of the preconditions of UnprovedAt, with the bound that the action's certificate
+  // states.
   Unproved Told(MomentId moment, const Unproved& unproved);
 
   // Returns the number of snapshots that were asked for.

@@ -45,7 +45,7 @@ CertifiedPrecondition ClaimOf(const Precondition& precondition, const Bound& bou
           .rung = std::string(algebra::Name(bound.rung))};
 }
 
-// Returns the claim, if the glance at its expression tells whether it holds.
+// Returns the claim, if quick bounds (algebra/methods/glance.h) tell whether it holds.
 std::optional<CertifiedPrecondition> Seen(const Precondition& precondition,
                                           const algebra::Glance& glance) {
   const bool less = precondition.relation == Relation::kLess;
@@ -154,7 +154,7 @@ class StepCertifier {
 
  private:
   bool certifies() const { return effort_ == Effort::kCertify; }
-  // Returns whether more has to be known of preconditions.
+  // Returns whether there is more to find out about preconditions.
   bool decides() const {
     const bool is_answered = effort_ == Effort::kDecideFirst && !certified_.unproved.empty();
     return effort_ != Effort::kPropagate && !is_answered;
@@ -234,8 +234,8 @@ class StepCertifier {
     }
   }
 
-  // A claim that a glance proves is proved, even if the bounding methods stopped earlier, at the
-  // wanted gap, with a looser bound.
+  // A claim that quick bounds prove is proved, even if the bounding methods stopped with a looser
+  // bound at the wanted gap.
   CertifiedPrecondition Certified(const Precondition& precondition) {
     if (std::optional<CertifiedPrecondition> claim = ProvedToFirstOrder(precondition)) {
       return *std::move(claim);
@@ -256,8 +256,8 @@ class StepCertifier {
     return claim;
   }
 
-  // First-order bounds prove most claims. The bounding methods need not run then; the first of
-  // them, at which they would stop, give looser bounds.
+  // First-order bounds prove most claims, and the bounding methods need not run then. They would
+  // stop at the first method that proves the claim, whose bound is looser.
   std::optional<CertifiedPrecondition> ProvedToFirstOrder(const Precondition& precondition) {
     if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
     const bool less = precondition.relation == Relation::kLess;
@@ -275,9 +275,9 @@ class StepCertifier {
     return ClaimOf(precondition, BoundOf(precondition, world_, request_));
   }
 
-  // Glances answer most questions, with looser bounds. They find what the centred bounding method
-  // finds: if the request allows only weaker methods, glances must not prove more than the
-  // certificate will.
+  // Quick bounds answer most questions, with looser bounds. They find what the centred bounding
+  // method finds. If the request allows only weaker methods, they must not prove more than the
+  // certificate will, so they are not used.
   std::optional<CertifiedPrecondition> AtAGlance(const Precondition& precondition) const {
     if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
     const auto& [condition, meaning, expression, relation, limit, neighbour] = precondition;

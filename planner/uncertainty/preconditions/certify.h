@@ -17,11 +17,11 @@ struct CertifiedStep {
   std::vector<Unproved> unproved;
 };
 
-// Returns the sum of how far the bounds are beyond their limits.
+// Returns the sum of the amounts by which the bounds are beyond their limits.
 double Violation(const std::vector<Unproved>& unproved);
 
-// Returns a lower bound on how far the expression's bound is beyond its limit, however tight that
-// bound is: the excess at values that the expression takes at single points of the box.
+// Returns the least amount by which any bound of the expression, however tight, is beyond its
+// limit. It comes from values that the expression takes at single points of the box.
 double LeastViolation(const Unproved& unproved, const UncertainWorld& world);
 
 // Certifies the next action of a plan instance, and takes the world to its state after the action.

@@ -28,8 +28,8 @@ PossibleFrame FrameOf(const UncertainWorld& world, const Pose& planned, const Re
   return {planned, PossiblePose(planned, error), Magnitude(world.RangeOf(error.theta))};
 }
 
-// Searches the plane that leaves the widest gap between two bodies beyond what displacements may
-// take. The first plane that leaves enough ends the search.
+// Searches for the plane that leaves the widest gap between two bodies beyond what displacements
+// may take. The first plane that leaves enough ends the search.
 class WidestGap {
  public:
   WidestGap(const Body& from, const Body& to, const Vector3& displacement, double enough)
@@ -46,8 +46,8 @@ class WidestGap {
   const Vector3& direction() const { return direction_; }
 
  private:
-  // Edges of one body make its own faces. The faces of a box, which has three edges, are tried
-  // already.
+  // Planes along two edges of one body are its own faces. The faces of a box, which has three
+  // edges, are tried already.
   bool TryEdges(const Body& a, const Body& b) {
     const std::vector<Vector3> of_a = a.Edges();
     if (&a == &b && of_a.size() == 3) return false;
@@ -144,8 +144,8 @@ SymbolicVector Body::Possible(const Point& point) const {
   return point.at_far_end ? p + way_.possible : p;
 }
 
-// A point that is surely behind another one is left out. Both are displaced alike, and a turn moves
-// one against the other by no more than their distance allows.
+// A point that is surely behind another one is left out. Both points have the same displacement,
+// and a turn moves one against the other by no more than their distance allows.
 std::vector<Body::Point> Body::Foremost(const Vector3& direction) const {
   std::vector<Point> points;
   for (const Vector3& corner : box_.Corners()) {

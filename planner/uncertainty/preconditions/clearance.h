@@ -25,7 +25,7 @@ Vector3 DisplacementBetween(const UncertainWorld& world, const PossibleFrame& a,
 // them (UncertainWorld::resting).
 PossibleFrame FrameOf(const UncertainWorld& world, PartId part);
 PossibleFrame BelievedFrameOf(const UncertainWorld& world, PartId part);
-// Returns the frame moved by the shift of the believed pose that it goes by.
+// Returns the frame of a body that follows a believed pose, after that pose has moved by `shift`.
 PossibleFrame Shifted(const UncertainWorld& world, const PossibleFrame& frame,
                       const BeliefShift& shift);
 
@@ -85,8 +85,8 @@ struct Clearance {
 };
 
 // Requires that a plane keeps the two bodies apart. The candidates are planes along the faces of
-// each, and along an edge of each; one of them separates any two convex bodies that are apart. The
-// plane is the one that leaves the widest gap beyond what displacements may take. Nothing is
+// each body, and planes along an edge of each; one of these separates any two convex bodies that
+// are apart. The plane with the widest gap beyond the possible displacements is chosen. Nothing is
 // required where no error is great enough to close the gap.
 void RequireApart(const Body& a, const Body& b, const Clearance& clearance,
                   Preconditions& conditions);

@@ -7,12 +7,13 @@ namespace assay::uncertainty {
 
 // The load on a part between two pads.
 struct GripLoad {
-  double slipping = 0;  // load in the plane of the pads, over what one newton on each pad bears
-  double across = 0;    // force along the closing direction, newtons
-  double tilting = 0;   // moment about the axes in the plane of the pads, newton metres
+  // load in the plane of the pads, as a ratio to what one newton on each pad bears
+  double slipping = 0;
+  double across = 0;   // force along the closing direction, newtons
+  double tilting = 0;  // moment about the axes in the plane of the pads, newton metres
 };
 
-// How two pads hold a part: their least friction, on the patches where they surely touch, per
+// The hold of two pads on a part: their least friction, on the patches where they surely touch, per
 // newton on each pad.
 struct Grip {
   PadFriction friction{{}};
@@ -20,8 +21,8 @@ struct Grip {
   Vector2 reach = Vector2::Zero();
   bool alike = false;  // true if both pads touch in the same places
 
-  // Returns the load over what the pads bear when each presses with `force` newtons. Below 1 they
-  // hold. Nothing is borne where a pad may touch nothing.
+  // Returns the ratio of the load to what the pads bear when each presses with `force` newtons.
+  // Below 1 they hold. If a pad may touch nothing, the pads bear nothing.
   double RatioOf(const GripLoad& load, double force) const;
 };
 Grip GripOf(const domain::Problem& problem, PartId part, const plan::Hold& hold,

@@ -74,7 +74,7 @@ class HandConditions {
         tool_(tool) {}
 
   // Requires clearance from all parts that rest except `but`. The hand's way does not depend on the
-  // believed poses of these parts; it depends on a believed pose that is shifted by `shift`.
+  // believed poses of these parts, but on a believed pose that has moved by `shift`.
   void RequireClearOfOthers(const std::vector<PartId>& but, const BeliefShift& shift,
                             const Vector3& way_in) {
     const PossibleFrame tool = Shifted(world_, tool_, shift);
@@ -86,8 +86,7 @@ class HandConditions {
     }
   }
 
-  // Requires clearance from the part whose believed pose guides the hand, and that it reaches along
-  // the way in.
+  // Requires clearance from the fixed part, whose believed pose guides the hand on the way in.
   void RequireClearOfFixed(PartId fixed, const Vector3& way_in, const Vector3& slack) {
     RequireClear(tool_, Swept(tool_, WayOf(world_, way_in, 0)), BelievedFrameOf(world_, fixed),
                  fixed, PartId::None(), slack);

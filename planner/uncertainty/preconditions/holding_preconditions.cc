@@ -36,7 +36,7 @@ struct Carried {
 
 // The greatest weight, in the plane of the pads and across it.
 struct Weighing {
-  double in_plane = 0;  // load over what one newton on each pad bears
+  double in_plane = 0;  // ratio of the load to what one newton on each pad bears
   double across = 0;    // newtons
 };
 
@@ -58,8 +58,8 @@ std::vector<Weighing> AnyWeighing(double any_force, double weight) {
   return weighings;
 }
 
-// Returns the load over what the grip bears with `force` newtons on each pad. `up` is the vertical
-// as the tool sees it, to within `sway` radians; null where the hand may turn freely.
+// Returns the ratio of the load to what the grip bears with `force` newtons on each pad. `up` is
+// the vertical as the tool sees it, to within `sway` radians; null where the hand may turn freely.
 double LoadRatio(const Grip& grip, double force, const Carried& carried, const Vector3* up,
                  double sway) {
   const Vector2 lever = Vector2(carried.center.x(), carried.center.z()) - grip.friction.center();

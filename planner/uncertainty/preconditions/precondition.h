@@ -10,7 +10,7 @@ namespace assay::uncertainty {
 // An uncertainty-reduction precondition: expression < limit, or expression > limit, for all values
 // of its variables.
 struct Precondition {
-  std::string condition;  // its name, such as "between fingers"
+  std::string condition;  // name, such as "between fingers"
   std::string meaning;    // text for people, such as "contact 1 lies on the inner side of finger 1"
   Expression expression;  // metres, radians, or a ratio
   plan::Relation relation = plan::Relation::kLess;
@@ -68,11 +68,11 @@ std::vector<Precondition> LandingPreconditions(const UncertainWorld& world, Part
                                                const RestingError& released);
 
 // Returns the preconditions of assemble. For every shaft in its hole:
-//   entry     the tip's vertices lie inside the planes of the hole's walls, bevelled edges counted
+//   entry     the tip's vertices lie inside the planes of the hole's walls, with the bevelled edges
 //   slide-in  without the bevels, the shaft's vertices lie inside these planes at the start and at
 //             the end of the mating motion, and at the seat
-//   tilt      the shaft leans in the hole by less than two-point contact and wedging need (Whitney
-//             1982: clearance / depth, clearance / (friction * width))
+//   tilt      the shaft leans in the hole by less than the angles of two-point contact and of
+//             wedging (Whitney 1982: clearance / depth, clearance / (friction * width))
 // For the mating as a whole:
 //   seat      the motion ends within the guarded travel of the seat
 // The wrist yields by the workcell's lateral compliance across each pair of walls that face each
@@ -88,11 +88,11 @@ std::vector<Precondition> TipPreconditions(const UncertainWorld& world, domain::
                                            const plan::Hold& hold, const Transform& X_ToolGrasp,
                                            const plan::Strategy& strategy);
 
-// Returns the preconditions of holding, for every action with a part in the hand, in sound mode:
-//   holding          the load on the pads over what they bear is below 1. The load is weight,
-//                    accelerations (planner/plan/data/carrying.h) and the lever from the pads to
-//                    the centre of mass; what is borne is the pads' friction (pad_friction.h), the
-//                    least within its tolerance, under the grip force
+// Returns the precondition of holding, for every action with a part in the hand, in sound mode:
+//   holding          the ratio of the load on the pads to what they bear is below 1. The load is
+//                    weight, accelerations (planner/plan/data/carrying.h) and the lever from the
+//                    pads to the centre of mass. The pads bear it by the least friction within its
+//                    tolerance (pad_friction.h), under the grip force
 enum class Turning {
   kNone,  // lifted, with the orientation in which it was taken
   kAny,   // carried, with any lean of the hand on its way
@@ -132,7 +132,7 @@ std::vector<Precondition> FixedPreconditions(const UncertainWorld& world, domain
                                              const RestingError& released,
                                              const plan::Strategy* strategy);
 
-// The work of letting a part go, in a putdown or a mating.
+// The work of a hand that lets a part go, in a putdown or a mating.
 struct LettingGo {
   PartId part;
   const plan::Hold& hold;
@@ -143,12 +143,12 @@ struct LettingGo {
   const RestingError& released;  // its error once it is let go
 };
 
-// Return the preconditions of the hand, for every action with the hand in sound mode:
+// Return the precondition of the hand, for every action with the hand in sound mode:
 //   hand clear       a plane keeps each piece of hand and fingers apart from every part, on the
 //                    straight way to where the pads close or open, and on the way from there
-// The part between the pads is looked at where it rests before it is taken, and where it is in the
-// hand. What lies behind the planes in which the closing pads are to touch it is left out. The
-// fixed part of a mating and what is beside it are looked at on the way in, too.
+// The part between the pads is tested where it rests before it is taken, and where it is in the
+// hand. Its pieces behind the planes in which the closing pads are to touch it are left out. The
+// fixed part of a mating, and parts beside it, are tested on the hand's way in, too.
 std::vector<Precondition> HandClearanceAtGrasp(const UncertainWorld& world, PartId part,
                                                const plan::Hold& hold, const ManipulatorError& draw,
                                                const HeldError& held, bool opens_again);
@@ -159,7 +159,7 @@ std::vector<Precondition> HandClearanceAtMating(const UncertainWorld& world,
                                                 domain::MatingId mating, const LettingGo& work,
                                                 bool is_led);
 
-// Returns the preconditions of the held part's way, for assemble in sound mode. `strategy` is null
+// Returns the precondition of the held part's way, for assemble in sound mode. `strategy` is null
 // if the motion goes straight to the seat; otherwise the motion goes to where the strategy starts.
 //   passing clear    a plane keeps each piece of the held part, all along the mating motion, apart
 //                    from each piece of every other part. Left out are shafts in their holes, and

@@ -53,8 +53,8 @@ class ClosingConditions {
         off_(OffInHandOf(world, held)),
         before_(world.about_plan(part)) {}
 
-  // The pads push at the same heights from either side. The pad on the far side pushes towards an
-  // edge along `outward`.
+  // Pads push at the same heights from either side. The pad on the far side of the part pushes it
+  // along `outward`.
   double ToppleRatio() const {
     const double turn = MostOf(world_, before_.theta) + hand_turn_;
     if (ReachOf(world_, part_, before_) + hand_ + turn < kPushed) return 0;
@@ -122,9 +122,9 @@ class ClosingConditions {
     return world_.problem().part(part_).model->friction() + world_.problem().tolerances.friction;
   }
 
-  // Returns the ratio about an edge of a pad's push along `way`, to within `turn` radians. The pad
-  // pushes with the force that the friction of the table takes. A pad that is not upright exerts a
-  // vertical force, too, which adds to the friction or lifts the part.
+  // Returns the toppling ratio about an edge, for a pad that pushes along `way`, to within `turn`
+  // radians. The pad pushes with the force that the friction of the table takes. A pad that is not
+  // upright exerts a vertical force, too, which adds to the friction or lifts the part.
   double RatioAbout(const TippingEdge& edge, const Vector3& way, double turn, double height) const {
     const double level = way.head<2>().norm();
     const double vertical = std::abs(way.z());
@@ -157,8 +157,7 @@ class ClosingConditions {
   RestingError before_;
 };
 
-// ---- A part that is let go
-// -------------------------------------------------------------------------
+// ---- A part that is let go ------------------------------------------------------------------
 
 class StandingConditions {
  public:
@@ -175,7 +174,7 @@ class StandingConditions {
         edges_(TippingEdgesOf(standings_)),
         off_(OnParts() ? ReachOf(world, part, released) + ReachOfSupports() : 0) {}
 
-  // Returns the ratio with which a part that leans by `tilt` falls back.
+  // Returns the ratio that must be below 1 for a part that leans by `tilt` to fall back.
   double FallRatio(double tilt) const {
     return WorstOf([&](const TippingEdge& edge, const geometry::MassProperties& mass) {
       const Vector3 center = X_WorldPart_ * mass.center;

@@ -39,14 +39,14 @@ struct Push {
   double aside = 0;  // newtons, in any direction
 };
 
-// Returns the moment by which the pushes tip a part over the moment by which its weight keeps it,
-// at the worst edge and of the worst part among this one and those that it stands on. Below 1 all
+// Returns the ratio of the moment by which the pushes tip a part to the moment by which its weight
+// keeps it. It is that of the worst edge, of this part or of a part that it stands on. Below 1 all
 // of them stay. The part's fixture (domain::Part::clamp) presses it down, too. `off` is the
-// distance, in metres, by which the pushes may be elsewhere.
+// greatest distance, in metres, of the pushes from their planned places.
 double TippingRatio(const UncertainWorld& world, PartId part, const std::vector<Push>& pushes,
                     double off);
-// Returns the force that pushes the part aside over the friction that keeps it, which is the least
-// within its tolerance.
+// Returns the ratio of the force that pushes the part aside to the friction that keeps it, which is
+// the least within its tolerance.
 double SlidingRatio(const domain::Problem& problem, PartId part, const std::vector<Push>& pushes);
 
 }  // namespace assay::uncertainty

@@ -15,7 +15,7 @@ struct OffInHand {
 };
 OffInHand OffInHandOf(const UncertainWorld& world, const HeldError& held);
 
-// Each side of a pad is divided into so many cells.
+// The number of cells along each side of a pad.
 inline constexpr int kCellsPerSide = 6;
 
 // Returns the middles of the cells on which a pad surely touches its face, for any error of the
