@@ -24,7 +24,7 @@ constexpr double kOpposite = 0.1 * std::numbers::pi / 180;
 constexpr double kGridStep = 4e-3;  // distance between candidate positions, metres
 // Margin around the pads beyond which more is no better, metres.
 constexpr double kDeepEnough = 4e-3;
-constexpr double kAllowance = 1e-4;  // overlap of hand and part that is forgiven, metres
+constexpr double kAllowance = 1e-4;  // overlap of hand and part that is ignored, metres
 constexpr double kEqual = 1e-7;      // lengths that differ less are equal, metres
 
 // Two faces with opposite outward normals.
@@ -114,8 +114,8 @@ class PadRegion {
     return least;
   }
 
-  // Returns the greatest lack of room of a pad that sticks out by `overhang`, across one of the
-  // outline's edges. If the outline has room for the pad, a gap is what lacks it.
+  // Returns what a pad that sticks out by `overhang` lacks most, across one of the outline's edges.
+  // If the outline has room for the pad, the pad sticks out into a gap.
   PadRoom Lacking(const Polygon& pad, double overhang) const {
     PadRoom least;
     for (std::size_t i = 0; i < outline_.size(); ++i) {
@@ -217,7 +217,8 @@ class PairSearch {
     return region_.MarginOf(PadAt(spot.center, approach, pads_));
   }
 
-  // The first spots are the nearest to the centre of mass, so a later one must lie deeper.
+  // The spots nearest to the centre of mass come first, so a later spot must lie deeper to replace
+  // an earlier one.
   std::optional<Vector2> BestCenter(const Approach& approach) const {
     const std::vector<CObstacle> obstacles = clearance_.ObstaclesOf(approach);
     const Spot* best = nullptr;

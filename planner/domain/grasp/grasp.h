@@ -34,17 +34,17 @@ struct Grasp {
 struct GraspSearch {
   double approach_step = 0;  // radians between approach directions in the plane of the faces
   double widest = 0;         // greatest width to look for, metres
-  // Whether a class in which no grasp has its pads wholly on the faces gets a grasp with pads that
-  // stick out of them (Grasp::room). This tells what a missing grasp lacks.
+  // Whether to search for grasps whose pads stick out of the faces (Grasp::room), in classes where
+  // the pads of no grasp lie wholly on the faces. These grasps tell what a missing grasp lacks.
   bool with_misfits = false;
 };
 
 // Returns the grasps of a part by a gripper. They are at pairs of parallel faces not wider than
 // `widest`, with approach directions quantized from a part axis, and with pads wholly on the faces
 // and not on walls of holes. Hand and fingers are clear of the part when open, on the way in, and
-// when closed; for grasps wider than the gripper opens, only the hand is. Each class gives the
-// grasp whose pads lie deepest in the faces (up to 4 mm), and among equals the nearest to the
-// centre of mass. The grasps are ordered by face pairs, then by directions.
+// when closed. For grasps wider than the gripper opens, only the hand must be clear. Each class
+// gives the grasp whose pads lie deepest in the faces (up to 4 mm), and among equals the nearest to
+// the centre of mass. The grasps are ordered by face pairs, then by directions.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search);
 

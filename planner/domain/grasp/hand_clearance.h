@@ -32,10 +32,10 @@ struct Approach {
 };
 
 // The positions of the tool at which hand and fingers miss the part that they take. Fingers move
-// only along the plane's normal. So each of their boxes is a rectangle in the plane, which meets
-// the part where it meets the shadow of what lies in the box's range of heights. This is exact for
-// gripper boxes with a side parallel to the plane; other boxes are replaced by their bounding
-// boxes.
+// only along the plane's normal, so each of their boxes is a rectangle in the plane. The rectangle
+// meets the part where it meets the shadow of the part's pieces in the box's range of heights. This
+// is exact for gripper boxes with a side parallel to the plane; other boxes are replaced by their
+// bounding boxes.
 class HandClearance {
  public:
   // `X_PartMiddle` is the plane midway between two faces `width` metres apart, with its z along the

@@ -26,8 +26,8 @@ Polygon LeftOf(const Polygon& polygon, const Vector2& a, const Vector2& b) {
   return geometry::Hull2(kept);
 }
 
-// Appends what lies outside each edge of the cut in turn. What remains at the end is inside all of
-// the edges.
+// Appends the pieces of the polygon that lie outside each edge of the cut in turn. What remains at
+// the end is inside all edges.
 void AppendOutside(Polygon polygon, const Polygon& cut, Patches& patches) {
   for (std::size_t i = 0; i < cut.size(); ++i) {
     const Vector2& a = cut[i];

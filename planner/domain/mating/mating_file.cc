@@ -17,14 +17,14 @@ namespace {
 constexpr double kFeatureOffset = 0.001;  // metres by which mating features may be off their axis
 constexpr double kShortestMatingVector = 1e-6;  // metres
 constexpr double kLongestMatingVector = 2;      // metres
-constexpr double kSamePose = 1e-9;     // entries by which poses of two equal matings may differ
-constexpr double kMatingStep = 0.005;  // metres between looks along a mating vector
+constexpr double kSamePose = 1e-9;     // greatest difference between entries of equal poses
+constexpr double kMatingStep = 0.005;  // metres between tests along a mating vector
 constexpr double kSeatGap = 1e-4;      // metres that mated parts may be apart
 constexpr double kLeastDepth = 1e-4;   // metres that a shaft must be in its hole
-constexpr double kBesideWall = 1e-6;   // metres of a seated shaft in a wall that count as rounding
+constexpr double kBesideWall = 1e-6;   // depth in a wall that counts as rounding, metres
 constexpr double kMostTurn = 0.4;      // greatest turn of a seated part that is tried, radians
 constexpr double kPlayShare = 0.98;    // share of the play within which nothing else may be met
-constexpr double kAxisTurn = 1e-3;     // radians between axes that should be one
+constexpr double kAxisTurn = 1e-3;     // greatest angle between axes that should be equal, radians
 
 std::string NameOf(const Feature& feature) {
   return fmt::format("{} ({})", feature.number.index(), feature.description);
@@ -206,7 +206,7 @@ void MatingFile::CheckFeaturesMeet(const Value& value, const Mating& mating) con
   }
 }
 
-// Checks of faces that meet that they have opposite normals, and lie in one plane.
+// Checks that faces that meet have opposite normals, and lie in one plane.
 void MatingFile::CheckFacesMeet(const Value& pose, const Mating& mating) const {
   for (const auto& [of_held, of_fixed] : mating.features) {
     const Feature& held = *problem_.part(mating.held).model->FindFeature(of_held);

@@ -85,7 +85,7 @@ bool AreParallel(const Vector3& a, const Vector3& b) {
   return std::abs(a.dot(b)) > 1 - kUnitProduct;
 }
 
-// Returns the gap that the fit leaves the held part across a slot of the hole.
+// Returns the gap that the fit leaves to the held part across a slot of the hole.
 FitGap GapOf(const ShaftFit& fit, const Polygon& section, const Slot& slot) {
   const Extent extent = ExtentOf(fit, section, slot.across);
   const double low = extent.low - slot.low;

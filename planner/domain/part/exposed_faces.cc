@@ -59,7 +59,8 @@ std::vector<Plane> PlanesOf(std::span<const Box> boxes) {
   return planes;
 }
 
-// Returns the least distance of two parallel lines with the polygon between them.
+// Returns the breadth of a polygon: the least distance of two parallel lines with the polygon
+// between them.
 double Breadth(const Polygon& polygon) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {

@@ -197,10 +197,10 @@ std::vector<Wall> WallsOf(const PartModel& model, const Hollow& hollow) {
   return walls;
 }
 
-// A convex piece in two sizes, to test whether it hangs together with another piece. They must
-// share a volume, or a face at least, since edges and corners hold nothing. One copy of the piece
-// for each side has this side pushed out a little; the other piece is drawn in on all sides, by a
-// little less.
+// A convex piece in two forms, to test whether it hangs together with another piece. Two pieces
+// must share a volume, or a face at least, since edges and corners hold nothing. The reaching form
+// has its sides pushed out a little, along one axis at a time. The other form is drawn in on all
+// sides, by a little less.
 struct Joint {
   geometry::CollisionShape reaching;
   geometry::CollisionShape drawn_in;

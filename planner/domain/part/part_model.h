@@ -20,7 +20,7 @@ using geometry::Pose;
 using geometry::Vector2;
 using geometry::Vector3;
 
-// The greatest change by rounding of metres, radians and numbers near 1.
+// Rounding may change metres, radians and numbers near 1 by at most this.
 inline constexpr double kRounding = 1e-9;
 
 using FaceId = Id<struct FaceTag>;

@@ -208,8 +208,8 @@ void InitialPosesFile::CheckApart() const {
   }
 }
 
-// Checks that the centre of mass is over what the part stands on. Otherwise it would fall before
-// the first action.
+// Checks that the centre of mass is over what the part stands on. Otherwise the part would fall
+// before the first action.
 void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
   const Part& part = problem_.part(id);
   std::vector<Vector3> corners = CornersOnTable(*part.model, part.X_WorldPart);

@@ -284,7 +284,7 @@ class StandingConditions {
     return std::min(plan::kGreatestPush, 2 * friction * rules.grip_force);
   }
 
-  // Returns the load of the force that stops a guarded move, over what the pads bear. The force
+  // Returns the ratio of the force that stops a guarded move to what the pads bear. The force
   // acts at an edge that is `beyond` metres beside the middle of the pads.
   double GivenBackRatio(const Grip& grip, const TippingEdge& edge, double beyond) const {
     const geometry::Matrix3 R_ToolWorld = (X_WorldPart_ * hold_.X_PartTool).linear().transpose();
