@@ -69,7 +69,7 @@ std::shared_ptr<ob::SpaceInformation> SpaceOf(const Problem& problem) {
   }
   space->setBounds(bounds);
   auto information = std::make_shared<ob::SpaceInformation>(space);
-  // FreeMotions decides
+  // FreeMotions decides.
   information->setStateValidityChecker([](const ob::State*) { return true; });
   information->setMotionValidator(std::make_shared<FreeMotions>(information.get(), problem));
   information->setup();

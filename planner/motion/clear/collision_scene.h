@@ -58,15 +58,15 @@ struct HeldPart {
 struct StandingRobot {
   domain::RobotId robot;
   JointVector q = JointVector::Zero();
-  double opening = 0;  // between its pads, metres
+  double opening = 0;  // distance between its pads, metres
 };
 
 // Everything around the arm while it moves.
 struct Surroundings {
-  std::vector<domain::PlacedPart> parts = {};  // that stand still; other parts are absent
+  std::vector<domain::PlacedPart> parts = {};  // parts that stand still; others are absent
   std::optional<HeldPart> held = {};
   std::vector<double> doubts = {};  // by PartId, metres (Body::doubt); empty: no errors
-  double opening = 0;               // between the pads, metres
+  double opening = 0;               // distance between the pads, metres
   // Robots that are not listed stand at their homes with open grippers.
   std::vector<StandingRobot> robots = {};
 };
@@ -104,7 +104,7 @@ class CollisionScene {
   // Returns the distance of two bodies, in metres, never more than the true one. If the distance is
   // at least `enough`, any value from `enough` up may be returned.
   double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough) const;
-  // Returns the distance as the function above, faster for a posture that is near to the last one.
+  // Returns the distance like the other overload, but faster for a posture near to the last one.
   // `slabs` was filled for that posture (geometry::Separation, by pair of hulls); it is empty at
   // first.
   using Slabs = std::vector<Vector3>;

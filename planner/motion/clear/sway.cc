@@ -16,9 +16,9 @@ namespace {
 using geometry::Matrix3;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-// Greatest number for one cell: near a singular posture the halving would not end.
+// Greatest number of halvings of one cell: near a singular posture there would be no end.
 constexpr int kMostHalvings = 40;
-constexpr int kMostCells = 3'000;     // greatest number on one way
+constexpr int kMostCells = 3'000;     // greatest number of cells of one way
 constexpr double kLeastDoubt = 1e-6;  // least half width of any error: rounding is far smaller
 constexpr double kInflation = 1.2;    // factor on a guess at the turns of joints
 constexpr int kGuesses = 5;           // number of guesses, each computed from the last one

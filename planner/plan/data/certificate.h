@@ -100,9 +100,9 @@ struct Certificate {
   bool operator==(const Certificate&) const = default;
 };
 
-// Returns how far, in metres, a guarded move may meet something from where it is expected. The
-// preconditions "landing height" and "seat" say that this stays within the workcell's guarded
-// travel. If nothing is certified, the whole guarded travel is returned.
+// Returns the greatest distance, in metres, between the expected and the actual contact of a
+// guarded move. The preconditions "landing height" and "seat" say that it stays within the
+// workcell's guarded travel. If nothing is certified, the whole guarded travel is returned.
 double DoubtOfContact(const Certificate& certificate, double guarded_travel);
 
 }  // namespace assay::plan

@@ -39,7 +39,7 @@ struct UnwantedContact {
   int contact = 0;  // index in Strategy::contacts
   bool is_loss = false;
   double scale = 0;  // least enlargement of all errors, of those tried, at which it happens
-  double gap = 0;    // distance, metres, at the end of the motion without errors
+  double gap = 0;    // width at the end of the motion without errors, metres
   // Distance between the force signatures of the error state and the plan, 0 .. 1.
   double separation = 0;
   std::optional<TipError> likely = {};  // mean of the errors that lead to it; none: not known
@@ -56,10 +56,10 @@ struct StrategyMotion {
   std::vector<int> kept;  // contacts that are pressed on all the way; indices
   Pose X_FixedTip;  // end pose without errors; the way is straight, with a rotation about one axis
   std::optional<int> until;  // the contact that ends it; none: the motion as a whole
-  // How much farther the motion may go until `until` is made, in lengths of the motion.
+  // How much farther the motion may go until that contact is made, in lengths of the motion.
   double beyond = 0;
   bool slides = false;  // in a crevice: all but the motion's direction is force-controlled to zero
-  // Those among the tried enlargements, by rising scale.
+  // The unwanted contacts within the tried enlargements, by rising scale.
   std::vector<UnwantedContact> unwanted = {};
 };
 

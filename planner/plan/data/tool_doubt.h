@@ -14,7 +14,7 @@ struct ToolDoubt {
   double turn = 0;                                      // radians, >= 0
   double spin = 0;                                      // radians, >= 0
 
-  // Returns a box that contains both of them.
+  // Returns error bounds that cover both.
   ToolDoubt Or(const ToolDoubt& other) const {
     return {shift.cwiseMax(other.shift), std::fmax(turn, other.turn), std::fmax(spin, other.spin)};
   }

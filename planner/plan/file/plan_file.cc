@@ -24,7 +24,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "assay-plan/2";
 constexpr double kSameMating = 1e-9;  // metres, and entries of a rotation
-// 2^53: doubles above it are not exact integers
+// 2^53: not every integer above it is a double.
 constexpr double kLargestCount = 9007199254740992.0;
 
 // The words of the format for outcomes, in the order of the enum Outcome.
