@@ -18,7 +18,7 @@ struct Upright {
 
 // The rules that a motion must obey everywhere on its way.
 struct MotionRules {
-  // Least distance of every pair of bodies beyond their doubts (Body::doubt), metres, >= 0.
+  // Least distance of every pair of bodies beyond their error bounds (Body::doubt), metres, >= 0.
   double clearance = 0.01;
   std::optional<Upright> upright = {};
   // Errors of the joints, in radians, and of the tool, which may occur at once. Everything keeps

@@ -17,7 +17,7 @@ struct GripLoad {
 // newton on each pad.
 struct Grip {
   PadFriction friction{{}};
-  // Distance from the center of friction to the patch's edges, metres.
+  // Least distance from the center of friction to the patch's edges, along each axis, metres.
   Vector2 reach = Vector2::Zero();
   bool alike = false;  // true if both pads touch in the same places
 

@@ -100,9 +100,9 @@ class FitConditions {
     }
   }
 
-  // Returns the wall that faces this one. Returns null if there is none, or if another wall does
-  // not stand at a right angle to this one: yielding across one pair would then be yielding across
-  // another pair.
+  // Returns the wall that faces this one. Returns null if there is none, or if another wall is
+  // neither parallel to this one nor at a right angle to it: yielding across one pair would then be
+  // yielding across another pair.
   const SideWall* Opposite(const SideWall& wall) const {
     const SideWall* opposite = nullptr;
     for (const SideWall& other : walls_) {
