@@ -69,11 +69,12 @@ std::shared_ptr<ob::SpaceInformation> SpaceOf(const Problem& problem) {
   }
   space->setBounds(bounds);
   auto information = std::make_shared<ob::SpaceInformation>(space);
-  information->setStateValidityChecker([](const ob::State*) { return true; });  // see FreeMotions
+  // FreeMotions decides.
+  information->setStateValidityChecker([](const ob::State*) { return true; });
   information->setMotionValidator(std::make_shared<FreeMotions>(information.get(), problem));
   information->setup();
-  // Only now: to set up a projection that RRT-Connect has no use for, OMPL draws a hundred states,
-  // which are not to be ours.
+  // The sampler is set only now, since OMPL draws a hundred states in its set-up, for a projection
+  // that RRT-Connect does not use. These draws must not come from the project's own stream.
   space->setStateSamplerAllocator(
       [&problem](const ob::StateSpace* of) { return std::make_shared<Sampler>(of, problem); });
   return information;
@@ -92,7 +93,8 @@ class RrtConnect : public TreeSearch {
     Write(problem.goal, goal.get());
     definition->setStartAndGoalStates(start, goal);
     og::RRTConnect planner(space);
-    planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();  // the others draw random pivots
+    // The other structures draw random pivots.
+    planner.setNearestNeighbors<ompl::NearestNeighborsLinear>();
     planner.setRange(problem.longest_motion);
     planner.setProblemDefinition(definition);
     planner.setup();
@@ -108,7 +110,7 @@ class RrtConnect : public TreeSearch {
 }  // namespace
 }  // namespace assay::motion
 
-// What motion::TreeSearchOfOmpl asks the module for.
+// The function that motion::TreeSearchOfOmpl looks up in the module.
 extern "C" const assay::motion::TreeSearch* AssayTreeSearch() {
   static const assay::motion::RrtConnect search;
   return &search;

@@ -12,7 +12,8 @@ std::string LabelName(const Problem& problem, const PlanVariable& variable, int 
 
 namespace {
 
-// A list that a person wants to see whole is short; of a long one the count is enough.
+// Lists the labels if there are at most 8, and gives only their number otherwise: people want to
+// see a short list whole, and for a long one the number is enough.
 std::string LabelList(const Problem& problem, const PlanVariable& variable,
                       const std::vector<int>& labels) {
   if (labels.size() > 8) return fmt::format("[{} labels]", labels.size());

@@ -18,17 +18,17 @@ enum class ConstraintKind {
 
 struct GeometricConstraint {
   ConstraintKind kind;
-  VariableId grasp = VariableId::None();     // of member and the reachable constraints
-  VariableId position = VariableId::None();  // of in_position_class and the reachable constraints
-  MatingId mating = MatingId::None();        // of mate_reachable: Ta
-  std::vector<int> labels = {};              // of member and in_position_class
+  VariableId grasp = VariableId::None();  // only for kMember and the reachable constraints
+  VariableId position = VariableId::None();
+  MatingId mating = MatingId::None();  // only for kMateReachable: Ta
+  std::vector<int> labels = {};        // only for kMember and kInPositionClass
 
-  // The variable that a unary constraint restricts.
+  // Returns the variable that a unary constraint restricts.
   VariableId subject() const { return grasp.IsNone() ? position : grasp; }
 };
 
-// A geometric goal: the operational preconditions are to be established in such a way that the
-// constraint holds.
+// A geometric goal: the operational preconditions are to be established so that the constraint
+// holds.
 struct GeometricGoal {
   GeometricConstraint constraint;
   std::vector<int> qualifies;  // indices of operational preconditions of the same action
@@ -36,21 +36,21 @@ struct GeometricGoal {
 
 enum class ActionKind { kStart, kFinish, kPickup, kPutdown, kAssemble };
 
-// A new plan variable and the labels that it may have: an initial constraint, which needs no
-// check because nothing refers to the variable yet.
+// A new plan variable and the labels that it may have. This initial constraint needs no check,
+// because nothing refers to the variable yet.
 struct InitialConstraint {
   VariableId variable;
   std::vector<int> labels;
 };
 
-// An action with its preconditions, add list and delete list (Spar, figure 2). The uncertainty
-// preconditions are not here: they are built for plan instances, by procedures.
+// An action with its preconditions, add list and delete list (Spar, figure 2). Uncertainty
+// preconditions are not part of it: procedures build them for plan instances.
 struct ActionTemplate {
   ActionKind kind;
-  PartId part = PartId::None();        // that the hand takes, puts down or mates
-  MatingId mating = MatingId::None();  // of assemble
+  PartId part = PartId::None();        // the part that the hand takes, puts down or mates
+  MatingId mating = MatingId::None();  // only for assemble
   VariableId grasp = VariableId::None();
-  VariableId position = VariableId::None();  // of the part; in assemble, of the fixed part
+  VariableId position = VariableId::None();  // position of the part; in assemble, of the fixed part
   std::vector<Condition> preconditions = {};
   std::vector<GeometricGoal> geometric = {};
   std::vector<Condition> adds = {};
@@ -58,8 +58,8 @@ struct ActionTemplate {
   std::vector<InitialConstraint> initial = {};
 };
 
-// How a kind of action is instantiated (Spar, figure 3): every action of the kind that adds the
-// condition, with fresh variables. Empty if none does.
+// The rule by which one kind of action is instantiated (Spar, figure 3). `achieve` returns every
+// action of the kind that adds the condition, with fresh variables; none if no action does.
 struct ActionRule {
   std::string_view name;
   std::string_view summary;
@@ -83,7 +83,7 @@ constexpr std::string_view Name(ActionKind kind) {
   return "";
 }
 
-// "BG3", "BP2", "initial".
+// Returns the name of a label: "BG3", "BP2" or "initial".
 std::string LabelName(const Problem& problem, const PlanVariable& variable, int label);
 std::string Text(const Problem& problem, const PlanVariables& variables,
                  const GeometricConstraint& constraint);

@@ -7,7 +7,8 @@
 
 namespace assay::domain {
 
-// A plan variable: stands for a grasp or for a position of one part until a plan instance chooses.
+// A plan variable. It stands for a grasp or for a position of one part until a plan instance
+// chooses one.
 using VariableId = Id<struct PlanVariableTag>;
 
 enum class VariableKind { kGrasp, kPosition };
@@ -18,12 +19,13 @@ struct PlanVariable {
   std::string name;  // "grasp_1", "pos_2", "init_pos_1"
 };
 
-// The plan variables of one plan, which gives each a fresh name.
+// The plan variables of one plan. Each gets a fresh name.
 class PlanVariables {
  public:
-  // A variable of a step's own: "grasp_1", "pos_1".
+  // Adds a variable that belongs to a step: "grasp_1", "pos_1".
   VariableId Add(VariableKind kind, PartId part);
-  // One that a precondition brings, to be bound to the establisher's: "Grasp", "Position".
+  // Adds a variable that belongs to a precondition, and is to be bound to the establisher's
+  // variable: "Grasp", "Position".
   VariableId AddFree(VariableKind kind, PartId part);
   VariableId AddInitialPosition(PartId part);
 
@@ -39,8 +41,8 @@ class PlanVariables {
   int initial_positions_ = 0;
 };
 
-// Labels of a position variable: the part's stable poses by their index, and after them one label
-// for the pose that the part has at the start.
+// The labels of a position variable are the part's stable poses by their index, followed by one
+// label for the pose that the part has at the start.
 inline int InitialLabel(const Part& part) {
   return static_cast<int>(part.model->stable_poses().size());
 }
@@ -51,16 +53,16 @@ enum class Predicate {
   kGripperOpen,   // gripper(open)
   kHolding,       // holding(part, grasp)
   kPartLocation,  // part_location(part, position)
-  kAssembled,     // assembled(...) of a mating
+  kAssembled,     // assembled(...), with a mating
 };
 
-// An operational condition. Its object is constant; the grasp or the position is a plan variable,
-// through which operational and geometric planning are linked (Spar, "Representation of Goals").
+// An operational condition. Its object is constant. Its grasp or position is a plan variable, which
+// links operational with geometric planning (Spar, "Representation of Goals").
 struct Condition {
   Predicate predicate;
-  PartId part = PartId::None();              // of holding and part_location
-  VariableId variable = VariableId::None();  // of holding and part_location
-  MatingId mating = MatingId::None();        // of assembled
+  PartId part = PartId::None();              // only for kHolding and kPartLocation
+  VariableId variable = VariableId::None();  // only for kHolding and kPartLocation
+  MatingId mating = MatingId::None();        // only for kAssembled
 
   static Condition GripperOpen() { return {.predicate = Predicate::kGripperOpen}; }
   static Condition Holding(PartId part, VariableId grasp) {
@@ -74,7 +76,7 @@ struct Condition {
   }
 };
 
-// Whether the two can be made equal by the choice of their variables alone.
+// Returns whether the two can be made equal by the choice of their variables alone.
 bool Unify(const Condition& a, const Condition& b);
 
 std::string Text(const Problem& problem, const PlanVariables& variables,

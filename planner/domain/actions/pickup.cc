@@ -11,8 +11,8 @@ std::vector<int> AllGrasps(const Part& part) {
   return labels;
 }
 
-// A part that is mated cannot be taken without undoing what was assembled: both halves would come
-// along, in a pose that is none of the part's own.
+// A part that is mated cannot be taken without undoing what was assembled. The hand would lift both
+// parts, in a pose that is not one of the held part's own poses.
 void DeleteMatings(const Problem& problem, PartId part, std::vector<Condition>& deletes) {
   for (std::size_t m = 0; m < problem.matings.size(); ++m) {
     const Mating& mating = problem.matings[m];

@@ -8,7 +8,7 @@ namespace {
 using geometry::Vector2;
 using geometry::Vector3;
 
-// Where the edge from p to q passes through the plane z = height, if it does.
+// Appends the point where the edge from p to q passes through the plane z = height, if it does.
 void AppendCrossing(const Vector3& p, const Vector3& q, double height,
                     std::vector<Vector2>& points) {
   const double below = height - p.z();
@@ -20,7 +20,8 @@ void AppendCrossing(const Vector3& p, const Vector3& q, double height,
 }  // namespace
 
 geometry::Polygon ShadowBetween(const geometry::Box& box, double low, double high) {
-  const std::array<Vector3, 8> corners = box.Corners();  // bit k of the index: side along axis k
+  // Bit k of the index is the side along axis k.
+  const std::array<Vector3, 8> corners = box.Corners();
   std::vector<Vector2> points;
   for (int i = 0; i < 8; ++i) {
     if (corners[i].z() >= low && corners[i].z() <= high) points.push_back(corners[i].head<2>());

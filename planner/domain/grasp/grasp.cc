@@ -19,23 +19,25 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kOpposite = 0.1 * std::numbers::pi / 180;  // normals, radians
-constexpr double kGridStep = 4e-3;                          // between candidate positions, metres
-constexpr double kDeepEnough = 4e-3;  // margin around the pads beyond which more is not better
-constexpr double kAllowance = 1e-4;   // overlap of hand and part that is forgiven, metres
-constexpr double kEqual = 1e-7;       // lengths that differ less are equal, metres
+// Greatest angle between opposite normals, radians.
+constexpr double kOpposite = 0.1 * std::numbers::pi / 180;
+constexpr double kGridStep = 4e-3;  // distance between candidate positions, metres
+// Margin around the pads beyond which more is no better, metres.
+constexpr double kDeepEnough = 4e-3;
+constexpr double kAllowance = 1e-4;  // overlap of hand and part that is ignored, metres
+constexpr double kEqual = 1e-7;      // lengths that differ less are equal, metres
 
-// Two faces that look away from each other.
+// Two faces with opposite outward normals.
 struct FacePair {
   FaceId first;
   FaceId second;
   double width = 0;   // metres between them
-  Pose X_PartMiddle;  // midway; z is the outward normal of the first, x and y are its x and y
-  Patches region;     // the points that are on both faces, seen along z
+  Pose X_PartMiddle;  // frame midway; z is the outward normal of the first, x and y are its x and y
+  Patches region;     // points that are on both faces, seen along z
 };
 
-// The surface of a face that pads may touch: a hand does not reach into holes, which are for other
-// parts.
+// Returns the surface of a face that pads may touch. Walls of holes are left out: holes are for
+// other parts, so a hand does not reach into them.
 Patches Graspable(const PartModel& part, FaceId id) {
   Patches patches = part.faces()[id.index()].patches;
   for (const Feature& feature : part.features()) {
@@ -80,28 +82,28 @@ std::vector<FacePair> PairsOf(const PartModel& part, double widest) {
   return pairs;
 }
 
-// Where on a pair of faces the pads' centres may be tried.
+// A candidate position of the pads' centres on a pair of faces.
 struct Spot {
-  Vector2 center;        // in the middle plane
+  Vector2 center;        // position in the middle plane
   double from_mass = 0;  // distance to the centre of mass in that plane
   double clearance = 0;  // distance to the border of the region, or less
 };
 
-// Where pads can be on a pair of faces: a convex outline less convex gaps.
+// The region of a pair of faces on which pads can be: a convex outline without convex gaps.
 class PadRegion {
  public:
   explicit PadRegion(const Patches& region) : outline_(Hull(region)), gaps_({outline_}) {
     for (const Polygon& patch : region) gaps_ = Without(gaps_, patch);
   }
 
-  // How far a point is from the border of the region, or less; negative outside.
+  // Returns a lower bound on a point's distance from the border of the region; negative outside.
   double ClearanceAt(const Vector2& p) const {
     double least = geometry::Depth(outline_, p);
     for (const Polygon& gap : gaps_) least = std::min(least, -geometry::Depth(gap, p));
     return least;
   }
 
-  // How far a pad is from the border of the region; negative if it sticks out.
+  // Returns a pad's distance from the border of the region; negative if the pad sticks out.
   double MarginOf(const Polygon& pad) const {
     double least = kDeepEnough;
     for (const Vector2& corner : pad) least = std::min(least, geometry::Depth(outline_, corner));
@@ -112,8 +114,8 @@ class PadRegion {
     return least;
   }
 
-  // What a pad that sticks out by `overhang` lacks most, across one of the outline's edges; where
-  // the outline would have room for it, a gap has not.
+  // Returns what a pad that sticks out by `overhang` lacks most, across one of the outline's edges.
+  // If the outline has room for the pad, the pad sticks out into a gap.
   PadRoom Lacking(const Polygon& pad, double overhang) const {
     PadRoom least;
     for (std::size_t i = 0; i < outline_.size(); ++i) {
@@ -143,8 +145,8 @@ class PadRegion {
   Patches gaps_;
 };
 
-// The positions on a grid through the region's centroid, and under the centre of mass, that are in
-// the region, nearest to the centre of mass first.
+// Returns the positions inside the region on a grid through the region's centroid, and the position
+// under the centre of mass. The nearest to the centre of mass come first.
 std::vector<Spot> SpotsOf(const FacePair& pair, const PadRegion& room, const Vector2& mass_center) {
   std::vector<Spot> spots;
   const auto add = [&](const Vector2& p) {
@@ -162,7 +164,7 @@ std::vector<Spot> SpotsOf(const FacePair& pair, const PadRegion& room, const Vec
       add(origin + kGridStep * Vector2(i, j));
     }
   }
-  // Rounded, so that rounding errors do not decide between equals.
+  // Keys are rounded, so that rounding errors do not order equal spots.
   const auto key = [](const Spot& spot) {
     return std::tuple(std::llround(spot.from_mass / kEqual), std::llround(spot.center.x() / kEqual),
                       std::llround(spot.center.y() / kEqual));
@@ -178,7 +180,7 @@ Polygon PadAt(const Vector2& center, const Approach& approach, const Vector2& ha
   return {center - x - z, center - x + z, center + x + z, center + x - z};
 }
 
-// All grasps of one pair of faces.
+// The search for all grasps of one pair of faces.
 class PairSearch {
  public:
   PairSearch(const PartModel& part, const kinematics::Gripper& gripper, FacePair pair,
@@ -193,7 +195,8 @@ class PairSearch {
     spots_ = SpotsOf(pair_, region_, mass_center.head<2>());
   }
 
-  // The grasp that stands for its class; none if there is no room, or no way in.
+  // Returns the grasp that stands for its class; none if there is no room for the pads, or no way
+  // in.
   std::optional<Grasp> Along(double angle) const {
     const Approach approach = Approach::At(angle, ExtentAlong(angle));
     const std::optional<Vector2> center = BestCenter(approach);
@@ -214,7 +217,8 @@ class PairSearch {
     return region_.MarginOf(PadAt(spot.center, approach, pads_));
   }
 
-  // The spots come nearest to the centre of mass first, so a later one must lie deeper.
+  // The spots nearest to the centre of mass come first, so a later spot must lie deeper to replace
+  // an earlier one.
   std::optional<Vector2> BestCenter(const Approach& approach) const {
     const std::vector<CObstacle> obstacles = clearance_.ObstaclesOf(approach);
     const Spot* best = nullptr;
@@ -237,7 +241,7 @@ class PairSearch {
                                      lift(center));
   }
 
-  // How long the part is along the approach direction.
+  // Returns the length of the part along the approach direction.
   double ExtentAlong(double angle) const {
     const Vector3 along =
         pair_.X_PartMiddle.linear() * Vector3(std::cos(angle), std::sin(angle), 0);
@@ -264,14 +268,14 @@ class PairSearch {
   FacePair pair_;
   PadRegion region_;
   HandClearance clearance_;
-  double least_margin_;  // of the pads in the faces; they may end at the border
+  double least_margin_;  // least margin of the pads in the faces; they may end at the border
   std::vector<Spot> spots_;
 };
 
 }  // namespace
 
-// The pads lie wholly on exposed surface and mouths of holes are open, so the features that a
-// grasp hides follow from its faces alone: each pair and direction is one class.
+// The pads lie wholly on exposed surface, and mouths of holes are open. So the faces alone decide
+// which features a grasp hides, and each pair and direction is one class.
 std::vector<Grasp> ComputeGrasps(const PartModel& part, const kinematics::Gripper& gripper,
                                  const GraspSearch& search) {
   ASSAY_CHECK(search.approach_step > kRounding);

@@ -52,8 +52,8 @@ std::vector<CObstacle> HandClearance::ObstaclesOf(const Approach& approach) cons
   return obstacles;
 }
 
-// The Minkowski sum of the shadow and the reflected rectangle has the edge normals of both. The
-// way in stretches the rectangle backward.
+// The Minkowski sum of the shadow and the reflected rectangle has the edge normals of both
+// polygons. The way in stretches the rectangle backward.
 CObstacle HandClearance::ObstacleOf(const Encounter& encounter, const Approach& approach) {
   Vector2 low = encounter.low;
   if (encounter.moment == Moment::kApproaching) low.y() -= approach.length;

@@ -8,37 +8,39 @@
 
 namespace assay::domain {
 
-// The tool's origins, in a plane, at which one box of the gripper goes through one box of the
-// part while neither turns: a C-obstacle (Lozano-Perez 1983).
+// The set of origins of the tool, in a plane, at which one box of the gripper overlaps one box of
+// the part while neither turns: a C-obstacle (Lozano-Perez 1983).
 struct CObstacle {
   struct Side {
     geometry::Vector2 normal;
-    double offset = 0;  // normal . p < offset inside
+    double offset = 0;  // normal . p < offset on the inside
   };
   std::vector<Side> sides;
 
   bool Contains(const geometry::Vector2& p) const;
 };
 
-// How a hand comes to a part: along a direction in the plane midway between the held faces.
+// The approach of a hand to a part: along a direction in the plane midway between the held faces.
 struct Approach {
   geometry::Vector2 x;  // the tool's x and z axes in the plane
   geometry::Vector2 z;
-  double length = 0;  // of the straight way in, metres
+  double length = 0;  // length of the straight way in, metres
 
-  // The tool's z at an angle from the plane's x, its y along the plane's normal.
+  // Returns the approach whose tool z is at an angle from the plane's x, with y along the plane's
+  // normal.
   static Approach At(double angle, double length);
 };
 
-// Which positions of the tool let hand and fingers miss the part that they take. Fingers move only
-// along the plane's normal, so that each of their boxes is a rectangle in the plane that meets the
-// part where it meets the shadow of what lies in the box's range of heights. This is exact for
-// gripper boxes with a side parallel to the plane; others are replaced by their bounding boxes.
+// The positions of the tool at which hand and fingers miss the part that they take. Fingers move
+// only along the plane's normal, so each of their boxes is a rectangle in the plane. The rectangle
+// meets the part where it meets the shadow of the part's pieces in the box's range of heights. This
+// is exact for gripper boxes with a side parallel to the plane; other boxes are replaced by their
+// bounding boxes.
 class HandClearance {
  public:
-  // X_PartMiddle: the plane midway between two faces `width` metres apart, its z along the tool's
-  // y. Hand and opened fingers must be free all along the approach, and closed fingers at its
-  // end; overlaps up to `allowance` metres on each side of a gripper box are forgiven. Where the
+  // `X_PartMiddle` is the plane midway between two faces `width` metres apart, with its z along the
+  // tool's y. Hand and opened fingers must be free all along the approach, and closed fingers at
+  // its end. Overlaps up to `allowance` metres on each side of a gripper box are allowed. Where the
   // faces are too wide for the gripper, only the hand is looked at.
   HandClearance(const PartModel& part, const kinematics::Gripper& gripper, const Pose& X_PartMiddle,
                 double width, double allowance);
@@ -47,17 +49,17 @@ class HandClearance {
 
  private:
   enum class Moment { kApproaching, kClosed };
-  // A box of the gripper and what of the part it can meet.
+  // A box of the gripper, and the shadow of one of the part's boxes that it can meet.
   struct Encounter {
     Moment moment;
-    geometry::Vector2 low;  // the rectangle of the gripper's box, tool x and z
+    geometry::Vector2 low;  // corner of the gripper box's rectangle, tool x and z
     geometry::Vector2 high;
-    geometry::Polygon shadow;  // of the part's box, plane x and y
+    geometry::Polygon shadow;  // shadow of the part's box, plane x and y
   };
   void Add(const std::vector<geometry::Box>& gripper_boxes, Moment moment, double allowance);
   static CObstacle ObstacleOf(const Encounter& encounter, const Approach& approach);
 
-  std::vector<geometry::Box> part_boxes_;  // in the plane's frame
+  std::vector<geometry::Box> part_boxes_;  // boxes of the part, in the plane's frame
   std::vector<Encounter> encounters_;
 };
 

@@ -8,10 +8,10 @@ namespace {
 using geometry::Polygon;
 using geometry::Vector2;
 
-// Polygons that overlap by less only touch, metres.
+// Polygons whose overlap is less than this only touch, metres.
 constexpr double kLeastOverlap = 1e-9;
 
-// The part of a convex polygon on the left of the line from a to b.
+// Returns the part of a convex polygon to the left of the line from a to b.
 Polygon LeftOf(const Polygon& polygon, const Vector2& a, const Vector2& b) {
   const Vector2 left = Vector2(a.y() - b.y(), b.x() - a.x());
   Polygon kept;
@@ -26,7 +26,8 @@ Polygon LeftOf(const Polygon& polygon, const Vector2& a, const Vector2& b) {
   return geometry::Hull2(kept);
 }
 
-// Cuts off what is outside of each edge in turn; what remains at the end is inside all of them.
+// Appends the pieces of the polygon that lie outside each edge of the cut in turn. What remains at
+// the end is inside all edges.
 void AppendOutside(Polygon polygon, const Polygon& cut, Patches& patches) {
   for (std::size_t i = 0; i < cut.size(); ++i) {
     const Vector2& a = cut[i];
@@ -87,10 +88,10 @@ bool Meets(const Patches& region, const Polygon& polygon) {
   return Area(Common(region, {polygon})) > kSliver;
 }
 
-// The missing area, not the missing width, is compared: a region that lacks a strip as thin as
+// The missing area is compared, and not the missing width: a region that lacks a strip as thin as
 // rounding still fills the polygon.
 bool Fills(const Patches& region, const Polygon& polygon) {
-  constexpr double kMissing = 1e-6;  // of the area
+  constexpr double kMissing = 1e-6;  // share of the area
   const double area = geometry::Area(polygon);
   return Area(Common(region, {polygon})) >= (1 - kMissing) * area;
 }

@@ -6,21 +6,23 @@
 
 namespace assay::domain {
 
-// A region of the plane, with holes and in several pieces if need be, as convex polygons that do
-// not overlap. Areas below kSliver count as rounding.
+// A region of the plane, as convex polygons that do not overlap. It may have holes and several
+// pieces. Areas below kSliver count as rounding.
 using Patches = std::vector<geometry::Polygon>;
 constexpr double kSliver = 1e-12;  // square metres
 
-// The region without a convex cut. At most one new patch for each edge of the cut.
+// Returns the region without a convex cut. The cut adds at most one patch for each of its edges.
 Patches Without(const Patches& region, const geometry::Polygon& cut);
-// What two regions have in common.
+// Returns the intersection of two regions.
 Patches Common(const Patches& a, const Patches& b);
 
 double Area(const Patches& region);
-geometry::Vector2 Centroid(const Patches& region);  // of the area, which must not be 0 (checked)
+// Centroid of the area, which must not be 0 (checked).
+geometry::Vector2 Centroid(const Patches& region);
 geometry::Polygon Hull(const Patches& region);
 
-// Whether the region has area under the polygon; whether it fills the polygon.
+// Meets returns whether the region covers some area of the polygon; Fills returns whether it covers
+// the whole polygon.
 bool Meets(const Patches& region, const geometry::Polygon& polygon);
 bool Fills(const Patches& region, const geometry::Polygon& polygon);
 

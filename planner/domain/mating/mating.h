@@ -10,15 +10,16 @@
 namespace assay::domain {
 
 using PartId = Id<struct PartTag>;      // a part of the problem
-using MatingId = Id<struct MatingTag>;  // a mating that the problem speaks of
+using MatingId = Id<struct MatingTag>;  // a mating of the problem
 
-// assembled(Obj1, Obj2, Features, Ta, Vec) of Spar: which features meet, where the held part ends
-// in the frame of the fixed part, and along which vector the last motion goes there.
+// assembled(Obj1, Obj2, Features, Ta, Vec) of Spar: the features that meet, the end pose of the
+// held part in the frame of the fixed part, and the vector along which the last motion goes there.
 struct Mating {
   PartId held;
   PartId fixed;
-  std::vector<std::pair<FeatureNumber, FeatureNumber>> features;  // of held, of fixed
-  geometry::Pose X_FixedHeld;                                     // Ta
+  // Feature of the held part, feature of the fixed part.
+  std::vector<std::pair<FeatureNumber, FeatureNumber>> features;
+  geometry::Pose X_FixedHeld;       // Ta
   geometry::Vector3 mating_vector;  // metres, frame of the fixed part; the motion starts at
                                     // X_FixedHeld displaced by minus this vector
 };

@@ -4,14 +4,14 @@
 
 namespace assay::domain {
 
-// Half widths of how far the held part of a mating may be from where the hand believes it: those
-// that the mating alone is to be planned for. Whole plans compute theirs from what they do before,
-// but for the velocity's, which is the arm's.
+// The greatest errors, as half widths, of the held part of a mating against its believed pose, for
+// a mating that is planned by itself. Whole plans compute these errors from the actions before the
+// mating. The velocity error is used in both cases, because it is the arm's.
 struct MatingErrors {
   double displacement = 0.002;                   // metres, in each of x, y and z
   double rotation = 1 * std::numbers::pi / 180;  // radians, about each of them
-  // Of a motion in fine motion, in each direction: a share of its length (Dakin and Popplestone,
-  // section 2: control velocity error).
+  // Error of a motion in fine motion, in each direction, as a share of its length (Dakin and
+  // Popplestone, section 2: control velocity error).
   double velocity = 0.002;
 
   bool operator==(const MatingErrors&) const = default;

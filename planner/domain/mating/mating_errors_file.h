@@ -10,7 +10,8 @@ inline constexpr Range kMatingDisplacements = {0, 0.02};                     // 
 inline constexpr Range kMatingRotations = {0, 10 * std::numbers::pi / 180};  // radians
 inline constexpr Range kMatingVelocities = {0, 0.1};                         // shares
 
-// `{displacement: , rotation: , velocity: }`; what is left out is as usual. Throws InputError.
+// Reads `{displacement: , rotation: , velocity: }`. Missing keys keep the defaults of MatingErrors.
+// Throws InputError.
 MatingErrors ReadMatingErrors(const Value& map, const Units& units);
 
 }  // namespace assay::domain

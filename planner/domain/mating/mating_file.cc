@@ -15,17 +15,17 @@
 namespace assay::domain {
 namespace {
 
-constexpr double kFeatureOffset = 0.001;        // metres that mating features may be off their axis
+constexpr double kFeatureOffset = 0.001;  // metres by which mating features may be off their axis
 constexpr double kShortestMatingVector = 1e-6;  // metres
 constexpr double kLongestMatingVector = 2;      // metres
-constexpr double kSamePose = 1e-9;              // of two matings that are written twice
-constexpr double kMatingStep = 0.005;           // metres between looks along a mating vector
-constexpr double kSeatGap = 1e-4;               // metres that mated parts may be apart
-constexpr double kLeastDepth = 1e-4;            // metres that a shaft must be in its hole
-constexpr double kBesideWall = 1e-6;            // metres of a seated shaft in a wall: rounding
-constexpr double kMostTurn = 0.4;               // radians that a seated part is tried to turn
-constexpr double kPlayShare = 0.98;             // of the play, within which nothing else is met
-constexpr double kAxisTurn = 1e-3;              // radians between axes that should be one
+constexpr double kSamePose = 1e-9;     // greatest difference between entries of equal poses
+constexpr double kMatingStep = 0.005;  // metres between tests along a mating vector
+constexpr double kSeatGap = 1e-4;      // metres that mated parts may be apart
+constexpr double kLeastDepth = 1e-4;   // metres that a shaft must be in its hole
+constexpr double kBesideWall = 1e-6;   // depth in a wall that counts as rounding, metres
+constexpr double kMostTurn = 0.4;      // greatest turn of a seated part that is tried, radians
+constexpr double kPlayShare = 0.98;    // share of the play within which nothing else may be met
+constexpr double kAxisTurn = 1e-3;     // greatest angle between axes that should be equal, radians
 
 std::string NameOf(const Feature& feature) {
   return fmt::format("{} ({})", feature.number.index(), feature.description);
@@ -42,8 +42,9 @@ FeatureNumber ReadFeature(const Value& value, const Part& part) {
              fmt::format("{}", fmt::join(known, ", ")));
 }
 
-// Features that can meet. Only shafts in holes are put together by a plan: nothing is proved of how
-// faces come to lie on each other. Holes are in line beside a shaft in another hole.
+// The ways in which two features can meet. A plan puts together only shafts in holes: nothing is
+// proved of how faces come to lie on each other. Holes may be in line beside a shaft in another
+// hole.
 enum class Meeting { kShaftInHole, kHolesInLine, kFaceOnFace, kNone };
 
 Meeting MeetingOf(const Feature& a, const Feature& b) {
@@ -55,7 +56,7 @@ Meeting MeetingOf(const Feature& a, const Feature& b) {
   return Meeting::kShaftInHole;
 }
 
-// The features of a part that can meet this one.
+// Returns a list of the features of a part that can meet this one.
 std::string FeaturesFor(const Feature& feature, const Part& part) {
   std::vector<std::string> names;
   for (const Feature& other : part.model->features()) {
@@ -137,7 +138,7 @@ void MatingFile::ReadFeatures(const Value& features, Mating& mating) const {
   }
 }
 
-// The last pair.
+// Checks the last pair of the mating.
 void MatingFile::CheckPair(const Value& place, const Mating& mating) const {
   const auto& pair = mating.features.back();
   const Part& held_part = problem_.part(mating.held);
@@ -168,7 +169,7 @@ Vector3 MatingFile::ReadMatingVector(const Value& value) const {
   return vector;
 }
 
-// The parts, moved along the mating vector, must fit into each other.
+// Checks that the parts, moved along the mating vector, fit into each other.
 void MatingFile::CheckFits(const Value& value, const Mating& mating) const {
   const auto& held = problem_.part(mating.held).model->shape();
   const auto& fixed = problem_.part(mating.fixed).model->shape();
@@ -188,7 +189,7 @@ void MatingFile::CheckFits(const Value& value, const Mating& mating) const {
   }
 }
 
-// Shafts and holes that mate lie on one axis, to within what the clearance leaves open.
+// Checks that shafts and holes that mate lie on one axis, within what the clearance leaves open.
 void MatingFile::CheckFeaturesMeet(const Value& value, const Mating& mating) const {
   for (const auto& [of_held, of_fixed] : mating.features) {
     const Feature& held = *problem_.part(mating.held).model->FindFeature(of_held);
@@ -206,7 +207,7 @@ void MatingFile::CheckFeaturesMeet(const Value& value, const Mating& mating) con
   }
 }
 
-// Of faces that meet: they look at each other, and lie in one plane.
+// Checks that faces that meet have opposite normals, and lie in one plane.
 void MatingFile::CheckFacesMeet(const Value& pose, const Mating& mating) const {
   for (const auto& [of_held, of_fixed] : mating.features) {
     const Feature& held = *problem_.part(mating.held).model->FindFeature(of_held);
@@ -223,7 +224,7 @@ void MatingFile::CheckFacesMeet(const Value& pose, const Mating& mating) const {
   }
 }
 
-// Seated, the shaft points into the hole, is behind its mouth, and between its walls.
+// Checks that the seated shaft points into the hole, is behind its mouth, and is between its walls.
 void MatingFile::CheckShaftIsInside(const Value& value, const ShaftFit& fit) const {
   const Value pose = value.At("pose");
   const Pose X_MouthTip =
@@ -252,7 +253,8 @@ void MatingFile::CheckShaftIsInside(const Value& value, const ShaftFit& fit) con
   }
 }
 
-// The motion goes along the hole, all the way from before its mouth: that is what is certified.
+// Checks that the motion goes along the hole, all the way from before its mouth, since this is what
+// the certificates cover.
 void MatingFile::CheckWayIn(const Value& vector, const Mating& mating, const ShaftFit& fit) const {
   const Vector3 outward = fit.hole.X_PartFeature.linear().col(2);
   const Vector3 in = fit.shaft_is_held ? Vector3(-outward) : mating.X_FixedHeld.linear() * outward;
@@ -269,7 +271,7 @@ void MatingFile::CheckWayIn(const Value& vector, const Mating& mating, const Sha
   }
 }
 
-// Something ends the motion where the part is to be: a guarded move feels for it.
+// Checks that the motion ends at a contact where the part is to be: a guarded move feels for it.
 void MatingFile::CheckEnd(const Value& pose, const Mating& mating) const {
   const auto& held = problem_.part(mating.held).model->shape();
   const auto& fixed = problem_.part(mating.fixed).model->shape();
@@ -284,8 +286,8 @@ void MatingFile::CheckEnd(const Value& pose, const Mating& mating) const {
                         InFileUnit(kSeatGap)));
 }
 
-// Poses of the seated held part in which its shafts and holes have almost all the play that the
-// features leave: to both sides across each pair of walls, and turned about the mating motion.
+// Returns poses of the seated held part in which its shafts and holes have almost all the play that
+// the features leave: to both sides across each pair of walls, and turned about the mating motion.
 std::vector<Pose> PosesWithinPlay(const Problem& problem, const Mating& mating) {
   const std::vector<ShaftFit> fits = FitsOf(problem, mating);
   std::vector<Pose> poses;
@@ -315,8 +317,8 @@ std::vector<Pose> PosesWithinPlay(const Problem& problem, const Mating& mating) 
   return poses;
 }
 
-// What is proved of the features that are named must be all that there is to prove: seated and on
-// the way in, nothing else of the parts meets before the play of the features ends.
+// Checks that the named features are all that there is to prove. While the held part is seated and
+// on the way in, nothing else of the parts meets before the play of the features ends.
 void MatingFile::CheckNothingElseFits(const Value& features, const Mating& mating) const {
   const auto& held = problem_.part(mating.held).model->shape();
   const auto& fixed = problem_.part(mating.fixed).model->shape();

@@ -13,7 +13,7 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kWide = 1e3;  // metres: beyond every part
+constexpr double kWide = 1e3;  // metres, farther than any part reaches
 constexpr double kFarthestTurn = std::numbers::pi / 8;
 constexpr double kTurnLook = 1e-4;  // radians
 
@@ -34,8 +34,8 @@ ShaftFit FitOf(const Part& shaft_part, const Feature& shaft, const Part& hole_pa
           .depth = std::max(0.0, -X_MouthTip.translation().z())};
 }
 
-// How far the shaft may be off for each metre that it may be across every slot: into the corner
-// between the two that are nearest to perpendicular.
+// Returns how far the shaft may be off for each metre that it may be off across every slot. The
+// farthest it may move is into the corner between the two slots nearest to perpendicular.
 double FarthestIntoCorner(const std::vector<Slot>& slots) {
   double least = 1;
   for (const Slot& a : slots) {
@@ -50,7 +50,7 @@ struct FitPlay {
   double tilt = 0;
 };
 
-// The play of one fit; none if there is no shaft inside, or a side is open.
+// Returns the play of one fit. Returns none if there is no shaft inside, or if a side is open.
 std::optional<FitPlay> PlayOf(const ShaftFit& fit, double widening) {
   const std::vector<Slot> slots = SlotsOf(SideWalls(fit, -widening));
   if (!HoldAllAround(slots) || !(fit.depth > 0)) return std::nullopt;
@@ -68,9 +68,9 @@ std::optional<FitPlay> PlayOf(const ShaftFit& fit, double widening) {
   };
   double turn = kTurnLook;
   while (turn < kFarthestTurn && fits(turn)) turn += kTurnLook;
-  if (turn >= kFarthestTurn) turn = std::numbers::pi;  // as good as round
+  if (turn >= kFarthestTurn) turn = std::numbers::pi;  // a turn without limit, as of a round shaft
 
-  // Both ends of what is inside stay within the play.
+  // Both ends of the part of the shaft that is inside stay within the play.
   const double tilt = 2 * lateral / fit.depth;
   const Pose X_HeldFeature = fit.shaft_is_held ? fit.shaft.X_PartFeature
                                                : fit.X_HoleShaft.inverse() * fit.hole.X_PartFeature;
@@ -85,7 +85,7 @@ bool AreParallel(const Vector3& a, const Vector3& b) {
   return std::abs(a.dot(b)) > 1 - kUnitProduct;
 }
 
-// What the fit leaves the held part across a slot of the hole.
+// Returns the gap that the fit leaves to the held part across a slot of the hole.
 FitGap GapOf(const ShaftFit& fit, const Polygon& section, const Slot& slot) {
   const Extent extent = ExtentOf(fit, section, slot.across);
   const double low = extent.low - slot.low;
@@ -160,7 +160,7 @@ std::vector<Slot> SlotsOf(const std::vector<SideWall>& walls) {
 std::string NameOf(const ShaftFit& fit, const Slot& slot) {
   constexpr double kShown = 1e4;
   Vector3 across = (slot.across * kShown).array().round() / kShown;
-  across.array() += 0.0;  // no zero has a sign
+  across.array() += 0.0;  // turns -0 into 0
   return fmt::format("{} across ({:.4g}, {:.4g}, {:.4g})", fit.name, across.x(), across.y(),
                      across.z());
 }

@@ -11,11 +11,11 @@
 namespace assay::domain {
 namespace {
 
-// The turn of the part that lets `down` (unit, part frame) point down, at yaw 0.
+// Returns the turn of the part, at yaw 0, that makes `down` (unit, part frame) point down.
 geometry::Matrix3 RestingRotation(const Vector3& down) {
   const double upright = std::cos(std::numbers::pi / 4) - kRounding;
   int axis = 0;
-  while (std::abs(down[axis]) >= upright) ++axis;  // a unit vector is upright on one axis only
+  while (std::abs(down[axis]) >= upright) ++axis;  // at most one axis is this upright
   const Vector3 up = -down;
   const Vector3 along = Vector3::Unit(axis);
   const Vector3 x = (along - along.dot(up) * up).normalized();
@@ -31,8 +31,8 @@ geometry::Polygon SupportOf(const geometry::ConvexHull& hull, const geometry::Fa
   return geometry::Hull2(corners);
 }
 
-// The features that the table touches or covers when it lies against a facet. A facet without a
-// face rests on edges and corners, which hide nothing.
+// Returns the features that the table touches or covers when it lies against a facet. A facet
+// without a face rests on edges and corners, which hide nothing.
 std::vector<FeatureNumber> HiddenUnder(const PartModel& part, const geometry::Facet& facet) {
   const FaceId id = FindFace(part.faces(), facet.normal, facet.offset);
   if (id.IsNone()) return {};

@@ -15,14 +15,14 @@ namespace {
 using geometry::Box;
 using geometry::Polygon;
 
-constexpr double kSameNormal = 1e-6;  // distance of unit vectors: radians
+constexpr double kSameNormal = 1e-6;  // distance of unit vectors, about radians
 constexpr double kSamePlane = 5e-8;   // metres
-// A box covers what it contains at this height above a plane, metres: more than rounding, less
-// than any gap that is meant.
+// At this height above a plane, in metres, boxes are tested for what they cover: more than
+// rounding, less than any intended gap.
 constexpr double kProbe = 1e-7;
-// A side of a box that leans on the plane recedes up to that height: the strip between is no
-// surface.
-constexpr double kNarrowest = 1e-5;  // of a patch, metres
+// A side of a box that leans on the plane recedes up to the height kProbe. The narrow strip in
+// between is no surface.
+constexpr double kNarrowest = 1e-5;  // least breadth of a patch, metres
 
 bool InPlane(const Face& face, const Vector3& normal, double offset) {
   return (face.normal - normal).norm() < kSameNormal && std::abs(face.offset - offset) < kSamePlane;
@@ -40,7 +40,7 @@ Face EmptyFace(const Side& side) {
   return face;
 }
 
-// The planes of all sides, each once, and for each the rectangles of the sides that lie in it.
+// A plane in which sides of boxes lie, with the rectangles of all these sides.
 struct Plane {
   Face face;
   std::vector<Polygon> sides;
@@ -59,7 +59,8 @@ std::vector<Plane> PlanesOf(std::span<const Box> boxes) {
   return planes;
 }
 
-// The least distance of two parallel lines with the polygon between them.
+// Returns the breadth of a polygon: the least distance of two parallel lines with the polygon
+// between them.
 double Breadth(const Polygon& polygon) {
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -72,7 +73,7 @@ double Breadth(const Polygon& polygon) {
   return least;
 }
 
-// The union of the sides without what boxes cover.
+// Returns the union of the sides without the areas that boxes cover.
 Patches Exposed(const Plane& plane, std::span<const Box> boxes) {
   std::vector<Polygon> covers;
   for (const Box& box : boxes) {
@@ -96,7 +97,8 @@ Patches Exposed(const Plane& plane, std::span<const Box> boxes) {
 }  // namespace
 
 std::array<Side, 6> SidesOf(const Box& box) {
-  const std::array<Vector3, 8> corners = box.Corners();  // bit k of the index: side along axis k
+  // Bit k of the index is the side along axis k.
+  const std::array<Vector3, 8> corners = box.Corners();
   std::array<Side, 6> sides;
   for (int i = 0; i < 6; ++i) {
     const int axis = i / 2;

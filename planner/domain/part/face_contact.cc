@@ -12,12 +12,13 @@ using geometry::Polygon;
 using geometry::Vector2;
 using geometry::Vector3;
 
-constexpr double kInContact = 1e-5;        // metres between what touches
+constexpr double kInContact = 1e-5;        // metres between faces that touch
 constexpr double kInLowestLayer = 1e-6;    // metres above the lowest vertex of a part that rests
-constexpr double kFlatOnEachOther = 1e-6;  // of the cosine of normals, from -1
-constexpr double kLooksDown = -0.5;        // the vertical of a normal, at most
+constexpr double kFlatOnEachOther = 1e-6;  // difference of the cosine between the normals from -1
+constexpr double kLooksDown = -0.5;  // greatest vertical component of a normal that looks down
 
-// Where a face of the upper part lies on one of the lower part, in the lower part's frame.
+// Adds the corners of the region where a face of the upper part lies on a face of the lower part,
+// in the lower part's frame.
 void AddCorners(const Face& upper, const Pose& X_LowerUpper, const Face& lower,
                 std::vector<Vector3>& corners) {
   const Vector3 normal = X_LowerUpper.linear() * upper.normal;

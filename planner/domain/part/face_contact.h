@@ -8,12 +8,13 @@ namespace assay::domain {
 
 class PartModel;
 
-// The lowest vertices of a part that touches the table, world; none if it does not.
+// Returns the lowest vertices of a part that touches the table, in the world. Returns none if it
+// does not touch.
 std::vector<geometry::Vector3> CornersOnTable(const PartModel& part,
                                               const geometry::Pose& X_WorldPart);
 
-// Corners of the regions in which faces of the upper part that look down lie on faces of the lower
-// part, world; none if the two do not touch so.
+// Returns the corners, in the world, of the regions in which faces of the upper part that look down
+// lie on faces of the lower part. Returns none if there are no such regions.
 std::vector<geometry::Vector3> CornersOfContact(const PartModel& upper,
                                                 const geometry::Pose& X_WorldUpper,
                                                 const PartModel& lower,

@@ -10,7 +10,7 @@ namespace {
 
 using Corners = std::array<Vector3, 8>;
 
-constexpr double kSame = 1e-4;  // metres, between corners that no sensor tells apart
+constexpr double kSame = 1e-4;  // metres between corners that no sensor distinguishes
 
 std::vector<Corners> CornersOf(const Part& part, const Pose& X_WorldPart) {
   std::vector<Corners> boxes;
@@ -28,7 +28,7 @@ Vector3 MiddleOf(const std::vector<Corners>& boxes) {
   return sum / (8.0 * static_cast<double>(boxes.size()));
 }
 
-// Whether the boxes, moved, are the others, one by one.
+// Returns whether the moved boxes are the other boxes, one by one.
 bool AreSame(const std::vector<Corners>& boxes, const Pose& move,
              const std::vector<Corners>& others) {
   return std::ranges::all_of(boxes, [&](const Corners& box) {
@@ -44,9 +44,9 @@ bool AreSame(const std::vector<Corners>& boxes, const Pose& move,
 
 double AngleOf(const Vector3& v) { return std::atan2(v.y(), v.x()); }
 
-// Turns about the world's z, with shifts, that make the part's boxes at one pose those at the
-// other: the middle comes to the middle, and the corner that is farthest from it to one that is as
-// far.
+// Returns turns about the world's z, with shifts, that may bring the part's boxes at one pose to
+// those at the other. They bring the middle to the middle, and the corner that is farthest from the
+// middle to a corner that is equally far.
 std::vector<Pose> MovesBetween(const std::vector<Corners>& from, const std::vector<Corners>& to) {
   const Vector3 middle = MiddleOf(from);
   const Vector3 other_middle = MiddleOf(to);
@@ -69,12 +69,13 @@ std::vector<Pose> MovesBetween(const std::vector<Corners>& from, const std::vect
   return moves;
 }
 
-// How far apart two values may be, each with this error, and the sensor not tell.
+// Returns how far apart two values with this error may be without the sensor noticing the
+// difference.
 double Open(const Interval& error, const Interval& promise) {
   return error.high - error.low + promise.high - promise.low + kSame;
 }
 
-// Errors turn a part about its own origin, which a symmetry may bring elsewhere.
+// Errors turn a part about its own origin, and a symmetry of the part may move that origin.
 double Swing(double arm, double turn) { return arm < kSame ? 0 : arm * turn; }
 
 }  // namespace

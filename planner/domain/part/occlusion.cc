@@ -13,20 +13,20 @@ using geometry::Polygon;
 constexpr double kTouching = 0.001;                   // metres between faces that touch
 constexpr double kParallel = std::numbers::pi / 180;  // radians between their planes
 
-// Two faces, of which each looks at the other, on it.
+// Returns whether two faces have opposite normals and touch.
 bool FaceEachOther(const Pose& X_WorldA, const Pose& X_WorldB) {
   const Vector3 n = X_WorldA.linear().col(2);
   const double gap = n.dot(X_WorldB.translation() - X_WorldA.translation());
   return -n.dot(X_WorldB.linear().col(2)) >= std::cos(kParallel) && std::abs(gap) <= kTouching;
 }
 
-// A polygon on one face, seen in the coordinates of the face that lies against it.
+// Returns a polygon on one face in the coordinates of the face that lies against it.
 Polygon OntoFace(const Polygon& polygon, const Pose& X_FaceOther) {
   Polygon seen;
   for (const Vector2& corner : polygon) {
     seen.push_back((X_FaceOther * Vector3(corner.x(), corner.y(), 0)).head<2>());
   }
-  std::ranges::reverse(seen);  // from the other side the corners run the other way round
+  std::ranges::reverse(seen);  // seen from the other side, the corners run the other way round
   return seen;
 }
 
@@ -35,7 +35,8 @@ class Occlusion {
   Occlusion(const PartModel& model, const Pose& X_WorldPart)
       : model_(model), X_WorldPart_(X_WorldPart) {}
 
-  // What lies against the part: polygons in a plane that looks along z of X_WorldFace.
+  // Notes a surface that lies against the part: polygons in a plane that looks along z of
+  // X_WorldFace.
   void Cover(const Pose& X_WorldFace, const std::vector<Polygon>& patches) {
     for (std::size_t f = 0; f < model_.faces().size(); ++f) {
       const Pose X_WorldOurs = X_WorldPart_ * model_.faces()[f].X_PartFace;

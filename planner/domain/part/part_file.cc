@@ -18,16 +18,17 @@ namespace {
 
 using geometry::Box;
 
-// Poses that stand more precariously are left out: a part put down with a few millimetres of error
-// must not fall over.
+// Poses that stand more precariously are left out: a part that is put down with a few millimetres
+// of error must not fall over.
 constexpr double kLeastTilt = 2 * kDegrees.factor;
-constexpr double kFarthestName = 30 * kDegrees.factor;  // of a direction from the pose it names
-constexpr double kShortestSide = 1e-4;                  // of a box in the file, metres
-constexpr double kThinnestWall = 1e-5;                  // that a pocket may leave, metres
-constexpr double kJointDepth = 1e-6;                    // metres, of a test whether pieces touch
-constexpr double kLeastCut = 1e-12;                     // of a pocket, cubic metres
-constexpr double kAligned = 1e-6;                       // between unit vectors that should be equal
-constexpr Range kChamfers = {0, 0.02};                  // metres
+// Greatest angle between a direction and the down direction of the pose that it names, radians.
+constexpr double kFarthestName = 30 * kDegrees.factor;
+constexpr double kShortestSide = 1e-4;  // least side of a box in the file, metres
+constexpr double kThinnestWall = 1e-5;  // least wall that a pocket may leave, metres
+constexpr double kJointDepth = 1e-6;    // depth of a test whether pieces touch, metres
+constexpr double kLeastCut = 1e-12;     // least volume of a pocket, cubic metres
+constexpr double kAligned = 1e-6;       // greatest difference of unit vectors that should be equal
+constexpr Range kChamfers = {0, 0.02};  // metres
 
 std::string ReadInitial(const Value& value) {
   std::string initial = value.Text();
@@ -62,7 +63,7 @@ Eigen::Vector4f ReadColor(const Value& value) {
   return color;
 }
 
-// The indices of one name or of a list of names. `what` they name: "solid".
+// Returns the indices of one name or of a list of names. `what` says what they name: "solid".
 std::vector<int> OneOrMore(const Value& names, const std::vector<std::string>& known,
                            const char* what) {
   if (!names.IsList()) return {names.OneOf(known)};
@@ -72,7 +73,7 @@ std::vector<int> OneOrMore(const Value& names, const std::vector<std::string>& k
   return indices;
 }
 
-// The index in SidesOf of the side that looks along a direction; -1 if none does.
+// Returns the index in SidesOf of the side that looks along a direction; -1 if no side does.
 int SideTowards(const Box& box, const Vector3& direction) {
   const std::array<Side, 6> sides = SidesOf(box);
   const auto found = std::ranges::find_if(
@@ -89,7 +90,7 @@ int ReadSide(const Value& direction, const Box& box, const std::string& solid) {
   return side;
 }
 
-// The exposed face that a side of a box is part of; None if the side is covered.
+// Returns the exposed face that a side of a box is part of; None if the side is covered.
 FaceId ExposedFaceOf(const PartModel& model, const Side& side) {
   const FaceId id = FindFace(model.faces(), side.normal, side.offset);
   if (id.IsNone()) return id;
@@ -108,7 +109,7 @@ double Volume(const std::vector<Box>& boxes) {
   return volume;
 }
 
-// The solid's pieces without a pocket; both in the part frame.
+// Returns the solid's pieces without a pocket. Both are in the part frame.
 std::vector<Box> Cut(const std::vector<Box>& pieces, const Box& pocket, const Value& place) {
   std::vector<Box> rest;
   for (const Box& piece : pieces) {
@@ -126,7 +127,8 @@ std::vector<Box> Cut(const std::vector<Box>& pieces, const Box& pocket, const Va
   return rest;
 }
 
-// The part of a pocket in its solid, both before the turn and so aligned with the axes.
+// Returns the part of a pocket that is inside its solid. Both are before the solid's turn, and so
+// aligned with the axes.
 Box Clipped(const Box& pocket, const Box& solid) {
   const auto low = [](const Box& b) -> Vector3 {
     return b.X_FrameBox.translation() - b.half_extents;
@@ -139,14 +141,14 @@ Box Clipped(const Box& pocket, const Box& solid) {
 
 // A pocket and the solid that it is cut from, in the part frame.
 struct Hollow {
-  Box solid;                       // before the pockets
-  Box pocket;                      // widened
+  Box solid;                       // the solid before pockets are cut
+  Box pocket;                      // the pocket, widened by the clearance
   Box clipped;                     // the part of the pocket in the solid
   std::array<bool, 3> is_widened;  // along the pocket's own axes
 };
 
-// The face in which a pocket ends, on the side of its solid that looks in a direction; None if it
-// does not reach that side, or if nothing of the side is left.
+// Returns the face in which a pocket ends, on the side of its solid that looks in a direction.
+// Returns None if the pocket does not reach that side, or if nothing of the side is left.
 FaceId EndOf(const PartModel& model, const Hollow& hollow, const Vector3& direction) {
   const int towards = SideTowards(hollow.solid, direction);
   if (towards < 0) return FaceId::None();
@@ -156,8 +158,8 @@ FaceId EndOf(const PartModel& model, const Hollow& hollow, const Vector3& direct
   return FindFace(model.faces(), border.normal, border.offset);
 }
 
-// Where the first pocket opens in a direction, and the other ones let it; none if they do not all
-// end in one plane, or if the mouth is covered.
+// Returns where the first pocket opens in a direction, if the other pockets leave it open. Returns
+// none if they do not all end in one plane, or if the mouth is covered.
 std::optional<Mouth> FindMouth(const PartModel& model, std::span<const Hollow> hollows,
                                const Vector3& direction) {
   const Hollow& first = hollows.front();
@@ -177,8 +179,8 @@ std::optional<Mouth> FindMouth(const PartModel& model, std::span<const Hollow> h
   return Mouth{id, std::move(outline)};
 }
 
-// The exposed sides of a pocket, seen from within it. Where it is not clipped, the side goes with
-// the clearance if the axis is widened.
+// Returns the exposed sides of a pocket, seen from within it. A side that is not clipped moves with
+// the clearance if its axis is widened.
 std::vector<Wall> WallsOf(const PartModel& model, const Hollow& hollow) {
   const std::array<Side, 6> whole = SidesOf(hollow.pocket);
   const std::array<Side, 6> sides = SidesOf(hollow.clipped);
@@ -196,9 +198,10 @@ std::vector<Wall> WallsOf(const PartModel& model, const Hollow& hollow) {
   return walls;
 }
 
-// A convex piece, to be tried for whether it hangs together with others: in a volume, or in a face
-// at least, as edges and corners hold nothing. Each of its sides is pushed out a little by itself;
-// those of the other are drawn in, by a little less.
+// A convex piece in two forms, to test whether it hangs together with another piece. Two pieces
+// must share a volume, or a face at least, since edges and corners hold nothing. The reaching form
+// has its sides pushed out a little, along one axis at a time. The other form is drawn in on all
+// sides, by a little less.
 struct Joint {
   geometry::CollisionShape reaching;
   geometry::CollisionShape drawn_in;
@@ -223,7 +226,8 @@ struct Joint {
   }
 };
 
-// The first piece that does not hang together with the first of all, by way of others; -1: none.
+// Returns the first piece that is not connected with the first piece of all, directly or by way of
+// others; -1 if there is none.
 int FirstApart(const std::vector<Box>& pieces) {
   const std::vector<Joint> joints(pieces.begin(), pieces.end());
   std::vector<bool> is_reached(pieces.size());
@@ -251,7 +255,8 @@ StablePoseId NearestTo(const std::vector<StablePose>& poses, const Vector3& dire
   return StablePoseId(static_cast<std::size_t>(nearest - poses.begin()));
 }
 
-// Gives names to poses: a map from each name to the direction, in the part frame, that points down.
+// Gives names to poses. `names` is a map from each name to the direction, in the part frame, that
+// points down.
 void NameStablePoses(const Value& names, std::vector<StablePose>& poses) {
   for (const auto& [key, direction] : names.Entries()) {
     const std::string name = ReadAnyName(key);
@@ -525,11 +530,11 @@ void PartFile::ReadHole(const Value& entry, const PartModel& model, Feature& fea
     const std::vector<Wall> walls = WallsOf(model, hollow);
     feature.walls.insert(feature.walls.end(), walls.begin(), walls.end());
   }
-  const Vector3 center = (end.corners[0] + end.corners[3]) / 2;  // diagonally opposite
+  const Vector3 center = (end.corners[0] + end.corners[3]) / 2;  // diagonally opposite corners
   feature.X_PartFeature = FrameAlong(center, end.normal);
 }
 
-// The tip is where the solids reach farthest along the axis; the axis runs through the first one.
+// The tip is where the solids reach farthest along the axis. The axis runs through the first solid.
 void PartFile::ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const {
   entry.AllowOnly({"shaft", "axis", "what", "chamfer"});
   const std::vector<int> names = SolidsNamed(entry.At("shaft"));
@@ -538,7 +543,7 @@ void PartFile::ReadShaft(const Value& entry, const PartModel& model, Feature& fe
   const int towards = ReadSide(entry.At("axis"), core, first.name);
   const Vector3 axis = SidesOf(core)[static_cast<std::size_t>(towards)].normal;
   const Vector3 middle = core.X_FrameBox.translation();
-  double tip = 0;  // from the middle
+  double tip = 0;  // distance from the middle, metres
   for (int i : names) {
     const Solid& solid = solids_[static_cast<std::size_t>(i)];
     for (const Side& side : SidesOf(solid.whole.Transformed(solid.X_PartSolid))) {

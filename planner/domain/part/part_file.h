@@ -13,8 +13,8 @@
 
 namespace assay::domain {
 
-// Reads a part file ("assay-part/1") and computes the model from it: models/parts/README.md
-// describes the format. Lives as long as the reading.
+// Reads a part file ("assay-part/1") and computes the model from it. models/parts/README.md
+// describes the format. The object lives as long as the reading.
 class PartFile {
  public:
   // Reads models/parts/NAME/part.yaml. `clearance` is in metres, on each side of the axes along
@@ -31,24 +31,24 @@ class PartFile {
  private:
   static geometry::MassProperties ReadMass(const Document& document, double clearance);
 
-  // A convex piece as the file names it: one box, and what the pockets have left of it.
+  // A convex piece as the file names it: one box, and the pieces that the pockets have left of it.
   struct Solid {
     std::string name;
-    Pose X_PartSolid = Pose::Identity();  // its turn: from the coordinates that the file gives
+    Pose X_PartSolid = Pose::Identity();  // turn from the coordinates of the file
     geometry::Box whole;                  // before the turn and the pockets
     std::vector<geometry::Box> pieces;    // part frame
     Eigen::Vector4f color;
   };
   struct Pocket {
     std::string name;
-    int solid = 0;      // index of the one that it is cut from
+    int solid = 0;      // index of the solid that it is cut from
     geometry::Box box;  // widened, not clipped; in the coordinates of the solid before its turn
     std::array<bool, 3> is_widened = {};  // along x, y, z
   };
 
   explicit PartFile(double clearance) : clearance_(clearance) {}
 
-  // Units, solids and pockets.
+  // Reads units, solids and pockets.
   void ReadPieces(const Value& root);
   void ReadSolids(const Value& solids);
   Solid ReadSolid(const std::string& name, const Value& entry) const;
@@ -69,7 +69,7 @@ class PartFile {
   void ReadHole(const Value& entry, const PartModel& model, Feature& feature) const;
   void ReadShaft(const Value& entry, const PartModel& model, Feature& feature) const;
   int SolidNamed(const Value& name) const;
-  // One name or a list.
+  // Return the indices for one name or a list of names.
   std::vector<int> SolidsNamed(const Value& names) const;
   std::vector<int> PocketsNamed(const Value& names) const;
 

@@ -7,7 +7,7 @@
 namespace assay::domain {
 namespace {
 
-// A hole is touched once the region reaches this far into its mouth or onto its wall, metres.
+// A hole is touched once a region reaches this far into its mouth or onto its wall, in metres.
 constexpr double kReached = 1e-7;
 
 bool IsUnder(const Feature& feature, FaceId face, const geometry::Polygon& region) {

@@ -16,14 +16,14 @@
 
 namespace assay::domain {
 
-// What the part file says, with everything that is computed from it. Immutable and shared: two
-// parts of one problem may have the same model.
+// The content of a part file, with everything that is computed from it. It is immutable and shared:
+// two parts of one problem may have the same model.
 class PartModel {
  public:
   const std::string& name() const { return name_; }
-  const std::string& initial() const { return initial_; }  // labels begin with it: BP1, BG1
-  double clearance() const { return clearance_; }          // metres on each side
-  const std::vector<geometry::Box>& boxes() const { return boxes_; }      // disjoint or overlapping
+  const std::string& initial() const { return initial_; }             // start of labels: BP1, BG1
+  double clearance() const { return clearance_; }                     // metres on each side
+  const std::vector<geometry::Box>& boxes() const { return boxes_; }  // disjoint or overlapping
   const std::vector<Eigen::Vector4f>& colors() const { return colors_; }  // rgba of each box
   const geometry::CollisionShape& shape() const { return shape_; }
   const geometry::ConvexHull& hull() const { return hull_; }
@@ -33,10 +33,10 @@ class PartModel {
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Feature>& features() const { return features_; }
   const Feature* FindFeature(FeatureNumber number) const;  // null if the part has none
-  // The features that a convex region on a face touches or covers, in increasing number.
+  // Returns the features that a convex region on a face touches or covers, in increasing number.
   std::vector<FeatureNumber> FeaturesUnder(FaceId face, const geometry::Polygon& region) const;
 
-  // The poses in which the part rests on the table (computed, stable_pose.h).
+  // Returns the poses in which the part rests on the table (computed, stable_pose.h).
   const std::vector<StablePose>& stable_poses() const { return stable_poses_; }
   StablePoseId FindStablePose(std::string_view name) const;  // None if no pose has the name
 

@@ -10,8 +10,9 @@ namespace {
 
 using geometry::Polygon;
 
-constexpr double kLeastLean = std::numbers::pi / 180;  // that is told from lying flat
-constexpr double kLeastLift = 0.001;                   // metres, told from touching the table
+// Least lean that counts as not lying flat, radians.
+constexpr double kLeastLean = std::numbers::pi / 180;
+constexpr double kLeastLift = 0.001;  // least height that counts as not touching the table, metres
 
 double TiltBetween(const Pose& X_A, const Pose& X_B) {
   const Vector3 up_A = X_A.linear().row(2);

@@ -7,7 +7,8 @@
 namespace assay::domain {
 
 // Reads a scenario's list of goals, `assembled: ` (mating_file.h) or `located: {part, stable}`,
-// into a problem that has its parts. Throws InputError, also for a goal that is given twice.
+// into a problem that has its parts. Throws InputError for an invalid goal, and for one that is
+// given twice.
 void ReadGoals(const Value& goals, const Units& units, Problem& problem);
 
 }  // namespace assay::domain

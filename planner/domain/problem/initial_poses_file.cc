@@ -57,8 +57,8 @@ class InitialPosesFile {
   const Units& units_;
   const std::map<std::string, int>& chosen_;
   Problem& problem_;
-  std::vector<Value> entries_;       // of the parts, in the file
-  std::vector<MatingId> mating_of_;  // of the parts: the mating that holds it at the start
+  std::vector<Value> entries_;       // entry of each part in the file
+  std::vector<MatingId> mating_of_;  // the mating that holds each part at the start
 };
 
 void InitialPosesFile::ReadInitially(const Value& root) {
@@ -103,7 +103,7 @@ void InitialPosesFile::PlaceParts() {
   }
 }
 
-// A part may be assembled with one that is itself assembled, so rounds follow until none is left.
+// A part may be assembled with one that is itself assembled, so rounds are made until none is left.
 void InitialPosesFile::PlaceAssembledParts() {
   std::vector<MatingId> waiting = problem_.assembled;
   while (!waiting.empty()) {
@@ -129,7 +129,7 @@ void InitialPosesFile::PlaceAssembledParts() {
   }
 }
 
-// The pose itself, or of those that it may be the one that is chosen.
+// Returns the pose itself, or the chosen one of its alternatives.
 Value InitialPosesFile::ChosenPose(const Value& pose, PartId part) {
   const std::optional<Value> one_of = pose.Find("one-of");
   if (!one_of) return pose;
@@ -208,7 +208,8 @@ void InitialPosesFile::CheckApart() const {
   }
 }
 
-// Its centre of mass is over what it stands on: else it falls before anything is done.
+// Checks that the centre of mass is over what the part stands on. Otherwise the part would fall
+// before the first action.
 void InitialPosesFile::CheckRests(const Value& place, PartId id) const {
   const Part& part = problem_.part(id);
   std::vector<Vector3> corners = CornersOnTable(*part.model, part.X_WorldPart);

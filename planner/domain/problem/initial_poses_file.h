@@ -9,10 +9,11 @@
 
 namespace assay::domain {
 
-// Reads where the parts are at the start, into a problem that has its parts with their models: the
-// `pose` of each entry of `parts`, or the matings of `initially`. Of an open pose (`one-of`) the
-// one that `chosen` tells by the part's name, else the first. `root`: of the scenario. Throws
-// InputError, also for parts that are beside or in the table, or overlap.
+// Reads the poses of the parts at the start into a problem that has its parts with their models.
+// They come from the `pose` of each entry of `parts`, or from the matings of `initially`. For an
+// open pose (`one-of`), `chosen` gives the choice by the part's name; without an entry there, the
+// first is taken. `root` is the scenario's root. Throws InputError for malformed poses, and for
+// parts that are beside or in the table, or overlap.
 void ReadInitialPoses(const Value& root, const Units& units,
                       const std::map<std::string, int>& chosen, Problem& problem);
 

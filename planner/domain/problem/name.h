@@ -7,11 +7,11 @@
 
 namespace assay::domain {
 
-// A name that a file gives: letters, digits, - and _. Throws InputError, which tells what it is to
-// name ("a part").
+// Reads a name in a file: letters, digits, - and _. Throws InputError for other text; the message
+// says what it is to name: `what` ("a part").
 std::string ReadName(const Value& key, std::string_view what);
 
-// Any text but none.
+// Reads any text that is not empty.
 std::string ReadAnyName(const Value& value);
 
 }  // namespace assay::domain

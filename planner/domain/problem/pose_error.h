@@ -4,8 +4,8 @@
 
 namespace assay::domain {
 
-// What is not known exactly about a pose: of the true one about the believed one, metres and
-// radians. The whole line: nothing is known.
+// The uncertainty of a pose: the error of the true pose against the believed one, in metres and
+// radians. The whole line means that nothing is known.
 struct PoseError {
   Interval x, y, z, theta;
 };

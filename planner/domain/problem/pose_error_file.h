@@ -6,8 +6,9 @@
 
 namespace assay::domain {
 
-// `{x: , y: , z: , theta: }`, each a half-width or [low, high]; what the map leaves out stays as it
-// is in `otherwise`. Throws InputError for other keys, negative half-widths and reversed ends.
+// Reads `{x: , y: , z: , theta: }`, each a half-width or [low, high]. Coordinates that the map
+// leaves out stay as they are in `otherwise`. Throws InputError for other keys, negative
+// half-widths and reversed ends.
 PoseError ReadPoseError(const Value& map, const Units& units, const PoseError& otherwise);
 
 }  // namespace assay::domain

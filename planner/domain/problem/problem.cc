@@ -7,7 +7,7 @@ namespace {
 
 using SharedGrasps = std::shared_ptr<const std::vector<Grasp>>;
 
-// Parts of one model share their grasps.
+// Computes all grasps anew. Parts of one model share their grasps.
 void FindGraspsAnew(Problem& problem) {
   std::map<const PartModel*, SharedGrasps> found;
   for (Part& part : problem.parts) {

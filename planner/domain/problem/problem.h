@@ -17,33 +17,35 @@
 
 namespace assay::domain {
 
-// A part of a problem: a named copy of a model, and where it is at the start.
+// A part of a problem: a named copy of a model, and its place at the start.
 struct Part {
   std::string name;
   std::shared_ptr<const PartModel> model;
-  std::shared_ptr<const std::vector<Grasp>> grasps;  // by the workcell's gripper; shared by model
-  Pose X_WorldPart = Pose::Identity();               // at the start; for an assembled part, derived
-  // At the start. resting: None if it leans, lies on another part or is assembled. hidden: the
-  // features that the table or other parts cover. position_class: the stable pose that it rests
-  // in, else the one that hides the same features.
+  // Grasps by the workcell's gripper; shared by model.
+  std::shared_ptr<const std::vector<Grasp>> grasps;
+  Pose X_WorldPart = Pose::Identity();  // pose at the start; derived if assembled
+  // The state at the start. `resting` is None if the part leans, lies on another part or is
+  // assembled. `hidden` has the features that the table or other parts cover. `position_class` is
+  // the stable pose that the part rests in, or else the one that hides the same features.
   StablePoseId resting = StablePoseId::None();
   std::vector<FeatureNumber> hidden = {};
   StablePoseId position_class = StablePoseId::None();
   PoseError error;
-  // With which a fixture presses it down while something is mated with it; 0: it has none. Newtons.
+  // Force, in newtons, with which a fixture presses the part down while something is mated with it.
+  // 0 means that there is no fixture.
   double clamp = 0;
 };
 
-// That a part is in one of several poses at the start, and that only a look at it tells which.
+// A part that is in one of several poses at the start, which only a look at it can tell.
 struct OpenPose {
   PartId part;
-  std::vector<std::string> names;  // of the poses, at least two
-  int chosen = 0;                  // which of them the problem has
+  std::vector<std::string> names;  // names of the poses, at least two
+  int chosen = 0;                  // index of the pose that the problem has
 
   bool operator==(const OpenPose&) const = default;
 };
 
-// part_location(Part, Position) as a goal: the part ends in one of these stable poses.
+// The goal part_location(Part, Position): the part ends in one of these stable poses.
 struct LocatedGoal {
   PartId part;
   std::vector<StablePoseId> stable_poses;
@@ -51,37 +53,39 @@ struct LocatedGoal {
   bool operator==(const LocatedGoal&) const = default;
 };
 
-// What the user wants to hold at the end: a mating of the problem, or a part's resting pose.
+// A condition that the user wants to hold at the end: a mating of the problem, or a part's resting
+// pose.
 using Goal = std::variant<MatingId, LocatedGoal>;
 
-// A scenario as the planner sees it.
+// A scenario from the planner's view.
 struct Problem {
-  std::string name;         // the file's, without its ending
+  std::string name;         // file name without its ending
   std::string title;        // one line for people; may be empty
   std::string description;  // may be empty
   std::shared_ptr<const Workcell> workcell;
   std::vector<Part> parts;
-  std::vector<OpenPose> open_poses = {};  // of these parts, in their order
+  std::vector<OpenPose> open_poses = {};  // the open poses of `parts`, in their order
   std::vector<Mating> matings;
-  std::vector<MatingId> assembled;  // true at the start
+  std::vector<MatingId> assembled;  // those that are true at the start
   std::vector<Goal> goals;
   PoseError gripper_error;
-  std::vector<std::string> sensors;  // of the workcell that may be used: "overhead-camera"
-  // What may be done about uncertainty, each once, in the order of the enum; by default as in Spar.
+  std::vector<std::string> sensors;  // sensors of the workcell that may be used: "overhead-camera"
+  // The ways to deal with uncertainty that may be used, each once, in the order of the enum. The
+  // default is as in Spar.
   std::vector<ResolverKind> resolvers = {ResolverKind::kSensing, ResolverKind::kSqueezing};
   double clearance = 0;        // metres on each side of a mated shaft
-  Tolerances tolerances = {};  // of the clearance, and of the workcell's frictions
+  Tolerances tolerances = {};  // tolerances of the clearance and of frictions
   MatingErrors mating_errors = {};
 
   const Part& part(PartId id) const { return parts[id.index()]; }
   const Mating& mating(MatingId id) const { return matings[id.index()]; }
 };
 
-// Which grasps are looked for in a workcell, for the robot that acts.
+// Returns which grasps are searched for in a workcell, for the robot that acts.
 GraspSearch GraspsIn(const Workcell& workcell);
 
-// The same problem for another robot of its workcell: parts, matings and goals stay, grasps are by
-// that robot's gripper.
+// Returns the same problem for another robot of its workcell. Parts, matings and goals stay; grasps
+// are computed for that robot's gripper.
 Problem WorkedBy(const Problem& problem, RobotId robot);
 
 }  // namespace assay::domain

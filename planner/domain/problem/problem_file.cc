@@ -32,7 +32,7 @@ std::string ReadOptionalText(const Value& root, std::string_view key) {
   return text ? text->Text() : "";
 }
 
-// Without -0, so that an error that is scaled to nothing is the same as none.
+// Scales without producing -0, so that an error that is scaled to nothing equals no error.
 Interval Scaled(const Interval& interval, double scale) {
   return {scale * interval.low + 0.0, scale * interval.high + 0.0};
 }
@@ -44,7 +44,7 @@ PoseError Scaled(const PoseError& error, double scale) {
           .theta = Scaled(error.theta, scale)};
 }
 
-// Like a counter of which each open pose is a digit. False after the last world.
+// Counts through the worlds, with each open pose as one digit. Returns false after the last world.
 bool TurnToNextWorld(const Problem& world, Overrides& overrides) {
   for (auto open = world.open_poses.rbegin(); open != world.open_poses.rend(); ++open) {
     const bool is_last = open->chosen + 1 == std::ssize(open->names);
@@ -93,7 +93,7 @@ ProblemFile::ProblemFile(const Document& scenario, const ModelPath& models,
   root.AllowOnly({"format", "title", "description", "units", "workcell", "rules", "clearance",
                   "tolerances", "parts", "gripper", "sensing", "resolvers", "mating_errors",
                   "initially", "goal", "simulation", "knowledge"});
-  // Both are told on one line.
+  // Both are shown on one line.
   problem_.name = Show(std::filesystem::path(root.Place().file).stem().string());
   problem_.title = Show(ReadOptionalText(root, "title"));
   problem_.description = ReadOptionalText(root, "description");
@@ -106,7 +106,7 @@ ProblemFile::ProblemFile(const Document& scenario, const ModelPath& models,
   }
   ReadSensing(root);
   ReadResolvers(root);
-  // What is to be known at the end may be goal enough (sim/enact).
+  // A scenario's `knowledge` section may be its only goal (sim/enact).
   const std::optional<Value> goals =
       root.Find("knowledge") ? root.Find("goal") : std::optional(root.At("goal"));
   ReadParts(root.At("parts"));
@@ -135,7 +135,7 @@ void ProblemFile::ReadClearance(const Value& root) {
                                 InUnit(kClearances, kMetres));
 }
 
-// What is left out is known exactly.
+// Coordinates that are left out are known exactly.
 PoseError ProblemFile::ReadError(const Value& owner) const {
   const std::optional<Value> given = owner.Find("error");
   if (!given) return {};
@@ -204,7 +204,7 @@ void ProblemFile::ReadSensing(const Value& root) {
   }
 }
 
-// If none is named, what one does not prove is handed to the next.
+// Without this key, what one resolver does not prove is handed to the next.
 void ProblemFile::ReadResolvers(const Value& root) {
   problem_.resolvers = {ResolverKind::kSensing, ResolverKind::kSqueezing,
                         ResolverKind::kFineMotion};

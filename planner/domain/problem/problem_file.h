@@ -16,24 +16,28 @@ namespace assay::domain {
 // rules (those of the workcell that this scenario replaces), clearance, tolerances, parts, gripper,
 // sensing, resolvers, mating_errors, `initially` (matings that hold at the start, written like
 // goals), and goal.
-// `models`: where parts and the workcell are looked for. The key `simulation` is left to
-// sim/scenario. Throws InputError for what is wrong, with the place. scenarios/README.md describes
-// the format.
+//
+// `models` is searched for parts and the workcell. The key `simulation` is left to sim/scenario.
+// Throws InputError with the place of the error. scenarios/README.md describes the format.
 Problem ReadProblem(const Document& scenario, const ModelPath& models);
 
-// What a study changes of a scenario without writing it anew.
+// The changes that a study makes to a scenario without writing a new file.
 struct Overrides {
-  std::optional<double> clearance = std::nullopt;  // metres, as if the file said so
-  // Of every error of parts and gripper, 0 or more; not of what sensors promise, nor of tolerances.
+  std::optional<double> clearance = std::nullopt;  // metres, in place of the file's
+  // Factor, 0 or more, of every error of parts and gripper. The promises of sensors and the
+  // tolerances are not scaled.
   double error_scale = 1;
   std::optional<std::vector<ResolverKind>> resolvers = std::nullopt;
-  std::map<std::string, int> poses = {};  // of parts whose pose is open: which, by the part's name
+  // Index of the chosen pose, by the name of a part with an open pose.
+  std::map<std::string, int> poses = {};
 };
-// Of an open pose, the first unless the overrides say which.
+// Reads the problem with these changes. Each open pose is the first one unless the overrides choose
+// another.
 Problem ReadProblem(const Document& scenario, const ModelPath& models, const Overrides& overrides);
 
-// The worlds that the scenario allows: a problem for each choice of the open poses, in the order of
-// the file, those of the last part changing fastest. One if none is open.
+// Returns the worlds that the scenario allows: a problem for each choice of the open poses, in the
+// order of the file. The choice of the last part changes fastest. There is one world if no pose is
+// open.
 inline constexpr int kMostWorlds = 64;
 std::vector<Problem> ReadWorlds(const Document& scenario, const ModelPath& models,
                                 const Overrides& overrides);

@@ -2,12 +2,12 @@
 
 namespace assay::domain {
 
-// How far what is the same for the whole problem may truly be from what the problem says: half
-// widths of intervals about it.
+// How far quantities that hold for the whole problem may differ from their values in it: half
+// widths of intervals about these values.
 struct Tolerances {
-  double clearance = 0;     // metres on each side of a mated shaft; less than the clearance
-  double friction = 0;      // of mating surfaces, and so of parts; less than theirs
-  double pad_friction = 0;  // of the gripper's pads; less than theirs
+  double clearance = 0;     // metres, on each side of a mated shaft; less than the clearance
+  double friction = 0;      // for mating surfaces and parts; less than their friction
+  double pad_friction = 0;  // for the gripper's pads; less than their friction
 
   bool operator==(const Tolerances&) const = default;
 };

@@ -9,7 +9,8 @@
 namespace assay::domain {
 namespace {
 
-// `what` it is of, and how much that is, in metres or a ratio; `unit` is the file's.
+// A quantity that has a tolerance: its name, and its amount in metres or as a ratio. `unit` is the
+// file's.
 struct Quantity {
   std::string what;
   double amount = 0;
@@ -25,7 +26,7 @@ double ReadHalfWidth(const Value& value, const Quantity& of) {
                            : InUnit(0, of.unit));
 }
 
-// Of the mating surfaces: of what the workcell says, and of what each part says.
+// Returns the least friction of mating surfaces: of the workcell's value and of each part's.
 Quantity LeastFriction(const Problem& problem) {
   Quantity least = {"the friction of mating surfaces", problem.workcell->rules().friction};
   for (const Part& part : problem.parts) {

@@ -6,9 +6,10 @@
 
 namespace assay::domain {
 
-// `{clearance: , friction: , pad_friction: }`, 0 where it is left out, for a problem that has its
-// workcell, clearance and parts. Throws InputError for a tolerance that is below 0 or not less than
-// what it is of, and for one that leaves a part no sound pocket at an end of the clearances.
+// Reads `{clearance: , friction: , pad_friction: }`, with 0 for missing keys, for a problem that
+// has its workcell, clearance and parts. Throws InputError for a tolerance that is below 0 or not
+// less than its quantity. Throws also for a tolerance of the clearance with which a part has an
+// impossible pocket at the least or the greatest clearance.
 Tolerances ReadTolerances(const Value& map, const Units& units, const Problem& problem);
 
 }  // namespace assay::domain

@@ -16,7 +16,7 @@ using geometry::Vector3;
 constexpr double kLongest = 100;                    // metres
 constexpr double kTwoTurns = 4 * std::numbers::pi;  // radians
 constexpr double kAxisTolerance = 1e-6;
-constexpr double kConversionRounding = 1e-9;  // of a bound
+constexpr double kConversionRounding = 1e-9;  // share of a bound
 
 std::vector<Value> ItemsOf(const Value& value, std::size_t count, const std::string& allowed) {
   std::vector<Value> items = value.Items();
@@ -118,7 +118,7 @@ Vector3 ReadVector3(const Value& value, const Units& units) {
 
 Pose ReadColumns(const Value& value, const Units& units) {
   const auto columns = ItemsOf(value, 4, "four columns: the axes x, y, z and the position");
-  // One by one: Eigen's comma initializer aborts when it is left halfway by an exception.
+  // The axes are read one by one: Eigen's comma initializer aborts if an exception interrupts it.
   Matrix3 R;
   for (int axis = 0; axis < 3; ++axis) R.col(axis) = ReadAxis(columns[axis]);
   RequireOrthonormal(value, R);

@@ -10,10 +10,10 @@
 
 namespace assay::domain {
 
-// A unit of length, angle, force, ...
+// A unit of length, angle, force, or another quantity.
 struct Unit {
-  std::string_view name;  // as it stands beside a number; of a ratio: empty
-  double factor = 1;      // one of it in SI: metres, radians, newtons, ...
+  std::string_view name;  // text beside a number; empty for a ratio
+  double factor = 1;      // size of the unit in SI: metres, radians, newtons, ...
 };
 inline constexpr Unit kInches = {"inch", 0.0254};
 inline constexpr Unit kMillimetres = {"mm", 0.001};
@@ -27,18 +27,18 @@ inline constexpr Unit kKilograms = {"kg"};
 inline constexpr Unit kKilogramsPerCubicMetre = {"kg/m^3"};
 inline constexpr Unit kSeconds = {"s"};
 
-// "12.5 mm": a number of units, as the file has it.
+// Returns a number in units as the file has it: "12.5 mm".
 std::string Beside(std::string_view number, const Unit& unit);
-// "12.5 mm", of 0.0125: what is given in SI, in the unit, to six digits.
+// Returns a value given in SI, such as 0.0125, in the unit, to six digits: "12.5 mm".
 std::string InUnit(double value, const Unit& unit);
 
-// Units of a file's lengths and angles.
+// The units of a file's lengths and angles.
 struct Units {
   Unit length = kMetres;
   Unit angle = kRadians;
 };
 
-// Reads `units: {length: inch | mm | cm | m, angle: degree | radian}`; SI where it is left out.
+// Reads `units: {length: inch | mm | cm | m, angle: degree | radian}`. Missing units are SI.
 Units ReadUnits(const Value& root);
 
 // A range of allowed values, in SI; its high end may be infinite.
@@ -48,26 +48,28 @@ struct Range {
 };
 inline constexpr Range kAtLeastZero = {0, std::numeric_limits<double>::infinity()};
 
-// Whether a value in SI is in the range, but for what the conversion from its unit rounds.
+// Returns whether a value in SI is in the range, up to the rounding of the conversion from its
+// unit.
 bool IsWithin(double value, const Range& range);
-// "0 m to 0.01 m", "0 m or more".
+// Returns the range in words: "0 m to 0.01 m", "0 m or more".
 std::string InUnit(const Range& range, const Unit& unit);
 
-// A number of units, in SI; an InputError unless it lies in the range, which the message tells in
-// that unit.
+// Returns a number of units in SI. Throws InputError unless it lies in the range, which the message
+// gives in that unit.
 double ReadWithin(const Value& value, const Unit& unit, const Range& range);
 
-// A length in metres, at most 100 m either way: what is longer is a slip, and would overflow later.
+// Reads a length in metres, at most 100 m either way. A longer one is a slip, and would overflow
+// later.
 double ReadLength(const Value& value, const Units& units);
-// An angle in radians, at most two turns either way.
+// Reads an angle in radians, at most two turns either way.
 double ReadAngle(const Value& value, const Units& units);
 
-// A list of two or of three lengths, in metres.
+// Read a list of two or of three lengths, in metres.
 geometry::Vector2 ReadVector2(const Value& value, const Units& units);
 geometry::Vector3 ReadVector3(const Value& value, const Units& units);
 
-// `[[x axis], [y axis], [z axis], [position]]`, as Spar's tm lists the columns of a transform. The
-// axes must be orthonormal to 1e-6 and right-handed.
+// Reads `[[x axis], [y axis], [z axis], [position]]`, the form in which Spar's tm lists the columns
+// of a transform. The axes must be orthonormal to 1e-6 and right-handed.
 geometry::Pose ReadColumns(const Value& value, const Units& units);
 
 }  // namespace assay::domain

@@ -9,8 +9,8 @@
 
 namespace assay::domain {
 
-// Reachability (reachability.h) for a planner that comes back to the same few places: what was
-// answered once is not worked out again. The problem must outlive it.
+// Remembers reachability (reachability.h) for a planner that asks about the same few places again:
+// no answer is computed twice. The problem must outlive it.
 class KnownReachability {
  public:
   explicit KnownReachability(const Problem& problem) : problem_(problem) {}

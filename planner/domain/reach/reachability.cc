@@ -18,16 +18,16 @@ namespace {
 using geometry::CollisionShape;
 using geometry::Matrix3;
 
-constexpr double kClearanceStep = 0.01;  // metres between looks at a hand on its way
+constexpr double kClearanceStep = 0.01;  // metres between the tested positions of a hand on its way
 
-// What a caller asks of a set of conditions.
+// The question that a caller asks about a set of conditions.
 enum class Ask {
-  kWhetherAll,          // whether all hold: the first that is broken is enough
-  kWhetherAllButClear,  // the same, kMateClear left out
+  kWhetherAll,          // whether all hold; the search stops at the first broken one
+  kWhetherAllButClear,  // whether all but kMateClear hold
   kWhichBroken,
 };
 
-// Collects the broken conditions. Those that cost little are required first.
+// Collects the broken conditions. Conditions that cost little are required first.
 class Findings {
  public:
   explicit Findings(Ask ask) : ask_(ask) {}
@@ -45,8 +45,8 @@ class Findings {
   GraspConditions broken_ = 0;
 };
 
-// Where a part rests: exactly at X_WorldPart, or so at any of the placements, which then move it
-// on the table.
+// The place of a part at rest: X_WorldPart itself, or X_WorldPart moved on the table by any of the
+// placements.
 struct Location {
   PartId part;
   Pose X_WorldPart;
@@ -59,7 +59,7 @@ Location InPose(const Problem& problem, PartId part, StablePoseId pose) {
           .placements = problem.workcell->placements()};
 }
 
-// Whether `reaches` holds of a pose of the part, on the table, that the location allows.
+// Returns whether `reaches` holds for a pose of the part on the table that the location allows.
 template <class Reaches>
 bool AtSomePlacement(const Problem& problem, const Location& location, const Reaches& reaches) {
   if (location.placements.empty()) return reaches(location.X_WorldPart);
@@ -77,7 +77,8 @@ bool OpensFor(const Workcell& workcell, const Grasp& grasp) {
   return grasp.width <= workcell.gripper().max_opening() + kRounding;
 }
 
-// Fingers closed on the part; of a grasp that is too wide, as far as they open.
+// Returns the opening of fingers closed on the part. For a grasp that is too wide, it is the
+// greatest opening.
 double ClosedOpening(const Workcell& workcell, const Grasp& grasp) {
   return std::min(grasp.width, workcell.gripper().max_opening());
 }
@@ -87,14 +88,15 @@ bool AreDisjoint(const std::vector<FeatureNumber>& a, const std::vector<FeatureN
       a, [&](FeatureNumber number) { return std::ranges::binary_search(b, number); });
 }
 
-// The features that the table hides: by Spar, those of the stable pose that the pose corresponds
-// to. Parts are put down in stable poses only, so in another it is where it was at the start.
+// Returns the features that the table hides: according to Spar, those of the stable pose that
+// X_WorldPart corresponds to. Parts are put down in stable poses only, so a part in any other pose
+// is where it was at the start.
 const std::vector<FeatureNumber>& HiddenAt(const Part& part, const Pose& X_WorldPart) {
   const StablePoseId resting = StablePoseAt(part, X_WorldPart);
   return resting.IsNone() ? part.hidden : part.model->stable_poses()[resting.index()].hidden;
 }
 
-// The angle from straight down.
+// Returns the angle from straight down, in radians.
 double LeanOf(const Vector3& direction) {
   return std::atan2(direction.head<2>().norm(), -direction.z());
 }
@@ -115,8 +117,8 @@ double LowestPoint(std::span<const geometry::Box> boxes, const Pose& X_WorldTool
   return lowest;
 }
 
-// The height of hand and fingers, open and closed, above the table. The retreat of a tool that
-// leans allowably goes up, so its end is its lowest point.
+// Returns the height of hand and fingers, open and closed, above the table. A tool with an allowed
+// lean goes up as it retreats, so the end of its way is its lowest point.
 double HandHeight(const Workcell& workcell, const Grasp& grasp, const Pose& X_WorldTool) {
   const kinematics::Gripper& gripper = workcell.gripper();
   return std::min({LowestPoint(gripper.HandBoxes(), X_WorldTool),
@@ -143,7 +145,7 @@ bool IsStraightAbove(const Vector3& high, const Vector3& low) {
   return high.z() >= low.z() && (high - low).head<2>().norm() < kRounding;
 }
 
-// The ways of pickup, down, in and up again; putdown goes the same ways backwards. Straight above
+// The ways of pickup go down, in and up again; putdown goes the same ways backwards. Straight above
 // the grasp, the way up is the way down.
 bool ReachesGrasp(const Workcell& workcell, const Pose& X_WorldTool) {
   const Vector3 grasp = X_WorldTool.translation();
@@ -154,8 +156,8 @@ bool ReachesGrasp(const Workcell& workcell, const Pose& X_WorldTool) {
   return CanFollow(workcell, X_WorldTool.linear(), std::span(corners).first(needed));
 }
 
-// The ways of assemble: down to where the mating starts, along the mating vector, back and up,
-// unless all are on one line.
+// The ways of assemble go down to where the mating starts, along the mating vector, back and up. If
+// all of them are on one line, a single way is followed.
 bool ReachesMating(const Workcell& workcell, const Pose& X_WorldTool, const Vector3& vector_World) {
   const Vector3 mated = X_WorldTool.translation();
   const Vector3 start = mated - vector_World;
@@ -169,7 +171,8 @@ bool ReachesMating(const Workcell& workcell, const Pose& X_WorldTool, const Vect
       std::array{Raised(workcell, start), start, mated, retreated, Raised(workcell, retreated)});
 }
 
-// A hand, its fingers open or closed, that goes past the fixed part. All in the fixed part's frame.
+// A hand, with its fingers open or closed, that goes past the fixed part. Everything is in the
+// fixed part's frame.
 class HandBesideFixed {
  public:
   HandBesideFixed(const Problem& problem, const Mating& mating, double opening)
@@ -194,8 +197,8 @@ class HandBesideFixed {
   double allowance_;
 };
 
-// Closed, the hand comes along the mating vector; open, it retreats. Open fingers are looked at
-// where the mating starts as well, so that the part can be let go there.
+// The closed hand comes along the mating vector, and the open hand retreats. Open fingers are
+// tested at the start of the mating, too, so that the part can be let go there.
 bool ClearsFixed(const Problem& problem, const Mating& mating, const Grasp& grasp) {
   const Workcell& workcell = *problem.workcell;
   const Pose X_FixedTool = mating.X_FixedHeld * grasp.X_PartTool;
@@ -373,7 +376,7 @@ double LeastMatingFriction(const Problem& problem) {
   return problem.workcell->rules().friction - problem.tolerances.friction;
 }
 
-// -v_z >= |v| cos(atan(mu)): the vector points into the cone about straight down.
+// -v_z >= |v| cos(atan(mu)): the vector points into the cone about the downward direction.
 bool InFrictionCone(const Problem& problem, const Mating& mating, const Pose& X_WorldFixed) {
   return MatingLean(problem, mating, X_WorldFixed).excess() <= kRounding;
 }

@@ -17,10 +17,10 @@ using geometry::Vector3;
 using kinematics::Indicators;
 using kinematics::JointVector;
 
-constexpr double kStep = 0.05;        // metres between looks
-constexpr double kTurnStep = 0.1;     // radians between looks
-constexpr double kLargestTurn = 0.4;  // radians of a joint from one look to the next
-constexpr int kHalvings = 1;          // of a step in which a joint turns farther
+constexpr double kStep = 0.05;        // metres between tested positions
+constexpr double kTurnStep = 0.1;     // radians between tested orientations
+constexpr double kLargestTurn = 0.4;  // greatest turn of a joint from one test to the next, radians
+constexpr int kHalvings = 1;          // number of times that a step with a greater turn is halved
 
 Pose PoseOf(const Matrix3& R_WorldTool, const Vector3& p_World) {
   Pose X_WorldTool = geometry::Translation(p_World);
@@ -28,13 +28,14 @@ Pose PoseOf(const Matrix3& R_WorldTool, const Vector3& p_World) {
   return X_WorldTool;
 }
 
-// One of the arm's eight, where it is on its way.
+// One of the arm's eight configurations, and its joints at the present point of the way.
 struct Configuration {
   Indicators indicators;
   JointVector q;
 };
 
-// The configurations that the arm may be in at the start of a path, those nearest to home first.
+// Returns the configurations that the arm may be in at the start of a path, the nearest to home
+// first.
 std::vector<Configuration> StartsAt(const Workcell& workcell, const Pose& X_WorldTool) {
   std::vector<Configuration> starts;
   const kinematics::Arm& arm = workcell.arm();
@@ -48,7 +49,7 @@ std::vector<Configuration> StartsAt(const Workcell& workcell, const Pose& X_Worl
   return starts;
 }
 
-// False if the arm does not get there as it is.
+// Returns false if the arm does not get there in its present configuration.
 bool MoveTo(const Workcell& workcell, const Pose& X_WorldTool, Configuration& configuration) {
   const JointVector& from = configuration.q;
   const auto solution =
@@ -60,7 +61,7 @@ bool MoveTo(const Workcell& workcell, const Pose& X_WorldTool, Configuration& co
   return true;
 }
 
-// From pose to pose of the tool, its origin on a straight line.
+// The way of the tool from one pose to another, with its origin on a straight line.
 class Leg {
  public:
   Leg(const Workcell& workcell, const Pose& from, const Pose& to)

@@ -7,20 +7,20 @@
 
 namespace assay::domain {
 
-// Whether the arm can move the tool, its orientation kept, along the straight lines from corner to
-// corner (origins of the tool, world frame; at least one) within its joint limits and without
-// changing its configuration or turning a joint by leaps on the way. Looked at in steps of a few
-// centimetres.
+// Returns whether the arm can move the tool, with its orientation kept, along the straight lines
+// from corner to corner within its joint limits, without changing its configuration and without
+// sudden turns of a joint. The corners are origins of the tool in the world frame; there must be at
+// least one. The lines are tested in steps of a few centimetres.
 bool CanFollow(const Workcell& workcell, const geometry::Matrix3& R_WorldTool,
                std::span<const geometry::Vector3> corners);
 
-// How far the arm gets along a path of the tool from pose to pose, its origin on straight lines and
-// turning about one axis between two poses.
+// How far the arm gets along a path of the tool through a list of poses. Between two poses, the
+// tool's origin moves on a straight line, and the tool turns about one axis.
 struct PathReach {
-  // So many poses from the first on are reached, as far as any one configuration gets.
+  // Number of poses, from the first on, that the best single configuration reaches.
   std::size_t reached = 0;
-  // At the first pose, of the configurations that come to the last one that which is the nearest to
-  // the workcell's home; none if none does.
+  // Joints at the first pose of a configuration that reaches the last one: the nearest to the
+  // workcell's home. None if no configuration does.
   std::optional<kinematics::JointVector> start = {};
 };
 PathReach ReachAlong(const Workcell& workcell, std::span<const geometry::Pose> X_WorldTools);

@@ -8,7 +8,8 @@ namespace {
 
 using geometry::Vector3;
 
-// How far a shape reaches from its middle along a unit vector, which its own axes see as `up`.
+// Returns how far a shape reaches from its middle along a unit vector. `up` is that vector in the
+// shape's own axes.
 struct ReachOf {
   Vector3 up;
 

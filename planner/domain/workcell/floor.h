@@ -4,9 +4,9 @@
 
 namespace assay::domain {
 
-// The height of the floor in the world, metres: where the lowest shape of the robots' roots stands
-// (of those for collision, or of the visible ones if there are none), and nowhere above the
-// underside of a table.
+// Returns the height of the floor in the world, in metres. It is the underside of the lowest shape
+// of the robots' roots, but not above the underside of any table. Collision shapes count; visible
+// ones are used for a root that has no collision shapes.
 double FloorHeight(const Workcell& workcell);
 
 }  // namespace assay::domain

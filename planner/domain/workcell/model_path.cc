@@ -7,7 +7,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A kind of model: models/KIND/NAME/FILE.
+// A kind of model. Its files are models/KIND/NAME/FILE.
 struct Kind {
   const char* folder;
   const char* file;

@@ -8,13 +8,13 @@
 
 namespace assay::domain {
 
-// The folders in which models are looked for, in this order: each may hold parts/NAME/part.yaml and
-// workcells/NAME/workcell.yaml. What a workcell names (robots, grippers) is named from its own
-// file.
+// The folders that are searched for models, in this order. Each may hold parts/NAME/part.yaml and
+// workcells/NAME/workcell.yaml. Robots and grippers are found from the workcell's own file, which
+// names them.
 class ModelPath {
  public:
   ModelPath() = default;
-  // A single folder; none where its name is empty.
+  // Creates a path of a single folder; of none if its name is empty.
   template <std::convertible_to<std::filesystem::path> Folder>
   ModelPath(const Folder& folder) {  // NOLINT(google-explicit-constructor)
     Append(folder);
@@ -26,12 +26,12 @@ class ModelPath {
   bool empty() const { return folders_.empty(); }
   const std::vector<std::filesystem::path>& folders() const { return folders_; }
 
-  // The models that there are, by name.
+  // Return the names of the models that exist.
   std::vector<std::string> Parts() const;
   std::vector<std::string> Workcells() const;
 
-  // The file of a model: of the first folder that has it; none has it: where it would be in the
-  // last one.
+  // Return the file of a model, from the first folder that has it. If none has it, they return its
+  // place in the last folder.
   std::filesystem::path PartFile(const std::string& name) const;
   std::filesystem::path WorkcellFile(const std::string& name) const;
 

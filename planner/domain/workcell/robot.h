@@ -22,9 +22,10 @@ struct Robot {
   geometry::Pose X_WorldBase = geometry::Pose::Identity();
   kinematics::JointVector home = kinematics::JointVector::Zero();  // where the arm starts and ends
   kinematics::JointVector joint_acceleration =
-      kinematics::JointVector::Zero();  // greatest, rad/s^2
+      kinematics::JointVector::Zero();  // the greatest of each joint, rad/s^2
 
-  // Of what is the robot's own, where names must differ: "left/", or nothing if it is the only one.
+  // Returns the prefix of names of the robot's own things, where names must differ: "left/", or
+  // nothing if it is the only robot.
   std::string Prefix() const { return name.empty() ? "" : name + "/"; }
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 using kinematics::JointVector;
 
-// Reads robots, the paths in whose descriptions start from one folder.
+// Reads robots. The paths in their descriptions start from one folder.
 class RobotFile {
  public:
   RobotFile(const Units& units, const std::filesystem::path& folder)

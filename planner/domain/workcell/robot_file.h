@@ -9,8 +9,8 @@
 
 namespace assay::domain {
 
-// The robots of a workcell file in this folder: its keys `robot` and `gripper`, or `robots`, where
-// each has a name and a gripper of its own. Throws InputError.
+// Reads the robots of a workcell file in this folder: its keys `robot` and `gripper`, or `robots`,
+// where each robot has a name and a gripper of its own. Throws InputError.
 std::vector<Robot> ReadRobots(const Value& workcell, const Units& units,
                               const std::filesystem::path& folder);
 

@@ -12,12 +12,12 @@ namespace {
 
 constexpr std::string_view kNote = "# calibrated: ";
 
-// Without an exponent.
+// Returns the number rounded up to two digits, without an exponent.
 std::string RoundedUp(double value) {
   if (value == 0) return "0";
   const int digits = 1 - static_cast<int>(std::floor(std::log10(value)));
   const double unit = std::pow(10, -digits);
-  // What has two digits already, but for rounding, stays.
+  // Numbers that have two digits already, but for rounding, stay as they are.
   return fmt::format("{:.{}f}", std::ceil(value / unit - 1e-9) * unit, std::max(digits, 0));
 }
 
@@ -27,13 +27,13 @@ std::size_t OffsetOf(const std::string& text, const FilePlace& place) {
   return line + static_cast<std::size_t>(place.column - 1);
 }
 
-// From the first character that is no space.
+// Returns the text from its first character that is no space.
 std::string_view Trimmed(std::string_view text) {
   return text.substr(std::min(text.find_first_not_of(" \t\r"), text.size()));
 }
 
-// What follows the map on its line, with this note in the place of an earlier one. Where the map
-// does not end its value, there is no room for a comment.
+// Returns the text that follows the map on its line, with this note in place of an earlier one. If
+// the value does not end with the map, there is no room for a comment.
 std::string Noted(std::string_view rest, const std::string& note) {
   std::string_view other = Trimmed(rest);
   if (!other.empty() && other.front() != '#') return std::string(rest);

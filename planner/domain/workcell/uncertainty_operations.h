@@ -8,16 +8,17 @@
 
 namespace assay::domain {
 
-// What can be done about uncertainty in a workcell: sensors, verification templates and recovery
+// The ways to deal with uncertainty in a workcell: sensors, verification templates and recovery
 // templates, as its file states them (Spar, "Satisfying Uncertainty-Reduction Goals" and figures 11
 // and 12).
 
 // A sensor that measures the pose of a part that lies free on the table. After the measurement each
-// coordinate's error is within what the sensor promises; the whole line: it is not measured.
+// coordinate's error is within what the sensor promises. The whole line means that the coordinate
+// is not measured.
 struct SensorModel {
   std::string name;  // "overhead-camera"
   std::string description;
-  Interval x, y, z, theta;  // of the true pose about the measured one; metres, radians
+  Interval x, y, z, theta;  // error of the true pose against the measured one; metres, radians
 };
 
 enum class VerifiedAction { kPickup, kPutdown, kAssemble };
@@ -32,28 +33,28 @@ struct VerificationTemplate {
   VerifiedAction after = VerifiedAction::kPickup;
   MeasuredQuantity quantity = MeasuredQuantity::kGripperOpening;
   double tolerance = 0;  // metres
-  std::string below;     // error to signal if less than expected; empty: none
+  std::string below;     // error to signal if less than expected is measured; empty: none
   std::string above;
 };
 
 enum class RecoveryStrategy {
-  kGropingSearch,  // the action again, from places in growing circles about the first one
-  kRetry,          // the action again
+  kGropingSearch,  // does the action again, from places in growing circles about the first one
+  kRetry,          // does the action again
   kCallOperator,
 };
 
 struct RecoveryTemplate {
   std::string error;
   RecoveryStrategy strategy = RecoveryStrategy::kCallOperator;
-  double radius = 0;  // metres, of a groping search
-  double pitch = 0;   // metres, between its tries
+  double radius = 0;  // radius of a groping search, metres
+  double pitch = 0;   // distance between tries of a groping search, metres
 };
 
-// Ways to meet uncertainty-reduction goals, in the order in which they are preferred (Spar,
+// The ways to meet uncertainty-reduction goals, in the order in which they are preferred (Spar,
 // "Satisfying Uncertainty-Reduction Goals"; fine motion: Dakin and Popplestone).
 enum class ResolverKind { kSensing, kSqueezing, kFineMotion };
 
-// The words for them in files, in the order of the enums.
+// Return the enums' words in files, in the order of the enums.
 const std::vector<std::string>& VerifiedActionNames();
 const std::vector<std::string>& MeasuredQuantityNames();
 const std::vector<std::string>& RecoveryStrategyNames();
@@ -64,7 +65,7 @@ struct UncertaintyOperations {
   std::vector<VerificationTemplate> verifications;
   std::vector<RecoveryTemplate> recoveries;
 
-  const SensorModel* FindSensor(std::string_view name) const;  // null if there is none
+  const SensorModel* FindSensor(std::string_view name) const;  // null if it has none
 };
 
 }  // namespace assay::domain

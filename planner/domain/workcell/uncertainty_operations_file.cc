@@ -36,8 +36,8 @@ SensorModel ReadSensor(const Value& key, const Value& entry, const Units& units)
   return sensor;
 }
 
-// What there is to measure after an action: the hand closes in a pickup only, and the others come
-// down until something resists.
+// Returns the quantity that can be measured after an action. Only a pickup closes the hand; the
+// other actions come down until something resists.
 MeasuredQuantity QuantityAfter(VerifiedAction action) {
   switch (action) {
     case VerifiedAction::kPickup:

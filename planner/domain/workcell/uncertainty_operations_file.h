@@ -7,8 +7,8 @@
 namespace assay::domain {
 
 // Reads the sections `sensors`, `verifications` and `recoveries` of a workcell file
-// (models/workcells/README.md); each of them may be left out. Throws InputError for what they may
-// not hold, also for an error that a verification signals and no recovery answers.
+// (models/workcells/README.md). Each section may be missing. Throws InputError for invalid content,
+// and for an error that a verification signals but no recovery answers.
 UncertaintyOperations ReadUncertaintyOperations(const Value& root, const Units& units);
 
 }  // namespace assay::domain

@@ -13,15 +13,15 @@
 
 namespace assay::domain {
 
-// Where parts may rest. The tops of all tables are in the plane z = 0 of the world.
+// A table, on which parts may rest. The tops of all tables are in the plane z = 0 of the world.
 struct Table {
   std::string name;
   geometry::Polygon top;  // convex, world x and y, metres
   double thickness = 0;
 };
 
-// A candidate for a part that is put down somewhere: its stable pose is turned by yaw about the
-// world z and then moved to (x, y).
+// A candidate place for a part that is put down: its stable pose is turned by yaw about the world z
+// and then moved to (x, y).
 struct Placement {
   double x = 0;
   double y = 0;
@@ -29,12 +29,12 @@ struct Placement {
   geometry::Pose X_WorldTable() const;  // Translation(x, y, 0) * RotationZ(yaw)
 };
 
-// A part of the table that has a name, where parts may be put down: a disc.
+// A named part of the table, a disc, where parts may be put down.
 struct Place {
   std::string name;
-  Placement middle;   // of the disc; parts there are turned by its yaw
-  double radius = 0;  // metres, of the disc in which the origins of parts that stand there lie
-  int room = 1;       // so many parts find room
+  Placement middle;   // middle of the disc; parts there are turned by its yaw
+  double radius = 0;  // radius of the disc that contains the origins of parts at this place, metres
+  int room = 1;       // number of parts that find room
 };
 
 // The rules of a workcell that its file states once for all its scenarios.
@@ -43,49 +43,50 @@ struct WorkcellRules {
   double approach_step = 0;      // quantization of approach directions, radians
   double approach_distance = 0;  // length of the straight approach along the tool's z, metres
   double safe_height = 0;        // height of the tool for travel, metres above the table
-  double friction = 0;           // of mating surfaces, for the friction cone
+  double friction = 0;           // friction of mating surfaces, for the friction cone
   double pad_friction = 0;
-  double grip_force = 0;         // N
+  double grip_force = 0;         // force of each pad, newtons
   double part_gap = 0;           // least horizontal gap to leave to other parts, metres
-  double contact_allowance = 0;  // overlap that a geometric test forgives, metres
-  double pad_margin = 0;         // contact points must stay so far inside the pads' edges, metres
-  // How far a guarded descent, of a putdown or of a mating, may end before or beyond the height
-  // that is expected: it goes on until it meets resistance. Metres.
+  double contact_allowance = 0;  // overlap that a geometric test ignores, metres
+  double pad_margin = 0;
+  // Greatest distance, in metres, by which the guarded descent of a putdown or of a mating may end
+  // before or beyond the expected height. A guarded descent goes on until it meets resistance.
   double guarded_travel = 0;
-  double lateral_compliance = 0;  // how far the wrist yields sideways in a mating; 0: rigid; metres
+  double lateral_compliance = 0;
 };
 
-// Table, rules, and one or more robots. A planner of grasps and motions works with one robot: arm,
-// gripper, base and home are those of the robot that acts, which is the file's first one.
+// Tables, rules, and one or more robots. A planner of grasps and motions works with one robot, the
+// one that acts: arm, gripper, base and home are its own. That is the file's first robot unless
+// WorkedBy chooses another.
 class Workcell {
  public:
   const std::string& name() const { return name_; }
   const std::vector<Robot>& robots() const { return robots_; }
   RobotId acting() const { return acting_; }
-  const Robot& robot() const { return robots_[acting_.index()]; }  // that acts
+  const Robot& robot() const { return robots_[acting_.index()]; }  // the robot that acts
   const kinematics::Arm& arm() const { return *robot().arm; }
   const kinematics::Gripper& gripper() const { return *robot().gripper; }
   const geometry::Pose& X_WorldBase() const { return robot().X_WorldBase; }
-  // The first of the tables, which sensors and cameras look at.
+  // Returns the first table, at which sensors and cameras look.
   const Table& table() const { return tables_.front(); }
   const std::vector<Table>& tables() const { return tables_; }  // at least one
   const WorkcellRules& rules() const { return rules_; }
   const kinematics::JointVector& home() const { return robot().home; }
   const kinematics::JointVector& joint_acceleration() const { return robot().joint_acceleration; }
-  // Where parts may be put down, best first.
+  // Returns the placements at which parts may be put down, best first.
   const std::vector<Placement>& placements() const { return placements_; }
-  const std::vector<Place>& places() const { return places_; }  // those with names; may be none
+  const std::vector<Place>& places() const { return places_; }
   const UncertaintyOperations& uncertainty_operations() const { return uncertainty_operations_; }
 
-  // The flange pose, in the arm's base frame, that brings the tool to X_WorldTool.
+  // Returns the flange pose, in the arm's base frame, that brings the tool to X_WorldTool.
   geometry::Pose FlangeFor(const geometry::Pose& X_WorldTool) const;
 
-  // Hand and fingers with the pads `opening` metres apart, in the tool frame.
+  // Returns the shape of hand and fingers with the pads `opening` metres apart, in the tool frame.
   geometry::CollisionShape HandShape(double opening) const;
 
-  // The same workcell under other rules.
+  // Returns the same workcell with other rules.
   std::shared_ptr<const Workcell> WithRules(const WorkcellRules& rules) const;
-  // The same workcell, in which this robot acts.
+  // Returns the same workcell, in which this robot acts.
   std::shared_ptr<const Workcell> WorkedBy(RobotId robot) const;
 
  private:

@@ -18,7 +18,7 @@ namespace {
 using geometry::Vector2;
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kMostPlacesAcross = 100;  // along x or y
+constexpr int kMostPlacesAcross = 100;  // greatest number along x or y
 
 enum class Dimension { kLength, kAngle, kForce, kRatio };
 
@@ -29,8 +29,9 @@ struct Rule {
   Range range;  // in SI
 };
 
-// Approach directions finer than 5 degrees, or contact allowances of more than a few millimetres,
-// are slips of a unit rather than wishes; so are the other lengths that are bounded tightly.
+// The ranges are tight where values beyond them are slips of a unit rather than wishes: approach
+// directions finer than 5 degrees, or contact allowances of more than a few millimetres. Other
+// lengths are bounded tightly for the same reason.
 constexpr std::array<Rule, 12> kRules = {{
     {"tool_lean", &WorkcellRules::tool_lean, Dimension::kAngle, {0, kPi / 2}},
     {"approach_step", &WorkcellRules::approach_step, Dimension::kAngle, {kPi / 36, kPi / 2}},
@@ -79,7 +80,7 @@ Range ReadRange(const Value& value, const Units& units) {
   return {ends.x(), ends.y()};
 }
 
-// low, low + step, ... up to high; a step that meets `high` but for rounding is counted.
+// Returns low, low + step, ... up to high. A step that meets `high` but for rounding is counted.
 std::vector<double> Steps(const Value& place, const Range& range, double step) {
   const double count = std::floor((range.high - range.low) / step + 1e-9) + 1;
   if (count > kMostPlacesAcross) {
@@ -91,8 +92,8 @@ std::vector<double> Steps(const Value& place, const Range& range, double step) {
   return steps;
 }
 
-// Nearest places first. Distances are rounded so that places that lie alike about the preferred
-// point compare equal on every machine, and then go by x and y.
+// Sorts places by distance, nearest first. Distances are rounded, so that places at equal distance
+// from the preferred point compare equal on every machine. Equal places are sorted by x and y.
 void SortByDistance(std::vector<Vector2>& places, const Vector2& preferred) {
   const auto key = [&](const Vector2& p) {
     return std::tuple(std::round((p - preferred).norm() * 1e9), p.x(), p.y());

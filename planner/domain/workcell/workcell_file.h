@@ -9,9 +9,9 @@
 
 namespace assay::domain {
 
-// `given` with the rules that the map names replaced: the key is the rule's name in WorkcellRules.
-// Throws InputError for unknown rules, for values out of range, and for a grip force that a finger
-// of the gripper does not have.
+// Returns `given` with the rules that the map names replaced. The keys are the names of the rules
+// in WorkcellRules. Throws InputError for unknown rules, for values out of range, and for a grip
+// force that a finger of the gripper does not have.
 WorkcellRules ReadRules(const Value& map, const Units& units, const kinematics::Gripper& gripper,
                         const WorkcellRules& given);
 

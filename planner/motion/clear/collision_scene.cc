@@ -15,7 +15,7 @@ namespace {
 using geometry::Box;
 
 constexpr int kFlange = 6;           // the last link
-constexpr double kFloorReach = 3;    // metres of floor around the base
+constexpr double kFloorReach = 3;    // half the side of the floor's square around the base, metres
 constexpr double kFloorDepth = 0.1;  // metres
 
 std::vector<RoundedHull> HullsOfLink(const kinematics::Link& link, const Pose& X_FrameLink) {
@@ -41,8 +41,9 @@ double GreatestOverVertices(const std::vector<RoundedHull>& hulls, const Measure
 
 double DistanceFromAxis(const Vector3& p, const Vector3& axis) { return p.cross(axis).norm(); }
 
-// From the flange inwards: the axis of joint k + 1 passes through the origin of link k + 1, and
-// what is within `ball` of the next link's origin is within |offset across the axis| + ball of it.
+// Goes from the flange inwards. The axis of joint k + 1 passes through the origin of link k + 1. A
+// body within `ball` of the next link's origin is within |offset across the axis| + ball of that
+// axis.
 std::array<double, 6> ReachOf(const Body& body, const kinematics::RobotModel& robot) {
   std::array<double, 6> reach = {};
   double ball = GreatestOverVertices(body.hulls, [](const Vector3& p) { return p.norm(); });

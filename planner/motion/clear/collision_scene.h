@@ -20,19 +20,20 @@ using geometry::Vector3;
 using kinematics::JointVector;
 
 using BodyId = Id<struct BodyTag>;
-using LinkPoses = std::array<Pose, 7>;  // of the arm's links in its base, as Arm::LinkPoses
+// Poses of the arm's links in its base, as from Arm::LinkPoses.
+using LinkPoses = std::array<Pose, 7>;
 
-// A union of convex polyhedra that moves with one link of the arm, or stands.
+// A union of convex polyhedra that moves with one link of the arm, or stands still.
 struct Body {
   std::string name;                // "upper_arm", "hand", "table", or a part's
-  int link = 0;                    // 0: the arm's base, and what stands with it
+  int link = 0;                    // 0: the arm's base, and everything that stands still
   std::vector<RoundedHull> hulls;  // in the link's frame
-  // reach[k]: no point of the body is ever farther from the axis of joint k + 1 than this, metres;
-  // 0 for joints that do not move it.
+  // reach[k] is an upper bound on the distance, in metres, of any point of the body from the axis
+  // of joint k + 1. It is 0 for joints that do not move the body.
   std::array<double, 6> reach = {};
-  Vector3 center = Vector3::Zero();  // of a ball that holds the body, in the link's frame
+  Vector3 center = Vector3::Zero();  // center of a ball that contains the body, in the link's frame
   double ball_radius = 0;
-  double doubt = 0;  // a point of it may be so far from where it is here, metres
+  double doubt = 0;  // greatest distance of a point of it from its place here, metres
 };
 
 // Two bodies that must not touch; the second is at least as far along the arm.
@@ -45,7 +46,7 @@ struct BodyPair {
 
 struct Nearness {
   BodyPair pair = {};
-  double distance = 0;  // metres, never more than the truth; 0: they overlap or touch
+  double distance = 0;  // metres, never more than the true distance; 0: they overlap or touch
 };
 
 struct HeldPart {
@@ -57,35 +58,36 @@ struct HeldPart {
 struct StandingRobot {
   domain::RobotId robot;
   JointVector q = JointVector::Zero();
-  double opening = 0;  // between its pads, metres
+  double opening = 0;  // distance between its pads, metres
 };
 
-// What is where while the arm moves.
+// Everything around the arm while it moves.
 struct Surroundings {
-  std::vector<domain::PlacedPart> parts = {};  // that stand still; others are not there
+  std::vector<domain::PlacedPart> parts = {};  // parts that stand still; others are absent
   std::optional<HeldPart> held = {};
-  std::vector<double> doubts = {};  // of the parts by PartId, metres (Body::doubt); empty: none
-  double opening = 0;               // between the pads, metres
-  // Robots that are not named stand at their homes with open grippers.
+  std::vector<double> doubts = {};  // by PartId, metres (Body::doubt); empty: no errors
+  double opening = 0;               // distance between the pads, metres
+  // Robots that are not listed stand at their homes with open grippers.
   std::vector<StandingRobot> robots = {};
 };
 
-// The arm's links, each in its own frame. A link's shapes are its URDF's collisions, or its visuals
-// if there are none; round ones are replaced by polyhedra that hold them (cylinders by prisms of 16
-// sides).
+// Returns the arm's links, each in its own frame. A link's shapes are its URDF's collisions, or its
+// visuals if there are none. Round shapes are replaced by polyhedra that contain them (cylinders by
+// prisms of 16 sides).
 std::vector<Body> ArmBodies(const kinematics::Arm& arm);
 
 // The workcell as bodies: the arm's links, hand, fingers, held part, table, floor
 // (domain::FloorHeight), parts, and the workcell's other robots ("forearm of right").
 //
-// Not tested, since they touch or are kept apart by construction: what is fixed to the same link
-// (so the held part against fingers and hand), and links of the arm that one joint connects. Two
-// joints whose axes meet in a point count as one: base and upper arm, forearm and wrist.
+// Some pairs are not tested, since they touch or are kept apart by construction. These are bodies
+// fixed to the same link (so the held part against fingers and hand), and links of the arm that one
+// joint connects. Two joints whose axes meet in a point count as one: base and upper arm, forearm
+// and wrist.
 class CollisionScene {
  public:
   CollisionScene(const domain::Problem& problem, const Surroundings& surroundings)
       : CollisionScene(problem, surroundings, ArmBodies(problem.workcell->arm())) {}
-  // `arm`: ArmBodies, worked out once for many surroundings.
+  // `arm` is the result of ArmBodies, computed once for many surroundings.
   CollisionScene(const domain::Problem& problem, const Surroundings& surroundings,
                  std::vector<Body> arm);
 
@@ -95,27 +97,28 @@ class CollisionScene {
   const Body& body(BodyId id) const { return bodies_[static_cast<std::size_t>(id.index())]; }
   const std::vector<BodyPair>& pairs() const { return pairs_; }
 
-  // Hand, fingers or held part.
+  // Returns whether the body is the hand, the fingers or the held part.
   bool IsCarried(BodyId id) const;
   bool IsOfAnotherRobot(BodyId id) const;
 
-  // The distance of two bodies, never more than the truth. From `enough` on, anything that is at
-  // least `enough` may be told.
+  // Returns the distance of two bodies, in metres, never more than the true one. If the distance is
+  // at least `enough`, any value from `enough` up may be returned.
   double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough) const;
-  // The same for a posture that is near to the last one, for which `slabs` was filled
-  // (geometry::Separation, by pair of hulls); empty at first.
+  // Returns the distance like the other overload, but faster for a posture near to the last one.
+  // `slabs` was filled for that posture (geometry::Separation, by pair of hulls); it is empty at
+  // first.
   using Slabs = std::vector<Vector3>;
   double Separation(const BodyPair& pair, const LinkPoses& X_BaseLink, double enough,
                     Slabs& slabs) const;
 
-  // The pair that is nearest to touching.
+  // Returns the pair that is nearest to touching.
   Nearness Nearest(const JointVector& q) const;
 
-  // How far any point of the pair's second body moves, seen from its first, while no joint turns
-  // by more than `turn` (radians, >= 0) one way: metres.
+  // Returns how far any point of the pair's second body moves, seen from its first, while no joint
+  // turns by more than `turn` (radians, >= 0) one way. In metres.
   double GreatestMotion(const BodyPair& pair, const JointVector& turn) const;
 
-  // "the hand and the brick"
+  // Returns a text such as "the hand and the brick".
   std::string Describe(const BodyPair& pair) const;
 
  private:
@@ -130,8 +133,8 @@ class CollisionScene {
   std::shared_ptr<const domain::Workcell> workcell_;
   std::vector<Body> bodies_;
   std::vector<BodyPair> pairs_;
-  int arm_bodies_ = 0;  // the first so many are the arm's own links
-  // Of the other robots are the bodies from this index on, up to that one.
+  int arm_bodies_ = 0;  // number of the arm's own links, which come first
+  // Bodies of other robots have the indices from others_begin_ up to, but without, others_end_.
   int others_begin_ = 0;
   int others_end_ = 0;
 };

@@ -12,12 +12,13 @@
 namespace assay::motion {
 namespace {
 
-// Of the distance in a given posture, what must be kept elsewhere.
+// Share of the distance in a given posture that must be kept elsewhere.
 constexpr double kShareOfGiven = 0.9;
 constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr int kFirstOfWrist = 4;   // of the arm's links: the axes beyond it meet in one point
-constexpr int kLastLink = 6;       // the flange, with which the tool moves
-constexpr int kMostBoxes = 1'000;  // of joints about one posture
+constexpr int kFirstOfWrist = 4;  // link of the arm: the axes beyond it meet in one point
+constexpr int kLastLink = 6;      // the flange, with which the tool moves
+// Greatest number of boxes of joints that are tested about one posture.
+constexpr int kMostBoxes = 1'000;
 
 double AngleBetweenUnits(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
@@ -102,8 +103,8 @@ double MotionCheck::ErrorOfTool(const Body& body, const LinkPoses& X_BaseLink, d
   const Pose X_WorldTool =
       workcell.X_WorldBase() * X_BaseLink.back() * workcell.gripper().X_FlangeTool();
   const Pose X_WorldBody = workcell.X_WorldBase() * X_BaseLink[body.link];
-  double from_vertical = 0;  // through the tool's origin
-  double from_axis = 0;      // of the tool
+  double from_vertical = 0;  // distance from the vertical through the tool's origin
+  double from_axis = 0;      // distance from the tool's axis
   for (const RoundedHull& hull : body.hulls) {
     for (const Vector3& vertex : hull.vertices()) {
       const Vector3 from_tool = X_WorldBody * vertex - X_WorldTool.translation();
@@ -128,7 +129,7 @@ LinkPoses MotionCheck::Swayed(const WatchedPair& watched, const JointVector& q,
 MotionCheck::Verdict MotionCheck::LookAt(const JointVector& q, const LinkPoses& X_BaseLink,
                                          double motion, WatchedPair& watched) const {
   struct Box {
-    JointVector offset;  // of its middle from q
+    JointVector offset;  // the box's middle, from q
     JointVector half;
   };
   std::vector<Box> open;
@@ -174,7 +175,7 @@ std::optional<Obstruction> MotionCheck::FindObstruction(const JointVector& from,
   }
   const JointVector way = to - from;
   const JointVector turn = way.cwiseAbs();
-  // Breadth first: what is in the way is seen soon.
+  // The search is breadth first, so that an obstruction is found soon.
   std::deque<Interval> intervals = {{0.5, 0.5, OpenPairs(turn), rules_.upright.has_value()}};
   while (!intervals.empty()) {
     const JointVector q = from + intervals.front().middle * way;

@@ -10,72 +10,73 @@
 
 namespace assay::motion {
 
-// Keeps what is carried upright: a direction of the tool leans at most so far from the vertical.
+// Keeps a held object upright: a direction of the tool has a greatest angle from the vertical.
 struct Upright {
-  Vector3 up_Tool = -Vector3::UnitZ();  // unit, tool frame: what should point up
+  Vector3 up_Tool = -Vector3::UnitZ();  // unit, tool frame: the direction that should point up
   double tilt = 0;                      // greatest angle from the world's z, radians
 };
 
-// What a motion must keep to, everywhere on its way.
+// The rules that a motion must obey everywhere on its way.
 struct MotionRules {
-  // Of every pair of bodies, metres, >= 0; beyond their doubts (Body::doubt).
+  // Least distance of every pair of bodies beyond their error bounds (Body::doubt), metres, >= 0.
   double clearance = 0.01;
   std::optional<Upright> upright = {};
-  // Each joint may be so far from where the motion has it, radians, and the tool so far, both at
-  // once: everything keeps the clearance all the same. The tool keeps its orientation in a motion
-  // that has such errors.
+  // Errors of the joints, in radians, and of the tool, which may occur at once. Everything keeps
+  // the clearance in spite of them. The tool keeps its orientation in a motion that has these
+  // errors.
   JointVector sway = JointVector::Zero();
   plan::ToolDoubt tool = {};
-  // Postures that are given, as those where straight lines end: what the arm carries may come to
-  // anything nearly as near as it is in one of these.
+  // Postures that are given, such as the ends of straight lines. What the arm carries may come
+  // nearly as near to anything as it is in one of these postures.
   std::vector<JointVector> given = {};
   enum class Bodies {
     kAll,
-    kArm,     // not what the arm carries: that is held against its work elsewhere
-    kRobots,  // arm and what it carries, but against the workcell's other robots alone
+    kArm,     // without what the arm carries, which is tested at its work elsewhere
+    kRobots,  // arm and what it carries, but only against the workcell's other robots
   };
   Bodies bodies = Bodies::kAll;
 };
 
-// What stands in the way of a motion.
+// The obstruction of a motion.
 struct Obstruction {
   enum class Kind {
     kLimits,  // a joint is out of its range
-    kTilt,    // what is to be kept upright leans too far
-    kPair,    // `pair` comes nearer than the clearance
+    kTilt,    // the upright object leans too far
+    kPair,    // `pair` comes nearer than its clearance
   };
   Kind kind = Kind::kPair;
-  BodyPair pair = {};    // of kPair
-  double clearance = 0;  // that `pair` must keep, metres
+  BodyPair pair = {};    // the bodies, only for kPair
+  double clearance = 0;  // clearance that `pair` must keep, metres
   JointVector at = JointVector::Zero();
 };
 
-// "the hand and the brick are nearer than 10 mm"
+// Returns a text such as "the hand and the brick are nearer than 10 mm".
 std::string Describe(const CollisionScene& scene, const MotionRules& rules,
                      const Obstruction& obstruction);
 
-// Whether straight motions in joint space keep to the rules, exactly: not only at samples. A pair
-// whose distance in the middle of a motion is more than what its bodies can move on either half is
-// free all along; the others are asked again on each half (Schwarzer, Saha and Latombe, "Adaptive
-// Dynamic Collision Checking for Single and Multiple Articulated Robots", 2005). What comes so near
-// the clearance that this does not end counts as obstructed: paths are refused for as little as
-// kUndecided (kUndecidedOfSway where joints may sway), never accepted wrongly.
+// Decides exactly whether straight motions in joint space obey the rules: not only at samples. A
+// pair is free all along a motion if its distance in the middle is more than its bodies can move on
+// either half. All other pairs are tested again on each half (Schwarzer, Saha and Latombe,
+// "Adaptive Dynamic Collision Checking for Single and Multiple Articulated Robots", 2005). A pair
+// that comes so near to the clearance that the halving does not end counts as obstructed. Paths may
+// be refused for as little as kUndecided (kUndecidedOfSway where joints may sway), but are never
+// accepted wrongly.
 //
-// Where joints may sway, a pair is looked at in a box of those that move its bodies against each
-// other, which is halved likewise. Of what stands, the links from the wrist on are seen from the
-// tool, whose errors are small, and not from the arm's base: their box is of the joints beyond
-// them.
+// Where joints may sway, a pair is tested in a box of the joints that move its bodies against each
+// other. The box is halved until the pair is decided. The links from the wrist on are tested
+// against standing bodies as seen from the tool, whose errors are small, and not from the arm's
+// base: their box contains the joints beyond them.
 class MotionCheck {
  public:
   MotionCheck(const CollisionScene& scene, const MotionRules& rules);
 
-  // What is in the way; none if all of the motion is free, its ends included. From a posture to
-  // itself: whether the arm may rest there.
+  // Returns the obstruction; none if all of the motion is free, its ends included. A motion from a
+  // posture to itself tells whether the arm may rest there.
   std::optional<Obstruction> FindObstruction(const JointVector& from, const JointVector& to);
 
   const CollisionScene& scene() const { return scene_; }
   const MotionRules& rules() const { return rules_; }
-  std::int64_t postures() const { return postures_; }  // looked at until now
+  std::int64_t postures() const { return postures_; }  // number of postures tested
 
   static constexpr double kUndecided = 1e-4;        // metres, or radians of tilt
   static constexpr double kUndecidedOfSway = 1e-3;  // metres
@@ -84,17 +85,18 @@ class MotionCheck {
   struct WatchedPair {
     BodyPair pair;
     double clearance = 0;  // metres
-    double most = 0;       // with the tool's errors
+    double most = 0;       // upper limit of the clearance with the tool's errors, metres
     bool is_seen_from_tool = false;
-    JointVector sway = JointVector::Zero();   // of the joints that move one body against the other
-    JointVector reach = JointVector::Zero();  // of the second body from their axes, metres
-    CollisionScene::Slabs slabs = {};         // of the posture that was looked at last
+    // Errors of the joints that move one body against the other.
+    JointVector sway = JointVector::Zero();
+    JointVector reach = JointVector::Zero();  // distance of the second body from their axes, metres
+    CollisionScene::Slabs slabs = {};         // slabs of the posture that was tested last
   };
   struct OpenPair {
     WatchedPair* watched;
-    double motion = 0;  // of its bodies on the whole way, metres
+    double motion = 0;  // movement of its bodies on the whole way, metres
   };
-  // A part of a motion, and what is not yet known to be free on it.
+  // A part of a motion, with the pairs that are not yet known to be free on it.
   struct Interval {
     double middle = 0.5;  // shares of the way
     double half = 0.5;
@@ -106,18 +108,18 @@ class MotionCheck {
 
   std::vector<WatchedPair> WatchedPairs() const;
   WatchedPair Watched(const BodyPair& pair) const;
-  // How far the tool's errors move a body that moves with it, if that is within `near` of where it
-  // is here: metres.
+  // Returns how far the tool's errors move a body that moves with it, in metres. The body must be
+  // within `near` of its place at this posture.
   double ErrorOfTool(const Body& body, const LinkPoses& X_BaseLink, double near) const;
-  // At a posture, q, with all that errors may make of it, of a pair whose bodies move by `motion`.
+  // Tests a pair whose bodies move by `motion` metres, at the posture q with all errors.
   Verdict LookAt(const JointVector& q, const LinkPoses& X_BaseLink, double motion,
                  WatchedPair& watched) const;
   LinkPoses Swayed(const WatchedPair& watched, const JointVector& q, const LinkPoses& X_BaseLink,
                    const JointVector& offset) const;
   double Tilt(const LinkPoses& X_BaseLink) const;  // radians
   std::vector<OpenPair> OpenPairs(const JointVector& turn);
-  // Takes from the interval what the posture in its middle, q, shows to be free all along it.
-  // `turn`: the sum of what all joints turn on the whole way.
+  // Removes from the interval all that the posture in its middle, q, shows to be free all along it.
+  // `turn` is the sum of the turns of all joints on the whole way.
   std::optional<Obstruction> Narrow(Interval& interval, const JointVector& q, double turn);
 
   const CollisionScene& scene_;

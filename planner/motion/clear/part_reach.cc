@@ -18,13 +18,14 @@
 namespace assay::motion {
 namespace {
 
-const MotionRules kWay = {.clearance = 0.01};    // metres
-const MotionRules kWork = {.clearance = 0.001};  // where hand and fingers come near the table
+const MotionRules kWay = {.clearance = 0.01};  // metres
+// For work where hand and fingers come near the table, metres.
+const MotionRules kWork = {.clearance = 0.001};
 constexpr SweepAccuracy kVolume = {.sagitta = 0.0005};
 constexpr double kWayStep = 0.02;  // metres
 
-// The tool where it grasps, where its retreat along its own axis ends, and over that at the safe
-// height.
+// Returns the poses of the tool at the grasp, at the end of its retreat along its own axis, and
+// above that at the safe height.
 std::array<Pose, 3> WayOut(const domain::Workcell& workcell, const Pose& X_WorldTool) {
   const Pose retreated =
       X_WorldTool * geometry::Translation(0, 0, -workcell.rules().approach_distance);
@@ -33,7 +34,8 @@ std::array<Pose, 3> WayOut(const domain::Workcell& workcell, const Pose& X_World
   return {X_WorldTool, retreated, above};
 }
 
-// From the posture on, over the poses, straight; none if the arm does not follow.
+// Returns the path from the posture on, straight through the poses; none if the arm does not
+// follow.
 std::optional<JointPath> Along(const domain::Workcell& workcell, const JointVector& from,
                                std::span<const Pose> way) {
   JointPath path = {from};

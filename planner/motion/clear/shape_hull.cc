@@ -20,7 +20,7 @@ RoundedHull HullAroundShape(const BoxShape& box, const Pose& X_LinkBox) {
   return RoundedHull(geometry::HullOf(geometry::Box{X_LinkBox, box.size / 2}));
 }
 
-// Corners 2 i and 2 i + 1 are below and above each other.
+// Corners 2 i and 2 i + 1 are one above the other.
 RoundedHull HullAroundShape(const CylinderShape& cylinder, const Pose& X_LinkCylinder) {
   const double radius = cylinder.radius / std::cos(std::numbers::pi / kPrismSides);
   std::vector<Vector3> corners;
@@ -43,8 +43,8 @@ RoundedHull HullAroundShape(const CylinderShape& cylinder, const Pose& X_LinkCyl
   return RoundedHull(geometry::HullWith(std::move(corners), std::move(loops)));
 }
 
-// The regular icosahedron: cyclic permutations of (0, +-1, +-golden ratio), whose faces are
-// golden^2 / sqrt(3) from its centre.
+// The hull is the regular icosahedron: cyclic permutations of (0, +-1, +-golden ratio). Its faces
+// are golden^2 / sqrt(3) from its centre.
 RoundedHull HullAroundShape(const SphereShape& sphere, const Pose& X_LinkSphere) {
   constexpr double kGolden = std::numbers::phi;
   const double scale = sphere.radius * std::numbers::sqrt3 / (kGolden * kGolden);

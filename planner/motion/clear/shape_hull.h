@@ -9,9 +9,9 @@
 
 namespace assay::motion {
 
-// A polyhedron that holds a shape of a URDF file, in the frame of its link. A box is itself; a
-// cylinder becomes a prism of 16 sides around it (2 % wider at its edges), a sphere an icosahedron
-// around it.
+// Returns a polyhedron that contains a shape of a URDF file, in the frame of its link. A box is
+// itself. A cylinder becomes a prism of 16 sides around it (2 % wider at its edges), and a sphere
+// an icosahedron around it.
 geometry::RoundedHull HullAround(const kinematics::Shape& shape, const geometry::Pose& X_LinkShape);
 
 std::vector<geometry::RoundedHull> HullsOf(std::span<const geometry::Box> boxes,

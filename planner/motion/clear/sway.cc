@@ -16,26 +16,28 @@ namespace {
 using geometry::Matrix3;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-constexpr int kMostHalvings = 40;     // of a cell: near a singular posture there is no end
-constexpr int kMostCells = 3'000;     // of one way
-constexpr double kLeastDoubt = 1e-6;  // of any error: rounding is far below it
-constexpr double kInflation = 1.2;    // of a guess at what joints turn
-constexpr int kGuesses = 5;           // of it, each from the last
-constexpr double kWidestCell = 0.25;  // radians of a joint
+// Greatest number of halvings of one cell: near a singular posture there would be no end.
+constexpr int kMostHalvings = 40;
+constexpr int kMostCells = 3'000;     // greatest number of cells of one way
+constexpr double kLeastDoubt = 1e-6;  // least half width of any error: rounding is far smaller
+constexpr double kInflation = 1.2;    // factor on a guess at the turns of joints
+constexpr int kGuesses = 5;           // number of guesses, each computed from the last one
+constexpr double kWidestCell = 0.25;  // greatest turn of a joint in a cell, radians
 
-// The arm in one posture, as the tool moves with it; about the wrist's center, through which the
-// last three axes pass, in the world's axes.
+// Derivatives of the arm in one posture, as the tool moves with it. They are about the wrist's
+// center, through which the last three axes pass, in the world's axes.
 struct Differential {
-  Matrix6 inverse;                   // A of the Jacobian J: joint rates by twists of the tool
-  std::array<Matrix6, 6> change;     // |A dJ/dq| for each joint
-  std::array<double, 6> lever = {};  // of the wrist's center from each joint's axis, metres
+  Matrix6 inverse;                // A of the Jacobian J: joint rates by twists of the tool
+  std::array<Matrix6, 6> change;  // |A dJ/dq| for each joint
+  // Distance of the wrist's center from each joint's axis, metres.
+  std::array<double, 6> lever = {};
 };
 
 Vector3 WristInFlange(const domain::Workcell& workcell) {
   return {0, 0, -workcell.arm().geometry().d6};
 }
 
-// By joint j, whatever is behind it turns about its axis.
+// Joint j turns everything behind it about its axis.
 Matrix6 ChangeOf(const Matrix6& jacobian, int j) {
   const auto velocity = [&](int k) { return Vector3(jacobian.block<3, 1>(0, k)); };
   const auto axis = [&](int k) { return Vector3(jacobian.block<3, 1>(3, k)); };
@@ -47,7 +49,7 @@ Matrix6 ChangeOf(const Matrix6& jacobian, int j) {
   return change;
 }
 
-// The last three joints leave the center where it is, so that J and A are made of blocks.
+// The last three joints do not move the center, so J and A consist of blocks.
 Differential DifferentialAt(const domain::Workcell& workcell, const JointVector& q) {
   const kinematics::WristJacobian at_wrist = workcell.arm().JacobianAt(q);
   const Matrix3 R_WorldBase = workcell.X_WorldBase().linear();
@@ -65,17 +67,18 @@ Differential DifferentialAt(const domain::Workcell& workcell, const JointVector&
   return at;
 }
 
-// By how much the entries of A J(q) may differ from those of the identity, if no joint is farther
-// from q0 than r: to the first order as J changes at q0. Of second derivatives, those of axes are
-// at most 1, by two joints before them; those of the center's velocity by joint k, by joints j and
-// l, at most the lever of the last of the three, which joints behind it make grow.
+// Returns a bound on the difference between the entries of A J(q) and of the identity, if no joint
+// is farther from q0 than r. The first order is the change of J at q0. Second derivatives of axes
+// are at most 1, by two joints before them. The second derivative of the center's velocity by joint
+// k, with respect to joints j and l, is at most the lever of the last of the three. Turns of the
+// joints behind it make this lever grow.
 Matrix6 Departure(const Differential& at, const JointVector& r) {
   std::array<double, 6> lever = at.lever;
   for (int k = 5; k >= 0; --k) {
     for (int j = k + 1; j < 6; ++j) lever[k] += r[j] * lever[j];
   }
   Matrix6 departure = Matrix6::Zero();
-  double turned = 0;  // by the joints before joint k
+  double turned = 0;  // sum over the joints before joint k
   for (int k = 0; k < 6; ++k) {
     departure += r[k] * at.change[k];
     double reached = turned + r[k];
@@ -91,7 +94,7 @@ Matrix6 Departure(const Differential& at, const JointVector& r) {
   return departure;
 }
 
-// A bound on what joints turn within a cell, and M for it.
+// A bound r on the turns of joints within a cell, and the matrix M for it.
 struct Turning {
   JointVector r;
   Matrix6 departure;
@@ -109,8 +112,8 @@ std::optional<Turning> TurningFor(const Differential& at, const JointVector& twi
   return std::nullopt;
 }
 
-// What of the way and of the errors a cell is about: along the piece of the line (a share of it),
-// shifts along x, y and z, turn about the world's z, and about the tool's.
+// The coordinates of a cell: the position along the piece of the line (a share of it), shifts along
+// x, y and z, the turn about the world's z, and the turn about the tool's z.
 using Coordinates = Eigen::Matrix<double, 6, 1>;
 enum Coordinate { kAlong, kX, kY, kZ, kTurn, kSpin };
 
@@ -120,7 +123,7 @@ struct Cell {
   int halvings = 0;
 };
 
-// From posture to posture, the tool on a straight line.
+// The way from posture to posture, with the tool on a straight line.
 class Piece {
  public:
   Piece(const domain::Workcell& workcell, const JointVector& from, const JointVector& to,
@@ -140,7 +143,7 @@ class Piece {
 
   const Cell& all() const { return all_; }
 
-  // None if the arm does not get there as it is.
+  // Returns None if the arm does not get there in its present configuration.
   std::optional<JointVector> PostureIn(const Cell& cell) const {
     const Coordinates& at = cell.middle;
     Pose X_WorldTool = X_WorldTool_;
@@ -151,13 +154,13 @@ class Piece {
     return q ? kinematics::NearestByTurns(*q, middle_) : q;
   }
 
-  // The greatest components of the twist, about the wrist's center, that leads the tool from the
-  // middle of the cell to any pose of it: of each coordinate alone.
+  // Returns the greatest components of the twist, about the wrist's center, that leads the tool
+  // from the middle of the cell to any pose of it. Each column is for one coordinate alone.
   Matrix6 TwistsIn(const Coordinates& half) const {
     Matrix6 twists = Matrix6::Zero();
     twists.block<3, 1>(0, kAlong) = half[kAlong] * line_.cwiseAbs();
     for (int axis = 0; axis < 3; ++axis) twists(axis, kX + axis) = half[kX + axis];
-    // Turned about the vertical, the tool's z keeps how far it leans.
+    // A turn about the vertical does not change the lean of the tool's z.
     const Vector3 z = X_WorldTool_.linear().col(2);
     const double across = z.head<2>().norm();
     const double off_axis = wrist_.head<2>().norm();
@@ -176,7 +179,7 @@ class Piece {
   kinematics::Indicators indicators_;
   Pose X_WorldTool_;
   Vector3 line_;
-  Vector3 wrist_;  // its center in the tool
+  Vector3 wrist_;  // the wrist's center in the tool's frame
   Cell all_;
   Coordinates errors_;
 };
@@ -213,7 +216,7 @@ class WayCover {
   const Sway& sway() const { return sway_; }
 
  private:
-  // Takes the cell into account, or halves it.
+  // Adds the cell's bounds to the result, or halves the cell.
   void Look(const Piece& piece, const Cell& cell, const JointVector& q, std::vector<Cell>& open) {
     const Differential at = DifferentialAt(workcell_, q);
     const Matrix6 twists = piece.TwistsIn(cell.half);
@@ -228,7 +231,7 @@ class WayCover {
     sway_.room = std::min(sway_.room, RoomOf(workcell_.arm(), q, turning->r));
   }
 
-  // Across the coordinate that turns the joints most.
+  // Halves the cell in the coordinate that turns the joints most.
   static void Halve(const Cell& cell, const Differential& at, const Matrix6& twists,
                     std::vector<Cell>& open) {
     int widest = 0;

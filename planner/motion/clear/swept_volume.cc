@@ -49,10 +49,10 @@ class Sweep {
   double added_volume_;
   std::vector<SweptPiece>& pieces_;
   std::optional<RoundedHull> open_;
-  double open_volume_ = 0;  // of the steps in it, overlaps counted twice
+  double open_volume_ = 0;  // sum over the steps in it, with overlaps counted twice
 };
 
-// The path in steps that are short enough for one body.
+// Returns the path in steps that are short enough for one body.
 JointPath Steps(const Body& body, const JointPath& path, double sagitta) {
   JointPath steps = {path.front()};
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
@@ -62,7 +62,8 @@ JointPath Steps(const Body& body, const JointPath& path, double sagitta) {
     for (int k = 1; k <= count; ++k)
       steps.push_back(path[i] + static_cast<double>(k) / count * way);
   }
-  if (steps.size() == 1) steps.push_back(steps.front());  // it stands: a step of nothing
+  // The arm stands still: a step of length 0.
+  if (steps.size() == 1) steps.push_back(steps.front());
   return steps;
 }
 

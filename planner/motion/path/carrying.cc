@@ -10,7 +10,7 @@ namespace assay::motion {
 namespace {
 
 constexpr double kInstant = 1e-3;      // seconds between poses whose differences are accelerations
-constexpr double kTurnPerLook = 0.05;  // radians of a joint
+constexpr double kTurnPerLook = 0.05;  // greatest turn of a joint between tested states, radians
 
 JointVector AccelerationAt(const JointTrajectory::Knot& a, const JointTrajectory::Knot& b,
                            double share) {
@@ -25,8 +25,7 @@ Vector3 RotationVector(const geometry::Matrix3& R) {
   return turn.angle() * turn.axis();
 }
 
-// By how much what is asked of the part is more than what it is spared: as a share, 1 where they
-// are equal.
+// Returns the ratio of the part's accelerations to their limits: 1 where they are equal.
 double Demand(const JointState& state, const JointVector& qdd, const domain::Workcell& workcell,
               const Vector3& p_ToolCenter) {
   const auto pose_at = [&](double t) {
@@ -66,7 +65,8 @@ JointTrajectory Carrying(const JointTrajectory& trajectory, const domain::Workce
           std::max(greatest, Demand(state, AccelerationAt(a, b, share), workcell, p_ToolCenter));
     }
   }
-  const double slower = std::sqrt(greatest);  // accelerations go with the square of speed
+  // Accelerations are proportional to the square of speed.
+  const double slower = std::sqrt(greatest);
   for (JointTrajectory::Knot& knot : knots) {
     knot.time *= slower;
     knot.state.qd /= slower;

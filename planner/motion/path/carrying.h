@@ -4,8 +4,8 @@
 
 namespace assay::motion {
 
-// The trajectory, slowed down evenly as far as a part in the hand asks for it
-// (planner/plan/data/carrying.h). `p_ToolCenter`: its centre of mass.
+// Returns the trajectory, slowed down evenly until a part in the hand keeps to its limits
+// (planner/plan/data/carrying.h). `p_ToolCenter` is the part's centre of mass.
 JointTrajectory Carrying(const JointTrajectory& trajectory, const domain::Workcell& workcell,
                          const geometry::Vector3& p_ToolCenter);
 

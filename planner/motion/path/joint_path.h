@@ -6,7 +6,7 @@
 
 namespace assay::motion {
 
-// The arm goes straight in joint space from each to the next.
+// A path of postures. The arm goes straight in joint space from each to the next.
 using JointPath = std::vector<kinematics::JointVector>;
 
 }  // namespace assay::motion

@@ -11,7 +11,7 @@ namespace {
 
 using Knot = JointTrajectory::Knot;
 
-// The cubic with the given values and derivatives at the ends (Hermite).
+// Returns the cubic with the given values and derivatives at the ends (Hermite).
 JointState Between(const Knot& a, const Knot& b, double time) {
   const double h = b.time - a.time;
   const double u = (time - a.time) / h;
@@ -22,11 +22,11 @@ JointState Between(const Knot& a, const Knot& b, double time) {
           .qd = 6 * u * v * slope + v * (1 - 3 * u) * a.state.qd + u * (1 - 3 * v) * b.state.qd};
 }
 
-// Of velocity over time, in shares of a motion's way.
+// A trapezoid of velocity over time, in shares of a motion's way.
 struct Trapezoid {
   double cruise = 0;    // 1/s
-  double ramp = 0;      // of speeding up, and of slowing down; seconds
-  double duration = 0;  // seconds; 0: there is no way to go
+  double ramp = 0;      // time of speeding up, and equally of slowing down; seconds
+  double duration = 0;  // seconds; 0: nothing moves
 };
 
 Trapezoid FastestTrapezoid(const JointVector& way, const JointRates& rates) {
@@ -38,12 +38,13 @@ Trapezoid FastestTrapezoid(const JointVector& way, const JointRates& rates) {
     acceleration = std::min(acceleration, rates.acceleration[j] / std::abs(way[j]));
   }
   if (std::isinf(speed)) return {};
-  speed = std::min(speed, std::sqrt(acceleration));  // the latter: it never cruises
+  // With the second value, the motion never cruises.
+  speed = std::min(speed, std::sqrt(acceleration));
   const double ramp = speed / acceleration;
   return {.cruise = speed, .ramp = ramp, .duration = 1 / speed + ramp};
 }
 
-// Adds a synchronized move from the last knot's posture; none if it is there already.
+// Adds a synchronized move from the last knot's posture, unless the arm is there already.
 void Append(const JointVector& to, const JointRates& rates, std::vector<Knot>& knots) {
   const Knot start = knots.back();
   const JointVector& from = start.state.q;

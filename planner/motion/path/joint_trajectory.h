@@ -22,13 +22,13 @@ class JointTrajectory {
 
   double duration() const { return knots_.back().time; }  // seconds
   const std::vector<Knot>& knots() const { return knots_; }
-  JointState At(double time) const;  // the ends' states before and after
+  JointState At(double time) const;  // before and after the motion: the states at its ends
 
  private:
   std::vector<Knot> knots_;
 };
 
-// What the joints may do, rad/s and rad/s^2.
+// The greatest rates of the joints, rad/s and rad/s^2.
 struct JointRates {
   JointVector speed = JointVector::Zero();
   JointVector acceleration = JointVector::Zero();
@@ -36,16 +36,17 @@ struct JointRates {
 
 JointRates RatesOf(const domain::Workcell& workcell);
 
-// From rest at `from` to rest at `to`, straight in joint space: all joints start and stop together,
-// each with the same trapezoid of velocity; the fastest that breaks none of the rates.
+// Returns the fastest motion from rest at `from` to rest at `to`, straight in joint space, that
+// breaks none of the rates. All joints start and stop together, each with the same trapezoid of
+// velocity.
 JointTrajectory SynchronizedMove(const JointVector& from, const JointVector& to,
                                  const JointRates& rates);
 
-// How long that takes, seconds.
+// Returns the duration of SynchronizedMove, in seconds.
 double MoveDuration(const JointVector& from, const JointVector& to, const JointRates& rates);
 
-// A path in time: one synchronized move after the other, at rest in each corner, so that it stays
-// exactly on the path that was found to be free. At least one posture (checked).
+// Returns one synchronized move after the other along a path, at rest in each corner. So it stays
+// exactly on the path that was found to be free. There must be at least one posture (checked).
 JointTrajectory AlongPath(const JointPath& path, const JointRates& rates);
 
 }  // namespace assay::motion

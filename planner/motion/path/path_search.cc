@@ -14,10 +14,12 @@
 namespace assay::motion {
 namespace {
 
-constexpr std::int64_t kUnlikely = 20;  // the budget's divisor where a path is unlikely
-constexpr double kLongestMotion = 1.5;  // of the trees, metres as JointWeights measures
+constexpr std::int64_t kUnlikely = 20;  // divisor of the budget where a path is unlikely
+// Greatest length in the trees, metres as measured with JointWeights.
+constexpr double kLongestMotion = 1.5;
 
-// Joints count by how far they can move the flange: distances of the trees are then near to metres.
+// Joints are weighted by how far they can move the flange. Distances in the trees are then roughly
+// metres.
 JointVector JointWeights(const CollisionScene& scene) {
   JointVector weights = JointVector::Zero();
   for (const Body& body : scene.bodies()) {
@@ -26,14 +28,14 @@ JointVector JointWeights(const CollisionScene& scene) {
   return weights;
 }
 
-// Points of the trees hold the joints' values times their weights.
+// Points of the trees are the joints' values times their weights.
 class WeightedJoints {
  public:
   explicit WeightedJoints(const CollisionScene& scene) : weights_(JointWeights(scene)) {}
 
   JointVector Posture(const JointVector& point) const { return point.cwiseQuotient(weights_); }
   JointVector Point(const JointVector& q) const { return weights_.cwiseProduct(q); }
-  // Wider than the limits by rounding, which MotionCheck forgives, too.
+  // The box is wider than the limits by rounding, which MotionCheck allows, too.
   JointVector Lower(const kinematics::Arm& arm) const {
     JointVector lower;
     for (int k = 0; k < 6; ++k) lower[k] = weights_[k] * (arm.limits()[k].lower - 1e-8);
@@ -49,7 +51,7 @@ class WeightedJoints {
   JointVector weights_;
 };
 
-// Draws postures from our own stream.
+// Draws postures from the project's own random stream.
 class PostureSampler {
  public:
   PostureSampler(const CollisionScene& scene, const PathRequest& request)
@@ -71,8 +73,8 @@ class PostureSampler {
     return q;
   }
 
-  // Turns the tool until it is upright, by the least angle, about the wrist's centre as it stands.
-  // False if the arm cannot.
+  // Turns the tool by the least angle, about the wrist's centre at its present place, until it is
+  // upright. Returns false if the arm cannot do this.
   bool SetUpright(JointVector& q) {
     const domain::Workcell& workcell = scene_.workcell();
     const Vector3 up_Flange =
@@ -99,7 +101,7 @@ class PostureSampler {
   RandomStream random_;
 };
 
-// What ended motions, and how often.
+// Counts which obstructions ended motions, and how often.
 class ObstructionTally {
  public:
   void Count(const Obstruction& obstruction) {
@@ -115,10 +117,10 @@ class ObstructionTally {
   }
 
  private:
-  std::vector<std::pair<Obstruction, int>> counts_;  // in the order of their first
+  std::vector<std::pair<Obstruction, int>> counts_;  // by the order of their first occurrence
 };
 
-// RRT-Connect's path; empty if the budget was spent before.
+// Returns RRT-Connect's path; empty if the budget was spent before one was found.
 JointPath Connect(MotionCheck& check, ObstructionTally& tally, const PathRequest& request,
                   std::int64_t budget) {
   const CollisionScene& scene = check.scene();
@@ -167,8 +169,8 @@ PathFailure Failure(PathFailure::Reason reason, const MotionCheck& check,
   ASSAY_CHECK(false, "no such reason");
 }
 
-// Upright postures of two configurations meet where the arm is singular: stretched, or with the
-// forearm in line with what is kept upright, or over its own axis.
+// Upright postures of two configurations meet only where the arm is singular: stretched, or with
+// the forearm in line with the upright direction, or over its own axis.
 bool NeedsAnotherConfiguration(const CollisionScene& scene, const PathRequest& request) {
   return request.rules.upright &&
          scene.arm().IndicatorsOf(request.from) != scene.arm().IndicatorsOf(request.to);

@@ -14,18 +14,18 @@ struct PathRequest {
   JointVector to = JointVector::Zero();
   MotionRules rules = {};
   std::uint64_t seed = 1;
-  std::int64_t budget = 200'000;  // postures to look at in the search
+  std::int64_t budget = 200'000;  // greatest number of postures that the search tests
   ShorteningEffort shortening = {};
 };
 
-// Why there is no path, and what was in the way.
+// The reason why there is no path, and what was in the way.
 struct PathFailure {
   enum class Reason {
     kStart,   // the rules are broken at the start; nothing was searched
-    kGoal,    // the same at the goal
+    kGoal,    // the rules are broken at the goal; nothing was searched
     kBudget,  // none found within the budget; `obstruction` ended the most motions tried
-    // The same, of a part of the budget: what is kept upright would have to come into another
-    // configuration of the arm. That is next to never possible.
+    // No path was found within a part of the budget: an upright object would have to go into
+    // another configuration of the arm, which is almost never possible.
     kConfiguration,
   };
   Reason reason = Reason::kBudget;
@@ -35,12 +35,15 @@ struct PathFailure {
 
 using PathResult = std::variant<JointPath, PathFailure>;
 
-// A path that keeps to the rules all along (MotionCheck): the straight one if it is free, else
-// RRT-Connect's (Kuffner and LaValle 2000; OMPL), shortened. What is to be kept upright is sampled
-// exactly upright. Where the tool's axis is what points up, such postures of one configuration of
-// the arm form planes in joint space (q4 is 0 or half a turn, and q2 + q3 +- q5 is constant), so
-// that motions between them stay upright. From one configuration to another they seldom are joined:
-// such requests get a twentieth of the budget. The same request gives the same path.
+// Returns a path that obeys the rules all along (MotionCheck): the straight one if it is free, and
+// otherwise one found by RRT-Connect (Kuffner and LaValle 2000; OMPL) and shortened. The same
+// request gives the same path.
+//
+// Objects that are to be kept upright are sampled exactly upright. Where the tool's axis is the
+// direction that points up, the upright postures of one configuration of the arm form planes in
+// joint space (q4 is 0 or half a turn, and q2 + q3 +- q5 is constant), so that motions between them
+// stay upright. Upright postures of two configurations are seldom joined: requests between them get
+// a twentieth of the budget.
 PathResult FindPath(const CollisionScene& scene, const PathRequest& request);
 
 }  // namespace assay::motion

@@ -27,7 +27,7 @@ class Shortening {
   }
 
  private:
-  // A point of the path: on the motion after corner `corner`, `share` of its way on.
+  // A point of the path: `share` of the way along the motion that starts at corner `corner`.
   struct Point {
     std::size_t corner = 0;
     double share = 0;
@@ -38,7 +38,7 @@ class Shortening {
     return check_.postures() < limit_ && !check_.FindObstruction(from, to);
   }
 
-  // From each corner on to the last that can be reached.
+  // Joins each corner directly with the last corner that can be reached from it.
   void LeaveOutCorners() {
     for (std::size_t i = 0; i + 2 < path_.size(); ++i) {
       std::size_t last = path_.size() - 1;
@@ -72,11 +72,11 @@ class Shortening {
     return from + point.share * (path_[point.corner + 1] - from);
   }
 
-  // Whether the path is free and quicker if it goes straight between the two.
+  // Returns whether the path is free and quicker if it goes straight between the two.
   bool IsQuicker(const Point& from, const Point& to) {
     const JointVector start = At(from);
     const JointVector end = At(to);
-    // A point within a motion splits it in two, with a stop between them.
+    // A point within a motion splits that motion in two, with a stop between them.
     const auto kept = [&](const Point& point, const JointVector& near, const JointVector& corner) {
       return point.share == 0 ? 0 : Time(near, corner);
     };

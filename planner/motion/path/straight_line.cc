@@ -9,8 +9,9 @@ namespace {
 using kinematics::Indicators;
 using kinematics::InverseSolution;
 
-constexpr double kGreatestTurn = 0.2;      // radians of a joint in a step of a centimetre or less
-constexpr double kCentimetre = 0.01;       // metres; in longer steps joints turn more
+// Greatest turn of a joint, radians, in a step of a centimetre or less.
+constexpr double kGreatestTurn = 0.2;
+constexpr double kCentimetre = 0.01;       // metres; in longer steps joints may turn more
 constexpr double kSameJointValues = 1e-6;  // radians
 
 class LineFollower {
@@ -20,7 +21,8 @@ class LineFollower {
         X_WorldTool_(X_WorldTool),
         greatest_turn_(kGreatestTurn * std::max(1.0, step / kCentimetre)) {}
 
-  // The configuration that the arm is in: of the closed form's solutions the one that is there.
+  // Returns the configuration that the arm is in: of the closed form's solutions, the one equal to
+  // q.
   std::optional<Indicators> ConfigurationAt(const JointVector& q) const {
     for (const InverseSolution& s : SolutionsAt(X_WorldTool_.translation(), q)) {
       const auto nearest = workcell_.arm().NearestInRange(s.q, q);

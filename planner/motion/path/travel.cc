@@ -16,7 +16,7 @@ namespace {
 
 using geometry::CollisionShape;
 
-constexpr double kLookTurn = 0.05;  // radians that a joint turns between looks at a way
+constexpr double kLookTurn = 0.05;  // greatest turn of a joint between tested postures, radians
 
 double LowestCorner(const std::vector<geometry::Box>& boxes, const Pose& X_WorldFrame) {
   double lowest = 1e9;
@@ -36,14 +36,14 @@ double HighestPoint(const domain::Part& part, const Pose& X_WorldPart) {
   return highest;
 }
 
-// Something rigid that moves with the tool.
+// A rigid body that moves with the tool.
 struct Mover {
   std::vector<geometry::Box> boxes;
   CollisionShape shape;
   Pose X_ToolMover;
 };
 
-// Looks whether what the arm carries stays clear of everything else.
+// Tests whether what the arm carries stays clear of everything else.
 class Clearance {
  public:
   Clearance(const domain::Problem& problem, const Surroundings& surroundings)
@@ -92,9 +92,9 @@ class Clearance {
   std::vector<Mover> movers_;
 };
 
-// Looks at the whole arm, and all that it carries: beside other robots always, beside everything if
-// it is asked for. What the arm carries is held against its work elsewhere, so that on lines only
-// its links are.
+// Tests the whole arm with all that it carries: against other robots always, and against everything
+// if the request says so. On lines only the arm's links are tested, since what the arm carries is
+// tested at its work elsewhere.
 class ArmWatch {
  public:
   ArmWatch(const domain::Problem& problem, const Surroundings& surroundings,
@@ -115,7 +115,8 @@ class ArmWatch {
                              .rules = {.clearance = kTravelGap, .given = {request_.from, q}},
                              .budget = kBudget});
   }
-  const std::string& in_the_way() const { return in_the_way_; }  // of the last way; or empty
+  // Returns what obstructed the last way; empty if it was free.
+  const std::string& in_the_way() const { return in_the_way_; }
 
  private:
   MotionCheck CheckOf(MotionRules::Bodies bodies) const {
@@ -156,7 +157,7 @@ class TravelSearch {
   }
 
   TravelResult Plan() {
-    std::vector<JointVector> destinations;  // from which the lines can be followed
+    std::vector<JointVector> destinations;  // postures from which the lines can be followed
     for (const JointVector& q : PosturesAt(workcell_, request_.X_WorldTool, request_.from)) {
       const auto lines = FollowLines(workcell_, q, request_.corners, request_.line_step);
       if (!lines || (arm_ && !arm_->IsClearOnLines(*lines))) continue;
@@ -201,7 +202,7 @@ class TravelSearch {
   const domain::Workcell& workcell_;
   const TravelRequest& request_;
   const Clearance clearance_;
-  std::optional<ArmWatch> arm_;  // where it is looked at
+  std::optional<ArmWatch> arm_;  // only if the arm is watched
 };
 
 }  // namespace

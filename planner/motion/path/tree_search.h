@@ -8,9 +8,9 @@ namespace assay::motion {
 
 using kinematics::JointVector;
 
-// RRT-Connect (Kuffner and LaValle 2000) as OMPL has it, in a box of six dimensions. OMPL brings
-// ODE, Boost and OctoMap, and most plans do without a search. It stands behind a module
-// (planner/ompl) that is opened when straight paths do not do.
+// RRT-Connect (Kuffner and LaValle 2000) of OMPL, in a box of six dimensions. OMPL depends on ODE,
+// Boost and OctoMap, and most plans need no search. So OMPL is in a module (planner/ompl), which is
+// opened when straight paths are not enough.
 class TreeSearch {
  public:
   virtual ~TreeSearch() = default;
@@ -20,17 +20,18 @@ class TreeSearch {
     JointVector upper;
     JointVector start;
     JointVector goal;
-    double longest_motion = 0;          // of the trees
-    std::function<JointVector()> draw;  // a point of the box, at random
+    double longest_motion = 0;          // greatest length of a motion of the trees
+    std::function<JointVector()> draw;  // returns a random point of the box
     std::function<bool(const JointVector& from, const JointVector& to)> is_free;
-    std::function<bool()> is_over;  // the budget is spent
+    std::function<bool()> is_over;  // returns whether the budget is spent
   };
-  // From the start to the goal, along motions that are free; empty if it was over before.
+  // Returns a path from the start to the goal along free motions; empty if the search was over
+  // before.
   virtual JointPath FindPath(const Problem& problem) const = 0;
 };
 
-// The module's one instance. Opens the module at the first call. Throws EnvironmentError if there
-// is none, or if a library that it needs is missing.
+// Returns the module's one instance, and opens the module at the first call. Throws
+// EnvironmentError if there is no module, or if a library that it needs is missing.
 const TreeSearch& TreeSearchOfOmpl();
 
 }  // namespace assay::motion

@@ -27,13 +27,13 @@ constexpr double kDegree = M_PI / 180;
 
 }  // namespace
 
-// What the hand does in an action, whichever it is: it has the part at X_WorldPart when the pads
-// close or open, and before that moves it along `motion`.
+// The work of the hand in any action: it has the part at X_WorldPart when the pads close or open,
+// and moves it along `motion` before that.
 struct Handling {
   PartId part;
   Hold hold;
   Pose X_WorldPart = Pose::Identity();
-  Vector3 motion = Vector3::Zero();  // metres, world; zero: none
+  Vector3 motion = Vector3::Zero();  // metres, world; zero: no motion
 
   Pose X_WorldTool() const { return X_WorldPart * hold.X_PartTool; }
 };
@@ -45,7 +45,7 @@ struct Obstacle {
 
 namespace {
 
-// None if the hand does nothing.
+// Returns None if the hand does nothing.
 struct HandlingOf {
   const domain::Problem& problem;
 
@@ -67,7 +67,7 @@ struct HandlingOf {
   }
 };
 
-// One thing at the samples of its motion.
+// The boxes of one moving thing at the samples of its motion.
 struct Sweep {
   std::string mover;
   std::vector<std::vector<Box>> samples;  // world
@@ -152,8 +152,8 @@ class ActionChecker::Examination {
     return false;
   }
 
-  // A two-sided grasp: both pads wholly on the surface. The faces they press must not lie on the
-  // table (Spar, "Reachability of Grasps", first condition).
+  // A two-sided grasp needs both pads wholly on the surface. The faces that they press must not lie
+  // on the table (Spar, "Reachability of Grasps", first condition).
   void ExaminePads() {
     for (const PadContact& pad : PadContactsOf(handling_.hold, gripper().pad_half_extents())) {
       const int off = PointsOffSurface(pad, part().model->boxes());
@@ -169,7 +169,8 @@ class ActionChecker::Examination {
     }
   }
 
-  // In the part's own frame: closed, and open on the straight way to and from the grasp.
+  // Examines the hand in the part's own frame: closed at the grasp, and open on the straight way to
+  // and from it.
   void ExamineHandAgainstPart() {
     const Obstacle held{part().name, part().model->boxes()};
     const Pose& X_PartTool = handling_.hold.X_PartTool;
@@ -204,7 +205,7 @@ class ActionChecker::Examination {
     if (const std::optional<std::string> why = WhyOutOfReach(cell_, lines)) Report("{}", *why);
   }
 
-  // The hand does no more than at any grasp.
+  // In these actions the hand does no more than at any grasp.
   void ExamineOwn(const Pickup&) {}
   void ExamineOwn(const Squeeze&) {}
   void ExamineOwn(const Sense&) {}
@@ -246,8 +247,8 @@ class ActionChecker::Examination {
     }
   }
 
-  // The mating motion must push the fixed part onto the table and not along it (Spar, "Stable
-  // Poses and Position Classes"): within atan(friction) of straight down.
+  // The mating motion must push the fixed part onto the table and not along it (Spar, "Stable Poses
+  // and Position Classes"): within atan(friction) of straight down.
   void ExamineFrictionCone() {
     const double mu = domain::LeastMatingFriction(problem_);
     const Vector3& v = handling_.motion;
@@ -278,14 +279,14 @@ class ActionChecker::Examination {
     }
   }
 
-  // From the given pose of the tool, in whatever frame, back along its approach direction.
+  // Returns the line from a pose of the tool, in any frame, back along the tool's approach vector.
   ToolLine Retreat(const Pose& X_FrameTool) const {
     return LineFrom(X_FrameTool, -cell_.rules().approach_distance * X_FrameTool.linear().col(2),
                     kApproachIntervals);
   }
 
-  // From the given pose back to where the part's last motion starts; the pose alone if there is
-  // no such motion.
+  // Returns the line from a pose back to where the part's last motion starts. Returns the pose
+  // alone if there is no such motion.
   ToolLine MotionOf(const Pose& X_WorldMover) const {
     if (handling_.motion.isZero()) return {X_WorldMover};
     return LineFrom(X_WorldMover, -handling_.motion, kMatingIntervals);
@@ -310,7 +311,7 @@ class ActionChecker::Examination {
   const domain::Workcell& cell_;
   const std::vector<Vector3>& centers_;
   Handling handling_;
-  double allowance_;  // metres of overlap that are forgiven
+  double allowance_;  // overlap that is ignored, metres
   std::vector<Obstacle> obstacles_;
   std::vector<std::string> findings_;
 };

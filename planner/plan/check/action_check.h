@@ -10,10 +10,10 @@
 
 namespace assay::plan {
 
-// Examines one action at a time in a given state of the world: whether the hold is a grasp, the
-// hand and what it carries are clear of everything, the arm gets there, the part rests or mates.
-// Works on the boxes of parts and gripper, the table, and the arm; of the parts' features it takes
-// only which faces they are.
+// Examines one action at a time in a given state of the world. It checks that the hold is a grasp,
+// that the hand and the part in it are clear of everything, that the arm gets there, and that the
+// part rests or mates. It works on the boxes of parts and gripper, the table, and the arm. Of the
+// parts' features it only uses which faces they are.
 //
 // Motions above the retreated or pre-mating pose (at safe height, and straight down to there) are
 // not examined.
@@ -21,14 +21,14 @@ class ActionChecker {
  public:
   explicit ActionChecker(const domain::Problem& problem);
 
-  // The geometric conditions that the action breaks, in words with their values.
+  // Returns the geometric conditions that the action breaks, in words with their values.
   std::vector<std::string> BrokenConditions(const WorldState& before, const Action& action) const;
 
  private:
   class Examination;
 
   const domain::Problem& problem_;
-  std::vector<geometry::Vector3> centers_;  // of mass, by PartId
+  std::vector<geometry::Vector3> centers_;  // centres of mass, by PartId
 };
 
 }  // namespace assay::plan

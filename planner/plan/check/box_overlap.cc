@@ -10,10 +10,9 @@ namespace {
 using geometry::Matrix3;
 using geometry::Vector3;
 
-constexpr double kParallelEdges =
-    1e-9;  // sine of the angle between edges that are taken as parallel
+constexpr double kParallelEdges = 1e-9;  // sine of the angle between edges that count as parallel
 
-// Half the length of a box's projection onto a unit axis.
+// Returns half the length of a box's projection onto a unit axis.
 double HalfWidth(const Box& box, const Vector3& axis) {
   return (box.X_FrameBox.linear().transpose() * axis).cwiseAbs().dot(box.half_extents);
 }
@@ -34,7 +33,7 @@ double Separation(const Box& a, const Box& b) {
     gap = std::max({gap, GapAlong(a, b, R_A.col(i)), GapAlong(a, b, R_B.col(i))});
     for (int j = 0; j < 3; ++j) {
       const Vector3 cross = R_A.col(i).cross(R_B.col(j));
-      // Parallel edges: their common normals are those of the faces.
+      // Parallel edges are skipped: their common normals are those of the faces.
       if (cross.norm() > kParallelEdges) gap = std::max(gap, GapAlong(a, b, cross.normalized()));
     }
   }

@@ -24,7 +24,7 @@ bool IsIndexOf(Id<Tag> id, const std::vector<T>& things) {
   return id.index() >= 0 && id.index() < static_cast<int>(things.size());
 }
 
-// Whether the action speaks of parts and matings that the problem has.
+// Returns whether the action only names parts and matings that the problem has.
 struct SpeaksOf {
   const domain::Problem& problem;
 
@@ -37,7 +37,8 @@ struct SpeaksOf {
   bool operator()(const Squeeze& squeeze) const { return IsIndexOf(squeeze.part, problem.parts); }
 };
 
-// Of strategies: whether they have a form that the executor can follow, and fit their steps.
+// Returns the flaws of strategies: forms that the executor cannot follow, and strategies that do
+// not fit their steps.
 std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
   std::vector<Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
@@ -53,7 +54,7 @@ std::vector<Flaw> FlawsOfStrategies(const Plan& plan) {
   return flaws;
 }
 
-// What makes a plan no plan at all, so that no order of it can be gone through.
+// Returns the flaws that make a plan unusable, so that no order of it can be simulated.
 std::vector<Flaw> FlawsOfPlanForm(const domain::Problem& problem, const Plan& plan) {
   std::vector<Flaw> flaws;
   for (std::size_t i = 0; i < plan.steps.size(); ++i) {
@@ -79,7 +80,7 @@ std::vector<Flaw> FlawsOfPlanForm(const domain::Problem& problem, const Plan& pl
   return flaws;
 }
 
-// Goes through orders of a plan. A step is examined once in each state of the world that it meets.
+// Simulates orders of a plan. A step is examined once in each state of the world that it meets.
 class Simulation {
  public:
   Simulation(const domain::Problem& problem, const Plan& plan)
@@ -101,7 +102,7 @@ class Simulation {
   std::vector<Flaw> TakeFlaws() { return std::move(flaws_); }
 
  private:
-  // A step and the state before it: which step last moved each part says where the part is, how
+  // A step and the state before it. The step that last moved each part tells where the part is, how
   // it is held and into what it is mated.
   using Situation = std::vector<StepId>;
 
@@ -120,7 +121,7 @@ class Simulation {
     }
   }
 
-  // The same flaw is reported for the first order in which it shows. The order of execution goes
+  // A flaw that several orders have is reported for the first of them. The order of execution goes
   // first, and is not named.
   void Report(Flaw flaw, const Order& order) {
     if (!reported_.emplace(flaw.step, flaw.what).second) return;

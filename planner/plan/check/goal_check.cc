@@ -12,7 +12,8 @@ namespace {
 
 using geometry::Vector3;
 
-constexpr double kLowest = 1e-6;  // metres over the lowest corner, for corners that touch with it
+// Height over the lowest corner at which corners count as touching, metres.
+constexpr double kLowest = 1e-6;
 
 std::vector<std::size_t> LowestCorners(const std::vector<Vector3>& corners,
                                        const geometry::Matrix3& R_TablePart) {

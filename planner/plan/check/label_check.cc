@@ -14,7 +14,7 @@ bool IsSame(const Pose& a, const Pose& b) {
   return (a.matrix() - b.matrix()).cwiseAbs().maxCoeff() <= kSamePose;
 }
 
-// The same but for a shift on the table and a turn about the vertical.
+// Returns whether the poses are the same up to a shift on the table and a turn about the vertical.
 bool RestsAlike(const Pose& a, const Pose& b) {
   return (a.linear().row(2) - b.linear().row(2)).cwiseAbs().maxCoeff() <= kSamePose &&
          std::abs(a.translation().z() - b.translation().z()) <= kSamePose;

@@ -8,9 +8,9 @@
 
 namespace assay::plan {
 
-// Labels of grasps and positions are for people, who are not to be misled: one that the part has
-// must be that of the pose it stands beside. The labels that do not fit, in words. Labels of the
-// plan's own, which the part has not, say nothing.
+// Returns the labels of the action that do not fit, in words. Labels of grasps and positions are
+// for people, and must not mislead them: a label that the part has must be that of the pose beside
+// it. Labels that the part does not have are the plan's own, and are not checked.
 std::vector<std::string> MisleadingLabels(const domain::Problem& problem, const Action& action);
 
 }  // namespace assay::plan

@@ -5,7 +5,8 @@
 namespace assay::plan {
 namespace {
 
-// Depth-first over prefixes: a step may come next once all that stand before it have come.
+// Visits orders depth-first over prefixes: a step may come next once all steps that must precede it
+// have come.
 class LinearizationVisitor {
  public:
   LinearizationVisitor(int steps, const Ordering& ordering,
@@ -41,7 +42,7 @@ class LinearizationVisitor {
     for (const auto& [first, second] : ordering_) waits_for_[second.index()] += first == step;
   }
 
-  std::vector<int> waits_for_;  // how many pairs of the ordering hold each step back
+  std::vector<int> waits_for_;  // number of pairs of the ordering that hold each step back
   std::vector<Placed> placed_;
   std::vector<StepId> order_;
   const Ordering& ordering_;
@@ -50,7 +51,7 @@ class LinearizationVisitor {
 
 }  // namespace
 
-// Kahn 1962, without a queue: plans are short.
+// Uses the method of Kahn (1962), without a queue, since plans are short.
 bool IsAcyclic(int steps, const Ordering& ordering) {
   Ordering open = ordering;
   for (int round = 0; round < steps && !open.empty(); ++round) {

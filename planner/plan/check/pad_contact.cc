@@ -12,10 +12,10 @@ using geometry::Polygon;
 using geometry::Vector2;
 using geometry::Vector3;
 
-constexpr int kPointsPerSide = 17;    // of the grid: 1 mm apart on a pad of 16 mm
-constexpr double kProbe = 1e-5;       // metres, from the surface to the points that are tested
-constexpr double kSeam = 1e-6;        // metres, between boxes of one solid; and around rims
-constexpr double kSameNormal = 1e-6;  // 1 - cosine, of normals that are taken as equal
+constexpr int kPointsPerSide = 17;    // points of the grid per side: 1 mm apart on a pad of 16 mm
+constexpr double kProbe = 1e-5;       // distance of the tested points from the surface, metres
+constexpr double kSeam = 1e-6;        // metres, between boxes of one solid, and around rims
+constexpr double kSameNormal = 1e-6;  // 1 - cosine, of normals that count as equal
 
 PadContact ContactOf(const Hold& hold, const Vector2& half, double side) {
   PadContact contact{.finger = side > 0 ? "left" : "right",
@@ -35,7 +35,7 @@ bool IsInAny(std::span<const Box> boxes, const Vector3& p, double tolerance) {
   return std::ranges::any_of(boxes, [&](const Box& box) { return box.Contains(p, tolerance); });
 }
 
-// Whether p is inside a convex polygon, further than kSeam from its rim.
+// Returns whether p is inside a convex polygon, farther than kSeam from its rim.
 bool IsInside(const Polygon& polygon, const Vector2& p) {
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Vector2 edge = polygon[(i + 1) % polygon.size()] - polygon[i];
@@ -45,7 +45,7 @@ bool IsInside(const Polygon& polygon, const Vector2& p) {
   return polygon.size() >= 3;
 }
 
-// The pad's outline in the coordinates of a face.
+// The pad's outline, in the coordinates of a face.
 struct Footprint {
   std::vector<Vector2> points;
   Polygon outline;

@@ -11,27 +11,28 @@
 
 namespace assay::plan {
 
-// Where one closed pad meets a part, as a grid of points over the pad's face.
+// The contact of one closed pad with a part, as a grid of points over the pad's face.
 struct PadContact {
   std::string finger;                     // "left", "right"
   geometry::Vector3 normal;               // part frame, unit: out of the part, into the pad
-  std::vector<geometry::Vector3> points;  // part frame, on the pad's face, its rim included
+  std::vector<geometry::Vector3> points;  // part frame, on the pad's face with its rim
 };
 
-// `pad_half_extents`: along x and z of the tool. The left pad is on the tool's +y side.
+// `pad_half_extents` are along x and z of the tool. The left pad is on the tool's +y side.
 std::array<PadContact, 2> PadContactsOf(const Hold& hold,
                                         const geometry::Vector2& pad_half_extents);
 
-// How many points of the contact are not on the surface of the boxes' union: 10 micrometres
-// further into the part there is none of its boxes, or 10 micrometres out of it there is one.
+// Returns how many points of the contact are not on the surface of the boxes' union. At a point on
+// the surface, there is one of the part's boxes 10 micrometres further into the part, and none 10
+// micrometres out of it.
 int PointsOffSurface(const PadContact& contact, std::span<const Box> part);
 
-// Whether the contact and a feature (its faces, or the mouth of a hole) have a point of the pad's
-// grid or a corner of the feature in common, rims excluded.
+// Returns whether the contact and a feature (its faces, or the mouth of a hole) have a point of the
+// pad's grid or a corner of the feature in common, without the rims.
 bool Covers(const PadContact& contact, const domain::PartModel& part,
             const domain::Feature& feature);
 
-// Whether a face of the feature, or the face around its mouth, lies on the table.
+// Returns whether a face of the feature, or the face around its mouth, lies on the table.
 bool IsOnTable(const domain::PartModel& part, const domain::Feature& feature,
                const Pose& X_WorldPart);
 

@@ -11,11 +11,12 @@ using geometry::Vector2;
 using geometry::Vector3;
 
 constexpr double kTouch = 1e-6;      // metres from the table
-constexpr double kSameLine = 1e-9;   // metres between grid lines that are one
+constexpr double kSameLine = 1e-9;   // metres between grid lines that count as one
 constexpr double kHalfPlane = 1e-9;  // radians
-constexpr int kSubdivisions = 32;    // uniform grid lines along each axis, besides the corners'
+// Uniform grid lines along each axis, in addition to the corners'.
+constexpr int kSubdivisions = 32;
 
-// Grid lines along one axis: the corners' coordinates, and between them uniform ones.
+// Returns the grid lines along one axis: the corners' coordinates, and uniform ones between them.
 std::vector<double> GridLines(std::span<const Vector3> corners, int axis) {
   std::vector<double> lines;
   for (const Vector3& corner : corners) lines.push_back(corner[axis]);

@@ -8,22 +8,22 @@
 
 namespace assay::plan {
 
-// The centre of mass of a union of boxes of one density, overlaps counted once, by summing cells
-// between all coordinates of corners: exact if the boxes are aligned with the axes of their frame,
-// else to about a hundredth of their extent.
+// Returns the centre of mass of a union of boxes of one density, with overlaps counted once. It
+// sums cells between all coordinates of corners. The result is exact if the boxes are aligned with
+// the axes of their frame, and otherwise to about a hundredth of their extent.
 geometry::Vector3 CenterOfMass(std::span<const Box> boxes);
 
 std::vector<geometry::Vector3> CornersOf(std::span<const Box> boxes);
 
-// The points within 1 micrometre of the plane z = 0.
+// Returns the points within 1 micrometre of the plane z = 0.
 std::vector<geometry::Vector3> TouchingTable(std::span<const geometry::Vector3> points);
 
-// Whether p is strictly inside the convex hull of the points' projections onto x and y: seen from
-// p, they leave no half plane empty.
+// Returns whether p is strictly inside the convex hull of the points' projections onto x and y.
+// That is so if every half plane through p contains some point.
 bool IsSupported(const geometry::Vector3& p, std::span<const geometry::Vector3> points);
 
-// The first point that does not project into the polygon (convex, counter-clockwise); null if all
-// do.
+// Returns the first point that does not project into the polygon (convex, counter-clockwise); null
+// if all do.
 const geometry::Vector3* FirstOutside(std::span<const geometry::Vector3> points,
                                       const geometry::Polygon& polygon);
 

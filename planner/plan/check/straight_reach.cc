@@ -33,8 +33,8 @@ class LineFollower {
     return found;
   }
 
-  // The index of the first pose of the line that cannot be reached continuously from q at its
-  // start; the line's size if all can.
+  // Returns the index of the first pose of the line that cannot be reached continuously from q at
+  // its start. Returns the line's size if all can be reached.
   std::size_t Follow(JointVector q, const ToolLine& line) const {
     for (std::size_t i = 1; i < line.size(); ++i) {
       const std::optional<JointVector> next = Nearest(FlangeFor(line[i]), q);

@@ -88,8 +88,8 @@ class Preconditions {
     findings_.push_back(fmt::format("the sensor {} is none that the problem allows", sensor));
   }
 
-  // A part that sits in another is not free to be located on the table; one that has another in it
-  // is.
+  // A part that sits in another one is not free to be located on the table. A part that has another
+  // one in it is free.
   void RequireNotIn(PartId part) {
     if (state_.part(part).status != PartStatus::kMated) return;
     findings_.push_back(
@@ -143,7 +143,7 @@ class Effects {
     state_.assembled.push_back(assemble.mating);
   }
 
-  // They change what is known of a part, and nothing about where it is taken to be.
+  // These actions change what is known of a part, but not its planned pose.
   void operator()(const Sense&) {}
   void operator()(const Squeeze&) {}
 

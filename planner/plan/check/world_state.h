@@ -8,46 +8,46 @@
 
 namespace assay::plan {
 
-// The checker's own account of the world and of what the actions need and do: the templates of
-// Spar's figure 2, with whole poses in place of labels, and the two actions that are about
-// uncertainty, which leave the world as it is.
+// The checker's own model of the world, and of what the actions need and do. These are the
+// templates of Spar's figure 2, with whole poses in place of labels. Two more actions deal with
+// uncertainty, and leave the world as it is.
 
 enum class PartStatus {
   kResting,  // at X_WorldPart, not mated into another part
-  kHeld,     // in the hand; X_WorldPart means nothing
+  kHeld,     // in the hand; X_WorldPart has no meaning
   kMated,    // at X_WorldPart, in its fixed part
 };
 
 struct PartState {
   PartStatus status = PartStatus::kResting;
   Pose X_WorldPart = Pose::Identity();
-  StepId moved_by;  // the last step that took it, put it down or mated it; None: still as at first
+  StepId moved_by;  // last step that took, put down or mated it; None: not moved yet
 };
 
 struct WorldState {
   std::vector<PartState> parts;  // by PartId
   PartId in_hand;                // None: the hand is empty and open
-  Hold hold;                     // of the part in the hand
+  Hold hold;                     // grasp of the part in the hand
   std::vector<MatingId> assembled;
 
   const PartState& part(PartId id) const { return parts[id.index()]; }
 };
 
-// To 1 micrometre, and 1 microradian in the axes.
+// Returns whether two poses agree to 1 micrometre, and to 1 microradian in the axes.
 bool PosesAgree(const Pose& a, const Pose& b);
 
-// "x y z mm", for messages.
+// Returns "x y z mm", for messages.
 std::string InMillimetres(const geometry::Vector3& p);
 
 WorldState InitialState(const domain::Problem& problem);
 
-// What the action needs and the state does not have, in words. A part that is mated into another,
-// or has another mated into it, cannot be picked up or squeezed: the actions handle one part at a
-// time. The fixed part of an assemble action may itself be mated into a third.
+// Returns what the action needs and the state does not have, in words. A part that is mated into
+// another, or has another mated into it, cannot be picked up or squeezed: the actions handle one
+// part at a time. The fixed part of an assemble action may itself be mated into a third one.
 std::vector<std::string> BrokenPreconditions(const domain::Problem& problem,
                                              const WorldState& state, const Action& action);
 
-// The state after the action, as if its preconditions held.
+// Returns the state after the action, assuming that its preconditions held.
 WorldState StateAfter(const domain::Problem& problem, WorldState state, const Action& action,
                       StepId step);
 

@@ -9,9 +9,9 @@
 
 namespace assay::plan {
 
-using StepId = Id<struct StepTag>;  // index in Plan::steps, which is the order of insertion
+using StepId = Id<struct StepTag>;  // index in Plan::steps, which are in the order of insertion
 
-// A bounded variable that a certificate speaks of: "dx_block", in [low, high], metres or radians.
+// A bounded variable of a certificate, such as "dx_block", in [low, high], metres or radians.
 struct ErrorVariable {
   std::string name;
   Interval range;
@@ -20,73 +20,79 @@ struct ErrorVariable {
 };
 
 struct ErrorValue {
-  std::string name;  // of a variable
+  std::string name;  // name of a variable
   double value = 0;
 
   bool operator==(const ErrorValue&) const = default;
 };
 
-// Where the true pose of a part may be, relative to where it is believed to be: a box that contains
-// every error. While it rests: of its origin in the world's axes (x, y, z), and about the world's z
-// through it (theta). While it is held: in the frame of the commanded tool, of the grasped point,
-// and turned about the tool's z by theta, then by tip about x and by twist about y. The hand errs
-// anew at each pose that it is told: a part in the hand is known to within other sets at the end of
-// one step and at the beginning of the next.
+// A box that contains every possible true pose of a part, relative to its believed pose. For a part
+// that rests, it bounds the origin in the world's axes (x, y, z), and the turn about the world's z
+// through it (theta). For a part that is held, it is in the frame of the commanded tool: it bounds
+// the grasped point, and the turn about the tool's z by theta, then by tip about x and by twist
+// about y.
+//
+// The hand errs anew at each commanded pose. So a part in the hand has different error sets at the
+// end of one step and at the beginning of the next.
 struct ErrorSet {
   domain::PartId part;
   bool in_hand = false;
   Interval x, y, z, theta;  // metres, radians
-  Interval tip = {};        // in the hand; radians
-  Interval twist = {};      // in the hand: what closed pads leave; radians
+  Interval tip = {};        // only in the hand; radians
+  Interval twist = {};      // only in the hand, left by closed pads; radians
 
   bool operator==(const ErrorSet&) const = default;
 };
 
 enum class Relation { kLess, kGreater };
 
-// expression < limit (or >), and what was proved of it: an uncertainty-reduction precondition.
+// An uncertainty-reduction precondition, expression < limit (or >), and what was proved about it.
 struct CertifiedPrecondition {
-  std::string condition;   // which: "between fingers", "pad contact", "landing height", "slide-in"
-  std::string meaning;     // for people: "contact 2 lies on the inner side of finger 1"
-  std::string expression;  // over the certificate's variables and what it shares with others
+  // The kind, such as "between fingers", "pad contact", "landing height", "slide-in".
+  std::string condition;
+  std::string meaning;     // text for people: "contact 2 lies on the inner side of finger 1"
+  std::string expression;  // over the certificate's variables and its shared expressions
   Relation relation = Relation::kLess;
   double limit = 0;
   double bound = 0;   // SUP of the expression for <, INF for >; guaranteed, rounded outward
-  double margin = 0;  // from the bound to the limit; positive: proved
-  double gap = 0;     // how loose the bound may be
-  std::string rung;   // the method that gave it
-  std::vector<ErrorValue> worst = {};  // the worst corner found, of the expression's variables
+  double margin = 0;  // distance from the bound to the limit; positive: it is proved
+  double gap = 0;     // greatest difference of the bound from the true value
+  std::string rung;   // name of the bounding method that gave the bound
+  std::vector<ErrorValue> worst = {};  // worst corner found, of the expression's variables
 
   bool holds() const { return margin > 0; }
   bool operator==(const CertifiedPrecondition&) const = default;
 };
 
-// A kind of precondition (condition_kind.h) that such steps need and this one has none of.
+// A kind of precondition (condition_kind.h) that steps of this sort need, but of which this step
+// has none.
 struct NotNeeded {
   std::string condition;
-  std::string reason;  // for people and programs: one that the kind allows
+  std::string reason;  // text for people and programs: a reason that the kind allows
 
   bool operator==(const NotNeeded&) const = default;
 };
 
-// What was done about preconditions that could not be proved at first.
+// A remedy for preconditions that could not be proved at first.
 struct Resolution {
   std::string resolver;            // "sensing", "squeezing", "moving", "verification"
-  std::vector<StepId> steps = {};  // that were inserted for this step, in order of execution
+  std::vector<StepId> steps = {};  // steps inserted for this step, in order of execution
   std::string why;                 // the precondition that failed, with its bound
 
   bool operator==(const Resolution&) const = default;
 };
 
-// What is known before and after a step, and what was proved of it. Empty: the plan was made
-// without regard to uncertainty.
+// What is known before and after a step, and what was proved about it. It is empty if the plan was
+// made without regard to uncertainty.
 struct Certificate {
-  std::vector<ErrorVariable> variables = {};  // input error sets: all that the preconditions name
-  // What expressions have in common, each once: planner/algebra/expression/text.h reads them.
+  // Input error sets: all variables of the preconditions.
+  std::vector<ErrorVariable> variables = {};
+  // Expressions that the preconditions share, each once. planner/algebra/expression/text.h reads
+  // them.
   std::vector<std::string> shared = {};
-  std::vector<ErrorSet> before = {};  // of the parts that the step is about
+  std::vector<ErrorSet> before = {};  // input error sets of the parts that the step handles
   std::vector<CertifiedPrecondition> preconditions = {};
-  // With the preconditions: all kinds that the step needs.
+  // Together with the preconditions, these are all kinds that the step needs.
   std::vector<NotNeeded> not_needed = {};
   std::vector<ErrorSet> after = {};  // output error sets of the same parts
   std::vector<Resolution> resolutions = {};
@@ -94,9 +100,9 @@ struct Certificate {
   bool operator==(const Certificate&) const = default;
 };
 
-// How far from where it is expected a guarded move may meet something, metres: its preconditions
-// "landing height" and "seat" are that this stays within the workcell's guarded travel. All of the
-// travel, if nothing is certified.
+// Returns the greatest distance, in metres, between the expected and the actual contact of a
+// guarded move. The preconditions "landing height" and "seat" say that it stays within the
+// workcell's guarded travel. If nothing is certified, the whole guarded travel is returned.
 double DoubtOfContact(const Certificate& certificate, double guarded_travel);
 
 }  // namespace assay::plan

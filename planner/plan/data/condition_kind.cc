@@ -72,7 +72,7 @@ bool Has(const std::vector<CertifiedPrecondition>& preconditions, std::string_vi
          preconditions.end();
 }
 
-// One step's certificate against the table.
+// Compares one step's certificate with the table.
 class Coverage {
  public:
   explicit Coverage(const PlannedStep& step)
@@ -108,7 +108,7 @@ class Coverage {
     Add("'{}' is no condition of such a step", condition);
   }
 
-  // Once, however many preconditions are of the kind.
+  // Adds a flaw once, however many preconditions of the kind there are.
   template <class... Values>
   void Add(fmt::format_string<Values...> text, Values&&... values) {
     std::string flaw = fmt::format(text, std::forward<Values>(values)...);

@@ -9,54 +9,56 @@
 
 namespace assay::plan {
 
-// What the two sides of a precondition are.
+// The quantity that a precondition compares.
 enum class Quantity { kLength, kAngle, kRatio };  // metres, radians, a ratio
 
 // The steps that need a kind of precondition.
 enum class NeededBy {
   kGrasp,     // pickup, squeeze
-  kCarrying,  // what has a part in the hand as the hand travels: pickup, putdown, assemble
-  kHandWork,  // everything with the hand: all but sense
-  kWay,       // whatever the arm goes to: every step
-  kPutdown,   //
-  kRelease,   // what lets a part go where it stays: putdown, assemble
+  kCarrying,  // steps with a part in the travelling hand: pickup, putdown, assemble
+  kHandWork,  // all steps with the hand: all but sense
+  kWay,       // every step: the arm goes somewhere in each
+  kPutdown,   // putdown
+  kRelease,   // steps that let a part go where it stays: putdown, assemble
   kMating,    // assemble, straight or by a strategy
   kStrategy,  // assemble by a strategy
 };
 
-// A kind of uncertainty-reduction precondition (planner/uncertainty/preconditions/precondition.h
-// says what each means). The certificate of a step that needs it has preconditions of the kind, or
-// states why it has none; a certificate that lacks it without a reason is refused.
+// A kind of uncertainty-reduction precondition; planner/uncertainty/preconditions/precondition.h
+// says what each kind means. The certificate of a step that needs the kind has preconditions of it,
+// or states why it has none. A certificate that lacks the kind without a reason is refused.
 struct ConditionKind {
   std::string_view name;  // CertifiedPrecondition::condition
   Quantity quantity;
   NeededBy needed_by;
-  bool is_published;               // else Spar's paper does not ask for it
-  std::string_view may_lack = "";  // the only reason for which there is none; empty: there must be
+  bool is_published;               // false: Spar's paper does not ask for it
+  std::string_view may_lack = "";  // the only valid reason to have none; empty: some are required
 };
 
-// All of them. Who adds a kind adds a line to this table and to plan.schema.json.
+// Returns the table of all kinds. A new kind needs a line in this table and in plan.schema.json.
 std::span<const ConditionKind> ConditionKinds();
-const ConditionKind* FindConditionKind(std::string_view name);  // null: there is none
-Quantity QuantityOf(std::string_view condition);                // the kind must be there (checked)
+const ConditionKind* FindConditionKind(std::string_view name);  // null if there is none
+Quantity QuantityOf(std::string_view condition);                // the kind must exist (checked)
 
-// The reason where certificates are made as published.
+// The reason in certificates that are made as published.
 inline constexpr std::string_view kNotPublished = "the paper's propagation does not ask for it";
-// Whether any certificate of the plan gives that reason.
+// Returns whether any certificate of the plan gives kNotPublished as a reason.
 bool IsAsPublished(const Plan& plan);
 
-// The kinds that a step needs, in the order of the table. `strategy`: null if it goes straight.
+// Returns the kinds that a step needs, in the order of the table. `strategy` is null if the step
+// goes straight.
 std::vector<const ConditionKind*> KindsNeeded(const Action& action, const Strategy* strategy);
 
-// Of the kinds that the step needs, those without a precondition, each with its reason. The kinds
-// that may not be lacking must be there, and no others (checked): so the planner refuses what it
-// would leave unproved without a word.
+// Returns the kinds that the step needs and of which there is no precondition, each with its
+// reason. Kinds that may not be lacking must be there, and no unneeded kinds may be there
+// (checked). So the planner refuses a certificate that would leave something unproved without
+// saying so.
 std::vector<NotNeeded> NotNeededIn(const std::vector<CertifiedPrecondition>& preconditions,
                                    const Action& action, const Strategy* strategy,
                                    bool as_published);
 
-// What is wrong with what the step's certificate covers, in words; empty: nothing. Whether the
-// reasons are true is not looked at.
+// Returns the flaws of what the step's certificate covers, in words; empty if there are none. The
+// truth of the reasons is not checked.
 std::vector<std::string> FlawsOfCoverage(const PlannedStep& step);
 
 }  // namespace assay::plan

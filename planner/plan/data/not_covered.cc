@@ -33,7 +33,8 @@ struct NotCoveredOf {
   std::vector<std::string> operator()(const Squeeze&) const { return {kStuck}; }
 };
 
-// The steps that do not claim it; the last one does so twice, also of the way home.
+// Returns the steps that do not claim the condition. The last step must claim it twice, the second
+// time for the way home.
 std::vector<int> StepsWithout(std::string_view condition, const Plan& plan) {
   std::vector<int> steps;
   for (const StepId id : plan.ExecutionOrder()) {
@@ -46,7 +47,7 @@ std::vector<int> StepsWithout(std::string_view condition, const Plan& plan) {
   return steps;
 }
 
-// What of the arm's ways could not be proved, or was never asked.
+// Returns the arm's ways for which a condition could not be proved, or was not examined.
 std::vector<std::string> WaysNotCovered(const Plan& plan) {
   constexpr std::array<std::pair<const char*, const char*>, 2> kWays = {{
       {"reach",

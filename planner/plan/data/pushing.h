@@ -4,26 +4,26 @@
 
 namespace assay::plan {
 
-// How hard parts are pushed: certificates build on these numbers, and whoever moves the arm keeps
-// to them. Newtons.
+// Limits of the forces that push parts, in newtons. Certificates rely on these numbers, and
+// everything that moves the arm must keep to them.
 
-// At which a guarded move stops.
+// Force at which a guarded move stops.
 inline constexpr double kResistance = 15;
-// The most that a guarded move exerts until the arm is at rest, for longer than an impact.
+// Greatest force of a guarded move until the arm is at rest, apart from short impacts.
 inline constexpr double kGreatestPush = 30;
-// Along a crevice, at most, by a strategy of fine motion; no contact of it is pressed harder.
+// Greatest force of a fine-motion strategy along a crevice. None of its contacts is pressed harder.
 inline constexpr double kStrategyPush = 25;
 
-// Whether closed pads surely bear what stops a guarded move. Else they may slide down on the part
-// that has met something, and the move goes on.
+// Returns whether closed pads surely bear the force that stops a guarded move. If they do not, they
+// may slide down on the part that has met something, and the move goes on.
 inline bool PadsBearResistance(const domain::Problem& problem) {
   const domain::WorkcellRules& rules = problem.workcell->rules();
   const double friction = rules.pad_friction - problem.tolerances.pad_friction;
   return 2 * friction * rules.grip_force > kResistance;
 }
 
-// By how much farther than a contact may be a guarded move goes, metres: what arm and pads give
-// way.
+// How much farther than the farthest possible contact a guarded move goes, in metres: arm and pads
+// give way by this much.
 inline constexpr double kBeyondContact = 2e-4;
 
 }  // namespace assay::plan

@@ -6,15 +6,15 @@
 
 namespace assay::plan {
 
-// How far the pose that the tool is brought to may be from the planned one, at most: it is turned
-// by `spin` about its own z, turned by `turn` about the world's z through its origin, and shifted
-// by `shift` along the world's axes.
+// The greatest difference between the pose that the tool is brought to and the planned one. The
+// tool may be turned by `spin` about its own z, turned by `turn` about the world's z through its
+// origin, and shifted by `shift` along the world's axes.
 struct ToolDoubt {
   geometry::Vector3 shift = geometry::Vector3::Zero();  // metres, >= 0
   double turn = 0;                                      // radians, >= 0
   double spin = 0;                                      // radians, >= 0
 
-  // Whatever either of them allows.
+  // Returns error bounds that cover both.
   ToolDoubt Or(const ToolDoubt& other) const {
     return {shift.cwiseMax(other.shift), std::fmax(turn, other.turn), std::fmax(spin, other.spin)};
   }

@@ -84,7 +84,7 @@ ToolRoute RouteOf(const domain::Problem& problem, const Assemble& assemble,
   const Pose mated = X_WorldFixed * mating.X_FixedHeld * assemble.hold.X_PartTool;
   const Pose start = X_WorldFixed * strategy.X_FixedStart * strategy.X_HeldTip.inverse() *
                      assemble.hold.X_PartTool;
-  // Along the mating vector, from as far off as if it went straight.
+  // The line is along the mating vector, from the distance at which a straight mating would begin.
   const Vector3 direction = mating.mating_vector.normalized();
   const Vector3 way =
       mating.X_FixedHeld * strategy.X_HeldTip.translation() - strategy.X_FixedStart.translation();

@@ -7,27 +7,29 @@
 
 namespace assay::plan {
 
-// Where the tool goes in a step: X_WorldTool. Between the steps the arm travels.
+// The route of the tool in a step, as poses X_WorldTool. The arm travels between the routes of two
+// steps.
 struct ToolRoute {
-  Pose poised = Pose::Identity();  // before or above its work
+  Pose poised = Pose::Identity();  // pose before or above the work
   std::vector<Pose> to_work = {};  // ends of straight lines, up to where it works
-  std::vector<Pose> away = {};     // likewise, after it, up to where it is free of its work
+  std::vector<Pose> away = {};     // ends of straight lines after the work, up to where it is free
 
-  // Where the tool is when the arm may travel on.
+  // Returns the pose from which the arm may travel on.
   const Pose& left() const { return away.empty() ? poised : away.back(); }
 };
 
-// The part that an action is about; of a mating the fixed one.
+// Returns the part that an action handles; for a mating, the fixed part.
 PartId PartOf(const domain::Problem& problem, const Action& action);
 
-// X_WorldPart: where that part is; of putdown it is not asked for.
+// Returns the route of a step. X_WorldPart is the pose of the part that PartOf returns; a putdown
+// does not use it.
 //
-// The last piece to a part and the first away from it are along the tool's axis, as long as the
-// workcell's approach distance. A held part is lifted and put down by the same length straight up
-// and down, and mated along the mating vector.
+// The last line to a part and the first line away from it are along the tool's axis, as long as the
+// workcell's approach distance. A held part is lifted and put down by the same length, straight up
+// and down. It is mated along the mating vector.
 ToolRoute RouteOf(const domain::Problem& problem, const PlannedStep& step, const Pose& X_WorldPart);
 
-// Of the actions; RouteOf(step) calls these.
+// These functions return the routes of single actions; RouteOf(step) calls them.
 ToolRoute RouteOf(const domain::Problem& problem, const Pickup& pickup, const Pose& X_WorldPart);
 ToolRoute RouteOf(const domain::Problem& problem, const Putdown& putdown);
 ToolRoute RouteOf(const domain::Problem& problem, const Assemble& assemble,
@@ -36,11 +38,11 @@ ToolRoute RouteOf(const domain::Problem& problem, const Assemble& assemble,
                   const Strategy& strategy, const Pose& X_WorldFixed);
 ToolRoute RouteOf(const domain::Problem& problem, const Squeeze& squeeze, const Pose& X_WorldPart);
 
-// Where the tool is while the arm is at home.
+// Returns the pose of the tool while the arm is at home.
 Pose HomeTool(const domain::Workcell& workcell);
-// The tool drawn back along its axis by the workcell's approach distance.
+// Returns the pose drawn back along the tool's axis by the workcell's approach distance.
 Pose Retreated(const domain::Workcell& workcell, const Pose& X_WorldTool);
-// The tool straight above, at safe height or where it is if that is higher.
+// Returns the pose straight above, at safe height, or the pose itself if it is higher.
 Pose AtSafeHeight(const domain::Workcell& workcell, const Pose& X_WorldTool);
 
 }  // namespace assay::plan

@@ -17,10 +17,10 @@ using Json = nlohmann::ordered_json;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// In the order of the enum Relation.
+// Texts of the enum Relation, in its order.
 const std::vector<std::string> kRelations = {"<", ">"};
 
-// JSON has no infinity.
+// JSON has no infinity, so infinite numbers become texts.
 Json NumberToJson(double number) {
   ASSAY_CHECK(!std::isnan(number), "a certificate holds a number that is none");
   if (std::isfinite(number)) return number;
@@ -45,7 +45,7 @@ Interval ReadInterval(const Value& value) {
   return interval;
 }
 
-// A list, each of its items written or read in the same way.
+// Writes a list by writing each of its items in the same way.
 template <class T, class Write>
 Json ListToJson(const std::vector<T>& items, const Write& write) {
   Json list = Json::array();
@@ -69,7 +69,7 @@ ErrorVariable ReadVariable(const Value& value) {
   return {value.At("name").Text(), ReadInterval(value.At("range"))};
 }
 
-// A point: the value of each variable by its name.
+// Writes a point: the value of each variable by its name.
 Json PointToJson(const std::vector<ErrorValue>& point) {
   Json json = Json::object();
   for (const auto& [name, value] : point) json[name] = NumberToJson(value);
@@ -112,7 +112,8 @@ CertifiedPrecondition ReadPrecondition(const Value& value) {
           .worst = ReadPoint(value.At("worst"))};
 }
 
-// What the certificate covers: of each kind, how many preconditions there are, or why none.
+// Writes what the certificate covers: the number of preconditions of each kind, or the reason why
+// there are none.
 Json CoverageToJson(const Certificate& certificate) {
   Json covers = Json::object();
   for (const CertifiedPrecondition& claim : certificate.preconditions) {
@@ -122,7 +123,7 @@ Json CoverageToJson(const Certificate& certificate) {
   return covers;
 }
 
-// The number that is said of each kind is the one that there is.
+// Checks that the number written for each kind is the number of its preconditions.
 std::vector<NotNeeded> ReadCoverage(const Value& covers,
                                     const std::vector<CertifiedPrecondition>& preconditions) {
   std::vector<NotNeeded> not_needed;

@@ -10,13 +10,13 @@
 
 namespace assay::plan {
 
-// A certificate as plan.json holds it (plan.schema.json). Numbers read back as the very same
-// doubles; infinite ones are the strings "inf" and "-inf". `step_names`: by StepId.
+// Returns a certificate as plan.json holds it (plan.schema.json). Numbers read back as exactly the
+// same doubles; infinite ones are the strings "inf" and "-inf". `step_names` is by StepId.
 nlohmann::ordered_json ToJson(const Certificate& certificate, const domain::Problem& problem,
                               const std::vector<std::string>& step_names);
 
-// Throws InputError with the place for what does not fit: unknown parts and steps, ranges that go
-// down.
+// Reads a certificate. Throws InputError with the place of the error: unknown parts and steps, or
+// reversed ranges.
 Certificate ReadCertificate(const Value& value, const domain::Problem& problem,
                             const std::vector<std::string>& step_names);
 

@@ -16,10 +16,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kColumns = 100;
-constexpr std::size_t kStep = 2;  // columns that what is inside is farther to the right
+constexpr std::size_t kStep = 2;  // indentation of each level, in columns
 
-// JSON itself escapes control characters below U+0020 only. What else disturbs stands in texts
-// alone.
+// Returns the JSON as text. The JSON library itself escapes only control characters below U+0020.
+// Other disturbing characters occur in texts alone.
 std::string Dumped(const Json& json, int indentation = -1) {
   const std::string dumped = json.dump(indentation, ' ', false, Json::error_handler_t::replace);
   std::string text;
@@ -37,8 +37,8 @@ std::string Dumped(const Json& json, int indentation = -1) {
 
 bool IsPlain(char c) { return c >= ' ' && c < 0x7f && c != '"' && c != '\\'; }
 
-// A list or an object is begun on the line where it stands. Where that line is full, what is
-// written of it is taken back, and each item gets a line of its own.
+// A list or an object is begun on the current line. If the line gets too long, the written part of
+// it is taken back, and each item gets a line of its own.
 class Writer {
  public:
   std::string Write(const Json& json) {
@@ -73,7 +73,8 @@ class Writer {
     }
   }
 
-  // On the line of the item before. False, with nothing written, if no comma would fit behind it.
+  // Puts an item on the line of the item before. Returns false, with nothing written, if no comma
+  // would fit behind it.
   bool PutBehind(const Json& json, Json::const_iterator item) {
     const std::size_t before = text_.size();
     text_ += ' ';
@@ -83,7 +84,7 @@ class Writer {
     return false;
   }
 
-  // False, with a part of it written, if a structure does not fit.
+  // Returns false, with a part of it written, if a structure does not fit.
   bool PutOnThisLine(const Json& json) {
     if (!json.is_structured()) {
       PutScalar(json);
@@ -101,7 +102,7 @@ class Writer {
     return column() < kColumns;
   }
 
-  // What stands before an item of an object.
+  // Puts the key of an object's item.
   void PutKey(const Json& json, Json::const_iterator item) {
     if (!json.is_object()) return;
     PutText(item.key());
@@ -135,7 +136,7 @@ class Writer {
   }
 
   std::string text_;
-  std::size_t line_ = 0;  // where the last one begins
+  std::size_t line_ = 0;  // start of the last line
 };
 
 }  // namespace

@@ -5,17 +5,19 @@
 
 namespace assay::plan {
 
-// All of them are valid UTF-8 without control characters, whatever texts are in the JSON: bytes
-// that are none become U+FFFD.
+// The results of all these functions are valid UTF-8 without control characters, whatever texts are
+// in the JSON. Invalid bytes become U+FFFD.
 
-// JSON as a file holds it: a list or an object that fits stands on one line of 100 columns, what is
-// in longer ones on lines of their own, as many numbers and texts on each as it takes. Numbers have
-// the fewest digits that read back as the same double. Ends with a line break.
+// Returns JSON in the layout of files. A list or an object that fits stands on one line of 100
+// columns. The items of a longer one stand on lines of their own, with as many numbers and texts on
+// each line as fit. Numbers have the fewest digits that read back as the same double. The text ends
+// with a line break.
 std::string LaidOut(const nlohmann::ordered_json& json);
 
-// JSON as it is printed for other programs: each item on a line of its own. Ends with a line break.
+// Returns JSON as it is printed for other programs, with each item on a line of its own. The text
+// ends with a line break.
 std::string JsonText(const nlohmann::ordered_json& json);
-// The same on one line, without a line break.
+// Returns JSON on one line, without a line break.
 std::string JsonLine(const nlohmann::ordered_json& json);
 
 }  // namespace assay::plan

@@ -23,12 +23,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kFormat = "assay-plan/2";
-constexpr double kSameMating = 1e-9;                  // metres, and entries of a rotation
-constexpr double kLargestCount = 9007199254740992.0;  // 2^53: greater ones are no exact doubles
+constexpr double kSameMating = 1e-9;  // metres, and entries of a rotation
+// 2^53: not every integer above it is a double.
+constexpr double kLargestCount = 9007199254740992.0;
 
-// The words of the format, in the order of the enum Outcome.
+// The words of the format for outcomes, in the order of the enum Outcome.
 const std::vector<std::string> kOutcomes = {"planned", "none", "budget"};
-// In the order of the alternatives of Action.
+// The names of actions, in the order of the alternatives of Action.
 enum class ActionName { kPickup, kPutdown, kAssemble, kSense, kSqueeze };
 const std::vector<std::string> kActions = {"pickup", "putdown", "assemble", "sense", "squeeze"};
 
@@ -38,7 +39,7 @@ Json HoldToJson(const Hold& hold) {
 
 Json PlaceToJson(const Place& place) { return {{"X_WorldPart", PoseToJson(place.X_WorldPart)}}; }
 
-// [[of held], [of fixed]], as in a scenario.
+// Writes [[of held], [of fixed]], as in a scenario.
 Json FeaturesToJson(const domain::Mating& mating) {
   Json features = Json::array({Json::array(), Json::array()});
   for (const auto& [of_held, of_fixed] : mating.features) {
@@ -83,7 +84,7 @@ struct ArgumentsOf {
   }
 };
 
-// Null if the hand holds nothing in the action.
+// Returns null if the hand holds nothing in the action.
 struct HoldOf {
   const Hold* operator()(const Sense&) const { return nullptr; }
   const Hold* operator()(const auto& a) const { return &a.hold; }
@@ -159,7 +160,7 @@ PartId ReadPart(const Value& name, const domain::Problem& problem) {
   return PartId(name.OneOf(names));
 }
 
-// What the arguments of assemble say about the mating.
+// Reads the mating from the arguments of assemble.
 domain::Mating ReadMatingWords(const Value& arguments, const domain::Problem& problem) {
   domain::Mating mating{.held = ReadPart(arguments.At("held"), problem),
                         .fixed = ReadPart(arguments.At("fixed"), problem),
@@ -223,7 +224,7 @@ Sense ReadSense(const Value& action, const domain::Problem& problem) {
           ReadPlace(action)};
 }
 
-// Pickup, putdown or squeeze.
+// Reads the arguments of pickup, putdown or squeeze.
 template <class Handling>
 Handling ReadHandling(const Value& action, const domain::Problem& problem) {
   const Value arguments = action.At("arguments");
@@ -267,7 +268,8 @@ PlannedStep ReadStep(const Value& action, const domain::Problem& problem) {
   return step;
 }
 
-// Ids are unique, insertion numbers increase, execution numbers are a permutation.
+// Checks that ids are unique, that insertion numbers increase, and that execution numbers are a
+// permutation.
 void CheckNumbering(const std::vector<Value>& actions, const std::vector<PlannedStep>& steps) {
   const int count = static_cast<int>(steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -314,7 +316,7 @@ std::vector<std::string> ReadTexts(const std::optional<Value>& texts) {
   return read;
 }
 
-// Why there is no plan, or what the planner does not do.
+// Reads the reasons why there is no plan, or the planner's limits.
 void ReadReasons(const Value& root, PlanResult& result) {
   const bool is_none = result.outcome == Outcome::kNone;
   const std::optional<Value> conflict = root.Find("conflict");
@@ -345,7 +347,7 @@ std::map<std::string, std::int64_t> ReadCounters(const Value& counters) {
   return counts;
 }
 
-// What the second phase of planning adds to the steps.
+// Reads what the second phase of planning adds to the steps.
 void ReadAugmentation(const Value& root, const domain::Problem& problem, Plan& plan) {
   const std::vector<std::string> names = NamesOf(plan.steps);
   const std::vector<Value> actions = root.At("actions").Items();

@@ -11,7 +11,7 @@ using geometry::Pose;
 using geometry::Vector3;
 using Json = nlohmann::ordered_json;
 
-constexpr double kOrthonormal = 1e-6;  // of a rotation's columns
+constexpr double kOrthonormal = 1e-6;  // greatest error of the products of a rotation's columns
 
 }  // namespace
 
@@ -28,7 +28,7 @@ Vector3 ReadVector(const Value& value) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-// The numbers are taken as they stand, so that they are written again as they were read.
+// The numbers are taken exactly as they are, so that they are written again as they were read.
 Pose ReadPose(const Value& value) {
   const std::string allowed = "four columns [x, y, z, position] of three numbers each";
   const std::vector<Value> columns = value.Items();

@@ -9,12 +9,13 @@
 
 namespace assay::plan {
 
-// Verifications and recoveries as plan.json holds them (plan.schema.json). `step_names`: by StepId.
+// Return verifications and recoveries as plan.json holds them (plan.schema.json). `step_names` is
+// by StepId.
 nlohmann::ordered_json ToJson(const Verification& verification,
                               const std::vector<std::string>& step_names);
 nlohmann::ordered_json ToJson(const Recovery& recovery, const std::vector<std::string>& step_names);
 
-// Throw InputError with the place for what does not fit.
+// Read verifications and recoveries. They throw InputError with the place of the error.
 Verification ReadVerification(const Value& value, const std::vector<std::string>& step_names);
 Recovery ReadRecovery(const Value& value, const std::vector<std::string>& step_names);
 

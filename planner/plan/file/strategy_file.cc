@@ -14,7 +14,7 @@ namespace {
 using geometry::Vector3;
 using Json = nlohmann::ordered_json;
 
-// In the order of UnwantedContact::is_loss.
+// Words for UnwantedContact::is_loss: false, true.
 const std::vector<std::string> kHappenings = {"made", "lost"};
 
 Json ContactToJson(const StrategyContact& contact) {

@@ -7,11 +7,12 @@
 
 namespace assay::plan {
 
-// A strategy as plan.json holds it (plan.schema.json). Numbers read back as the very same doubles.
+// Returns a strategy as plan.json holds it (plan.schema.json). Numbers read back as exactly the
+// same doubles.
 nlohmann::ordered_json ToJson(const Strategy& strategy);
 
-// Throws InputError with the place for what does not fit: contacts that there are not, normals that
-// are not of unit length, half widths below 0.
+// Reads a strategy. Throws InputError with the place of the error: unknown contacts, normals that
+// are not of unit length, or negative half widths.
 Strategy ReadStrategy(const Value& value);
 
 }  // namespace assay::plan

@@ -7,11 +7,11 @@
 
 namespace assay::plan {
 
-// Paths as plan.json holds them; numbers read back as the very same doubles.
+// Returns a path as plan.json holds it. Numbers read back as exactly the same doubles.
 nlohmann::ordered_json ToJson(const Travel& travel);
 
-// Throws InputError with the place: less than two postures, a posture that is not six numbers, a
-// clearance below 0.
+// Reads a path. Throws InputError with the place of the error: fewer than two postures, a posture
+// that is not six numbers, or a negative clearance.
 Travel ReadTravel(const Value& value);
 
 }  // namespace assay::plan

@@ -22,7 +22,7 @@ Expression SameOrOppositeSense(const Vector3& up, const Expression& theta) {
   return up.z() < 0 ? -theta : theta;
 }
 
-// Adds what a leaning part does when the table sets it upright.
+// Adds the errors that arise when the table sets a leaning part upright.
 void SetUpright(UncertainWorld& world, PartId part, const Leaning& leaning, RestingError& error) {
   const std::string name = world.SymbolName(part);
   const auto declare = [&](const char* what, double magnitude) {
@@ -41,12 +41,13 @@ void Yield(UncertainWorld& world, PartId part, RestingError& error) {
   }
 }
 
-// Whether the push of a mating may drag its fixed part along the table.
+// Returns whether the push of a mating may drag its fixed part along the table.
 bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
   const domain::Part& fixed = problem.part(mating.fixed);
   const double own = fixed.model->friction();
   const double between = std::max(own, problem.part(mating.held).model->friction());
-  double keeping = std::numeric_limits<double>::infinity();  // newtons, of weight
+  // The least weight, later the least total load on the table, in newtons.
+  double keeping = std::numeric_limits<double>::infinity();
   for (const geometry::MassProperties& mass : PossibleMasses(problem, mating.fixed)) {
     keeping = std::min(keeping, mass.mass * kGravity);
   }
@@ -55,10 +56,10 @@ bool Drags(const domain::Problem& problem, const domain::Mating& mating) {
          (own - problem.tolerances.friction) * keeping;
 }
 
-// By how much a part turns that is dragged so far at any of its points, as a pad turns one that it
-// pushes (squeezing.h).
+// Returns the turn, in radians, of a part that is dragged by `way` at any of its points. It turns
+// like a part that a pad pushes (squeezing.h).
 double TurnOfDrag(const domain::Part& part, const Pose& X_WorldPart, double way) {
-  constexpr double kTurn = 0.55;  // per radius of gyration
+  constexpr double kTurn = 0.55;  // the turn, in shares of the way over the radius of gyration
   const geometry::MassProperties& mass = part.model->mass();
   const Vector3 up = X_WorldPart.linear().transpose() * Vector3::UnitZ();
   return std::min(std::numbers::pi, kTurn * way / std::sqrt(up.dot(mass.inertia * up) / mass.mass));
@@ -66,10 +67,11 @@ double TurnOfDrag(const domain::Part& part, const Pose& X_WorldPart, double way)
 
 }  // namespace
 
-// The part is turned by `turned` about the tool's axes, and the table turns it back until twist *
-// up is left of that. Whichever axes resist least, what is left lies between the twists at which
-// one axis needs no turning back: whatever is beyond turns farther about each of them. Turning
-// about several axes adds the products of angles.
+// The part is turned by `turned` about the tool's axes, and the table turns it back until the turn
+// `twist` * up is left. The pads decide about which axes the part is turned back. In every case the
+// turn that is left lies between the twists at which one of the axes needs no turning back: any
+// twist beyond these would have to turn farther about each axis. Turning about several axes adds
+// the products of angles.
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw) {
   const HeldError& held = world.held();
   const auto most = [&](const Expression& angle) { return Magnitude(world.RangeOf(angle)); };

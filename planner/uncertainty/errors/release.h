@@ -4,57 +4,61 @@
 
 namespace assay::uncertainty {
 
-// The error of a part on the table once the hand has let it go where it thinks is X_WorldPart;
-// X_ToolGrasp is T'_d. Its displacement is that of the part in the hand: what the part lands on
-// replaces a component.
-//
-// A part that comes upright has the hand's rotation, and what it was skewed in the hand. A tool
-// that leans turns the part about its own axis: the table, or the seat of a mating, sets it upright
-// again while the pads still hold it (paper mode leaves that out).
+// Returns whether the part comes upright to X_WorldPart, its believed pose when the hand lets it
+// go. An upright part keeps the hand's rotation, and its own skew in the hand. A tool that leans
+// turns the part about the tool's own axis. The table, or the seat of a mating, then sets the part
+// upright again while the pads still hold it. (Paper mode leaves this levelling out.)
 bool ComesUpright(const UncertainWorld& world, const plan::Hold& hold, const Pose& X_WorldPart);
 
-// What the errors of hand and grasp make of a part whose tool sees the vertical as `up`: how far it
-// leans, what turn about the vertical is left of it once the table has levelled it, and the angle
-// of that levelling, by which its points move. Radians.
+// The effect of the errors of hand and grasp on a part that comes down leaning. Angles are in
+// radians.
 //
-// The axis of the levelling is the pads' to choose: they resist turns about the tool's axes, each
-// in its own measure. A hand that leans by a and errs by theta about its approach may leave the
-// part turned by theta / cos a, if the pads give way across the approach, or not at all, if about
-// it.
+// The axis of the levelling depends on the pads: they resist turns about each of the tool's axes by
+// a different amount. A hand that leans by a and errs by theta about its approach vector may leave
+// the part turned by theta / cos a, if the pads give way across the approach vector. If they give
+// way about the approach vector, the part may not be turned at all.
 struct Leaning {
-  double tilt = 0;
-  double twist = 0;
-  double levelling = 0;
+  double tilt = 0;   // how far the part leans
+  double twist = 0;  // turn about the vertical that is left once the table has levelled the part
+  double levelling = 0;  // angle of the levelling, by which the part's points move
 };
+// Returns the leaning of a part whose tool has the vertical `up` in its axes. `draw` is the hand's
+// error.
 Leaning LeaningOf(const UncertainWorld& world, const Vector3& up, const ManipulatorError& draw);
 
-// Metres that pads go down on a part that already stands: none if they bear what stops them.
-// `released`: its error, once it is let go.
+// Returns how many metres the pads slide down on a part that already stands: 0 if they bear the
+// force that stops them. `released` is the part's error once it is let go.
 double SlideOfPads(const UncertainWorld& world, const ManipulatorError& draw,
                    const RestingError& released);
 
+// Returns the error of a part on the table once the hand has let it go. X_WorldPart is its believed
+// pose then, and X_ToolGrasp is T'_d. The displacement is that of the part in the hand. The caller
+// replaces the component that the surface under the part determines.
 RestingError Release(UncertainWorld& world, PartId part, const plan::Hold& hold,
                      const Transform& X_ToolGrasp, const ManipulatorError& draw,
                      const Pose& X_WorldPart);
 
-// The same of a part that was mated. Along the mating motion it stands where its seat is, which is
-// displaced like the fixed part; across, the wrist may have yielded.
+// Returns the error of a part once it is let go in the seat of a mating. Along the mating motion
+// the part stands where its seat is, and the seat is displaced like the fixed part. Across the
+// motion, the wrist may have yielded.
 RestingError ReleaseInSeat(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                            const Transform& X_ToolGrasp, const ManipulatorError& draw);
 
-// The same of a part that a strategy has led in: the walls have it, whatever the hand does, so that
-// it is displaced like the fixed part, but for the play between them.
+// Returns the error of a part that a strategy has led into its seat. The walls hold the part there,
+// whatever the hand does. So it is displaced like the fixed part, plus the play between the two.
 RestingError LedToSeat(UncertainWorld& world, domain::MatingId mating);
 
-// What lands leaning in its seat, or yields to the seat's walls, drags the fixed part along by as
-// much where friction between the two is more than what keeps the fixed part: that becomes an error
-// of the fixed part.
+// The greatest movement of a fixed part that a mating drags along. A held part moves when it lands
+// leaning in its seat, or when it yields to the seat's walls. It drags the fixed part by the same
+// distance if friction between the two exceeds what keeps the fixed part in place.
 struct Drag {
-  double way = 0;   // metres, along x and along y
+  double way = 0;   // metres, along x and along y each
   double turn = 0;  // radians
 };
 Drag DragOfFixed(const UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                  const ManipulatorError& draw);
+// Adds the movement that DragOfFixed returns to the error of the fixed part. (Paper mode leaves it
+// out.)
 void DragFixed(UncertainWorld& world, domain::MatingId mating, const plan::Hold& hold,
                const ManipulatorError& draw);
 

@@ -14,7 +14,7 @@ namespace {
 using algebra::operator+;
 using algebra::operator-;
 
-// Replaces `error`, if the promise says more, by a new variable; the belief shifts by the
+// Replaces `error` by a new variable if the promise is narrower. The believed pose shifts by the
 // difference, because the part stays where it is.
 void Measure(UncertainWorld& world, PartId part, const char* what, const Interval& promise,
              Expression& error, Expression& shift) {

@@ -15,7 +15,7 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
-constexpr double kTurnOfPush = 0.55;  // per radius of gyration
+constexpr double kTurnOfPush = 0.55;  // the turn, in shares of the push over the radius of gyration
 
 HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold& hold) {
   Pose R_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
@@ -25,7 +25,7 @@ HeldError AsPublished(const UncertainWorld& world, PartId part, const plan::Hold
   return {.x = D[0], .z = D[2]};
 }
 
-// Where the grasped point is before the pads close, in the frame of the true hand.
+// Returns where the grasped point is before the pads close, in the frame of the true hand.
 SymbolicVector GraspedPoint(const UncertainWorld& world, PartId part, const plan::Hold& hold,
                             const ManipulatorError& draw) {
   const Pose X_WorldTool = world.X_WorldPart(part) * hold.X_PartTool;
@@ -34,13 +34,14 @@ SymbolicVector GraspedPoint(const UncertainWorld& world, PartId part, const plan
   return algebra::Simplify(X_TrueHandPart * AsTransform(hold.X_PartTool).translation);
 }
 
-// Smoother pads let the part slip until it lies flat, which is among what jammed ones may leave.
+// The greatest friction covers every case: smoother pads let the part slip until it lies flat, and
+// a flat part is one of the results that jammed pads may leave.
 double GreatestPadFriction(const domain::Problem& problem) {
   return problem.workcell->rules().pad_friction + problem.tolerances.pad_friction;
 }
 
-// What the closing of the pads does to the part at most. Angles in radians, lengths in metres,
-// along and about the tool's axes, all of them magnitudes.
+// The greatest effect that closing the pads may have on the part. Angles are in radians and lengths
+// in metres, about and along the tool's axes; all of them are magnitudes.
 class Closing {
  public:
   Closing(const UncertainWorld& world, PartId part, const plan::Hold& hold,
@@ -66,11 +67,11 @@ class Closing {
   }
 
   bool jams() const { return jams_; }
-  double turn() const { return turn_; }  // between faces and pads, when these touch
+  double turn() const { return turn_; }  // between faces and pads, when they touch
 
-  // How much of the way that the part turns is about an axis. In a tool that leans, flat faces
-  // follow the hand's own rotation out of the vertical; and rotations about different axes make up
-  // to their product about the third.
+  // Returns how much of the part's total turn is about an axis, in radians. In a tool that leans,
+  // flat faces follow the hand's own rotation out of the vertical. Rotations about two axes
+  // together turn the part about the third axis by up to their product.
   double TurnAbout(int axis) const {
     if (is_straight()) return axis == 2 ? way_ : 0;
     const double products = up_.y() == 0 && !jams_ ? 0 : way_ * way_;
@@ -89,7 +90,8 @@ class Closing {
     const Vector3 way = WaysOfGraspedPoint();
     return way.z() + turn_ * (way.x() + way.y());
   }
-  // Of a part that jammed: its two contacts lie within the pads, equally far from the middle.
+  // Returns the y error of a part that jammed: its two contacts lie within the pads, equally far
+  // from the middle.
   double SkewY() const { return 2 * (pad_x_ + pad_z_) * std::sin(turn_); }
 
  private:
@@ -97,17 +99,17 @@ class Closing {
 
   bool is_straight() const { return std::abs(up_.z()) == 1; }
 
-  // Across which the pads touch the faces, also if the part is displaced along them.
+  // Returns the length on which the pads touch the faces, even if the part is displaced along them.
   double ContactLength() const {
     const double along_x = 2 * pad_x_ - off_x_;
     return is_straight() ? along_x : std::min(along_x, 2 * pad_z_ - off_z_);
   }
 
-  // How far the first pad may turn the part while it pushes it to the second.
+  // Returns how far the first pad may turn the part while it pushes it to the second one.
   double TurnOfPush(const geometry::MassProperties& mass, const Pose& X_WorldPart,
                     const plan::Hold& hold, double turned, double push) const {
     const Vector3 center = hold.X_PartTool.inverse() * mass.center;
-    const Vector3 level = up_.cross(Vector3::UnitY());  // along the pads
+    const Vector3 level = up_.cross(Vector3::UnitY());  // horizontal, along the pads
     const double reach = pad_x_ * std::abs(level.x()) + pad_z_ * std::abs(level.z());
     const double lever = std::abs(level.dot(center)) + std::hypot(off_x_, off_z_) +
                          center.norm() * std::sin(AtMostRight(turned));
@@ -116,14 +118,16 @@ class Closing {
     return kTurnOfPush * push / std::sqrt(up.dot(mass.inertia * up) / mass.mass);
   }
 
-  // First to the turned position and back, or only back.
+  // Returns the slip of the grasped point in an upright tool. A pushed part turns first to the
+  // turned position and then back; any other only turns back.
   double StraightSlip() const {
     const double across = half_width_ * (pushed_turn_ + std::sin(turn_));
     const double along = 2 * pad_x_ * (1 - std::cos(turn_));
     return across + (pushed_turn_ > 0 ? 2 * along : along);
   }
 
-  // In the part's own axes, about points on its faces that the pads reach.
+  // Returns how far the grasped point moves, in the part's own axes, when the part turns about
+  // points on its faces that the pads reach.
   Vector3 WaysOfGraspedPoint() const {
     const Vector3 about(TurnAbout(0), TurnAbout(1), TurnAbout(2));
     const Vector3 arm(2 * pad_x_, half_width_, 2 * pad_z_);
@@ -131,7 +135,7 @@ class Closing {
             about.x() * arm.y() + about.y() * arm.x()};
   }
 
-  Vector3 up_;  // in the tool's axes
+  Vector3 up_;  // the vertical, in the tool's axes
   double pad_x_;
   double pad_z_;
   double half_width_;
@@ -140,7 +144,7 @@ class Closing {
   double off_z_;
   double pushed_turn_ = 0;
   double turn_ = 0;
-  double way_ = 0;  // that the part turns in all
+  double way_ = 0;  // the total turn of the part, there and back
   bool jams_ = false;
 };
 

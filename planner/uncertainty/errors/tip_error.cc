@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kAlmostOne = 1 - 1e-12;
 
-// Half the antisymmetric part of a rotation.
+// Returns half the antisymmetric part of a rotation: the rotation axis times the sine of the angle.
 SymbolicVector SineVector(const Transform& turn) {
   const auto& R = turn.rotation;
   return {0.5 * (R[2][1] - R[1][2]), 0.5 * (R[0][2] - R[2][0]), 0.5 * (R[1][0] - R[0][1])};
@@ -64,14 +64,15 @@ TipBox BoxOf(const UncertainWorld& world, const std::vector<TipError>& errors) {
   }
   const double sine = sines.norm();
   if (sine >= kAlmostOne) {
-    box.w.setConstant(std::numbers::pi);  // the part may be turned any way
+    box.w.setConstant(std::numbers::pi);  // the part may be turned in any way
   } else if (sine > 0) {
     box.w = std::asin(sine) / sine * sines;
   }
   return box;
 }
 
-// The sine of an angle falls behind it the more, the greater it is.
+// The sine of an angle is smaller relative to the angle, the greater the angle is. So the angle of
+// the whole vector decides.
 Vector3 SinesWithin(const Vector3& w) {
   const double angle = w.norm();
   return angle > 0 ? Vector3(std::sin(angle) / angle * w) : w;

@@ -4,39 +4,41 @@
 
 namespace assay::uncertainty {
 
-// By how much the tip of a held part (plan::Strategy) is elsewhere than where it is believed to be,
-// as the fixed part of the mating sees it: displaced by d, and turned about its origin. In the
+// The error of the tip of a held part (plan::Strategy) against its believed pose, as the fixed part
+// of the mating sees it: the tip is displaced by d, and turned about its origin. Both are in the
 // fixed part's axes.
 struct TipError {
   SymbolicVector d;     // metres
-  SymbolicVector sine;  // the turn's axis, of the length of the sine of its angle
+  SymbolicVector sine;  // the turn's axis, as long as the sine of the turn's angle
 };
 
-// The way of the tip, as far as its error depends on it.
+// The data of the tip's way on which its error depends.
 struct TipWay {
   Pose X_HeldTip;
   Pose X_FixedStart;
-  geometry::Matrix3 R_FixedEnd;  // how it is turned at last
+  geometry::Matrix3 R_FixedEnd;  // the tip's orientation at the end
 };
 TipWay WayOf(const plan::Strategy& strategy);
 
-// At the start, and turned as at the end, this as it is seen when it is turned back to the start.
-// Fine motion takes it that errors turn with the hand: those of the hand and of the grasp do, and
-// those of the fixed part do not, so that the two differ. X_ToolGrasp is T'_d.
+// Returns the tip's error at the start, and its error once it is turned as at the end. The second
+// error is given as it is seen when the tip is turned back to the start. Fine motion assumes that
+// errors turn with the hand. The errors of the hand and of the grasp do so, but those of the fixed
+// part do not, so the two results differ. X_ToolGrasp is T'_d.
 std::vector<TipError> TipErrors(const UncertainWorld& world, domain::MatingId mating,
                                 const plan::Hold& hold, const Transform& X_ToolGrasp,
                                 const TipWay& way);
 
-// A box that contains them: half widths of the displacement, and of the components of the rotation
-// vector; pi each where turns may reach a right angle.
+// A box around a set of tip errors: half widths of the displacement (metres), and of the components
+// of the rotation vector (radians). The rotation's half widths are pi each where turns may reach a
+// right angle.
 struct TipBox {
   Vector3 d = Vector3::Zero();
   Vector3 w = Vector3::Zero();
 };
 TipBox BoxOf(const UncertainWorld& world, const std::vector<TipError>& errors);
 
-// If no component of a turn's sine vector is greater than these, none of its rotation vector is
-// greater than w.
+// Returns bounds on the components of a turn's sine vector: while the sine vector keeps within
+// them, no component of the rotation vector exceeds that of w.
 Vector3 SinesWithin(const Vector3& w);
 
 }  // namespace assay::uncertainty

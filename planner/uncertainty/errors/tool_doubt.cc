@@ -12,7 +12,7 @@ plan::ToolDoubt ToolDoubtAt(const UncertainWorld& world, PartId guide, const Pos
   for (int axis = 0; axis < 3; ++axis) {
     doubt.shift[axis] = Magnitude(world.RangeOf(belief.displacement[axis]));
   }
-  // The hand errs along its own axes, which the belief has turned.
+  // The hand errs along its own axes, which are turned with the believed pose.
   doubt.shift += X_WorldTool.linear().cwiseAbs() * errs;
   doubt.shift.head<2>().array() += turn * errs.norm();
   return doubt;

@@ -5,8 +5,9 @@
 
 namespace assay::uncertainty {
 
-// Of a pose of the tool that goes with the part `guide`: the hand goes where the part is believed
-// to be by then, and errs. None: it goes where the plan has it, and errs.
+// Returns the error box of a tool pose that goes with the part `guide`: the hand goes where that
+// part is believed to be by then, with the hand's own error. Without a guide (None), the hand goes
+// to the planned pose, with its own error.
 plan::ToolDoubt ToolDoubtAt(const UncertainWorld& world, PartId guide, const Pose& X_WorldTool);
 
 }  // namespace assay::uncertainty

@@ -16,8 +16,10 @@
 namespace assay::uncertainty {
 namespace {
 
-constexpr std::size_t kMostNodes = 60;  // of expressions that are kept as they are
-constexpr double kNegligible = 0.02;    // of what all variables of an expression do together
+// Greatest number of operations in an expression that is kept as it is.
+constexpr std::size_t kMostNodes = 60;
+// share of an expression's variation below which variables go into the rest
+constexpr double kNegligible = 0.02;
 
 std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>& expressions) {
   std::set<algebra::VariableId> occurring;
@@ -30,7 +32,7 @@ std::set<algebra::VariableId> VariablesOccurringIn(const std::vector<Expression>
 
 }  // namespace
 
-// "peg-1" becomes "peg_1": names of variables have no hyphens.
+// Names of variables have no hyphens: "peg-1" becomes "peg_1".
 std::string UncertainWorld::SymbolName(PartId part) const {
   std::string name = problem_->part(part).name;
   std::ranges::replace(name, '-', '_');

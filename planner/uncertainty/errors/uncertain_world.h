@@ -16,74 +16,82 @@ namespace assay::uncertainty {
 
 using domain::PartId;
 
-// What is known of where everything is, at one moment of a plan instance: the world description of
-// Spar's uncertainty-reduction level. Copies share their variables, so a copy must not outlive the
-// last of them. Two copies that go on in different ways stay independent of each other, but declare
-// the same variables as long as they declare alike: no expression may join what the two know.
+// What is known about the pose of everything at one time of a plan instance: the world description
+// of Spar's uncertainty-reduction level. Copies share their variables, and expressions must not
+// outlive the last copy. Two copies that go on in different ways stay independent of each other.
+// Equal declarations in both give the same variable, so no expression may combine what the two
+// know.
 class UncertainWorld {
  public:
-  // As the problem begins.
+  // Creates the world as the problem begins.
   UncertainWorld(const domain::Problem& problem, Propagation propagation);
 
   const domain::Problem& problem() const { return *problem_; }
   Propagation propagation() const { return propagation_; }
 
-  // Where the plan has the part; of the part in the hand: where it was taken.
+  // Returns the part's planned pose. For the part in the hand, it is the pose at which it was
+  // taken.
   const Pose& X_WorldPart(PartId part) const { return parts_[part.index()].X_WorldPart; }
-  // How the pose that is believed now differs from the plan's.
+  // Returns the difference between the part's believed pose and its planned pose.
   const BeliefShift& shift(PartId part) const { return parts_[part.index()].shift; }
-  // About where the part is believed to be, as seen from where the plan has it: what the hand does
-  // with the part is shifted and turned like the belief, so that all that happens between the two
-  // happens as if the belief had never changed.
+  // Returns the part's error about its believed pose, in axes that turn with that pose. The hand's
+  // work on the part is shifted and turned like the believed pose. So everything between the two
+  // happens as if the believed pose had never changed.
   const RestingError& resting(PartId part) const { return parts_[part.index()].error; }
-  // The same in the world's axes: what a sensor tells.
+  // Returns the part's error about its believed pose, in the world's axes. This is what a sensor
+  // measures.
   const RestingError& resting_in_world(PartId part) const { return parts_[part.index()].in_world; }
-  // About where the plan has it, in the world's axes.
+  // Returns the part's error about its planned pose, in the world's axes.
   RestingError about_plan(PartId part) const;
-  // By how much a point that goes with the part's believed pose is shifted from the plan's.
+  // Returns how far a point that moves with the part's believed pose is shifted from its planned
+  // place.
   BeliefShift ShiftAt(PartId part, const Vector3& point) const;
   PartId in_hand() const { return in_hand_; }  // None: the hand is empty
   const HeldError& held() const { return held_; }
 
-  // The error of the hand at one more commanded pose: drawn afresh (sound), or ever the same
-  // variables (paper).
+  // Returns the error of the hand at one more commanded pose: new variables each time (sound mode),
+  // or always the same variables (paper mode).
   ManipulatorError DrawManipulator();
-  // The table's height error where a part is put down: what the problem says of the part's z.
+  // Returns the error of the table's height where a part is put down: the problem's error of the
+  // part's z.
   Expression DrawTableHeight(PartId part);
-  // A bounded variable that is new to this world and belongs to a part; a number if the interval
-  // has no width.
+  // Returns a bounded variable that is new to this world and belongs to a part. Returns a number if
+  // the interval has no width.
   Expression Declare(const std::string& stem, const Interval& range, PartId part);
-  // The part's name, as the names of its variables end.
+  // Returns the part's name in the form that ends the names of its variables.
   std::string SymbolName(PartId part) const;
 
-  // What is set is condensed in sound mode: a long expression is replaced by an affine form
-  // (algebra/affine_form.h), its rest a new variable. Otherwise expressions would grow by a factor
-  // with every action (Spar, "Propagation of Uncertainty").
+  // Sets the error of the part in the hand. In sound mode, this function and SetResting condense
+  // what they set: a long expression is replaced by an affine form (algebra/affine_form.h), whose
+  // rest is a new variable. Otherwise expressions would grow by a factor with every action (Spar,
+  // "Propagation of Uncertainty").
   void SetHeld(PartId part, const HeldError& error);
-  // At X_WorldPart of the plan, the belief shifted from there; the error as `resting` tells it.
+  // Sets a part down: at the plan's X_WorldPart, with its believed pose shifted from there by
+  // `shift`. `error` is in the axes of `resting`.
   void SetResting(PartId part, const Pose& X_WorldPart, const RestingError& error,
                   const BeliefShift& shift);
-  // The part stays; what is believed of it changes. The error as `resting_in_world` tells it.
+  // Changes the believed pose of a part that stays where it is. `in_world` is in the axes of
+  // `resting_in_world`.
   void SetBelief(PartId part, const BeliefShift& shift, const RestingError& in_world);
-  // Every part that rests turns out to be where the plan has it, its height as it may be unless
-  // heights are told, too.
+  // Records that every part that rests is observed to be where the plan has it. Heights keep their
+  // errors unless `with_heights` is set.
   void TellWherePartsRest(bool with_heights);
 
-  const algebra::ConstraintSet& constraints() const {  // the box of all variables
+  const algebra::ConstraintSet& constraints() const {  // box of all variables
     return variables_->declared;
   }
-  // Guaranteed ranges of the expression, in which nothing is missing: by plain interval arithmetic,
-  // and by the ladder of bounds.
+  // Return guaranteed ranges, which contain all values of the expression. RangeOf uses plain
+  // interval arithmetic, and TightRangeOf the tighter bounding methods.
   Interval RangeOf(const Expression& expression) const;
   Interval TightRangeOf(const Expression& expression) const;
-  // To first order, for very little work where much has been asked before.
+  // Return bounds to first order. They cost very little work where much has been bounded before.
   algebra::Glance GlanceAbove(const Expression& expression, double limit) const;
   algebra::Glance GlanceBelow(const Expression& expression, double limit) const;
   algebra::Bound FirstOrderAbove(const Expression& expression) const;
   algebra::Bound FirstOrderBelow(const Expression& expression) const;
-  // The parts whose errors occur in the expressions, in increasing order.
+  // Returns the parts whose errors occur in the expressions, in increasing order.
   std::vector<PartId> PartsIn(const std::vector<Expression>& expressions) const;
-  // The variables that occur in the expressions, by name and range.
+  // Returns the variables that occur in the expressions, with name and range.
   std::vector<plan::ErrorVariable> VariablesIn(const std::vector<Expression>& expressions) const;
   const std::string& NameOf(algebra::VariableId variable) const;
 
@@ -97,13 +105,13 @@ class UncertainWorld {
   struct Variables {
     algebra::ExpressionPool pool;
     algebra::ConstraintSet declared = {};
-    std::vector<std::string> stems = {};  // by VariableId
-    std::vector<PartId> owners = {};      // by VariableId; None: the hand
+    std::vector<std::string> stems = {};  // the name's stem of each variable, by VariableId
+    std::vector<PartId> owners = {};  // the part of each variable, by VariableId; None: the hand
     algebra::FirstOrderForms first_order = {};
     std::map<int, Interval> tight_ranges = {};  // by Expression::index
   };
 
-  // `rest`: the new variable's name before the part's.
+  // `rest` is the stem of the new variable's name, to which the part's name is added.
   Expression Condensed(const Expression& e, const char* rest, PartId part);
   RestingError Condensed(const RestingError& error, PartId part);
   Expression DeclareOfPart(const char* what, const Interval& range, PartId part);
@@ -111,14 +119,14 @@ class UncertainWorld {
   const domain::Problem* problem_;
   Propagation propagation_;
   std::shared_ptr<Variables> variables_;
-  std::map<std::string, int> count_by_stem_;  // of the variables of this world
+  std::map<std::string, int> count_by_stem_;  // number of variables of this world by stem
   std::vector<PartKnowledge> parts_;
   PartId in_hand_ = PartId::None();
   HeldError held_;
-  std::shared_ptr<const ManipulatorError> only_draw_;  // in paper mode
+  std::shared_ptr<const ManipulatorError> only_draw_;  // only set in paper mode
 };
 
-// The greatest absolute value in the interval.
+// Returns the greatest absolute value in the interval.
 double Magnitude(const Interval& range);
 
 }  // namespace assay::uncertainty

@@ -9,7 +9,8 @@ namespace {
 
 bool IsSame(const Pose& a, const Pose& b) { return a.matrix() == b.matrix(); }
 
-// To the errors: which of them it absorbs, and where it starts and ends.
+// Returns whether the two strategies are the same as far as errors are concerned: they absorb the
+// same errors, and start and end in the same poses.
 bool IsSame(const plan::Strategy* a, const plan::Strategy* b) {
   if (a == nullptr || b == nullptr) return a == b;
   const TipWay way = WayOf(*a);

@@ -11,29 +11,32 @@ namespace assay::uncertainty {
 
 using MomentId = Id<struct MomentTag>;
 
-// What is known after each sequence of actions from the beginning of a problem, and which goals are
-// not proved on the way: worked out when it is asked for, and once. Plan instances begin alike, and
-// so do they with one remedy and with another.
+// The knowledge after each sequence of actions from the beginning of a problem, and the goals that
+// are not proved on the way. Each result is computed when it is asked for, and only once: plan
+// instances share their first actions, and so do instances that differ in one remedy.
 class WorldTree {
  public:
-  // The problem must outlive the tree. `learn`: what is found out at the beginning and after each
-  // action, without any action of the plan; empty: nothing.
+  // The problem must outlive the tree. `learn` adds what is observed at the beginning and after
+  // each action, without any action of the plan. An empty `learn` adds nothing.
   WorldTree(const domain::Problem& problem, Propagation propagation,
             const algebra::BoundRequest& request, std::function<void(UncertainWorld&)> learn = {});
 
   MomentId Beginning() const { return MomentId(0); }
-  // After one more action; `strategy`: null if it goes straight.
+  // Returns the snapshot after one more action. `strategy` is null if the action goes straight.
   MomentId After(MomentId before, const plan::Action& action, const plan::Strategy* strategy);
 
   const UncertainWorld& WorldAt(MomentId moment);
-  // Of the action that leads to a moment. All that is unproved is found at once: who asks whether
-  // something is, mostly asks what, next.
+  // Returns the unproved preconditions of the action that leads to a snapshot. All of them are
+  // found at once, since a caller that asks whether any precondition is unproved mostly asks for
+  // the list next.
   const std::vector<Unproved>& UnprovedAt(MomentId moment);
   bool IsProved(MomentId moment) { return UnprovedAt(moment).empty(); }
-  // One of these, with the bound that the action's certificate tells.
+  // Returns one of the preconditions of UnprovedAt, with the bound that the action's certificate
+  // states.
   Unproved Told(MomentId moment, const Unproved& unproved);
 
-  int size() const { return static_cast<int>(moments_.size()); }  // moments that were asked for
+  // Returns the number of snapshots that were asked for.
+  int size() const { return static_cast<int>(moments_.size()); }
 
  private:
   struct Moment {
@@ -52,7 +55,7 @@ class WorldTree {
 
   algebra::BoundRequest request_;
   std::function<void(UncertainWorld&)> learn_;
-  std::deque<Moment> moments_;  // the beginning first
+  std::deque<Moment> moments_;  // starts with the beginning of the problem
 };
 
 }  // namespace assay::uncertainty

@@ -45,7 +45,7 @@ CertifiedPrecondition ClaimOf(const Precondition& precondition, const Bound& bou
           .rung = std::string(algebra::Name(bound.rung))};
 }
 
-// The claim, if what is seen of its expression tells whether it holds.
+// Returns the claim, if quick bounds (algebra/methods/glance.h) tell whether it holds.
 std::optional<CertifiedPrecondition> Seen(const Precondition& precondition,
                                           const algebra::Glance& glance) {
   const bool less = precondition.relation == Relation::kLess;
@@ -90,7 +90,7 @@ class StepCertifier {
     RestingError error =
         Release(world_, squeeze.part, squeeze.hold, PossibleGrasp(held, draw, world_.propagation()),
                 draw, world_.X_WorldPart(squeeze.part));
-    error.displacement[2] = height;  // it stays on the table
+    error.displacement[2] = height;  // the part stays on the table
     world_.SetResting(squeeze.part, world_.X_WorldPart(squeeze.part), error, shift);
     After(squeeze.part);
   }
@@ -154,7 +154,7 @@ class StepCertifier {
 
  private:
   bool certifies() const { return effort_ == Effort::kCertify; }
-  // Whether more is to be known of preconditions.
+  // Returns whether there is more to find out about preconditions.
   bool decides() const {
     const bool is_answered = effort_ == Effort::kDecideFirst && !certified_.unproved.empty();
     return effort_ != Effort::kPropagate && !is_answered;
@@ -187,14 +187,14 @@ class StepCertifier {
     RequireSound([&] { return HoldingPreconditions(world_, part, hold, held, turning); });
   }
 
-  // What the paper does not ask for.
+  // Requires conditions that the paper does not ask for.
   template <class Conditions>
   void RequireSound(const Conditions& conditions) {
     if (!decides() || world_.propagation() == Propagation::kPaper) return;
     Require(conditions());
   }
 
-  // Of what was mated, and of what it was mated with.
+  // Requires that the mated part and the fixed part keep standing.
   void RequireStanding(const plan::Assemble& assemble, const ManipulatorError& draw,
                        const Pose& X_WorldHeld, const RestingError& released) {
     const domain::Problem& problem = world_.problem();
@@ -208,7 +208,7 @@ class StepCertifier {
     RequireSound([&] { return FixedPreconditions(world_, assemble.mating, released, strategy_); });
   }
 
-  // Of the hand that opens, and of the held part on its way.
+  // Requires clearance for the hand that opens, and for the held part on its way.
   void RequireClearMating(const plan::Assemble& assemble, const ManipulatorError& draw,
                           const Transform& grasp, const RestingError& released) {
     const domain::Mating& mating = world_.problem().mating(assemble.mating);
@@ -234,7 +234,8 @@ class StepCertifier {
     }
   }
 
-  // What a glance proves is proved, also where the ladder has stopped before at the wanted gap.
+  // A claim that quick bounds prove is proved, even if the bounding methods stopped with a looser
+  // bound at the wanted gap.
   CertifiedPrecondition Certified(const Precondition& precondition) {
     if (std::optional<CertifiedPrecondition> claim = ProvedToFirstOrder(precondition)) {
       return *std::move(claim);
@@ -255,7 +256,8 @@ class StepCertifier {
     return claim;
   }
 
-  // Mostly: then the ladder is not climbed, whose first rungs, where it stops, are looser.
+  // First-order bounds prove most claims, and the bounding methods need not run then. They would
+  // stop at the first method that proves the claim, whose bound is looser.
   std::optional<CertifiedPrecondition> ProvedToFirstOrder(const Precondition& precondition) {
     if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
     const bool less = precondition.relation == Relation::kLess;
@@ -273,8 +275,9 @@ class StepCertifier {
     return ClaimOf(precondition, BoundOf(precondition, world_, request_));
   }
 
-  // Glances answer most questions, if not as tightly. They see what the centred rung sees: where
-  // less is wanted, they must not tell more than the certificate will.
+  // Quick bounds answer most questions, with looser bounds. They find what the centred bounding
+  // method finds. If the request allows only weaker methods, they must not prove more than the
+  // certificate will, so they are not used.
   std::optional<CertifiedPrecondition> AtAGlance(const Precondition& precondition) const {
     if (request_.highest < algebra::Rung::kCentred) return std::nullopt;
     const auto& [condition, meaning, expression, relation, limit, neighbour] = precondition;
@@ -300,7 +303,8 @@ class StepCertifier {
   const algebra::BoundRequest& request_;
   const plan::Strategy* strategy_;
   CertifiedStep certified_;
-  std::vector<Expression> expressions_;  // of the certificate's preconditions, one each
+  // Expressions of the certificate's preconditions, in the same order.
+  std::vector<Expression> expressions_;
 };
 
 }  // namespace

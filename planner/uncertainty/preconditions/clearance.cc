@@ -13,7 +13,7 @@ namespace assay::uncertainty {
 namespace {
 
 constexpr double kParallelEdges = 1e-6;  // sine of the angle between edges
-constexpr double kAhead = 1e-12;         // metres: less is rounding
+constexpr double kAhead = 1e-12;         // metres: less than this is rounding
 
 Expression Along(const Vector3& direction, const SymbolicVector& p) {
   return direction.x() * p[0] + direction.y() * p[1] + direction.z() * p[2];
@@ -28,8 +28,8 @@ PossibleFrame FrameOf(const UncertainWorld& world, const Pose& planned, const Re
   return {planned, PossiblePose(planned, error), Magnitude(world.RangeOf(error.theta))};
 }
 
-// The plane that leaves the widest gap between two bodies beyond what displacements may take; the
-// first that leaves enough will do.
+// Searches for the plane that leaves the widest gap between two bodies beyond what displacements
+// may take. The first plane that leaves enough ends the search.
 class WidestGap {
  public:
   WidestGap(const Body& from, const Body& to, const Vector3& displacement, double enough)
@@ -46,7 +46,8 @@ class WidestGap {
   const Vector3& direction() const { return direction_; }
 
  private:
-  // Edges of one body make its faces; those of a box are known.
+  // Planes along two edges of one body are its own faces. The faces of a box, which has three
+  // edges, are tried already.
   bool TryEdges(const Body& a, const Body& b) {
     const std::vector<Vector3> of_a = a.Edges();
     if (&a == &b && of_a.size() == 3) return false;
@@ -143,8 +144,8 @@ SymbolicVector Body::Possible(const Point& point) const {
   return point.at_far_end ? p + way_.possible : p;
 }
 
-// One that is surely behind another one is not: they are displaced alike, and turned, one against
-// the other, by no more than their distance allows.
+// A point that is surely behind another one is left out. Both points have the same displacement,
+// and a turn moves one against the other by no more than their distance allows.
 std::vector<Body::Point> Body::Foremost(const Vector3& direction) const {
   std::vector<Point> points;
   for (const Vector3& corner : box_.Corners()) {

@@ -9,56 +9,57 @@
 
 namespace assay::uncertainty {
 
-// Of a frame, as seen from another in which all is told, the world or the hand: where the plan has
-// it, where it may be, and by how much it may be turned.
+// A frame as seen from a reference frame, which is the world or the hand: its planned pose, its
+// possible pose, and the greatest angle by which it may be turned.
 struct PossibleFrame {
   Pose planned;
   Transform possible;
   double angle = 0;  // about any axis, radians
 };
-// By how much the origin of one may be displaced against that of the other, along each axis,
-// metres.
+// Returns the greatest displacement, along each axis and in metres, of the origin of one frame
+// against that of the other.
 Vector3 DisplacementBetween(const UncertainWorld& world, const PossibleFrame& a,
                             const PossibleFrame& b);
-// Of a part that rests, in the world: about where the plan has it; and about where it is believed
-// to be, as what the hand does with it sees it (UncertainWorld::resting).
+// Return the frame of a part that rests, in the world. FrameOf has its errors about the planned
+// pose; BelievedFrameOf has them about the believed pose, as the hand that works on the part sees
+// them (UncertainWorld::resting).
 PossibleFrame FrameOf(const UncertainWorld& world, PartId part);
 PossibleFrame BelievedFrameOf(const UncertainWorld& world, PartId part);
-// The frame moved like the belief that it goes by.
+// Returns the frame of a body that follows a believed pose, after that pose has moved by `shift`.
 PossibleFrame Shifted(const UncertainWorld& world, const PossibleFrame& frame,
                       const BeliefShift& shift);
 
-// A straight way along which a body goes with its frame, without turning.
+// A straight way along which a body moves with its frame, without turning.
 struct StraightWay {
   Vector3 planned = Vector3::Zero();  // metres
   SymbolicVector possible = {0, 0, 0};
-  double doubt = 0;  // how far its end may be from the plan's, at most
+  double doubt = 0;  // greatest distance of its end from the planned end, metres
 };
-// Turned about the world's z by an angle that is a belief's.
+// Returns a way that is turned about the world's z by `turn`, the turn of a believed pose.
 StraightWay WayOf(const UncertainWorld& world, const Vector3& planned, const Expression& turn);
 
-// The convex hull of a box that goes with a frame, and of the same box at the other end of a way.
+// The convex hull of a box that moves with a frame, and of the same box at the other end of a way.
 class Body {
  public:
-  // `frame` must outlive it.
+  // `frame` must outlive the body.
   Body(const PossibleFrame& frame, const geometry::Box& box, const StraightWay& way = {});
 
   // A corner of the box, at one end of the way.
   struct Point {
-    Vector3 local;    // in the frame
-    Vector3 planned;  // where the plan has it
+    Vector3 local;    // position in the frame
+    Vector3 planned;  // planned position
     bool at_far_end = false;
   };
   SymbolicVector Possible(const Point& point) const;
-  // Those that may be the farthest along a direction.
+  // Returns the corners that may be the farthest along a direction.
   std::vector<Point> Foremost(const Vector3& direction) const;
 
-  // As planned.
-  const geometry::Matrix3& axes() const { return axes_; }  // of the box
-  std::vector<Vector3> Edges() const;                      // their directions
-  Interval ReachAlong(const Vector3& direction) const;     // from where to where it reaches
-  // How far its points may be off, in any direction, for other reasons than that the frame is
-  // displaced.
+  // These functions describe the body as planned.
+  const geometry::Matrix3& axes() const { return axes_; }  // orientation of the box
+  std::vector<Vector3> Edges() const;                      // directions of the hull's edges
+  Interval ReachAlong(const Vector3& direction) const;     // range of the body along a direction
+  // Returns how far the body's points may be off, in any direction, apart from the displacement of
+  // the frame: metres.
   double turned() const { return turned_; }
 
  private:
@@ -66,26 +67,27 @@ class Body {
   geometry::Box box_;
   StraightWay way_;
   geometry::Matrix3 axes_;
-  Vector3 middle_;  // of the box, as planned
+  Vector3 middle_;  // middle of the box, as planned
   double turned_ = 0;
 };
 
-// What two bodies that stay apart are a precondition of.
+// The text of a precondition that keeps two bodies apart.
 struct Statement {
-  std::string condition;  // of Precondition, as is
+  std::string condition;  // see Precondition::condition
   std::string meaning;
 };
 
 struct Clearance {
   Statement statement;
-  Vector3 displacement;  // between the bodies' frames
-  Vector3 slack;         // what else may move one against the other, along each axis, metres
-  PartId neighbour = PartId::None();  // Precondition::neighbour
+  Vector3 displacement;  // possible displacement between the bodies' frames, metres
+  Vector3 slack;         // other movement of one against the other, along each axis, metres
+  PartId neighbour = PartId::None();  // see Precondition::neighbour
 };
 
-// Requires that a plane keeps the two bodies apart: of those along their faces, and along an edge
-// of each, the one that leaves most beyond what displacements may take. One of these separates
-// convex bodies that are apart. Where no error is great enough, nothing is required.
+// Requires that a plane keeps the two bodies apart. The candidates are planes along the faces of
+// each body, and planes along an edge of each; one of these separates any two convex bodies that
+// are apart. The plane with the widest gap beyond the possible displacements is chosen. Nothing is
+// required where no error is great enough to close the gap.
 void RequireApart(const Body& a, const Body& b, const Clearance& clearance,
                   Preconditions& conditions);
 

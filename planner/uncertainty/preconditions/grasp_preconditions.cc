@@ -24,9 +24,9 @@ class GraspConditions {
                                        PossiblePose(world.X_WorldPart(part), world.resting(part)) *
                                        AsTransform(hold.X_PartTool))) {}
 
-  // The contacts lie at half the part's width from the grasp's origin, the fingers at half the
-  // opening from the tool's: seen from finger 1 the y of a contact is its y seen from the tool plus
-  // half the opening.
+  // The contacts lie at half the part's width from the grasp's origin, and the fingers at half the
+  // opening from the tool's. So the y of a contact as seen from finger 1 is its y as seen from the
+  // tool plus half the opening.
   void RequireContactsBetweenFingers() {
     const double half_opening = gripper_.max_opening() / 2;
     for (const int contact : {1, 2}) {
@@ -96,7 +96,7 @@ class GraspConditions {
   PartId part_;
   Pose X_WorldTool_;  // commanded
   Transform possible_tool_;
-  Transform X_ToolGrasp_;  // where the hand's error finds the grasp of the displaced part
+  Transform X_ToolGrasp_;  // grasp of the displaced part, as seen from the hand with its error
   Preconditions conditions_;
 };
 

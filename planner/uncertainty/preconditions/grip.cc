@@ -6,12 +6,14 @@
 
 namespace assay::uncertainty {
 
-// Forces along the closing direction are borne by the pads' pressures, one of which they lower.
+// Forces along the closing direction are borne by the pads' pressures, and lower the pressure of
+// one pad.
 //
 // Moments are borne by pressure that moves to an edge of one pad and to the opposite edge of the
 // other. If the pads touch in the same places, the two pressures together are then spread wider
 // about the same middle, and friction bears no less: its power in a motion is a convex function of
-// the place. Else the friction of what moves counts for nothing.
+// the place. If they touch in different places, the friction of the pressure that moves counts for
+// nothing.
 double Grip::RatioOf(const GripLoad& load, double force) const {
   const double pressing = force - load.across / 2;
   const double arm = 2 * reach.minCoeff();

@@ -5,29 +5,31 @@
 
 namespace assay::uncertainty {
 
-// What acts on a part between two pads.
+// The load on a part between two pads.
 struct GripLoad {
-  double slipping = 0;  // in the plane of the pads, over what one newton on each of them bears
-  double across = 0;    // along the closing direction, newtons
-  double tilting = 0;   // moment about the axes in the plane of the pads, newton metres
+  // load in the plane of the pads, as a ratio to what one newton on each pad bears
+  double slipping = 0;
+  double across = 0;   // force along the closing direction, newtons
+  double tilting = 0;  // moment about the axes in the plane of the pads, newton metres
 };
 
-// How two pads hold a part, with the least of their friction, where they surely touch. Per newton
-// on each of them.
+// The hold of two pads on a part: their least friction, on the patches where they surely touch, per
+// newton on each pad.
 struct Grip {
   PadFriction friction{{}};
-  Vector2 reach = Vector2::Zero();  // of the pressure from the center of friction, in any sense
-  bool alike = false;               // whether both touch in the same places
+  // Least distance from the center of friction to the patch's edges, along each axis, metres.
+  Vector2 reach = Vector2::Zero();
+  bool alike = false;  // true if both pads touch in the same places
 
-  // The load over what the pads bear when each presses with `force` newtons: below 1 they hold.
-  // Nothing is borne where a pad may touch nothing.
+  // Returns the ratio of the load to what the pads bear when each presses with `force` newtons.
+  // Below 1 they hold. If a pad may touch nothing, the pads bear nothing.
   double RatioOf(const GripLoad& load, double force) const;
 };
 Grip GripOf(const domain::Problem& problem, PartId part, const plan::Hold& hold,
             const OffInHand& off);
 
-// The force in the plane of the pads, and the torsion that it has by acting at `lever` from the
-// center of friction.
+// Returns the force in the plane of the pads (newtons), and the torsion that it causes by acting at
+// `lever` (metres) from the center of friction.
 PlaneLoad ActingAt(const Vector2& lever, const Vector2& force);
 
 }  // namespace assay::uncertainty

@@ -18,9 +18,9 @@ namespace {
 
 using geometry::Box;
 
-constexpr double kFlush = 1e-6;  // metres by which what lies in a plane may stand out of it
+constexpr double kFlush = 1e-6;  // metres by which a body in a plane may stand out of it
 
-// The box, along the frame's axes, about all these.
+// Returns the box, along the frame's axes, that surrounds all these boxes.
 Box Around(std::initializer_list<Box> boxes) {
   Eigen::AlignedBox3d bounds;
   for (const Box& box : boxes) {
@@ -29,13 +29,13 @@ Box Around(std::initializer_list<Box> boxes) {
   return Box::FromCorners(bounds.min(), bounds.max());
 }
 
-// In the tool's frame, as far as the hand goes straight to its work and from there.
+// Boxes of the hand in the tool's frame, on its straight way to its work and from there.
 struct Hand {
-  std::vector<Box> palm;     // with its way back
-  std::vector<Box> open;     // fingers, with their way back
-  std::vector<Box> closing;  // the same fingers, from open to closed
-  std::vector<Box> swept;    // fingers, with all their ways
-  std::vector<Box> closed;   // hand and fingers
+  std::vector<Box> palm;     // the palm, swept along its way back
+  std::vector<Box> open;     // the open fingers, swept along their way back
+  std::vector<Box> closing;  // the fingers, swept from open to closed
+  std::vector<Box> swept;    // the fingers, swept along all their ways
+  std::vector<Box> closed;   // the closed hand with its fingers
 
   Hand(const domain::Workcell& workcell, double width) {
     const kinematics::Gripper& gripper = workcell.gripper();
@@ -55,7 +55,7 @@ struct Hand {
   }
 };
 
-// As seen from the true hand.
+// Returns the grasp as seen from the true hand.
 Transform GraspInHand(const HeldError& held) {
   return PossibleGrasp(held, {0, 0, 0, 0}, Propagation::kSound);
 }
@@ -64,7 +64,7 @@ class HandConditions {
  public:
   enum class Leaves { kYes, kNo };
 
-  // `tool`: where the hand may be as its pads close or open, if nothing were believed anew.
+  // `tool` is the frame of the hand as its pads close or open, with unchanged believed poses.
   HandConditions(const UncertainWorld& world, PartId handled, const plan::Hold& hold,
                  const PossibleFrame& tool)
       : world_(world),
@@ -73,7 +73,8 @@ class HandConditions {
         hand_(*world.problem().workcell, hold.width),
         tool_(tool) {}
 
-  // All parts that rest but these, which the hand does not go by; it goes by a belief so shifted.
+  // Requires clearance from all parts that rest except `but`. The hand's way does not depend on the
+  // believed poses of these parts, but on a believed pose that has moved by `shift`.
   void RequireClearOfOthers(const std::vector<PartId>& but, const BeliefShift& shift,
                             const Vector3& way_in) {
     const PossibleFrame tool = Shifted(world_, tool_, shift);
@@ -85,19 +86,19 @@ class HandConditions {
     }
   }
 
-  // The part that the hand's belief is about, and that it comes to along the way in.
+  // Requires clearance from the fixed part, whose believed pose guides the hand on the way in.
   void RequireClearOfFixed(PartId fixed, const Vector3& way_in, const Vector3& slack) {
     RequireClear(tool_, Swept(tool_, WayOf(world_, way_in, 0)), BelievedFrameOf(world_, fixed),
                  fixed, PartId::None(), slack);
   }
 
-  // The part between the pads, where it rests.
+  // Requires clearance from the part between the pads, where it rests.
   void RequireClearOfTaken() {
     RequireClearOfHandled(tool_, BelievedFrameOf(world_, handled_), Vector3::Zero(), Leaves::kYes);
   }
 
-  // The same where it is in the closed hand; `slack` in the world's axes. `leaves`: whether the
-  // open hand then goes away without it.
+  // Requires clearance from the part between the pads, where it is in the closed hand. `slack` is
+  // in the world's axes. `leaves` says whether the open hand then goes away without the part.
   void RequireClearOfHeld(const HeldError& held, const Vector3& slack, Leaves leaves) {
     const Pose planned = hold_.X_PartTool.inverse();
     RequireClearOfHandled({Pose::Identity(), {}, 0},
@@ -109,8 +110,8 @@ class HandConditions {
   std::vector<Precondition> Take() { return conditions_.Take(); }
 
  private:
-  // Hand and fingers on all their ways at the work, and closed on the way to it, unless that is the
-  // way on which they leave.
+  // Returns hand and fingers on all their ways at the work. The closed hand on its way in is added,
+  // unless that is the way on which the hand leaves.
   std::vector<Body> Swept(const PossibleFrame& tool, const StraightWay& way_in) const {
     std::vector<Body> bodies;
     for (const auto* boxes : {&hand_.palm, &hand_.swept}) {
@@ -155,8 +156,8 @@ class HandConditions {
     }
   }
 
-  // Whether a box of the part is behind the plane in which a pad is to touch: what moves with that
-  // pad meets it where it is meant to, or not at all.
+  // Returns whether a box of the part is behind the plane in which a pad is to touch. A finger that
+  // moves with this pad meets the box where it is meant to, or not at all.
   bool LiesBehindPad(const Box& of_part, const Box& of_finger) const {
     const double side = of_finger.X_FrameBox.translation().y() > 0 ? 1 : -1;
     const Box in_tool = of_part.Transformed(hold_.X_PartTool.inverse());
@@ -178,8 +179,8 @@ class HandConditions {
   Preconditions conditions_;
 };
 
-// By how much a part that is let go may move against the hand: pads slide down on it along the
-// motion that brought it, and it falls back on what it stands on.
+// Returns by how much a part that is let go may move against the hand, along each axis in metres:
+// pads slide down on it along the motion that brought it, and it falls back on what it stands on.
 Vector3 MovesAsLetGo(const UncertainWorld& world, const LettingGo& work) {
   Vector3 moves = SlideOfPads(world, work.draw, work.released) * work.motion.cwiseAbs();
   if (!ComesUpright(world, work.hold, work.X_WorldPart)) {
@@ -200,7 +201,7 @@ PossibleFrame ToolTold(const UncertainWorld& world, const Pose& X_WorldTool,
           AngleOf(world, draw)};
 }
 
-// Where the hand is that has gone until the part met what it lands on.
+// Returns the frame of the hand after its motion to where the part meets what it lands on.
 PossibleFrame ToolAtEnd(const UncertainWorld& world, const LettingGo& work) {
   const Pose X_WorldTool = work.X_WorldPart * work.hold.X_PartTool;
   const Transform told = AsTransform(X_WorldTool) * work.draw.AsTransform();
@@ -208,7 +209,8 @@ PossibleFrame ToolAtEnd(const UncertainWorld& world, const LettingGo& work) {
           AngleOf(world, work.draw)};
 }
 
-// Where a strategy has led the hand: it yields to the walls, as the part in it does.
+// Returns the frame of a hand that a strategy has led: it yields to the walls, as the part in it
+// does.
 PossibleFrame ToolLed(const UncertainWorld& world, const LettingGo& work) {
   const Transform led = PossiblePose(work.X_WorldPart, work.released) *
                         AsTransform(work.hold.X_PartTool) *

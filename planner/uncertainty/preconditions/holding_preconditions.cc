@@ -12,11 +12,11 @@
 namespace assay::uncertainty {
 namespace {
 
-constexpr int kDirections = 8;  // of a half circle of accelerations
-constexpr int kLeans = 12;      // from the plane of the pads to straight across
+constexpr int kDirections = 8;  // number of directions in a half circle of accelerations
+constexpr int kLeans = 12;      // number of leans from the plane of the pads to straight across it
 
-// The greatest ratio of a unit force in any direction: of the corners of a polygon around the
-// circle, since the ratio is a norm.
+// Returns the greatest ratio of a unit force in any direction. It is taken over the corners of a
+// polygon around the unit circle, which suffices since the ratio is a norm.
 double RatioOfAnyForce(const PadFriction& friction, const Vector2& lever) {
   double greatest = 0;
   for (int i = 0; i < kDirections; ++i) {
@@ -27,16 +27,16 @@ double RatioOfAnyForce(const PadFriction& friction, const Vector2& lever) {
   return greatest / std::cos(std::numbers::pi / (2 * kDirections));
 }
 
-// What is to be held.
+// The mass that is to be held.
 struct Carried {
   geometry::MassProperties mass;
-  Vector3 center;  // of mass, in the tool
-  double off = 0;  // by which it may be elsewhere, metres
+  Vector3 center;  // centre of mass, in the tool's frame
+  double off = 0;  // metres by which the centre of mass may be elsewhere
 };
 
-// The greatest of the weight, in the plane of the pads and across it.
+// The greatest weight, in the plane of the pads and across it.
 struct Weighing {
-  double in_plane = 0;  // over what one newton on each pad bears
+  double in_plane = 0;  // ratio of the load to what one newton on each pad bears
   double across = 0;    // newtons
 };
 
@@ -45,8 +45,9 @@ Weighing WeighingOf(const Grip& grip, const Vector2& lever, double weight, const
   return {grip.friction.RatioOf(ActingAt(lever, in_plane)), weight * std::abs(up.y())};
 }
 
-// However the tool leans: so much of the weight acts in the plane of the pads, and so much across
-// it, at some lean within each step from the plane to straight across.
+// Returns the weighings for all leans of the tool. Each covers one step between the plane of the
+// pads and straight across it, and takes the greatest share of the weight in the plane and the
+// greatest share across it within that step.
 std::vector<Weighing> AnyWeighing(double any_force, double weight) {
   std::vector<Weighing> weighings;
   for (int i = 0; i < kLeans; ++i) {
@@ -57,8 +58,8 @@ std::vector<Weighing> AnyWeighing(double any_force, double weight) {
   return weighings;
 }
 
-// The load over what the grip bears with `force` newtons on each pad. `up`: the vertical, as the
-// tool sees it, to within `sway` radians; null where the hand may turn as it likes.
+// Returns the ratio of the load to what the grip bears with `force` newtons on each pad. `up` is
+// the vertical as the tool sees it, to within `sway` radians; null where the hand may turn freely.
 double LoadRatio(const Grip& grip, double force, const Carried& carried, const Vector3* up,
                  double sway) {
   const Vector2 lever = Vector2(carried.center.x(), carried.center.z()) - grip.friction.center();
@@ -84,8 +85,9 @@ double LoadRatio(const Grip& grip, double force, const Carried& carried, const V
   return greatest;
 }
 
-// Pads that jammed before the part's faces lay flat on them may touch it at two corners. It rolls
-// from corner to corner without any friction, so that nothing keeps it from turning in the hand.
+// Returns whether pads may have jammed before the part's faces lay flat on them. They may then
+// touch the part at two corners. The part rolls from corner to corner without any friction, so
+// nothing keeps it from turning in the hand.
 bool MayHaveJammed(const UncertainWorld& world, const HeldError& held) {
   return Magnitude(world.RangeOf(held.skew)) > 0 || Magnitude(world.RangeOf(held.tip)) > 0;
 }

@@ -18,7 +18,7 @@ using geometry::Vector2;
 
 constexpr double kSupportLayer = 1e-6;  // metres above the lowest vertex of a part that rests
 
-// The vertices of the face that will rest on the table.
+// Returns the vertices of the face that will rest on the table.
 std::vector<Vector3> SupportVertices(const domain::PartModel& model, const Pose& X_WorldPart) {
   const auto height = [&](const Vector3& v) { return (X_WorldPart * v).z(); };
   const std::vector<Vector3>& vertices = model.hull().vertices;
@@ -41,7 +41,7 @@ double FarthestAlong(const Vector2& direction, const Polygon& polygon) {
   return farthest;
 }
 
-// Among the normals of the edges of both, the one with the widest gap.
+// Returns the direction with the widest gap among the normals of the edges of both polygons.
 Separation BestSeparation(const Polygon& a, const Polygon& b) {
   Separation best = {.direction = Vector2::UnitX(),
                      .gap = -std::numeric_limits<double>::infinity()};
@@ -62,7 +62,8 @@ Expression AlongTable(const Vector2& direction, const SymbolicVector& p) {
   return direction.x() * p[0] + direction.y() * p[1];
 }
 
-// Where a part may be, and how far any of its points may be from where it should.
+// The possible pose of a part, and the greatest distance of any of its points from its planned
+// place.
 struct PossiblePart {
   Transform pose;
   double greatest_shift = 0;  // metres, in the plane of the table
@@ -119,7 +120,7 @@ class LandingConditions {
         Resting(neighbour, X_WorldOther, world_.about_plan(neighbour));
     for (const PossiblePart& stage : stages_) {
       const double reach = stage.greatest_shift + possible_other.greatest_shift;
-      if (separation.gap > reach) continue;  // proved: no error is as great
+      if (separation.gap > reach) continue;  // proved: no error is that great
       RequireApart(stage, neighbour, possible_other, separation.direction);
     }
   }
@@ -127,7 +128,7 @@ class LandingConditions {
   std::vector<Precondition> Take() { return conditions_.Take(); }
 
  private:
-  // Of those vertices that may come to lie side by side.
+  // Requires a gap between each pair of vertices that may come to lie side by side.
   void RequireApart(const PossiblePart& possible, PartId neighbour,
                     const PossiblePart& possible_other, const Vector2& along) {
     const domain::Part& other = world_.problem().part(neighbour);
@@ -175,7 +176,7 @@ class LandingConditions {
   PartId part_;
   const domain::PartModel& model_;
   const Pose& X_WorldPart_;
-  Transform landing_;  // of the part in the hand, where the hand is to let it go
+  Transform landing_;  // possible pose of the part in the hand, where the hand is to let it go
   std::vector<PossiblePart> stages_;
   Preconditions conditions_;
 };

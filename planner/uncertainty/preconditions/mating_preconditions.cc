@@ -20,12 +20,12 @@ using domain::SideWall;
 using geometry::Polygon;
 using geometry::Vector2;
 
-// What may be worse in a mating than the problem says. Narrower holes and greater friction are the
-// worst case of every condition here: the larger hole has the smaller one's room, and it is not
-// assumed anywhere that a wall stops the shaft.
+// The worst values in a mating, beyond those of the problem. Narrower holes and greater friction
+// are the worst case of every condition in this file: a larger hole contains the smaller one's
+// room, and no condition assumes that a wall stops the shaft.
 struct Worst {
-  double narrowing = 0;  // of a hole, on each side, metres
-  double friction = 0;   // of mating surfaces
+  double narrowing = 0;  // loss of width on each side of a hole, metres
+  double friction = 0;   // friction of the mating surfaces
 };
 
 Worst WorstOf(const UncertainWorld& world) {
@@ -35,7 +35,8 @@ Worst WorstOf(const UncertainWorld& world) {
   return {.narrowing = tolerances.clearance, .friction = friction + tolerances.friction};
 }
 
-// The pose of the shaft's part as the hole's part sees it: where it should be, and where it may be.
+// The pose of the shaft's part as seen from the hole's part: its nominal pose and its possible
+// pose.
 struct Relative {
   Pose nominal;
   Transform possible;
@@ -53,8 +54,9 @@ class FitConditions {
     ASSAY_CHECK(!walls_.empty() && !section_.empty(), "nothing to prove of {}", fit.name);
   }
 
-  // `entering`: with the tip in the mouth; `seated`: `depth` metres further. In between the shaft
-  // moves straight, so that what holds at both ends holds on the way.
+  // Adds the conditions of one fit. `entering` is the pose with the tip in the mouth, `seated` the
+  // pose `depth` metres further. The shaft moves straight in between, so conditions that hold at
+  // both ends hold on the way.
   void Require(const Relative& entering, const Relative& seated, double depth) {
     const double bevel = fit_.hole.chamfer + fit_.shaft.chamfer;
     RequireInside("entry", entering, 0, bevel);
@@ -65,7 +67,7 @@ class FitConditions {
   }
 
  private:
-  // The corners of the shaft, `behind` metres behind its tip, lie inside the walls.
+  // Requires that the corners of the shaft, `behind` metres behind its tip, lie inside the walls.
   void RequireInside(const std::string& condition, const Relative& at, double behind,
                      double bevel) {
     std::vector<SymbolicVector> corners;
@@ -85,7 +87,7 @@ class FitConditions {
     }
   }
 
-  // However the wrist yields, the shaft is no wider than the hole.
+  // Requires that the shaft is no wider than the hole, however the wrist yields.
   void RequireBetween(const std::string& condition, const SideWall& wall, const SideWall& opposite,
                       const std::vector<SymbolicVector>& corners, double bevel) {
     for (const SymbolicVector& p : corners) {
@@ -98,8 +100,9 @@ class FitConditions {
     }
   }
 
-  // The wall that faces this one; null if there is none, or if another wall stands at another than
-  // a right angle to them: then to yield across one pair would be to yield across another.
+  // Returns the wall that faces this one. Returns null if there is none, or if another wall is
+  // neither parallel to this one nor at a right angle to it: yielding across one pair would then be
+  // yielding across another pair.
   const SideWall* Opposite(const SideWall& wall) const {
     const SideWall* opposite = nullptr;
     for (const SideWall& other : walls_) {
@@ -155,7 +158,8 @@ class MatingConditions {
   }
 
  private:
-  // So many metres before the end of the mating motion, which goes straight in the world.
+  // Returns the pose `distance` metres before the end of the mating motion, which goes straight in
+  // the world.
   Relative Before(double distance) const {
     const Vector3 shift = -distance * mating_.mating_vector.normalized();
     const Vector3 in_world = -distance * end_.motion;

@@ -8,8 +8,9 @@
 namespace assay::uncertainty {
 namespace {
 
-constexpr double kNowhere = 1e-12;  // metres from a point about which a cell would turn
-// From the center to the points about which the pads may turn, in mean distances of the friction.
+constexpr double kNowhere = 1e-12;  // metres: a cell so near to the pivot does not move
+// Distances from the center to the points about which the pads may turn, in multiples of the
+// friction's mean distance.
 constexpr std::array kPivots = {0.0, 0.15, 0.3, 0.5, 0.75, 1.0, 1.4, 2.0, 3.5, 8.0};
 
 Vector2 QuarterTurn(const Vector2& v) { return {-v.y(), v.x()}; }
@@ -31,7 +32,7 @@ PadFriction::PadFriction(std::vector<PadCell> cells) : cells_(std::move(cells)) 
   }
 }
 
-// Each cell's friction is along the way that it would go.
+// Each cell's friction acts along the direction in which the cell would move.
 PadFriction::Node PadFriction::TurningAbout(double distance, const Vector2& along) const {
   const Vector2 pivot = distance * QuarterTurn(along);
   Vector2 force = Vector2::Zero();
@@ -51,7 +52,7 @@ double PadFriction::RatioOf(const PlaneLoad& load) const {
   if (!(friction_ > 0)) return std::numeric_limits<double>::infinity();
   const double force = load.force.norm();
   const double sense =
-      load.torsion < 0 ? -1 : 1;  // friction is symmetric: seen from the other side
+      load.torsion < 0 ? -1 : 1;  // friction is symmetric: as seen from the other side
   const Vector2 along = force > 0 ? Vector2(sense * load.force / force) : Vector2::UnitX();
   const double torsion = std::abs(load.torsion);
   double least = std::numeric_limits<double>::infinity();
@@ -60,7 +61,7 @@ double PadFriction::RatioOf(const PlaneLoad& load) const {
     const bool is_last = i == kPivots.size();
     const Node farther =
         is_last ? Node{.force = friction_} : TurningAbout(kPivots[i] * reach_, along);
-    // load = a * nearer + b * farther; a load's opposite is borne as well.
+    // load = a * nearer + b * farther. The opposite of a load is borne as well.
     const double determinant = nearer.force * farther.torsion - farther.force * nearer.torsion;
     const double a = (force * farther.torsion - farther.force * torsion) / determinant;
     const double b = (nearer.force * torsion - force * nearer.torsion) / determinant;

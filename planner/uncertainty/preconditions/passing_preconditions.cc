@@ -17,16 +17,16 @@ namespace {
 using domain::ShaftFit;
 using geometry::Box;
 
-constexpr double kInPlane = 1e-6;  // metres by which what lies in a plane may stand out of it
+constexpr double kInPlane = 1e-6;  // metres by which a body in a plane may stand out of it
 
 double GreatestAlong(const Vector3& direction, const Box& box) {
   return direction.dot(box.X_FrameBox.translation()) +
          (box.X_FrameBox.linear().transpose() * direction).cwiseAbs().dot(box.half_extents);
 }
 
-// What `entry` and `slide-in` are about: a piece of a shaft, no wider than that is at its tip, and
-// a piece of the hole's part that lies behind one of the hole's walls, and no farther out than its
-// mouth.
+// Tells the pairs of pieces that `entry` and `slide-in` cover. One is a piece of a shaft that is no
+// wider than the shaft at its tip. The other is a piece of the hole's part that lies behind one of
+// the hole's walls, and no farther out than the hole's mouth.
 class FitPieces {
  public:
   explicit FitPieces(const ShaftFit& fit)
@@ -59,13 +59,13 @@ class FitPieces {
   geometry::Polygon section_;
 };
 
-// Where the held part goes straight, as if nothing were believed anew.
+// The straight way of the held part, with unchanged believed poses.
 struct WayIn {
-  PossibleFrame end;  // of the part, in the world
-  Vector3 back;       // from there to where it begins
+  PossibleFrame end;  // frame of the part at the end, in the world
+  Vector3 back;       // vector from there to where the way begins, metres
 };
 
-// As the hand has it.
+// Returns the greatest angle, in radians, by which the held part may be turned.
 double AngleOfHeld(const UncertainWorld& world) {
   return Magnitude(world.problem().gripper_error.theta) + OffInHandOf(world, world.held()).turn;
 }
@@ -79,7 +79,7 @@ WayIn WayToSeat(const UncertainWorld& world, domain::MatingId id, const plan::Ho
           -LengthOfWay(world, id, end.farther) * end.motion};
 }
 
-// To where the strategy starts; what comes then is its own.
+// Returns the way to where the strategy starts. The strategy's own certificate covers what follows.
 WayIn WayToStrategy(const UncertainWorld& world, const plan::Assemble& assemble,
                     const Transform& X_ToolGrasp, const plan::Strategy& strategy) {
   const domain::Mating& mating = world.problem().mating(assemble.mating);
@@ -100,8 +100,9 @@ class PassingConditions {
         held_model_(*world.problem().part(mating_.held).model),
         way_(way) {}
 
-  // But for shafts and the walls of their holes, and for what lies ahead of the held part even at
-  // its seat: what meets first there is the seat.
+  // Requires clearance from the fixed part. Left out are shafts and the walls of their holes, and
+  // pieces that lie ahead of the held part even at its seat: the first contact there is the seat
+  // itself.
   void RequireClearOfFixed(bool to_seat) {
     const std::vector<ShaftFit> fits = domain::FitsOf(world_.problem(), mating_);
     const std::vector<FitPieces> pieces(fits.begin(), fits.end());

@@ -18,13 +18,14 @@
 namespace assay::uncertainty {
 namespace {
 
-constexpr double kPushed = 1e-12;  // metres: less is no push
+constexpr double kPushed = 1e-12;  // metres: less than this is no push
 
 double MostOf(const UncertainWorld& world, const Expression& e) {
   return Magnitude(world.RangeOf(e));
 }
 
-// By how much any point of a part may be elsewhere, metres, in the plane of the table.
+// Returns the greatest distance, in metres, by which any point of a part may be elsewhere in the
+// plane of the table.
 double ReachOf(const UncertainWorld& world, PartId part, const RestingError& error) {
   return std::hypot(MostOf(world, error.displacement[0]), MostOf(world, error.displacement[1])) +
          world.problem().part(part).model->shape().radius() * MostOf(world, error.theta);
@@ -32,9 +33,9 @@ double ReachOf(const UncertainWorld& world, PartId part, const RestingError& err
 
 // ---- Closing pads ---------------------------------------------------------------------------
 
-// A part beside the one that is pushed, and what is left between the two, metres.
+// A part beside the one that is pushed, and the room that is left between the two, in metres.
 struct Neighbour {
-  PartId part = PartId::None();  // None: there is none
+  PartId part = PartId::None();  // None: no neighbour
   double room = std::numeric_limits<double>::infinity();
 };
 
@@ -52,7 +53,8 @@ class ClosingConditions {
         off_(OffInHandOf(world, held)),
         before_(world.about_plan(part)) {}
 
-  // The pads push at the same heights from either side: along `outward` the one on the other side.
+  // Pads push at the same heights from either side. The pad on the far side of the part pushes it
+  // along `outward`.
   double ToppleRatio() const {
     const double turn = MostOf(world_, before_.theta) + hand_turn_;
     if (ReachOf(world_, part_, before_) + hand_ + turn < kPushed) return 0;
@@ -71,7 +73,7 @@ class ClosingConditions {
     return ratio;
   }
 
-  // Metres that are left to the nearest neighbour; infinite without one.
+  // Returns the nearest neighbour and the metres that are left to it; infinite without one.
   Neighbour Nearest() const {
     const domain::Problem& problem = world_.problem();
     const geometry::Polygon own = domain::Footprint(problem.part(part_), X_WorldPart_);
@@ -95,14 +97,14 @@ class ClosingConditions {
   }
 
  private:
-  // Where a pad surely touches as the part topples: the lowest of its cells; of a hand that leans
-  // any of them may be the first.
+  // Returns the height, in metres, at which a pad surely touches as the part topples: that of the
+  // lowest of its cells. If the hand leans, any cell may touch first.
   double HighestOfLowest(double side) const {
     const domain::PartModel& model = *world_.problem().part(part_).model;
     const Vector2& pad = world_.problem().workcell->gripper().pad_half_extents();
     const Vector2 half = pad / kCellsPerSide;
     const bool is_straight = std::abs(VerticalInTool(X_WorldTool_).z()) == 1;
-    std::map<double, double> lowest;  // by the tool's x: of each column of cells
+    std::map<double, double> lowest;  // lowest height of each column of cells, by the tool's x
     double highest = -std::numeric_limits<double>::infinity();
     for (const Vector2& cell : TouchingCells(model, hold_, side, pad, {})) {
       const Vector3 middle(cell.x(), side * hold_.width / 2, cell.y());
@@ -120,8 +122,9 @@ class ClosingConditions {
     return world_.problem().part(part_).model->friction() + world_.problem().tolerances.friction;
   }
 
-  // A pad that pushes along `way`, to within `turn`, exerts what the friction of the table takes:
-  // of a pad that is not upright also a vertical force, which helps friction or lifts the part.
+  // Returns the toppling ratio about an edge, for a pad that pushes along `way`, to within `turn`
+  // radians. The pad pushes with the force that the friction of the table takes. A pad that is not
+  // upright exerts a vertical force, too, which adds to the friction or lifts the part.
   double RatioAbout(const TippingEdge& edge, const Vector3& way, double turn, double height) const {
     const double level = way.head<2>().norm();
     const double vertical = std::abs(way.z());
@@ -148,13 +151,13 @@ class ClosingConditions {
   const plan::Hold& hold_;
   Pose X_WorldPart_;
   Pose X_WorldTool_;
-  double hand_turn_;  // radians
-  double hand_;       // metres
+  double hand_turn_;  // error of the hand, radians
+  double hand_;       // error of the hand, metres
   OffInHand off_;
   RestingError before_;
 };
 
-// ---- What is let go -------------------------------------------------------------------------
+// ---- A part that is let go ------------------------------------------------------------------
 
 class StandingConditions {
  public:
@@ -171,7 +174,7 @@ class StandingConditions {
         edges_(TippingEdgesOf(standings_)),
         off_(OnParts() ? ReachOf(world, part, released) + ReachOfSupports() : 0) {}
 
-  // Leaning by `tilt`, the part falls back.
+  // Returns the ratio that must be below 1 for a part that leans by `tilt` to fall back.
   double FallRatio(double tilt) const {
     return WorstOf([&](const TippingEdge& edge, const geometry::MassProperties& mass) {
       const Vector3 center = X_WorldPart_ * mass.center;
@@ -181,7 +184,8 @@ class StandingConditions {
     });
   }
 
-  // Metres that the fingers stay above the table, and above or beside what the part stands on.
+  // Returns the metres by which the fingers stay above the table, and above or beside what the part
+  // stands on.
   double RoomOfFingers() const {
     const domain::Problem& problem = world_.problem();
     const geometry::CollisionShape hand = problem.workcell->HandShape(hold_.width);
@@ -200,8 +204,9 @@ class StandingConditions {
     return room - SlideOfPads(world_, draw_, released_);
   }
 
-  // Pads that slide down on the part press on it in the middle of what they touch. Beyond an edge
-  // they turn it over, unless its weight holds it, or they bear what the edge gives back.
+  // Pads that slide down on the part press on it in the middle of the patch that they touch. Where
+  // that is beyond an edge, they turn the part over, unless its weight holds it, or the pads bear
+  // the force with which the edge pushes back.
   double PressRatio() const {
     const OffInHand off = OffInHandOf(world_, world_.held());
     const Grip grip = GripOf(world_.problem(), part_, hold_, off);
@@ -245,8 +250,8 @@ class StandingConditions {
     return reach;
   }
 
-  // World z, as the part is off in the hand: to first order by what each axis of the tool turns it,
-  // and the rest.
+  // Returns the lowest height of the fingers (world z), for any error of the part in the hand. A
+  // turn about each axis of the tool counts to first order, and its rest is bounded.
   double LowestFinger() const {
     const kinematics::Gripper& gripper = world_.problem().workcell->gripper();
     const Pose X_WorldTool = X_WorldPart_ * hold_.X_PartTool;
@@ -279,8 +284,8 @@ class StandingConditions {
     return std::min(plan::kGreatestPush, 2 * friction * rules.grip_force);
   }
 
-  // What stops a guarded move, at an edge so far beside the middle of the pads, over what they
-  // bear.
+  // Returns the ratio of the force that stops a guarded move to what the pads bear. The force
+  // acts at an edge that is `beyond` metres beside the middle of the pads.
   double GivenBackRatio(const Grip& grip, const TippingEdge& edge, double beyond) const {
     const geometry::Matrix3 R_ToolWorld = (X_WorldPart_ * hold_.X_PartTool).linear().transpose();
     const Vector3 push = plan::kResistance * R_ToolWorld.col(2);
@@ -301,13 +306,14 @@ class StandingConditions {
   Pose X_WorldPart_;
   std::vector<Standing> standings_;
   std::vector<TippingEdge> edges_;
-  double off_;  // by which other parts that it stands on may be elsewhere, metres
+  double off_;  // metres by which other parts under this one may be elsewhere
 };
 
 // ---- The fixed part of a mating -------------------------------------------------------------
 
-// What the mating does to the fixed part: along its vector where the parts touch at the end; by
-// fine motion in any direction, wherever they may touch on the way.
+// Returns the push of the mating on the fixed part. A straight mating pushes along its vector where
+// the parts touch at the end. A strategy pushes in any direction, wherever the parts may touch on
+// the way.
 Push PushOf(const UncertainWorld& world, const domain::Mating& mating,
             const plan::Strategy* strategy) {
   const Pose& X_WorldFixed = world.X_WorldPart(mating.fixed);
@@ -329,7 +335,8 @@ Push PushOf(const UncertainWorld& world, const domain::Mating& mating,
   return push;
 }
 
-// The parts that already stand on one, each somewhere where they touch.
+// Returns the weights of the parts that already stand on this one; each acts somewhere in its patch
+// of contact.
 std::vector<Push> WeightsOn(const UncertainWorld& world, PartId part) {
   std::vector<Push> weights;
   for (int p = 0; p < static_cast<int>(world.problem().parts.size()); ++p) {

@@ -17,10 +17,10 @@ using geometry::Polygon;
 
 constexpr double kOnTheEdge = 1e-9;  // metres
 
-// Down, and turning about an edge.
+// A force that acts down, and its moment about an edge.
 struct Pressing {
   double down = 0;    // newtons
-  double moment = 0;  // newton metres, beyond the edge
+  double moment = 0;  // newton metres, positive beyond the edge
 };
 
 Pressing PressingOver(const TippingEdge& edge, double level, const std::vector<Push>& pushes,
@@ -39,7 +39,7 @@ Pressing PressingOver(const TippingEdge& edge, double level, const std::vector<P
   return pressing;
 }
 
-// What a part that is pushed does to one that it stands on: the same, and its weight.
+// Returns what a pushed part passes on to a part that it stands on: the pushes and its weight.
 Push PassedOn(const UncertainWorld& world, PartId part, const Standing& standing,
               const std::vector<Push>& pushes) {
   Push on = {.at = standing.at, .down = GreatestWeight(world.problem(), part)};
@@ -50,7 +50,7 @@ Push PassedOn(const UncertainWorld& world, PartId part, const Standing& standing
   return on;
 }
 
-// `levels`: at most so many parts are looked at, one below the other.
+// `levels` is the greatest number of parts that are looked at, one below the other.
 double TippingDown(const UncertainWorld& world, PartId part, double clamp,
                    const std::vector<Push>& pushes, double off, std::size_t levels) {
   const Pose& X_WorldPart = world.X_WorldPart(part);

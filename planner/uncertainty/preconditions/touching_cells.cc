@@ -11,7 +11,7 @@ using geometry::Polygon;
 constexpr double kOnFace = 1e-5;    // metres
 constexpr double kSameFace = 1e-6;  // 1 - cosine
 
-// The face that a pad lies on: `side` along the tool's y.
+// Returns the face that a pad lies on. `side` is the pad's along the tool's y.
 const domain::Face* FaceAt(const domain::PartModel& model, const plan::Hold& hold, double side) {
   const Vector3 normal = side * hold.X_PartTool.linear().col(1);
   const double offset = normal.dot(hold.X_PartTool.translation()) + hold.width / 2;
@@ -22,7 +22,8 @@ const domain::Face* FaceAt(const domain::PartModel& model, const plan::Hold& hol
   return found == model.faces().end() ? nullptr : &*found;
 }
 
-// The corners of a rectangle about `middle` (x and z of the tool), in the face's coordinates.
+// Returns the corners of a rectangle about `middle` (x and z of the tool), in the face's
+// coordinates.
 Polygon OnFaceOf(const domain::Face& face, const plan::Hold& hold, double side,
                  const Vector2& middle, const Vector2& half) {
   const Pose X_FaceTool = face.X_PartFace.inverse() * hold.X_PartTool;

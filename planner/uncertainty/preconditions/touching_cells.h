@@ -8,18 +8,19 @@ namespace assay::uncertainty {
 
 using geometry::Vector2;
 
-// By how much what is held may be off in the hand: metres along the tool's axes, and radians.
+// The greatest error of a held part in the hand: metres along the tool's axes, and radians.
 struct OffInHand {
   Vector3 shift = Vector3::Zero();
   double turn = 0;
 };
 OffInHand OffInHandOf(const UncertainWorld& world, const HeldError& held);
 
-// A pad is looked at in so many cells along each of its sides.
+// The number of cells along each side of a pad.
 inline constexpr int kCellsPerSide = 6;
 
-// Where a pad surely touches its face, whatever the part is off in the hand: middles of cells, in
-// the tool's x and z. `side`: 1 or -1, of the pad, along the tool's y; `pad`: its half extents.
+// Returns the middles of the cells on which a pad surely touches its face, for any error of the
+// part in the hand. They are in the tool's x and z. `side` is 1 or -1, that of the pad along the
+// tool's y; `pad` is its half extents.
 std::vector<Vector2> TouchingCells(const domain::PartModel& model, const plan::Hold& hold,
                                    double side, const Vector2& pad, const OffInHand& off);
 
