@@ -32,8 +32,8 @@ struct Range {
   bool excludes_low = false;
   bool excludes_high = false;
   double error = 0;  // for a number in Kv: the greatest error of the sensed value
-  // True if knowledge of other numbers or of atoms may rule out a part of the interval. Then it
-  // cannot be told whether more is known than the interval says.
+  // True if knowledge of other numbers or of atoms may rule out a part of the interval. Then it is
+  // undecided whether more is known than the interval says.
   bool is_outer = false;
 
   bool operator==(const Range&) const = default;

@@ -49,7 +49,8 @@ GroundQuery QueryGrounding::QueryOf(const Query& query, Bindings bindings) {
   return Joined(is_and ? GroundQuery::Kind::kAnd : GroundQuery::Kind::kOr, std::move(parts));
 }
 
-// Kw(a) holds if K(a) or K(!a) does. The relaxed graph sees Kw in this form too.
+// Kw(a) holds if K(a) or K(!a) does. The query states these cases, so that the relaxed graph uses
+// them.
 GroundQuery QueryGrounding::KnownWhether(const Query& query, const Bindings& bindings) {
   std::vector<GroundQuery> all;
   std::vector<GroundQuery> ways;

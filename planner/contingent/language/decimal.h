@@ -9,8 +9,7 @@ namespace assay::contingent {
 // Numbers in task files are decimals. A decimal of at most nine places and of at most a million is
 // represented by the double that reads as it, and its sums are exact: 0.1 + 0.2 is 0.3.
 
-// Returns the exact sum of two decimals. Returns none for numbers with more places or larger ones,
-// whose exact sum cannot be told.
+// Returns the exact sum of two decimals. Returns none for numbers with more places or larger ones.
 std::optional<double> ExactSum(double a, double b);
 // Returns the exact sum where it is known, and the rounded sum elsewhere.
 inline double NearestSum(double a, double b) { return ExactSum(a, b).value_or(a + b); }
