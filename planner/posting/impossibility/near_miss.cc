@@ -116,8 +116,8 @@ class NearMiss {
          .waiver = Relaxation::Waiver{.condition = condition_, .excess = excess, .also = also}});
   }
 
-  // Returns one of several holds that fail by the same amount. It is enough by itself, if there is
-  // one that is.
+  // Returns a hold that fails by the least excess. If the waiver of one such hold alone is enough,
+  // it returns that hold.
   const HoldOption& NeededOf(std::span<const Miss> misses) const {
     const double excess = misses.front().first;
     for (const Miss& miss : misses) {

@@ -10,8 +10,8 @@
 
 namespace assay::posting {
 
-// The goals of a step that were not proved, with the steps that were inserted before it at that
-// time.
+// The unproved goals of a step, given by the snapshot after the step as it was to be executed at
+// that time.
 struct Unmet {
   uncertainty::MomentId after;
   std::vector<std::string> absorbed;  // conditions that remedies absorbed

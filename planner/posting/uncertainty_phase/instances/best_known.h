@@ -17,7 +17,7 @@ namespace assay::posting {
 // remedy that does not absorb it.
 class BestKnown {
  public:
-  // Returns true if these worlds bound all remedies. They do not if an error is promised not to be
+  // Returns true if these worlds bound all remedies. They do not if the bounds of an error exclude
   // 0, or if errors of different actions may cancel (paper propagation).
   static bool Bounds(const domain::Problem& problem, uncertainty::Propagation propagation);
 
