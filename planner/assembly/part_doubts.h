@@ -23,7 +23,7 @@ class PartDoubts {
 
  private:
   const domain::Problem& problem_;
-  std::vector<plan::ErrorSet> sets_;  // by PartId
+  std::vector<plan::ErrorSet> sets_;  // indexed by PartId
 };
 
 // Returns the bound in metres for any point of the hand, from the gripper's error bounds.

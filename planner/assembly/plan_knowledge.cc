@@ -349,13 +349,13 @@ class KnowledgeText {
   const domain::Problem& first_;
   const std::vector<domain::Problem>& worlds_;
   const std::vector<PlanOfWorlds>& plans_;
-  std::map<std::string, std::set<std::string>> constants_;  // by type
+  std::map<std::string, std::set<std::string>> constants_;  // indexed by type
   std::string actions_text_;
   std::vector<std::string> init_;
   std::vector<std::string> goals_;
   std::map<std::string, KnowledgeAction> actions_;
-  std::map<std::pair<std::string, std::string>, std::string> spelled_;  // by type and name
-  std::map<std::string, std::string> names_;                            // by constant
+  std::map<std::pair<std::string, std::string>, std::string> spelled_;  // indexed by type and name
+  std::map<std::string, std::string> names_;                            // indexed by constant
   std::set<std::string> constant_names_;                                // constants that are in use
   std::set<std::string> action_names_;
 };

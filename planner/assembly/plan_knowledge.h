@@ -43,12 +43,10 @@ struct KnowledgeAction {
 //   pose(part)                Kx over its poses. A look puts it in Kv if the sensor distinguishes
 //                             the poses.
 //   dx, dy, theta (part)      The intervals of the part's error variables of SUP/INF. A look
-//   narrows
-//                             them to the sensor's bounds. Plans that were certified with these
-//                             bounds require them.
+//                             narrows them to the sensor's bounds. Plans that were certified with
+//                             these bounds require them.
 //   moved(part)               The part was picked up. Its pose and errors are then unknown, and a
-//   look
-//                             cannot find them out.
+//                             look cannot find them out.
 //
 // Looks at other parts and later looks are steps of their plans. Each step has done(step), and each
 // verified step has passed(step) and signals(step, error).

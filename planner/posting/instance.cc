@@ -338,7 +338,7 @@ class OrderedSearch {
   int offered_ = 0;  // number of instances passed to `accept`
   World world_;
   std::vector<StepValues> values_;
-  std::vector<Assignment> assigned_;   // by node
+  std::vector<Assignment> assigned_;   // indexed by node
   std::vector<plan::Action> actions_;  // the actions that were judged last, one for each depth
   // the blame of the last Descend that failed, without blockers
   Blame failure_;

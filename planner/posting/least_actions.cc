@@ -129,7 +129,7 @@ class PartDemands {
 
   const Problem& problem_;
   const LabelGeometry& geometry_;
-  std::vector<Demand> demands_;  // by part
+  std::vector<Demand> demands_;  // indexed by part
   int assembles_ = 0;
 };
 

@@ -177,9 +177,9 @@ class PartialPlan {
   std::vector<RequiredMove> required_moves_;
   std::vector<std::pair<StepId, domain::PartId>> kept_;
   std::vector<std::pair<VariableId, VariableId>> separations_;  // pairs that must not codesignate
-  // by variable; None if it is not bound
+  // indexed by variable; None if it is not bound
   std::vector<VariableId> binding_;
-  std::vector<network::NodeId> nodes_;  // by variable; None if it has no labels of its own
+  std::vector<network::NodeId> nodes_;  // indexed by variable; None if it has no labels of its own
 };
 
 }  // namespace assay::posting

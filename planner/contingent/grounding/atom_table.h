@@ -22,7 +22,7 @@ class AtomTable {
   AtomTable(const Domain& domain, const Problem& problem, const SymbolTable& symbols,
             GroundTask& task);
 
-  // Returns the knowledge of the atom p(a, b). Returns kUnknown unless the atom is known at first
+  // Returns the knowledge of the atom p(a, b). Returns kUnknown unless the atom is known initially
   // and no action changes it.
   Knowledge AlwaysKnown(const std::string& predicate, const std::vector<std::string>& arguments);
   bool IsChanged(const std::string& name) const { return changed_.contains(name); }
@@ -43,7 +43,7 @@ class AtomTable {
 
   // Makes an atom of each instance of a predicate that init says to be true or false.
   void AddKnown();
-  // Returns the literals of all atoms made so far that are known at first.
+  // Returns the literals of all atoms made so far that are known initially.
   std::vector<GroundLiteral> KnownAtFirst() const;
 
  private:
@@ -66,7 +66,7 @@ class AtomTable {
   std::set<std::string> changed_;
   std::set<std::string> sensed_;
   std::unordered_map<std::string, AtomId> atoms_;
-  std::vector<Key> keys_;  // by atom
+  std::vector<Key> keys_;  // indexed by atom
   std::unordered_map<std::string, FunctionId> functions_;
   std::unordered_map<std::string, FormulaId> formulas_;
   std::unordered_map<std::string, Knowledge> told_;

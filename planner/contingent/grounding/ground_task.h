@@ -48,8 +48,8 @@ struct Bound {
   bool operator==(const Bound&) const = default;
 };
 
-bool IsUpper(Relation relation);   // < or <=
-bool IsStrict(Relation relation);  // < or >
+bool IsUpper(Relation relation);   // true for < and <=
+bool IsStrict(Relation relation);  // true for < and >
 // Returns true if the bound holds for every number in the range.
 bool SurelyHolds(const Bound& bound, const Range& range);
 Bound Negation(Bound bound);
@@ -150,7 +150,7 @@ struct GroundAction {
   Place place = {};  // place in the domain's file
 };
 
-// A set of literals of which exactly one, or at least one, holds at first.
+// A set of literals of which exactly one, or at least one, holds initially.
 struct InitialRelation {
   std::vector<GroundLiteral> literals;
   bool is_inclusive = false;
@@ -164,7 +164,7 @@ struct GroundAtom {
   std::vector<std::string> arguments;
 };
 
-// The knowledge at first. An atom in neither `known` nor `relations` is unknown.
+// The initial knowledge. An atom in neither `known` nor `relations` is unknown.
 struct InitialKnowledge {
   std::vector<GroundLiteral> known;
   std::vector<InitialRelation> relations;

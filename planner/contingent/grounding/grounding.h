@@ -6,13 +6,13 @@
 
 namespace assay::contingent {
 
-// Which of the facts that are known at first become atoms.
+// Which of the facts that are known initially become atoms.
 enum class KnownFacts {
   kAsked,  // the facts that occur in queries and changes
   kAll,    // all facts, so that the knowledge base contains all of init
 };
 
-// Returns the task without variables. Queries about facts that are known from the first and never
+// Returns the task without variables. Queries about facts that are known from the start and never
 // change are answered, externs are called, and actions whose precondition cannot hold are left out.
 //
 // A parameter ?x with a precondition K(?x = f(a)) stands for each constant. If some action senses

@@ -9,7 +9,7 @@
 
 namespace assay::contingent {
 
-// Makes queries without variables. It answers queries about facts that are known from the first and
+// Makes queries without variables. It answers queries about facts that are known from the start and
 // never change, and it calls externs.
 class QueryGrounding {
  public:

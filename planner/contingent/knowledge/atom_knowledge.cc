@@ -60,7 +60,7 @@ Diagram AtomKnowledge::RelationOf(const KnowledgeState& state, AtomId atom) {
   return kAllSets;
 }
 
-// ---- The world changes
+// ---- Changes of the world
 
 void AtomKnowledge::Set(KnowledgeState& state, GroundLiteral literal) {
   UnsenseWith(state, literal.atom);
@@ -180,7 +180,7 @@ void AtomKnowledge::Change(KnowledgeState& state, const std::map<AtomId, Possibl
   }
 }
 
-// ---- More is known
+// ---- New knowledge of the unchanged world
 
 void AtomKnowledge::Learn(KnowledgeState& state, GroundLiteral literal) {
   if (!layout_.IsUndetermined(state, literal.atom)) return;

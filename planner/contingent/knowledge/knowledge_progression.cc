@@ -7,8 +7,8 @@
 namespace assay::contingent {
 namespace {
 
-// Returns true if the change only senses or asserts something. It does not change the world, and it
-// happens only if its condition is known.
+// Returns true if the change only senses something or only asserts a relation or a bound. It does
+// not change the world, and it happens only if its condition is known.
 bool TellsSomething(const GroundChange& change) {
   using Kind = GroundChange::Kind;
   return change.kind == Kind::kSense || change.kind == Kind::kSenseValue ||
@@ -57,7 +57,7 @@ std::optional<KnowledgeState> KnowledgeProgression::AfterCertain(const GroundEff
   return After(changes, before);
 }
 
-// ---- Which changes there are
+// ---- Collecting the changes
 
 KnowledgeProgression::Changes KnowledgeProgression::ChangesOf(
     const std::vector<GroundEffect>& effects, const KnowledgeState& state) {
@@ -166,7 +166,7 @@ bool KnowledgeProgression::MayGiveTwoValues(const Changes& changes, const Knowle
   return worlds.And(possible, both) != kEmptySet;
 }
 
-// ---- What they do
+// ---- Applying the changes
 
 std::optional<KnowledgeState> KnowledgeProgression::After(const Changes& changes,
                                                           const KnowledgeState& before) {

@@ -51,7 +51,7 @@ NumberMarks::NumberMarks(const GroundTask& task, const PlanTree& tree)
   are_complete_ &= AllSumsAreOfOne();
 }
 
-// ---- What the task compares and changes
+// ---- Collecting bounds and assignments
 
 void NumberMarks::Use(const GroundTask& task, const GroundQuery& query) {
   if (query.kind == GroundQuery::Kind::kBoundKnown) Use(task, query.bound);
@@ -88,7 +88,7 @@ void NumberMarks::Use(const GroundTask& task, const Bound& bound) {
   is_asked_[slot] = true;
 }
 
-// ---- How far numbers come
+// ---- The reach of numbers
 
 Interval NumberMarks::ReachOf(const Assignment& assignment) const {
   Interval sum = assignment.added;
@@ -116,7 +116,7 @@ void NumberMarks::FindReach() {
   }
 }
 
-// ---- Carrying back
+// ---- Carrying marks back
 
 // Returns true if every sum that matters for a query has only one function.
 bool NumberMarks::AllSumsAreOfOne() const {
@@ -172,7 +172,7 @@ bool NumberMarks::IsNearMark(double value, int slot) const {
          (above != marks.begin() && IsNear(*std::prev(above), value));
 }
 
-// ---- Numbers
+// ---- Numbers that represent a range
 
 std::vector<Number> NumberMarks::In(const Range& range, int slot) const {
   const auto finite = [&](double end) {

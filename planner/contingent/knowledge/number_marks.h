@@ -70,7 +70,7 @@ class NumberMarks {
   // Returns true if a mark differs from the value by rounding alone. The mark then represents both.
   bool IsNearMark(double value, int slot) const;
 
-  std::vector<std::set<double>> marks_;  // by slot
+  std::vector<std::set<double>> marks_;  // indexed by slot
   // by slot: true if a query asks how precisely the number is known
   std::vector<bool> is_asked_;
   // by slot: the interval of numbers that the function may come to have

@@ -81,7 +81,7 @@ class FirstTreeSearch {
     return plan;
   }
 
-  // ---- One way, hoping for the best
+  // ---- Search for one path, with the best outcomes of sensing
 
   using Arrivals = std::unordered_map<StateId, Leg>;  // by the state that the leg leads to
 
@@ -138,7 +138,7 @@ class FirstTreeSearch {
     std::int64_t order;
     StateId state;
 
-    bool operator<(const Candidate& other) const {  // is worse than
+    bool operator<(const Candidate& other) const {  // the order is "worse than"
       return std::tie(distance, is_helpful_taken, order) >
              std::tie(other.distance, other.is_helpful_taken, other.order);
     }

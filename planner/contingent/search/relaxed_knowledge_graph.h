@@ -7,7 +7,7 @@
 
 namespace assay::contingent {
 
-// An estimate of the distance to the goal, and the actions that begin the way there.
+// An estimate of the number of actions to the goal, and the actions with which a plan should begin.
 struct RelaxedPlan {
   static constexpr int kUnreached = 1 << 20;
   int actions = kUnreached;

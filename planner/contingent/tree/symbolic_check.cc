@@ -416,7 +416,7 @@ class SymbolicCheck {
   const PlanTree& tree_;
   std::vector<int> places_;
   DecisionDiagrams diagrams_;
-  std::vector<Arrivals> arrivals_;  // by node
+  std::vector<Arrivals> arrivals_;  // indexed by node
   std::string failure_;
   bool is_told_ = true;  // false if sets cannot decide some query of the tree
 };

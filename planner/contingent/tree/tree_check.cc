@@ -41,8 +41,8 @@ bool HappensByKnowledge(const GroundTask& task) {
   });
 }
 
-// Returns true if more knowledge never does harm. Then no query asks that something is not known,
-// either.
+// Returns true if more knowledge never does harm. Then no effect depends on what is known, and no
+// query asks that something is not known.
 bool IsMonotone(const GroundTask& task) {
   return !HappensByKnowledge(task) && !HasNegation(task.goal) &&
          std::ranges::none_of(task.actions, [](const GroundAction& action) {
@@ -359,7 +359,7 @@ class Runner {
     if (!is_monotone_) beginnings_.emplace(head, ToCompare(history));
   }
 
-  // Returns the history in a form for comparison. Numbers of which nothing is known at first are
+  // Returns the history in a form for comparison. Numbers of which nothing is known initially are
   // ignored.
   History ToCompare(History history) const {
     for (World& world : history.worlds) world = WithoutOpen(std::move(world));
@@ -417,7 +417,7 @@ class Runner {
     return attempt.has_ended;
   }
 
-  // Numbers of which nothing is known at first may change on each round, so they are not compared.
+  // Numbers of which nothing is known initially may change on each round, so they are not compared.
   void Follow(NodeId head, const World& world, const History& history) {
     const History* begun = Begun(head);
     if (is_monotone_ && begun != nullptr && !IsCovered(world, begun->worlds)) {
@@ -450,7 +450,7 @@ class Runner {
     return std::isinf(range.low) && std::isinf(range.high);
   }
 
-  // Returns true if `world` is a case of `of`. Numbers of which nothing is known at first are not
+  // Returns true if `world` is a case of `of`. Numbers of which nothing is known initially are not
   // compared, because any other number serves as well.
   bool IsCaseOf(const World& world, const World& of) const {
     for (std::size_t a = 0; a < world.atoms.size(); ++a) {
@@ -492,7 +492,7 @@ class Runner {
 
   const GroundTask& task_;
   const PlanTree& tree_;
-  std::vector<LoopId> loops_;  // by node
+  std::vector<LoopId> loops_;  // indexed by node
   bool is_monotone_;
   bool happens_by_knowledge_;
   WorldProgression progression_;

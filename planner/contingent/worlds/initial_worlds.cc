@@ -170,7 +170,7 @@ class Enumerator {
   const NumberMarks& marks_;
   std::int64_t limit_;
   std::vector<Truth> known_;
-  std::vector<std::vector<const InitialRelation*>> relations_of_;  // by atom
+  std::vector<std::vector<const InitialRelation*>> relations_of_;  // indexed by atom
   std::vector<Group> groups_;
   bool is_complete_ = true;
 };

@@ -46,7 +46,8 @@ Answer Greatest(const auto& answers) {
   return greatest;
 }
 
-// Becoming true wins over becoming false. Asserted facts describe the world after these changes.
+// Becoming true wins over becoming false. Asserted relations and bounds describe the world after
+// these changes.
 constexpr int kPasses = 4;
 
 // Removes duplicates, which arise when different paths lead to the same sum.

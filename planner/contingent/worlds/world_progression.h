@@ -55,7 +55,7 @@ class WorldProgression {
 
   // Applies effects that happen at once.
   void Apply(const std::vector<GroundEffect>& effects, History& history);
-  // Applies the update rules until nothing changes or they are found to be restless.
+  // Applies the update rules until nothing changes or too many rounds have passed.
   void Update(History& history);
 
  private:

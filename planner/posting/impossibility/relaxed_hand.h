@@ -58,8 +58,8 @@ class RelaxedHand {
   domain::Problem problem_;
   mutable domain::KnownReachability reachability_;
   StepGeometry geometry_;
-  std::vector<ConditionTable> parts_;     // by part
-  std::vector<ConditionTable> matings_;   // by mating
+  std::vector<ConditionTable> parts_;     // indexed by part
+  std::vector<ConditionTable> matings_;   // indexed by mating
   using Key = std::tuple<int, int, int>;  // part or mating, grasp, position
   mutable std::map<Key, Ways> ways_;
   mutable std::map<Key, Ways> mating_ways_;

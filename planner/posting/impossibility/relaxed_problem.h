@@ -55,9 +55,9 @@ struct Relaxation {
 
 // The facts that can at most come true.
 struct Attainable {
-  std::vector<std::vector<bool>> rests;              // by part, by position label
-  std::vector<std::vector<std::vector<bool>>> held;  // by robot, by part, by grasp
-  std::vector<bool> mated;                           // by mating
+  std::vector<std::vector<bool>> rests;              // indexed by part, by position label
+  std::vector<std::vector<std::vector<bool>>> held;  // indexed by robot, by part, by grasp
+  std::vector<bool> mated;                           // indexed by mating
   PartSet moved;       // parts that may not be where they were at the start
   PartSet unfollowed;  // parts for which everything counts as possible
 };
@@ -90,7 +90,9 @@ class RelaxedProblem {
   // Returns the constraint in the scenario's words.
   std::string Describe(const Constraint& constraint) const;
 
-  const std::vector<std::unique_ptr<RelaxedHand>>& hands() const { return hands_; }  // by robot
+  const std::vector<std::unique_ptr<RelaxedHand>>& hands() const {
+    return hands_;
+  }  // indexed by robot
   const domain::Problem& problem() const { return problem_; }
   // Returns the conditions that prevent the hold.
   domain::GraspConditions Broken(const HoldOption& hold) const;
