@@ -25,13 +25,14 @@ using uncertainty::TipBox;
 using uncertainty::TipWay;
 using uncertainty::UncertainWorld;
 
-// the greatest number of rounds of computing the errors at a start and searching a start for them
+// the greatest number of rounds; each computes the errors at a start and searches for a start with
+// them
 constexpr int kRounds = 4;
 // factor on errors, because they differ a little at every start
 constexpr double kSpare = 1.05;
 constexpr double kLeastShift = 5e-5;  // metres; smaller errors do not make a search easier
-constexpr double kLeastTurn = 5e-4;   // radians
-// metres; half of the range in which contacts are searched
+constexpr double kLeastTurn = 5e-4;   // radians; smaller turns do not make a search easier
+// metres; half of the range in which contacts are searched for
 constexpr double kGreatestShift = 0.006;
 constexpr double kGreatestTurn = 0.2;  // radians; contacts are linear only up to this turn
 

@@ -44,7 +44,7 @@ class FineMotionResolver : public posting::Resolver {
 };
 
 // Returns the box of errors of the tip in the step. `way` describes the path of the tip, either
-// that of a strategy or a default one to search a strategy for.
+// that of a strategy or the default path with which the search for a strategy begins.
 uncertainty::TipBox TipBoxAt(const posting::UnmetGoals& unmet, uncertainty::Propagation propagation,
                              const uncertainty::TipWay& way);
 

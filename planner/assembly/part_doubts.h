@@ -18,7 +18,7 @@ class PartDoubts {
   // Returns, by PartId, the bound for any point of the part, in metres.
   std::vector<double> In(const plan::WorldState& state) const;
 
-  // The bound in metres of any part whose error is greater or not bounded.
+  // The greatest bound, in metres. It stands for all errors that are greater or not bounded.
   static constexpr double kMost = 0.05;
 
  private:

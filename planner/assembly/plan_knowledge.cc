@@ -116,7 +116,7 @@ class KnowledgeText {
         first_.name, Constants(), actions_text_);
   }
 
-  // A plan may also end with a person who takes over.
+  // Returns the .pks problem. Its goal holds as well if a person takes over.
   std::string Problem() const {
     return fmt::format(
         "problem assembly\ndomain assembly\n\ninit: {}\ngoal: {} |\n      K(operatorCalled)\n",

@@ -54,7 +54,7 @@ struct PlanKnowledge {
   std::string domain;   // in the .pks format
   std::string problem;  // in the .pks format
   contingent::GroundTask task;
-  std::map<std::string, KnowledgeAction> actions;  // by the names of the task's actions
+  std::map<std::string, KnowledgeAction> actions;  // indexed by the names of the task's actions
   // By the task's constants: the names of errors, parts and poses in the workcell and the scenario,
   // which may be any text.
   std::map<std::string, std::string> names;

@@ -18,11 +18,12 @@ struct Unreached {
 };
 
 // The arm's joint values at the start of the strategy, in a configuration in which it reaches the
-// ends of all motions and the hand is free of all parts there. Otherwise the obstruction.
+// ends of all motions and the hand is free of all parts there. If there is none, the obstruction.
 using StrategyReach = std::variant<kinematics::JointVector, Unreached>;
 
-// Returns whether the arm can execute the strategy. `before` is the world in which the action is
-// executed. The held part's pose in it does not matter.
+// Returns the start of the strategy if the arm can execute it, and the obstruction otherwise.
+// `before` is the world in which the action is executed. The held part's pose in it does not
+// matter.
 StrategyReach ReachOf(const domain::Problem& problem, const plan::Assemble& assemble,
                       const plan::Strategy& strategy, const plan::WorldState& before);
 

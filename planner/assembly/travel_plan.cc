@@ -39,8 +39,8 @@ constexpr double kFurthestClearance = 0.1;
 constexpr double kAccuracy = 5e-4;  // the accuracy of the claimed clearance, in metres
 constexpr double kSameOrientation = 1e-9;
 constexpr char kNotStraight[] = "the arm does not go straight on from there";
-constexpr double kSamePosture = 1e-6;  // radians
-constexpr double kSameClaim = 1e-6;    // metres or radians
+constexpr double kSamePosture = 1e-6;  // tolerance for equal postures, radians
+constexpr double kSameClaim = 1e-6;    // tolerance for equal claims, metres or radians
 
 bool IsTurned(const domain::Workcell& workcell, const Pose& X_WorldTool, const JointVector& q) {
   return geometry::AngleBetween(motion::ToolAt(workcell, q).linear(), X_WorldTool.linear()) >
@@ -64,10 +64,10 @@ std::optional<Obstruction> FindObstruction(MotionCheck& check, const JointPath& 
 
 // A travel with its own straight lines and those of the work after it.
 struct Way {
-  JointPath rise;  // from the posture after the step before
+  JointPath rise;  // straight up from the posture after the previous step
   JointPath over;  // the travel's path
-  JointPath down;  // to the approach pose
-  // from the approach pose on; the tool keeps its orientation in each section
+  JointPath down;  // straight down to the approach pose
+  // straight lines from the approach pose on; the tool keeps its orientation in each section
   std::vector<JointPath> work = {};
   motion::Sway sway = {};
 
@@ -120,7 +120,7 @@ class TravelSearch {
     return Found{travel, way->after(), *certainty};
   }
 
-  // Searches a path around the obstacles. Returns the reason in words if there is none.
+  // Searches for a path around the obstacles. Returns the reason in words if there is none.
   std::variant<Found, std::string> Search(const TravelEffort& effort) {
     in_the_way_ = "no configuration of the arm comes there and goes on straight";
     int tried = 0;
@@ -324,7 +324,7 @@ void AddConditions(StepId id, const WayCertainty& certainty, plan::Plan& plan) {
   all.insert(all.end(), conditions.begin(), conditions.end());
 }
 
-// Lists the preconditions about ways that are not proved.
+// Lists in each certificate the preconditions about ways that are not proved.
 void AddExcuses(plan::Plan& plan, uncertainty::Propagation propagation) {
   for (plan::PlannedStep& step : plan.steps) {
     if (step.certificate == plan::Certificate{}) continue;

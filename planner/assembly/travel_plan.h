@@ -13,7 +13,7 @@
 namespace assay::assembly {
 
 struct TravelEffort {
-  // the greatest number of postures at the end of one travel to which paths are searched
+  // the greatest number of postures at the end of one travel to which paths are searched for
   int destinations = 4;
   // the greatest number of postures visited in each search (motion::PathRequest)
   std::int64_t budget = 100'000;
@@ -23,7 +23,7 @@ struct TravelEffort {
 // (way_conditions.h). The usual travel goes from the tool's pose after its retreat straight up,
 // across at safe height, and straight down to the approach pose. It is used if arm, hand and held
 // part are clear of everything on it, and the arm is clear on the straight lines of the work.
-// Otherwise a path between the same poses of the tool is searched.
+// Otherwise a path between the same poses of the tool is searched for.
 //
 // Everything stays clear wherever parts and the arm's joints are within their errors. If no such
 // way is found, the arm's errors are ignored, and the step does not count as proved. Postures

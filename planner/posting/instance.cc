@@ -292,7 +292,7 @@ class OrderedSearch {
     };
     const bool is_first = distance(*here, too_near_.first) < distance(*here, too_near_.second);
     const geometry::Vector3& other = is_first ? too_near_.second : too_near_.first;
-    constexpr double kSame = 1e-6;  // metres
+    constexpr double kSame = 1e-6;  // tolerance for equal distances, metres
     std::stable_partition(here + 1, end, [&](const domain::Placement& placement) {
       return distance(placement, other) > distance(*here, other) + kSame;
     });

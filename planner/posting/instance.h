@@ -25,7 +25,7 @@ struct StepValues {
 struct PlanInstance {
   // the order of execution, without the start and finish steps
   std::vector<StepId> order = {};
-  std::vector<StepValues> values = {};  // indexed by step index
+  std::vector<StepValues> values = {};  // indexed by step
 };
 
 // Searches the plan instances of a partial plan. An instance has labels that satisfy the constraint

@@ -24,8 +24,8 @@ struct LabelGeometry {
   std::vector<std::vector<int>> position_list;
 };
 
-// Returns a lower bound on the number of actions of this planner's plans, or nothing if the planner
-// can find no plan. Nothing does not prove that no plan exists, because the bound ignores some
+// Returns a lower bound on the number of actions of this planner's plans. Returns none if the
+// planner can find no plan. That does not prove that no plan exists, because the bound ignores some
 // actions that a plan could do with mated parts (impossibility.h).
 //
 // A part gets from one position to the next only by a grasp that is reachable in both. So its

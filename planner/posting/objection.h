@@ -46,9 +46,9 @@ inline void Charge(Budget& moments, const Judgement& judgement) {
   for (std::int64_t i = 0; i < judgement.moments; ++i) moments.Spend();
 }
 
-// Judges the last of the first actions of a plan instance. The caller must have judged each shorter
-// beginning of these actions before, without objection. All calls since then must have begun with
-// it.
+// Judges the last of `actions`, which are the first actions of a plan instance. Before this call,
+// every shorter beginning of these actions must have been judged without objection, the shorter
+// ones first. Every sequence judged after such a beginning must start with it.
 using Judge = std::function<Judgement(std::span<const plan::Action> actions)>;
 
 }  // namespace assay::posting

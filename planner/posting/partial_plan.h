@@ -119,9 +119,10 @@ class PartialPlan {
   bool CanEstablish(StepId producer, const OperationalGoal& goal) const;
   bool Establish(StepId producer, const OperationalGoal& goal);
 
-  bool IsThreat(const Threat& threat) const;  // under the present constraints
-  bool Promote(const Threat& threat);         // posts prior_to(consumer, violator)
-  bool Separate(const Threat& threat);        // forbids that the two codesignate
+  // true if it is a threat under the present constraints
+  bool IsThreat(const Threat& threat) const;
+  bool Promote(const Threat& threat);   // posts prior_to(consumer, violator)
+  bool Separate(const Threat& threat);  // forbids that the two codesignate
   // Puts the goal back on its stack. It must then be established after the violator and after those
   // that threatened it before. So a goal is reopened at most once for each step of the plan.
   void Reopen(const Threat& threat);
@@ -137,8 +138,8 @@ class PartialPlan {
   // start.
   void RequireMoved(StepId consumer, domain::PartId part, const std::string& why);
   const std::vector<RequiredMove>& required_moves() const { return required_moves_; }
-  // Records that the part is not to be moved for the step. Plans that move it are searched
-  // separately.
+  // Records that the part is not to be moved for the step. Another branch of the search covers the
+  // plans that move it.
   void Keep(StepId consumer, domain::PartId part) { kept_.emplace_back(consumer, part); }
   bool IsKept(StepId consumer, domain::PartId part) const;
 

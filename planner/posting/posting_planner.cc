@@ -295,8 +295,8 @@ class PostingPlanner {
   std::set<std::string> seen_;  // the signatures of instances
   int limit_ = 0;
   bool cut_off_ = false;               // true if a refinement was left out because of the limit
-  bool met_objections_ = false;        // with the present limit
-  bool are_parts_in_the_way_ = false;  // with the present limit
+  bool met_objections_ = false;        // true if the judge objected with the present limit
+  bool are_parts_in_the_way_ = false;  // true if parts were in the way with the present limit
   std::size_t depth_ = 0;
   std::optional<plan::Plan> plan_;
 };

@@ -40,7 +40,7 @@ struct TreeCheck {
 // may do harm, the repeat is run again with every knowledge that comes back. Numeric functions take
 // the ends of their intervals, the bounds that are asked, carried back through assignments, and
 // values beside these (number_marks.h). In most tasks these represent all numbers. The tree fails
-// if the knowledge allows no world, at first or after a step.
+// if the knowledge allows no world, initially or after a step.
 //
 // !K(l) holds if l is false in some world with the same history. !Kw and !Kv hold if, in addition,
 // the fact has not been sensed. A sensed fact becomes known where the tree branches on it, not

@@ -63,9 +63,9 @@ struct Attainable {
 };
 
 // The delete relaxation of a problem (Bonet and Geffner 2001, section 4). A fact that has come true
-// stays true, so every part is at once in all places that it can reach. A fact that no sequence of
-// actions attains in the relaxation is attained by none in the problem itself. Each robot of the
-// workcell acts. A part blocks others until it can be moved.
+// stays true, so every part is at once in all places that it can reach. A fact that cannot be
+// attained in the relaxation cannot be attained in the problem itself. Each robot of the workcell
+// acts. A part blocks others until it can be moved.
 //
 // The relaxation does not follow some parts and takes everything with them to be possible. These
 // are parts that are mated or may have been mated, because they can be carried together and mated

@@ -12,12 +12,12 @@ namespace assay::posting {
 std::vector<plan::WorldState> StatesOf(const domain::Problem& problem,
                                        std::span<const plan::Action> actions);
 
-// Returns the latest action up to `step` before which the part rests, neither held nor mated into
-// another part. Returns none if there is no such action.
+// Returns the index of the latest action, up to `step`, before which the part rests, neither held
+// nor mated into another part. Returns none if there is no such action.
 std::optional<int> LatestFree(const std::vector<plan::WorldState>& states, int step,
                               domain::PartId part);
-// Returns the latest action up to `step` before which the hand is empty and the part is mated with
-// no other part. Returns none if there is no such action.
+// Returns the index of the latest action, up to `step`, before which the hand is empty and the part
+// is mated with no other part. Returns none if there is no such action.
 std::optional<int> LatestGraspable(const domain::Problem& problem,
                                    const std::vector<plan::WorldState>& states, int step,
                                    domain::PartId part);

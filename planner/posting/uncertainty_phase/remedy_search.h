@@ -13,11 +13,11 @@
 
 namespace assay::posting {
 
-// Searches remedies for one step of which not all goals are proved. It returns the fewest remedies
-// that prove all goals of the step and keep the goals that are proved, with sensing first (Spar,
-// "Satisfying Uncertainty-Reduction Goals"). Beyond the paper, remedies are inserted wherever their
-// preconditions hold, not only right before the step, and a remedy may prepare the goals of another
-// remedy.
+// Searches for remedies for one step of which not all goals are proved. It returns the fewest
+// remedies that prove all goals of the step and keep the goals that are proved, with sensing first
+// (Spar, "Satisfying Uncertainty-Reduction Goals"). Beyond the paper, remedies are inserted
+// wherever their preconditions hold, not only right before the step, and a remedy may prepare the
+// goals of another remedy.
 class RemedySearch {
  public:
   // Whether the search records the parts that are in the way of remedies.

@@ -19,7 +19,7 @@ class CertifiedPlanning {
                     const UncertaintyOptions& options)
       : planner_(planner), relations_(problem), task_(problem, options), best_(task_) {}
 
-  // The first instances show how many errors no search can avoid. The search looks for plans
+  // The first instances show which errors no search can avoid. Later searches look for plans
   // without the other errors.
   plan::PlanResult Run() {
     plan::PlanResult result = AmongTheFirst();
@@ -46,10 +46,10 @@ class CertifiedPlanning {
     }
   }
 
-  // Searches a plan in which at most `errors` steps are not proved. Steps that fail are mended by
-  // other instances and by goals of the first phase. `anywhere` contains the subjects that fail in
-  // the best plan wherever parts are. Other places are mostly found sooner than remedies that make
-  // them unnecessary.
+  // Searches for a plan in which at most `errors` steps are not proved. Steps that fail are mended
+  // by other instances and by goals of the first phase. `anywhere` contains the subjects that fail
+  // in the best plan wherever parts are. Other places are mostly found sooner than remedies that
+  // make them unnecessary.
   plan::PlanResult WithErrors(int errors, const std::vector<Subject>& anywhere,
                               IfUnproved if_unproved) {
     const int by_place = std::max(0, errors - static_cast<int>(anywhere.size()));

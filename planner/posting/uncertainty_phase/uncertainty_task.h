@@ -9,8 +9,8 @@
 
 namespace assay::posting {
 
-// The data shared by all work on the uncertainty in plan instances of one problem, above all the
-// world trees of the knowledge during execution.
+// The data shared by all work on the uncertainty in plan instances of one problem. Its world trees
+// record what is known during execution.
 struct UncertaintyTask {
   // Both arguments must outlive the object, and the options must have resolvers.
   UncertaintyTask(const domain::Problem& of, const UncertaintyOptions& with)

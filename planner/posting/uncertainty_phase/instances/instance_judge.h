@@ -18,7 +18,7 @@ struct Allowance {
   std::int64_t errors = 0;
   // the number of these errors that may depend on the places of parts
   std::int64_t by_place = 0;
-  std::vector<Subject> anywhere = {};  // the subjects of the other steps
+  std::vector<Subject> anywhere = {};  // the subjects of the steps that may fail wherever parts are
 
   bool Covers(const domain::Problem& problem, std::span<const plan::Action> actions,
               const std::vector<Objection>& objections) const;
