@@ -50,8 +50,8 @@ class KnowledgeSpace {
   std::size_t size() const { return states_.size(); }
   bool IsGoal(StateId id) { return Surely(task().goal, state(id)); }
 
-  // Says in words why the states that were met prove nothing about the states that were not. Empty
-  // if StepsFrom returned every step that any plan can take.
+  // Says in words why this search proves nothing about states that it has not met. Empty if
+  // StepsFrom returned every step that any plan can take.
   const std::string& doubt();
 
   // Returns the steps from a state, in the order of the task. If a formula of Kw can branch, this

@@ -194,7 +194,7 @@ class ExhaustiveTreeSearch {
     KnowledgeBase& knowledge = space_.knowledge();
     const KnowledgeState& here = space_.state(state);
     const auto literals = knowledge.UndeterminedLiterals(transition.step.formula, here);
-    if (literals.size() != 1) return false;  // a bound or a conjunction
+    if (literals.size() != 1) return false;  // the formula is a bound or a conjunction
     const AtomId atom = literals.front().atom;
     return knowledge.RelationOf(here, atom) == kAllSets && !conditionally_changed_.contains(atom);
   }

@@ -130,7 +130,7 @@ class NearMiss {
   const RelaxedProblem& relaxed_;
   GraspCondition condition_;
   std::vector<Constraint> constraints_;
-  std::vector<Miss> misses_;  // by increasing excess
+  std::vector<Miss> misses_;  // sorted by increasing excess
 };
 
 // Returns the leans of the mating vector in all stable poses of the fixed part in which it is

@@ -27,7 +27,7 @@ using Kind = Constraint::Kind;
 
 namespace {
 
-constexpr double kWiderThanAnyPart = 1e3;  // metres
+constexpr double kWiderThanAnyPart = 1e3;  // metres; no part is wider
 
 // Parts of one model share their grasps.
 Problem WithMisses(Problem problem) {
@@ -229,7 +229,7 @@ class FixedPoint {
   const RelaxedProblem& relaxed_;
   const Problem& problem_;
   const Relaxation& relaxation_;
-  int left_out_ = 0;  // grasp conditions
+  int left_out_ = 0;  // the grasp conditions that are left out
   Attainable now_;
   bool grown_ = false;
   std::vector<HoldOption> holds_;

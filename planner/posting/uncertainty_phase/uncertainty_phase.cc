@@ -97,7 +97,7 @@ class CertifiedPlanning {
       result.outcome = Outcome::kFound;
       result.conflict.clear();
       result.plan = best_.WriteOut();
-    } else if (result.outcome == Outcome::kFound) {  // no plan found can be executed
+    } else if (result.outcome == Outcome::kFound) {  // plans were found, but none can be executed
       result.outcome = Outcome::kBudget;
       result.plan = {};
     }

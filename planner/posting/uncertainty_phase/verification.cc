@@ -15,8 +15,8 @@ using domain::VerifiedAction;
 // The expected measurements after an action, in metres.
 struct Expected {
   VerifiedAction action;
-  double opening = 0;      // between the pads
-  double tool_height = 0;  // above the table
+  double opening = 0;      // the distance between the pads
+  double tool_height = 0;  // the tool's height above the table
 };
 
 double HeightOf(const geometry::Pose& X_WorldTool) { return X_WorldTool.translation().z(); }
