@@ -98,7 +98,7 @@ class PddlWriter {
     return text + ")";
   }
 
-  // Returns the query without its conditions that something is unknown.
+  // Removes from the query all conditions that ask whether something is unknown.
   static GroundQuery WhatIsAskedOfWorlds(const GroundQuery& query) {
     if (query.kind == GroundQuery::Kind::kNot) return {};
     if (query.kind != GroundQuery::Kind::kAnd) return query;

@@ -26,7 +26,7 @@ class AtomTable {
   // and no action changes it.
   Knowledge AlwaysKnown(const std::string& predicate, const std::vector<std::string>& arguments);
   bool IsChanged(const std::string& name) const { return changed_.contains(name); }
-  // Returns true for a function whose value becomes known by some action or is sensed by init.
+  // Returns true for a function that some action or the init puts in Kv.
   bool IsSensed(const std::string& function) const { return sensed_.contains(function); }
 
   AtomId Atom(const std::string& predicate, const std::vector<std::string>& arguments);

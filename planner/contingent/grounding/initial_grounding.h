@@ -37,8 +37,8 @@ class InitialGrounding {
   const Problem& problem_;
   TermGrounding& terms_;
   EffectGrounding& effects_;
-  // The knowledge that init puts in Kf. The table also contains the unknown atoms that init names
-  // for LCW.
+  // The knowledge that init puts in Kf. The atom table also records the alternatives of Kx as
+  // unknown, so that LCW does not close them.
   std::map<std::string, Knowledge> told_;
 };
 

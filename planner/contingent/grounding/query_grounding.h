@@ -16,7 +16,7 @@ class QueryGrounding {
   QueryGrounding(TermGrounding& terms, Externs& externs) : terms_(terms), externs_(externs) {}
 
   GroundQuery QueryOf(const Query& query, Bindings bindings);
-  // Returns the query whether the literal is known.
+  // Returns the query that asks whether the literal is known.
   GroundQuery KnownLiteral(const Literal& literal, const Bindings& bindings);
   // Returns the conjunction of the literals as a formula for Kw. Returns none if it is always known
   // whether the conjunction holds.

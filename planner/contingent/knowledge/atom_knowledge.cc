@@ -19,7 +19,7 @@ AtomKnowledge::AtomKnowledge(const GroundTask& task)
 }
 
 bool AtomKnowledge::IsWithin(const KnowledgeState& state, Diagram worlds) {
-  // Known atoms decide most sets without further work on them.
+  // Most sets are decided by the known atoms alone, without further work.
   while (!worlds_.IsConstant(worlds)) {
     const AtomId atom = worlds_.AtomOf(worlds_.variable(worlds));
     if (layout_.IsKnown(state, {atom, true})) {

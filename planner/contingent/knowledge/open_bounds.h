@@ -17,7 +17,8 @@ class OpenBounds {
   OpenBounds(const GroundTask& task, const KnowledgeState& state, DecisionDiagrams& diagrams)
       : task_(task), state_(state), diagrams_(diagrams) {}
 
-  // Returns the worlds where the bound holds: all, none, or the set of its variable.
+  // Returns the set of worlds where the bound holds: all worlds, no world, or, if its truth is
+  // unknown, the set where the bound's variable is true.
   Diagram WorldsWhere(const Bound& bound);
   // Returns the combinations of the bounds seen so far that can hold together. One bound on a
   // number may decide another one.

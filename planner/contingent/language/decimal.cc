@@ -7,7 +7,7 @@
 namespace assay::contingent {
 namespace {
 
-constexpr double kUnits = 1e9;  // units in the number one
+constexpr double kUnits = 1e9;  // the number of decimal units in the number one
 // With this limit a product with kUnits is off by less than half a unit, and different decimals are
 // different doubles.
 constexpr double kMostUnits = 1e15;

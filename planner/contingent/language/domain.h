@@ -68,7 +68,7 @@ struct Literal {
   Place place;
 };
 
-// A question to a knowledge state about K, Kw and Kv (Petrick and Bacchus 2002, section 3).
+// A query to a knowledge state, built from K, Kw and Kv (Petrick and Bacchus 2002, section 3).
 struct Query {
   enum class Kind {
     kAnd,  // all operands hold; without operands it is always true

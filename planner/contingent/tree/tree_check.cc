@@ -275,7 +275,8 @@ class Runner {
                : assay::contingent::TextOf(task_, task_.formulas[node.formula.index()]);
   }
 
-  // Returns the literals of each child's case for a function, and the literals of a formula.
+  // Returns the literals on which the branch depends: one list for each child if it asks a
+  // function, and one list if it asks a formula.
   std::vector<std::vector<GroundLiteral>> CasesOf(const PlanNode& node) const {
     if (node.kind == PlanNode::Kind::kWhether) {
       return {task_.formulas[node.formula.index()].literals};

@@ -29,10 +29,10 @@ AugmentedPlanInstance Augment(const domain::Problem& problem, const plan::Plan& 
 // Runs both phases. The plan instances of the first phase are augmented one after another until one
 // has no errors. If there is none, the result has the fewest errors, then the fewest actions of the
 // first phase, and then the smallest violation. Beyond the paper, the first phase is asked for
-// further plans, not only for further instances of one plan. An instance that surely has errors
-// with any remedies waits for the others. The waiting instances that could still come first are
-// augmented, the most promising first. Only a few of those that could come first by their violation
-// alone are augmented.
+// further plans, not only for further instances of one plan. An instance that surely has errors,
+// whatever the remedies, waits until all instances are known. Then those that could still come
+// first are augmented, the most promising first. Few are augmented that could come first only by
+// their violation.
 //
 // After that, if an instance with fewer errors than the best is possible, the first phase searches
 // for a plan with no errors, then with one, and so on, and this phase judges each action as it is

@@ -27,7 +27,7 @@ void Explain(std::vector<Unproved> goals, const UncertainWorld& world, Objection
   for (const PartId part : world.PartsIn(ExpressionsOf(goals))) {
     if (std::ranges::count(objection.parts, part) == 0) objection.parts.push_back(part);
   }
-  if (!objection.place) return;  // the step fails even with no other part there
+  if (!objection.place) return;  // the step would fail even without other parts
   for (const Unproved& goal : goals) {
     if (!goal.neighbour.IsNone()) AddInTheWay(goal.neighbour, WhyUnproved(goal.claim), objection);
   }
