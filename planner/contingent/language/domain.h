@@ -83,9 +83,8 @@ struct Query {
   Kind kind = Kind::kAnd;
   std::vector<Literal> literals;
   std::vector<Term> terms;  // one term, for kValueKnown only
-  std::optional<double>
-      // for kValueKnown: the greatest half width of the interval known to contain the value
-      within;
+  // for kValueKnown: the greatest half width of the interval known to contain the value
+  std::optional<double> within;
   std::vector<TypedName> variables;
   std::vector<Query> operands;
   Place place;

@@ -25,10 +25,10 @@ struct UncertaintyOptions {
   // the number of instances that may be augmented only because their violation may be smaller
   std::int64_t instances_for_violation = 0;
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
-  std::vector<plan::Sense> looks =
-      {};  // sensing actions with which every plan begins, whether it needs them or not
+  // sensing actions with which every plan begins, whether it needs them or not
+  std::vector<plan::Sense> looks = {};
   // Called for each plan instance of the first phase before it is augmented. An instance that
-  // cannot be executed is skipped. If it is empty, all instances can be executed.
+  // cannot be executed is skipped. Without a function, all instances can be executed.
   std::function<bool(const plan::Plan&)> can_be_executed = {};
 
   // Returns the conditions that some remedy may absorb.

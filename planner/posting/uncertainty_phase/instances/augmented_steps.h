@@ -41,8 +41,8 @@ struct AugmentedStep {
   std::vector<std::string> absorbed = {};  // conditions that a remedy absorbs
   std::optional<plan::Strategy> strategy = {};
   bool given_up = false;  // true if its goals cannot all be proved
-  uncertainty::MomentId failed =
-      uncertainty::MomentId::None();  // the snapshot after the step if goals are unproved
+  // the snapshot after the step if goals are unproved
+  uncertainty::MomentId failed = uncertainty::MomentId::None();
 
   const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
   bool fails() const { return !failed.IsNone(); }
