@@ -20,8 +20,8 @@ struct PlannerOptions {
   // it objects is not a plan. An empty judge never objects.
   Judge judge = {};
   std::int64_t moments = 12'000;  // budget of the judge, in computed snapshots
-  // Called for each plan instance in turn. The first accepted one is the plan. If it is empty, the
-  // first instance is the plan.
+  // Called for each plan instance in turn. The first accepted one is the plan. Without a function,
+  // the first instance is the plan.
   std::function<bool(const plan::Plan&)> accept = {};
   // Receives the partial plan of which the plan is an instance; may be empty.
   std::function<void(const PartialPlan&)> show_family = {};
