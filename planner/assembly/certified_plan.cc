@@ -18,7 +18,7 @@ plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
   const std::optional<std::string> obstruction =
       AddTravels(problem, {}, result.plan, uncertainty.propagation);
   if (!obstruction) return result;
-  // What a path is not found for before looks and squeezes are inserted has none with them.
+  // If a travel has no path before looks and squeezes are inserted, it has none afterwards either.
   uncertainty.can_be_executed = [&, propagation = uncertainty.propagation](plan::Plan instance) {
     return !AddTravels(problem, {}, instance, propagation);
   };

@@ -7,10 +7,11 @@
 
 namespace assay::assembly {
 
-// posting::MakeCertifiedPlan with the resolvers that the problem names, unless others are given,
-// and with the travels that the plan needs (AddTravels). If the arm cannot execute the best plan
-// instance, as far as paths were looked for, the best of those that it can; if there is none among
-// UncertaintyOptions::instances, the outcome is kBudget, with what was in the way.
+// Makes a plan as posting::MakeCertifiedPlan does, with the resolvers that the problem names,
+// unless others are given, and with the travels that the plan needs (AddTravels). If no travels are
+// found for the best plan instance, the best instance with travels is returned. If none of the
+// first UncertaintyOptions::instances instances has travels, the outcome is kBudget, and the result
+// names the obstruction.
 plan::PlanResult MakeCertifiedPlan(const domain::Problem& problem,
                                    const posting::PlannerOptions& planner,
                                    posting::UncertaintyOptions uncertainty);

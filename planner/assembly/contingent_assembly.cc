@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::int64_t kKnowledgeStates = 1'000'000;
 
-// A look at each of the parts, by the first sensor that may be used.
+// Returns a look at each of the parts, by the first available sensor.
 std::vector<plan::Sense> LooksAt(const domain::Problem& world,
                                  const std::vector<domain::OpenPose>& parts) {
   std::vector<plan::Sense> looks;
@@ -28,8 +28,9 @@ std::vector<plan::Sense> LooksAt(const domain::Problem& world,
   return looks;
 }
 
-// Whether each kind of precondition of which all is proved in the plan's own world is proved in
-// this one. What is said of the arm's ways is computed anew where the plan is checked.
+// Returns true if each kind of precondition that is completely proved in the plan's own world is
+// proved in this world. The preconditions about the arm's ways are not compared, because the plan
+// check computes them again.
 bool IsAsCertain(const domain::Problem& world, const plan::Plan& plan,
                  const posting::UncertaintyOptions& options) {
   uncertainty::UncertainWorld uncertain(world, options.propagation);
@@ -51,8 +52,8 @@ bool Works(const domain::Problem& world, const plan::Plan& plan,
   return assembly::Check(world, plan, kOrders).flaws.empty() && IsAsCertain(world, plan, options);
 }
 
-// A plan that was made without first looks may serve several worlds; only where it does not serve
-// all is it made anew, to begin with looks.
+// Plans first without looks, because such a plan may serve several worlds. If it does not serve all
+// worlds, it is made again with looks at the beginning.
 class WorldPlanner {
  public:
   WorldPlanner(const std::vector<domain::Problem>& worlds, const posting::PlannerOptions& planner,
@@ -94,7 +95,7 @@ class WorldPlanner {
     assembly_.plans.push_back(std::move(planned));
   }
 
-  // Only that the world is this one makes its constraints conflict.
+  // Adds the world to the reasons, because the constraints conflict only in this world.
   void TellWorld(const std::string& world) {
     plan::PlanResult& unplanned = assembly_.unplanned;
     auto& reasons = unplanned.outcome == Outcome::kNone ? unplanned.conflict : unplanned.limits;

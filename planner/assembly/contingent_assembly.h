@@ -14,23 +14,24 @@ namespace assay::assembly {
 // One plan tree for all worlds of a scenario.
 struct ContingentAssembly {
   Outcome outcome = Outcome::kBudget;
-  std::vector<PlanOfWorlds> plans;  // each world is in one of them
+  std::vector<PlanOfWorlds> plans;  // each world belongs to one of the plans
   PlanKnowledge knowledge;
-  contingent::PlanTree tree;  // at kFound
-  // At other outcomes: why there is none. At kNone of the world that has no plan, which is told; at
-  // kBudget the limits that were met: one plan for each world is looked at, so that it is no proof
-  // if no sensor tells when to follow which.
+  contingent::PlanTree tree;  // valid if the outcome is kFound
+  // The reason for any other outcome. With kNone it is the result for the world that has no plan,
+  // and names this world. With kBudget it contains the limits that were met. Only one plan for each
+  // world is considered, so a failure proves nothing if no sensor says which plan to follow.
   plan::PlanResult unplanned = {};
-  int errors = 0;  // steps that could not be proved, in all plans
+  int errors = 0;  // the number of steps that could not be proved, in all plans
 };
 
-// "peg standing, block on-back": what tells the world from the others.
+// Returns what distinguishes the world from the others, such as "peg standing, block on-back".
 std::string NameOf(const domain::Problem& world);
 
-// Plans for every world by MakeCertifiedPlan, begins these plans with a look at each part whose
-// pose matters, and plans what to find out when (contingent::MakePlan): Spar's uncertainty phase
-// with contingent planning as one of its resolvers. A plan that works as it is in other worlds,
-// too, is theirs as well, so that nobody looks at what does not matter. `worlds`: of
+// Makes a plan tree for several worlds: Spar's uncertainty phase with contingent planning as one of
+// its resolvers. It plans for every world by MakeCertifiedPlan. It puts a look (a sensing action)
+// at each part whose pose matters at the beginning of these plans. Then it plans which looks are
+// needed and when (contingent::MakePlan). A plan that works unchanged in other worlds is used for
+// them too, so that no action looks at a pose that does not matter. `worlds` must come from
 // domain::ReadWorlds.
 ContingentAssembly MakeContingentPlan(const std::vector<domain::Problem>& worlds,
                                       const posting::PlannerOptions& planner,

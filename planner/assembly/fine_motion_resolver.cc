@@ -25,14 +25,18 @@ using uncertainty::TipBox;
 using uncertainty::TipWay;
 using uncertainty::UncertainWorld;
 
-constexpr int kRounds = 4;            // of computing errors at starts that are searched for them
-constexpr double kSpare = 1.05;       // of errors: they are a little different at every start
-constexpr double kLeastShift = 5e-5;  // metres: errors that are less make a search no easier
-constexpr double kLeastTurn = 5e-4;   // radians
-constexpr double kGreatestShift = 0.006;  // metres: half of where contacts are looked for
-constexpr double kGreatestTurn = 0.2;     // radians: contacts are linear in no more
+// the greatest number of rounds; each computes the errors at a start and searches for a start with
+// them
+constexpr int kRounds = 4;
+// factor on errors, because they differ a little at every start
+constexpr double kSpare = 1.05;
+constexpr double kLeastShift = 5e-5;  // metres; smaller errors do not make a search easier
+constexpr double kLeastTurn = 5e-4;   // radians; smaller turns do not make a search easier
+// metres; half of the range in which contacts are searched for
+constexpr double kGreatestShift = 0.006;
+constexpr double kGreatestTurn = 0.2;  // radians; contacts are linear only up to this turn
 
-// And those that take the place of what is absorbed.
+// Returns true for absorbed conditions and for the conditions that replace them.
 bool IsAnswered(const std::string& condition) {
   return std::ranges::count(AbsorbedConditions(), condition) > 0 || condition == "tip shift" ||
          condition == "tip turn";
@@ -60,7 +64,7 @@ bool CanBeReached(const UnmetGoals& unmet, const plan::Assemble& assemble,
   return !std::holds_alternative<Unreached>(ReachOf(unmet.problem, assemble, strategy, before));
 }
 
-// The plan with the insertions of remedies, and where the step is then.
+// The plan with the inserted actions of remedies, and the index of the step in it.
 struct Prepared {
   std::vector<plan::Action> actions;
   std::vector<std::optional<plan::Strategy>> strategies;
@@ -83,7 +87,7 @@ Prepared With(const UnmetGoals& unmet, const std::vector<Insertion>& insertions)
   return prepared;
 }
 
-// Looks at one of the two parts, or at both.
+// Returns looks at one of the two parts, and looks at both.
 std::vector<std::vector<Insertion>> LooksAtPartsOf(const UnmetGoals& unmet,
                                                    const domain::Mating& mating) {
   std::vector<std::vector<Insertion>> looks;
@@ -151,8 +155,8 @@ std::vector<Remedy> FineMotionResolver::Propose(const UnmetGoals& unmet) {
   return {};
 }
 
-// Where the start is decides on the errors there, and these on the start: the two are looked for in
-// turn.
+// The start determines the errors there, and the errors determine the start. So the two are
+// computed alternately.
 std::optional<plan::Strategy> FineMotionResolver::StrategyFor(const UnmetGoals& unmet) {
   const auto& assemble =
       std::get<plan::Assemble>(unmet.actions[static_cast<std::size_t>(unmet.step)]);

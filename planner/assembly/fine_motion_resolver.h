@@ -12,27 +12,28 @@
 
 namespace assay::assembly {
 
-// Conditions of assemble that strategies absorb.
+// Returns the conditions of an assemble that strategies absorb.
 const std::vector<std::string>& AbsorbedConditions();
 
-// Proposes to execute an assemble action whose shaft may miss its hole by fine motion: by a
-// sequence of contacts that is certain in spite of the errors that there may be (Dakin and
-// Popplestone). How great these are is computed from all that the plan does before; if they are too
-// great, looks at the two parts are proposed with it.
+// Proposes fine motion for an assemble action whose shaft may miss its hole. A strategy is a
+// sequence of contacts that is certain in spite of the possible errors (Dakin and Popplestone). The
+// size of the errors is computed from all earlier actions of the plan. If the errors are too great,
+// looks at the two parts are proposed with the strategy.
 class FineMotionResolver : public posting::Resolver {
  public:
   explicit FineMotionResolver(uncertainty::Propagation propagation) : propagation_(propagation) {}
 
   std::string_view name() const override { return "fine-motion"; }
   std::vector<std::string> absorbs() const override { return AbsorbedConditions(); }
-  // Only steps are answered whose unmet goals are all of shaft and hole.
+  // Returns no remedies unless all unmet goals of the step are about shaft and hole.
   std::vector<posting::Remedy> Propose(const posting::UnmetGoals& unmet) override;
 
-  int searches() const { return static_cast<int>(plans_.size()); }  // so far
+  int searches() const { return static_cast<int>(plans_.size()); }  // the number of searches so far
 
  private:
   std::optional<plan::Strategy> StrategyFor(const posting::UnmetGoals& unmet);
-  // The same errors ask for the same plan.
+  // Returns the plan for a mating and its errors. Equal errors give the same plan without a new
+  // search.
   const finemotion::FineMotionPlan& PlanFor(domain::MatingId mating,
                                             const finemotion::MatingGeometry& geometry,
                                             const finemotion::FineMotionErrors& errors,
@@ -42,7 +43,8 @@ class FineMotionResolver : public posting::Resolver {
   std::map<std::string, finemotion::FineMotionPlan> plans_;
 };
 
-// The box of errors of the tip in the step, which the strategy or a way to be had one for takes.
+// Returns the box of errors of the tip in the step. `way` describes the path of the tip, either
+// that of a strategy or the default path with which the search for a strategy begins.
 uncertainty::TipBox TipBoxAt(const posting::UnmetGoals& unmet, uncertainty::Propagation propagation,
                              const uncertainty::TipWay& way);
 

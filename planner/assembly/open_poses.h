@@ -14,11 +14,12 @@ struct NamedPose {
   geometry::Pose X_WorldPart;
 };
 
-// The poses that a part has in the worlds of a scenario (domain::ReadWorlds), in the order of its
-// file; none if its pose is not open.
+// Returns the poses that a part has in the worlds of a scenario (domain::ReadWorlds), in the order
+// of the scenario's file. Returns none if the part's pose is not open.
 std::vector<NamedPose> PosesOf(const std::vector<domain::Problem>& worlds, domain::PartId part);
 
-// Two of them that may look alike to the sensor (domain::LookAlike); none: it tells all apart.
+// Returns the names of two poses of the part that may look alike to the sensor (domain::LookAlike).
+// Returns none if the sensor distinguishes all poses.
 std::optional<std::pair<std::string, std::string>> FindAlike(
     const std::vector<domain::Problem>& worlds, domain::PartId part, const std::string& sensor);
 

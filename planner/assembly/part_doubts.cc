@@ -13,7 +13,7 @@ double Greatest(const Interval& range) {
   return std::max(std::abs(range.low), std::abs(range.high));
 }
 
-// Of points within `radius` of what turns: an axis, or a point.
+// Returns the bound for points within `radius` of the axis or the point about which the body turns.
 template <class Error>
 double Doubt(const Error& error, double turn, double radius) {
   const Vector3 displacement(Greatest(error.x), Greatest(error.y), Greatest(error.z));
@@ -21,7 +21,7 @@ double Doubt(const Error& error, double turn, double radius) {
   return std::isfinite(doubt) ? std::min(doubt, PartDoubts::kMost) : PartDoubts::kMost;
 }
 
-// While it rests: errors turn it about the vertical through its origin.
+// Returns the bound for a resting part. Errors turn it about the vertical through its origin.
 double DoubtAtRest(const domain::Part& part, const plan::ErrorSet& set,
                    const plan::Pose& X_WorldPart) {
   double radius = 0;
@@ -31,7 +31,7 @@ double DoubtAtRest(const domain::Part& part, const plan::ErrorSet& set,
   return Doubt(set, Greatest(set.theta), radius);
 }
 
-// In the hand: about the grasped point.
+// Returns the bound for a held part. Errors turn it about the grasped point.
 double DoubtInHand(const domain::Part& part, const plan::ErrorSet& set, const plan::Hold& hold) {
   double radius = 0;
   for (const Vector3& vertex : part.model->hull().vertices) {
@@ -66,7 +66,7 @@ std::vector<double> PartDoubts::In(const plan::WorldState& state) const {
 }
 
 double HandDoubt(const domain::Problem& problem) {
-  double reach = 0;  // of the hand from the tool
+  double reach = 0;  // the greatest distance of a point of the hand from the tool's origin
   for (const geometry::Box& box : problem.workcell->gripper().HandBoxes()) {
     reach = std::max(reach, box.X_FrameBox.translation().norm() + box.half_extents.norm());
   }

@@ -8,25 +8,25 @@
 
 namespace assay::assembly {
 
-// How far the points of parts may be from where they are believed to be: at first by the scenario's
-// errors, then by what the certificates of the steps say.
+// Bounds on the distance between the points of parts and their believed positions. At first they
+// come from the scenario's error bounds, and later from the certificates of the steps.
 class PartDoubts {
  public:
   explicit PartDoubts(const domain::Problem& problem);
 
   void Take(const std::vector<plan::ErrorSet>& sets);
-  // Of each part by PartId, metres, for any of its points.
+  // Returns, by PartId, the bound for any point of the part, in metres.
   std::vector<double> In(const plan::WorldState& state) const;
 
-  // What is not bounded, or by more, counts as so much.
+  // The greatest bound, in metres. It stands for all errors that are greater or not bounded.
   static constexpr double kMost = 0.05;
 
  private:
   const domain::Problem& problem_;
-  std::vector<plan::ErrorSet> sets_;  // by PartId
+  std::vector<plan::ErrorSet> sets_;  // indexed by PartId
 };
 
-// The same of the points of the hand, by the error of the gripper.
+// Returns the bound in metres for any point of the hand, from the gripper's error bounds.
 double HandDoubt(const domain::Problem& problem);
 
 }  // namespace assay::assembly

@@ -8,14 +8,13 @@
 
 namespace assay::assembly {
 
-// plan::Check, and whether strategies and travels hold up.
+// Checks a plan as plan::Check does, and checks its strategies and travels.
 plan::CheckReport Check(const domain::Problem& problem, const plan::Plan& plan,
                         int most_linearizations);
 
-// What in the strategies of assembles does not hold up (finemotion::FlawsOfStrategy), and what they
-// say to absorb and no strategy does, or errors of velocity that are more than they are certain
-// for. Nothing is told of strategies that have no form (plan::FlawsOfForm): plan::Check refuses
-// them.
+// Returns the flaws in the strategies of assembles: flaws of finemotion::FlawsOfStrategy, absorbed
+// conditions that no strategy can absorb, and errors of velocity that are greater than the strategy
+// allows. Malformed strategies (plan::FlawsOfForm) are skipped, because plan::Check refuses them.
 std::vector<plan::Flaw> FlawsOfStrategies(const domain::Problem& problem, const plan::Plan& plan);
 
 }  // namespace assay::assembly

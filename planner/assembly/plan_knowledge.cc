@@ -36,7 +36,7 @@ std::string Both(const std::vector<std::string>& queries) {
   return queries.empty() ? "true" : fmt::format("{}", fmt::join(queries, " & "));
 }
 
-// The errors that the verifications of a step may signal, each once.
+// Returns the errors that the verifications of a step may signal, each once.
 std::vector<std::string> ErrorsAfter(const plan::Plan& plan, plan::StepId step) {
   std::vector<std::string> errors;
   for (const plan::Verification& check : plan.verifications) {
@@ -48,7 +48,7 @@ std::vector<std::string> ErrorsAfter(const plan::Plan& plan, plan::StepId step) 
   return errors;
 }
 
-// None that could mend anything: only a person is left.
+// Returns true if no recovery can correct the error, so that only a person can.
 bool IsForOperator(const plan::Plan& plan, plan::StepId step, const std::string& error) {
   return std::ranges::none_of(plan.recoveries, [&](const plan::Recovery& recovery) {
     return recovery.step == step && recovery.error == error &&
@@ -60,7 +60,7 @@ const domain::OpenPose& OpenPoseOf(const domain::Problem& world, PartId part) {
   return *std::ranges::find(world.open_poses, part, &domain::OpenPose::part);
 }
 
-// Whether the worlds have the same poses of all parts but one.
+// Returns true if the worlds have the same poses of all parts except one.
 bool AgreeBeside(const domain::Problem& a, const domain::Problem& b, PartId part) {
   return std::ranges::all_of(a.open_poses, [&](const domain::OpenPose& open) {
     return open.part == part || open.chosen == OpenPoseOf(b, open.part).chosen;
@@ -82,8 +82,8 @@ bool IsOpen(const domain::Problem& world, PartId part) {
   return std::ranges::count(world.open_poses, part, &domain::OpenPose::part) > 0;
 }
 
-// Of the looks with which a plan begins, those at parts whose pose is open. At the knowledge level
-// they are no steps of the plan: it is by them that it becomes known which plan works.
+// Returns the looks at parts with an open pose among the looks with which a plan begins. At the
+// knowledge level they are not steps of the plan, because their results decide which plan works.
 std::vector<plan::StepId> LooksAtOpenPoses(const domain::Problem& world, const plan::Plan& plan) {
   std::vector<plan::StepId> looks;
   for (const plan::StepId id : plan.ExecutionOrder()) {
@@ -94,7 +94,7 @@ std::vector<plan::StepId> LooksAtOpenPoses(const domain::Problem& world, const p
   return looks;
 }
 
-// Writes domain and problem.
+// Writes the domain and the problem in the .pks format.
 class KnowledgeText {
  public:
   KnowledgeText(const std::vector<domain::Problem>& worlds, const std::vector<PlanOfWorlds>& plans)
@@ -116,7 +116,7 @@ class KnowledgeText {
         first_.name, Constants(), actions_text_);
   }
 
-  // A person who takes over is an end, too.
+  // Returns the .pks problem. Its goal holds as well if a person takes over.
   std::string Problem() const {
     return fmt::format(
         "problem assembly\ndomain assembly\n\ninit: {}\ngoal: {} |\n      K(operatorCalled)\n",
@@ -127,7 +127,8 @@ class KnowledgeText {
   std::map<std::string, std::string> Names() { return std::move(names_); }
 
  private:
-  // Sensors, errors, parts and poses may have any names; constants and actions may not.
+  // Names of sensors, errors, parts and poses are arbitrary, so they are spelled as .pks names
+  // here.
   void AddAction(const std::string& name, KnowledgeAction action, const std::string& precondition,
                  const std::string& effects) {
     const std::string spelled = contingent::Unique(contingent::Spelled(name), action_names_);
@@ -147,7 +148,7 @@ class KnowledgeText {
   }
   const std::string& ConstantOf(const domain::Part& part) { return ConstantOf("part", part.name); }
 
-  // What none of these constants can be.
+  // Reserves the names that no constant of a part, pose or error may have.
   void TakeNames() {
     constant_names_.insert(contingent::kPksSections.begin(), contingent::kPksSections.end());
     constant_names_.insert("pose");
@@ -179,7 +180,8 @@ class KnowledgeText {
     for (const std::string& sensor : first_.sensors) AddLook(part, open.part, sensor);
   }
 
-  // As long as the part is where it was. Which pose it has is told if no two look alike.
+  // Adds a look, which is possible only while the part has not moved. The part's pose becomes known
+  // if no two of its poses look alike.
   void AddLook(const std::string& part, PartId id, const std::string& sensor) {
     std::vector<std::string> effects;
     if (!FindAlike(worlds_, id, sensor)) effects.push_back(fmt::format("add(Kv, pose({}))", part));
@@ -192,8 +194,8 @@ class KnowledgeText {
               fmt::format("K(!moved({}))", part), fmt::format("{}", fmt::join(effects, ", ")));
   }
 
-  // What is known is known of the present: of a step that the next one has gone beyond, and of a
-  // pose from which the part was taken and its errors, nothing is claimed any more.
+  // Knowledge is about the present. After the next step is done, nothing is known about whether the
+  // earlier step passed. After a part is picked up, its initial pose and errors are unknown.
   void AddPlan(int index) {
     const plan::Plan& plan = plans_[index].plan;
     std::string ready = Both(Requirements(index));
@@ -220,7 +222,7 @@ class KnowledgeText {
     goals_.push_back(ready);
   }
 
-  // As they are executed, but for looks at parts whose pose is open.
+  // Returns the steps in the order of execution, without the looks at parts with an open pose.
   std::vector<plan::StepId> StepsOf(const plan::Plan& plan) const {
     const std::vector<plan::StepId> looks = LooksAtOpenPoses(first_, plan);
     std::vector<plan::StepId> steps = plan.ExecutionOrder();
@@ -242,9 +244,10 @@ class KnowledgeText {
     return effects;
   }
 
-  // Verifications tell whether the step passes them, and if not, which error is signalled: asked
-  // one after another, the last known by elimination. A recovery leaves all of this as open as
-  // before. What it measures tells of the step only until the next one (none: empty) is done.
+  // Adds actions that find out whether the step passes its verifications, and if not, which error
+  // is signalled. The errors are asked one after another, and the last one follows by elimination.
+  // A recovery makes all these facts unknown again. A verification measures the step only until the
+  // next step is done. `next` is empty if there is none.
   void AddVerification(const std::string& step, const std::string& next,
                        const KnowledgeAction& meaning, const std::vector<std::string>& errors) {
     for (const std::string& error : errors) ConstantOf("error", error);
@@ -290,8 +293,9 @@ class KnowledgeText {
     return effects;
   }
 
-  // What must be known before a plan: in which of its worlds one is, as far as it matters, and what
-  // its certificates take for granted of the parts that it looks at first.
+  // Returns the facts that must be known before a plan begins: that the world is one of its worlds,
+  // as far as this matters, and the bounds that its certificates assume for the parts that it looks
+  // at first.
   std::vector<std::string> Requirements(int index) {
     std::vector<std::string> requirements;
     const std::vector<domain::OpenPose> matter = PosesThatMatter(worlds_, plans_[index].worlds);
@@ -320,7 +324,7 @@ class KnowledgeText {
     }
   }
 
-  // What a sensor makes known: half the width of the interval of a part's error.
+  // Returns, for each error function, half the width of the interval that the sensor makes known.
   std::vector<std::pair<const char*, double>> PromisesOf(const std::string& sensor) const {
     const auto* model = first_.workcell->uncertainty_operations().FindSensor(sensor);
     ASSAY_CHECK(model != nullptr, "the workcell has no sensor '{}'", sensor);
@@ -345,14 +349,14 @@ class KnowledgeText {
   const domain::Problem& first_;
   const std::vector<domain::Problem>& worlds_;
   const std::vector<PlanOfWorlds>& plans_;
-  std::map<std::string, std::set<std::string>> constants_;  // by type
+  std::map<std::string, std::set<std::string>> constants_;  // indexed by type
   std::string actions_text_;
   std::vector<std::string> init_;
   std::vector<std::string> goals_;
   std::map<std::string, KnowledgeAction> actions_;
-  std::map<std::pair<std::string, std::string>, std::string> spelled_;  // by type and name
-  std::map<std::string, std::string> names_;                            // by constant
-  std::set<std::string> constant_names_;                                // that are taken
+  std::map<std::pair<std::string, std::string>, std::string> spelled_;  // indexed by type and name
+  std::map<std::string, std::string> names_;                            // indexed by constant
+  std::set<std::string> constant_names_;                                // constants that are in use
   std::set<std::string> action_names_;
 };
 

@@ -12,57 +12,61 @@ namespace assay::assembly {
 
 // A plan, and the worlds in which it works.
 struct PlanOfWorlds {
-  std::vector<int> worlds;  // increasing
+  std::vector<int> worlds;  // in increasing order
   plan::Plan plan;
 };
 
-// What an action of the knowledge level does in the workcell.
+// The meaning in the workcell of an action of the knowledge-level task.
 struct KnowledgeAction {
   enum class Kind {
-    kLook,      // a sensor looks at a part whose pose is open: which pose it has becomes known, and
-                // where it is, as well as the sensor tells
+    // A sensor looks at a part whose pose is open. The part's pose becomes known, and its position
+    // becomes known as precisely as the sensor allows.
+    kLook,
     kStep,      // a step of a plan
-    kVerify,    // the verifications that follow a step: whether it passes them
-    kDiagnose,  // whether what they signal is this error
-    kRecover,   // the next try of the step's recovery from an error; how it went is open
-    kOperator,  // nothing is prepared: a person takes over
+    kVerify,    // the verifications after a step find out whether the step passes them
+    kDiagnose,  // finds out whether the failed verification signals this error
+    kRecover,   // The next attempt of the step's recovery from an error. Its result is open.
+    kOperator,  // no recovery is prepared, so a person takes over
   };
   Kind kind = Kind::kStep;
-  domain::PartId part = domain::PartId::None();  // of a look
+  domain::PartId part = domain::PartId::None();  // for kLook
   std::string sensor = {};
-  int plan = -1;  // of the others
+  int plan = -1;  // the index of the plan, for all other kinds
   plan::StepId step = plan::StepId::None();
-  std::string name = {};   // of the step, as the task has it
-  std::string error = {};  // of kDiagnose, kRecover and kOperator
+  std::string name = {};   // the name of the step in the task
+  std::string error = {};  // for kDiagnose, kRecover and kOperator
 };
 
-// Plans seen as knowledge: a contingent planning problem (planner/contingent) in which looks tell
-// the worlds apart, verifications tell whether a step passed, and recoveries lead back to a
-// verification. Spar's augmented plan instance becomes one tree. For each part whose pose is open:
-//   pose(part)                 Kx over its poses; a look makes it Kv, if the sensor tells them
-//   apart dx, dy, theta (part)       numeric: the intervals of the part's error variables of
-//   SUP/INF; a
-//                              look narrows them to what the sensor promises, and plans that were
-//                              certified with that require it
-//   moved(part)                it was picked up: neither is known any more, nor told by a look
-// Looks at other parts, and later ones, are steps of their plans. For each step there is
-// done(step), and for each verified step passed(step) and signals(step, error).
+// Plans as a contingent planning problem (planner/contingent). Looks distinguish the worlds,
+// verifications find out whether a step passed, and recoveries lead back to a verification. Spar's
+// augmented plan instance becomes one tree. For each part whose pose is open there are:
+//   pose(part)                Kx over its poses. A look puts it in Kv if the sensor distinguishes
+//                             the poses.
+//   dx, dy, theta (part)      The intervals of the part's error variables of SUP/INF. A look
+//                             narrows them to the sensor's bounds. Plans that were certified with
+//                             these bounds require them.
+//   moved(part)               The part was picked up. Its pose and errors are then unknown, and a
+//                             look cannot find them out.
+//
+// Looks at other parts and later looks are steps of their plans. Each step has done(step), and each
+// verified step has passed(step) and signals(step, error).
 struct PlanKnowledge {
-  std::string domain;   // .pks
-  std::string problem;  // .pks
+  std::string domain;   // in the .pks format
+  std::string problem;  // in the .pks format
   contingent::GroundTask task;
-  std::map<std::string, KnowledgeAction> actions;  // by the names of the task's
-  // What errors, parts and poses are named in the workcell and the scenario, which may be any text,
-  // by the task's constants.
+  std::map<std::string, KnowledgeAction> actions;  // indexed by the names of the task's actions
+  // By the task's constants: the names of errors, parts and poses in the workcell and the scenario,
+  // which may be any text.
   std::map<std::string, std::string> names;
 };
 
-// The open poses on which it depends whether a plan for these worlds works: of the others, every
-// choice leads to one of them.
+// Returns the open poses that decide whether a plan for the worlds `of_plan` works. Every choice of
+// the other open poses leads to one of these worlds.
 std::vector<domain::OpenPose> PosesThatMatter(const std::vector<domain::Problem>& worlds,
                                               const std::vector<int>& of_plan);
 
-// The worlds are of one scenario (domain::ReadWorlds), and every one has at most one plan.
+// Returns the plans as a contingent planning problem. The worlds belong to one scenario
+// (domain::ReadWorlds), and each world has at most one plan.
 PlanKnowledge KnowledgeOf(const std::vector<domain::Problem>& worlds,
                           const std::vector<PlanOfWorlds>& plans);
 

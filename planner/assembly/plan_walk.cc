@@ -11,7 +11,8 @@ namespace {
 using domain::PartId;
 using plan::StepId;
 
-// By whose believed pose the hand goes; None: where the plan has it.
+// Returns the part whose believed pose guides the hand, or None if the hand goes to the planned
+// pose.
 struct GuideOf {
   const domain::Problem& problem;
 
@@ -45,8 +46,8 @@ plan::ToolRoute PlanWalk::RouteTo(StepId id) const {
                        state_.part(plan::PartOf(problem_, action)).X_WorldPart);
 }
 
-// The route is of straight lines, so that a belief that turns shifts none of its points farther
-// than one of its ends.
+// The route consists of straight lines. So a rotation of the believed pose shifts no point of the
+// route farther than one of its ends.
 plan::ToolDoubt PlanWalk::DoubtOn(StepId id) const {
   const plan::ToolRoute route = RouteTo(id);
   const PartId guide =
@@ -72,7 +73,8 @@ void PlanWalk::ComeTo(StepId id) {
   TakeRestingDoubts();
 }
 
-// Certificates tell errors about where parts are believed to be by then.
+// Certificates give errors relative to the believed poses of parts at that time. The errors here
+// are relative to the planned poses.
 void PlanWalk::TakeRestingDoubts() {
   std::vector<plan::ErrorSet> about_plan;
   for (std::size_t p = 0; p < problem_.parts.size(); ++p) {

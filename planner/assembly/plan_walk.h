@@ -14,12 +14,13 @@
 
 namespace assay::assembly {
 
-// Goes through a plan in the order of execution: what is where, how well that is known, and where
-// the tool is. After the last step the arm goes home: StepId::None(). For each step ComeTo, then
-// whatever is to be known of the way there and of its work, then Do.
+// Follows a plan in the order of execution. It keeps the poses of all parts, the bounds on their
+// errors, and the tool's pose. After the last step the arm goes home, which is the step
+// StepId::None(). For each step, call ComeTo, then the queries about the step and the way to it,
+// then Do.
 class PlanWalk {
  public:
-  // Problem and plan must outlive this.
+  // Problem and plan must outlive the object.
   PlanWalk(const domain::Problem& problem, const plan::Plan& plan,
            uncertainty::Propagation propagation);
 
@@ -31,17 +32,17 @@ class PlanWalk {
   void Do(plan::StepId id);
 
   plan::ToolRoute RouteTo(plan::StepId id) const;
-  // Of the tool, anywhere on the step's route.
+  // Returns the bound on the tool's error anywhere on the step's route.
   plan::ToolDoubt DoubtOn(plan::StepId id) const;
-  // Whether the tool goes on beyond where it works, until it meets resistance.
+  // Returns true if the tool continues beyond its planned end pose until it meets resistance.
   bool IsGuarded(plan::StepId id) const;
-  // Where the tool is when the travel begins, and whether it first goes straight up to safe height;
-  // how far it may be off there.
+  // The tool's pose when the travel begins, whether the travel first goes straight up to safe
+  // height, and the bound on the tool's error there.
   const plan::Pose& left() const { return left_; }
   bool rises() const { return rises_; }
   const plan::ToolDoubt& doubt_left() const { return doubt_left_; }
 
-  // Parts are where the plan has them, and doubted about that.
+  // Returns the parts at their planned poses, with the bounds on their errors.
   motion::Surroundings Surroundings() const;
   motion::CollisionScene Scene() const { return {problem_, Surroundings(), arm_}; }
 

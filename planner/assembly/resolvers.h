@@ -9,7 +9,7 @@
 
 namespace assay::assembly {
 
-// The resolvers of these kinds, in this order: sensing, squeezing, fine motion.
+// Returns the resolvers of these kinds, in the order sensing, squeezing, fine motion.
 std::vector<std::shared_ptr<posting::Resolver>> Resolvers(
     const std::vector<domain::ResolverKind>& kinds, uncertainty::Propagation propagation);
 

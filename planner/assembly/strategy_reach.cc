@@ -13,7 +13,7 @@ using domain::PartId;
 using geometry::Pose;
 using kinematics::JointVector;
 
-// At the start of a strategy, and at the ends of its motions.
+// Returns the tool's poses at the start of a strategy and at the ends of its motions.
 std::vector<Pose> ToolsOf(const plan::Assemble& assemble, const plan::Strategy& strategy) {
   const Pose X_TipTool = strategy.X_HeldTip.inverse() * assemble.hold.X_PartTool;
   std::vector<Pose> tools = {assemble.fixed.X_WorldPart * strategy.X_FixedStart * X_TipTool};

@@ -8,30 +8,35 @@
 
 namespace assay::assembly {
 
-// Where a strategy cannot be executed, though there be no errors.
+// The place where a strategy cannot be executed even without errors.
 struct Unreached {
-  int motion = 0;                // where this one ends, from 1; 0: where the first one starts
-  geometry::Pose X_WorldTool;    // as it would have to be there
-  domain::PartId obstacle = {};  // that the hand would go through; None: the arm does not get there
+  // the number from 1 of the motion that ends there, or 0 for the start of the first motion
+  int motion = 0;
+  geometry::Pose X_WorldTool;  // the tool's required pose there
+  // the part that the hand would go through, or None if the arm does not reach the pose
+  domain::PartId obstacle = {};
 };
 
-// The arm's joint values where the strategy starts, in a configuration in which it comes to the
-// ends of all motions, with the hand free of all parts there; or what is in the way.
+// The arm's joint values at the start of the strategy, in a configuration in which it reaches the
+// ends of all motions and the hand is free of all parts there. If there is none, the obstruction.
 using StrategyReach = std::variant<kinematics::JointVector, Unreached>;
 
-// `before`: the world in which the action is executed; the held part may be anywhere.
+// Returns the start of the strategy if the arm can execute it, and the obstruction otherwise.
+// `before` is the world in which the action is executed. The held part's pose in it does not
+// matter.
 StrategyReach ReachOf(const domain::Problem& problem, const plan::Assemble& assemble,
                       const plan::Strategy& strategy, const plan::WorldState& before);
 
-// With which a strategy can be executed, and where the arm then is at first.
+// A hold with which a strategy can be executed, and the arm's joint values at the start.
 struct ReachingHold {
   plan::Hold hold;
   kinematics::JointVector start;
 };
 
-// For an action that is the problem's only one after the held part's pickup: the action's own hold
-// if it reaches, else that of another grasp with which the part can be taken where it is at the
-// start, and mated. If none does, what is in the way of the action's own.
+// Chooses a hold for an assemble that is the problem's only action after the pickup of the held
+// part. It is the action's own hold if the arm can execute the strategy with it. Otherwise it is
+// the hold of another grasp with which the part can be picked up at the start and mated, and the
+// strategy executed. If there is none, returns the obstruction of the action's own hold.
 std::variant<ReachingHold, Unreached> ChooseHold(const domain::Problem& problem,
                                                  const plan::Assemble& assemble,
                                                  const plan::Strategy& strategy);

@@ -32,20 +32,23 @@ using motion::SwayAlong;
 using plan::StepId;
 using plan::ToolRoute;
 
-constexpr double kLineStep = 0.02;          // metres between postures that are looked at on lines
-constexpr double kFurthestClearance = 0.1;  // that is told of a path, metres
-constexpr double kAccuracy = 5e-4;          // of what is told, metres
+// metres between the postures that are checked on straight lines
+constexpr double kLineStep = 0.02;
+// the greatest clearance that is claimed for a path, in metres
+constexpr double kFurthestClearance = 0.1;
+constexpr double kAccuracy = 5e-4;  // the accuracy of the claimed clearance, in metres
 constexpr double kSameOrientation = 1e-9;
 constexpr char kNotStraight[] = "the arm does not go straight on from there";
-constexpr double kSamePosture = 1e-6;  // radians
-constexpr double kSameClaim = 1e-6;    // metres or radians
+constexpr double kSamePosture = 1e-6;  // tolerance for equal postures, radians
+constexpr double kSameClaim = 1e-6;    // tolerance for equal claims, metres or radians
 
 bool IsTurned(const domain::Workcell& workcell, const Pose& X_WorldTool, const JointVector& q) {
   return geometry::AngleBetween(motion::ToolAt(workcell, q).linear(), X_WorldTool.linear()) >
          kSameOrientation;
 }
 
-// Straight to a pose of the tool, from the last posture of the path on. False if the arm cannot.
+// Appends a straight line to a pose of the tool from the last posture of the path. Returns false if
+// the arm cannot follow it.
 bool AppendLine(const domain::Workcell& workcell, const Pose& X_WorldTool, JointPath& path) {
   const auto line = motion::FollowLine(workcell, path.back(), X_WorldTool.translation(), kLineStep);
   if (line.path) path.insert(path.end(), line.path->q.begin() + 1, line.path->q.end());
@@ -59,12 +62,13 @@ std::optional<Obstruction> FindObstruction(MotionCheck& check, const JointPath& 
   return std::nullopt;
 }
 
-// A travel with the straight lines that belong to it, and those of the work after it.
+// A travel with its own straight lines and those of the work after it.
 struct Way {
-  JointPath rise;                    // from where the step before leaves the arm
-  JointPath over;                    // the travel's path
-  JointPath down;                    // to where the tool is poised
-  std::vector<JointPath> work = {};  // from there on; the tool keeps its orientation in each
+  JointPath rise;  // straight up from the posture after the previous step
+  JointPath over;  // the travel's path
+  JointPath down;  // straight down to the approach pose
+  // straight lines from the approach pose on; the tool keeps its orientation in each section
+  std::vector<JointPath> work = {};
   motion::Sway sway = {};
 
   const JointVector& after() const { return work.back().back(); }
@@ -75,7 +79,7 @@ struct Way {
   }
 };
 
-// One travel, and the straight lines of the step after it.
+// The search for one travel, with the straight lines of the step after it.
 class TravelSearch {
  public:
   TravelSearch(const PlanWalk& walk, StepId id, const JointVector& from)
@@ -90,15 +94,15 @@ class TravelSearch {
         from_(from) {}
 
   const ToolRoute& route() const { return route_; }
-  double clearance() const { return clearance_; }  // that travels must keep
+  double clearance() const { return clearance_; }  // the least clearance of travels
 
   struct Found {
     plan::Travel travel;
-    JointVector after;  // the arm, after the step
+    JointVector after;  // the joint values after the step
     WayCertainty certainty;
   };
 
-  // Goes up, over at safe height and down. None if that way is not free.
+  // Tries the usual travel: up, across at safe height, and down. Returns none if it is not free.
   std::optional<Found> GoUsually() {
     JointPath rise = {from_};
     if (!Rise(rise)) return std::nullopt;
@@ -116,7 +120,7 @@ class TravelSearch {
     return Found{travel, way->after(), *certainty};
   }
 
-  // Around what is in the way; or why not.
+  // Searches for a path around the obstacles. Returns the reason in words if there is none.
   std::variant<Found, std::string> Search(const TravelEffort& effort) {
     in_the_way_ = "no configuration of the arm comes there and goes on straight";
     int tried = 0;
@@ -138,7 +142,8 @@ class TravelSearch {
     return in_the_way_;
   }
 
-  // The travel with its straight lines. None if the arm cannot follow these; in_the_way() says why.
+  // Returns the travel with its straight lines. Returns none if the arm cannot follow them;
+  // in_the_way() then gives the reason.
   std::optional<Way> WayBy(const plan::Travel& travel) {
     Way way = {.rise = {from_}, .over = travel.path, .down = {travel.path.back()}};
     const bool comes_down = travel.is_usual && !route_.to_work.empty();
@@ -153,7 +158,8 @@ class TravelSearch {
     return way;
   }
 
-  // None: something is in the way even if the arm does not err, and what is told.
+  // Returns what is proved of the way. Returns none if something is in the way even without errors
+  // of the arm, or if the travel does not keep the claimed clearance.
   std::optional<WayCertainty> CertaintyOf(const Way& way, double clearance) {
     const WayCertainty certainty = {way.sway, kTravelClearance};
     if (!IsFree(way.over, OnTheWay(way, clearance))) return std::nullopt;
@@ -161,16 +167,17 @@ class TravelSearch {
     if (!AreLinesFree(way, {})) return std::nullopt;
     return WayCertainty{way.sway, 0};
   }
-  const std::string& in_the_way() const { return in_the_way_; }  // of what was looked at last
+  // the obstruction of the last search
+  const std::string& in_the_way() const { return in_the_way_; }
 
  private:
-  // By how much the tool's pose may be off, and what that does to the arm's joints.
+  // The bounds on the tool's pose error and on the resulting errors of the arm's joints.
   struct ArmErrors {
     JointVector joints = JointVector::Zero();
     plan::ToolDoubt tool = {};
   };
 
-  // Where the tool comes to at safe height before its work, or home.
+  // Returns the tool's pose at safe height above its work, or its pose at home.
   Pose Above() const {
     return route_.to_work.empty() ? route_.poised : plan::AtSafeHeight(workcell_, route_.poised);
   }
@@ -179,7 +186,7 @@ class TravelSearch {
            AppendLine(workcell_, plan::AtSafeHeight(workcell_, walk_.left()), path);
   }
 
-  // The sway of another line.
+  // Extends the sway to another line.
   void Take(const JointPath& line, motion::Sway& sway) const {
     if (!sway.is_bounded) return;
     const motion::Sway other = SwayAlong(workcell_, line, doubt_);
@@ -189,7 +196,7 @@ class TravelSearch {
     return {way.sway.turn, doubt_.Or(walk_.doubt_left())};
   }
 
-  // The arm itself goes along a travel as it is planned.
+  // On a travel the arm follows the planned joint values, so no errors are added.
   MotionRules OnTheWay(const Way& way, double clearance) const {
     return {.clearance = clearance, .given = {from_, way.down.back()}};
   }
@@ -222,7 +229,7 @@ class TravelSearch {
            IsFree(way.AllOfWork(), AtWork(errors));
   }
 
-  // The greatest clearance that the path surely keeps, up to `kFurthestClearance`.
+  // Returns the greatest clearance that the path surely keeps, up to `kFurthestClearance`.
   double ClearanceOf(const Way& way) {
     double kept = clearance_;
     double refused = kFurthestClearance;
@@ -233,7 +240,7 @@ class TravelSearch {
     return kept;
   }
 
-  // As the executor goes on from above.
+  // Returns the corners of the executor's path from the pose above the work on.
   std::vector<Vector3> Corners() const {
     std::vector<Vector3> corners = {route_.poised.translation()};
     for (const Pose& pose : route_.to_work) corners.push_back(pose.translation());
@@ -241,8 +248,9 @@ class TravelSearch {
     return corners;
   }
 
-  // Along the straight lines of the work, also to the end of a guarded move; where a strategy has
-  // turned the tool, from the nearest posture on: how it gets there is checked otherwise.
+  // Follows the straight lines of the work, including the end of a guarded move. Where a strategy
+  // has turned the tool, a new section begins at the nearest posture. The motion in between is
+  // checked elsewhere.
   bool Work(std::vector<JointPath>& sections) {
     std::vector<Pose> poses = route_.to_work;
     if (is_guarded_) {
@@ -262,7 +270,7 @@ class TravelSearch {
     return true;
   }
 
-  // As far beyond where it works as a guarded move may lead the tool.
+  // Returns the farthest pose to which a guarded move may lead the tool beyond its work.
   Pose Beyond() const {
     const Pose& work = route_.to_work.back();
     const Vector3 way = work.translation() - route_.poised.translation();
@@ -281,7 +289,7 @@ class TravelSearch {
   std::string in_the_way_;
 };
 
-// A plan without steps leaves the arm at home.
+// Returns the steps and the homing. A plan without steps leaves the arm at home.
 std::vector<StepId> WithHoming(const plan::Plan& plan) {
   std::vector<StepId> steps = plan.ExecutionOrder();
   if (!steps.empty()) steps.push_back(StepId::None());
@@ -296,7 +304,7 @@ std::string NameOfStep(StepId id, const plan::Plan& plan) {
   return id.IsNone() ? "home" : plan.step(id).name;
 }
 
-// Other ways than the usual one are only known to be free in the order that they were planned for.
+// A travel other than the usual one is only known to be free in the order for which it was planned.
 void KeepOrder(plan::Plan& plan) {
   const std::vector<StepId> order = plan.ExecutionOrder();
   plan.ordering.clear();
@@ -305,17 +313,18 @@ void KeepOrder(plan::Plan& plan) {
   }
 }
 
-// The way home belongs to the last step.
+// The preconditions of the way home belong to the last step.
 void AddConditions(StepId id, const WayCertainty& certainty, plan::Plan& plan) {
   const StepId owner = id.IsNone() ? plan.ExecutionOrder().back() : id;
   plan::Certificate& certificate = plan.steps[owner.index()].certificate;
-  if (certificate == plan::Certificate{}) return;  // made without regard to uncertainty
+  // the plan was made without regard to uncertainty
+  if (certificate == plan::Certificate{}) return;
   std::vector<plan::CertifiedPrecondition>& all = certificate.preconditions;
   const auto conditions = WayConditions(certainty, id.IsNone() ? Whither::kHome : Whither::kWork);
   all.insert(all.end(), conditions.begin(), conditions.end());
 }
 
-// What is not proved of a way is said not to be.
+// Lists in each certificate the preconditions about ways that are not proved.
 void AddExcuses(plan::Plan& plan, uncertainty::Propagation propagation) {
   for (plan::PlannedStep& step : plan.steps) {
     if (step.certificate == plan::Certificate{}) continue;
@@ -342,14 +351,14 @@ bool IsAtEnds(const plan::Travel& travel, const PlanWalk& walk, const ToolRoute&
   return flaws.empty();
 }
 
-// Whether a claim is the other one, with a bound of its own.
+// Returns true if the two claims differ only in the bound.
 bool IsSaidOf(const plan::CertifiedPrecondition& claim, plan::CertifiedPrecondition other) {
   other.expression = algebra::Text(algebra::Expression(claim.bound));
   other.bound = other.margin = claim.bound;
   return claim == other;
 }
 
-// What is claimed of a way and does not come out when it is computed anew.
+// Adds a flaw for each claim about a way that differs from the recomputed one.
 void CheckClaims(const WayCertainty& certainty, Whither whither, const plan::PlannedStep& step,
                  std::vector<std::string>& flaws) {
   const auto anew = WayConditions(certainty, whither);
@@ -366,7 +375,8 @@ void CheckClaims(const WayCertainty& certainty, Whither whither, const plan::Pla
   }
 }
 
-// Goes on with the posture after the step; none if that is not known.
+// Returns the flaws of a travel. Updates `posture` to the posture after the step, or to none if
+// that is unknown.
 std::vector<std::string> FlawsOfTravel(const plan::Travel& travel, const PlanWalk& walk, StepId id,
                                        std::optional<JointVector>& posture) {
   if (travel.path.size() < 2) return {"a path of less than two postures"};

@@ -13,29 +13,34 @@
 namespace assay::assembly {
 
 struct TravelEffort {
-  int destinations = 4;           // postures at the end of one travel that paths are looked for to
-  std::int64_t budget = 100'000;  // of postures looked at in each search (motion::PathRequest)
+  // the greatest number of postures at the end of one travel to which paths are searched for
+  int destinations = 4;
+  // the greatest number of postures visited in each search (motion::PathRequest)
+  std::int64_t budget = 100'000;
 };
 
-// Gives each step its travel, and what is certain of it (way_conditions.h): the usual one (from
-// where the tool is after its retreat straight up, over at safe height and straight down to where
-// it is poised), if arm, hand and held part stay free of everything on it, and the arm on the
-// straight lines of the work; else a path between the same poses of the tool. Everything stays free
-// wherever parts and the arm's joints are within their errors. Only where no such way is found the
-// arm's errors are left out, so that the step counts as not proved. Postures are followed as the
-// executor chooses them (FollowPath). In paper mode nothing is said of what is certain.
+// Adds to each step its travel and the preconditions about the arm that are proved
+// (way_conditions.h). The usual travel goes from the tool's pose after its retreat straight up,
+// across at safe height, and straight down to the approach pose. It is used if arm, hand and held
+// part are clear of everything on it, and the arm is clear on the straight lines of the work.
+// Otherwise a path between the same poses of the tool is searched for.
 //
-// What is in the way of a travel that there is no path for, in words; none if all steps can be
-// come to.
+// Everything stays clear wherever parts and the arm's joints are within their errors. If no such
+// way is found, the arm's errors are ignored, and the step does not count as proved. Postures
+// follow the executor's choice (FollowPath). In paper mode no preconditions about the arm are
+// added.
+//
+// Returns, in words, the obstruction of a travel for which no path is found. Returns none if all
+// steps can be reached.
 std::optional<std::string> AddTravels(
     const domain::Problem& problem, const TravelEffort& effort, plan::Plan& plan,
     uncertainty::Propagation propagation = uncertainty::Propagation::kSound);
 
-// What in the paths of a plan does not hold up: their ends, their clearance, what is claimed of
+// Returns the flaws in the paths of a plan: in their ends, their clearance and the claims about
 // them.
 std::vector<plan::Flaw> FlawsOfTravels(const domain::Problem& problem, const plan::Plan& plan);
 
-// What two bodies keep from each other in travels, beyond all errors, metres.
+// The least distance in metres between two bodies on travels, beyond all errors.
 inline constexpr double kTravelClearance = 0.005;
 
 }  // namespace assay::assembly

@@ -10,7 +10,8 @@
 namespace assay::assembly {
 namespace {
 
-// That a number, which bounds what errors can do already, is above 0.
+// Returns the claim that a number, which already bounds the effect of the errors, is greater than
+// 0.
 plan::CertifiedPrecondition IsPositive(std::string condition, std::string meaning, double least) {
   return {.condition = std::move(condition),
           .meaning = std::move(meaning),

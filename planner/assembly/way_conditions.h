@@ -8,27 +8,29 @@
 
 namespace assay::assembly {
 
-// What is certain of the arm's way to a step's work and of the straight lines of its work, whatever
-// the errors are.
+// Bounds for the arm's way to a step's work and for the straight lines of the work, for all
+// possible errors.
 struct WayCertainty {
   motion::Sway sway;
-  double kept = 0;  // by bodies from each other, metres; 0: they are not known to keep clear
+  // the clearance of bodies from each other in metres, or 0 if they are not known to be clear
+  double kept = 0;
 
   bool Reaches() const { return sway.is_bounded && sway.room > 0; }
 };
 
 enum class Whither { kWork, kHome };
 
-// The preconditions of a step that are about the arm (sound mode), as far as they are proved; where
-// one is not there, plan::NotCovered says so.
-//   reach      the arm comes to all that errors may ask of it, in the configuration in which it is
-//              planned and within its joints' ranges (motion::SwayAlong)
-//   way clear  arm, hand and what it holds stay clear of everything on the way, and the arm on the
-//              straight lines of the work, wherever parts and joints are within their errors
+// Returns the proved preconditions of a step about the arm (sound mode). If one is missing,
+// plan::NotCovered reports it.
+//   reach      the arm reaches every pose that errors may require, in the planned configuration
+//              and within its joints' ranges (motion::SwayAlong)
+//   way clear  arm, hand and held part are clear of everything on the way, and the arm is clear on
+//              the straight lines of the work, wherever parts and joints are within their errors
 std::vector<plan::CertifiedPrecondition> WayConditions(const WayCertainty& certainty,
                                                        Whither whither);
 bool IsWayCondition(std::string_view condition);
-// Takes from a certificate what it says of ways, and also that it does not.
+// Removes from a certificate all claims about ways, and the statements that such claims are
+// missing.
 void RemoveWayConditions(plan::Certificate& certificate);
 Whither WhitherOf(const plan::CertifiedPrecondition& way_condition);
 

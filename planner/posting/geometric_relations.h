@@ -10,18 +10,20 @@ namespace assay::posting {
 
 // The pairs of labels that the geometric constraints allow: the semantic part of the constraint
 // network (Spar, "Reachability of Grasps"). A relation depends on the part or on the mating alone,
-// not on the plan variables that it is posted between, so each is found once for a problem.
+// not on the plan variables between which it is posted. So each relation is computed once for a
+// problem.
 class GeometricRelations {
  public:
   explicit GeometricRelations(const domain::Problem& problem);
 
-  // reachable(Grasp, Position): rows are the grasps of the part, columns its position labels.
+  // Returns reachable(Grasp, Position). Rows are the grasps of the part, columns its position
+  // labels.
   std::shared_ptr<const network::Relation> Reachable(domain::PartId part) const;
-  // mate_reachable(Grasp, Position, Ta): rows are the grasps of the held part, columns the position
-  // labels of the fixed part.
+  // Returns mate_reachable(Grasp, Position, Ta). Rows are the grasps of the held part, columns the
+  // position labels of the fixed part.
   std::shared_ptr<const network::Relation> MateReachable(domain::MatingId mating) const;
 
-  // The same of single places.
+  // Returns the same tests for single places.
   domain::KnownReachability& reachability() const { return reachability_; }
 
  private:

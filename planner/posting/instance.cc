@@ -20,7 +20,7 @@ using network::NodeId;
 
 namespace {
 
-// Orders of one plan that are gone through, at most: with one hand there are few.
+// The greatest number of orders of one plan that are tried. With one hand there are few orders.
 constexpr int kMostOrders = 64;
 
 std::vector<StepId> ActionsOf(const std::vector<StepId>& linearization) {
@@ -90,7 +90,7 @@ class OrderedSearch {
  private:
   struct Assignment {
     int label = -1;
-    int depth = -1;  // none: not chosen yet
+    int depth = -1;  // -1 if no value is chosen
   };
 
   bool Descend(int depth) {
@@ -110,7 +110,8 @@ class OrderedSearch {
     return false;
   }
 
-  // An instance that is not accepted fails on account of every choice: each may yet be another.
+  // If an instance is not accepted, every choice takes part in the failure, because another value
+  // of any choice may help.
   bool Offer() {
     ++offered_;
     if (accept_({.order = order_, .values = values_})) return true;
@@ -119,9 +120,9 @@ class OrderedSearch {
     return false;
   }
 
-  // Goes on below `depth` with a value just set. On failure `blame` gets what made it fail; the
-  // answer tells which other values of this depth could help: not other places for the same label,
-  // if only the label took part.
+  // Searches below `depth` with a value just set. On failure, `blame` receives the reasons, and the
+  // result says which other values of this depth could help. If only the label took part, other
+  // places with the same label cannot help.
   enum class Below { kFound, kTryOtherPlaces, kTryOtherLabels, kJumpBack };
   Below GoOn(int depth, const World& before, Blame& blame) {
     const int offered = offered_;
@@ -143,7 +144,8 @@ class OrderedSearch {
 
   bool Spend() { return budgets_.values.Spend() && !budgets_.moments.Exhausted(); }
 
-  // Whether the judge lets the step pass with the value just set; else the blame gets why not.
+  // Returns true if the judge accepts the step with the value just set. Otherwise `blame` receives
+  // the reasons.
   bool Passes(int depth, Blame& blame) {
     if (!judge_) return true;
     actions_.erase(actions_.begin() + depth, actions_.end());
@@ -157,7 +159,8 @@ class OrderedSearch {
     return judgement.objections.empty();
   }
 
-  // The choices before `depth` that take part in an objection, and the parts that nobody has moved.
+  // Adds the choices before `depth` that take part in an objection, and the parts that no step has
+  // moved.
   void AddBlame(const Objection& objection, int depth, Blame& blame) const {
     for (const PartId part : objection.parts) {
       for (int e = std::min(objection.action, depth - 1); e >= 0; --e) {
@@ -183,7 +186,7 @@ class OrderedSearch {
     }
   }
 
-  // The choice that put the part where it is before a step.
+  // Returns the choice that put the part where it is before a step.
   int ChoiceOfPlace(PartId part, int before) const {
     for (int e = before - 1; e >= 0; --e) {
       const ActionTemplate& action = plan_.step(order_[e]);
@@ -196,7 +199,7 @@ class OrderedSearch {
     return World::kStartChoice;
   }
 
-  // Whether a label fits all labels that are already chosen.
+  // Returns true if the label fits all labels that are already chosen.
   bool Fits(NodeId node, int label, Blame& blame) const {
     for (const network::Arc& arc : plan_.network().arcs()) {
       if (arc.a != node && arc.b != node) continue;
@@ -280,8 +283,8 @@ class OrderedSearch {
     return Fail(blame);
   }
 
-  // Of two places that are too near to each other, one is `here`: places that are no farther from
-  // the other are tried last.
+  // Two places are too near to each other, and one of them is `here`. Places that are no farther
+  // from the other one are moved to the end of the list.
   using PlacementIterator = std::vector<domain::Placement>::iterator;
   void PutNearOnesLast(PlacementIterator here, PlacementIterator end) const {
     const auto distance = [](const domain::Placement& p, const geometry::Vector3& other) {
@@ -289,7 +292,7 @@ class OrderedSearch {
     };
     const bool is_first = distance(*here, too_near_.first) < distance(*here, too_near_.second);
     const geometry::Vector3& other = is_first ? too_near_.second : too_near_.first;
-    constexpr double kSame = 1e-6;  // metres
+    constexpr double kSame = 1e-6;  // tolerance for equal distances, metres
     std::stable_partition(here + 1, end, [&](const domain::Placement& placement) {
       return distance(placement, other) > distance(*here, other) + kSame;
     });
@@ -330,14 +333,15 @@ class OrderedSearch {
   InstanceSearch::Budgets budgets_;
   Blockers blockers_;
   std::int64_t objections_ = 0;
-  // Where the part of the last objection and what was in its way lay.
+  // The positions, in the last objection, of the action's part and of the part in its way.
   std::pair<geometry::Vector3, geometry::Vector3> too_near_;
-  int offered_ = 0;  // instances
+  int offered_ = 0;  // number of instances passed to `accept`
   World world_;
   std::vector<StepValues> values_;
-  std::vector<Assignment> assigned_;   // by node
-  std::vector<plan::Action> actions_;  // that were judged last, one a depth
-  Blame failure_;                      // of the last Descend that failed, without blockers
+  std::vector<Assignment> assigned_;   // indexed by node
+  std::vector<plan::Action> actions_;  // the actions that were judged last, one for each depth
+  // the blame of the last Descend that failed, without blockers
+  Blame failure_;
 };
 
 }  // namespace
@@ -394,12 +398,13 @@ namespace {
 
 plan::StepId WrittenId(StepId step) { return plan::StepId(step.index() - 2); }
 
-// Of the steps for whose sake a part was moved, because something could not be proved.
+// Adds to a step's certificate that a part was moved because some precondition of the step could
+// not be proved.
 void NoteWhyMoved(const PartialPlan& partial, plan::Plan& written) {
   for (const RequiredMove& move : partial.required_moves()) {
     if (move.why.empty()) continue;
     const StepId putdown = partial.ProducerOf(move.consumer, move.precondition);
-    const StepId pickup = partial.ProducerOf(putdown, 0);  // holding(part, grasp)
+    const StepId pickup = partial.ProducerOf(putdown, 0);  // the producer of holding(part, grasp)
     auto& resolutions = written.steps[WrittenId(move.consumer).index()].certificate.resolutions;
     if (resolutions.empty()) resolutions.push_back({.resolver = "moving", .why = move.why});
     plan::Resolution& moving = resolutions.front();

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kUnreachable = std::numeric_limits<int>::max() / 8;
 
-// By position label: how often the part must at least be put down to get there.
+// Returns, by position label, the least number of putdowns that bring the part there.
 std::vector<int> LeastPutdowns(const Relation& reachable, const std::vector<int>& start,
                                int stable_poses) {
   std::vector<int> putdowns(reachable.columns(), kUnreachable);
@@ -33,7 +33,8 @@ std::vector<int> LeastPutdowns(const Relation& reachable, const std::vector<int>
     const int from = open.front();
     for (int grasp = 0; grasp < reachable.rows(); ++grasp) {
       if (grasp_used[grasp] || !reachable.Allows(grasp, from)) continue;
-      grasp_used[grasp] = true;  // positions come by increasing distance: the first use is best
+      // positions come by increasing distance, so the first use is the best one
+      grasp_used[grasp] = true;
       for (int to = 0; to < stable_poses; ++to) {
         if (putdowns[to] < kUnreachable || !reachable.Allows(grasp, to)) continue;
         putdowns[to] = putdowns[from] + 1;
@@ -44,7 +45,7 @@ std::vector<int> LeastPutdowns(const Relation& reachable, const std::vector<int>
   return putdowns;
 }
 
-// What the goals ask of each part, and the least number of actions that it takes.
+// The goals of each part, and the least number of actions that they take.
 class PartDemands {
  public:
   PartDemands(const Problem& problem, const LabelGeometry& geometry)
@@ -86,10 +87,12 @@ class PartDemands {
 
  private:
   struct Demand {
-    std::vector<int> putdowns = {};  // by position: the least number that brings the part there
-    std::optional<int> taken = {};   // actions until it is in the hand for its mating
-    bool rests = false;              // at the end, in one of `ends`
-    std::vector<int> ends = {};      // positions, increasing
+    // by position: the least number of putdowns that bring the part there
+    std::vector<int> putdowns = {};
+    // the number of actions until the part is in the hand for its mating
+    std::optional<int> taken = {};
+    bool rests = false;          // true if the part is to rest at the end in one of `ends`
+    std::vector<int> ends = {};  // positions in increasing order
   };
 
   static void RestIn(Demand& demand, std::vector<int> positions) {
@@ -103,7 +106,7 @@ class PartDemands {
     demand.ends = std::move(positions);
   }
 
-  // A mated part rests nowhere by itself.
+  // A mated part rests nowhere by itself, so a goal that it rests cannot be reached.
   static int Actions(const Demand& demand) {
     if (demand.taken) return demand.rests ? kUnreachable : *demand.taken;
     if (!demand.rests) return 0;
@@ -126,7 +129,7 @@ class PartDemands {
 
   const Problem& problem_;
   const LabelGeometry& geometry_;
-  std::vector<Demand> demands_;  // by part
+  std::vector<Demand> demands_;  // indexed by part
   int assembles_ = 0;
 };
 

@@ -9,31 +9,33 @@
 
 namespace assay::posting {
 
-// The geometry of a problem as sets of labels, each part and each mating by itself.
+// The geometry of a problem as sets of labels, separately for each part and each mating.
 struct LabelGeometry {
-  // By part: reachable(grasp, position), the positions that it may start in, whether it can be
-  // taken from there (mated parts cannot), and those that the goals want it to end in.
+  // By part: reachable(grasp, position), the positions in which it may start, and whether it can be
+  // taken from there. Mated parts cannot be taken.
   std::vector<std::shared_ptr<const network::Relation>> reachable;
   std::vector<std::vector<int>> start;
   std::vector<bool> movable;
-  std::vector<std::vector<int>> located;  // empty: any
+  // By part: the positions in which the goals want it to end; empty if any will do.
+  std::vector<std::vector<int>> located;
   // By mating: mate_reachable(grasp, position), GraspList and PositionList.
   std::vector<std::shared_ptr<const network::Relation>> mate_reachable;
   std::vector<std::vector<int>> grasp_list;
   std::vector<std::vector<int>> position_list;
 };
 
-// A lower bound on the number of actions of any of this planner's plans; nothing if it can find
-// none. That is no proof that none exists: of parts that are mated it knows less than a plan could
-// do with them (impossibility.h).
+// Returns a lower bound on the number of actions of this planner's plans. Returns none if the
+// planner can find no plan. That does not prove that no plan exists, because the bound ignores some
+// actions that a plan could do with mated parts (impossibility.h).
 //
-// A part gets from one position to the next only by a grasp that is reachable in both, so its ways
-// are the paths of a graph over positions: its regrasp graph (Tournassoud, Lozano-Perez and Mazer
-// 1987). What other parts do cannot shorten them. A part that something is mated with stays, so
-// that it ends in a position that all its goals allow. The bound adds the shortest paths.
+// A part gets from one position to the next only by a grasp that is reachable in both. So its
+// motions are paths of a graph over positions, its regrasp graph (Tournassoud, Lozano-Perez and
+// Mazer 1987). Other parts cannot shorten these paths. A part that something is mated with stays,
+// so it ends in a position that all its goals allow. The bound is the sum of the shortest paths.
 std::optional<int> LeastActions(const domain::Problem& problem, const LabelGeometry& geometry);
 
-// The positions that a located goal allows; the one at the start if the part rests so there.
+// Returns the positions that a located goal allows. The start position is among them if the part
+// rests in an allowed stable pose there.
 std::vector<int> LocatedLabels(const domain::Problem& problem, const domain::LocatedGoal& goal);
 
 }  // namespace assay::posting

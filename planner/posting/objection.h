@@ -13,20 +13,22 @@ namespace assay::posting {
 
 struct PartInTheWay {
   domain::PartId part;
-  std::string why;  // a precondition that fails as long as it is there, with its bound
+  std::string why;  // a precondition that fails as long as the part is there, with its bound
 };
 
-// Why an action of a plan instance cannot be proved, whatever remedies are inserted: what the
-// uncertainty phase tells the constraint-posting planner, so that it makes another instance or
-// posts a goal (Spar, "Satisfying Uncertainty-Reduction Goals", leaves this open).
+// The reason why an action of a plan instance cannot be proved, whatever remedies are inserted. The
+// uncertainty phase passes it to the constraint-posting planner, which then makes another instance
+// or posts a goal (Spar, "Satisfying Uncertainty-Reduction Goals", leaves this open).
 struct Objection {
-  int action = 0;  // index, in the order of execution
-  // Parts that it handles or whose errors occur in what is not proved: how they lie and how they
-  // are held takes part in the failure.
+  int action = 0;  // index of the action in the order of execution
+  // The parts that the action handles or whose errors occur in the unproved preconditions. Their
+  // poses and their grasps take part in the failure.
   std::vector<domain::PartId> parts = {};
-  // Whether how they came there does, too: not, if the action fails with all known that could be.
+  // True if earlier actions on these parts take part in the failure. False if the action fails even
+  // with everything known that could be known.
   bool history = false;
-  // Whether where they lie does, and not only how.
+  // True if the places of the parts take part in the failure, and not only their stable poses and
+  // grasps.
   bool place = false;
   // Parts that the action does not handle and that would have to be elsewhere.
   std::vector<PartInTheWay> in_the_way = {};
@@ -34,17 +36,19 @@ struct Objection {
 };
 
 struct Judgement {
-  std::vector<Objection> objections = {};  // empty: none
-  std::int64_t moments = 0;  // its cost: of world trees, worked out for it; and one for itself
+  std::vector<Objection> objections = {};  // empty if there are none
+  // The cost of the judgement: one, plus the number of snapshots of world trees that it computed.
+  std::int64_t moments = 0;
 };
 
-// Takes what a judgement cost.
+// Takes the cost of a judgement from the budget.
 inline void Charge(Budget& moments, const Judgement& judgement) {
   for (std::int64_t i = 0; i < judgement.moments; ++i) moments.Spend();
 }
 
-// Judges the last of the first actions of a plan instance. Each of those before it has been judged
-// without objection, after those before it; what was judged since then began with it.
+// Judges the last of `actions`, which are the first actions of a plan instance. Before this call,
+// every shorter beginning of these actions must have been judged without objection, the shorter
+// ones first. Every sequence judged after such a beginning must start with it.
 using Judge = std::function<Judgement(std::span<const plan::Action> actions)>;
 
 }  // namespace assay::posting

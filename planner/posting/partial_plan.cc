@@ -124,7 +124,7 @@ int PartialPlan::LabelCount(VariableId variable) const {
 }
 
 void PartialPlan::OpenPreconditions(StepId step) {
-  // Pushed in reverse, so that the first precondition is served first.
+  // Goals are pushed in reverse order, so that the first precondition is served first.
   const ActionTemplate& action = steps_[step.index()];
   for (int i = static_cast<int>(action.preconditions.size()) - 1; i >= 0; --i) {
     Open({.consumer = step, .precondition = i});
@@ -220,7 +220,7 @@ bool PartialPlan::Establish(StepId producer, const OperationalGoal& goal) {
                     .precondition = goal.precondition,
                     .after = goal.after});
   FindThreatsTo(links_.back());
-  FindThreatsOf(goal.consumer);  // what it deletes is known better now
+  FindThreatsOf(goal.consumer);  // the binding restricts which conditions this step deletes
   return true;
 }
 
@@ -289,8 +289,8 @@ void PartialPlan::Reopen(const Threat& threat) {
         .after = std::move(after)});
 }
 
-// Geometric goals that the condition qualifies constrained the variable that it was bound to; they
-// are open again, and what they posted goes out of the network.
+// The link bound a variable, and some geometric goals constrained it. These goals are open again,
+// and their constraints are removed from the network.
 void PartialPlan::Unlink(const CausalLink& link) {
   std::erase_if(links_, [&](const CausalLink& other) { return Same(other, link); });
   const VariableId variable = ConditionOf(link.consumer, link.precondition).variable;
@@ -307,11 +307,11 @@ void PartialPlan::Unlink(const CausalLink& link) {
   goals_.geometric.insert(goals_.geometric.end(), first.begin(), first.end());
   satisfied_geometric_.erase(first.begin(), first.end());
   RebuildNetwork();
-  // Label sets have grown, so that conditions may codesignate that could not before.
+  // Label sets have grown, so conditions may codesignate that could not codesignate before.
   for (std::size_t s = 0; s < steps_.size(); ++s) FindThreatsOf(StepId(s));
 }
 
-// The labels that variables begin with, and the separations.
+// Returns a network with the initial labels of the variables and with the separations.
 network::Network PartialPlan::WithoutGeometricGoals() const {
   network::Network network;
   for (const ActionTemplate& action : steps_) {

@@ -15,15 +15,15 @@ namespace assay::posting {
 using domain::VariableId;
 
 // An operational goal: the condition must hold just before the consumer. Its establisher must come
-// after each of the steps in `after`, which undo it.
+// after each of the steps in `after`, because they undo the condition.
 struct OperationalGoal {
   StepId consumer;
   int precondition;
   std::vector<StepId> after = {};
 };
 
-// producer makes true what consumer needs as its precondition number `precondition`. Any other
-// producer must come after `after`, as this one does.
+// A causal link: the producer establishes the consumer's precondition number `precondition`. Any
+// producer of the link must come after the steps in `after`.
 struct CausalLink {
   StepId producer;
   StepId consumer;
@@ -31,21 +31,21 @@ struct CausalLink {
   std::vector<StepId> after = {};
 };
 
-// A geometric goal: number `goal` of the consumer's geometric goals.
+// A geometric goal, as number `goal` of the consumer's geometric goals.
 struct GeometricGoalRef {
   StepId consumer;
   int goal;
 };
 
-// A step that may undo what a causal link keeps.
+// A step that may undo the condition of a causal link.
 struct Threat {
   CausalLink link;
   StepId violator;
 };
 
-// The goal that a part is somewhere else than where it was at the start: precondition number
-// `precondition` of the consumer. `why`: what cannot be proved of the consumer otherwise; empty if
-// it could not even be executed.
+// The goal that a part is not where it was at the start, as precondition number `precondition` of
+// the consumer. `why` says what cannot be proved of the consumer otherwise. It is empty if the
+// consumer could not even be executed.
 struct RequiredMove {
   StepId consumer;
   domain::PartId part;
@@ -53,10 +53,10 @@ struct RequiredMove {
   std::string why;
 };
 
-// The goals that are still open, by type; each stack's top is its back. They are served in this
-// order: geometric goals when no operational one is left that they could depend on (Spar), and
-// last the operational goals without a plan variable, gripper(open): how these are established
-// only orders steps, and there is no use in ordering steps that no geometry allows.
+// The open goals by type. The top of each stack is its back. The stacks are served in this order.
+// Geometric goals come when no operational goal is left on which they could depend (Spar).
+// Operational goals without a plan variable, gripper(open), come last: their establishment only
+// orders steps, and ordering steps is useless before the geometry is known to allow them.
 struct GoalStacks {
   std::vector<Threat> threats;
   std::vector<OperationalGoal> operational;
@@ -64,13 +64,14 @@ struct GoalStacks {
   std::vector<OperationalGoal> ordering;
 };
 
-// A family of plans: steps without an order of their own, and separate constraints on when and how
-// they are executed (Spar, "Representation of Plans"). A value: a search copies it at each choice
-// and drops the copy to backtrack. Every operation that answers false may leave the plan half
-// changed, to be dropped.
+// A family of plans: unordered steps, with separate constraints on when and how they are executed
+// (Spar, "Representation of Plans"). It is a value: a search copies it at each choice and drops the
+// copy to backtrack. An operation that returns false may leave the plan half changed, so that it
+// must be dropped.
 class PartialPlan {
  public:
-  // The null plan: the initial world as its first step, the goals as preconditions of its last.
+  // Makes the null plan. Its first step is the initial world, and its last step has the goals as
+  // preconditions.
   PartialPlan(const domain::Problem& problem, const GeometricRelations& relations);
 
   static constexpr StepId kStart{0};
@@ -89,54 +90,60 @@ class PartialPlan {
   const std::vector<GeometricGoalRef>& satisfied_geometric() const { return satisfied_geometric_; }
 
   const domain::Condition& ConditionOf(StepId consumer, int precondition) const;
-  // The step that establishes a precondition; None as long as it is open.
+  // Returns the step that establishes a precondition, or None as long as it is open.
   StepId ProducerOf(StepId consumer, int precondition) const;
   const domain::GeometricConstraint& ConstraintOf(const GeometricGoalRef& goal) const;
-  // The variable that a precondition's variable is bound to; itself if it is a step's own.
+  // Returns the variable to which a precondition's variable is bound, or the variable itself if it
+  // is a step's own.
   VariableId Resolve(VariableId variable) const;
-  // The node of a variable that is bound or a step's own.
+  // Returns the node of a variable that is bound or a step's own.
   network::NodeId NodeOf(VariableId variable) const;
-  // The labels that it can still have.
+  // Returns the labels that the variable can still have.
   network::LabelSet Labels(VariableId variable) const;
 
-  // The next of each stack. Threats that orderings have meanwhile resolved are passed over.
+  // Each of these functions removes and returns the top of one stack. PopThreat skips threats that
+  // ordering constraints have resolved.
   std::optional<Threat> PopThreat();
   std::optional<OperationalGoal> PopOperational();
   std::optional<GeometricGoalRef> PopGeometric();
   std::optional<OperationalGoal> PopOrdering();
 
   // ---- Operational refinements (Spar, "Satisfying Operational Goals") ----------------------
-  // Fresh instances of all actions that could establish the goal.
+  //
+  // Returns new instances of all actions that could establish the goal.
   std::vector<domain::ActionTemplate> Establishers(const OperationalGoal& goal);
-  // A new action, with its preconditions on the goal stacks.
+  // Adds an action, and puts its preconditions on the goal stacks.
   StepId AddStep(domain::ActionTemplate action);
-  // The goal is established by a step that adds its condition.
+  // CanEstablish returns true if the step adds the goal's condition. Establish makes it the
+  // producer.
   bool CanEstablish(StepId producer, const OperationalGoal& goal) const;
   bool Establish(StepId producer, const OperationalGoal& goal);
 
-  bool IsThreat(const Threat& threat) const;  // under the constraints so far
-  bool Promote(const Threat& threat);         // prior_to(consumer, violator)
-  bool Separate(const Threat& threat);        // the two must not codesignate
-  // The goal goes back on its stack, to be established after the violator, and after those that
-  // threatened it before: so it goes back once for each step of the plan at most.
+  // true if it is a threat under the present constraints
+  bool IsThreat(const Threat& threat) const;
+  bool Promote(const Threat& threat);   // posts prior_to(consumer, violator)
+  bool Separate(const Threat& threat);  // forbids that the two codesignate
+  // Puts the goal back on its stack. It must then be established after the violator and after those
+  // that threatened it before. So a goal is reopened at most once for each step of the plan.
   void Reopen(const Threat& threat);
 
   // ---- Geometric refinements (Spar, "Satisfying Geometric Goals") --------------------------
-  // Posts the constraint to the network. False if no labeling would be left.
+  //
+  // Posts the constraint to the network. Returns false if no labeling would be left.
   bool Post(const GeometricGoalRef& goal);
-  // Of a goal whose constraint was refused: a minimal set of constraints, with that of the goal the
-  // last, that no labeling satisfies together, in words.
+  // Returns, in words, a minimal set of constraints that no labeling satisfies together. The last
+  // one is the constraint of `goal`, which was refused.
   std::vector<std::string> WhyRefused(const GeometricGoalRef& goal) const;
-  // One more operational and geometric goal of a step: that the part is somewhere else than where
-  // it was at the start.
+  // Adds an operational and geometric goal to a step: the part must not be where it was at the
+  // start.
   void RequireMoved(StepId consumer, domain::PartId part, const std::string& why);
   const std::vector<RequiredMove>& required_moves() const { return required_moves_; }
-  // The goal is not to be posted: plans in which the part is moved for the step are looked for
-  // elsewhere.
+  // Records that the part is not to be moved for the step. Another branch of the search covers the
+  // plans that move it.
   void Keep(StepId consumer, domain::PartId part) { kept_.emplace_back(consumer, part); }
   bool IsKept(StepId consumer, domain::PartId part) const;
 
-  // In words, with variables by the names of those that they are bound to.
+  // Returns a text for a person. Variables have the names of the variables to which they are bound.
   std::string Text(StepId step) const;
   std::string Text(const domain::Condition& condition) const;
   std::string Text(const domain::GeometricConstraint& constraint) const;
@@ -170,9 +177,10 @@ class PartialPlan {
   std::vector<GeometricGoalRef> satisfied_geometric_;
   std::vector<RequiredMove> required_moves_;
   std::vector<std::pair<StepId, domain::PartId>> kept_;
-  std::vector<std::pair<VariableId, VariableId>> separations_;  // must not codesignate
-  std::vector<VariableId> binding_;                             // by variable; None: not bound
-  std::vector<network::NodeId> nodes_;  // by variable; None: it has no labels of its own
+  std::vector<std::pair<VariableId, VariableId>> separations_;  // pairs that must not codesignate
+  // indexed by variable; None if it is not bound
+  std::vector<VariableId> binding_;
+  std::vector<network::NodeId> nodes_;  // indexed by variable; None if it has no labels of its own
 };
 
 }  // namespace assay::posting

@@ -19,10 +19,11 @@ namespace {
 
 using domain::Problem;
 
-// Limits on the number of actions among which the moments of the judge are shared out: five parts
-// that are in the way take ten actions more.
+// The number of limits on the number of actions among which the judge's snapshots are divided. Five
+// parts in the way take ten more actions than the least limit.
 constexpr int kTurns = 12;
-// The instances of one partial plan may take this part of what is left of a turn.
+// The instances of one partial plan may take at most this fraction, one half, of the rest of a
+// turn.
 constexpr int kMostOfOneTurn = 2;
 
 class PostingPlanner {
@@ -86,8 +87,9 @@ class PostingPlanner {
     return geometry;
   }
 
-  // False if the budget was spent, or if every refinement was tried and none needed more actions
-  // than it was allowed. Neither is a proof: refinements do not cover all that a plan could do.
+  // Repeats the search with a growing limit on the number of actions. Returns false if the budget
+  // was spent, or if every refinement was tried and none needed more actions than the limit.
+  // Neither case is a proof, because refinements do not cover everything that a plan could do.
   bool Deepen(int least) {
     const PartialPlan null_plan(problem_, relations_);
     for (limit_ = least;; ++limit_) {
@@ -102,7 +104,7 @@ class PostingPlanner {
     }
   }
 
-  // What earlier turns have left is added to this one's share.
+  // The unused snapshots of earlier turns are added to this turn's share.
   void BeginTurn(int turn) {
     met_objections_ = false;
     are_parts_in_the_way_ = false;
@@ -122,8 +124,8 @@ class PostingPlanner {
     result.near_misses = std::move(answer.proof->near_misses);
   }
 
-  // Refines the partial plan so that it satisfies one more goal, in every way until one leads to a
-  // plan; goals in the order of the stacks.
+  // Refines the partial plan to satisfy one more goal, in every possible way until one leads to a
+  // plan. The goals come in the order of the stacks.
   bool Refine(const PartialPlan& plan) {
     if (turn_.Exhausted() || !partial_plans_.Spend()) return false;
     ++depth_;
@@ -168,7 +170,7 @@ class PostingPlanner {
     return SatisfyByPresentStep(plan, goal) || SatisfyByNewStep(plan, goal);
   }
 
-  // Steps of the plan, the latest added first; the initial world last.
+  // Tries the steps of the plan, the latest added first. The initial world comes last.
   bool SatisfyByPresentStep(const PartialPlan& plan, const OperationalGoal& goal) {
     for (int s = static_cast<int>(plan.steps().size()) - 1; s >= 0; --s) {
       const StepId producer(s);
@@ -226,7 +228,8 @@ class PostingPlanner {
     return !has_instance && !instance_choices_.Exhausted() && ClearTheWay(plan, search.blockers());
   }
 
-  // Decisions taken in another order can lead to the same instance again.
+  // Decisions in another order can lead to the same instance again, so known instances are
+  // rejected.
   bool Accept(plan::Plan instance) {
     if (!seen_.insert(Signature(instance)).second) return false;
     ++instances_;
@@ -235,7 +238,7 @@ class PostingPlanner {
     return true;
   }
 
-  // What tells instances apart: actions and labels, in the order of execution.
+  // Returns the actions and labels in the order of execution. They identify an instance.
   static std::string Signature(const plan::Plan& plan) {
     std::string signature;
     for (plan::StepId id : plan.ExecutionOrder()) {
@@ -256,7 +259,8 @@ class PostingPlanner {
     return signature;
   }
 
-  // One after another: when all plans have been tried in which a part is moved, it is kept.
+  // Tries to move the parts one after another. When all plans that move a part have been tried, the
+  // part is kept in its place.
   bool ClearTheWay(PartialPlan plan, const Blockers& blockers) {
     for (const auto& [blocker, why] : blockers) {
       const auto& [step, part] = blocker;
@@ -283,16 +287,16 @@ class PostingPlanner {
   const GeometricRelations& relations_;
   Budget partial_plans_;
   Budget instance_choices_;
-  Judge judge_ = {};          // the options', whose moments are counted
-  Budget turn_{0};            // of the judge: moments, until a longer plan's turn comes
-  std::int64_t moments_ = 0;  // that the judge has worked out
+  Judge judge_ = {};          // the judge of the options, with its snapshots counted
+  Budget turn_{0};            // the judge's budget in snapshots until a longer plan's turn
+  std::int64_t moments_ = 0;  // the number of snapshots that the judge has computed
   std::int64_t complete_plans_ = 0;
   std::int64_t instances_ = 0;
-  std::set<std::string> seen_;  // signatures of instances
+  std::set<std::string> seen_;  // the signatures of instances
   int limit_ = 0;
-  bool cut_off_ = false;               // whether a refinement was left out because of the limit
-  bool met_objections_ = false;        // with this limit
-  bool are_parts_in_the_way_ = false;  // with this limit
+  bool cut_off_ = false;               // true if a refinement was left out because of the limit
+  bool met_objections_ = false;        // true if the judge objected with the present limit
+  bool are_parts_in_the_way_ = false;  // true if parts were in the way with the present limit
   std::size_t depth_ = 0;
   std::optional<plan::Plan> plan_;
 };

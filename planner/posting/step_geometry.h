@@ -10,33 +10,35 @@
 
 namespace assay::posting {
 
-// Positions in an order of execution.
+// The greatest number of steps of a plan instance. Choices is a set of positions in the order of
+// execution.
 inline constexpr int kMostSteps = 256;
 using Choices = std::bitset<kMostSteps>;
 
-// A part that, resting where it was at the start, is in the way of a step.
+// A part that is in the way of a step while it rests where it was at the start.
 using Blocker = std::pair<StepId, domain::PartId>;
-// With what cannot be proved as long as it is there; empty: the step cannot be executed.
+// The value says what cannot be proved as long as the part is there. It is empty if the step cannot
+// be executed.
 using Blockers = std::map<Blocker, std::string>;
-// Adds them; what cannot be proved tells more than that a step cannot be executed with some value.
+// Adds `more` to `blockers`. A text about an unproved precondition replaces an empty text, because
+// it says more.
 void Add(const Blockers& more, Blockers& blockers);
 
-// Who rules a value of a step out: choices made for earlier steps, and parts that still lie where
-// they were at the start.
+// The reasons why a value of a step is ruled out: choices made for earlier steps, and parts that
+// still lie where they were at the start.
 struct Blame {
   Choices choices = {};
-  Choices places =
-      {};  // of these, those whose place on the table takes part, and not the label alone
+  Choices places = {};  // the choices whose place on the table takes part, and not only their label
   Blockers blockers = {};
 
   void AddPlace(int choice);
-  // A part that `choice` put where it is.
+  // Adds a part that `choice` put where it is.
   void Add(int choice, StepId step, domain::PartId part, const std::string& why = "");
   void Add(const Blame& other);
 };
 
-// Whether single steps work in a world in which every part has its place. Each test that fails
-// adds to the blame whatever else than the tested value itself made it fail.
+// Tests whether single steps work in a world in which every part has its place. A test that fails
+// adds to the blame every reason for the failure except the tested value itself.
 class StepGeometry {
  public:
   StepGeometry(const domain::Problem& problem, domain::KnownReachability& reachability)
@@ -45,7 +47,7 @@ class StepGeometry {
   bool PickupWorks(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,
                    Blame& blame) const;
 
-  // Whether the part finds room there, whatever holds it.
+  // Returns true if the part has room in this pose, whatever holds it.
   bool HasRoom(const World& world, StepId step, domain::PartId part,
                const domain::Pose& X_WorldPart, Blame& blame) const;
   bool PutdownWorks(const World& world, StepId step, domain::PartId part, domain::GraspId grasp,

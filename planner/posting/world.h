@@ -7,23 +7,25 @@
 
 namespace assay::posting {
 
-// Where every part is at one moment of a plan instance, and which choice put it there.
+// The poses of all parts at one time of a plan instance, with the choices that put them there.
 class World {
  public:
-  // A choice is a position in the order of execution; kStartChoice: the part is where it was.
+  // A choice is a position in the order of execution. kStartChoice means that the part has not
+  // moved.
   static constexpr int kStartChoice = -1;
 
   explicit World(const domain::Problem& problem);
 
   const domain::Pose& X_WorldPart(domain::PartId part) const { return poses_[part.index()]; }
   int choice(domain::PartId part) const { return choices_[part.index()]; }
-  bool mated(domain::PartId part) const;  // to any other part, as held or as fixed
+  // true if the part is mated to any other part, as held or as fixed
+  bool mated(domain::PartId part) const;
 
   void Take(domain::PartId part);
   void Rest(domain::PartId part, const domain::Pose& X_WorldPart, int choice);
   void Mate(domain::MatingId mating);
 
-  // All parts but those in the hand and `except`.
+  // Returns all parts except `part`, `except` and those in the hand.
   std::vector<domain::PlacedPart> Others(domain::PartId part,
                                          domain::PartId except = domain::PartId::None()) const;
 

@@ -120,7 +120,7 @@ class PddlReader {
     }
   }
 
-  // Some published problems have a slip in the name ("logistics_conf", of logistics_cont).
+  // Some published problems have a slip in the domain's name ("logistics_conf" for logistics_cont).
   void RequireDomain(const SExpression& name, const Domain& domain) const {
     const std::string& named = Word(name, "a name");
     if (NearestName(named, {domain.name}).empty()) {
@@ -145,7 +145,7 @@ class PddlReader {
     }
   }
 
-  // a b - type c: c is of the root type.
+  // Reads a list of names with types. In `a b - type c`, the untyped name c gets the root type.
   std::vector<TypedName> TypedNames(Items items) const {
     std::vector<TypedName> names;
     std::size_t untyped = 0;
@@ -243,7 +243,7 @@ class PddlReader {
 
   // ---- Conditions and effects
 
-  // Of PDDL, but not of the fragment, or not wherever one likes.
+  // Returns true for PDDL keywords that are outside the fragment or are not allowed in every place.
   static bool IsKeyword(const std::string& word) {
     static constexpr std::array kWords = {
         "and",   "or",     "oneof",    "unknown",  "when",     "forall",       "exists",
@@ -251,7 +251,7 @@ class PddlReader {
     return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
   }
 
-  // `allowed` is what may stand there.
+  // Reads a literal. `allowed` describes, for the message, what may stand there.
   Literal ReadLiteral(const SExpression& e, const std::string& allowed) const {
     if (e.BeginsWith("not")) {
       Literal literal = ReadLiteral(Only(e), allowed);
@@ -283,7 +283,7 @@ class PddlReader {
     return literal;
   }
 
-  // In negation normal form.
+  // Returns the condition in negation normal form.
   Query Condition(const SExpression& e, bool is_positive) const {
     Query query;
     query.place = e.place;
@@ -302,7 +302,8 @@ class PddlReader {
     return query;
   }
 
-  // What happens always goes to `now`, what happens under a further condition to `others`.
+  // Reads an effect. Changes without a further condition are added to `now`, and changes under a
+  // further condition to `others`.
   void ReadEffect(const SExpression& e, Effect& now, std::vector<Effect>& others) {
     if ((e.is_list && e.items.empty()) || e.BeginsWith("and")) {
       for (const SExpression& item : Rest(e, 1)) ReadEffect(item, now, others);

@@ -13,7 +13,7 @@
 namespace assay::contingent {
 namespace {
 
-// PDDL does not tell capitals from small letters.
+// Returns the text as a PDDL name, in small letters, because PDDL ignores case.
 std::string NameOf(const std::string& text) {
   std::string name = Spelled(text);
   for (char& c : name) c = 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -45,7 +45,7 @@ class PddlWriter {
 
   void Enter(Place place) { place_ = {task_.domain_file, place.line, place.column}; }
 
-  // Atoms of which it makes a difference whether they are false or unknown.
+  // Marks the atoms for which the task distinguishes false from unknown.
   void FindWhereFalseTells() {
     for (const Formula& formula : task_.formulas) {
       for (const GroundLiteral& literal : formula.literals) Mark(literal);
@@ -98,7 +98,7 @@ class PddlWriter {
     return text + ")";
   }
 
-  // Without what asks that something is not known.
+  // Removes from the query all conditions that ask whether something is unknown.
   static GroundQuery WhatIsAskedOfWorlds(const GroundQuery& query) {
     if (query.kind == GroundQuery::Kind::kNot) return {};
     if (query.kind != GroundQuery::Kind::kAnd) return query;
@@ -208,8 +208,8 @@ class PddlWriter {
     return text + fmt::format(" )\n (:goal {}))\n", QueryText(task_.goal));
   }
 
-  // Open values of one function are atoms of their own in PDDL: that they exclude each other is
-  // said where exactly one of them holds, as oneof.
+  // In PDDL the open values of one function are separate atoms. A oneof of exactly these values is
+  // required, because it states that they exclude each other.
   void RequireExclusive(const std::vector<bool>& is_told) const {
     for (const GroundFunction& function : task_.functions) {
       std::vector<GroundLiteral> open;
@@ -227,9 +227,9 @@ class PddlWriter {
 
   const GroundTask& task_;
   std::string name_;
-  FilePlace place_;                 // of what is being written
-  std::vector<std::string> atoms_;  // their names
-  std::vector<bool> tells_false_;   // by atom
+  FilePlace place_;                 // the place of the element that is being written
+  std::vector<std::string> atoms_;  // the names of the atoms
+  std::vector<bool> tells_false_;   // by atom: true if the task distinguishes false from unknown
 };
 
 }  // namespace

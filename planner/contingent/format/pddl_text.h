@@ -11,15 +11,17 @@ struct PddlFiles {
   std::string problem;
 };
 
-// The ground task as contingent PDDL, in the fragment that ReadPddlDomain reads: atoms are
-// predicates without arguments, K of a literal is the literal, add(Kw, a) is :observe, Kx is oneof,
-// what is not known is (unknown a). That something is not known is not asked by preconditions: a
-// plan without needless sensing meets them. What is deleted from Kf is false from then on, where
-// nothing tells that from being unknown. Throws InputError, at the action, the rule or the goal,
-// for what would mean something else: deletions of what is sensed, or asked to be false, or a
-// condition of effects; Kw and what is not known in the goal and in conditions of effects;
-// intervals, run-time variables, conjunctions in Kw, actions that sense several things, and update
-// rules.
+// Returns the ground task as contingent PDDL, in the fragment that ReadPddlDomain reads. Atoms
+// become predicates without arguments, K of a literal becomes the literal, add(Kw, a) becomes
+// :observe, Kx becomes oneof, and an unknown atom becomes (unknown a). PDDL cannot ask that
+// something is unknown. The preconditions of actions that only sense lose such conditions; a plan
+// without needless sensing meets them. An atom that is deleted from Kf becomes false, provided that
+// nothing in the task distinguishes false from unknown.
+//
+// Throws InputError at the action, the rule or the goal whose PDDL would have another meaning. Such
+// input is a deletion of an atom that is sensed, asked to be false, or a condition of an effect; Kw
+// or a condition on ignorance in the goal or in a condition of an effect; an interval; a run-time
+// variable; a conjunction in Kw; an action that senses several things; and an update rule.
 PddlFiles ToPddl(const GroundTask& task, const std::string& name);
 
 }  // namespace assay::contingent

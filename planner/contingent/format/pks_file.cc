@@ -14,7 +14,7 @@
 namespace assay::contingent {
 namespace {
 
-// By recursive descent, one member function for each rule of the grammar.
+// A recursive descent parser with one member function for each rule of the grammar.
 class Parser {
  public:
   Parser(const std::string& text, const std::string& file)
@@ -105,7 +105,7 @@ class Parser {
     return ExpectName("a name");
   }
 
-  // Marks that the section was there; fails at it if it was there before.
+  // Marks the section as read, and fails if it was read before.
   void RequireOnce(bool& was_there, const Token& section) const {
     if (was_there) {
       Fail(section.place, fmt::format("'{}:' a second time", section.text),
@@ -183,7 +183,7 @@ class Parser {
     std::move(from.begin(), from.end(), std::back_inserter(to));
   }
 
-  // names = { name { "," name } [ ":" type ] [ "," | ";" ] }: a type is that of all names before it
+  // names = { name { "," name } [ ":" type ] [ "," | ";" ] }: a type applies to all names before it
   // that have none yet.
   std::vector<TypedName> TypedNames(bool are_variables) {
     const auto kind = are_variables ? Token::Kind::kVariable : Token::Kind::kName;
@@ -228,7 +228,7 @@ class Parser {
     return symbols;
   }
 
-  // Types alone, or variables with their types.
+  // Reads the parameters of a symbol: either types alone, or variables with their types.
   std::vector<TypedName> SymbolParameters() {
     if (Peek().kind == Token::Kind::kVariable) return TypedNames(true);
     std::vector<TypedName> parameters;
@@ -300,7 +300,7 @@ class Parser {
     } while (!Peek().Is(";") && !BeginsSection() && was_comma_);
   }
 
-  // Stops after a comma that something else than a change follows.
+  // Reads a list of changes. Stops after a comma that is not followed by a change.
   std::vector<Change> Changes() {
     std::vector<Change> changes;
     do {
@@ -563,7 +563,7 @@ class Parser {
   std::size_t at_ = 0;
   int depth_ = 0;
   bool has_goal_ = false;
-  bool was_comma_ = false;  // before what is next, in a list of changes
+  bool was_comma_ = false;  // true if a comma precedes the next token in a list of changes
 };
 
 }  // namespace

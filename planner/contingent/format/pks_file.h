@@ -7,13 +7,13 @@
 
 namespace assay::contingent {
 
-// Read a PKS domain or problem in the format of scenarios/know/README.md. Only the form is checked
-// here: that names are declared and types agree is CheckTypes (type_check.h). Throw InputError with
-// file, line and column, and with what is allowed there.
+// ReadPksDomain and ReadPksProblem read the format of scenarios/know/README.md. They check the form
+// only. CheckTypes (type_check.h) checks that names are declared and that types agree. Both throw
+// InputError with file, line and column, and with the input that is allowed there.
 Domain ReadPksDomain(const std::string& text, const std::string& file);
 Problem ReadPksProblem(const std::string& text, const std::string& file);
 
-// The whole file. Throws InputError if it cannot be read.
+// Returns the content of the whole file. Throws InputError if the file cannot be read.
 std::string TextOfFile(const std::filesystem::path& file);
 
 }  // namespace assay::contingent

@@ -15,7 +15,7 @@ bool IsWordCharacter(char c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || c == '_' || IsDigit(c);
 }
 
-// Longer ones first.
+// Signs of two characters come first, so that they are tried first.
 constexpr std::array<std::string_view, 19> kSigns = {"=>", "!=", "<=", ">=", "(", ")", ",",
                                                      ":",  ";",  "&",  "|",  "!", "-", "+",
                                                      "=",  "<",  ">",  "[",  "]"};
@@ -104,7 +104,7 @@ class Lexer {
     return length;
   }
 
-  // 2.5e-3 is a number, 3rd-floor a name.
+  // Takes the longer of a number and a name: 2.5e-3 is a number, and 3rd-floor is a name.
   Token TakeNumberOrName() {
     const std::size_t number = NumberLength();
     const std::size_t word = WordLength(0);

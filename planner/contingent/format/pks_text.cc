@@ -18,7 +18,7 @@ std::string JoinedTexts(const std::vector<T>& items, const char* separator,
   return fmt::format("{}", fmt::join(texts, separator));
 }
 
-// A type is that of all names before it, so that one without a type ends a list.
+// A type applies to all names before it, so a semicolon ends a list after a name without a type.
 std::string NamesText(const std::vector<TypedName>& names, const char* mark) {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i) {

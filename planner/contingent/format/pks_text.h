@@ -6,7 +6,8 @@
 
 namespace assay::contingent {
 
-// A domain or problem as .pks text, in one layout: reading it gives the same again.
+// Returns a domain or problem as .pks text in a fixed layout. Reading the text gives the same
+// domain or problem again.
 std::string TextOf(const Domain& domain);
 std::string TextOf(const Problem& problem);
 

@@ -16,7 +16,7 @@ class SExpressionReader {
     if (at_ == text_.size() || text_[at_] != '(') Fail("no list here", "one list in parentheses");
     SExpression all = Read(0);
     SkipBlanks();
-    // Some published problems have a parenthesis too many at the end.
+    // Some published problems have one closing parenthesis too many at the end.
     while (at_ < text_.size() && text_[at_] == ')') {
       Advance();
       SkipBlanks();

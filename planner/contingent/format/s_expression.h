@@ -16,12 +16,12 @@ struct SExpression {
   Place place;
 
   bool Is(std::string_view text) const { return !is_list && word == text; }
-  // A list that begins with the word.
+  // Returns true for a list that begins with the word `text`.
   bool BeginsWith(std::string_view text) const { return !items.empty() && items[0].Is(text); }
 };
 
-// The one expression of a text, in lower case, without comments (from ; to the end of the line).
-// Throws InputError where parentheses do not match, and at more than 100 levels.
+// Reads the text as one expression, in lower case and without comments (from ; to the end of the
+// line). Throws InputError where parentheses do not match, and at more than 100 levels.
 SExpression ReadSExpression(std::string_view text, const std::string& file);
 
 }  // namespace assay::contingent

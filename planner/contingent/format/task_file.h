@@ -11,8 +11,9 @@ struct Task {
   Problem problem;
 };
 
-// Reads a domain and a problem, PDDL where the domain's file ends in .pddl, PKS where it ends in
-// .pks. Throws InputError for other endings, and if the problem is of another domain.
+// Reads a domain and a problem. The format is PDDL if the domain's file ends in .pddl, and PKS if
+// it ends in .pks. Throws InputError for other endings, and if the problem belongs to another
+// domain.
 Task LoadTask(const std::filesystem::path& domain, const std::filesystem::path& problem);
 
 }  // namespace assay::contingent

@@ -120,7 +120,7 @@ std::vector<GroundValue> ActionGrounding::CandidatesFor(const Action& action,
   return candidates;
 }
 
-// K(parameter = f(a)) in the precondition, where f(a) may come to be known.
+// Adds the run-time variables for a precondition K(parameter = f(a)) where f(a) may be sensed.
 void ActionGrounding::AddRunTimeValues(const Query& query, const std::string& parameter,
                                        const Bindings& bindings,
                                        std::vector<GroundValue>& candidates) {
@@ -165,8 +165,8 @@ void ActionGrounding::AddInstance(const Action& action, const Bindings& bindings
   }
 }
 
-// An instance that gives two values is none that is ever executed; if no other is left, that is
-// no instance's matter.
+// An instance that gives a function two values is never executed. Such instances are an error of
+// the domain only if the action has no other instance.
 void ActionGrounding::RequireSingleValues(const Action& action, std::size_t first) const {
   const std::vector<GroundAction>& all = terms_.task().actions;
   std::optional<TwoValues> found;

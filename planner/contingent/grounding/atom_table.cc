@@ -111,7 +111,7 @@ bool AtomTable::IsClosed(const Key& key) const {
                      [&](const Change* change) { return Matches(*change, key); });
 }
 
-// Whether the LCW formula has the atom as an instance.
+// Returns true if the atom is an instance of the LCW formula.
 bool AtomTable::Matches(const Change& closed, const Key& key) const {
   std::map<std::string, std::string> binding;
   const std::vector<Term>& terms = closed.literals.front().arguments;

@@ -12,37 +12,38 @@
 
 namespace assay::contingent {
 
-// Whether something is known.
+// Whether an atom is known to be true, known to be false, or unknown.
 enum class Knowledge { kTrue, kFalse, kUnknown };
 
-// The ground atoms, functions and formulas of a task, each once, and what the problem's init says
-// of them.
+// The ground atoms, functions and formulas of a task, each stored once, with their knowledge from
+// the problem's init.
 class AtomTable {
  public:
   AtomTable(const Domain& domain, const Problem& problem, const SymbolTable& symbols,
             GroundTask& task);
 
-  // Of p(a, b): kUnknown unless it is known at first and no action changes it.
+  // Returns the knowledge of the atom p(a, b). Returns kUnknown unless the atom is known initially
+  // and no action changes it.
   Knowledge AlwaysKnown(const std::string& predicate, const std::vector<std::string>& arguments);
   bool IsChanged(const std::string& name) const { return changed_.contains(name); }
-  // A function whose value some action or the init comes to know.
+  // Returns true for a function that some action or the init puts in Kv.
   bool IsSensed(const std::string& function) const { return sensed_.contains(function); }
 
   AtomId Atom(const std::string& predicate, const std::vector<std::string>& arguments);
   FunctionId Function(const std::string& name, const std::vector<std::string>& arguments);
-  // f(...) = constant; none if the constant is not of the function's range.
+  // Returns the atom f(...) = constant, or none if the constant is not in the function's range.
   AtomId Value(FunctionId function, const std::string& constant) const;
   FormulaId IdOf(const Formula& formula);
 
-  // The text of every fact that the init tells, true or false, and what is told not to be known.
+  // Records that init says that the atom with this text is true, false or unknown.
   void Tell(const std::string& atom, Knowledge knowledge) { told_[atom] = knowledge; }
   void Close(const Change& change) {
     closed_[change.literals.front().predicate].push_back(&change);
   }
 
-  // Every predicate's instance of which init says whether it is true becomes an atom.
+  // Makes an atom of each instance of a predicate that init says to be true or false.
   void AddKnown();
-  // What is known at first of the atoms so far.
+  // Returns the literals of all atoms made so far that are known initially.
   std::vector<GroundLiteral> KnownAtFirst() const;
 
  private:
@@ -52,7 +53,8 @@ class AtomTable {
   };
 
   void FindChanged(const Effect& effect);
-  // One constant of each parameter's type.
+  // Returns all lists of arguments of the predicate. Each list has one constant of each parameter's
+  // type.
   std::vector<std::vector<std::string>> ArgumentsOf(const Symbol& predicate) const;
   Knowledge AtFirst(const std::string& text, const Key& key) const;
   bool IsClosed(const Key& key) const;
@@ -64,14 +66,14 @@ class AtomTable {
   std::set<std::string> changed_;
   std::set<std::string> sensed_;
   std::unordered_map<std::string, AtomId> atoms_;
-  std::vector<Key> keys_;  // by atom
+  std::vector<Key> keys_;  // indexed by atom
   std::unordered_map<std::string, FunctionId> functions_;
   std::unordered_map<std::string, FormulaId> formulas_;
   std::unordered_map<std::string, Knowledge> told_;
   std::map<std::string, std::vector<const Change*>> closed_;
 };
 
-// "p(a, b)", "p" without arguments.
+// Returns the atom's text: "p(a, b)", or "p" for a predicate without arguments.
 std::string AtomText(const std::string& name, const std::vector<std::string>& arguments);
 
 }  // namespace assay::contingent

@@ -58,8 +58,9 @@ std::vector<GroundChange> EffectGrounding::FactChanges(const Change& change,
                       terms_.ValueOf(literal.arguments[is_left ? 1 : 0], bindings), literal);
 }
 
-// A function has one value: the others become false with it, and unknown with it. Its value at run
-// time, whichever that is, can be forgotten.
+// A function has one value. When one value becomes true, the others become false, and when one
+// value becomes unknown, so do the others. A function's value at run time can be forgotten but not
+// set.
 std::vector<GroundChange> EffectGrounding::ValueChanges(const Change& change, FunctionId id,
                                                         const GroundValue& value,
                                                         const Literal& literal) {
@@ -77,7 +78,8 @@ std::vector<GroundChange> EffectGrounding::ValueChanges(const Change& change, Fu
   }
   const AtomId atom = terms_.table().Value(id, value.text);
   if (atom.IsNone()) {
-    if (literal.is_positive && change.is_addition) terms_.Refuse();  // no such value
+    // the function has no such value
+    if (literal.is_positive && change.is_addition) terms_.Refuse();
     return changes;
   }
   if (change.is_addition && !literal.is_positive) {
@@ -119,7 +121,7 @@ std::vector<GroundChange> EffectGrounding::WhetherChanges(const std::vector<Lite
            .formula = *formula}};
 }
 
-// An alternative that is said twice, as parameters may make it, is one.
+// Parameters may make two alternatives equal. Equal alternatives count as one.
 std::vector<GroundChange> EffectGrounding::RelationChanges(const Change& change,
                                                            const Bindings& bindings) {
   GroundChange relation;
@@ -132,7 +134,7 @@ std::vector<GroundChange> EffectGrounding::RelationChanges(const Change& change,
     } else if (const auto equality = terms_.EqualityOf(literal, bindings)) {
       atom = terms_.table().Value(equality->first, equality->second);
     }
-    if (atom.IsNone() && !bindings.empty()) terms_.Refuse();  // no such value
+    if (atom.IsNone() && !bindings.empty()) terms_.Refuse();  // the function has no such value
     if (terms_.is_refused()) return {};
     if (atom.IsNone()) terms_.Fail(literal.place, "no value of this function", "one of its type");
     const GroundLiteral alternative{atom, literal.is_positive};
@@ -143,7 +145,8 @@ std::vector<GroundChange> EffectGrounding::RelationChanges(const Change& change,
   return {relation};
 }
 
-// What an action learns of all instances: of each of them whether it is true.
+// Returns, for each instance of the LCW formula, the change by which an action learns whether the
+// instance is true.
 std::vector<GroundChange> EffectGrounding::ClosedChanges(const Change& change, Bindings bindings) {
   std::vector<GroundChange> changes;
   terms_.ForEachBinding(change.variables, bindings, 0, [&] {

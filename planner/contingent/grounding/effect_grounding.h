@@ -6,13 +6,14 @@
 
 namespace assay::contingent {
 
-// Effects without variables.
+// Makes effects without variables from effects with variables.
 class EffectGrounding {
  public:
   EffectGrounding(TermGrounding& terms, QueryGrounding& queries)
       : terms_(terms), queries_(queries) {}
 
-  // Adds an effect for each way to bind its variables; none where its condition cannot hold.
+  // Adds one effect for each way to bind the effect's variables. Omits those whose condition cannot
+  // hold.
   void AddEffects(const Effect& effect, Bindings bindings, std::vector<GroundEffect>& to);
   std::vector<GroundChange> ChangesOf(const Change& change, const Bindings& bindings);
 

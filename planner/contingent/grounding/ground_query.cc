@@ -85,7 +85,7 @@ bool AnyNegated(const std::vector<GroundEffect>& effects) {
       effects, [](const GroundEffect& effect) { return HasNegation(effect.condition); });
 }
 
-// In parentheses where it stands beside others.
+// Puts a query of several operands in parentheses, for use beside other operands.
 std::string OperandText(const GroundTask& task, const GroundQuery& operand) {
   const std::string text = TextOf(task, operand);
   return operand.operands.size() > 1 ? "(" + text + ")" : text;

@@ -7,23 +7,25 @@
 
 namespace assay::contingent {
 
-// Queries without variables, simplified while they are made: what is always true or false is told
-// by GroundQuery::IsTrue and IsFalse.
+// The functions below make queries without variables and simplify them. GroundQuery::IsTrue and
+// IsFalse identify queries that always or never hold.
 GroundQuery ConstantQuery(bool value);
 GroundQuery Negated(GroundQuery operand);
-// kAnd or kOr of the operands, flattened, without what does not matter.
+// Returns the kAnd or kOr of the operands, flattened, without operands that make no difference.
 GroundQuery Joined(GroundQuery::Kind kind, std::vector<GroundQuery> operands);
 GroundQuery Known(GroundLiteral literal);
 GroundQuery BoundKnown(const Bound& bound);
 
-// Whether it asks K alone, of literals and bounds, so that it can be asked of a world.
+// Returns true if the query asks only K of literals and of bounds, so that it has an answer in each
+// world.
 bool AsksOfTheWorld(const GroundQuery& query);
 bool HasBound(const GroundQuery& query);
 bool HasNegation(const GroundQuery& query);
-// Whether anything of the task asks for what is not known: only then can more knowledge do harm.
+// Returns true if anything in the task asks that something is not known. Only then can more
+// knowledge do harm.
 bool AsksForIgnorance(const GroundTask& task);
 
-// "K(on(a, b))", "!(Kw(p) | K(n > 2))".
+// Returns the text of a query: "K(on(a, b))", "!(Kw(p) | K(n > 2))".
 std::string TextOf(const GroundTask& task, const GroundQuery& query);
 
 }  // namespace assay::contingent

@@ -7,7 +7,7 @@
 
 namespace assay::contingent {
 
-// Rules that only add to Kf are at rest before that.
+// Rules that only add to Kf come to rest within one round for each atom.
 std::size_t MostRoundsOf(const GroundTask& task) { return 1000 + task.atoms.size(); }
 
 std::set<FormulaId> SensedFormulas(const GroundTask& task) {

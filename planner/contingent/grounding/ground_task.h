@@ -13,9 +13,9 @@
 // A contingent planning problem without variables.
 namespace assay::contingent {
 
-using AtomId = Id<struct AtomTag>;          // p(a, b), or f(a) = b
-using FunctionId = Id<struct FunctionTag>;  // f(a)
-using FormulaId = Id<struct FormulaTag>;    // what Kw can hold
+using AtomId = Id<struct AtomTag>;          // an atom, p(a, b) or f(a) = b
+using FunctionId = Id<struct FunctionTag>;  // a function with its arguments, f(a)
+using FormulaId = Id<struct FormulaTag>;    // a formula that Kw can hold
 using ActionId = Id<struct ActionTag>;
 
 struct GroundLiteral {
@@ -31,9 +31,9 @@ struct Range {
   double high = 0;
   bool excludes_low = false;
   bool excludes_high = false;
-  double error = 0;  // of what is sensed of it, where it is in Kv
-  // What else is known, of other numbers or of atoms, may rule out some of it; then that more is
-  // not known cannot be told.
+  double error = 0;  // for a number in Kv: the greatest error of the sensed value
+  // True if knowledge of other numbers or of atoms may rule out a part of the interval. Then it is
+  // undecided whether more is known than the interval says.
   bool is_outer = false;
 
   bool operator==(const Range&) const = default;
@@ -48,12 +48,12 @@ struct Bound {
   bool operator==(const Bound&) const = default;
 };
 
-bool IsUpper(Relation relation);   // < or <=
-bool IsStrict(Relation relation);  // < or >
-// Of every number in the range.
+bool IsUpper(Relation relation);   // true for < and <=
+bool IsStrict(Relation relation);  // true for < and >
+// Returns true if the bound holds for every number in the range.
 bool SurelyHolds(const Bound& bound, const Range& range);
 Bound Negation(Bound bound);
-// What is left of a range where the bound holds.
+// Returns the part of the range where the bound holds.
 Range Narrowed(Range range, const Bound& bound);
 
 // A conjunction of literals, or one bound.
@@ -64,26 +64,27 @@ struct Formula {
   bool operator==(const Formula&) const = default;
 };
 
-// f(a). Of objects: one atom for each constant of its range. Numeric: where knowledge states keep
-// its interval.
+// A function with its arguments, f(a). A function of objects has one atom for each constant of its
+// range. A numeric function has a slot for its interval in knowledge states.
 struct GroundFunction {
   std::string text;
   std::string symbol;
   std::vector<std::string> arguments;
   std::vector<AtomId> values;
-  std::vector<std::string> constants;  // of the values
-  int slot = -1;                       // of the interval; -1 unless numeric
+  std::vector<std::string> constants;  // the constants of `values`, in the same order
+  int slot = -1;                       // the slot of the interval, or -1 for a function of objects
 };
 
 struct GroundQuery {
   enum class Kind {
-    kAnd,  // of none: true
-    kOr,   // of none: false
+    kAnd,  // true without operands
+    kOr,   // false without operands
     kNot,
     kKnown,         // the literal is known
     kBoundKnown,    // the bound surely holds
-    kKnownWhether,  // the formula is in Kw, or known to be true, or to be false
-    kValueSensed,   // the function is in Kv, or a number; with an error of `within` at most
+    kKnownWhether,  // the formula is in Kw, known to be true, or known to be false
+    // the function is in Kv or known to be a number, with an error of at most `within`
+    kValueSensed,
   };
   Kind kind = Kind::kAnd;
   GroundLiteral literal;
@@ -97,7 +98,7 @@ struct GroundQuery {
   bool IsFalse() const { return kind == Kind::kOr && operands.empty(); }
 };
 
-// constant + the sum of the functions, each with its sign.
+// The sum of a constant and of functions, each with its sign, +1 or -1.
 struct GroundSum {
   Interval constant;
   std::vector<std::pair<FunctionId, int>> functions;
@@ -107,8 +108,8 @@ struct GroundSum {
 
 struct GroundChange {
   enum class Kind {
-    kSet,           // the literal is made true: add(Kf, l)
-    kForget,        // the atom may be anything now: del(Kf, l)
+    kSet,           // add(Kf, l): the literal becomes true
+    kForget,        // del(Kf, l): the atom may become true or false
     kSense,         // add(Kw, formula)
     kUnsense,       // del(Kw, formula)
     kSenseValue,    // add(Kv, f)
@@ -126,54 +127,57 @@ struct GroundChange {
   bool is_inclusive = false;
   GroundSum sum = {};
   Bound bound = {};
-  double error = 0;  // of kSenseValue
+  double error = 0;  // for kSenseValue: the sensor's greatest error
 };
 
 struct GroundEffect {
   GroundQuery condition;
-  // The condition asks K alone, of literals and bounds: then the effect is one of the world, "where
-  // the condition is true, the changes happen", whether that is known or not.
+  // True if the condition asks only K of literals and of bounds. Then the effect takes place in the
+  // world: the changes happen where the condition is true, whether that is known or not.
   bool is_of_worlds = false;
   std::vector<GroundChange> changes;
-  Place place = {};  // in the domain's file
+  Place place = {};  // place in the domain's file
 };
 
 struct GroundAction {
   std::string name;
-  std::vector<std::string> arguments;            // constants, or function terms: run-time variables
-  std::vector<FunctionId> run_time_values = {};  // by argument; none for constants
+  // Constants, or function terms for run-time variables.
+  std::vector<std::string> arguments;
+  // By argument: the function of a run-time variable, or none for a constant.
+  std::vector<FunctionId> run_time_values = {};
   GroundQuery precondition;
   std::vector<GroundEffect> effects;
-  Place place = {};  // in the domain's file
+  Place place = {};  // place in the domain's file
 };
 
-// Exactly one, or at least one, of the literals holds.
+// A set of literals of which exactly one, or at least one, holds initially.
 struct InitialRelation {
   std::vector<GroundLiteral> literals;
   bool is_inclusive = false;
   FilePlace place;
 };
 
-// p(a, b); f(a) = c as the symbol f with the arguments a, c.
+// The symbol and arguments of an atom p(a, b). The atom f(a) = c has the symbol f and the arguments
+// a, c.
 struct GroundAtom {
   std::string symbol;
   std::vector<std::string> arguments;
 };
 
-// What is known at first. Atoms that are in neither list are unknown.
+// The initial knowledge. An atom in neither `known` nor `relations` is unknown.
 struct InitialKnowledge {
   std::vector<GroundLiteral> known;
   std::vector<InitialRelation> relations;
   std::vector<FormulaId> sensed;
-  std::map<FunctionId, double> values_sensed;  // with their errors
-  std::vector<Range> ranges;                   // by slot
+  std::map<FunctionId, double> values_sensed;  // the functions in Kv with their errors
+  std::vector<Range> ranges;                   // the intervals of numeric functions, by slot
 };
 
 struct GroundTask {
   std::string domain_file;
-  std::vector<std::string> atoms;            // their texts
-  std::vector<GroundAtom> ground_atoms;      // the same, in pieces
-  std::vector<FunctionId> function_of_atom;  // f of f(a) = b; none for predicates
+  std::vector<std::string> atoms;            // the texts of the atoms
+  std::vector<GroundAtom> ground_atoms;      // the symbols and arguments of the atoms
+  std::vector<FunctionId> function_of_atom;  // by atom: f for f(a) = b, none for predicates
   std::vector<GroundFunction> functions;
   std::vector<FunctionId> function_of_slot;
   std::vector<Formula> formulas;
@@ -184,16 +188,18 @@ struct GroundTask {
   FilePlace goal_place;
 };
 
-// That init, an action or an update rule adds to Kw.
+// Returns the formulas that init, an action or an update rule adds to Kw.
 std::set<FormulaId> SensedFormulas(const GroundTask& task);
 
-// Rounds of all update rules that may change something; what changes after them is restless.
+// Returns the greatest number of rounds in which the update rules may change something. Rules that
+// still change something after these rounds never come to rest.
 std::size_t MostRoundsOf(const GroundTask& task);
 
-// "isSpillable(can1)", "!p & q", "weight(can1) > 2".
+// Returns the text of a literal or a formula: "isSpillable(can1)", "!p & q", "weight(can1) > 2".
 std::string TextOf(const GroundTask& task, const GroundLiteral& literal);
 std::string TextOf(const GroundTask& task, const Formula& formula);
-// "weight(can1) = [0.2, 0.4]"; "weight(can1) > 0.2" where it has one end or excludes it.
+// Returns the text of a function with its interval, "weight(can1) = [0.2, 0.4]", or "weight(can1) >
+// 0.2" for an interval with only one end or with an excluded end.
 std::string TextOf(const GroundFunction& function, const Range& range);
 std::string TextOf(const GroundAction& action);
 std::string_view TextOf(Relation relation);

@@ -6,21 +6,21 @@
 
 namespace assay::contingent {
 
-// Which of the facts that are known at first become atoms.
+// Which of the facts that are known initially become atoms.
 enum class KnownFacts {
-  kAsked,  // those that queries and changes are about
-  kAll,    // also those that nothing asks or changes, so that the knowledge base has all of init
+  kAsked,  // the facts that occur in queries and changes
+  kAll,    // all facts, so that the knowledge base contains all of init
 };
 
-// The task without variables. Queries of what is known from the first and never changes are
-// answered, externs are asked, and actions whose precondition cannot hold are left out.
+// Returns the task without variables. Queries about facts that are known from the start and never
+// change are answered, externs are called, and actions whose precondition cannot hold are left out.
 //
-// A parameter ?x with a precondition K(?x = f(a)) stands for each constant, and, if some action
-// comes to know f(a), for the value that f(a) has at run time (a run-time variable): then its
-// argument is the text of f(a), the precondition asks Kv(f(a)), and ?x may stand in equalities
-// alone.
+// A parameter ?x with a precondition K(?x = f(a)) stands for each constant. If some action senses
+// f(a), the parameter can be a run-time variable too, which stands for the value that f(a) has at
+// run time. In that instance the argument is the text of f(a), the precondition asks Kv(f(a)), and
+// ?x may stand only in equalities.
 //
-// Checks types first (type_check.h). Throws InputError where domain or problem are wrong.
+// Checks types first (type_check.h). Throws InputError where the domain or the problem is wrong.
 GroundTask Ground(Domain domain, Problem problem, Externs& externs,
                   KnownFacts facts = KnownFacts::kAsked);
 

@@ -101,7 +101,7 @@ void InitialGrounding::Ground(const Change& change) {
   }
 }
 
-// Alternatives that are values of one function are all that it can have.
+// If all alternatives are values of one function, the function has no other values.
 void InitialGrounding::AddRelation(const GroundChange& change, Place place) {
   InitialKnowledge& initial = terms_.task().initial;
   initial.relations.push_back({change.literals, change.is_inclusive, terms_.PlaceOf(place)});

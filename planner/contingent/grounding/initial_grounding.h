@@ -7,16 +7,17 @@
 
 namespace assay::contingent {
 
-// What a problem's init says.
+// Grounds the init of a problem.
 class InitialGrounding {
  public:
   InitialGrounding(const Problem& problem, TermGrounding& terms, EffectGrounding& effects)
       : problem_(problem), terms_(terms), effects_(effects) {}
 
-  // Comes before all else: tells the table which atoms are always known. Throws InputError, as does
-  // Ground, at a change that contradicts those before it.
+  // Tells the atom table which atoms init knows. It must be called before all other grounding.
+  // Throws InputError at a change that contradicts the changes before it.
   void Tell();
-  // Comes after all else, when all atoms are there: the task's initial knowledge.
+  // Makes the task's initial knowledge. It must be called after all other grounding, when all atoms
+  // exist.
   void Ground();
 
  private:
@@ -36,7 +37,8 @@ class InitialGrounding {
   const Problem& problem_;
   TermGrounding& terms_;
   EffectGrounding& effects_;
-  // What init says of atoms in Kf. The table has, besides, what is unknown of LCW.
+  // The knowledge that init puts in Kf. The atom table also records the alternatives of Kx as
+  // unknown, so that LCW does not close them.
   std::map<std::string, Knowledge> told_;
 };
 

@@ -9,7 +9,8 @@
 namespace assay::contingent {
 namespace {
 
-// "q & p & p" is "p & q", and "!p" is "p": who knows whether the one holds knows it of the other.
+// Puts the formula in canonical form: "q & p & p" becomes "p & q", and "!p" becomes "p", because
+// whether p holds is known exactly if whether !p holds is known.
 void Canonicalize(Formula& formula) {
   std::vector<GroundLiteral>& literals = formula.literals;
   std::ranges::sort(literals, {},
@@ -48,7 +49,8 @@ GroundQuery QueryGrounding::QueryOf(const Query& query, Bindings bindings) {
   return Joined(is_and ? GroundQuery::Kind::kAnd : GroundQuery::Kind::kOr, std::move(parts));
 }
 
-// Kw(a) holds if K(a) or K(!a) does: what is said so, the relaxed graph sees, too.
+// Kw(a) holds if K(a) or K(!a) does. The query states these cases, so that the relaxed graph uses
+// them.
 GroundQuery QueryGrounding::KnownWhether(const Query& query, const Bindings& bindings) {
   std::vector<GroundQuery> all;
   std::vector<GroundQuery> ways;
@@ -132,7 +134,8 @@ GroundQuery QueryGrounding::FunctionsEqual(FunctionId f, FunctionId g, bool is_p
     const AtomId of_g = terms_.table().Value(g, constant);
     if (of_g.IsNone()) continue;
     const AtomId of_f = terms_.table().Value(f, constant);
-    // Different: of some constant one is known to be it, and the other not to be it.
+    // Two functions differ if, for some constant, one is known to have it as its value and the
+    // other is known not to have it.
     ways.push_back(
         Joined(GroundQuery::Kind::kAnd, {Known({of_f, true}), Known({of_g, is_positive})}));
     if (!is_positive) {
@@ -157,7 +160,7 @@ std::optional<FormulaId> QueryGrounding::FormulaOf(const std::vector<Literal>& l
   return terms_.table().IdOf(formula);
 }
 
-// Two values of one function exclude each other as an atom and its negation do.
+// Two values of one function exclude each other, as an atom and its negation do.
 bool QueryGrounding::NeverHolds(const Formula& formula) const {
   const auto exclude = [&](const GroundLiteral& a, const GroundLiteral& b) {
     if (a.atom == b.atom) return a.is_positive != b.is_positive;

@@ -9,17 +9,17 @@
 
 namespace assay::contingent {
 
-// Queries without variables. What is known from the first and never changes is answered, externs
-// are asked.
+// Makes queries without variables. It answers queries about facts that are known from the start and
+// never change, and it calls externs.
 class QueryGrounding {
  public:
   QueryGrounding(TermGrounding& terms, Externs& externs) : terms_(terms), externs_(externs) {}
 
   GroundQuery QueryOf(const Query& query, Bindings bindings);
-  // Whether the literal is known.
+  // Returns the query that asks whether the literal is known.
   GroundQuery KnownLiteral(const Literal& literal, const Bindings& bindings);
-  // The conjunction of the literals, as Kw can hold it; none if it is always known whether it
-  // holds.
+  // Returns the conjunction of the literals as a formula for Kw. Returns none if it is always known
+  // whether the conjunction holds.
   std::optional<FormulaId> FormulaOf(const std::vector<Literal>& literals,
                                      const Bindings& bindings);
 

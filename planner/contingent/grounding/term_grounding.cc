@@ -11,7 +11,7 @@
 namespace assay::contingent {
 namespace {
 
-// So that no file keeps the program busy for hours, or takes all memory.
+// Limits on the work, so that no file keeps the program busy for hours or takes all memory.
 constexpr std::int64_t kMostBindings = 20'000'000;
 constexpr double kMostInstances = 1'000'000;
 

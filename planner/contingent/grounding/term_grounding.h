@@ -14,7 +14,7 @@
 
 namespace assay::contingent {
 
-// What a variable stands for: a constant, or the value of a function at run time.
+// The value of a variable: a constant, or the value that a function has at run time.
 struct GroundValue {
   std::string text;
   FunctionId function;  // none for a constant
@@ -26,11 +26,12 @@ struct Binding {
 };
 using Bindings = std::vector<Binding>;
 
-// Terms without variables, and the ways to bind variables. Holds what all of grounding shares: the
-// task that is being made, its atoms, and the file that is being read.
+// Makes terms without variables, and enumerates the ways to bind variables. It holds the data that
+// all grounding classes share: the task that is being made, its atoms, and the file that is being
+// read.
 class TermGrounding {
  public:
-  // Keeps references to all of them.
+  // Keeps references to all arguments.
   TermGrounding(const SymbolTable& symbols, AtomTable& table, GroundTask& task)
       : symbols_(symbols), table_(table), task_(task) {}
 
@@ -38,34 +39,37 @@ class TermGrounding {
   AtomTable& table() { return table_; }
   GroundTask& task() { return task_; }
 
-  // What follows is of this file.
+  // Sets the file to which places refer.
   void Enter(const std::string& file) { file_ = &file; }
   FilePlace PlaceOf(Place place) const { return {*file_, place.line, place.column}; }
   [[noreturn]] void Fail(Place place, const std::string& what, const std::string& allowed) const;
 
   bool IsNumeric(const Term& term) const;
   GroundValue ValueOf(const Term& term, const Bindings& bindings);
-  // Arguments of a predicate, a function or an extern: no run-time variables.
+  // Returns the arguments of a predicate, a function or an extern, where no run-time variable may
+  // stand.
   std::vector<std::string> Constants(const std::vector<Term>& terms, const Bindings& bindings);
   FunctionId FunctionOf(const Term& term, const Bindings& bindings);
-  // Of f(a) = c, in init or among alternatives: f(a) and c; none if f is numeric.
+  // Returns f(a) and c for a literal f(a) = c in init or among alternatives. Returns none if f is
+  // numeric.
   std::optional<std::pair<FunctionId, std::string>> EqualityOf(const Literal& literal,
                                                                const Bindings& bindings);
   GroundSum SumOf(const Term& term, const Bindings& bindings);
   Bound BoundOf(const Literal& literal, const Bindings& bindings);
 
-  // Calls `use` with the bindings and each way to bind the variables, from this one on, as well.
-  // Throws InputError, before the first, if there are too many of them: each takes memory.
+  // Calls `use` for each way to bind the variables from index `from` on. During each call,
+  // `bindings` contains this way too. Throws InputError before the first call if there are too many
+  // ways, because each takes memory.
   void ForEachBinding(const std::vector<TypedName>& variables, Bindings& bindings, std::size_t from,
                       const std::function<void()>& use);
-  // Counts a way to bind an action's parameters that is tried. Throws InputError when there have
-  // been too many.
+  // Counts one attempt to bind an action's parameters. Throws InputError after too many attempts.
   void CountBinding(Place place);
 
-  // A run-time variable stands where none may: what is being grounded with it is left out.
+  // Records that a run-time variable, or a value outside a function's range, stands where it may
+  // not. The instance that is being grounded is then left out.
   void Refuse() { is_refused_ = true; }
   bool is_refused() const { return is_refused_; }
-  // Whether it was, and forgets it.
+  // Returns is_refused() and resets it.
   bool TakeRefusal() { return std::exchange(is_refused_, false); }
 
  private:
@@ -75,8 +79,8 @@ class TermGrounding {
   AtomTable& table_;
   GroundTask& task_;
   const std::string* file_ = nullptr;
-  std::int64_t bindings_ = 0;  // of parameters, that have been tried
-  double instances_ = 0;       // of effects and queries with variables
+  std::int64_t bindings_ = 0;  // attempts to bind parameters so far
+  double instances_ = 0;       // instances of effects and queries with variables
   bool is_refused_ = false;
 };
 

@@ -19,7 +19,7 @@ AtomKnowledge::AtomKnowledge(const GroundTask& task)
 }
 
 bool AtomKnowledge::IsWithin(const KnowledgeState& state, Diagram worlds) {
-  // Most sets are decided by what is known, without looking at more of them.
+  // Most sets are decided by the known atoms alone, without further work.
   while (!worlds_.IsConstant(worlds)) {
     const AtomId atom = worlds_.AtomOf(worlds_.variable(worlds));
     if (layout_.IsKnown(state, {atom, true})) {
@@ -60,7 +60,7 @@ Diagram AtomKnowledge::RelationOf(const KnowledgeState& state, AtomId atom) {
   return kAllSets;
 }
 
-// ---- The world changes
+// ---- Changes of the world
 
 void AtomKnowledge::Set(KnowledgeState& state, GroundLiteral literal) {
   UnsenseWith(state, literal.atom);
@@ -114,7 +114,7 @@ void AtomKnowledge::SpreadEntanglement(KnowledgeState& state,
   }
 }
 
-// Values of one function are related without its being said.
+// The values of one function are related to each other without a stored relation.
 bool AtomKnowledge::IsOuter(const KnowledgeState& state, AtomId atom) const {
   const FunctionId function = task_.function_of_atom[atom.index()];
   if (function.IsNone()) return layout_.IsOuter(state, atom);
@@ -137,9 +137,10 @@ void AtomKnowledge::Unrelate(KnowledgeState& state, AtomId atom) {
   PutRelation(state, worlds_.Exists(relation, worlds_.Variable(atom)));
 }
 
-// The image of the relations under "x becomes true where A, else false where D, else either where
-// O": the new x, for the time being a variable of its own, is A | (x & !D) where it is not open;
-// then the old x is no matter any more. The relations come first: they keep the diagrams small.
+// Computes the image of the relations under "x becomes true where A, else false where D, else
+// either where O". The new x is a variable of its own during the computation. Where it is not open
+// it equals A | (x & !D), and afterwards the old x is quantified away. The relations are conjoined
+// first because they keep the diagrams small.
 void AtomKnowledge::Change(KnowledgeState& state, const std::map<AtomId, PossibleChange>& changes,
                            const OpenBounds& bounds) {
   std::vector<int> variables;
@@ -157,7 +158,7 @@ void AtomKnowledge::Change(KnowledgeState& state, const std::map<AtomId, Possibl
     variables.push_back(worlds_.Variable(atom));
     UnsenseWith(state, atom);
   }
-  // What an entangled atom decides is so, too, whatever becomes of that atom.
+  // An atom that an entangled atom decides is entangled too, whatever becomes of the first atom.
   SpreadEntanglement(state, variables);
   Diagram image = worlds_.And(TakeRelations(state, variables), bounds.Together());
   for (const Diagram transition : transitions) image = worlds_.And(image, transition);
@@ -168,7 +169,7 @@ void AtomKnowledge::Change(KnowledgeState& state, const std::map<AtomId, Possibl
     renamed[worlds_.NewVariable(atom)] = worlds_.Where({atom, true});
     layout_.SetUnknown(state, atom);
   }
-  // What is open is so as values of one function are.
+  // An open atom obeys unique names like any value of a function.
   image = worlds_.Compose(image, renamed);
   image = worlds_.And(image, UniqueNames(worlds_.Support(image), state));
   const bool can_hold = PutRelation(state, image);
@@ -179,7 +180,7 @@ void AtomKnowledge::Change(KnowledgeState& state, const std::map<AtomId, Possibl
   }
 }
 
-// ---- More is known
+// ---- New knowledge of the unchanged world
 
 void AtomKnowledge::Learn(KnowledgeState& state, GroundLiteral literal) {
   if (!layout_.IsUndetermined(state, literal.atom)) return;
@@ -200,7 +201,7 @@ void AtomKnowledge::Learn(KnowledgeState& state, GroundLiteral literal) {
   }
 }
 
-// That not all of several hold does not say of any of them that it does not.
+// A conjunction that is false does not say which of its literals are false.
 bool AtomKnowledge::LearnConjunction(KnowledgeState& state,
                                      const std::vector<GroundLiteral>& literals, bool value) {
   const Diagram where = worlds_.WhereAll(literals);
@@ -259,7 +260,7 @@ bool AtomKnowledge::PutRelation(KnowledgeState& state, Diagram relation) {
   if (relation == kEmptySet) return false;
   const std::vector<Assignment> known = worlds_.Essential(relation);
   relation = worlds_.Restrict(relation, known);
-  // Unique names hold without being said.
+  // A relation that says no more than unique names is not stored.
   if (relation != UniqueNames(worlds_.Support(relation), state)) {
     state.relations.insert(
         std::lower_bound(state.relations.begin(), state.relations.end(), relation), relation);

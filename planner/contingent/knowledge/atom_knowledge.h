@@ -10,17 +10,18 @@
 
 namespace assay::contingent {
 
-// What effects that may happen do to an atom: where it becomes true, where else false, and where
-// else it may be either.
+// The change of an atom by effects that may happen: the worlds where it becomes true, the other
+// worlds where it becomes false, and the remaining worlds where it may become either.
 struct PossibleChange {
   Diagram becomes_true = kEmptySet;
   Diagram becomes_false = kEmptySet;
   Diagram becomes_open = kEmptySet;
 };
 
-// What a state knows of atoms, Kf and Kx, and how that changes: sound and, for what they can say,
-// complete. A literal that follows from a state's Kx is in its Kf, and that a function has one
-// value (unique names) holds without being said. What changes an atom takes it out of Kw and Kv.
+// The knowledge of a state about atoms, Kf and Kx, and its changes. Answers are sound, and they are
+// complete for everything that Kf and Kx can express. A literal that follows from a state's Kx is
+// in its Kf. Each function has one value (unique names); this rule is not stored. A change of an
+// atom removes the atom from Kw and Kv.
 class AtomKnowledge {
  public:
   // Keeps a reference to the task.
@@ -28,61 +29,70 @@ class AtomKnowledge {
 
   WorldSets& worlds() { return worlds_; }
 
-  // Whether all worlds that the state allows are in the set.
+  // Returns true if all worlds that the state allows are in the set.
   bool IsWithin(const KnowledgeState& state, Diagram worlds);
-  // Whether the literals all hold in no world that the state allows.
+  // Returns true if the literals hold together in no world that the state allows.
   bool NeverHold(const KnowledgeState& state, const std::vector<GroundLiteral>& literals) {
     return IsWithin(state, worlds_.Not(worlds_.WhereAll(literals)));
   }
-  // The set with what is known put in.
+  // Returns the set with the values of all known atoms substituted.
   Diagram Restricted(Diagram worlds, const KnowledgeState& state);
-  // What Kx and unique names say together of the atoms of a set, and of those related to them.
+  // Returns the conjunction of Kx and unique names for the atoms of the set `of` and for all atoms
+  // related to them.
   Diagram RelationsWith(const KnowledgeState& state, Diagram of);
-  // Kx's relation that the atom is in; kAllSets if none.
+  // Returns the relation of Kx that contains the atom, or kAllSets if there is none.
   Diagram RelationOf(const KnowledgeState& state, AtomId atom);
 
-  // The world changes.
+  // Makes the literal true in the world.
   void Set(KnowledgeState& state, GroundLiteral literal);
   void Forget(KnowledgeState& state, AtomId atom);
-  // All at once, where the bounds tell which of them happen; then nothing of the bounds is kept.
+  // Makes all changes at once. `bounds` contains the bounds that decide which changes happen. The
+  // bounds are not kept afterwards.
   void Change(KnowledgeState& state, const std::map<AtomId, PossibleChange>& changes,
               const OpenBounds& bounds);
 
-  // Whether more may be known of the atom than the state says: that it is not known cannot be told.
+  // Returns true if more may be known of the atom than the state says. Then it is undecided whether
+  // the atom is unknown.
   bool IsOuter(const KnowledgeState& state, AtomId atom) const;
-  // The atoms that the set depends on hang together with a number from now on.
+  // Marks the atoms of the set as dependent on a number from then on.
   void Entangle(KnowledgeState& state, Diagram worlds);
-  // More is known of something that hangs together with a number, and so perhaps of all such atoms.
+  // Records that more is known of something that depends on a number. All atoms that depend on
+  // numbers become outer, because the new knowledge may say something about any of them.
   void LearnOfNumbers(KnowledgeState& state) const { layout_.SetEntangledOuter(state); }
 
-  // More is known of the world. A literal that may hold:
+  // Learns that a literal, which is not known to be false, is true in the unchanged world.
   void Learn(KnowledgeState& state, GroundLiteral literal);
-  // False if the literals cannot all hold (`value`), or not all.
+  // Learns that all literals hold (`value` is true) or that not all of them hold. Returns false if
+  // that contradicts the state's knowledge.
   bool LearnConjunction(KnowledgeState& state, const std::vector<GroundLiteral>& literals,
                         bool value);
-  // That exactly one holds, or at least one; false if that contradicts what is known.
+  // Learns that exactly one, or at least one, of the literals holds. Returns false if that
+  // contradicts the state's knowledge.
   bool Relate(KnowledgeState& state, const std::vector<GroundLiteral>& literals, bool is_inclusive);
 
  private:
   void UnsenseWith(KnowledgeState& state, AtomId atom);
   void Disentangle(KnowledgeState& state, AtomId atom) const;
   void Entangle(KnowledgeState& state, AtomId atom, bool is_outer) const;
-  // What is related to an atom that is entangled, or outer, is so as well.
+  // Marks each atom that is related to an entangled or outer atom in the same way.
   void SpreadEntanglement(KnowledgeState& state);
   void SpreadEntanglement(KnowledgeState& state, const std::vector<int>& variables) const;
   void Unrelate(KnowledgeState& state, AtomId atom);
-  // Adds a relation to those that are there; false if they cannot hold together.
+  // Adds a relation to those of the state. Returns false if they cannot hold together.
   bool RelateAsWell(KnowledgeState& state, Diagram relation);
-  // Takes out the relations that have one of the variables, or another value of a function of which
-  // they have one, and returns what they say together, with unique names.
+  // Removes the relations that contain one of the variables, or another value of a function that
+  // has a value among them. Returns the conjunction of these relations and of unique names.
   Diagram TakeRelations(KnowledgeState& state, std::vector<int> variables);
-  // Puts in a relation, and into Kf what follows from it; false if it cannot hold.
+  // Adds a relation, and adds to Kf the literals that follow from it. Returns false if the relation
+  // cannot hold.
   bool PutRelation(KnowledgeState& state, Diagram relation);
 
   FunctionId FunctionOf(int variable) const;
-  // The values that are neither known to be the function's nor not to be.
+  // Returns the values, as variables, that are known neither to be nor not to be the function's
+  // value.
   std::vector<int> OpenValues(FunctionId function, const KnowledgeState& state) const;
-  // Where the functions of which there are values among the variables have one value at most.
+  // Returns the set of worlds in which each function with values among the variables has at most
+  // one of them.
   Diagram UniqueNames(const std::vector<int>& variables, const KnowledgeState& state);
 
   const GroundTask& task_;

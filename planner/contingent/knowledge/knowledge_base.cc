@@ -26,7 +26,7 @@ KnowledgeState KnowledgeBase::Initial() {
   }
   for (const FormulaId formula : task_.initial.sensed) layout_.SetSensed(state, formula, true);
   for (const auto& [f, error] : task_.initial.values_sensed) numbers_.Sense(state, f, error);
-  // Nothing has been done yet: what rules tell now is of the same moment as init.
+  // Nothing has been done so far, so the update rules describe the same point in time as init.
   if (const GroundEffect* wrong = ApplyUpdates(state, task_.initial.relations)) {
     throw InputError({task_.domain_file, wrong->place.line, wrong->place.column},
                      "this update rule contradicts what is known at first",
@@ -57,7 +57,7 @@ std::optional<KnowledgeState> KnowledgeBase::After(const GroundAction& action,
 
 const GroundEffect* KnowledgeBase::ApplyUpdates(KnowledgeState& state,
                                                 const std::vector<InitialRelation>& lasting) {
-  // A rule that undoes another's change within a round is not at rest either, though the round ends
+  // A rule that undoes another rule's change within a round is not at rest, although the round ends
   // as it began.
   bool is_at_rest = task_.updates.empty();
   for (std::size_t round = 0; !is_at_rest; ++round) {

@@ -13,7 +13,7 @@
 
 namespace assay::contingent {
 
-// How knowledge is asked and how it changes: queries, actions, sensing, update rules.
+// Answers queries about knowledge, and changes knowledge by actions, sensing and update rules.
 class KnowledgeBase {
  public:
   // Keeps a reference to the task.
@@ -25,9 +25,10 @@ class KnowledgeBase {
   const StateLayout& layout() const { return layout_; }
   WorldSets& worlds() { return atoms_.worlds(); }
 
-  // Throws InputError, with the place of an alternative that cannot hold, if init contradicts
-  // itself, and with that of an update rule that leaves no alternative of init, or no number. This
-  // and all that makes other states throws it at an update rule, if the rules do not come to rest.
+  // Returns the initial knowledge. Throws InputError at an alternative that cannot hold, if init
+  // contradicts itself, and at an update rule that leaves no alternative of init, or no number.
+  // Like every function that makes a state, it throws InputError at an update rule if the rules do
+  // not come to rest.
   KnowledgeState Initial();
 
   // See KnowledgeQueries.
@@ -45,44 +46,46 @@ class KnowledgeBase {
     return atoms_.RelationOf(state, atom);
   }
 
-  // After an action whose precondition holds, and the update rules. None if an effect on Kx or
-  // on bounds contradicts what is known, or may do so, if it may give a function two values, or if
-  // it cannot be told whether an effect or a rule happens.
+  // Returns the state after an action whose precondition holds, and after the update rules. Returns
+  // none in three cases: an effect on Kx or on bounds contradicts the knowledge, or may do so; the
+  // action may give a function two values; or it is undecided whether an effect or a rule happens.
   std::optional<KnowledgeState> After(const GroundAction& action, const KnowledgeState& state);
 
-  // The first formula of Kw; none if Kw is empty. That a conjunction is false may settle none of
-  // its literals, but relates them.
+  // Returns the first formula of Kw, or none if Kw is empty. A conjunction that turns out false may
+  // settle none of its literals, but relates them.
   FormulaId FormulaToBranch(const KnowledgeState& state) const;
-  // The functions of Kv whose possible values Kx tells.
+  // Returns the functions of Kv whose possible values are listed by Kx.
   std::vector<FunctionId> FunctionsToBranch(const KnowledgeState& state);
-  // The values that a function may have: those not known to be none.
+  // Returns the values that the function may have: all but those known not to be its value.
   std::vector<AtomId> PossibleValues(FunctionId function, const KnowledgeState& state) const;
 
-  // When the formula turns out true or false, when a literal turns out to hold, and after the
-  // update rules. None if that, or one of these, contradicts what is known.
+  // Returns the state after the formula turned out true or false, or after the literal turned out
+  // true, and after the update rules. Returns none if the new fact or a rule contradicts the
+  // knowledge.
   std::optional<KnowledgeState> Learned(const KnowledgeState& state, FormulaId formula, bool value);
   std::optional<KnowledgeState> Learned(const KnowledgeState& state, GroundLiteral literal);
 
   std::vector<GroundLiteral> UndeterminedLiterals(FormulaId formula,
                                                   const KnowledgeState& state) const;
 
-  // Whether a state was ever refused because it could not be told what happens there, and not
-  // because what would happen contradicts what is known.
+  // Returns true if a state was ever refused because it was undecided what happens there. A refusal
+  // because of a contradiction does not count.
   bool has_doubted() const { return has_doubted_ || progression_.has_doubted(); }
 
  private:
-  // The first of the relations that contradicts what is known or those before; null: none does.
+  // Adds the relations in their order. Returns the first one that contradicts the state's knowledge
+  // or an earlier relation, or null if there is none.
   const InitialRelation* RelateAll(KnowledgeState& state,
                                    const std::vector<InitialRelation>& relations);
-  // Whether they do not contradict what is known.
+  // Returns true if the relations do not contradict the state's knowledge.
   bool CanLast(const std::vector<InitialRelation>& relations, KnowledgeState state);
-  // The rule after which a relation or a bound contradicts what is known, which leaves no
-  // alternative of the relations that last, or of which it cannot be told whether it happens; null:
-  // there is none.
+  // Applies the update rules until they come to rest. Returns the rule that fails, or null. A rule
+  // fails if a relation or a bound contradicts the knowledge after it, if it leaves no alternative
+  // of the `lasting` relations, or if it is undecided whether it happens.
   const GroundEffect* ApplyUpdates(KnowledgeState& state,
                                    const std::vector<InitialRelation>& lasting = {});
   [[noreturn]] void FailRestless(const GroundEffect& update, std::size_t rounds) const;
-  // After the update rules, in canonical form; none if one contradicts what is known.
+  // Returns the state after the update rules, in canonical form, or none if a rule fails.
   std::optional<KnowledgeState> Settled(KnowledgeState state);
   void Canonicalize(KnowledgeState& state) const;
 

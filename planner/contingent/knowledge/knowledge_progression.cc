@@ -7,7 +7,8 @@
 namespace assay::contingent {
 namespace {
 
-// Then it is no change of the world, and happens only if its condition is known.
+// Returns true if the change only senses something or only asserts a relation or a bound. It does
+// not change the world, and it happens only if its condition is known.
 bool TellsSomething(const GroundChange& change) {
   using Kind = GroundChange::Kind;
   return change.kind == Kind::kSense || change.kind == Kind::kSenseValue ||
@@ -19,8 +20,8 @@ void AddNumbers(const GroundQuery& query, std::set<FunctionId>& numbers) {
   for (const GroundQuery& operand : query.operands) AddNumbers(operand, numbers);
 }
 
-// What becomes true wins over what becomes false, as in PDDL; what is told and what is sensed is so
-// after all that.
+// Returns the place of the change in the order of application. Becoming true wins over becoming
+// false, as in PDDL. Asserted and sensed facts describe the world after all changes.
 int RankOf(const GroundChange& change) {
   switch (change.kind) {
     case GroundChange::Kind::kForget:
@@ -37,7 +38,7 @@ int RankOf(const GroundChange& change) {
     case GroundChange::Kind::kSenseValue:
       return 4;
     case GroundChange::Kind::kRelate:
-      return 5;  // and can fail
+      return 5;  // a relation comes last because it can fail
   }
   return 0;
 }
@@ -56,7 +57,7 @@ std::optional<KnowledgeState> KnowledgeProgression::AfterCertain(const GroundEff
   return After(changes, before);
 }
 
-// ---- Which changes there are
+// ---- Collecting the changes
 
 KnowledgeProgression::Changes KnowledgeProgression::ChangesOf(
     const std::vector<GroundEffect>& effects, const KnowledgeState& state) {
@@ -122,12 +123,12 @@ void KnowledgeProgression::AddPossible(const GroundChange& change, Diagram where
     case GroundChange::Kind::kSenseValue:
     case GroundChange::Kind::kRelate:
     case GroundChange::Kind::kNarrow:
-      return;  // nothing is sensed or told under a condition that is not known
+      return;  // nothing is sensed or asserted under a condition that is not known
   }
 }
 
-// What surely becomes false, or open, stays so only where nothing makes it something else, and
-// where no other value of its function becomes true.
+// A change that certainly makes an atom false or open holds only where no possible change gives the
+// atom another value, and where no other value of its function becomes true.
 void KnowledgeProgression::JoinWithPossible(Changes& changes) const {
   std::set<FunctionId> functions;
   for (const auto& [atom, where] : changes.possible) {
@@ -165,7 +166,7 @@ bool KnowledgeProgression::MayGiveTwoValues(const Changes& changes, const Knowle
   return worlds.And(possible, both) != kEmptySet;
 }
 
-// ---- What they do
+// ---- Applying the changes
 
 std::optional<KnowledgeState> KnowledgeProgression::After(const Changes& changes,
                                                           const KnowledgeState& before) {

@@ -15,23 +15,26 @@
 
 namespace assay::contingent {
 
-// What effects that happen at once do to knowledge (progression). Of those whose condition is not
-// known, each world has its own, if they ask the world alone (GroundEffect::is_of_worlds).
+// Computes how effects that happen at once change knowledge (progression). An effect whose
+// condition is not known happens in some worlds and not in others, provided that the condition asks
+// only about the world (GroundEffect::is_of_worlds).
 class KnowledgeProgression {
  public:
-  // Keeps references.
+  // Keeps references to the task and the atoms.
   KnowledgeProgression(const GroundTask& task, AtomKnowledge& atoms)
       : task_(task), layout_(task), queries_(task, atoms), numbers_(task), atoms_(atoms) {}
 
-  // None if an effect on Kx or on bounds contradicts what is known, or may do so, if a function may
-  // get two values, or if it cannot be told whether an effect happens.
+  // Returns the state after the effects. Returns none in three cases: an effect on Kx or on bounds
+  // contradicts the knowledge, or may do so; a function may get two values; or it is undecided
+  // whether an effect happens.
   std::optional<KnowledgeState> After(const std::vector<GroundEffect>& effects,
                                       const KnowledgeState& before);
-  // The same of one effect that happens.
+  // Returns the state after one effect that certainly happens. Returns none in the three cases in
+  // which After does.
   std::optional<KnowledgeState> AfterCertain(const GroundEffect& effect,
                                              const KnowledgeState& before);
 
-  // Whether a state was ever refused because it could not be told what happens.
+  // Returns true if a state was ever refused because it was undecided what happens.
   bool has_doubted() const { return has_doubted_; }
 
  private:
@@ -39,27 +42,27 @@ class KnowledgeProgression {
     OpenBounds bounds;
     std::vector<const GroundChange*> certain = {};
     std::map<AtomId, PossibleChange> possible = {};
-    // Of numbers, which may have happened, and where.
+    // changes of numbers that may have happened, with the worlds where they happen
     std::vector<ChangeSomewhere> unsettled = {};
-    std::set<FunctionId> deciding = {};  // numbers on which it depends what happens
-    bool are_told = true;                // else whether an effect happens is not
+    std::set<FunctionId> deciding = {};  // the numbers that decide which changes happen
+    bool are_told = true;                // false if it is undecided whether an effect happens
   };
 
   Changes ChangesOf(const std::vector<GroundEffect>& effects, const KnowledgeState& state);
   void AddOfWorlds(const GroundEffect& effect, const KnowledgeState& state, Changes& changes);
-  // What an effect does to the world whose condition is not known, but true in the worlds `where`.
+  // Adds a change by an effect whose condition is not known but holds in the worlds `where`.
   void AddPossible(const GroundChange& change, Diagram where, Changes& changes);
   void JoinWithPossible(Changes& changes) const;
-  // Whether there are worlds in which a function is given two values.
+  // Returns true if there are worlds in which a function is given two values.
   bool MayGiveTwoValues(const Changes& changes, const KnowledgeState& before);
 
   std::optional<KnowledgeState> After(const Changes& changes, const KnowledgeState& before);
   void Apply(const GroundChange& change, const KnowledgeState& before, KnowledgeState& state);
   void ApplyUnsettled(const Changes& changes, const KnowledgeState& before, KnowledgeState& state);
-  // False if a bound is told of a number that hangs together with something else: it might tell
-  // of that, or contradict it.
+  // Returns false if a change bounds a number that depends on something else. Such a bound might
+  // say something about the other quantity, or contradict it.
   bool CanTellBounds(const Changes& changes, const KnowledgeState& state) const;
-  // False if a relation or a bound contradicts what is known.
+  // Applies a relation or a bound. Returns false if it contradicts the knowledge.
   bool Relate(const GroundChange& change, KnowledgeState& state);
 
   const GroundTask& task_;

@@ -7,20 +7,20 @@
 
 namespace assay::contingent {
 
-// What a state answers.
+// Answers queries about a knowledge state.
 class KnowledgeQueries {
  public:
-  // Keeps references.
+  // Keeps references to the task and the atoms.
   KnowledgeQueries(const GroundTask& task, AtomKnowledge& atoms)
       : task_(task), layout_(task), numbers_(task), atoms_(atoms) {}
 
-  // Surely: that something is not known does not hold where more may be known than the state says
-  // (of numbers that hang together with others).
+  // Returns true if the query surely holds. A query that something is not known does not surely
+  // hold where more may be known than the state says, as for numbers that depend on others.
   bool Holds(const GroundQuery& query, const KnowledgeState& state) const;
-  // Not surely not.
+  // Returns true unless the query surely does not hold.
   bool MayHold(const GroundQuery& query, const KnowledgeState& state) const;
 
-  // Whether it is known to be true, or known to be false.
+  // Returns true if the formula is known to be true or known to be false.
   bool IsDetermined(const Formula& formula, const KnowledgeState& state) const;
   bool IsDetermined(FunctionId function, const KnowledgeState& state) const;
 

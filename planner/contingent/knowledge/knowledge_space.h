@@ -14,7 +14,7 @@ namespace assay::contingent {
 
 using StateId = Id<struct KnowledgeStateTag>;
 
-// What can come next in a plan: an action, or a branch.
+// One step of a plan: an action, or a branch.
 struct Step {
   PlanNode::Kind kind = PlanNode::Kind::kAct;
   ActionId action = {};
@@ -24,20 +24,21 @@ struct Step {
   bool operator==(const Step&) const = default;
 };
 
-// A step with the states that it may lead to, all of which a plan must be ready for: one of an
-// action, true before false of a formula, one for each possible value of a function.
+// A step with the states that it may lead to. A plan must continue from each of them. An action has
+// one outcome, a formula has two, with true before false, and a function has one for each possible
+// value.
 struct Transition {
   Step step;
-  std::vector<AtomId> values = {};  // of a function
+  std::vector<AtomId> values = {};  // the values of a function, one for each outcome
   std::vector<StateId> outcomes = {};
 };
 
 PlanNode NodeOf(const Transition& transition, const std::vector<NodeId>& children);
 
-// The knowledge states that are met, each once, and the steps between them.
+// The knowledge states that a search has met, each stored once, and the steps between them.
 class KnowledgeSpace {
  public:
-  // Each time that the steps from a state are asked for takes one unit of the budget.
+  // Each call of StepsFrom takes one unit of the budget.
   KnowledgeSpace(const GroundTask& task, Budget& budget);
 
   KnowledgeBase& knowledge() { return knowledge_; }
@@ -49,21 +50,21 @@ class KnowledgeSpace {
   std::size_t size() const { return states_.size(); }
   bool IsGoal(StateId id) { return Surely(task().goal, state(id)); }
 
-  // Why all that was met proves nothing of what was not met, in words; empty: every step that any
-  // plan can take was among those that were told.
+  // Says in words why this search proves nothing about states that it has not met. Empty if
+  // StepsFrom returned every step that any plan can take.
   const std::string& doubt();
 
-  // The steps from a state, in the order of the task. Where a formula of Kw branches, that is the
-  // only step: at run time its truth is known from then on, so that nothing is lost by telling its
-  // cases apart at once, unless something asks for what is not known. A branch on a function's
-  // value is a choice: the value may as well be used without being known (a run-time variable).
+  // Returns the steps from a state, in the order of the task. If a formula of Kw can branch, this
+  // branch is the only step. Its truth is known from then on at run time, so an immediate branch
+  // loses nothing, unless something asks that a fact is not known. A branch on a function's value
+  // is optional, because a run-time variable can use the value without knowing it.
   const std::vector<Step>& StepsFrom(StateId id);
-  // The step of this place in StepsFrom, which has been asked for. Null if it cannot be taken or
-  // changes nothing.
+  // Returns the transition of the step at this index in StepsFrom, which must have been called for
+  // the state. Returns null if the step cannot be taken or changes nothing.
   const Transition* Take(StateId id, std::size_t step);
 
  private:
-  // What is known of the steps from a state: all is found out once, and only if it is asked for.
+  // The steps from a state. Each transition is computed once, when it is asked for.
   struct Expansion {
     std::vector<Step> steps;
     std::vector<std::optional<Transition>> transitions;
@@ -71,9 +72,11 @@ class KnowledgeSpace {
   };
 
   StateId Intern(KnowledgeState state);
-  // Where it may hold, and it cannot be told whether it does, that is a doubt.
+  // Returns true if the query surely holds. Records a doubt if it may hold but does not surely
+  // hold.
   bool Surely(const GroundQuery& query, const KnowledgeState& state);
-  // False if there is none: then the step cannot be taken.
+  // Adds a state to the outcomes. Returns false if there is no state; then the step cannot be
+  // taken.
   bool AddOutcome(std::optional<KnowledgeState> state, Transition& transition);
   Expansion& ExpansionOf(StateId id);
   std::vector<Step> FindSteps(StateId id);
@@ -85,7 +88,7 @@ class KnowledgeSpace {
   algebra::InternTable ids_;
   std::unordered_map<StateId, Expansion> expansions_;
   const bool asks_for_ignorance_;
-  std::string doubt_;  // the first
+  std::string doubt_;  // the latest doubt, empty if there is none
 };
 
 }  // namespace assay::contingent

@@ -9,31 +9,32 @@
 
 namespace assay::contingent {
 
-// What the planner knows. The stores of PKS (Petrick and Bacchus 2002), each in canonical form, so
-// that equal knowledge is equal data:
+// The knowledge of the planner. It consists of the stores of PKS (Petrick and Bacchus 2002), each
+// in canonical form, so that equal knowledge is equal data:
 //   Kf   literals that are known, as bits; intervals of numeric functions
-//   Kw   formulas whose truth will be known at run time and is not yet at plan time
-//   Kv   functions whose value will be known at run time and is not yet at plan time
-//   Kx   what relates the unknown atoms. In PKS exclusive alternatives; here any relation, as
-//        diagrams over disjoint sets of unknown atoms. It also holds what is known of the past:
-//        after "where C, l" with C unknown, l and C are related, and learning the one settles the
-//        other (postdiction, Petrick and Bacchus 2004).
-//   LCW  closes the initial state, and tells what an action that senses all instances senses
-//        (grounding.h); nothing of it is left to be kept here.
+//   Kw   formulas whose truth will be known at run time and is not known at plan time
+//   Kv   functions whose value will be known at run time and is not known at plan time
+//   Kx   relations among the unknown atoms. PKS has exclusive alternatives. Here they are any
+//        relations, as diagrams over disjoint sets of unknown atoms. They include knowledge of
+//        the past: after "where C, l" with C unknown, l and C are related, and learning the one
+//        settles the other (postdiction, Petrick and Bacchus 2004).
+//   LCW  closes the initial state, and defines what an action that senses all instances senses.
+//        Grounding (grounding.h) resolves it, so a state does not contain it.
 struct KnowledgeState {
-  std::vector<std::uint64_t> bits;  // by StateLayout
+  std::vector<std::uint64_t> bits;  // bits in the order of StateLayout
   std::vector<Diagram> relations;   // Kx, sorted
-  std::vector<Range> ranges;        // of numeric functions, by slot
+  std::vector<Range> ranges;        // intervals of numeric functions, by slot
 
   bool operator==(const KnowledgeState&) const = default;
 };
 
 std::uint64_t HashOf(const KnowledgeState& state);
 
-// Where the bits of a state are: Kf true, Kf false, Kw, Kv; and of unknown atoms, which hang
-// together with numbers: a bound that is not known has decided what they are. No relation says how:
-// when more is learned of such a number, that may tell of the atom what the state does not say, and
-// the atom is outer, as a number's range is (Range::is_outer).
+// The layout of a state's bits: Kf true, Kf false, Kw, Kv, entangled atoms and outer atoms. An
+// entangled atom is an unknown atom that depends on a number, because an unknown bound has decided
+// its value. No relation records this dependence. New knowledge of the number may say something
+// about the atom that the state does not say. The atom is outer then, as a number's range can be
+// (Range::is_outer).
 class StateLayout {
  public:
   explicit StateLayout(const GroundTask& task)
@@ -82,13 +83,13 @@ class StateLayout {
   void SetOuter(KnowledgeState& state, AtomId atom, bool value) const {
     SetBit(state, FirstEntangled() + atom_words_, atom.index(), value);
   }
-  // All atoms that are entangled are outer from now on.
+  // Marks all entangled atoms as outer.
   void SetEntangledOuter(KnowledgeState& state) const {
     for (std::size_t w = 0; w < atom_words_; ++w) {
       state.bits[FirstEntangled() + atom_words_ + w] |= state.bits[FirstEntangled() + w];
     }
   }
-  // What is known is neither.
+  // Clears the entangled and outer marks of known atoms.
   void DisentangleKnown(KnowledgeState& state) const {
     for (std::size_t w = 0; w < atom_words_; ++w) {
       const std::uint64_t unknown = ~(state.bits[w] | state.bits[atom_words_ + w]);

@@ -38,7 +38,7 @@ void NumberKnowledge::Assign(const GroundChange& change, const KnowledgeState& b
   layout_.SetSensed(state, change.function, false);
   Range& range = MutableRangeOf(change.function, state);
   range = SumOf(change.sum, before);
-  // What is learned later of one number of a sum tells something of the others.
+  // Later knowledge of one number of a sum says something about the other numbers.
   for (const auto& [function, sign] : change.sum.functions) {
     const bool is_alone = function == change.function && change.sum.functions.size() == 1;
     if (is_alone || IsSingle(RangeOf(function, before))) continue;

@@ -5,9 +5,9 @@
 
 namespace assay::contingent {
 
-// What a state knows of functions' values that are numbers, intervals and what is sensed of them,
-// and how that changes. Where numbers hang together with others or with atoms, an interval is not
-// all that is known, and is marked so (Range::is_outer).
+// The knowledge of a state about the values of numeric functions, which are intervals and sensor
+// errors, and its changes. A number that depends on other numbers or on atoms has an interval that
+// does not express all knowledge. The interval is marked (Range::is_outer).
 class NumberKnowledge {
  public:
   // Keeps a reference to the task.
@@ -21,23 +21,23 @@ class NumberKnowledge {
   bool Holds(const Bound& bound, const KnowledgeState& state) const {
     return SurelyHolds(bound, RangeOf(bound.function, state));
   }
-  // Not surely not.
+  // Returns true unless the bound surely does not hold.
   bool MayHold(const Bound& bound, const KnowledgeState& state) const;
-  // Whether there is a number that satisfies all bounds.
+  // Returns true if some number satisfies all bounds.
   bool CanBe(FunctionId function, const KnowledgeState& state) const;
 
-  // The world changes.
+  // Gives the function the value of the change's sum in the world.
   void Assign(const GroundChange& change, const KnowledgeState& before,
               KnowledgeState& state) const;
   void Forget(KnowledgeState& state, FunctionId function) const;
-  // What may have happened to a number leaves its interval wide enough for `otherwise`, too.
+  // Widens the interval to contain `otherwise`, for a number whose change may have happened.
   void Unsettle(KnowledgeState& state, FunctionId function, const Range& otherwise) const;
-  // It hangs together with something else from now on.
+  // Marks the number as dependent on something else.
   void Entangle(KnowledgeState& state, FunctionId function) const {
     MutableRangeOf(function, state).is_outer = true;
   }
 
-  // More is known of the world.
+  // Records that the number was sensed with at most this error.
   void Sense(KnowledgeState& state, FunctionId function, double error) const;
   void Learn(KnowledgeState& state, const Bound& bound) const;
 

@@ -10,10 +10,11 @@
 namespace assay::contingent {
 namespace {
 
-// Of one function. Each is three numbers, and what is assigned an interval takes as many of each.
+// The greatest number of marks of one function. Each mark gives three numbers, and the assignment
+// of an interval multiplies them.
 constexpr std::size_t kMostMarks = 500;
 constexpr double kBeyondMarks = 1e9;
-// What sums may differ by that are not exact.
+// Returns the greatest difference between two inexact sums of about this size.
 double RoundingOf(double sum) {
   return 16 * std::numeric_limits<double>::epsilon() * std::max(1.0, std::abs(sum));
 }
@@ -50,7 +51,7 @@ NumberMarks::NumberMarks(const GroundTask& task, const PlanTree& tree)
   are_complete_ &= AllSumsAreOfOne();
 }
 
-// ---- What the task compares and changes
+// ---- Collecting bounds and assignments
 
 void NumberMarks::Use(const GroundTask& task, const GroundQuery& query) {
   if (query.kind == GroundQuery::Kind::kBoundKnown) Use(task, query.bound);
@@ -87,7 +88,7 @@ void NumberMarks::Use(const GroundTask& task, const Bound& bound) {
   is_asked_[slot] = true;
 }
 
-// ---- How far numbers come
+// ---- The reach of numbers
 
 Interval NumberMarks::ReachOf(const Assignment& assignment) const {
   Interval sum = assignment.added;
@@ -97,7 +98,8 @@ Interval NumberMarks::ReachOf(const Assignment& assignment) const {
   return sum;
 }
 
-// What still grows when all could have passed on what they are at first grows for ever.
+// A number that still grows, after enough rounds for every assignment to pass on its first value,
+// grows without limit.
 void NumberMarks::FindReach() {
   bool has_grown = true;
   for (std::size_t round = 0; has_grown; ++round) {
@@ -114,9 +116,9 @@ void NumberMarks::FindReach() {
   }
 }
 
-// ---- Carrying back
+// ---- Carrying marks back
 
-// Of those that anything depends on.
+// Returns true if every sum that matters for a query has only one function.
 bool NumberMarks::AllSumsAreOfOne() const {
   std::vector<bool> matters = is_asked_;
   for (std::size_t round = 0; round < matters.size(); ++round) {
@@ -170,7 +172,7 @@ bool NumberMarks::IsNearMark(double value, int slot) const {
          (above != marks.begin() && IsNear(*std::prev(above), value));
 }
 
-// ---- Numbers
+// ---- Numbers that represent a range
 
 std::vector<Number> NumberMarks::In(const Range& range, int slot) const {
   const auto finite = [&](double end) {
@@ -195,7 +197,7 @@ std::vector<Number> NumberMarks::Between(Number low, Number high, int slot) cons
       if (low <= number && number <= high) numbers.insert(number);
     }
   }
-  if (!are_complete_ && low.value < high.value) {  // what a sample may find besides
+  if (!are_complete_ && low.value < high.value) {  // the middle is an extra number for a sample
     numbers.insert({low.value / 2 + high.value / 2, 0});
   }
   return {numbers.begin(), numbers.end()};

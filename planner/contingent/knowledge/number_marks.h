@@ -9,8 +9,8 @@
 
 namespace assay::contingent {
 
-// A number of a world: the value, or what is just below it (-1) or just above it (1). Between two
-// numbers that tell worlds apart all are alike, up to both.
+// A number in a world: `value` itself, a number just below it (-1) or a number just above it (1).
+// All numbers between two neighbouring marks are equivalent.
 struct Number {
   double value = 0;
   int beside = 0;
@@ -19,16 +19,17 @@ struct Number {
   auto operator<=>(const Number&) const = default;
 };
 
-// By numeric function, the numbers at which what a tree does may change: its marks. They are the
-// bounds that are asked or told, carried back through assignments: a mark m of f is one of g at
-// m - l and at m - h where f becomes g + [l, h], and at l - m and h - m where it becomes [l, h] -
-// g. Then worlds whose numbers lie at the same marks, or between the same ones, take the same steps
-// to such worlds again; one number at each mark and one on each side of it stand for all (a
-// bisimulation: Milner 1989), and for the ends of what a number may be.
+// The marks of each numeric function. A mark is a number at which the behaviour of a plan tree may
+// change. Marks are the bounds that are asked or asserted, carried back through assignments. A mark
+// m of f gives marks of g at m - l and at m - h where f becomes g + [l, h], and at l - m and h - m
+// where f becomes [l, h] - g. Two worlds whose numbers lie at the same marks, or between the same
+// marks, take the same steps to worlds of the same kind. So one number at each mark and one on each
+// side of it represent all numbers (a bisimulation: Milner 1989), including the ends of an
+// interval.
 //
-// Marks are carried back to a fixed point, as far as numbers can come, and through no more
-// assignments than the tree has actions on a way. They are not complete, and numbers are a sample,
-// where a sum has several functions, or where they are too many.
+// Marks are carried back to a fixed point within the reach of the numbers, through at most as many
+// assignments as the tree's longest way has actions. The marks are not complete, and numbers are
+// only a sample, where a sum has several functions or where there would be too many marks.
 class NumberMarks {
  public:
   // Keeps no reference.
@@ -36,19 +37,22 @@ class NumberMarks {
 
   bool AreComplete() const { return are_complete_; }
 
-  // Numbers that stand for all of the range, its ends among them; none if it is empty.
+  // Returns numbers that represent the whole range, including its ends. Returns none for an empty
+  // range.
   std::vector<Number> In(const Range& range, int slot) const;
-  // The same of what is between two numbers.
+  // Returns numbers that represent all numbers from `low` to `high`.
   std::vector<Number> Between(Number low, Number high, int slot) const;
-  // The same where both are sums, which are rounded: with the marks that they may be.
+  // Returns the same as Between for two rounded sums. The interval is widened to include marks that
+  // may equal an exact sum.
   std::vector<Number> BetweenSums(Number low, Number high, int slot) const;
 
  private:
-  // The function of the slot `to` becomes the sum.
+  // The assignment of a sum to the function of the slot `to`.
   struct Assignment {
     int to = 0;
     Interval added;
-    std::vector<std::pair<int, int>> from;  // slots with their signs
+    // slots of the added functions with their signs, +1 or -1
+    std::vector<std::pair<int, int>> from;
   };
 
   void Use(const GroundTask& task, const GroundQuery& query);
@@ -58,16 +62,19 @@ class NumberMarks {
   void FindReach();
   Interval ReachOf(const Assignment& assignment) const;
   bool AllSumsAreOfOne() const;
-  // False if they become too many.
+  // Carries marks back for at most this number of rounds. Returns false if there are too many
+  // marks.
   bool CarryBack(int most_rounds);
   void CarryBack(const Assignment& assignment, double mark,
                  std::set<std::pair<int, double>>& fresh);
-  // Whether a mark differs from the value by rounding alone: it stands for both.
+  // Returns true if a mark differs from the value by rounding alone. The mark then represents both.
   bool IsNearMark(double value, int slot) const;
 
-  std::vector<std::set<double>> marks_;  // by slot
-  std::vector<bool> is_asked_;           // by slot, also how precisely it is known
-  std::vector<Interval> reach_;          // by slot, what its number may come to be
+  std::vector<std::set<double>> marks_;  // indexed by slot
+  // by slot: true if a query asks how precisely the number is known
+  std::vector<bool> is_asked_;
+  // by slot: the interval of numbers that the function may come to have
+  std::vector<Interval> reach_;
   std::vector<Assignment> assignments_;
   bool are_complete_ = true;
 };

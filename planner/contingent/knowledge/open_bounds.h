@@ -8,21 +8,24 @@
 
 namespace assay::contingent {
 
-// Bounds in the conditions of an action's effects of which a state does not know whether they hold.
-// The number decides, and with it all effects that ask: for the time of the action each bound is a
-// variable of the diagrams, behind those of the atoms.
+// The bounds in the conditions of an action's effects whose truth a state does not know. The number
+// decides the bound, and the bound decides all effects that ask it. For the time of the action,
+// each bound is a variable of the diagrams, after the variables of the atoms.
 class OpenBounds {
  public:
-  // Keeps references.
+  // Keeps references to all arguments.
   OpenBounds(const GroundTask& task, const KnowledgeState& state, DecisionDiagrams& diagrams)
       : task_(task), state_(state), diagrams_(diagrams) {}
 
-  // Where the bound holds: all, none, or its variable.
+  // Returns the set of worlds where the bound holds: all worlds, no world, or, if its truth is
+  // unknown, the set where the bound's variable is true.
   Diagram WorldsWhere(const Bound& bound);
-  // Which of the bounds so far can hold together: what one says of the number may decide another.
+  // Returns the combinations of the bounds seen so far that can hold together. One bound on a
+  // number may decide another one.
   Diagram Together() const;
   std::vector<int> Variables() const;
-  // Whether one of the bounds so far is of a number of which more is known than its range says.
+  // Returns true if one of the bounds seen so far is on a number of which more is known than its
+  // range says.
   bool AreOuter() const;
 
  private:

@@ -51,8 +51,8 @@ Requirement Regression::OfStep(StateId state, const Transition& transition,
   return {};
 }
 
-// Update rules fire by what is known: so all that they ask of is kept, and what they change is then
-// what it was.
+// Update rules depend on what is known. All aspects that their conditions ask about are kept, so
+// that their changes are the same ones.
 Requirement Regression::BeforeUpdates(const Requirement& after, StateId outcome) {
   Requirement before = after;
   for (const GroundEffect& update : task().updates) {
@@ -89,7 +89,8 @@ void Regression::Require(const GroundQuery& query, StateId state, Requirement& r
       for (const GroundQuery& operand : query.operands) Require(operand, state, requirement);
       return;
     case GroundQuery::Kind::kOr: {
-      // K(a) | K(b) is more than K(a | b): one of the ways in which it holds here.
+      // K(a) | K(b) is stronger than K(a | b). The requirement takes one disjunct that holds in
+      // this state.
       const auto holding =
           std::find_if(query.operands.begin(), query.operands.end(),
                        [&](const GroundQuery& operand) { return knowledge_.Holds(operand, here); });
@@ -164,8 +165,9 @@ Requirement Regression::OfAction(StateId state, const GroundAction& action,
   return before;
 }
 
-// What an action tells (Kx, bounds of intervals) may not contradict what is known: a world that it
-// excludes needs no plan, but some world must be left. So what it tells of is kept.
+// A relation or a bound that an action asserts must not contradict the knowledge. A world that it
+// excludes needs no plan, but at least one world must remain. So the aspects that it is about are
+// kept.
 Requirement Regression::WithTold(const GroundAction& action, const Requirement& after) const {
   Requirement told = after;
   for (const GroundEffect& effect : action.effects) {
@@ -180,8 +182,8 @@ Requirement Regression::WithTold(const GroundAction& action, const Requirement& 
   return told;
 }
 
-// After the action, an atom is true where an effect has made it so, or where it was and none has
-// made it false. An action is not taken where it may give a function two values.
+// After the action, an atom is true where an effect has made it true, or where it was true before
+// and no effect has made it false. The action is not taken where it may give a function two values.
 void Regression::RegressWorlds(const GroundAction& action, StateId state, const Requirement& after,
                                Requirement& before) {
   OpenBounds bounds(task(), space_.state(state), worlds_);
@@ -236,7 +238,7 @@ std::unordered_map<int, Diagram> Regression::ValuesAfter(const Happening& happen
   return after;
 }
 
-// What of a state the change is of.
+// Returns the aspects of a state that the change is about.
 std::vector<std::size_t> Regression::AspectsOf(const GroundChange& change) const {
   std::vector<std::size_t> aspects;
   switch (change.kind) {
@@ -261,16 +263,17 @@ std::vector<std::size_t> Regression::AspectsOf(const GroundChange& change) const
   return {};
 }
 
-// Whether it settles that, whatever it was before. A sensor's error is the least one so far, and
-// what is told is added to what was known.
+// Returns true if the change determines these aspects whatever they were before. A sensor's error
+// is the least error so far, and asserted facts are added to earlier knowledge, so these changes do
+// not determine them.
 bool Regression::Settles(const GroundChange& change) const {
   return change.kind != GroundChange::Kind::kRelate && change.kind != GroundChange::Kind::kNarrow &&
          (change.kind != GroundChange::Kind::kSenseValue ||
           task().functions[change.function.index()].slot < 0);
 }
 
-// What was kept after the action and what it sets is settled by the action; what it may set depends
-// on the effect's condition as well.
+// An aspect that is kept after the action and that an unconditional effect sets is determined by
+// the action. A conditional effect makes the aspect depend on the effect's condition.
 void Regression::RegressAspects(const GroundAction& action, const Requirement& after,
                                 Requirement& before) {
   if (after.same.empty()) return;
@@ -315,7 +318,7 @@ Requirement Regression::OfFormula(StateId state, FormulaId formula, const Requir
   } else {
     for (const GroundLiteral& literal : asked.literals) {
       KeepRelation(literal.atom, state, before);
-      // A conjunction branches when one of its literals is left.
+      // A conjunction branches as long as one of its literals is undetermined.
       if (asked.literals.size() > 1) Keep(before, AspectOf(literal.atom));
     }
     before.worlds =
@@ -334,7 +337,7 @@ Requirement Regression::OfValue(StateId state, const Transition& transition,
     const Diagram where = worlds_.Where(GroundLiteral{transition.values[i], true});
     before.worlds = worlds_.Or(before.worlds, worlds_.And(where, after[i].worlds));
   }
-  // The branches must be the same ones.
+  // The branches must be the same in both states.
   for (const AtomId value : transition.values) {
     Keep(before, AspectOf(value));
     KeepRelation(value, state, before);

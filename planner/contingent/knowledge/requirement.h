@@ -9,28 +9,30 @@
 
 namespace assay::contingent {
 
-// What a knowledge state must be like for a sub-plan to work from it. A sub-plan works from a state
-// if it does from every world that the state allows; so what it requires is a set of worlds, its
-// weakest precondition, and the sub-plan of one state serves every state within that set. What a
-// plan asks that is not about worlds (that something is not known, what is in Kw and Kv, intervals)
-// is required to be as it was.
+// The requirement on a knowledge state for a sub-plan to work from it. A sub-plan works from a
+// state if it works from every world that the state allows. Its requirement is therefore a set of
+// worlds, the weakest precondition, and the sub-plan serves every state within that set. Some
+// conditions of a plan are not about worlds: that something is not known, Kw, Kv and intervals. For
+// these, the state must equal the state for which the sub-plan was made.
 struct Requirement {
   Diagram worlds = kAllSets;
-  std::vector<bool> same;  // aspects of the state, by AspectOf...; empty: none
+  // The aspects of the state, by AspectOf..., that must stay the same. Empty if there are none.
+  std::vector<bool> same;
 };
 
-// Requirements of sub-plans from those of their parts: what must hold before a step, so that what
-// is required after it holds then (regression).
+// Computes the requirement of a sub-plan from the requirements of its parts (regression): the
+// condition before a step that ensures the required condition after it.
 class Regression {
  public:
   explicit Regression(KnowledgeSpace& space);
 
   Requirement OfGoal(StateId state);
-  // `after`: the requirements of the sub-plans that follow, by outcome.
+  // Returns the requirement before a step. `after` contains the requirements of the sub-plans that
+  // follow, by outcome.
   Requirement OfStep(StateId state, const Transition& transition,
                      const std::vector<const Requirement*>& after);
 
-  // Whether a sub-plan that was made in the state `made_in` works in the other as well.
+  // Returns true if a sub-plan that was made in the state `made_in` works in the state `other`.
   bool Suits(const Requirement& requirement, StateId made_in, StateId other);
 
  private:
@@ -38,7 +40,8 @@ class Regression {
   std::size_t AspectOf(AtomId atom) const { return atom.index(); }
   std::size_t AspectOf(FormulaId formula) const { return first_formula_ + formula.index(); }
   std::size_t AspectOf(FunctionId function) const { return first_function_ + function.index(); }
-  // The interval of a numeric function; AspectOf is what has been sensed of it.
+  // Returns the aspect of a numeric function's interval. AspectOf returns the aspect of its sensed
+  // value.
   std::size_t AspectOfRange(FunctionId function) const {
     return first_range_ + task().functions[function.index()].slot;
   }
@@ -54,30 +57,30 @@ class Regression {
   Requirement OfValue(StateId state, const Transition& transition,
                       const std::vector<Requirement>& after);
   Requirement BeforeUpdates(const Requirement& after, StateId outcome);
-  // Adds what makes the query hold, given that it holds in the state.
+  // Adds the condition that makes the query hold, given that it holds in the state.
   void Require(const GroundQuery& query, StateId state, Requirement& requirement);
-  // Adds what the formula is known to be in the state, true or false.
+  // Adds the condition that the formula is known to have its truth value in the state.
   void RequireDetermined(FormulaId formula, const KnowledgeState& here, Requirement& requirement);
-  // Keeps what tells whether the formula is true.
+  // Keeps the aspects that determine whether the formula is true.
   void KeepDetermining(FormulaId formula, Requirement& requirement) const;
-  // Keeps everything that the query asks of.
+  // Keeps the aspects of everything that the query asks about.
   void KeepAsked(const GroundQuery& query, Requirement& requirement) const;
   Requirement WithTold(const GroundAction& action, const Requirement& after) const;
-  // What an action does in the worlds, where bounds are variables.
+  // The changes of an action by world. The bounds are variables of the diagrams.
   struct Happening {
     std::vector<ChangeSomewhere> changes;
-    Diagram told = kAllSets;     // the worlds that it says are left
-    std::vector<int> forgotten;  // variables
+    Diagram told = kAllSets;     // the worlds that remain after the action's relations and bounds
+    std::vector<int> forgotten;  // variables of forgotten atoms
   };
   Happening WhatHappens(const GroundAction& action, StateId state, OpenBounds& bounds);
-  // By variable, of the atoms that may change.
+  // Returns the value after the action of each atom that may change, by variable.
   std::unordered_map<int, Diagram> ValuesAfter(const Happening& happening);
   void RegressWorlds(const GroundAction& action, StateId state, const Requirement& after,
                      Requirement& before);
   void RegressAspects(const GroundAction& action, const Requirement& after, Requirement& before);
   std::vector<std::size_t> AspectsOf(const GroundChange& change) const;
   bool Settles(const GroundChange& change) const;
-  // If something of the atom's relation is kept, then all that branching on the atom depends on.
+  // If an atom of the relation is kept, keeps everything on which a branch on the atom depends.
   void KeepRelation(AtomId atom, StateId state, Requirement& requirement);
 
   KnowledgeSpace& space_;

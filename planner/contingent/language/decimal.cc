@@ -7,14 +7,15 @@
 namespace assay::contingent {
 namespace {
 
-constexpr double kUnits = 1e9;  // of one
-// So that a product with kUnits is off by less than half a unit, and decimals are different
-// doubles.
+constexpr double kUnits = 1e9;  // the number of decimal units in the number one
+// With this limit a product with kUnits is off by less than half a unit, and different decimals are
+// different doubles.
 constexpr double kMostUnits = 1e15;
 
 struct Decimal {
   std::int64_t units = 0;
-  bool is_binary = false;  // the double itself, not only what reads as it
+  // true if the double equals the decimal exactly, and is not only the nearest double
+  bool is_binary = false;
 };
 
 std::optional<Decimal> DecimalOf(double number) {
@@ -23,13 +24,14 @@ std::optional<Decimal> DecimalOf(double number) {
   return Decimal{static_cast<std::int64_t>(units), std::fma(number, kUnits, -units) == 0};
 }
 
-// Whether the sum of the doubles themselves is the double nearest to it (Knuth's TwoSum).
+// Returns true if `sum` is the exact sum of the doubles `a` and `b` (Knuth's TwoSum).
 bool IsExact(double a, double b, double sum) {
   const double b_of_sum = sum - a;
   return (a - (sum - b_of_sum)) + (b - b_of_sum) == 0;
 }
 
-// What the sum of two doubles, and of the decimals that read as them, may be off.
+// Returns the greatest error of the rounded sum of two doubles, or of the decimals that read as
+// them.
 double ErrorOf(double a, double b) {
   return 2 * std::numeric_limits<double>::epsilon() * (std::abs(a) + std::abs(b));
 }
@@ -55,7 +57,8 @@ std::optional<double> ExactSum(double a, double b) {
 }
 
 Interval EnclosingSum(const Interval& a, const Interval& b) {
-  return {LeastSum(a.low, b.low), 0 - LeastSum(-a.high, -b.high)};  // never -0
+  // subtracting from 0 never gives -0
+  return {LeastSum(a.low, b.low), 0 - LeastSum(-a.high, -b.high)};
 }
 
 double WidthOf(double low, double high) { return 0 - LeastSum(low, -high); }

@@ -6,16 +6,18 @@
 
 namespace assay::contingent {
 
-// Numbers of task files are decimals: of at most nine places and up to a million, a double stands
-// for the decimal that reads as it, and sums of such are exact. So 0.1 + 0.2 is 0.3.
+// Numbers in task files are decimals. A decimal of at most nine places and of at most a million is
+// represented by the double that reads as it, and its sums are exact: 0.1 + 0.2 is 0.3.
 
-// None where that cannot be told: of longer and larger ones.
+// Returns the exact sum of two decimals. Returns none for numbers with more places or larger ones.
 std::optional<double> ExactSum(double a, double b);
-// Rounded where it cannot be told.
+// Returns the exact sum where it is known, and the rounded sum elsewhere.
 inline double NearestSum(double a, double b) { return ExactSum(a, b).value_or(a + b); }
-// Encloses the sums; its ends are exact where they can be told.
+// Returns an interval that contains every sum of a number of `a` and a number of `b`. Its ends are
+// exact where the exact sums are known.
 Interval EnclosingSum(const Interval& a, const Interval& b);
-// From the low to the high end, not less than that.
+// Returns the distance from `low` to `high`, or a slightly greater number where rounding is
+// possible.
 double WidthOf(double low, double high);
 
 }  // namespace assay::contingent

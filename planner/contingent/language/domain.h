@@ -8,12 +8,13 @@
 #include "planner/base/document/input_error.h"
 #include "planner/base/interval.h"
 
-// What a contingent planning domain and problem say, before anything is checked or grounded: both
-// readers (.pks and PDDL) make it. Semantics: Petrick and Bacchus, AIPS 2002 and ICAPS 2004, as
-// restated in scenarios/know/README.md.
+// The content of a contingent planning domain and problem, before anything is checked or grounded.
+// Both readers (.pks and PDDL) produce it. Semantics: Petrick and Bacchus, AIPS 2002 and ICAPS
+// 2004, as restated in scenarios/know/README.md.
 namespace assay::contingent {
 
-// Lines and columns count from 1; 0 where the reader made it up.
+// A place in a file. Lines and columns count from 1. They are 0 for an element that stands in no
+// file and that the reader added.
 struct Place {
   int line = 0;
   int column = 0;
@@ -21,27 +22,31 @@ struct Place {
   bool operator==(const Place&) const = default;
 };
 
-// A name with its type: a parameter, a constant, a type with its parent. Type "" is any.
+// A name with its type. It declares a parameter, a constant, or a type with its parent. The empty
+// type "" means any type.
 struct TypedName {
   std::string name;
   std::string type = {};
   Place place = {};
 };
 
-// Levels of conditions, effects and lists in a file: so none overflows the stack.
+// The greatest number of nested conditions, effects or lists in a file. The limit protects the
+// stack from overflow.
 inline constexpr int kDeepestNesting = 100;
-// Characters of a word in a file: messages repeat words.
+// The greatest number of characters in a word of a file. The limit exists because messages repeat
+// words.
 inline constexpr std::size_t kLongestWord = 1000;
 
-inline constexpr const char* kNumberType = "number";  // of functions whose value is an interval
+// the type of functions whose value is an interval
+inline constexpr const char* kNumberType = "number";
 
 struct Term {
   enum class Kind {
     kConstant,
-    kVariable,  // ?x
-    kFunction,  // f(x, y): of objects, or of numbers
-    kNumber,    // an interval, [2, 2] for the number 2
-    kSum,       // of two numeric terms
+    kVariable,  // a variable, ?x
+    kFunction,  // a function, f(x, y), whose value is an object or a number
+    kNumber,    // an interval; the number 2 is [2, 2]
+    kSum,       // the sum of two numeric terms
     kDifference,
   };
   Kind kind = Kind::kConstant;
@@ -53,7 +58,8 @@ struct Term {
 
 enum class Relation { kPredicate, kExtern, kEqual, kLess, kLessOrEqual, kGreater, kGreaterOrEqual };
 
-// An atom or its negation. The arguments are those of the predicate, or the two sides.
+// An atom or its negation. The arguments are those of the predicate, or the two sides of a
+// comparison.
 struct Literal {
   bool is_positive = true;
   Relation relation = Relation::kPredicate;
@@ -62,23 +68,23 @@ struct Literal {
   Place place;
 };
 
-// What is asked of a knowledge state (facts on K, Kw and Kv: Petrick and Bacchus 2002, section 3).
+// A query to a knowledge state, built from K, Kw and Kv (Petrick and Bacchus 2002, section 3).
 struct Query {
   enum class Kind {
-    kAnd,  // of all operands; of none: always true
+    kAnd,  // all operands hold; without operands it is always true
     kOr,
     kNot,
     kKnown,         // K(l & ...): every literal is known
-    kKnownWhether,  // Kw(l & ...): it is known whether all of them hold
+    kKnownWhether,  // Kw(l & ...): it is known whether all literals hold together
     kValueKnown,    // Kv(f(x))
     kForAll,        // forallK(?x: type) operand
     kExists,        // existsK
   };
   Kind kind = Kind::kAnd;
   std::vector<Literal> literals;
-  std::vector<Term> terms;  // of kValueKnown: one
-  std::optional<double>
-      within;  // of kValueKnown: half the width of the interval it is known to be in
+  std::vector<Term> terms;  // one term, for kValueKnown only
+  // for kValueKnown: the greatest half width of the interval known to contain the value
+  std::optional<double> within;
   std::vector<TypedName> variables;
   std::vector<Query> operands;
   Place place;
@@ -86,21 +92,23 @@ struct Query {
 
 enum class Store { kFacts, kWhether, kValues, kExclusive, kClosed };  // Kf, Kw, Kv, Kx, LCW
 
-// add(Kf, ...) or del(Kf, ...) and so on.
+// A change of the knowledge state, such as add(Kf, ...) or del(Kf, ...).
 struct Change {
   bool is_addition = true;
   Store store = Store::kFacts;
-  // Kf: one. Kw: the conjunction. Kx: the alternatives. LCW: one, with free variables.
+  // Kf: one literal. Kw: the conjunction. Kx: the alternatives. LCW: one literal with free
+  // variables.
   std::vector<Literal> literals;
-  std::vector<Term> terms;           // Kv: one
-  std::optional<double> within;      // Kv: the sensor errs by so much at most; not at all if none
-  std::vector<TypedName> variables;  // LCW: free in the literal
-  // Of Kx: one or more of the alternatives hold, written some(...), instead of exactly one.
+  std::vector<Term> terms;  // Kv: one term
+  // Kv: the greatest error of the sensor; none for an exact sensor
+  std::optional<double> within;
+  std::vector<TypedName> variables;  // LCW: the free variables of the literal
+  // True for a Kx written some(...), of which one or more alternatives hold. False for exactly one.
   bool is_inclusive = false;
   Place place;
 };
 
-// forall (?x: type) condition => changes, for each value of the variables.
+// The effect forall (?x: type) condition => changes, for each value of the variables.
 struct Effect {
   std::vector<TypedName> variables;
   Query condition;
@@ -119,30 +127,30 @@ struct Action {
 // A predicate, function or extern with the types of its arguments.
 struct Symbol {
   std::string name;
-  std::vector<TypedName> parameters;  // names may be empty
-  std::string range;                  // of functions
+  std::vector<TypedName> parameters;  // the names may be empty
+  std::string range;                  // the type of a function's value
   Place place;
 };
 
 struct Domain {
   std::string file;
   std::string name;
-  std::vector<TypedName> types;  // with their parents
+  std::vector<TypedName> types;  // types with their parents
   std::vector<Symbol> predicates;
   std::vector<Symbol> functions;
   std::vector<Symbol> externs;
   std::vector<TypedName> constants;
   std::vector<Action> actions;
-  std::vector<Effect> updates;  // applied after every action until nothing changes
+  std::vector<Effect> updates;  // rules that are applied after every action until nothing changes
 };
 
 struct Problem {
   std::string file;
   std::string name;
   std::string domain;
-  Place domain_place;  // where the problem names it
+  Place domain_place;  // the place where the problem names its domain
   std::vector<TypedName> objects;
-  std::vector<Literal> extern_facts;  // what externs say that no procedure is given for
+  std::vector<Literal> extern_facts;  // the facts of externs for which no procedure is given
   std::vector<Change> init;
   Query goal;
 };

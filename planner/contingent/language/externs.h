@@ -10,8 +10,8 @@
 
 namespace assay::contingent {
 
-// An outside procedure that a query asks (isReachable(location, robot)). It must have no side
-// effects: it is called once for each list of arguments, when the problem is grounded.
+// An outside procedure that a query calls, such as isReachable(location, robot). It must have no
+// side effects. It is called once for each list of arguments, when the problem is grounded.
 using Extern = std::function<bool(std::span<const std::string> arguments)>;
 
 // The outside procedures by their names.
@@ -19,10 +19,12 @@ class Externs {
  public:
   void Add(const std::string& name, Extern procedure) { procedures_[name] = std::move(procedure); }
 
-  // For externs without a procedure: they are true of the problem's facts alone.
+  // Adds the facts that the problem declares for externs. An extern without a procedure is true for
+  // these facts alone.
   void AddFacts(const Problem& problem);
 
-  // Throws InputError with the place of the call if the procedure throws, or if there is none.
+  // Returns the answer of the extern `name`. Throws InputError with the place of the call if the
+  // procedure throws, or if there is none.
   bool Call(const std::string& name, const std::vector<std::string>& arguments,
             const FilePlace& place);
 

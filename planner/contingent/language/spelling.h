@@ -6,11 +6,13 @@
 
 namespace assay::contingent {
 
-// The text as a name that .pks files and PDDL can have, as like it as can be: letters, digits, _
-// and single - between them, no digit first. "at(cup) = table" is at-cup-table, "2nd try" _2nd-try.
+// Returns the text as a name that .pks files and PDDL accept, as close to the text as possible:
+// letters, digits, _ and single - between them, and no digit first. "at(cup) = table" becomes
+// at-cup-table, and "2nd try" becomes _2nd-try.
 std::string Spelled(std::string_view text);
 
-// The name, which is taken from now on; with a number if it was taken already.
+// Returns the name, with a number appended if it is in `taken` already, and adds the result to
+// `taken`.
 std::string Unique(const std::string& name, std::set<std::string>& taken);
 
 }  // namespace assay::contingent

@@ -36,7 +36,7 @@ SymbolTable::SymbolTable(const Domain& domain, const Problem& problem) {
   RequireOwnNames(domain);
 }
 
-// Of actions: in a plan the name tells which is meant.
+// Action names must differ, because a plan identifies an action by its name.
 void SymbolTable::RequireOwnNames(const Domain& domain) {
   std::set<std::string> names;
   for (const Action& action : domain.actions) {

@@ -8,7 +8,7 @@
 
 namespace assay::contingent {
 
-// What the names of a domain and a problem stand for.
+// The declarations of a domain and a problem, by name.
 class SymbolTable {
  public:
   // Throws InputError at a name that is declared twice, and at a type that is not declared.
@@ -20,9 +20,10 @@ class SymbolTable {
   const TypedName* FindConstant(const std::string& name) const { return Find(constants_, name); }
   bool HasType(const std::string& name) const { return parents_.contains(name); }
 
-  // Whether every object of the one type is of the other; "" is the type of all.
+  // Returns true if every object of type `type` is an object of type `ancestor`. The empty type ""
+  // is the type of all objects.
   bool IsA(std::string type, const std::string& ancestor) const;
-  // The constants of the type, in the order of their declarations.
+  // Returns the constants of the type, in the order of their declarations.
   const std::vector<std::string>& ConstantsOf(const std::string& type) const;
 
   std::vector<std::string> PredicateNames() const;
@@ -45,7 +46,7 @@ class SymbolTable {
   static void RequireOwnNames(const Domain& domain);
   void RequireType(const std::string& file, const std::string& type, Place place) const;
 
-  std::map<std::string, std::string> parents_;  // of types
+  std::map<std::string, std::string> parents_;  // the parent of each type
   std::map<std::string, const Symbol*> predicates_;
   std::map<std::string, const Symbol*> functions_;
   std::map<std::string, const Symbol*> externs_;

@@ -8,16 +8,16 @@
 
 namespace assay::contingent {
 
-// A function has one value: what gives it two at once is an error of the domain, and no plan has
-// it.
+// A function has one value. An effect that gives it two values at once is an error of the domain,
+// and no plan contains it.
 
-// The function that the change gives a value; none if it gives none.
+// Returns the function to which the change gives a value, or none if it gives none.
 FunctionId FunctionGiven(const GroundTask& task, const GroundChange& change);
-// Whether they give one function two values.
+// Returns true if the two changes give one function two different values.
 bool GiveTwoValues(const GroundTask& task, const GroundChange& a, const GroundChange& b);
-// A change, and the worlds where it happens.
+// A change, and the worlds in which it happens.
 using ChangeSomewhere = std::pair<const GroundChange*, Diagram>;
-// Where the changes give a function two values.
+// Returns the worlds in which the changes give a function two values.
 Diagram WhereTwoValues(const GroundTask& task, std::vector<ChangeSomewhere> changes,
                        DecisionDiagrams& diagrams);
 

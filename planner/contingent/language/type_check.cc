@@ -11,7 +11,7 @@
 namespace assay::contingent {
 namespace {
 
-using Scope = std::vector<TypedName>;  // variables; the last one of a name counts
+using Scope = std::vector<TypedName>;  // visible variables; the last one of a name counts
 
 class Checker {
  public:
@@ -113,7 +113,7 @@ class Checker {
     return scope;
   }
 
-  // A comparison of numbers alone, or literals about objects.
+  // A conjunction is either one comparison of numbers or any number of literals about objects.
   void CheckConjunction(std::vector<Literal>& literals, const Scope& scope) {
     for (Literal& literal : literals) {
       CheckAsked(literal, scope);
@@ -156,7 +156,7 @@ class Checker {
     RequireFunction(literal);
   }
 
-  // That two names are equal is no fact that could change.
+  // Rejects an equality of two names, which is no fact that could change.
   void RequireFunction(const Literal& literal) const {
     const bool has_function =
         std::any_of(literal.arguments.begin(), literal.arguments.end(),
@@ -235,7 +235,7 @@ class Checker {
     if (!is_numeric) CheckSides(left, left_type, right, right_type);
   }
 
-  // A function's value is compared with a name, of a type that it may have.
+  // Checks that a function's value is compared with a name whose type the value may have.
   void CheckSides(const Term& left, const std::string& left_type, const Term& right,
                   const std::string& right_type) const {
     const bool is_left = left.kind == Term::Kind::kFunction;

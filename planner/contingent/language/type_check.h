@@ -5,10 +5,10 @@
 
 namespace assay::contingent {
 
-// Checks that every name is declared, has as many arguments as declared, of the right types, and
-// that numbers stand where numbers belong; makes functions without arguments, which look like
-// constants, functions; gives the free variables of LCW formulas their types. Throws InputError
-// with file, line and column, and with what is allowed there.
+// Checks that every name is declared, that it has as many arguments as declared and of the right
+// types, and that numbers stand where numbers belong. Turns constants that name a function without
+// arguments into functions. Gives the free variables of LCW formulas their types. Throws InputError
+// with file, line and column, and with the input that is allowed there.
 void CheckTypes(Domain& domain, Problem& problem, const SymbolTable& symbols);
 
 }  // namespace assay::contingent

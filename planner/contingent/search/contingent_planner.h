@@ -11,32 +11,41 @@
 namespace assay::contingent {
 
 enum class Guarantee {
-  kReachesGoal,  // in every world that the initial knowledge allows; nothing is said of its size
-  kLeastDepth,   // and no tree has fewer actions on its longest way
-  kIfFair,       // if no outcome of sensing is put off for ever; without repeats there is no plan
+  // the tree reaches the goal in every world that the initial knowledge allows; its size has no
+  // guarantee
+  kReachesGoal,
+  kLeastDepth,  // the tree reaches the goal, and no tree has fewer actions on its longest path
+  // The tree has repeats. It reaches the goal if no outcome of sensing is avoided for ever. There
+  // is no plan without repeats.
+  kIfFair,
 };
 
 struct ContingentPlan {
   Outcome outcome = Outcome::kNone;
-  PlanTree tree;  // at kFound
+  PlanTree tree;  // valid if the outcome is kFound
   Guarantee guarantee = Guarantee::kReachesGoal;
-  std::int64_t states = 0;  // knowledge states that were met
-  // At kBudget: why nothing is proved though all that was looked for has been looked at. Empty: the
-  // budget was spent.
+  std::int64_t states = 0;  // the number of knowledge states that were met
+  // With the outcome kBudget: the reason why nothing is proved although the search is complete.
+  // Empty if the budget was spent.
   std::string doubt = {};
 };
 
 enum class Wanted {
-  kFirst,       // found fast
-  kLeastDepth,  // looks at all states that are near enough: for small problems
+  kFirst,  // the first tree found, by a fast search
+  // The tree of least depth. The search visits all states that are near enough, so it is for small
+  // problems.
+  kLeastDepth,
 };
 
-// Plans at the knowledge level (Petrick and Bacchus 2002). The budget is in looks at a knowledge
-// state. kNone is a proof that no tree without repeats leads surely to the goal, whatever states it
-// goes through, nor one with repeats of the kind that is looked for: where what a repeated branch
-// asks of is open in every world anew (exhaustive_tree.h). Where the search left out a step that
-// might have been taken, it proves nothing, and the answer is kBudget with a doubt. Throws
-// InputError if init contradicts itself, and if update rules do not come to rest
+// Plans at the knowledge level (Petrick and Bacchus 2002). Each visit of a knowledge state takes
+// one unit of the budget.
+//
+// The outcome kNone is a proof. It says that no tree without repeats surely reaches the goal,
+// whatever states it goes through. It says the same of trees with repeats in which the question of
+// a repeated branch is open again in every world (exhaustive_tree.h). If the search left out a step
+// that might have been possible, it proves nothing, and the outcome is kBudget with a doubt.
+//
+// Throws InputError if init contradicts itself, and if update rules do not come to rest
 // (knowledge_base.h).
 ContingentPlan MakePlan(const GroundTask& task, Wanted wanted, Budget& budget);
 

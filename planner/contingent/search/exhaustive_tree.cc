@@ -13,8 +13,10 @@ namespace assay::contingent {
 namespace {
 
 constexpr int kFar = std::numeric_limits<int>::max();
-constexpr double kGrowth = 1.2;       // of the states, after which depths are computed again
-constexpr int kDeepestRepeat = 2000;  // nodes above each other, in a tree with repeats
+// depths are computed again when the number of states has grown by this factor
+constexpr double kGrowth = 1.2;
+// the greatest number of nodes above each other in a tree with repeats
+constexpr int kDeepestRepeat = 2000;
 
 class ExhaustiveTreeSearch {
  public:
@@ -31,14 +33,15 @@ class ExhaustiveTreeSearch {
     for (int depth = 0; !layer.empty(); ++depth) {
       layer = Expand(layer);
       if (space_.budget().Exhausted()) return {};
-      // Depths change with new goals, and seldom without: so they are not computed for every layer.
+      // Depths change when new goals are found, and seldom otherwise. So they are not computed for
+      // every layer.
       const auto states_now = static_cast<double>(transitions_.size());
       const bool is_due = goals_.size() > goals || states_now > kGrowth * states;
       if (!is_due && !layer.empty()) continue;
       goals = goals_.size();
       states = states_now;
       ComputeDepths();
-      // Whatever tree is not deeper than this is made of states that have been looked at.
+      // Any tree that is not deeper than this consists of visited states.
       if (DepthOf(initial_) <= depth) return {.tree = LeastDeepTree()};
     }
     if (DepthOf(initial_) < kFar) return {.tree = LeastDeepTree(), .is_complete = true};
@@ -48,7 +51,8 @@ class ExhaustiveTreeSearch {
   }
 
  private:
-  // Looks at the states, and those that branches lead to; the states that their actions lead to.
+  // Visits the states and the states that branches lead to. Returns the states that actions lead
+  // to.
   std::vector<StateId> Expand(std::vector<StateId> states) {
     std::vector<StateId> next;
     while (!states.empty()) {
@@ -82,8 +86,9 @@ class ExhaustiveTreeSearch {
     return found != depths_.end() ? found->second.depth : kFar;
   }
 
-  // Least depths from the goals backward (Knuth 1977, a generalization of Dijkstra's algorithm): a
-  // transition is as deep as the deepest of its outcomes, and is known when the last of them is.
+  // Computes least depths from the goals backward (Knuth 1977, a generalization of Dijkstra's
+  // algorithm). A transition is as deep as the deepest of its outcomes. Its depth is known when the
+  // last outcome's is.
   void ComputeDepths() {
     depths_.clear();
     std::unordered_map<StateId, std::vector<std::pair<StateId, int>>> leading_to;
@@ -133,8 +138,9 @@ class ExhaustiveTreeSearch {
 
   // ---- Repeats
 
-  // Removes states from which the goal cannot be reached by transitions that stay among the rest,
-  // until all can; what is left is `choice_`, with the transition that leads nearest.
+  // Repeatedly removes the states from which transitions among the remaining states cannot reach
+  // the goal. `choice_` then contains the remaining states, each with the transition that leads
+  // nearest to the goal.
   std::optional<PlanTree> RepeatingTree() {
     for (std::size_t before = 0; before != choice_.size() || before == 0;) {
       before = choice_.size();
@@ -146,8 +152,9 @@ class ExhaustiveTreeSearch {
     return PlanTree{nodes_.nodes(), root.node};
   }
 
-  // Breadth first from the goals, by transitions all of whose outcomes may stay: a fair one brings
-  // nearer if one of its outcomes is nearer, another one if all are.
+  // Searches breadth first from the goals, by transitions all of whose outcomes may stay. A fair
+  // transition leads nearer if one of its outcomes is nearer. Any other transition leads nearer if
+  // all outcomes are nearer.
   void ChooseByDistance(bool may_all_stay) {
     std::unordered_map<StateId, std::vector<std::pair<StateId, int>>> leading_to;
     std::unordered_map<StateId, std::vector<std::size_t>> missing;
@@ -178,22 +185,22 @@ class ExhaustiveTreeSearch {
     choice_ = std::move(chosen);
   }
 
-  // Whether each outcome comes in every world some time, if the branch is come to again and again:
-  // the atom that it asks of has no relation to any other, and once it is known, only forgetting it
-  // makes it unknown again. What is told on one outcome's way can rule out that outcome in some
-  // worlds: where anything is told, none is fair.
+  // Returns true if, in every world, each outcome occurs some time when the branch is repeated for
+  // ever. This holds if the branch's atom has no relation to any other atom, and if only forgetting
+  // makes it unknown again. An asserted fact after one outcome can rule out this outcome in some
+  // worlds. So no transition is fair in a task whose effects assert anything.
   bool IsFair(StateId state, const Transition& transition) {
     if (transition.step.kind != PlanNode::Kind::kWhether || tells_something_) return false;
     KnowledgeBase& knowledge = space_.knowledge();
     const KnowledgeState& here = space_.state(state);
     const auto literals = knowledge.UndeterminedLiterals(transition.step.formula, here);
-    if (literals.size() != 1) return false;  // a bound, or a conjunction
+    if (literals.size() != 1) return false;  // the formula is a bound or a conjunction
     const AtomId atom = literals.front().atom;
     return knowledge.RelationOf(here, atom) == kAllSets && !conditionally_changed_.contains(atom);
   }
 
-  // Atoms that an effect changes in some worlds alone, so that they may become unknown without
-  // being anything else than they were. So do a function's values, which depend on each other.
+  // Returns the atoms that an effect changes only in some worlds, so that they may become unknown
+  // without a change. The values of functions are included because they depend on each other.
   static std::unordered_set<AtomId> ConditionallyChanged(const GroundTask& task) {
     std::unordered_set<AtomId> atoms;
     const auto add = [&](const std::vector<GroundEffect>& effects, bool are_all) {
@@ -212,7 +219,7 @@ class ExhaustiveTreeSearch {
     return atoms;
   }
 
-  // Kx or bounds, which are of what is already so.
+  // Returns true if the task asserts Kx or bounds, which say something about the present world.
   static bool TellsSomething(const GroundTask& task) {
     const auto is_told = [](const GroundChange& change) {
       return change.kind == GroundChange::Kind::kRelate ||
@@ -229,11 +236,11 @@ class ExhaustiveTreeSearch {
 
   struct Made {
     NodeId node;
-    int highest = kFar;  // the place on the path of the uppermost node that it leads back to
+    int highest = kFar;  // the path index of the highest node that the tree leads back to
   };
 
-  // The tree from a state at this depth of the path. What leads back to nodes above is made anew
-  // for each way that comes there, so that every repeat has begun on its own way.
+  // Makes the tree from a state at this depth of the path. A tree that leads back to nodes above it
+  // is made again for each path that reaches it, so that every repeat begins on its own path.
   Made MakeRepeating(StateId state, int depth) {
     if (const auto found = closed_.find(state); found != closed_.end()) return {found->second};
     if (depth > kDeepestRepeat) return {};
@@ -275,7 +282,8 @@ class ExhaustiveTreeSearch {
   StateId initial_;
   std::unordered_set<AtomId> conditionally_changed_;
   bool tells_something_;
-  std::unordered_map<StateId, std::vector<Transition>> transitions_;  // of states looked at
+  // transitions of visited states
+  std::unordered_map<StateId, std::vector<Transition>> transitions_;
   std::vector<StateId> goals_;
   std::unordered_map<StateId, Least> depths_;
   NodeTable nodes_;

@@ -9,18 +9,20 @@ namespace assay::contingent {
 
 struct ExhaustiveTree {
   std::optional<PlanTree> tree;
-  // The tree repeats: it reaches the goal if no outcome of sensing is put off for ever. Without
-  // repeats there is no plan.
+  // True for a tree with repeats. It reaches the goal if no outcome of sensing is avoided for ever.
+  // There is no plan without repeats.
   bool repeats = false;
-  // All states that can be reached have been looked at. Without a tree this is a proof of none.
+  // True if all reachable states have been visited. Without a tree, this proves that there is no
+  // plan.
   bool is_complete = false;
 };
 
-// The plan tree of least depth, the number of actions on its longest way, by looking at the states
-// in the order of their distance. If there is no such tree, one with repeats (a strong cyclic plan:
-// Cimatti, Pistore, Roveri and Traverso 2003), where what a repeated branch asks of is open in
-// every world anew: sensing the same thing twice tells the same. For small problems: all states are
-// kept. Ends early when the space's budget is spent.
+// Finds the plan tree of least depth, which is the number of actions on its longest path. The
+// search visits the states in the order of their distance. If there is no such tree, it looks for a
+// tree with repeats (a strong cyclic plan: Cimatti, Pistore, Roveri and Traverso 2003). The
+// question of a repeated branch must be open again in every world, because sensing the same fact
+// twice gives the same result. The search keeps all states, so it is for small problems. It ends
+// early when the space's budget is spent.
 ExhaustiveTree FindExhaustiveTree(KnowledgeSpace& space);
 
 }  // namespace assay::contingent

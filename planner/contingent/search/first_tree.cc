@@ -13,10 +13,11 @@
 namespace assay::contingent {
 namespace {
 
-// How many states to look at for a way without sensing to what has been completed.
+// The greatest number of states visited in the search for a path without sensing to a completed
+// sub-plan.
 constexpr int kStatesWithoutSensing = 400;
 
-// A state on a way, and the step from there, one of whose outcomes the way goes on with.
+// A state on a path and the step taken there. The path continues with one of the step's outcomes.
 struct Leg {
   StateId from;
   Transition transition;
@@ -60,8 +61,8 @@ class FirstTreeSearch {
     return plan;
   }
 
-  // Sub-plans for all states on the way, from its end; none if an outcome beside the way leads
-  // nowhere: then its step is banned.
+  // Completes sub-plans for all states on the path, from its end. Returns none if another outcome
+  // of a step leads nowhere, and bans this step.
   std::optional<NodeId> Complete(const Way& way) {
     std::optional<NodeId> plan;
     for (auto leg = way.rbegin(); leg != way.rend(); ++leg) {
@@ -80,7 +81,7 @@ class FirstTreeSearch {
     return plan;
   }
 
-  // ---- One way, hoping for the best
+  // ---- Search for one path, with the best outcomes of sensing
 
   using Arrivals = std::unordered_map<StateId, Leg>;  // by the state that the leg leads to
 
@@ -107,7 +108,7 @@ class FirstTreeSearch {
            std::find(banned->second.begin(), banned->second.end(), step) != banned->second.end();
   }
 
-  // Breadth first, by steps with one outcome alone.
+  // Searches breadth first by steps that have only one outcome.
   std::optional<Way> FindWayWithoutSensing(StateId from) {
     Arrivals arrivals = {{from, {}}};
     std::vector<StateId> reached = {from};
@@ -128,15 +129,16 @@ class FirstTreeSearch {
     return std::nullopt;
   }
 
-  // Greedily by the relaxed plan's length: from the nearest state first the steps that begin its
-  // relaxed plan; its other steps after all states that are as near. Of equals those met first.
+  // An entry of a greedy search by the length of the relaxed plan. The nearest state comes first,
+  // and its helpful steps are taken first. Its other steps come after the helpful steps of all
+  // states that are as near. Equal entries keep their order.
   struct Candidate {
     int distance;
     bool is_helpful_taken;
     std::int64_t order;
     StateId state;
 
-    bool operator<(const Candidate& other) const {  // worse than
+    bool operator<(const Candidate& other) const {  // the order is "worse than"
       return std::tie(distance, is_helpful_taken, order) >
              std::tie(other.distance, other.is_helpful_taken, other.order);
     }

@@ -9,17 +9,19 @@ namespace assay::contingent {
 
 struct FirstTree {
   std::optional<PlanTree> tree;
-  // No sequence of steps reaches the goal, even if every sensing action told what is hoped for: so
-  // there is no plan. Without a tree and without this, the search has given up.
+  // True if no sequence of steps reaches the goal, even if every sensing action has the outcome
+  // that the search wants. Then there is no plan. If there is no tree and this is false, the search
+  // has given up.
   bool is_proof_of_none = false;
 };
 
-// A plan tree, found fast: neither the least deep nor the smallest. From a state the search looks
-// for one way to the goal or to a state that a completed sub-plan serves, first without sensing,
-// then by the relaxed knowledge graph, hoping for the best of every sensing action; then for ways
-// from the other outcomes, the last ones first, so that what has been completed serves again. A
-// step whose other outcome leads nowhere is banned and another way looked for. Ends early when the
-// space's budget is spent.
+// Finds a plan tree fast, but neither the least deep nor the smallest one. From a state, the search
+// looks for one path to the goal or to a state that a completed sub-plan serves. It first tries
+// paths without sensing. Then it follows the relaxed knowledge graph and assumes the best outcome
+// of every sensing action. Afterwards it looks for paths from the other outcomes, from the end of
+// the path to its start, so that completed sub-plans can be reused. If another outcome of a step
+// leads nowhere, the step is banned and the search looks for another path. The search ends early
+// when the space's budget is spent.
 FirstTree FindFirstTree(KnowledgeSpace& space);
 
 }  // namespace assay::contingent

@@ -7,17 +7,17 @@
 
 namespace assay::contingent {
 
-// Why a task has no plan: parts of its goal that no plan reaches together.
+// The reason why a task has no plan: parts of its goal that no plan reaches together.
 struct GoalConflict {
-  std::vector<GroundQuery> parts = {};  // in the order of the goal; at least one
-  // Without any one of them there is a plan, or nothing is left. False: the budget was spent, or
-  // nothing was proved of some of them, before that was seen.
+  std::vector<GroundQuery> parts = {};  // at least one part, in the order of the goal
+  // True if a plan exists as soon as any one of the parts is left out, or if there is only one
+  // part. False if the budget was spent before, or if nothing was proved about some of the parts.
   bool is_minimal = false;
 };
 
-// Finds the conflict of a task of which MakePlan has proved that it has no plan. Parts are left out
-// one after another as long as it is proved that there is still no plan without them: what a plan
-// for the whole goal does is also a plan for each part of it.
+// Finds the conflict of a task for which MakePlan has proved that there is no plan. It leaves out
+// one part after another as long as there is provably no plan without it. This is valid because a
+// plan for the whole goal is also a plan for each part.
 GoalConflict FindGoalConflict(const GroundTask& task, Budget& budget);
 
 }  // namespace assay::contingent

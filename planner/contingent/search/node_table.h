@@ -7,11 +7,11 @@
 
 namespace assay::contingent {
 
-// The nodes of a tree in the making: equal sub-plans are one node.
+// The nodes of a tree under construction. Equal sub-plans are one node.
 class NodeTable {
  public:
   NodeId Intern(PlanNode node);
-  // A node of its own, whatever others there are; its children may come later.
+  // Adds a node that is not shared with equal nodes. Its children may be added later.
   NodeId Append(PlanNode node);
   PlanNode& node(NodeId id) { return nodes_[id.index()]; }
   const std::vector<PlanNode>& nodes() const { return nodes_; }

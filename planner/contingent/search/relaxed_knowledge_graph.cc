@@ -6,7 +6,8 @@ namespace assay::contingent {
 namespace {
 
 constexpr int kNotReached = RelaxedPlan::kUnreached;
-// Exclusive alternatives settle each other; of long lists only the last that is left.
+// Exclusive alternatives settle each other. In longer lists, only the last remaining one is
+// settled.
 constexpr std::size_t kShortList = 8;
 
 }  // namespace
@@ -173,7 +174,7 @@ void RelaxedKnowledgeGraph::ComputeCosts(const KnowledgeState& state) {
   for (std::size_t cost = 0; cost < queue_.size(); ++cost) {
     for (std::size_t i = 0; i < queue_[cost].size(); ++i) {
       const Proposition p = queue_[cost][i];
-      if (cost_[p] != static_cast<int>(cost)) continue;  // reached at less cost since
+      if (cost_[p] != static_cast<int>(cost)) continue;  // it was reached at a lower cost since
       for (const int op : needed_by_[p]) {
         sum_[op] += cost_[p];
         if (--missing_[op] == 0) Fire(op);

@@ -7,18 +7,18 @@
 
 namespace assay::contingent {
 
-// How far a goal is, and which actions lead there.
+// An estimate of the number of actions to the goal, and the actions with which a plan should begin.
 struct RelaxedPlan {
   static constexpr int kUnreached = 1 << 20;
   int actions = kUnreached;
-  std::vector<ActionId> helpful;  // those of the plan that begin it, sorted
+  std::vector<ActionId> helpful;  // the first actions of the relaxed plan, sorted
 };
 
-// Planning where knowledge is never lost: from what is known, actions make literals known, sensing
-// makes known whichever of a literal and its negation is wanted, and relations of the initial state
-// settle their last member. A relaxed plan is found as in FF (Hoffmann and Nebel 2001), by costs
-// that are summed over preconditions. Neither a lower nor an upper bound. That something is not
-// known counts as always true.
+// A relaxed problem in which knowledge is never lost. Actions make literals known. Sensing makes
+// known whichever of a literal and its negation is wanted. A relation of the initial state settles
+// its last member. The relaxed plan is found as in FF (Hoffmann and Nebel 2001), with costs that
+// are summed over preconditions. Its length is neither a lower nor an upper bound. A condition that
+// something is not known counts as true.
 class RelaxedKnowledgeGraph {
  public:
   explicit RelaxedKnowledgeGraph(const GroundTask& task);
@@ -30,7 +30,7 @@ class RelaxedKnowledgeGraph {
   struct Operator {
     std::vector<Proposition> preconditions;
     std::vector<Proposition> additions;
-    ActionId action;  // none for what follows by itself
+    ActionId action;  // none for a consequence that needs no action
   };
 
   Proposition Known(GroundLiteral literal) const {
@@ -44,7 +44,7 @@ class RelaxedKnowledgeGraph {
   void AddEffects(const std::vector<GroundEffect>& effects,
                   const std::vector<Proposition>& preconditions, ActionId action);
   std::vector<Proposition> AdditionsOf(const GroundEffect& effect) const;
-  // What the query needs; alternatives become a proposition of their own.
+  // Adds the propositions that the query needs. A disjunction becomes a proposition of its own.
   void AddNeeds(const GroundQuery& query, std::vector<Proposition>& needs);
   void AddOperator(std::vector<Proposition> preconditions, std::vector<Proposition> additions,
                    ActionId action);
@@ -62,12 +62,13 @@ class RelaxedKnowledgeGraph {
   std::vector<std::vector<int>> needed_by_;  // operators, by proposition
   std::vector<int> always_;                  // operators without preconditions
 
-  // Of one computation.
-  std::vector<int> cost_;     // of propositions
-  std::vector<int> best_;     // the operator that adds it at this cost, -1: it is there
-  std::vector<int> missing_;  // preconditions of operators
-  std::vector<int> sum_;      // their cost
-  std::vector<std::vector<Proposition>> queue_;  // by cost
+  // The members below belong to one call of PlanFrom.
+  std::vector<int> cost_;  // the costs of propositions
+  // by proposition: the operator that adds it at its cost, or -1 if it holds in the state
+  std::vector<int> best_;
+  std::vector<int> missing_;  // by operator: the number of preconditions that are not reached
+  std::vector<int> sum_;      // by operator: the summed cost of its reached preconditions
+  std::vector<std::vector<Proposition>> queue_;  // propositions by cost
 };
 
 }  // namespace assay::contingent

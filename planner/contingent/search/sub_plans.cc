@@ -15,7 +15,7 @@ std::optional<NodeId> SubPlans::Find(StateId state) {
   if (const auto known = entry_of_state_.find(state); known != entry_of_state_.end()) {
     return entries_[known->second].node;
   }
-  // Those that did not serve the state before do not now.
+  // Entries that were tried for this state before and did not serve it are skipped.
   int& looked_at = looked_at_[state];
   const auto found_in = [&](const std::vector<int>& candidates) {
     const auto first = std::lower_bound(candidates.begin(), candidates.end(), looked_at);

@@ -9,18 +9,19 @@
 
 namespace assay::contingent {
 
-// The sub-plans that a search has completed, each with what it requires, so that a state from which
-// one of them works needs no search of its own. Equal sub-plans are one node.
+// The sub-plans that a search has completed, each with its requirement. A state from which one of
+// them works needs no search of its own. Equal sub-plans are one node.
 class SubPlans {
  public:
   explicit SubPlans(KnowledgeSpace& space);
 
   NodeId Goal() const { return NodeId(0); }
 
-  // A sub-plan that works from the state: the first one that was found.
+  // Returns the first sub-plan found that works from the state.
   std::optional<NodeId> Find(StateId state);
 
-  // The sub-plan that takes the step and goes on with the children, which work from the outcomes.
+  // Adds the sub-plan that takes the step and continues with `children`, which work from the
+  // outcomes.
   NodeId Add(StateId state, const Transition& transition, const std::vector<NodeId>& children);
 
   bool IsEmpty() const { return entries_.empty(); }
@@ -31,10 +32,11 @@ class SubPlans {
     NodeId node;
     StateId made_in;
     Requirement requirement;
-    std::vector<GroundLiteral> literals = {};  // that all required worlds have, to reject quickly
+    // literals that hold in all required worlds, for quick rejection
+    std::vector<GroundLiteral> literals = {};
   };
 
-  // What is known of an outcome from which the child works.
+  // Returns the requirement of the child, which works from the outcome.
   const Requirement& RequirementOf(NodeId child, StateId outcome);
   void File(Entry& entry, int index);
   bool Suits(const Entry& entry, StateId state);
@@ -43,13 +45,14 @@ class SubPlans {
   Regression regression_;
   NodeTable nodes_;
   std::vector<Entry> entries_;
-  // Entries by an atom that they require to be known true (the one that the fewest others are filed
-  // under); those without such an atom.
+  // Entries by one atom that they require to be known true: the atom with the fewest entries.
+  // Entries without such an atom are in without_atom_.
   std::vector<std::vector<int>> by_atom_;
   std::vector<int> without_atom_;
-  // Which entry serves a state, where that has been found out.
+  // The entry that serves a state, for states where it has been found.
   std::unordered_map<StateId, int> entry_of_state_;
-  std::unordered_map<StateId, int> looked_at_;  // so many entries, by state
+  // by state: the number of entries that have been tried
+  std::unordered_map<StateId, int> looked_at_;
   std::unordered_map<StateId, Requirement> goal_requirements_;
 };
 

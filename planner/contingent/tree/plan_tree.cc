@@ -61,8 +61,8 @@ TreeSize SizeOf(const PlanTree& tree) {
   return size;
 }
 
-// Strongly connected components, by the algorithm of Kosaraju and Sharir: against the arcs, in the
-// reverse order of a search's ends.
+// Computes strongly connected components by the algorithm of Kosaraju and Sharir. The second search
+// goes against the arcs, in the reverse order in which the first search finished the nodes.
 std::vector<LoopId> LoopsOf(const PlanTree& tree) {
   const std::vector<NodeId> order = ChildrenFirst(tree);
   std::vector<std::vector<NodeId>> parents(tree.nodes.size());

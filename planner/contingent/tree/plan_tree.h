@@ -10,25 +10,26 @@
 namespace assay::contingent {
 
 using NodeId = Id<struct PlanNodeTag>;
-using LoopId = Id<struct LoopTag>;  // nodes that repeats lead round
+using LoopId = Id<struct LoopTag>;  // a set of nodes that repeats connect in a cycle
 
-// One step of a contingent plan, and where it goes on.
+// One step of a contingent plan, and the nodes that follow it.
 struct PlanNode {
   enum class Kind {
-    kGoal,     // the goal is known to hold: nothing more is done
-    kAct,      // execute the action, go on with the only child
-    kWhether,  // the formula is known by now: the first child if it is true, the second if it is
-               // not
-    kValue,    // the function's value is known by now: the child of that value
+    kGoal,  // the goal is known to hold; nothing more is done
+    kAct,   // execute the action and continue with the only child
+    // the formula is known by then: continue with the first child if it is true, with the second if
+    // false
+    kWhether,
+    kValue,  // the function's value is known by then: continue with the child of this value
   };
   Kind kind = Kind::kGoal;
   ActionId action;
   FormulaId formula;
   FunctionId function;
-  std::vector<AtomId> values = {};  // of kValue, as many as children
+  std::vector<AtomId> values = {};  // for kValue: one value for each child
   std::vector<NodeId> children = {};
-  // By child: whether it is a node above, so that what lies between is repeated until another
-  // outcome is sensed. Empty: none is.
+  // By child: true if the child is a node above, so that the nodes between are repeated until
+  // another outcome is sensed. Empty if no child is.
   std::vector<bool> repeats = {};
 
   bool Repeats(std::size_t child) const { return !repeats.empty() && repeats[child]; }
@@ -36,7 +37,7 @@ struct PlanNode {
   bool operator==(const PlanNode&) const = default;
 };
 
-// A contingent plan: a tree whose equal sub-plans are one node. Nodes are in any order.
+// A contingent plan: a tree whose equal sub-plans are one node. The nodes are in any order.
 struct PlanTree {
   std::vector<PlanNode> nodes;
   NodeId root;
@@ -44,26 +45,27 @@ struct PlanTree {
   const PlanNode& node(NodeId id) const { return nodes[id.index()]; }
 };
 
-// Of the tree as it unfolds, each repeat once.
+// The size of the unfolded tree. Each repeat is counted once.
 struct TreeSize {
-  int depth = 0;    // actions on the longest way to a leaf
-  int nesting = 0;  // branch points on the way with most of them
+  int depth = 0;    // the number of actions on the longest path to a leaf
+  int nesting = 0;  // the greatest number of branch points on a path
   double leaves = 0;
   double branch_points = 0;
-  int actions = 0;  // nodes that act, shared ones once
+  int actions = 0;  // the number of action nodes; shared nodes count once
   int nodes = 0;
   int repeats = 0;
 };
 TreeSize SizeOf(const PlanTree& tree);
 
-// The nodes that the root leads to, children before parents but for repeats.
+// Returns the nodes that can be reached from the root. Children come before their parents, except
+// at repeats.
 std::vector<NodeId> ChildrenFirst(const PlanTree& tree);
 
-// By node a number that it has in common with those to which it leads and which lead back to it;
-// none of those that the root does not lead to.
+// Returns a loop number for each node. Two nodes have the same number if each of them leads to the
+// other. Nodes that cannot be reached from the root have none.
 std::vector<LoopId> LoopsOf(const PlanTree& tree);
 
-// The nodes that the root leads to, renumbered.
+// Returns the tree of the nodes that can be reached from the root, renumbered.
 PlanTree Trimmed(const PlanTree& tree);
 
 }  // namespace assay::contingent

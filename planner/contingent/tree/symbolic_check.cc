@@ -16,13 +16,13 @@
 namespace assay::contingent {
 namespace {
 
-// Where an effect makes an atom true, makes it false, lets it be either.
+// The worlds where an effect makes an atom true, makes it false, or lets it be either.
 struct Fate {
   Diagram becomes_true = kEmptySet;
   Diagram becomes_false = kEmptySet;
   Diagram becomes_open = kEmptySet;
 
-  // The same in all worlds.
+  // Returns true if the effect is the same in all worlds.
   bool IsCertain() const {
     const auto is_somewhere = [](Diagram where) { return where != kEmptySet && where != kAllSets; };
     return !is_somewhere(becomes_true) && !is_somewhere(becomes_false) &&
@@ -31,9 +31,9 @@ struct Fate {
   bool IsOpen() const { return becomes_true == kEmptySet && becomes_false == kEmptySet; }
 };
 
-// What comes to a node: worlds on any way, what has been sensed on every way and on any, and the
-// atoms that are open on every way: with each world the way has the one that differs in this atom
-// alone.
+// The state of the check at a node: the worlds of all paths, the formulas sensed on every path and
+// on any path, and the atoms that are open on every path. An atom is open on a path if, for each
+// world of the path, the path also has the world that differs only in this atom.
 struct Arrivals {
   Diagram worlds = kEmptySet;
   std::set<FormulaId> sensed;
@@ -116,7 +116,7 @@ class SymbolicCheck {
 
   // ---- Initial worlds
 
-  // By what relations say.
+  // Returns the worlds that the initial relations allow, with the known atoms substituted.
   Diagram InitialWorlds() {
     Diagram worlds = kAllSets;
     for (const InitialRelation& relation : task_.initial.relations) {
@@ -142,7 +142,7 @@ class SymbolicCheck {
     return worlds;
   }
 
-  // Those that nothing is said of.
+  // Returns the atoms that neither a relation nor a known literal mentions.
   std::set<AtomId> OpenAtoms(Diagram initial) {
     const std::vector<int>& said = diagrams_.Support(initial);
     std::set<AtomId> open;
@@ -153,7 +153,7 @@ class SymbolicCheck {
     return open;
   }
 
-  // How many choices for the atoms that relations name and that are not known.
+  // Returns the number of choices in `worlds` for the unknown atoms of the initial relations.
   double CountOf(Diagram worlds) {
     std::set<int> open;
     for (const InitialRelation& relation : task_.initial.relations) {
@@ -164,7 +164,7 @@ class SymbolicCheck {
     return std::round(std::ldexp(ShareOf(worlds, shares), static_cast<int>(open.size())));
   }
 
-  // Of all assignments those in the set.
+  // Returns the share of all assignments that is in the set.
   double ShareOf(Diagram f, std::unordered_map<Diagram, double>& known) {
     if (const auto found = known.find(f); found != known.end()) return found->second;
     const double share = (ShareOf(diagrams_.low(f), known) + ShareOf(diagrams_.high(f), known)) / 2;
@@ -212,7 +212,8 @@ class SymbolicCheck {
                            TextOfAWorld(where));
   }
 
-  // Some in which it is not known to whoever came there on some way; none if that cannot be told.
+  // Returns worlds of a path on which the query is not known. Returns the empty set if this is
+  // undecided.
   Diagram WorldsAgainst(const GroundQuery& query, const Arrivals& here) {
     if (query.kind == GroundQuery::Kind::kKnown) {
       return diagrams_.And(here.worlds, diagrams_.Not(WorldsWhere(query.literal)));
@@ -227,7 +228,7 @@ class SymbolicCheck {
     return kEmptySet;
   }
 
-  // What is true in one of them; what the others leave open is false.
+  // Returns the true atoms of one world of the set. Atoms are false where the set leaves a choice.
   std::string TextOfAWorld(Diagram worlds) const {
     std::set<int> holding;
     while (!diagrams_.IsConstant(worlds)) {
@@ -242,7 +243,7 @@ class SymbolicCheck {
     return fmt::format("{}", fmt::join(texts, ", "));
   }
 
-  // On every way.
+  // Returns true if the query holds on every path.
   bool SurelyHolds(const GroundQuery& query, const Arrivals& here) {
     const auto holds = [&](const GroundQuery& operand) { return SurelyHolds(operand, here); };
     switch (query.kind) {
@@ -268,14 +269,15 @@ class SymbolicCheck {
     return diagrams_.Implies(here.worlds, where) || diagrams_.And(here.worlds, where) == kEmptySet;
   }
 
-  // Then it is true in some worlds of each way and false in others.
+  // Returns true if, on each path, the formula is true in some worlds and false in others.
   bool IsOpen(FormulaId formula, const Arrivals& here) const {
     return std::ranges::all_of(task_.formulas[formula.index()].literals,
                                [&](const GroundLiteral& l) { return here.open.contains(l.atom); });
   }
 
-  // On every way. Worlds of different ways are in one set: that some have the literal and some have
-  // not does not tell that none of the ways knows it.
+  // Returns true if the query fails on every path. The set joins the worlds of all paths. That a
+  // literal is true in some of them and false in others does not show that it is unknown on each
+  // path.
   bool SurelyFails(const GroundQuery& query, const Arrivals& here) {
     const auto fails = [&](const GroundQuery& operand) { return SurelyFails(operand, here); };
     switch (query.kind) {
@@ -297,7 +299,7 @@ class SymbolicCheck {
     return false;
   }
 
-  // That worlds of both cases come, which may be on different ways, does not refute the tree.
+  // Worlds of both cases may come from different paths, so their presence does not refute the tree.
   void Branch(const PlanNode& node, const Arrivals& here) {
     const Diagram where = WorldsWhere(task_.formulas[node.formula.index()]);
     const Diagram if_true = diagrams_.And(here.worlds, where);
@@ -332,8 +334,8 @@ class SymbolicCheck {
     return fates;
   }
 
-  // The worlds after the action. The new values of atoms whose fate depends on the world are, for
-  // the time being, variables of their own.
+  // Returns the worlds after the action. The new value of an atom whose fate depends on the world
+  // is a variable of its own during the computation.
   Diagram Image(const GroundAction& action, Diagram worlds) {
     const std::map<AtomId, Fate> fates = FatesOf(action);
     std::unordered_map<int, Diagram> renamed;
@@ -351,7 +353,7 @@ class SymbolicCheck {
     return worlds;
   }
 
-  // What becomes true wins over what becomes false, and both over what is left open.
+  // Becoming true wins over becoming false, and both win over becoming open.
   Diagram NewValue(AtomId atom, const Fate& fate) {
     const Diagram now = diagrams_.Literal({Variable(atom) + 1, true});
     const Diagram stays = diagrams_.Equal(now, diagrams_.Literal({Variable(atom), true}));
@@ -360,8 +362,8 @@ class SymbolicCheck {
     return diagrams_.IfThenElse(fate.becomes_true, now, or_false);
   }
 
-  // What was sensed of something that may have changed is not surely of use, and what was sensed of
-  // something that may not have changed may be.
+  // A sensed fact that may have changed is removed from those sensed on every path. A sensed fact
+  // that may not have changed stays among those sensed on some path.
   Arrivals After(const GroundAction& action, const Arrivals& here) {
     Arrivals next = here;
     next.worlds = Image(action, here.worlds);
@@ -387,7 +389,8 @@ class SymbolicCheck {
     });
   }
 
-  // What no effect reads or writes stays open; what is forgotten, and nothing else, becomes so.
+  // An open atom stays open if no effect reads or writes it. An atom becomes open only if an effect
+  // certainly forgets it.
   std::set<AtomId> OpenAfter(const GroundAction& action, const Arrivals& here) const {
     std::set<AtomId> open = here.open;
     std::set<AtomId> closed;
@@ -413,9 +416,9 @@ class SymbolicCheck {
   const PlanTree& tree_;
   std::vector<int> places_;
   DecisionDiagrams diagrams_;
-  std::vector<Arrivals> arrivals_;  // by node
+  std::vector<Arrivals> arrivals_;  // indexed by node
   std::string failure_;
-  bool is_told_ = true;  // of all that the tree asks
+  bool is_told_ = true;  // false if sets cannot decide some query of the tree
 };
 
 }  // namespace

@@ -8,18 +8,18 @@
 
 namespace assay::contingent {
 
-// CheckTree for more worlds than can be run one by one: each node of the tree is looked at once,
-// with the set of all worlds that come to it on any way, as a decision diagram (forward images, as
-// in Burch, Clarke, McMillan, Dill and Hwang 1992). What is true in each of these worlds is known
-// after every history; what was sensed on every way to a node has been sensed. That a literal is
-// not known shows where it is false in each world, or where nothing on any way has told anything of
-// its atom, so that each history has it both ways.
+// Checks a tree as CheckTree does, for more worlds than can be run one by one. Each node of the
+// tree is visited once with the set of all worlds that reach it on any path, as a decision diagram
+// (forward images, as in Burch, Clarke, McMillan, Dill and Hwang 1992). A literal that is true in
+// each of these worlds is known after every history. A formula that was sensed on every path to a
+// node has been sensed. A literal is not known if it is false in each world. It is not known either
+// if nothing on any path has said anything about its atom, so that each history allows both values.
 //
-// The tree holds, or it fails: a literal that must be known is false in one of the worlds, or what
-// is asked fails on every way. None if sets cannot tell, or if there is something else in task or
-// tree: functions, update rules, repeats, Kx as an effect, sensing under a condition, effects by
-// what is known or not known. Shares with the planner the diagrams and their order, which cannot
-// make a wrong set, and no inference.
+// The tree holds, or it fails because a required literal is false in one of the worlds or because a
+// query fails on every path. Returns none if sets cannot decide this, or if task or tree contain a
+// function, an update rule, a repeat, Kx as an effect, sensing under a condition, or an effect that
+// depends on what is known. The check shares with the planner the diagrams and their variable
+// order, which cannot make a wrong set, and no inference.
 std::optional<TreeCheck> CheckBySets(const GroundTask& task, const PlanTree& tree);
 
 }  // namespace assay::contingent

@@ -18,17 +18,18 @@
 namespace assay::contingent {
 namespace {
 
-// What a wrong tree may take: worlds on one way, unless more are there to begin with, and worlds in
-// which one repeat is followed from one world.
+// Limits for wrong trees. The first is the number of worlds on one path, unless there are more
+// initial worlds. The second is the number of worlds in which one repeat is followed from one
+// world.
 constexpr std::size_t kMostWorlds = 1'000'000;
 constexpr std::size_t kMostReturns = 100'000;
-// Of knowledge with which one tree's repeats begin again.
+// The greatest number of knowledge states with which the repeats of one tree begin again.
 constexpr std::size_t kMostBeginnings = 1'000;
-// Of worlds of which each is followed among the others.
+// The greatest number of worlds that are each followed among the others.
 constexpr std::size_t kMostFollowed = 2'000;
 
-// Whether something happens because it is known or not known, so that what happens in a world
-// depends on the others.
+// Returns true if some effect depends on what is known or not known, so that the change of one
+// world depends on the other worlds.
 bool HappensByKnowledge(const GroundTask& task) {
   const auto is_by_knowledge = [](const GroundEffect& effect) {
     return !effect.is_of_worlds && !effect.condition.IsTrue();
@@ -40,7 +41,8 @@ bool HappensByKnowledge(const GroundTask& task) {
   });
 }
 
-// Knowing more never hurts: nothing is asked not to be known, either.
+// Returns true if more knowledge never does harm. Then no effect depends on what is known, and no
+// query asks that something is not known.
 bool IsMonotone(const GroundTask& task) {
   return !HappensByKnowledge(task) && !HasNegation(task.goal) &&
          std::ranges::none_of(task.actions, [](const GroundAction& action) {
@@ -140,18 +142,19 @@ class Runner {
 
   // ---- Walking the tree
 
-  // Where worlds go on, and what has been on the way to there.
+  // The continuation of some worlds at a node, with their history.
   struct Way {
     NodeId to;
     History history;
-    std::string outcome = {};  // of the branch that leads there
-    bool is_repeat = false;    // back to a node above
-    bool is_counted = false;   // as its worlds have come this way before
+    std::string outcome = {};  // the outcome of the branch that leads there
+    bool is_repeat = false;    // the child is a node above
+    bool is_counted = false;   // true if the worlds have come this way before and were counted
     std::size_t steps_above = 0;
     std::size_t heads_above = 0;
   };
 
-  // Depth first, without recursion: trees are as deep as files are long.
+  // Searches depth first without recursion, because the depth of a tree is limited only by its
+  // file.
   void RunFrom(NodeId id, History history) {
     const std::size_t others = ways_.size();
     const std::size_t steps_above = steps_.size();
@@ -222,7 +225,8 @@ class Runner {
   }
 
   void Execute(const GroundAction& action, History& history) {
-    // What one world may do alone has been asked of all worlds with its history.
+    // The precondition was checked for all worlds with this history. It need not be checked for one
+    // world.
     if (attempt_ == nullptr && !Holds(action.precondition, history)) {
       return Fail(
           fmt::format("the precondition of {} is not known", assay::contingent::TextOf(action)),
@@ -251,7 +255,7 @@ class Runner {
       parts[part].push_back(world);
     }
     if (!IsAsked(node, history, parts)) return;
-    for (std::size_t i = parts.size(); i-- > 0;) {  // the last that is put there is the next to run
+    for (std::size_t i = parts.size(); i-- > 0;) {  // the part that is added last is run next
       if (parts[i].empty()) continue;
       History next = history;
       next.worlds = std::move(parts[i]);
@@ -271,7 +275,8 @@ class Runner {
                : assay::contingent::TextOf(task_, task_.formulas[node.formula.index()]);
   }
 
-  // By child what holds there, of a function; of a formula its literals alone.
+  // Returns the literals on which the branch depends: one list for each child if it asks a
+  // function, and one list if it asks a formula.
   std::vector<std::vector<GroundLiteral>> CasesOf(const PlanNode& node) const {
     if (node.kind == PlanNode::Kind::kWhether) {
       return {task_.formulas[node.formula.index()].literals};
@@ -292,7 +297,7 @@ class Runner {
     return -1;
   }
 
-  // What is asked has been sensed, or there is one answer alone.
+  // Returns true if the branch's question has been sensed or has only one answer.
   bool IsAsked(const PlanNode& node, const History& history, const std::vector<Worlds>& parts) {
     const auto answers =
         std::count_if(parts.begin(), parts.end(), [](const Worlds& w) { return !w.empty(); });
@@ -318,8 +323,9 @@ class Runner {
     is_monotone_ ? ReturnToWorlds(head, History(*begun), history) : ReturnKnowing(head, history);
   }
 
-  // The worlds come back to where they, or worlds that they are cases of, began; and each of them
-  // can go on to the goal. Where less has been sensed than then, that must be enough, too.
+  // Checks that the worlds come back to worlds in which the repeat began, or to cases of them, and
+  // that each of them can continue to the goal. If less has been sensed than at the beginning, the
+  // repeat is run again with the smaller knowledge.
   void ReturnToWorlds(NodeId head, const History& begun, const History& history) {
     for (const World& world : history.worlds) {
       if (!IsCovered(world, begun.worlds))
@@ -329,7 +335,7 @@ class Runner {
     if (!HasSensed(history, begun)) BeginAgain(head, begun, history);
   }
 
-  // Where knowing more may hurt, the repeat begins again with each knowledge that comes back to it.
+  // Where more knowledge may do harm, the repeat begins again with each knowledge that comes back.
   void ReturnKnowing(NodeId head, const History& history) {
     if (happens_by_knowledge_ && history.worlds.size() > kMostFollowed) {
       return Fail(fmt::format("a repeat of more than {} worlds, where what happens depends on what "
@@ -354,7 +360,8 @@ class Runner {
     if (!is_monotone_) beginnings_.emplace(head, ToCompare(history));
   }
 
-  // Numbers of which nothing is known at first do not tell worlds apart.
+  // Returns the history in a form for comparison. Numbers of which nothing is known initially are
+  // ignored.
   History ToCompare(History history) const {
     for (World& world : history.worlds) world = WithoutOpen(std::move(world));
     std::sort(history.worlds.begin(), history.worlds.end());
@@ -363,7 +370,8 @@ class Runner {
     return history;
   }
 
-  // The history that last came to the head of a repeat, on the way to here; null if none has.
+  // Returns the history that last came to the head of a repeat on this path, or null if there is
+  // none.
   const History* Begun(NodeId head) const {
     const auto entry = std::find_if(heads_.rbegin(), heads_.rend(),
                                     [&](const auto& begun) { return begun.first == head; });
@@ -378,7 +386,8 @@ class Runner {
            });
   }
 
-  // With what has been sensed both times. It gets less each time, so that this ends.
+  // Begins the repeat again with the facts that were sensed both times. They become fewer each
+  // time, so this ends.
   void BeginAgain(NodeId head, const History& begun, const History& history) {
     History both = begun;
     std::erase_if(both.sensed, [&](FormulaId f) { return !history.sensed.contains(f); });
@@ -390,12 +399,12 @@ class Runner {
     GoOn({.to = head, .history = std::move(both), .is_counted = true});
   }
 
-  // Whether a world that is back at the head of a repeat comes to the goal some time, for some
-  // outcomes of what is open: by going round in this world until it has been everywhere. Others are
-  // looked at where it matters that it is not known to be this one. It is followed until it is out
-  // of the loop: there come the worlds that began the repeat, too, of which it is a case, or the
-  // repeat begins again with it, and these are run to the end. So each repeat of a row is gone
-  // round by itself.
+  // Returns true if a world that is back at the head of a repeat reaches the goal for some outcomes
+  // of the open facts. The check follows this world round the loop until it leaves the loop or has
+  // been everywhere. It need not be followed further. Either the world is a case of the worlds that
+  // began the repeat, or the repeat begins again with it, and in both cases those worlds are run to
+  // the end. So each repeat in a sequence is followed by itself. Other worlds are included where it
+  // matters that the world is not known to be this one.
   bool CanEnd(NodeId head, const World& world, const History& history) {
     Attempt attempt{.loop = loops_[head.index()]};
     attempt_ = &attempt;
@@ -409,7 +418,7 @@ class Runner {
     return attempt.has_ended;
   }
 
-  // Numbers of which nothing is known at first may change on each round.
+  // Numbers of which nothing is known initially may change on each round, so they are not compared.
   void Follow(NodeId head, const World& world, const History& history) {
     const History* begun = Begun(head);
     if (is_monotone_ && begun != nullptr && !IsCovered(world, begun->worlds)) {
@@ -442,7 +451,8 @@ class Runner {
     return std::isinf(range.low) && std::isinf(range.high);
   }
 
-  // Numbers of which nothing is known at first are not compared: any other is as good.
+  // Returns true if `world` is a case of `of`. Numbers of which nothing is known initially are not
+  // compared, because any other number serves as well.
   bool IsCaseOf(const World& world, const World& of) const {
     for (std::size_t a = 0; a < world.atoms.size(); ++a) {
       if (of.atoms[a] != Truth::kEither && of.atoms[a] != world.atoms[a]) return false;
@@ -453,7 +463,8 @@ class Runner {
     return true;
   }
 
-  // Whether the world, or both of its cases by some atom, and so on, are cases of the worlds.
+  // Returns true if the world is a case of one of the worlds `by`, or if both of its cases for some
+  // atom are covered.
   bool IsCovered(const World& world, const Worlds& by) {
     if (std::any_of(by.begin(), by.end(), [&](const World& w) { return IsCaseOf(world, w); })) {
       return true;
@@ -472,28 +483,29 @@ class Runner {
     return false;
   }
 
-  // Going round a repeat in one world.
+  // The state of a search round a repeat in one world.
   struct Attempt {
     LoopId loop;
-    std::set<std::pair<NodeId, History>> returned = {};  // to the heads of repeats
+    std::set<std::pair<NodeId, History>> returned = {};  // arrivals at the heads of repeats
     std::deque<std::pair<NodeId, History>> to_follow = {};
-    bool has_ended = false;  // at the goal, or outside of the loop
+    bool has_ended = false;  // true at the goal or outside the loop
   };
 
   const GroundTask& task_;
   const PlanTree& tree_;
-  std::vector<LoopId> loops_;  // by node
+  std::vector<LoopId> loops_;  // indexed by node
   bool is_monotone_;
   bool happens_by_knowledge_;
   WorldProgression progression_;
   std::size_t most_worlds_;
   Attempt* attempt_ = nullptr;
-  std::vector<Way> ways_;           // that are open, the next one last
-  std::vector<std::string> steps_;  // on the way to here
+  std::vector<Way> ways_;           // the open continuations; the next one is last
+  std::vector<std::string> steps_;  // the steps on the path to the node
   std::vector<bool> is_reached_;
   std::set<NodeId> repeated_;
-  std::vector<std::pair<NodeId, History>> heads_;    // of repeats, on the way to here
-  std::set<std::pair<NodeId, History>> beginnings_;  // where knowing more may hurt
+  std::vector<std::pair<NodeId, History>> heads_;  // the heads of repeats on the path to the node
+  // the beginnings of repeats where more knowledge may do harm
+  std::set<std::pair<NodeId, History>> beginnings_;
   TreeCheck check_;
   std::string failure_;
 };

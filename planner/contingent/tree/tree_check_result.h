@@ -10,12 +10,12 @@ namespace assay::contingent {
 
 struct TreeCheck {
   bool holds = false;
-  // If not: what fails, where in the tree, and in which world.
+  // If the tree does not hold: the condition that fails, its place in the tree, and the world.
   std::string failure;
-  std::int64_t worlds = 0;           // that were run to a leaf; as sets: initial ones
-  bool were_drawn = false;           // the worlds, of too many
-  bool are_numbers_sampled = false;  // what lies between them may be otherwise
-  std::vector<NodeId> unreached;     // nodes that no world came to
+  std::int64_t worlds = 0;
+  bool were_drawn = false;  // true if the worlds were a random sample of too many
+  bool are_numbers_sampled = false;
+  std::vector<NodeId> unreached;  // nodes that no world reached
 
   bool AreAllWorlds() const { return !were_drawn && !are_numbers_sampled; }
 };

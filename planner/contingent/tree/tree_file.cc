@@ -59,7 +59,7 @@ Json NodeToJson(const GroundTask& task, const PlanNode& node) {
   return {};
 }
 
-// Of "a & b" a and b: a conjunction is one in whatever order it is written.
+// Returns a and b for "a & b". Conjunctions are equal in whatever order they are written.
 std::set<std::string> Conjuncts(std::string_view text) {
   std::set<std::string> conjuncts;
   while (true) {
@@ -178,7 +178,7 @@ class TreeReader {
     }
   }
 
-  // By node, where it is come to from; repeats do not count.
+  // Returns the parents of each node. Repeats do not count.
   static std::vector<std::vector<NodeId>> ParentsOf(const PlanTree& tree) {
     std::vector<std::vector<NodeId>> parents(tree.nodes.size());
     for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
@@ -190,7 +190,7 @@ class TreeReader {
     return parents;
   }
 
-  // Every way ends, or comes to a repeat: nodes are taken off from the ends.
+  // Checks that every path ends or comes to a repeat. Nodes are removed from the ends.
   static void RequireEnd(const PlanTree& tree, const std::vector<Value>& places) {
     const std::vector<std::vector<NodeId>> parents = ParentsOf(tree);
     std::vector<int> open(tree.nodes.size(), 0);
@@ -212,17 +212,19 @@ class TreeReader {
     }
   }
 
-  // Whatever way leads to a node that repeats, it has come by where the repeat begins: from the
-  // node back to there, which are the nodes of the repeat, the root is not come by.
+  // Checks that every path to a repeating node has passed the node where the repeat begins. A
+  // search from the repeating node back to the beginning, through the nodes of the repeat, must not
+  // meet the root.
   static void RequireThatRepeatsGoBack(const PlanTree& tree, const std::vector<Value>& places) {
-    std::map<NodeId, std::vector<NodeId>> ends;  // by where the repeat begins
+    std::map<NodeId, std::vector<NodeId>> ends;  // by the node where the repeat begins
     for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
       for (std::size_t i = 0; i < tree.nodes[n].children.size(); ++i) {
         if (tree.nodes[n].Repeats(i)) ends[tree.nodes[n].children[i]].push_back(NodeId(n));
       }
     }
     const std::vector<std::vector<NodeId>> parents = ParentsOf(tree);
-    std::vector<NodeId> repeated_from(tree.nodes.size());  // by node: the last such beginning
+    // by node: the last beginning whose search reached it
+    std::vector<NodeId> repeated_from(tree.nodes.size());
     for (const auto& [head, of_head] : ends) {
       for (const NodeId end : of_head) {
         std::vector<NodeId> open = {end};

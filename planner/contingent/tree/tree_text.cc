@@ -20,7 +20,7 @@ class TreeWriter {
   }
 
  private:
-  // Those that need a number: heads of repeats, and sub-plans that are told once for several.
+  // Numbers the heads of repeats and the sub-plans that are written once for several branches.
   void CountParents(Sharing sharing) {
     std::map<NodeId, int> parents;
     for (const PlanNode& node : tree_.nodes) {
@@ -36,7 +36,7 @@ class TreeWriter {
     text_ += fmt::format("{:{}}{}\n", "", 2 * indent, words);
   }
 
-  // In a loop along what has one child, so that long plans do not nest deeply.
+  // Writes chains of nodes with one child in a loop, so that long plans do not nest deeply.
   void WriteFrom(NodeId id, int indent) {
     while (true) {
       const PlanNode& node = tree_.node(id);
@@ -72,7 +72,7 @@ class TreeWriter {
 
   const GroundTask& task_;
   const PlanTree& tree_;
-  std::map<NodeId, int> numbers_;  // 0: not given yet
+  std::map<NodeId, int> numbers_;  // 0 until a number is given
   std::map<NodeId, bool> is_written_;
   int last_number_ = 0;
   std::string text_;

@@ -74,7 +74,7 @@ bool DecisionDiagrams::Implies(Diagram f, Diagram g) const {
   return ImpliesBesides(f, g, implied);
 }
 
-// `implied` holds the pairs that are settled; the first counterexample ends it all.
+// `implied` contains the pairs that are proved. The first counterexample ends the search.
 bool DecisionDiagrams::ImpliesBesides(Diagram f, Diagram g,
                                       std::unordered_set<std::uint64_t>& implied) const {
   if (f == kEmptySet || g == kAllSets || f == g) return true;

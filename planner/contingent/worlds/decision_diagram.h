@@ -10,11 +10,11 @@
 
 namespace assay::contingent {
 
-// A node of a reduced ordered binary decision diagram (Bryant 1986): a set of truth assignments.
-// Equal sets are the same node, so sets are compared and hashed by their number.
+// A node of a reduced ordered binary decision diagram (Bryant 1986), which is a set of truth
+// assignments. Equal sets are the same node, so sets are compared and hashed by their number.
 using Diagram = std::int32_t;
-constexpr Diagram kEmptySet = 0;  // false
-constexpr Diagram kAllSets = 1;   // true
+constexpr Diagram kEmptySet = 0;  // the constant false
+constexpr Diagram kAllSets = 1;   // the constant true
 
 // A variable and its value.
 struct Assignment {
@@ -24,7 +24,7 @@ struct Assignment {
   bool operator==(const Assignment&) const = default;
 };
 
-// The diagrams over variables 0, 1, ..., ordered by number. Nodes are never given back: a search
+// Diagrams over the variables 0, 1, ..., ordered by number. Nodes are never freed, because a search
 // needs few of them.
 class DecisionDiagrams {
  public:
@@ -36,31 +36,31 @@ class DecisionDiagrams {
   Diagram Or(Diagram f, Diagram g) { return IfThenElse(f, kAllSets, g); }
   Diagram Equal(Diagram f, Diagram g) { return IfThenElse(f, g, Not(g)); }
   Diagram IfThenElse(Diagram f, Diagram g, Diagram h);
-  // Whether f is a subset of g; makes no nodes.
+  // Returns true if f is a subset of g. Makes no nodes.
   bool Implies(Diagram f, Diagram g) const;
 
-  // Exactly one, at least one of the literals.
+  // ExactlyOne and AtLeastOne return the assignments in which so many of the literals hold.
   Diagram ExactlyOne(std::span<const Assignment> literals);
   Diagram AtLeastOne(std::span<const Assignment> literals);
 
-  // f where the literal holds; the result does not depend on its variable.
+  // Returns f where the literal holds. The result does not depend on the literal's variable.
   Diagram Cofactor(Diagram f, Assignment literal) { return Restrict(f, {literal}); }
-  // The same of several literals, sorted by variable.
+  // Returns f where all literals hold. The literals are sorted by variable.
   Diagram Restrict(Diagram f, const std::vector<Assignment>& literals);
-  // f with each variable x in `of` replaced by the diagram at its place, all at once.
+  // Returns f with each variable x in `of` replaced by the diagram of[x], all at once.
   Diagram Compose(Diagram f, const std::unordered_map<int, Diagram>& of);
   Diagram Exists(Diagram f, int variable);
   Diagram ForAll(Diagram f, int variable);
 
-  // The literals that hold in all of f; f is not empty.
+  // Returns the literals that hold in all of f, which must not be empty.
   const std::vector<Assignment>& Essential(Diagram f);
-  // The variables that f depends on, sorted.
+  // Returns the variables that f depends on, sorted.
   const std::vector<int>& Support(Diagram f);
 
   bool IsConstant(Diagram f) const { return f <= kAllSets; }
   int variable(Diagram f) const { return nodes_[f].variable; }
-  Diagram low(Diagram f) const { return nodes_[f].low; }    // where the variable is false
-  Diagram high(Diagram f) const { return nodes_[f].high; }  // where it is true
+  Diagram low(Diagram f) const { return nodes_[f].low; }    // the part where the variable is false
+  Diagram high(Diagram f) const { return nodes_[f].high; }  // the part where the variable is true
 
  private:
   struct Node {
@@ -82,10 +82,11 @@ class DecisionDiagrams {
 
   std::vector<Node> nodes_;
   algebra::InternTable unique_;
-  std::vector<Computed> computed_;  // results of IfThenElse, the last one in each place
+  // A cache of IfThenElse. Each place holds the last result that was stored there.
+  std::vector<Computed> computed_;
   std::unordered_map<Diagram, std::vector<Assignment>> essential_;
   std::unordered_map<Diagram, std::vector<int>> support_;
-  std::vector<int> marks_;  // by node: the last traversal that came there
+  std::vector<int> marks_;  // by node: the last traversal that reached it
   int mark_ = 0;
 };
 

@@ -10,10 +10,10 @@
 namespace assay::contingent {
 namespace {
 
-using Choice = std::vector<Truth>;  // of the atoms of a group
+using Choice = std::vector<Truth>;  // truth values of the atoms of a group
 
-// Atoms that relations name together, directly or by others, or as values of one function, with all
-// ways to choose them.
+// A group of atoms that are connected by relations or as values of one function, with all ways to
+// choose their truth values.
 struct Group {
   std::vector<int> atoms;
   std::vector<Choice> choices;
@@ -108,7 +108,8 @@ class Enumerator {
     world[atom] = known_[atom];
   }
 
-  // No relation of the atom, and no function's single value, is broken already.
+  // Returns true if the truth values so far violate no relation of the atom and give no function
+  // two values.
   bool CanHold(int atom, const std::vector<Truth>& world) const {
     const FunctionId function = task_.function_of_atom[atom];
     if (!function.IsNone() && world[atom] == Truth::kTrue) {
@@ -169,7 +170,7 @@ class Enumerator {
   const NumberMarks& marks_;
   std::int64_t limit_;
   std::vector<Truth> known_;
-  std::vector<std::vector<const InitialRelation*>> relations_of_;  // by atom
+  std::vector<std::vector<const InitialRelation*>> relations_of_;  // indexed by atom
   std::vector<Group> groups_;
   bool is_complete_ = true;
 };

@@ -9,14 +9,14 @@
 
 namespace assay::contingent {
 
-// Whether an atom is true in a world; kEither stands for two worlds that differ in nothing else.
+// The truth of an atom in a world. kEither represents two worlds that differ only in this atom.
 enum class Truth : std::int8_t { kFalse, kTrue, kEither };
 
 struct World {
   std::vector<Truth> atoms;
-  std::vector<Number> numbers;  // of numeric functions, by slot
-  // Where the checker asks what one world of a history comes to: this one, or one of the others,
-  // which are there for what is known.
+  std::vector<Number> numbers;  // numbers of numeric functions, by slot
+  // True if the checker follows this world. The other worlds of a history serve to determine what
+  // is known.
   bool is_followed = true;
 
   bool operator==(const World&) const = default;
@@ -25,12 +25,13 @@ struct World {
 
 struct InitialWorlds {
   std::vector<World> worlds;
-  bool were_drawn = false;  // being too many
+  bool were_drawn = false;  // true if the worlds are a random sample, because there are too many
 };
 
-// The worlds that the initial knowledge allows, by enumeration. Atoms that no relation names are
-// kEither; numbers are those that stand for their ranges. More than `limit`: as many, drawn. None
-// if the knowledge contradicts itself.
+// Enumerates the worlds that the initial knowledge allows. Atoms that no relation names are
+// kEither. Numbers are those that represent their ranges. If there are more than `limit` worlds, a
+// random sample of `limit` worlds is returned. Returns no worlds if the knowledge contradicts
+// itself.
 InitialWorlds EnumerateWorlds(const GroundTask& task, const NumberMarks& marks, std::int64_t limit,
                               std::uint64_t seed);
 

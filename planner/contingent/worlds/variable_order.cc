@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kRounds = 60;
 
-// For each atom the places that it is drawn to.
+// For each atom, the mean of the places that attract it.
 class Attractions {
  public:
   explicit Attractions(const std::vector<int>& places)
@@ -20,8 +20,8 @@ class Attractions {
     ++counts_[atom.index()];
   }
 
-  // The places after every atom has moved to the mean of those that it is drawn to; atoms that want
-  // to be at the same place stay in their order.
+  // Returns the places after every atom has moved to the mean of its attracting places. Atoms with
+  // equal means keep their order.
   std::vector<int> Follow() const {
     std::vector<int> order(places_.size());
     std::iota(order.begin(), order.end(), 0);
@@ -43,7 +43,8 @@ class Attractions {
   std::vector<int> counts_;
 };
 
-// Moves every atom to the mean of the centres of its relations; true if the order has changed.
+// Moves every atom to the mean of the centres of its relations. Returns true if the order has
+// changed.
 bool Improve(const std::vector<InitialRelation>& relations, std::vector<int>& places) {
   Attractions attractions(places);
   for (const InitialRelation& relation : relations) {
@@ -69,9 +70,9 @@ void CollectAtoms(const GroundQuery& condition, std::vector<AtomId>& atoms) {
   for (const GroundQuery& operand : condition.operands) CollectAtoms(operand, atoms);
 }
 
-// Atoms that have no relation at first are put behind those that the conditions of their effects
-// name: such an effect relates them. Of n alternatives that show n symptoms, the diagram of what is
-// known then has n nodes instead of n^2.
+// Puts atoms that have no initial relation after the atoms in the conditions of their effects,
+// because such an effect relates them. For n alternatives with n symptoms, the diagram then has n
+// nodes instead of n^2.
 std::vector<int> BehindConditions(const GroundTask& task, const std::vector<int>& places) {
   const std::vector<bool> are_related = AreRelated(task.initial.relations, places.size());
   Attractions attractions(places);

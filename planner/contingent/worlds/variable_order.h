@@ -6,9 +6,9 @@
 
 namespace assay::contingent {
 
-// For each atom its place in an order in which atoms that the initial relations name together are
-// near each other, so that diagrams are small: FORCE (Aloul, Markov and Sakallah 2003). What only
-// effects relate comes behind what they depend on.
+// Returns each atom's place in an order that keeps atoms of one initial relation near each other,
+// so that diagrams are small: FORCE (Aloul, Markov and Sakallah 2003). An atom that only effects
+// relate to others comes after the atoms on which it depends.
 std::vector<int> PlacesOfAtoms(const GroundTask& task);
 
 }  // namespace assay::contingent

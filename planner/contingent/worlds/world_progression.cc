@@ -12,7 +12,7 @@
 namespace assay::contingent {
 namespace {
 
-// Stands for a number that was forgotten, until it may be any.
+// A placeholder for a forgotten number, before it is replaced by every possible number.
 constexpr Number kForgotten = {.value = algebra::kInfinity};
 
 bool Compare(const Number& number, Relation relation, double value) {
@@ -46,17 +46,18 @@ Answer Greatest(const auto& answers) {
   return greatest;
 }
 
-// What becomes true wins over what becomes false; what is told is told of what is then.
+// Becoming true wins over becoming false. Asserted relations and bounds describe the world after
+// these changes.
 constexpr int kPasses = 4;
 
-// Different ways to the same sum.
+// Removes duplicates, which arise when different paths lead to the same sum.
 void MergeEqual(Worlds& worlds) {
   std::ranges::sort(worlds);
   const auto equal = std::ranges::unique(worlds);
   worlds.erase(equal.begin(), equal.end());
 }
 
-// A change of knowledge, not of the world.
+// Returns true for a change of knowledge that does not change the world.
 bool IsTold(const GroundChange& change) {
   return change.kind == GroundChange::Kind::kRelate || change.kind == GroundChange::Kind::kNarrow;
 }
@@ -84,7 +85,7 @@ bool WorldProgression::IsTrue(const Formula& formula, const World& world) const 
                      [&](const GroundLiteral& l) { return IsTrue(l, world); });
 }
 
-// Whatever is true of what the world leaves open.
+// Returns true if the formula is false for every choice of the atoms that the world leaves open.
 bool WorldProgression::IsFalse(const Formula& formula, const World& world) const {
   if (formula.bound) return !IsTrue(*formula.bound, world);
   return std::ranges::any_of(formula.literals, [&](const GroundLiteral& l) {
@@ -92,7 +93,7 @@ bool WorldProgression::IsFalse(const Formula& formula, const World& world) const
   });
 }
 
-// Of a condition that asks K alone, of literals and bounds: whether they hold in this world.
+// Returns true if the condition holds in this world. It must ask only K of literals and of bounds.
 bool WorldProgression::IsTrue(const GroundQuery& condition, const World& world) const {
   const auto is_true = [&](const GroundQuery& operand) { return IsTrue(operand, world); };
   const auto& operands = condition.operands;
@@ -214,7 +215,7 @@ void WorldProgression::Apply(const std::vector<GroundEffect>& effects, History& 
   }
 }
 
-// To whoever executes the plan: its condition is known to hold.
+// Returns true if the executor of the plan knows that the effect's condition holds.
 bool WorldProgression::Happens(const GroundEffect& effect, const History& history) {
   const Answer answer = Ask(effect.condition, history);
   could_not_tell_ |= answer == Answer::kCannotTell;
@@ -232,7 +233,7 @@ void WorldProgression::SplitByAll(const GroundQuery& condition, Worlds& worlds) 
   for (const GroundQuery& operand : condition.operands) SplitByAll(operand, worlds);
 }
 
-// What was sensed of something that may have changed since is out of date.
+// Removes the sensed facts that may have changed since and are out of date.
 void WorldProgression::ForgetSensed(const std::vector<GroundEffect>& effects,
                                     const std::vector<bool>& may_happen, History& history) const {
   for (std::size_t e = 0; e < effects.size(); ++e) {
@@ -274,7 +275,7 @@ void WorldProgression::ChangeWorlds(const std::vector<GroundEffect>& effects,
     std::map<FunctionId, const GroundChange*> given;
     for (int pass = 0; pass < kPasses; ++pass) {
       for (std::size_t e = 0; e < effects.size(); ++e) {
-        const bool is_told = happens[e];  // to whoever executes the plan
+        const bool is_told = happens[e];  // the executor knows that the condition holds
         const bool applies =
             effects[e].is_of_worlds ? IsTrue(effects[e].condition, world) : is_told;
         if (!applies) continue;
@@ -341,7 +342,8 @@ void WorldProgression::Change(const GroundChange& change, const World& before, W
   }
 }
 
-// Worlds that differ in nothing but what the number was are one before it may be any.
+// Worlds that differ only in the forgotten number are merged before the number is replaced by every
+// possible number.
 void WorldProgression::OpenForgotten(int slot, Worlds& worlds) const {
   const auto is_kept = [&](const World& world) { return world.numbers[slot] != kForgotten; };
   const auto forgotten = std::partition(worlds.begin(), worlds.end(), is_kept);

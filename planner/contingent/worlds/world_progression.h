@@ -12,49 +12,50 @@ namespace assay::contingent {
 
 using Worlds = std::vector<World>;
 
-// The worlds that one history leads to, and what has been sensed on it.
+// The worlds that one history leads to, and the facts sensed in it.
 struct History {
   Worlds worlds;
   std::set<FormulaId> sensed;
-  std::map<FunctionId, double> values_sensed;  // with their errors
+  std::map<FunctionId, double> values_sensed;  // sensed functions with their sensor errors
 
   bool operator==(const History&) const = default;
   auto operator<=>(const History&) const = default;
 };
 
-// Whether a query holds after a history. Worlds that are a sample show that something is not known,
-// by one where it is false; where it is true in all of them, they cannot tell that it is not known.
+// The answer to a query after a history. If the worlds are a sample, one world where a fact is
+// false shows that the fact is not known. If the fact is true in all worlds of the sample, it
+// cannot be decided whether it is known, and the answer is kCannotTell.
 enum class Answer : std::int8_t { kNo, kCannotTell, kYes };
 
-// What is true in worlds, what is known in all worlds of a history, and how actions change them
-// (progression, world by world). Naive by purpose: the checker of plan trees relies on it
-// (tree_check.h).
+// Evaluates what is true in worlds and what is known in all worlds of a history, and computes how
+// actions change them (progression, world by world). The algorithm is naive on purpose, because the
+// checker of plan trees relies on it (tree_check.h).
 class WorldProgression {
  public:
-  // Keeps references. `are_sample`: of the worlds, or of their numbers. Where there would be more
-  // than `most_worlds` in a history, not all are made.
+  // Keeps references. `are_sample` is true if the worlds or their numbers are a sample. If a
+  // history would have more than `most_worlds` worlds, not all of them are made.
   WorldProgression(const GroundTask& task, const NumberMarks& marks, bool are_sample,
                    std::size_t most_worlds)
       : task_(task), marks_(marks), are_sample_(are_sample), most_worlds_(most_worlds) {}
 
   bool HasMadeTooMany() const { return has_made_too_many_; }
-  // Whether there was an effect of which a sample cannot tell that it happens.
+  // Returns true if a sample could not decide whether some effect happens.
   bool CouldNotTell() const { return could_not_tell_; }
-  // The function that has been given two values at once, if any.
+  // Returns a function that was given two values at once, or none.
   FunctionId TwoValued() const { return two_valued_; }
-  // Whether update rules did not come to rest.
+  // Returns true if the update rules did not come to rest.
   bool IsRestless() const { return is_restless_; }
 
   static bool IsTrue(GroundLiteral literal, const World& world);
   bool IsTrue(const Formula& formula, const World& world) const;
   Answer Ask(const GroundQuery& query, const History& history) const;
 
-  // Two worlds for each that leaves the atom open.
+  // Replaces each world that leaves the atom open by two worlds.
   void SplitBy(AtomId atom, Worlds& worlds);
 
-  // Effects that happen at once.
+  // Applies effects that happen at once.
   void Apply(const std::vector<GroundEffect>& effects, History& history);
-  // Update rules, until nothing changes or they are restless.
+  // Applies the update rules until nothing changes or too many rounds have passed.
   void Update(History& history);
 
  private:

@@ -8,8 +8,9 @@
 
 namespace assay::contingent {
 
-// Sets of worlds as diagrams over a task's atoms. Each atom has two variables: its own, and one
-// that stands for its new value while an effect is computed. Behind them are those of open bounds.
+// Sets of worlds as diagrams over a task's atoms. Each atom has two variables: its own, and one for
+// its new value during the computation of an effect. The variables of open bounds come after those
+// of all atoms.
 class WorldSets : public DecisionDiagrams {
  public:
   explicit WorldSets(const GroundTask& task);
@@ -17,16 +18,16 @@ class WorldSets : public DecisionDiagrams {
   int Variable(AtomId atom) const { return 2 * places_[atom.index()]; }
   int NewVariable(AtomId atom) const { return Variable(atom) + 1; }
   bool IsOfAtom(int variable) const { return variable < 2 * std::ssize(atom_at_); }
-  // The atom of a variable, which is of one.
+  // Returns the atom of a variable. IsOfAtom must be true for the variable.
   AtomId AtomOf(int variable) const { return atom_at_[variable / 2]; }
 
   Diagram Where(GroundLiteral literal) {
     return Literal({Variable(literal.atom), literal.is_positive});
   }
-  // Where a condition that asks K alone is true.
+  // Returns the worlds where a condition that asks only K is true.
   Diagram Where(const GroundQuery& condition, OpenBounds& bounds);
   Diagram WhereAll(const std::vector<GroundLiteral>& literals);
-  // Where exactly one, or at least one, of the literals holds.
+  // Returns the worlds where exactly one, or at least one, of the literals holds.
   Diagram WhereOne(const std::vector<GroundLiteral>& literals, bool is_inclusive);
 
  private:

@@ -49,8 +49,8 @@ std::vector<std::string> Hypotheses(const Problem& problem, const RelaxedProblem
                   workcell.placements().size(), workcell.name())};
 }
 
-// A deletion filter: what can be left out without making the problem possible is left out; what
-// remains is minimal (Chinneck and Dravnieks 1991).
+// A deletion filter (Chinneck and Dravnieks 1991). It leaves out each constraint whose removal does
+// not make the problem possible. The rest is minimal.
 std::vector<Constraint> MinimalConflict(const RelaxedProblem& relaxed) {
   std::vector<Constraint> conflict = relaxed.Constraints();
   for (const Constraint& candidate : relaxed.Constraints()) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr StepId kAnyStep = PartialPlan::kFinish;
 
-// That one robot brings about nothing new.
+// Checks that one robot attains nothing outside the set.
 class RobotCheck {
  public:
   RobotCheck(const Problem& problem, int robot, const Attainable& attainable)
@@ -48,7 +48,8 @@ class RobotCheck {
   bool Held(PartId part, int grasp) const { return attainable_.held[robot_][part.index()][grasp]; }
   bool Rests(PartId part, int position) const { return attainable_.rests[part.index()][position]; }
 
-  // The parts that surely are where they were at the start, but for those that act.
+  // Returns the world of the parts that surely are where they were at the start, without the acting
+  // parts.
   World WorldBut(std::initializer_list<PartId> acting) const {
     World world(problem_);
     for (std::size_t p = 0; p < problem_.parts.size(); ++p) {
@@ -142,7 +143,7 @@ class RobotCheck {
   StepGeometry geometry_;
 };
 
-// That the set contains the start, and what is said of it follows from what is in it.
+// Returns true if the set contains the start and its members are consistent with each other.
 bool IsCoherent(const Problem& problem, const Attainable& attainable) {
   for (std::size_t p = 0; p < problem.parts.size(); ++p) {
     if (!attainable.rests[p][domain::InitialLabel(problem.parts[p])]) return false;

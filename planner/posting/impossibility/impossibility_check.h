@@ -4,10 +4,10 @@
 
 namespace assay::posting {
 
-// Whether no action leads from what is attainable to anything else, and a goal is missing: then no
-// plan exists. Naive: goes through every robot, part, grasp and place, and asks of each action in
-// turn whether it works, as plan instances are made (step_geometry.h), among the parts that surely
-// are where they were at the start. It uses nothing of what found the set but its meaning.
+// Returns true if no action leads out of the attainable set and the set misses a goal. Then no plan
+// exists. The check is naive. It goes through every robot, part, grasp and place, and tests each
+// action as plan instances do (step_geometry.h), among the parts that surely are where they were at
+// the start. It uses only the meaning of the set, and nothing of the code that found it.
 bool Confirms(const domain::Problem& problem, const Attainable& attainable);
 
 }  // namespace assay::posting

@@ -35,7 +35,8 @@ std::string PositionText(const Part& part, int position) {
   return "where it starts";
 }
 
-// "peg, 38.1 mm wide between 3 (left side), 4 (right side), approached along (0, 0, -1), ..."
+// Returns a text such as "peg, 38.1 mm wide between 3 (left side), 4 (right side), approached along
+// (0, 0, -1), ..."
 std::string HoldText(const RelaxedProblem& relaxed, const HoldOption& hold) {
   const Problem& worked = relaxed.hands()[hold.robot]->problem();
   const Part& part = worked.part(hold.part);
@@ -115,7 +116,8 @@ class NearMiss {
          .waiver = Relaxation::Waiver{.condition = condition_, .excess = excess, .also = also}});
   }
 
-  // Of several that fail by as much, one that is enough by itself, if there is one.
+  // Returns a hold that fails by the least excess. If the waiver of one such hold alone is enough,
+  // it returns that hold.
   const HoldOption& NeededOf(std::span<const Miss> misses) const {
     const double excess = misses.front().first;
     for (const Miss& miss : misses) {
@@ -128,10 +130,11 @@ class NearMiss {
   const RelaxedProblem& relaxed_;
   GraspCondition condition_;
   std::vector<Constraint> constraints_;
-  std::vector<Miss> misses_;  // by increasing excess
+  std::vector<Miss> misses_;  // sorted by increasing excess
 };
 
-// Of the stable poses of the fixed part, the one in which the vector is nearest to the cone.
+// Returns the leans of the mating vector in all stable poses of the fixed part in which it is
+// outside the cone.
 std::string FrictionConeText(const Problem& problem, MatingId id) {
   const Mating& mating = problem.mating(id);
   const Part& fixed = problem.part(mating.fixed);

@@ -7,9 +7,10 @@
 
 namespace assay::posting {
 
-// For each constraint of a conflict that limits a quantity: the least excess with which the
-// problem, or if that is not enough the rest of the conflict, would be possible, and what would
-// then be held or mated where. In words, with values and units, in the order of the conflict.
+// Returns one text for each constraint of a conflict that limits a quantity, in the order of the
+// conflict. A text gives, with values and units, the least excess with which the problem would be
+// possible, and the hold or mating that would then be used. If the problem stays impossible without
+// the constraint, only the constraints of the conflict are considered.
 std::vector<std::string> NearMisses(const RelaxedProblem& relaxed,
                                     const std::vector<Constraint>& conflict);
 

@@ -24,11 +24,12 @@ std::string MatingText(const Problem& problem, const Mating& mating) {
                      problem.part(mating.fixed).name);
 }
 
-// What the start and the goals, each by itself, ask of one part.
+// The roles of one part in the start and in the goals.
 struct PartRoles {
-  std::vector<std::string> at_start = {};  // matings
-  std::vector<std::string> goals = {};     // that do not hold at the start
-  bool is_only_fixed = true;               // in the goals' matings, and nothing else
+  std::vector<std::string> at_start = {};  // the part's matings at the start
+  std::vector<std::string> goals = {};     // goals that do not hold at the start
+  // true if it is a fixed part in the goals' matings and has no other role
+  bool is_only_fixed = true;
 };
 
 PartRoles RolesOf(const Problem& problem, PartId part) {

@@ -7,9 +7,10 @@
 
 namespace assay::posting {
 
-// What this planner does not do, and a plan for the problem may need, in the scenario's words:
-// other robots than the one that acts, parts that are mated and yet to be moved or mated again,
-// parts that do not rest on a table by themselves. `relaxed`: of the problem, with its own grasps.
+// Returns, in the scenario's words, the limits of this planner that a plan for the problem may need
+// to exceed: robots other than the one that acts, mated parts that must be moved or mated again,
+// and parts that do not rest on a table by themselves. `relaxed` is the relaxation of the problem
+// with its own grasps.
 std::vector<std::string> LimitsOf(const domain::Problem& problem, const RelaxedProblem& relaxed);
 
 }  // namespace assay::posting

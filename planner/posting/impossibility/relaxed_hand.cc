@@ -27,7 +27,7 @@ bool Contains(const PartSet& set, const PartSet& subset) {
 
 bool IsEmpty(const PartSet& set) { return std::ranges::count(set, true) == 0; }
 
-// Whether one of the ways is free of all parts but those that have moved.
+// Returns true if one of the ways is free of all parts except those that have moved.
 bool SomeIsFree(const std::vector<PartSet>& ways, const PartSet& moved) {
   return std::ranges::any_of(
       ways, [&](const PartSet& in_the_way) { return Contains(moved, in_the_way); });
@@ -69,7 +69,7 @@ RelaxedHand::ConditionTable RelaxedHand::TableOf(const Part& gripped, const Part
 
 void RelaxedHand::AddPart(PartId id) {
   const Part& part = problem_.part(id);
-  // Parts of one model differ in where they start alone.
+  // Parts of one model differ only in where they start.
   const auto alike = std::ranges::find(problem_.parts, part.model, &Part::model);
   const PartId first(static_cast<std::size_t>(alike - problem_.parts.begin()));
   parts_.push_back(TableOf(part, part, [&](GraspId grasp, int position) {

@@ -27,7 +27,7 @@ using Kind = Constraint::Kind;
 
 namespace {
 
-constexpr double kWiderThanAnyPart = 1e3;  // metres
+constexpr double kWiderThanAnyPart = 1e3;  // metres; no part is wider
 
 // Parts of one model share their grasps.
 Problem WithMisses(Problem problem) {
@@ -46,7 +46,7 @@ Problem WithMisses(Problem problem) {
   return problem;
 }
 
-// Up to where it is on the table, and turned about the vertical.
+// Returns the pose without its place on the table and its rotation about the vertical.
 Pose PoseAt(const Part& part, int position) {
   return position == domain::InitialLabel(part) ? part.X_WorldPart
                                                 : part.model->stable_poses()[position].X_TablePart;
@@ -163,8 +163,8 @@ class FixedPoint {
 
   enum class Standing {
     kFails,
-    kHolds,    // since a condition is left out or waived
-    kHoldsAll  // whatever is left out
+    kHolds,    // it holds because a condition is left out or waived
+    kHoldsAll  // it holds without leaving out any condition
   };
   Standing StandingOf(const HoldOption& hold, int asked) const {
     const int broken = relaxed_.Broken(hold) & asked;
@@ -204,13 +204,13 @@ class FixedPoint {
                                                       now_.moved);
   }
 
-  // What a mating asks of the hand wherever the fixed part is.
+  // Tests the conditions of a mating on the hand that do not depend on where the fixed part is.
   bool CanMateSomewhere(const HoldOption& hold) const {
     const int asked = GraspCondition::kOpening | GraspCondition::kMateClear;
     return StandingOf(hold, asked | static_cast<int>(GraspCondition::kPadsFit)) != Standing::kFails;
   }
 
-  // Whether the fixed part's position allows the mating.
+  // Returns whether the fixed part's position allows the mating.
   Standing StandingOfPlace(const HoldOption& hold) const {
     const Mating& mating = problem_.mating(hold.mating);
     const Part& fixed = problem_.part(mating.fixed);
@@ -229,7 +229,7 @@ class FixedPoint {
   const RelaxedProblem& relaxed_;
   const Problem& problem_;
   const Relaxation& relaxation_;
-  int left_out_ = 0;  // grasp conditions
+  int left_out_ = 0;  // the grasp conditions that are left out
   Attainable now_;
   bool grown_ = false;
   std::vector<HoldOption> holds_;
@@ -245,7 +245,7 @@ std::string FeatureList(const Mating& mating, Side side) {
   return fmt::format("{}", fmt::join(numbers, ", "));
 }
 
-// Robots need not have the same gripper.
+// Robots may have different grippers, so the texts may differ.
 std::string DescribeOfEach(const std::vector<std::unique_ptr<RelaxedHand>>& hands,
                            GraspCondition condition) {
   std::vector<std::string> by_robot;

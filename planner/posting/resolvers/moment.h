@@ -8,24 +8,26 @@
 
 namespace assay::posting {
 
-// The (nominal) world before each action of a plan instance, and after the last.
+// Returns the nominal world before each action of a plan instance, and after the last action.
 std::vector<plan::WorldState> StatesOf(const domain::Problem& problem,
                                        std::span<const plan::Action> actions);
 
-// The latest moment up to that of `step` at which the part rests, neither held nor mated into
-// another; none if it never does.
+// Returns the index of the latest action, up to `step`, before which the part rests, neither held
+// nor mated into another part. Returns none if there is no such action.
 std::optional<int> LatestFree(const std::vector<plan::WorldState>& states, int step,
                               domain::PartId part);
-// The latest at which, besides, the hand is empty and the part is mated with no other.
+// Returns the index of the latest action, up to `step`, before which the hand is empty and the part
+// is mated with no other part. Returns none if there is no such action.
 std::optional<int> LatestGraspable(const domain::Problem& problem,
                                    const std::vector<plan::WorldState>& states, int step,
                                    domain::PartId part);
 
-// What is left to do in a state with an empty hand, as a problem: parts are and matings hold at the
-// start as they do there. Errors are left as they are.
+// Returns the rest of the problem in a state with an empty hand. Its parts and matings at the start
+// are those of the state. The errors are unchanged.
 domain::Problem ProblemFrom(domain::Problem problem, const plan::WorldState& state);
 
-// Where the part is before actions[moment], labelled as the action that brought it there does.
+// Returns the place of the part before actions[moment], with the label of the action that brought
+// it there.
 plan::Place PlaceBefore(const UnmetGoals& unmet, const std::vector<plan::WorldState>& states,
                         int moment, domain::PartId part);
 

@@ -12,14 +12,16 @@
 
 namespace assay::posting {
 
-// Uncertainty-reduction goals of one step of a plan instance that could not be proved.
+// The uncertainty-reduction goals of one step of a plan instance that could not be proved.
 struct UnmetGoals {
   const domain::Problem& problem;
-  std::span<const plan::Action> actions;  // of the instance, in the order of execution
-  int step = 0;                           // whose goals they are: index in `actions`
+  std::span<const plan::Action> actions;  // the instance's actions, in the order of execution
+  int step = 0;                           // index in `actions` of the step that has the goals
   std::vector<uncertainty::Unproved> goals;
-  std::vector<domain::PartId> parts = {};  // whose errors occur in the goals, in increasing order
-  // By which fine motion executes them; by index in `actions`. Empty: none has any.
+  // the parts whose errors occur in the goals, in increasing order
+  std::vector<domain::PartId> parts = {};
+  // By index in `actions`: the fine motion strategy that executes the action. Empty if no action
+  // has one.
   std::vector<std::optional<plan::Strategy>> strategies = {};
 };
 
@@ -29,34 +31,36 @@ struct Insertion {
   plan::Action action;
 };
 
-// One thing to do about unmet goals, as far as one part is concerned: actions to insert, whose own
-// preconditions are then proved like any other's; or a way to execute the step that needs certain
-// conditions no longer, because it absorbs the error itself (fine motion) or finds out at run time
-// (contingent plans). What a strategy takes for granted of the errors is proved instead.
+// One way to treat unmet goals, as far as one part is concerned. Either it inserts actions, whose
+// own preconditions are proved like those of any other action. Or it gives a way to execute the
+// step for which certain conditions need not hold, because it absorbs the error (fine motion) or
+// resolves it at run time (contingent plans). A strategy's assumptions about the errors are proved
+// instead of these conditions.
 struct Remedy {
   domain::PartId part;
-  std::vector<Insertion> insertions = {};       // in the order of execution
-  std::vector<std::string> absorbs = {};        // conditions of the step (Precondition::condition)
-  std::optional<plan::Strategy> strategy = {};  // by which the step is then executed
+  std::vector<Insertion> insertions = {};  // in the order of execution
+  // conditions of the step that it absorbs (Precondition::condition)
+  std::vector<std::string> absorbs = {};
+  std::optional<plan::Strategy> strategy = {};  // the strategy that then executes the step
 };
 
-// A way to reduce uncertainty. The uncertainty phase knows nothing else of it.
+// A way to reduce uncertainty. The uncertainty phase uses resolvers only through this interface.
 class Resolver {
  public:
   virtual ~Resolver() = default;
 
-  virtual std::string_view name() const = 0;  // "sensing"
-  // Whether what it inserts may move parts. What does not is also inserted where it proves nothing
-  // but brings a step nearer to being proved.
+  virtual std::string_view name() const = 0;  // such as "sensing"
+  // Returns true if the inserted actions may move parts. Actions that move no part are inserted
+  // even if they prove nothing but bring a step nearer to being proved.
   virtual bool disturbs() const { return true; }
-  // The conditions that its remedies may absorb. A step that fails in others even when all is known
-  // that remedies could tell fails whatever is tried.
+  // Returns the conditions that its remedies may absorb. If other conditions of a step fail even
+  // with all knowledge that remedies could give, no remedy can prove the step.
   virtual std::vector<std::string> absorbs() const { return {}; }
-  // Remedies worth trying, alone or together with others for other parts, best first. Operational
-  // and geometric preconditions of what they insert hold; uncertainty-reduction preconditions need
-  // not.
+  // Returns remedies that are worth trying, alone or together with remedies for other parts, best
+  // first. The operational and geometric preconditions of their inserted actions hold. Their
+  // uncertainty-reduction preconditions need not hold.
   virtual std::vector<Remedy> Propose(const UnmetGoals& unmet) = 0;
-  // Parts that would have to be elsewhere, so that there were more remedies to propose.
+  // Returns the parts that would have to be elsewhere for more remedies to be possible.
   virtual std::vector<domain::PartId> Obstacles(const UnmetGoals&) const { return {}; }
 };
 

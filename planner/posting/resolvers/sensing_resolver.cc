@@ -5,7 +5,7 @@
 namespace assay::posting {
 namespace {
 
-// Each sensor alone, then each two, then all of them.
+// Returns each sensor alone, then each pair, then all sensors.
 std::vector<std::vector<std::string>> SetsOf(const std::vector<std::string>& sensors) {
   std::vector<std::vector<std::string>> sets;
   for (const std::string& sensor : sensors) sets.push_back({sensor});

@@ -4,9 +4,9 @@
 
 namespace assay::posting {
 
-// Looks at parts whose errors make a goal fail, with one or more of the sensors that may be used,
-// at the latest moment before the step at which the part lies free (Spar, "Satisfying
-// Uncertainty-Reduction Goals").
+// Looks at parts whose errors make a goal fail, with one or more of the available sensors, at the
+// latest time before the step at which the part lies free (Spar, "Satisfying Uncertainty-Reduction
+// Goals").
 class SensingResolver : public Resolver {
  public:
   std::string_view name() const override { return "sensing"; }

@@ -17,7 +17,7 @@ using domain::PartId;
 using geometry::Pose;
 using geometry::Vector3;
 
-// Closing directions that differ by less are the same.
+// Closing directions that differ by less than this angle count as equal.
 constexpr double kSameDirection = 5 * std::numbers::pi / 180;
 
 bool AreParallel(const Vector3& a, const Vector3& b) {
@@ -32,7 +32,8 @@ std::vector<domain::PlacedPart> OthersThan(const plan::WorldState& state, PartId
   return others;
 }
 
-// The part that the hand meets as it gets there, open, and closes on the part; None if it is free.
+// Returns the part that the hand meets while it arrives open and closes on the part, or None if it
+// is free.
 PartId ObstacleOf(const domain::Problem& problem, const plan::WorldState& state, PartId part,
                   const Grasp& grasp, const Pose& X_WorldTool) {
   const domain::Workcell& workcell = *problem.workcell;
@@ -48,11 +49,11 @@ PartId ObstacleOf(const domain::Problem& problem, const plan::WorldState& state,
   return PartId::None();
 }
 
-// The part's grasps, those of the tool that leans least first.
+// Returns the part's grasps, ordered by the lean of the tool, the least first.
 std::vector<GraspId> ByLean(const domain::Part& part, const Pose& X_WorldPart) {
   std::vector<GraspId> order;
-  // The z components of the tools' axes: -1 is straight down. They are rounded, so that equal leans
-  // compare equal on every machine.
+  // The z components of the tools' axes, where -1 is straight down. They are rounded, so that equal
+  // leans compare equal on every machine.
   std::vector<double> heights;
   for (const Grasp& grasp : *part.grasps) {
     order.emplace_back(heights.size());
@@ -63,8 +64,8 @@ std::vector<GraspId> ByLean(const domain::Part& part, const Pose& X_WorldPart) {
   return order;
 }
 
-// The squeezes of a part that are possible, one for each closing direction, and what the hand meets
-// in other directions.
+// The possible squeezes of a part, one for each closing direction, and the parts that block the
+// other directions.
 struct Squeezes {
   std::vector<plan::Squeeze> possible = {};
   std::vector<PartId> obstacles = {};
@@ -99,7 +100,7 @@ Squeezes SqueezesOf(const domain::Problem& problem, const plan::WorldState& stat
   return squeezes;
 }
 
-// Each squeeze alone, then each two in either order.
+// Returns each squeeze alone, then each pair in both orders.
 std::vector<std::vector<plan::Action>> SequencesOf(const std::vector<plan::Squeeze>& squeezes) {
   std::vector<std::vector<plan::Action>> sequences;
   for (const plan::Squeeze& squeeze : squeezes) sequences.push_back({squeeze});

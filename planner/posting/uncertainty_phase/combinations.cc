@@ -25,7 +25,7 @@ class Combinations {
   }
 
  private:
-  // With `missing` more items from `next` on, the last of them of the present group.
+  // Adds `missing` more items from index `next` on. The last item must belong to the present group.
   bool Extend(int next, int missing) {
     if (missing == 0) {
       return items_[chosen_.back()].group == group_ && budget_.Spend() && visit_(chosen_);

@@ -6,16 +6,16 @@
 
 namespace assay::posting {
 
-// Something that may be combined with others of other subjects.
+// An item that may be combined with items of other subjects.
 struct Combinable {
   int group = 0;    // lower groups are preferred
-  int subject = 0;  // what it is about
+  int subject = 0;  // the number of the item's subject
 };
 
-// Goes through the combinations of at most `most` items, of distinct subjects: first those of group
-// 0 alone, the smaller first, then those that reach to group 1 as well, and so on. Items come in
-// the order of their groups. Stops when `visit` answers true, and then answers true; or after
-// `budget` visits.
+// Visits the combinations of at most `most` items with distinct subjects. The combinations of group
+// 0 alone come first, the smaller ones first. The combinations that reach to group 1 come next, and
+// so on. `items` must be sorted by group. Stops when `visit` returns true, and then returns true.
+// Returns false after `budget` visits or when all combinations were visited.
 bool VisitCombinations(const std::vector<Combinable>& items, int most, std::int64_t budget,
                        const std::function<bool(const std::vector<int>& chosen)>& visit);
 

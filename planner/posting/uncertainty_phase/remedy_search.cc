@@ -28,8 +28,8 @@ std::optional<RemedySearch::Mended> RemedySearch::Proving() {
   return proving;
 }
 
-// Not if other goals of the step than those that remedies absorb fail even when all is known that
-// they could tell: then trying them one by one is of no use.
+// Returns false if a goal that no remedy absorbs fails even with the best knowledge. Trying
+// remedies one by one is useless then.
 bool RemedySearch::MayBeProved(std::vector<std::string> absorbable) const {
   if (!task_.best) return true;
   const std::vector<std::string>& absorbed = steps_[step_].absorbed;
@@ -37,7 +37,7 @@ bool RemedySearch::MayBeProved(std::vector<std::string> absorbable) const {
   return task_.best->LeastShortfall(steps_.MomentAfter(step_, *task_.best), absorbable).goals == 0;
 }
 
-// Of the resolvers that may absorb errors, or of the others.
+// Returns the remedies of the resolvers that may absorb errors, or those of the other resolvers.
 std::vector<RemedySearch::Candidate> RemedySearch::Candidates(Absorbing absorbing) {
   std::vector<plan::Action> actions;
   std::vector<std::optional<plan::Strategy>> strategies;
@@ -63,7 +63,7 @@ std::vector<RemedySearch::Candidate> RemedySearch::Candidates(Absorbing absorbin
   return candidates;
 }
 
-// Of the combinations with a candidate that may absorb errors, or of those without.
+// Tries the combinations with a candidate that may absorb errors, or those without one.
 std::optional<RemedySearch::Mended> RemedySearch::ProvingRemedies(Absorbing absorbing) {
   const std::vector<Combinable> items = Items();
   std::optional<Mended> proving;
@@ -101,7 +101,7 @@ std::optional<RemedySearch::Mended> RemedySearch::Nearing() {
   return nearest;
 }
 
-// Adds to the reasons for moving parts why it did not do without.
+// Adds to each reason for moving parts the goals that remain unmet without moving parts.
 void RemedySearch::NoteWhatFellShort(AugmentedStep& mended) {
   const auto disturbs = [&](const Measure& measure) { return Disturbs(measure); };
   if (std::ranges::none_of(mended.measures, disturbs)) return;
@@ -130,7 +130,7 @@ std::vector<Combinable> RemedySearch::Items() const {
   return items;
 }
 
-// The steps with the chosen remedies applied.
+// Returns the steps with the chosen remedies applied.
 RemedySearch::Mended RemedySearch::With(const std::vector<int>& chosen) const {
   Mended mended = {.steps = steps_.WithoutAny()};
   AugmentedStep target = steps_[step_];
@@ -161,8 +161,9 @@ std::string RemedySearch::NameOf(const Candidate& candidate) const {
   return std::string(ResolverOf(candidate.resolver).name());
 }
 
-// The first of the new steps up to the mended one, and of those after one, that is not proved and
-// was not given up; or else the mended step, if it is not proved.
+// Returns the first step that must be proved and is not, or none. The steps that must be proved are
+// the new steps before the mended one, the steps after a new step that were not given up, and the
+// mended step.
 std::optional<RemedySearch::UnprovedStep> RemedySearch::FirstUnproved(const Mended& mended) const {
   uncertainty::WorldTree& tree = task_.possible;
   MomentId moment = tree.Beginning();
@@ -178,7 +179,7 @@ std::optional<RemedySearch::UnprovedStep> RemedySearch::FirstUnproved(const Mend
   return std::nullopt;
 }
 
-// None if the mended step is not reached.
+// Returns none if the mended step is not reached, because an earlier step is not proved.
 std::optional<Shortfall> RemedySearch::ShortfallAfter(const Mended& mended) const {
   const auto unproved = FirstUnproved(mended);
   if (!unproved) return Shortfall{};

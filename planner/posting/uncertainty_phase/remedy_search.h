@@ -13,33 +13,36 @@
 
 namespace assay::posting {
 
-// Looks for remedies for one step of which not all goals are proved: the fewest that prove all of
-// them and keep what is proved, sensing first (Spar, "Satisfying Uncertainty-Reduction Goals").
-// Beyond the paper, remedies go in wherever their preconditions hold, not only right before the
-// step, and a remedy may prepare another's own goals.
+// Searches for remedies for one step of which not all goals are proved. It returns the fewest
+// remedies that prove all goals of the step and keep the goals that are proved, with sensing first
+// (Spar, "Satisfying Uncertainty-Reduction Goals"). Beyond the paper, remedies are inserted
+// wherever their preconditions hold, not only right before the step, and a remedy may prepare the
+// goals of another remedy.
 class RemedySearch {
  public:
-  // Whether it is noted what is in the way of remedies.
+  // Whether the search records the parts that are in the way of remedies.
   enum class Obstacles { kIgnored, kNoted };
 
-  // All of them must outlive it.
+  // All references must outlive the search.
   RemedySearch(UncertaintyTask& task, const AugmentedSteps& steps, int step, const Unmet& unmet,
                Obstacles noted);
 
   // The steps with remedies.
   struct Mended {
     AugmentedSteps steps;
-    int step = 0;  // where the mended step is now
+    int step = 0;  // the index of the mended step
   };
 
-  // With those that prove all goals of the step. Strategies take long to find, and are asked for
-  // where nothing else proves the goals.
+  // Returns the steps with remedies that prove all goals of the step. Strategies take long to find,
+  // so they are tried only where nothing else proves the goals.
   std::optional<Mended> Proving();
-  // With those that bring the step nearest to being proved without moving parts; after Proving.
+  // Returns the steps with the remedies that bring the step nearest to being proved without moving
+  // parts. It must be called after Proving.
   std::optional<Mended> Nearing();
 
-  std::int64_t combinations() const { return combinations_; }  // that were tried to prove the step
-  // Parts beside which remedies cannot be executed, or not be proved.
+  // the number of combinations that were tried to prove the step
+  std::int64_t combinations() const { return combinations_; }
+  // Returns the parts beside which remedies cannot be executed or cannot be proved.
   const std::set<domain::PartId>& obstacles() const { return obstacles_; }
 
  private:

@@ -7,13 +7,14 @@
 
 namespace assay::posting {
 
-// How far a step is from being proved; less is better.
+// The distance of a step from being proved; less is better.
 struct Shortfall {
-  std::size_t goals = 0;  // that are not proved
-  double violation = 0;  // metres and radians: how far their bounds are beyond their limits, in all
+  std::size_t goals = 0;  // the number of goals that are not proved
+  // the sum of the excesses of their bounds over their limits, in metres and radians
+  double violation = 0;
 
   bool IsLessThan(const Shortfall& other) const {
-    constexpr double kRelevant = 1e-5;  // metres and radians: less is not worth an action
+    constexpr double kRelevant = 1e-5;  // metres and radians; a smaller gain is not worth an action
     return goals < other.goals || (goals == other.goals && violation < other.violation - kRelevant);
   }
 };

@@ -8,11 +8,12 @@
 
 namespace assay::posting {
 
-// The parts that an action moves, or moves to: of an assemble the held one and the fixed one.
+// Returns the parts that an action moves, or to which it moves a part. For an assemble they are the
+// held part and the fixed part.
 std::vector<domain::PartId> HandledParts(const domain::Problem& problem,
                                          const plan::Action& action);
 
-// What an action is about, in whatever plan.
+// The kind of an action and the parts it handles, independent of the plan.
 struct Subject {
   std::size_t kind = 0;  // index of the action's kind
   std::vector<domain::PartId> parts = {};

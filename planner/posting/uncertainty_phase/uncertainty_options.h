@@ -15,23 +15,27 @@ namespace assay::posting {
 struct UncertaintyOptions {
   uncertainty::Propagation propagation = uncertainty::Propagation::kSound;
   algebra::BoundRequest bound = {};
-  int most_remedies = 3;            // at once, for one step
-  std::int64_t combinations = 100;  // of remedies, tried for one step
-  std::int64_t instances = 10;      // plan instances looked at first, of all plans
-  std::int64_t moments = 12'000;    // of world trees, for each search for a plan with fewer errors
-  std::int64_t instances_for_violation = 0;  // of these, augmented for a smaller violation alone
+  int most_remedies = 3;  // the greatest number of remedies at once for one step
+  // the greatest number of combinations of remedies tried for one step
+  std::int64_t combinations = 100;
+  // the number of plan instances considered at first, over all plans
+  std::int64_t instances = 10;
+  // snapshots of world trees, for each search for a plan with fewer errors
+  std::int64_t moments = 12'000;
+  // the number of instances that may be augmented only because their violation may be smaller
+  std::int64_t instances_for_violation = 0;
   std::vector<std::shared_ptr<Resolver>> resolvers = {};  // empty: sensing, then squeezing
-  std::vector<plan::Sense> looks =
-      {};  // with which every plan begins, whether it needs them or not
-  // Asked of each plan instance of the first phase before it is augmented: those that cannot be
-  // executed are passed over. Empty: all can be.
+  // sensing actions with which every plan begins, whether it needs them or not
+  std::vector<plan::Sense> looks = {};
+  // Called for each plan instance of the first phase before it is augmented. An instance that
+  // cannot be executed is skipped. Without a function, all instances can be executed.
   std::function<bool(const plan::Plan&)> can_be_executed = {};
 
-  // Conditions that some remedy may absorb.
+  // Returns the conditions that some remedy may absorb.
   std::vector<std::string> Absorbable() const;
 };
 
-// With the resolvers that are meant where none are given.
+// Returns the options with the default resolvers if they have none.
 UncertaintyOptions WithDefaults(UncertaintyOptions options);
 
 }  // namespace assay::posting

@@ -19,11 +19,13 @@ class CertifiedPlanning {
                     const UncertaintyOptions& options)
       : planner_(planner), relations_(problem), task_(problem, options), best_(task_) {}
 
-  // The first instances tell how many errors no search can spare; those beyond are searched for.
+  // The first instances show which errors no search can avoid. Later searches look for plans
+  // without the other errors.
   plan::PlanResult Run() {
     plan::PlanResult result = AmongTheFirst();
     if (!best_.exists()) return Answer(std::move(result));
-    // What fails with all grasps that there are may not fail with one that parts are in the way of.
+    // A step that fails with all available grasps may be proved with a grasp that is blocked by
+    // parts. So the first search accepts no errors.
     Search(0, {}, result);
     const std::vector<Subject> anywhere = best_.FailingAnywhere();
     const int least = std::max(best_.certain_errors(), static_cast<int>(anywhere.size()));
@@ -31,22 +33,23 @@ class CertifiedPlanning {
       Search(errors, anywhere, result);
     }
     if (best_.is_proved() && best_.actions() > result.counters.at("least_actions")) {
-      Join(WithErrors(0, {}, IfUnproved::kObject), result);  // which may spare actions
+      Join(WithErrors(0, {}, IfUnproved::kObject), result);  // the search may save actions
     }
     return Answer(std::move(result));
   }
 
  private:
-  // Unless the best plan has no more errors.
+  // Searches with this number of errors if the best plan has more.
   void Search(int errors, const std::vector<Subject>& anywhere, plan::PlanResult& result) {
     for (const IfUnproved way : {IfUnproved::kObjectAtOnce, IfUnproved::kObject}) {
       if (errors < best_.errors()) Join(WithErrors(errors, anywhere, way), result);
     }
   }
 
-  // Looks for a plan in which so many steps are not proved, at most: steps that fail are mended by
-  // other instances, and by goals for the first phase. `anywhere`: what fails wherever parts are in
-  // the best plan. Other places are mostly found sooner than remedies that make them unnecessary.
+  // Searches for a plan in which at most `errors` steps are not proved. Steps that fail are mended
+  // by other instances and by goals of the first phase. `anywhere` contains the subjects that fail
+  // in the best plan wherever parts are. Other places are mostly found sooner than remedies that
+  // make them unnecessary.
   plan::PlanResult WithErrors(int errors, const std::vector<Subject>& anywhere,
                               IfUnproved if_unproved) {
     const int by_place = std::max(0, errors - static_cast<int>(anywhere.size()));
@@ -63,7 +66,7 @@ class CertifiedPlanning {
     return MakePlan(task_.problem, relations_, first_phase);
   }
 
-  // The best of the first instances, with whatever errors.
+  // Returns the best of the first instances, with any number of errors.
   plan::PlanResult AmongTheFirst() {
     PlannerOptions first_phase = planner_;
     std::int64_t considered = 0;
@@ -80,7 +83,7 @@ class CertifiedPlanning {
     return !task_.options.can_be_executed || task_.options.can_be_executed(instance);
   }
 
-  // Counts the work of another search, whose outcome is the last.
+  // Adds the counters of another search to the result, which gets the outcome of that search.
   static void Join(plan::PlanResult other, plan::PlanResult& result) {
     result.outcome = other.outcome;
     for (const auto& [name, count] : other.counters) {
@@ -94,7 +97,7 @@ class CertifiedPlanning {
       result.outcome = Outcome::kFound;
       result.conflict.clear();
       result.plan = best_.WriteOut();
-    } else if (result.outcome == Outcome::kFound) {  // but nothing that can be executed
+    } else if (result.outcome == Outcome::kFound) {  // plans were found, but none can be executed
       result.outcome = Outcome::kBudget;
       result.plan = {};
     }

@@ -9,10 +9,10 @@
 
 namespace assay::posting {
 
-// What all that is done about the uncertainty in plan instances of a problem shares: above all what
-// is known as they are executed, one way and another.
+// The data shared by all work on the uncertainty in plan instances of one problem. Its world trees
+// record what is known during execution.
 struct UncertaintyTask {
-  // Both must outlive it; the options have resolvers.
+  // Both arguments must outlive the object, and the options must have resolvers.
   UncertaintyTask(const domain::Problem& of, const UncertaintyOptions& with)
       : problem(of), options(with), possible(of, with.propagation, with.bound) {
     if (BestKnown::Bounds(of, with.propagation)) best.emplace(of, with.propagation, with.bound);
@@ -23,7 +23,7 @@ struct UncertaintyTask {
   const domain::Problem& problem;
   const UncertaintyOptions& options;
   uncertainty::WorldTree possible;
-  std::optional<BestKnown> best;  // where it bounds what remedies can reach
+  std::optional<BestKnown> best;  // present only if it bounds the effect of all remedies
 };
 
 }  // namespace assay::posting

@@ -7,17 +7,18 @@
 
 namespace assay::posting {
 
-// The goals that are left when certain conditions are taken care of.
+// Returns the goals without those whose conditions are absorbed.
 std::vector<uncertainty::Unproved> WithoutConditions(const std::vector<std::string>& absorbed,
                                                      std::vector<uncertainty::Unproved> unproved);
 
-// Whether a goal may be proved with the same grasp and the same side up elsewhere on the table.
+// Returns true if the goal may be proved elsewhere on the table with the same grasp and the same
+// stable pose.
 bool DependsOnPlace(const uncertainty::Unproved& goal);
 
-// In which the errors occur that matter.
+// Returns the goals' expressions, which contain the errors on which they depend.
 std::vector<algebra::Expression> ExpressionsOf(const std::vector<uncertainty::Unproved>& goals);
 
-// "not proved that ...: SUP 1.2, must be < 1 mm"
+// Returns a text such as "not proved that ...: SUP 1.2, must be < 1 mm".
 std::string WhyUnproved(const plan::CertifiedPrecondition& claim);
 
 }  // namespace assay::posting

@@ -12,11 +12,11 @@ namespace {
 using domain::MeasuredQuantity;
 using domain::VerifiedAction;
 
-// What is expected to be measured after an action, metres.
+// The expected measurements after an action, in metres.
 struct Expected {
   VerifiedAction action;
-  double opening = 0;      // between the pads
-  double tool_height = 0;  // above the table
+  double opening = 0;      // the distance between the pads
+  double tool_height = 0;  // the tool's height above the table
 };
 
 double HeightOf(const geometry::Pose& X_WorldTool) { return X_WorldTool.translation().z(); }
@@ -38,14 +38,14 @@ struct ExpectedAfter {
         VerifiedAction::kAssemble, assemble.hold.width,
         HeightOf(assemble.fixed.X_WorldPart * mating.X_FixedHeld * assemble.hold.X_PartTool)};
   }
-  // These are inserted only where they are proved.
+  // Sensing and squeezing are inserted only where they are proved.
   std::optional<Expected> operator()(const plan::Sense&) const { return std::nullopt; }
   std::optional<Expected> operator()(const plan::Squeeze&) const { return std::nullopt; }
 };
 
-// How far apart the places of a search may lie, so that none that is right is missed: a shaft finds
-// its hole within a square of twice the clearance, however that is turned against the search. A
-// tenth is for what the parts are turned against each other.
+// The greatest pitch of a search that misses no place, in metres. A shaft finds its hole within a
+// square of twice the clearance, however this square is turned against the search. A tenth is
+// reserved for the rotation of the parts against each other.
 struct FinestPitch {
   const domain::Problem& problem;
 
@@ -87,7 +87,7 @@ void AddVerification(const domain::Problem& problem, plan::StepId step, const pl
   for (const domain::VerificationTemplate& check :
        problem.workcell->uncertainty_operations().verifications) {
     if (check.after != expected->action) continue;
-    // A height is uncertain when all went well, too.
+    // A height is uncertain even without a failure.
     const bool is_height = check.quantity == MeasuredQuantity::kToolHeight;
     plan.verifications.push_back({.step = step,
                                   .name = check.name,

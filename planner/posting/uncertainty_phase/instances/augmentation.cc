@@ -19,7 +19,7 @@ void AddInTheWay(PartId part, std::string why, Objection& objection) {
   if (!is_known) objection.in_the_way.push_back({part, std::move(why)});
 }
 
-// What the goals say of the objection, the one that is missed by most first.
+// Completes the objection from the goals. The goal with the greatest violation comes first.
 void Explain(std::vector<Unproved> goals, const UncertainWorld& world, Objection& objection) {
   std::ranges::stable_sort(goals, {}, [](const Unproved& goal) { return goal.claim.margin; });
   objection.why = WhyUnproved(goals.front().claim);
@@ -27,7 +27,7 @@ void Explain(std::vector<Unproved> goals, const UncertainWorld& world, Objection
   for (const PartId part : world.PartsIn(ExpressionsOf(goals))) {
     if (std::ranges::count(objection.parts, part) == 0) objection.parts.push_back(part);
   }
-  if (!objection.place) return;  // it fails were nothing else there
+  if (!objection.place) return;  // the step would fail even without other parts
   for (const Unproved& goal : goals) {
     if (!goal.neighbour.IsNone()) AddInTheWay(goal.neighbour, WhyUnproved(goal.claim), objection);
   }
@@ -56,7 +56,7 @@ bool Augmentation::Add(plan::StepId id, const plan::Action& action, IfUnproved i
   return !steps_.last().fails();
 }
 
-// False if a remedy was inserted, so that all must be decided anew.
+// Returns false if a remedy was inserted, so that all steps must be decided again.
 bool Augmentation::DecideInOrder() {
   MomentId moment = task_->possible.Beginning();
   for (int i = 0; i < steps_.size(); ++i) {
@@ -70,8 +70,8 @@ bool Augmentation::DecideInOrder() {
   return true;
 }
 
-// Whether remedies were applied. If none prove all the step's goals, the step is given up, and
-// only what brings it nearest without moving parts is applied.
+// Returns true if remedies were applied. If none prove all the step's goals, the step is given up,
+// and only the remedies that bring it nearest without moving parts are applied.
 bool Augmentation::Mend(int step, const Unmet& unmet) {
   obstacles_.clear();
   const auto goals = WithoutConditions(unmet.absorbed, task_->possible.UnprovedAt(unmet.after));
@@ -114,8 +114,8 @@ std::vector<Unproved> Augmentation::GoalsUnproved(int step) const {
   return steps_[step].Unabsorbed(task_->possible.UnprovedAt(steps_[step].failed));
 }
 
-// Goals of a step that fail whatever remedies tell; of these, if there are any, those that fail
-// wherever parts are. Empty if remedies may do.
+// Returns the goals of a step that fail with any knowledge from remedies. If some of these fail
+// wherever parts are, only those are returned. The result is empty if remedies may prove the step.
 std::vector<Unproved> Augmentation::UnmetWhateverIsKnown(int step) const {
   if (!task_->best) return {};
   std::vector<Unproved> unmet =
@@ -124,7 +124,7 @@ std::vector<Unproved> Augmentation::UnmetWhateverIsKnown(int step) const {
   return unmet;
 }
 
-// Parts beside which remedies cannot be executed, or not be proved.
+// Adds the parts beside which remedies cannot be executed or cannot be proved.
 void Augmentation::AddObstaclesOfRemedies(Objection& objection) const {
   for (const PartId part : obstacles_) {
     if (std::ranges::count(objection.parts, part) > 0) continue;

@@ -13,43 +13,48 @@
 
 namespace assay::posting {
 
-// How an augmented plan instance compares with others; less is better.
+// The rank of an augmented plan instance among others; less is better.
 struct Standing {
   int errors = 0;
-  std::size_t actions = 0;  // of the first phase
+  std::size_t actions = 0;  // the number of actions of the first phase
   double violation = 0;     // metres and radians
 
   auto operator<=>(const Standing&) const = default;
 };
 
-// What is done about a step that cannot be proved.
+// The treatment of a step that cannot be proved.
 enum class IfUnproved {
-  kPrepare,       // it is brought nearer to being proved, and its failure is prepared for
-  kObject,        // nothing: it is only told why
-  kObjectAtOnce,  // and remedies are not even tried where it matters where parts are
+  // remedies bring it nearer to being proved, and verifications prepare for its failure
+  kPrepare,
+  kObject,  // nothing is inserted; an objection says why it is not proved
+  // as kObject, and no remedies are tried if an unproved goal depends on the places of parts
+  kObjectAtOnce,
 };
 
-// A plan instance with what is inserted, one step after another in the order of execution. Decides
-// only what is proved; the certificates are written for the instance that is kept.
+// A plan instance with inserted actions, extended one step after another in the order of execution.
+// It decides only which steps are proved. Certificates are written later for the instance that is
+// kept.
 class Augmentation {
  public:
-  // No step yet, of an instance of so many.
+  // Makes an augmentation without steps, for an instance with `steps` steps.
   Augmentation(UncertaintyTask& task, std::size_t steps);
-  // With all steps of the instance added, and failures prepared for.
+  // Adds all steps of the instance and prepares for their failures.
   Augmentation(UncertaintyTask& task, const plan::Plan& instance);
 
-  // Whether all goals of the step are proved, with what is then inserted.
+  // Adds a step with its remedies. Returns true if all goals of the step are proved.
   bool Add(plan::StepId id, const plan::Action& action, IfUnproved if_unproved);
 
-  // To the step that was added last, which is not proved. If it fails even with the best known, by
-  // what fails then; and if of that not all depends on where parts are, by the rest.
+  // Returns the objection to the step that was added last, which must be unproved. If goals fail
+  // even with the best knowledge, the objection names these goals. If some of these do not depend
+  // on the places of parts, it names only those.
   Objection ObjectionToLast() const;
-  // What the steps are about that are not proved wherever parts are.
+  // Returns the subjects of the steps that are not proved wherever parts are.
   std::vector<Subject> FailingAnywhere() const;
 
   const AugmentedSteps& steps() const { return steps_; }
   Standing standing() const;
-  std::int64_t combinations() const { return combinations_; }  // of remedies that were tried
+  // the number of combinations of remedies that were tried
+  std::int64_t combinations() const { return combinations_; }
 
  private:
   bool DecideInOrder();
@@ -62,7 +67,8 @@ class Augmentation {
   AugmentedSteps steps_;
   IfUnproved if_unproved_ = IfUnproved::kPrepare;
   std::int64_t combinations_ = 0;
-  std::set<domain::PartId> obstacles_ = {};  // of the remedies for the step that was mended last
+  // the parts in the way of remedies for the step that was mended last
+  std::set<domain::PartId> obstacles_ = {};
 };
 
 }  // namespace assay::posting

@@ -47,7 +47,8 @@ class PlanWriter {
     const bool is_proved = step.Unabsorbed(std::move(certified.unproved)).empty();
     ASSAY_CHECK(is_proved == !step.fails(), "'{}' is certified otherwise than it was decided",
                 written.name);
-    // Resolutions of the first phase, which tell that parts were moved for this step, are kept.
+    // The first phase has written resolutions that say which parts were moved for this step. They
+    // are kept.
     std::vector<Resolution> resolutions = std::move(written.certificate.resolutions);
     written.certificate = std::move(certified.certificate);
     written.certificate.resolutions = std::move(resolutions);
@@ -68,7 +69,7 @@ class PlanWriter {
     return resolution;
   }
 
-  // The goal that fails by most, as the certificate will tell it.
+  // Returns the goal with the greatest violation, in the words of the certificate.
   std::string Why(const Unmet& unmet) const {
     const std::vector<Unproved> unproved =
         WithoutConditions(unmet.absorbed, task_.possible.UnprovedAt(unmet.after));
@@ -77,7 +78,8 @@ class PlanWriter {
     return WhyUnproved(task_.possible.Told(unmet.after, worst).claim);
   }
 
-  // What was inserted was certified for the order of execution; what was not may be, too.
+  // A plan with inserted actions was certified only for the order of execution. A plan without
+  // inserted actions may be proved in every order.
   bool IsProvedInEveryOrder() const {
     if (static_cast<std::size_t>(steps_.size()) > steps_.of_instance()) return false;
     const auto is_proved_in = [&](const std::vector<plan::StepId>& order) {

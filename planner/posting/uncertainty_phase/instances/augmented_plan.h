@@ -6,8 +6,8 @@
 
 namespace assay::posting {
 
-// The plan instance with what was inserted, and with certificates, verifications and recoveries.
-// `steps` are all that the instance has.
+// Returns the plan instance with the inserted actions, certificates, verifications and recoveries.
+// `steps` must contain all steps of the instance.
 plan::Plan AugmentedPlan(UncertaintyTask& task, const AugmentedSteps& steps,
                          const plan::Plan& instance);
 

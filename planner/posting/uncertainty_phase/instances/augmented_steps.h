@@ -10,20 +10,22 @@
 
 namespace assay::posting {
 
-// Goals of a step that were not proved as it was then to be executed.
+// The unproved goals of a step, given by the snapshot after the step as it was to be executed at
+// that time.
 struct Unmet {
   uncertainty::MomentId after;
-  std::vector<std::string> absorbed;  // conditions that were taken care of
+  std::vector<std::string> absorbed;  // conditions that remedies absorbed
 
   bool operator==(const Unmet&) const = default;
 };
 
-// A resolution whose reasons are put in words where the plan is written out.
+// A resolution whose reasons are put into words when the plan is written out.
 struct Measure {
   std::string resolver;
-  std::vector<plan::StepId> steps = {};  // that it inserted, in the order of execution
+  std::vector<plan::StepId> steps = {};  // the inserted steps, in the order of execution
   Unmet because;
-  // That parts are moved is explained: with the best that does without, something is still unmet.
+  // The reason for moving parts: the goals that are still unmet with the best remedies that move no
+  // part.
   struct WithoutMoving {
     std::string resolver;
     Unmet still;
@@ -31,33 +33,34 @@ struct Measure {
   std::optional<WithoutMoving> without_moving = {};
 };
 
-// One step of a plan instance as it is augmented.
+// One step of a plan instance during its augmentation.
 struct AugmentedStep {
   plan::StepId id;
   plan::Action action;
   std::vector<Measure> measures = {};
-  std::vector<std::string> absorbed = {};  // conditions that a remedy takes care of
+  std::vector<std::string> absorbed = {};  // conditions that a remedy absorbs
   std::optional<plan::Strategy> strategy = {};
-  bool given_up = false;  // its goals cannot all be proved
-  uncertainty::MomentId failed =
-      uncertainty::MomentId::None();  // the moment after it, if they are not
+  bool given_up = false;  // true if its goals cannot all be proved
+  // the snapshot after the step if goals are unproved
+  uncertainty::MomentId failed = uncertainty::MomentId::None();
 
   const plan::Strategy* way() const { return strategy ? &*strategy : nullptr; }
   bool fails() const { return !failed.IsNone(); }
-  // The unproved goals that no remedy has taken upon itself.
+  // Returns the unproved goals that no remedy absorbs.
   std::vector<uncertainty::Unproved> Unabsorbed(std::vector<uncertainty::Unproved> unproved) const;
   bool IsProved(uncertainty::WorldTree& tree, uncertainty::MomentId after) const;
 
-  // The measure by this resolver, a new one if there is none.
+  // Returns the measure of this resolver, or a new one if there is none.
   Measure& Note(const std::string& resolver, const Unmet& unmet);
-  // Nothing more is done about it than to see whether it went well.
+  // Records that only verification remains for this step.
   void GiveUp(const Unmet& unmet);
 };
 
-// The steps of a plan instance and what is inserted, in the order of execution.
+// The steps of a plan instance and the inserted steps, in the order of execution.
 class AugmentedSteps {
  public:
-  // No step yet, of an instance of so many: ids from there on are those of inserted steps.
+  // Makes an empty list for an instance of `of_instance` steps. Inserted steps have ids from
+  // `of_instance` on.
   explicit AugmentedSteps(std::size_t of_instance) : of_instance_(of_instance) {}
 
   int size() const { return static_cast<int>(steps_.size()); }
@@ -75,11 +78,11 @@ class AugmentedSteps {
     return step.id.index() >= static_cast<int>(of_instance_);
   }
   int InsertedBefore(int step) const;
-  // Of the step that is inserted next.
+  // the id of the next inserted step
   plan::StepId NextId() const;
 
   uncertainty::MomentId MomentAfter(int step, uncertainty::WorldTree& tree) const;
-  // With the best known, so that nothing need be inserted.
+  // Returns the snapshot with the best knowledge, for which nothing need be inserted.
   uncertainty::MomentId MomentAfter(int step, BestKnown& best) const;
 
  private:

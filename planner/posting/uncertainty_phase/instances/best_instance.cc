@@ -13,10 +13,11 @@ namespace {
 
 using uncertainty::MomentId;
 
-// What no remedies can better.
+// Lower bounds for any remedies.
 struct Least {
   Standing standing;
-  int certain_errors = 0;  // steps that they cannot better, wherever on the table parts are
+  // the number of steps that no remedies can prove wherever on the table parts are
+  int certain_errors = 0;
 };
 
 Least LeastOf(const plan::Plan& instance, UncertaintyTask& task) {
@@ -35,7 +36,7 @@ Least LeastOf(const plan::Plan& instance, UncertaintyTask& task) {
   return least;
 }
 
-// A hand turned by half a turn grasps as well: one of the two is enough.
+// A hand turned by half a turn grasps equally well, so one of the two instances is enough.
 bool IsAsGood(const Standing& a, const Standing& b) {
   constexpr double kSameViolation = 1e-6;
   return a.errors == b.errors && a.actions == b.actions &&
@@ -77,8 +78,8 @@ plan::Plan BestInstance::WriteOut() const {
   return AugmentedPlan(task_, best_->augmentation.steps(), best_->instance);
 }
 
-// Whether it might come before the best one; few of those that might do so by their violation
-// alone.
+// Returns true if the instance might come before the best one. The number of instances that might
+// do so by their violation alone is limited.
 bool BestInstance::IsWorthAugmenting(const Standing& least) {
   if (!best_) return true;
   const Standing best = best_->augmentation.standing();

@@ -10,9 +10,10 @@
 
 namespace assay::posting {
 
-// The best of the plan instances that were augmented. Instances of which it is known beforehand
-// that not all can be proved wait until all are there: then those are augmented that could still
-// come first, the most promising first, one of those that promise the same.
+// The best of the augmented plan instances. An instance that surely cannot be proved completely
+// waits until all instances are there. Of the waiting instances, those that could still come first
+// are augmented, the most promising first. Only one of several equally promising instances is
+// augmented.
 class BestInstance {
  public:
   explicit BestInstance(UncertaintyTask& task)
@@ -23,16 +24,18 @@ class BestInstance {
   void TakeIfBetter(const plan::Plan& instance);
 
   bool exists() const { return best_.has_value(); }
-  // Of the best, which must exist.
+  // The best instance must exist.
   int errors() const { return best_->augmentation.standing().errors; }
   std::vector<Subject> FailingAnywhere() const { return best_->augmentation.FailingAnywhere(); }
   std::int64_t actions() const { return std::ssize(best_->instance.steps); }
   plan::Plan WriteOut() const;
 
   bool is_proved() const { return exists() && errors() == 0; }
-  // Steps that no remedies can better, wherever parts are: the least of all that were considered.
+  // The least number, over all considered instances, of steps that no remedies can prove wherever
+  // parts are.
   int certain_errors() const { return certain_errors_; }
-  std::int64_t combinations() const { return combinations_; }  // of remedies that were tried
+  // the number of combinations of remedies that were tried
+  std::int64_t combinations() const { return combinations_; }
 
  private:
   struct Waiting {
@@ -47,7 +50,8 @@ class BestInstance {
   bool IsWorthAugmenting(const Standing& least);
 
   UncertaintyTask& task_;
-  std::int64_t for_violation_;  // that are still to be augmented
+  // the number of instances that may still be augmented for their violation alone
+  std::int64_t for_violation_;
   int certain_errors_ = std::numeric_limits<int>::max();
   std::vector<Waiting> waiting_;
   std::optional<Augmented> best_;

@@ -10,17 +10,18 @@
 
 namespace assay::posting {
 
-// The worlds of a plan instance, had it been told between any two actions all that remedies could
-// tell: x, y and theta of every part that rests, by squeezing or sensing, and z if a sensor that
-// may be used measures it. Whatever remedies are inserted, these worlds are among those that remain
-// possible; so what is not proved in them is not proved by any remedy that does not absorb it.
+// The worlds of a plan instance with the best possible knowledge. Between any two actions, all
+// quantities that remedies can measure or set are known: x, y and theta of every resting part, by
+// squeezing or sensing, and z if an available sensor measures it. With any remedies, these worlds
+// are among the worlds that remain possible. So a goal that is unproved in them is proved by no
+// remedy that does not absorb it.
 class BestKnown {
  public:
-  // Whether that is so: not where an error promises to be other than 0, nor where errors of
-  // different actions may cancel (paper propagation).
+  // Returns true if these worlds bound all remedies. They do not if the bounds of an error exclude
+  // 0, or if errors of different actions may cancel (paper propagation).
   static bool Bounds(const domain::Problem& problem, uncertainty::Propagation propagation);
 
-  // The problem must outlive it.
+  // The problem must outlive the object.
   BestKnown(const domain::Problem& problem, uncertainty::Propagation propagation,
             const algebra::BoundRequest& bound);
 
@@ -31,23 +32,26 @@ class BestKnown {
   const uncertainty::UncertainWorld& WorldAt(uncertainty::MomentId moment) {
     return worlds_.WorldAt(moment);
   }
-  std::int64_t moments() const { return worlds_.size(); }  // that were asked for
+  // the number of snapshots that were computed
+  std::int64_t moments() const { return worlds_.size(); }
 
-  // What is not proved of the action that leads to a moment, `absorbable` conditions apart.
+  // Returns the unproved goals of the action that leads to the snapshot, without `absorbable`
+  // conditions.
   std::vector<uncertainty::Unproved> UnprovedAt(uncertainty::MomentId after,
                                                 const std::vector<std::string>& absorbable);
-  // What it falls short by at least.
+  // Returns a lower bound on the shortfall with any remedies.
   Shortfall LeastShortfall(uncertainty::MomentId after, const std::vector<std::string>& absorbable);
 
  private:
-  // The first moment that was met at which no more was to be known: with an empty hand, what is
-  // told of all parts is all that matters of what was done.
+  // Returns the first equal snapshot. If the hand is empty and everything is known, two snapshots
+  // in which all parts have the same poses are equal, whatever was done before.
   uncertainty::MomentId FirstAlike(uncertainty::MomentId moment);
   uncertainty::MomentId FindAlike(uncertainty::MomentId moment);
 
   const domain::Problem& problem_;
   uncertainty::WorldTree worlds_;
-  std::vector<uncertainty::MomentId> with_empty_hand_;  // no two alike
+  // pairwise different snapshots with an empty hand
+  std::vector<uncertainty::MomentId> with_empty_hand_;
   std::map<uncertainty::MomentId, uncertainty::MomentId> first_alike_;
 };
 

@@ -13,34 +13,35 @@
 
 namespace assay::posting {
 
-// Steps of an instance that need not be proved.
+// The steps of an instance that need not be proved.
 struct Allowance {
   std::int64_t errors = 0;
-  std::int64_t by_place = 0;           // of these, that fail because of where parts are
-  std::vector<Subject> anywhere = {};  // of the others
+  // the number of these errors that may depend on the places of parts
+  std::int64_t by_place = 0;
+  std::vector<Subject> anywhere = {};  // the subjects of the steps that may fail wherever parts are
 
   bool Covers(const domain::Problem& problem, std::span<const plan::Action> actions,
               const std::vector<Objection>& objections) const;
 };
 
-// Objects to instances as soon as more of their steps than are allowed cannot be proved. A search
-// comes back to how instances begin, whatever partial plan they are of: each beginning is judged
-// once.
+// Objects to an instance as soon as it has more unproved steps than are allowed. A search often
+// returns to the same beginning of an instance, whatever the partial plan. So each beginning is
+// judged only once.
 class InstanceJudge {
  public:
-  // The task must outlive it.
+  // The task must outlive the judge.
   InstanceJudge(UncertaintyTask& task, Allowance allowance, IfUnproved if_unproved);
 
-  // As a Judge is asked (objection.h).
+  // Judges the actions as described at Judge (objection.h).
   Judgement operator()(std::span<const plan::Action> actions);
 
  private:
-  // The first actions of instances, as they were judged.
+  // A judged sequence of first actions of instances.
   struct Beginning {
     plan::Action last = {};
-    std::optional<Augmentation> augmentation = {};  // none: there are too many objections
-    std::vector<Objection> objections = {};         // to steps that fail
-    std::vector<std::size_t> longer = {};           // those by one action
+    std::optional<Augmentation> augmentation = {};  // none if there are too many objections
+    std::vector<Objection> objections = {};         // objections to steps that fail
+    std::vector<std::size_t> longer = {};           // the beginnings that are longer by one action
   };
 
   std::size_t After(std::size_t before, std::span<const plan::Action> actions);
@@ -49,8 +50,9 @@ class InstanceJudge {
   UncertaintyTask& task_;
   Allowance allowance_;
   IfUnproved if_unproved_;
-  std::deque<Beginning> beginnings_;    // without any action first
-  std::vector<std::size_t> way_ = {0};  // to what was judged last, by how many actions
+  std::deque<Beginning> beginnings_;  // the empty beginning first
+  // by number of actions: the beginnings that lead to the last judged one
+  std::vector<std::size_t> way_ = {0};
 };
 
 }  // namespace assay::posting
