@@ -10,8 +10,8 @@
 
 namespace assay::finemotion {
 
-// Finds the primitive contacts of two parts at one pose after another (PrimitiveContacts tells
-// which these are): what depends on the parts alone is worked out once.
+// Finds the primitive contacts of two parts (see PrimitiveContacts) at one pose after another. The
+// constructor works out once whatever depends on the parts alone.
 class ContactFinder {
  public:
   ContactFinder(const Polyhedron& moving, const Polyhedron& stationary,
@@ -19,10 +19,12 @@ class ContactFinder {
 
   std::vector<PrimitiveContact> Near(const Pose& X_StationaryMoving,
                                      const ContactRange& range) const;
-  // Edges that may be parallel there, and are no contacts for that.
+  // Returns the pairs of edges that may be parallel near the pose. They are not among the contacts
+  // that Near returns.
   std::vector<ParallelEdges> NearlyParallel(const Pose& X_StationaryMoving,
                                             const ContactRange& range) const;
-  // Only those of these features, however far apart; what the parts have not, is none.
+  // Returns the contacts of the named features alone, however far apart these are. A key is skipped
+  // if the parts do not have its features.
   std::vector<PrimitiveContact> Of(std::span<const ContactKey> keys, const Pose& X_StationaryMoving,
                                    double turn) const;
 
