@@ -8,9 +8,9 @@ namespace {
 
 constexpr double kSamePlace = 1e-3;  // metres
 constexpr double kTurn = 0.02;       // radians
-constexpr double kWorse = 1.05;      // times the errors are no worse,
-constexpr double kShift = 1e-5;      // nor are so many metres
-constexpr double kTwist = 2e-4;      // and radians
+constexpr double kWorse = 1.05;      // factor of the errors that is no worse
+constexpr double kShift = 1e-5;      // metres more that are no worse
+constexpr double kTwist = 2e-4;      // radians more that are no worse
 
 using HalfWidths = Eigen::Matrix<double, kPoseDimensions, 1>;
 
