@@ -11,7 +11,8 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kAgainst = 0.3;       // of the way in, that a contact must take back to oppose it
+// Fraction of the way in that a contact must take back to oppose it.
+constexpr double kAgainst = 0.3;
 constexpr double kRoom = 0.6;          // fraction of the play that errors across it may take
 constexpr double kLeastMotion = 1e-6;  // metres and radians; less is not worth a motion
 // Least length of a unit direction after kept contacts are complied with.

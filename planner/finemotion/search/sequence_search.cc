@@ -10,8 +10,8 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kFarthest = 0.015;   // metres that a move may take to a contact
-constexpr double kWidestTurn = 0.15;  // radians that a turn may take to one
+constexpr double kFarthest = 0.015;   // metres that a move to a contact may take
+constexpr double kWidestTurn = 0.15;  // radians that a turn to a contact may take
 constexpr double kThin = 1.5e-4;      // metres; smaller errors count as none
 constexpr std::size_t kMostMotions = 24;
 // The guidance is not a lower bound of the cost, so sequences need not be the cheapest. What

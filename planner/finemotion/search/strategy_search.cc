@@ -135,7 +135,7 @@ class StrategySearch {
     comparison_ += trying.replay.comparison();
   }
 
-  // Stores what was refused, as long as nothing is absorbed. The later searches are those for fewer
+  // Stores what was refused, as long as nothing is absorbed. The later searches are those for smaller
   // errors, so theirs is kept.
   void TellRefusal(const Trying& trying) {
     if (best_.absorbed > 0 || !trying.sequences.refused()) return;

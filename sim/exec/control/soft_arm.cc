@@ -85,7 +85,8 @@ void SoftArm::TakeStock() {
   velocity_ = {};
 }
 
-// The arm's Jacobian at the tip, by differences, and with the servos' stiffness K, J K^-1 J'.
+// Computes the Jacobian J at the tip by differences, and the compliance J K^-1 J' with the servos'
+// stiffness K.
 void SoftArm::Linearize() {
   constexpr double kTurn = 1e-5;  // radians
   const domain::Workcell& workcell = *execution_.problem().workcell;
