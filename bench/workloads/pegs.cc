@@ -10,9 +10,9 @@ namespace assay::workloads {
 
 namespace {
 
-constexpr double kBlock = 2.5;  // half width of the block around a hole, in those of the peg
+constexpr double kBlock = 2.5;  // half width of the block around a hole, as a multiple of the peg's
 
-// Where sides number k - 1 and k of a prism meet.
+// Returns the corner where sides k - 1 and k of a prism meet.
 Vector3 Corner(const PrismModel& model, int k, double z) {
   const double half_turn = std::numbers::pi / model.sides;
   const double angle = (2 * k - 1) * half_turn;
