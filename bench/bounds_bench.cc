@@ -28,15 +28,15 @@ namespace {
 constexpr double kGap = 1e-6;
 constexpr double kKnownTo = 1e-6;  // precision of the ranges in the table
 constexpr double kAtMostMilliseconds = 10;
-constexpr int kChains = 30;  // of each kind
+constexpr int kChains = 30;  // number of chains of each kind
 
 // One question: SUP and INF of an expression over the declared box.
 struct Question {
   Expression expanded;
   ConstraintSet box;
   PreparedExpression prepared;
-  std::optional<Interval> known = {};  // the expression's range
-  std::vector<Expression> waves = {};  // evaluated along with it, as in the peer's measurement
+  std::optional<Interval> known = {};  // the known range of the expression
+  std::vector<Expression> waves = {};  // expressions that the peer evaluated as well
 
   Question(const Expression& e, const ExpressionPool& pool)
       : expanded(e), box(DeclaredBox(pool)), prepared(e) {}

@@ -19,7 +19,7 @@ constexpr double kLean = std::numbers::pi / 6;
 struct Counts {
   std::int64_t preconditions = 0;
   std::int64_t unproved = 0;
-  std::size_t variables = 0;  // greatest number in all preconditions of a step
+  std::size_t variables = 0;  // greatest number of variables in all preconditions of a step
 };
 
 // Certifies all preconditions of all actions, with the texts and worst corners of plan.json.

@@ -19,7 +19,7 @@ using workloads::BoxPiece;
 
 constexpr double kHalf = 0.01;  // half of the peg's width, metres
 constexpr double kHalfLength = 0.02;
-constexpr double kClearance = 0.25e-3;  // on each side
+constexpr double kClearance = 0.25e-3;  // metres on each side
 constexpr double kReach = 0.005;
 
 // Four slabs around a square hole through a block. A fifth slab closes the hole at the bottom.
@@ -61,7 +61,8 @@ void CriticalPoint(benchmark::State& state, double depth) {
   MakeGraph(PegInHole(depth),
             {.target_points = static_cast<int>(state.range(0)), .reach = kReach, .radius = 0.0245},
             state);
-  if (state.range(0) == 12) state.counters["at_most_ms"] = 100;  // the paper's number
+  // 12 is the paper's number of target points.
+  if (state.range(0) == 12) state.counters["at_most_ms"] = 100;
 }
 
 // Times pegs with this number of sides at the rim. They have more contacts, each of a whole shape.

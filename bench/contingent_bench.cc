@@ -123,7 +123,8 @@ void PlanProblem(benchmark::State& state, const std::filesystem::path& folder) {
   }
 }
 
-using ProblemFolders = std::map<std::string, std::filesystem::path>;  // by name
+// Folders by the problem's name.
+using ProblemFolders = std::map<std::string, std::filesystem::path>;
 
 void FindProblems(const std::filesystem::path& folder, ProblemFolders& problems) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

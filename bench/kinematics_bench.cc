@@ -16,8 +16,9 @@ namespace {
 
 // 0.5 MB of poses, which the second-level cache holds.
 const std::size_t kPoses = bench::Tiny() ? 64 : 4096;
-constexpr double kExact = 1e-9;     // metres and entries of rotations
-constexpr double kIterated = 2e-3;  // for a solver that stops at 1e-5 m and 1e-3 radians
+constexpr double kExact = 1e-9;  // greatest error in metres and in entries of rotations
+// Greatest error of a solver that stops at 1e-5 m and 1e-3 radians.
+constexpr double kIterated = 2e-3;
 
 const Arm& Puma() {
   static const Arm arm = Arm::FromUrdf(ASSAY_SOURCE_DIR "/models/robots/puma762/puma762.urdf");

@@ -15,7 +15,7 @@
 namespace assay::motion {
 namespace {
 
-constexpr double kRoom = 0.012;  // metres around the ends, more than the wanted clearance
+constexpr double kRoom = 0.012;  // metres of clearance at the ends, more than is wanted on the way
 constexpr int kQueries = 1000;
 
 const domain::Problem& Clutter() {

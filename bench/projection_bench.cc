@@ -17,13 +17,13 @@ using workloads::ProjectionAndContact;
 using workloads::ProjectionModel;
 
 enum class Cases {
-  kStill,    // as in the peers' instances
-  kMoving,   // on a path whose direction has two errors
-  kFewRead,  // moving, with contact rows that read three tolerances, as those of two faces do
+  kStill,    // a start that does not move, as in the peers' instances
+  kMoving,   // a motion whose direction has two errors
+  kFewRead,  // a motion, with contact rows that read three tolerances, as those of two faces do
 };
 
-constexpr int kCases = 8;       // for each number of limits
-constexpr int kMostLimits = 4;  // the paper's number
+constexpr int kCases = 8;       // number of cases for each number of limits
+constexpr int kMostLimits = 4;  // greatest number of limits, the paper's
 
 // Returns equal cases for every test with this number of tolerances, with 1 to 4 limits.
 std::vector<ProjectionAndContact> MakeCases(Cases kind, int tolerances) {

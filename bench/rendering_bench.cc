@@ -32,7 +32,7 @@ mujoco::CameraId Camera() { return mujoco::CameraId(0); }
 void Draw(benchmark::State& state, int samples) {
   const mujoco::Data data = FigureThirteen().Start();
   render::Renderer renderer(FigureThirteen().model(), kWidth, kHeight, {.samples = samples});
-  renderer.Render(data, Camera());  // compiles the drawing programs
+  renderer.Render(data, Camera());  // the first picture compiles the drawing programs
   for (auto _ : state) benchmark::DoNotOptimize(renderer.Render(data, Camera()));
 }
 

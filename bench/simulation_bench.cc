@@ -15,8 +15,8 @@
 namespace assay {
 namespace {
 
-constexpr int kWindow = 100;         // steps that are replayed from a saved state
-constexpr double kSameState = 1e-3;  // metres and radians, after a window
+constexpr int kWindow = 100;         // number of steps that are replayed from a saved state
+constexpr double kSameState = 1e-3;  // greatest difference after a window, metres and radians
 
 // A scenario with its plan, and the commands to the engine during one execution.
 struct Run {
@@ -29,7 +29,7 @@ struct Run {
   struct Window {
     mujoco::State start;
     std::vector<Told> steps = {};
-    std::vector<double> qpos = {};  // at the window's end
+    std::vector<double> qpos = {};  // joint values at the window's end
   };
 
   scenario::Scenario scenario;

@@ -10,9 +10,9 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kHalf = 0.01905;       // half of the peg's width, metres
-constexpr double kClearance = 0.25e-3;  // on each side
+constexpr double kClearance = 0.25e-3;  // metres on each side
 constexpr double kReach = 0.012;
-constexpr double kTurn = 0.03;  // radians
+constexpr double kTurn = 0.03;  // radians by which the part may be turned
 
 // The wanted times: of a search for both critical points of the square peg (at the rim and at the
 // bottom), and of a search with a hundred tolerances.
@@ -63,7 +63,7 @@ void Search(benchmark::State& state, double multiple) {
 // --- Growth of the cost of a node. A search ends after kNodes nodes and moves no starts. No
 // sequence absorbs its errors, so it does not end sooner.
 
-constexpr int kNodes = 20;  // of one search; there is a second one, for twice the errors
+constexpr int kNodes = 20;  // nodes of one search; there is a second search, for twice the errors
 
 StrategyOptions FixedNodes() {
   return {.rounds = 1, .tries = 0, .nodes = kNodes, .thorough_nodes = 0, .seed = 3};
@@ -78,7 +78,7 @@ void SearchNodes(const Passage& passage, const FineMotionErrors& errors,
       finder.Near(passage.X_StationaryEntry, {.reach = kReach, .turn = kTurn}).size());
   state.counters["nodes"] = plan.expanded;
   state.counters["replayed"] = plan.replayed;
-  state.counters["tests"] = plan.comparison.tests;  // whether a contact can be made
+  state.counters["tests"] = plan.comparison.tests;  // number of tests whether a contact can be made
   state.counters["per_node"] = benchmark::Counter(
       plan.expanded, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }

@@ -50,7 +50,7 @@ namespace fs = std::filesystem;
 struct Options {
   std::string scenario = "spar-fig15";
   double error_scale = 1;
-  int trials = 8;  // each is kept in memory: 100 MB
+  int trials = 8;  // the recording of each trial takes 100 MB of memory
   int rounds = 3;
 };
 
@@ -332,7 +332,7 @@ class Watch {
   };
 
   std::mutex mutex_;
-  std::vector<Trial> trials_;  // in the order of their ends
+  std::vector<Trial> trials_;  // in the order in which they ended
   Seconds aside_;
 };
 

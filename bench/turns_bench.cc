@@ -37,7 +37,7 @@ constexpr int kRounds = 5;
 // A contestant that took this long for a network in earlier rounds is not asked about it again. At
 // such lengths, having been asked before makes no difference.
 constexpr double kEnoughSeconds = 0.02;
-[[maybe_unused]] constexpr double kPeerSeconds = 10;  // for one question
+[[maybe_unused]] constexpr double kPeerSeconds = 10;  // limit for one question
 
 // A network in the forms that the contestants use.
 struct Instance {
@@ -146,7 +146,7 @@ class Contest {
   struct Contestant {
     std::string name;
     Ask<Answer> ask;
-    std::vector<Answered<Answer>> answered;  // by network, once a network was asked
+    std::vector<Answered<Answer>> answered;  // answers by network, for networks that were asked
   };
 
   void Tell(benchmark::State& state, Contestant& contestant, std::size_t network) {

@@ -18,7 +18,7 @@ struct Terms {
   std::string unfair = {};    // what makes the comparison unfair, and to whom
   // The peer to which `at_least` refers; empty: the best of each instance.
   std::string against = {};
-  double at_least = 0;     // wanted geometric mean of the ratios; 0: none
+  double at_least = 0;     // wanted geometric mean of the ratios; 0 if none is wanted
   double never_below = 0;  // wanted ratio to the best peer in every instance
 };
 
@@ -33,7 +33,7 @@ inline constexpr const char* kTimeout = "timeout";
 // measured.
 inline constexpr const char* kTimesOfPublished = "times:";
 
-inline constexpr double kAsAsked = 0;  // as --benchmark_min_time has it
+inline constexpr double kAsAsked = 0;  // the duration that --benchmark_min_time sets
 
 // Announces a family. It must be called once, before any contestant of the family is added.
 void Announce(std::string_view family, const Terms& terms);

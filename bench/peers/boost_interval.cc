@@ -121,7 +121,7 @@ class BoostInterval::EvaluationIn : public Evaluation {
 
   std::vector<Step> steps_;
   std::vector<Number> values_;
-  std::unordered_map<int, std::size_t> places_;  // of expressions, by index
+  std::unordered_map<int, std::size_t> places_;  // places of expressions in values_, by index
 };
 
 BoostInterval::BoostInterval(const Expression& e, std::span<const Expression> others,

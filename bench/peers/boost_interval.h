@@ -15,7 +15,7 @@ class BoostInterval {
  public:
   enum class Rounding {
     kByDefault,  // the library's policy: the processor's mode is set for each operation
-    kSetOnce,    // upward, once for an evaluation; lower ends are rounded as their negatives
+    kSetOnce,    // the mode is set once, upward; lower ends are rounded as their negatives
   };
   BoostInterval(const algebra::Expression& e, std::span<const algebra::Expression> others,
                 const algebra::ConstraintSet& box, Rounding rounding);

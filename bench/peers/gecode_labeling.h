@@ -24,7 +24,7 @@ class GecodeLabeling {
   ~GecodeLabeling();
 
   LabelingAnswer First(Order order, double seconds) const;
-  CountAnswer Count(Order order, double seconds) const;  // not with restarts
+  CountAnswer Count(Order order, double seconds) const;  // not for kAfcRestarts
 
   // Posts arcs one by one, in order, and takes back those that leave no labeling. Returns for each
   // arc whether it was accepted; the result is shorter than the arcs if the time was up. The space

@@ -130,7 +130,7 @@ class Z3Labeling::Solver {
   z3::solver solver_;
   std::vector<LabelSet> nodes_;
   Encoding encoding_;
-  std::vector<std::vector<z3::expr>> literals_;  // by node and label
+  std::vector<std::vector<z3::expr>> literals_;  // Booleans by node and label
 };
 
 std::string_view Z3Labeling::Name(Encoding encoding) {

@@ -18,7 +18,7 @@ struct Ratio {
 // The times of a peer, from the quickest of its variants.
 struct PeerTime {
   std::string peer;
-  std::string variant;  // empty if the peer has only one
+  std::string variant;  // empty if the peer has only one variant
   Series series;
   Ratio ratio;
 
@@ -35,8 +35,8 @@ struct Contest {
   std::vector<PeerTime> peers;   // ordered by name
 
   const PeerTime* Best() const;                                 // null if there are no peers
-  const PeerTime* Find(const std::string& peer) const;          // null if it has no time
-  const Series* FindVariant(const std::string& variant) const;  // null if it has no time
+  const PeerTime* Find(const std::string& peer) const;          // null if the peer has no time
+  const Series* FindVariant(const std::string& variant) const;  // null if the variant has no time
 };
 
 // A peer that this machine does not have.
@@ -51,7 +51,7 @@ struct Family {
   std::string measured;
   std::string unfair;
   std::string against;  // see Terms (bench/harness/contest.h)
-  double at_least = 0;  // 0: none is wanted
+  double at_least = 0;  // 0 if none is wanted
   double never_below = 0;
   std::vector<MissingPeer> missing;
   std::vector<std::string> wrong;  // wrong answers, as "instance/contestant: what was wrong"

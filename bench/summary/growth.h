@@ -14,8 +14,8 @@ struct Growth {
     double size = 0;
     double seconds = 0;
   };
-  std::string program;        // as in Series
-  std::string name;           // without the size
+  std::string program;        // program as in Series
+  std::string name;           // name without the size
   std::string of;             // what the size counts, for example "tolerances"; may be empty
   std::vector<Point> points;  // ordered by size
 

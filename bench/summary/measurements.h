@@ -9,14 +9,15 @@ namespace assay::bench {
 
 // A benchmark, with its times over several passes.
 struct Series {
-  std::string name;                  // "family/instance/contestant" or "Name/argument"
-  std::vector<double> seconds = {};  // of one iteration, for each pass; empty if `wrong` is not
-  std::map<std::string, double> counters = {};  // of the first pass
-  std::string wrong = {};                       // the fault of a wrong answer in any pass
+  std::string name;  // "family/instance/contestant" or "Name/argument"
+  // Seconds of one iteration in each pass; empty if an answer was wrong.
+  std::vector<double> seconds = {};
+  std::map<std::string, double> counters = {};  // counters of the first pass
+  std::string wrong = {};                       // what was wrong with an answer in any pass
   std::string program = {};                     // for example "strategy" for strategy_bench
-  std::string label = {};                       // what the benchmark says of its kind of work
+  std::string label = {};                       // the benchmark's description of its kind of work
 
-  double Median() const;  // of the times; infinite if there are none
+  double Median() const;  // median of the times; infinite if there are none
 };
 
 // Returns the kind of an instance: "model-b-07" is of the kind "model-b".

@@ -12,8 +12,8 @@ namespace assay::workloads {
 // (bench/workloads/expressions/measured.yaml).
 struct MeasuredExpression {
   std::string name;
-  algebra::BoundProblem problem;           // with one expression
-  Interval range;                          // to six digits
+  algebra::BoundProblem problem;           // a problem with one expression
+  Interval range;                          // range of the expression, to six digits
   std::vector<algebra::Expression> waves;  // sines and cosines of its angles
   double boost_us = 0;  // microseconds of one evaluation with Boost.Interval, including the waves
   double ibex_ms = 0;   // milliseconds for both ends with IBEX's optimizer

@@ -103,7 +103,8 @@ class ThreatenedPlanBuilder {
   }
 
  private:
-  int NodesOfPart() const { return 2 * model_.steps + 1; }  // poses at even places
+  // Poses at even places, grasps at odd ones.
+  int NodesOfPart() const { return 2 * model_.steps + 1; }
 
   // Adds a part: its initial pose, its final pose, and the poses and grasps between.
   void AddPart() {

@@ -17,13 +17,13 @@ struct NetworkWorkload {
   std::vector<network::LabelSet> nodes;
   std::vector<network::Arc> arcs;
 
-  network::Network Build() const;  // without consistency checks
+  network::Network Build() const;  // adds the arcs without consistency checks
 };
 
 // The results of posting arc by arc, as a planner does: an answer after each arc, and an arc that
 // leaves no labeling is taken back.
 struct Posts {
-  std::vector<Outcome> outcomes;  // for each arc
+  std::vector<Outcome> outcomes;  // outcome of each arc
   network::Counters counters;
 };
 Posts PostArcByArc(const NetworkWorkload& workload);
@@ -32,9 +32,9 @@ Posts PostArcByArc(const NetworkWorkload& workload);
 // Dyer 1996).
 struct ModelB {
   int nodes = 0;
-  int labels = 0;     // of each node
-  int arcs = 0;       // between different pairs of nodes
-  int forbidden = 0;  // pairs of each arc
+  int labels = 0;     // labels of each node
+  int arcs = 0;       // arcs between different pairs of nodes
+  int forbidden = 0;  // forbidden pairs of each arc
 };
 NetworkWorkload RandomNetwork(const ModelB& model, RandomStream& random);
 
@@ -76,8 +76,8 @@ struct PlanModel {
   int steps = 0;
   int poses = 6;
   int grasps = 24;
-  double reachable = 0.3;      // fraction of pairs of a grasp and a pose
-  double interference = 0.05;  // fraction of pairs of poses
+  double reachable = 0.3;      // fraction of the pairs of a grasp and a pose that are reachable
+  double interference = 0.05;  // fraction of the pairs of poses that interfere
 };
 NetworkWorkload RandomPlanNetwork(const PlanModel& model, RandomStream& random);
 
@@ -88,9 +88,9 @@ struct ThreatenedPlanModel {
   int steps = 0;
   int poses = 24;
   int grasps = 48;
-  double reachable = 0.19;  // fraction of pairs of a grasp and a pose
-  int threats = 0;          // arcs between poses or grasps of different parts
-  double harmless = 0.65;   // fraction of pairs
+  double reachable = 0.19;  // fraction of the pairs of a grasp and a pose that are reachable
+  int threats = 0;          // number of arcs between poses or grasps of different parts
+  double harmless = 0.65;   // fraction of the pairs in each of these arcs that are allowed
 };
 NetworkWorkload RandomThreatenedPlan(const ThreatenedPlanModel& model, RandomStream& random);
 
@@ -125,8 +125,8 @@ NetworkWorkload LoadNetworkWorkload(const std::filesystem::path& file);
 struct MeasuredNetwork {
   std::string name;
   std::function<NetworkWorkload()> make;
-  bool is_plan = false;       // its arcs come as a planner posts them
-  bool is_countable = false;  // it has no more labelings than a peer can list
+  bool is_plan = false;       // whether its arcs come as a planner posts them
+  bool is_countable = false;  // whether it has no more labelings than a peer can list
 };
 
 // Returns the networks of `folder` (bench/workloads/networks) by name, then 30 of each family,

@@ -75,7 +75,8 @@ Polyhedron SquareHoleShape(double half, double outer, double depth) {
                           {in, side * outer, 0}});
     top.region.push_back({{half, in, 0}, {half, out, 0}, {-half, out, 0}, {-half, in, 0}});
   }
-  for (std::vector<Vector3>& outline : top.region) {  // counter-clockwise from above
+  // Makes the outlines counter-clockwise from above.
+  for (std::vector<Vector3>& outline : top.region) {
     if ((outline[1] - outline[0]).cross(outline[2] - outline[1]).z() < 0) {
       outline = {outline[3], outline[2], outline[1], outline[0]};
     }

@@ -34,7 +34,7 @@ ConvexPiece BoxPiece(const Vector3& low, const Vector3& high);
 
 // A regular prism about z. One side faces along +x, the others follow at equal angles.
 struct PrismModel {
-  int sides = 4;    // even
+  int sides = 4;    // must be even
   double half = 0;  // metres from the axis to a side
   double length = 0;
 };

@@ -33,7 +33,7 @@ struct ProjectionModel {
   int limits = 0;
   StartShape start = StartShape::kBox;
   int velocity_errors = 0;
-  double time = 0;  // 0: it does not move
+  double time = 0;  // 0 if the start does not move
 };
 
 // Returns a random projection with errors of up to 1, speeds of up to 1 and unit rows. About half

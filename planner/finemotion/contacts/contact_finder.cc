@@ -294,7 +294,7 @@ class Linearizer {
     const double sine = std::sqrt(sine2);
     if (MayBeParallel(sine)) return;
     n /= sine;
-    const double slack = kSameDirection + turn_ / sine;  // how much n may turn
+    const double slack = kSameDirection + turn_ / sine;  // the angle by which n may turn
     const double c = a.direction.dot(b.direction);
     const Crossing crossing = {(c * b.direction - a.direction).dot(between) / sine2,
                                (b.direction - c * a.direction).dot(between) / sine2};
@@ -365,7 +365,7 @@ class Linearizer {
   EdgeAlongEdge Along(const Placed& with_bar, const PlacedEdge& bar, const Edge& bar_edge,
                       const Placed& with_other, const PlacedEdge& other,
                       const Edge& other_edge) const {
-    Eigen::Matrix3d axes;  // rows
+    Eigen::Matrix3d axes;  // two directions across the bar, then its own, as rows
     const Vector3 across = bar.direction.unitOrthogonal();
     axes << across.transpose(), bar.direction.cross(across).transpose(), bar.direction.transpose();
     EdgeAlongEdge seen{.ends = {}, .length = bar_edge.length, .elongation = {}};

@@ -19,7 +19,7 @@ bool SegmentMeets(const Point& begin, const Point& along) {
     return false;
   double least = 0;
   double most = 1;
-  const auto keep_below = [&](double value, double slope) {  // value + f slope <= 0
+  const auto keep_below = [&](double value, double slope) {  // requires value + f slope <= 0
     if (slope > 0) most = std::min(most, -value / slope);
     if (slope < 0) least = std::max(least, -value / slope);
     return slope != 0 || value <= 0;

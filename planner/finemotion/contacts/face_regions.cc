@@ -13,7 +13,7 @@ namespace {
 using geometry::Polygon;
 using geometry::Vector2;
 
-constexpr double kSameExtent = 1e-6;  // relative difference of two areas that counts as none
+constexpr double kSameExtent = 1e-6;  // relative difference of two areas below which they are equal
 
 // Coordinates in a face's plane.
 class FaceFrame {

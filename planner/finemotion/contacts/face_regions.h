@@ -8,13 +8,14 @@ namespace assay::finemotion {
 
 // A side of a convex region of a face. A point p inside the region has outward . p <= height.
 struct RegionSide {
-  Vector3 outward = Vector3::Zero();  // unit, in the face's plane
-  double height = 0;                  // metres
+  Vector3 outward = Vector3::Zero();  // unit vector in the face's plane
+  double height = 0;                  // metres, the greatest outward . p inside the region
   Vector3 start = Vector3::Zero();    // the corners that the side joins
   Vector3 end = Vector3::Zero();
 
   Vector3 middle() const { return (start + end) / 2; }
-  double Excess(const Vector3& p) const { return outward.dot(p) - height; }  // positive: outside
+  // Positive outside the region.
+  double Excess(const Vector3& p) const { return outward.dot(p) - height; }
 };
 
 // A convex region of a face, given by its sides.

@@ -14,7 +14,7 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kLevel = 1e-6;  // metres
+constexpr double kLevel = 1e-6;  // metres, a difference of heights below which two are equal
 // The fraction of a motion's length by which soft servos may be late. Without it, two of twenty
 // trials of the square peg stop short of their first contact.
 constexpr double kLag = 0.3;

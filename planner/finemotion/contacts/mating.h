@@ -20,7 +20,7 @@ struct MatingGeometry {
   Passage passage;
   Eigen::VectorXd tolerances;                  // half widths of the passage's tolerances, metres
   Pose X_FixedSeat = Pose::Identity();         // the tip's pose at the end
-  std::vector<CriticalPoint> critical_points;  // for the parts without clearance
+  std::vector<CriticalPoint> critical_points;  // critical points of the parts without clearance
 };
 MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& mating);
 

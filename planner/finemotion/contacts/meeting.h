@@ -13,7 +13,7 @@ struct Meeting {
   double margin = 0;
 };
 
-inline constexpr double kMeetingTolerance = 1e-9;  // metres
+inline constexpr double kMeetingTolerance = 1e-9;  // metres; anything nearer than this meets
 
 // Decides whether the projection meets the contact. The answer is exact to `tolerance` metres:
 // anything nearer counts as a meeting. The contact's rows, usually five at most, map the

@@ -12,10 +12,10 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kMostDisplacements = 32;  // more displacements than a motion takes
+constexpr double kMostDisplacements = 32;  // displacements, more than a motion takes
 // The shortest stretch of a motion that is examined, in displacements.
 constexpr double kShortest = 0.0625;
-constexpr double kNoLength = 1e-12;  // metres
+constexpr double kNoLength = 1e-12;  // metres; shorter lengths are 0
 constexpr int kAlongOther = 2;       // index of the coordinate along the other edge
 
 // A stretch of the motion, in displacements.

@@ -18,8 +18,8 @@ struct PointAtEdge {
 // One edge as seen along the other: the positions of its ends, and the other edge's length.
 struct EdgeAlongEdge {
   std::array<PointAtEdge, 2> ends;
-  double length = 0;           // metres
-  Eigen::VectorXd elongation;  // most motion of either end for one metre of each tolerance
+  double length = 0;           // length of the edge along which the other one is seen, metres
+  Eigen::VectorXd elongation;  // greatest motion of either end for one metre of each tolerance
 };
 
 // Two convex edges of the two parts that are so nearly parallel that errors may make them exactly
@@ -44,14 +44,15 @@ template <int Rows>
 struct SweptValues {
   Eigen::Matrix<double, Rows, 1> start;
   Eigen::Matrix<double, Rows, 1> motion;
-  Eigen::Matrix<double, Rows, Eigen::Dynamic> start_errors;   // one column for each error
-  Eigen::Matrix<double, Rows, Eigen::Dynamic> motion_errors;  // of one displacement
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> start_errors;  // one column for each error
+  // One column for each error of a displacement.
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> motion_errors;
 };
 
 struct SweptEdge {
   std::array<SweptValues<3>, 2> ends;
   double length = 0;
-  double elongation = 0;  // most motion of either end, metres
+  double elongation = 0;  // greatest motion of either end, metres
 };
 
 // Returns whether the edges can touch within `time` displacements. If `until` is not null, touches

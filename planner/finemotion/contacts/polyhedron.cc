@@ -17,7 +17,7 @@ namespace {
 using geometry::ConvexHull;
 using geometry::Vector2;
 
-using Outline = std::vector<Vector3>;  // of a convex polygon
+using Outline = std::vector<Vector3>;  // the corners of a convex polygon, in order
 
 // Two directions that differ by less (radians) count as one, and a corner that is blunt by less
 // counts as flat.

@@ -24,7 +24,7 @@ struct ConvexPiece {
 // A face of a part's outside: its plane, and the region of the plane that is outside. The region is
 // given as disjoint convex polygons, counter-clockwise as seen from outside.
 struct OuterFace {
-  Vector3 normal = Vector3::Zero();  // unit, outward
+  Vector3 normal = Vector3::Zero();  // unit vector, outward
   double height = 0;                 // normal . p for each point p of the plane, metres
   std::vector<std::vector<Vector3>> region;
 };

@@ -31,7 +31,7 @@ struct ModelTolerance {
   enum class Of { kMovingFaces, kStationaryFaces };
   std::string name;  // for example "width of the shaft"
   Of of = Of::kMovingFaces;
-  std::vector<int> faces;  // the faces that the tolerance displaces outward together, by its value
+  std::vector<int> faces;  // indices of the faces that the tolerance displaces outward together
 };
 
 // The half-space of points z with a . z <= b.
@@ -39,7 +39,8 @@ struct HalfSpace {
   SmallVector a;
   double b = 0;
 
-  double Excess(const GeneralizedPoint& z) const { return a.dot(z) - b; }  // positive outside
+  // Positive outside the half-space.
+  double Excess(const GeneralizedPoint& z) const { return a.dot(z) - b; }
 };
 
 // A primitive contact near a critical point, linearized there. It has a gap, which is 0 on the
@@ -57,7 +58,7 @@ struct PrimitiveContact {
   // nearest ends of a feature are kept. There are more only where a face or an edge is narrower
   // than the reach of the search.
   std::vector<HalfSpace> limits;
-  Vector3 normal = Vector3::Zero();  // unit, from the stationary part into free space
+  Vector3 normal = Vector3::Zero();  // unit vector from the stationary part into free space
   Vector3 at = Vector3::Zero();  // the contact point relative to the moving part's origin, metres
 
   double Gap(const GeneralizedPoint& z) const { return offset + row.dot(z); }

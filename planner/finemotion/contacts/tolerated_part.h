@@ -23,9 +23,9 @@ struct ToleratedPart {
     Vector3 direction = Vector3::Zero();
     double length = 0;
     std::array<Vector3, 2> into{};
-    std::array<Vector3, 2> normals{};      // of the faces
-    Shift shift;                           // of the edge's line, across its direction
-    std::array<ShiftAlong, 2> end_shifts;  // of start and end, along the edge
+    std::array<Vector3, 2> normals{};      // outward normals of the edge's two faces
+    Shift shift;                           // shift of the edge's line, across its direction
+    std::array<ShiftAlong, 2> end_shifts;  // shifts of start and end, along the edge
 
     Vector3 Bisector() const { return (normals[0] + normals[1]).normalized(); }
     Shift EndShift(std::size_t which) const {
@@ -41,13 +41,13 @@ struct ToleratedPart {
 
   struct Region {
     FaceRegion sides;
-    std::vector<ShiftAlong> shifts;  // of each side, outward
+    std::vector<ShiftAlong> shifts;  // shift of each side, outward
   };
 
   struct Face {
     Vector3 normal = Vector3::Zero();
     double height = 0;
-    ShiftAlong shift;  // of the plane, outward
+    ShiftAlong shift;  // shift of the plane, outward
     std::vector<Region> regions;
     Extent extent;
   };

@@ -123,7 +123,7 @@ void CSurfaces::ExcessesAt(const ScaledPose& x, std::vector<double>& excesses) c
 }
 
 bool CSurfaces::Covers(int surface, const ScaledPose& x) const {
-  std::array<std::size_t, 4> ends;  // ends of patches that contain x at the limit of one end only
+  std::array<std::size_t, 4> ends;  // ends of patches that contain x at one of their ends
   std::size_t count = 0;
   for (const Patch& patch : Patches(surface)) {
     bool outside = false;

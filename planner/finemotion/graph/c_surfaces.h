@@ -75,7 +75,7 @@ class CSurfaces {
 
  private:
   struct Limit {
-    ScaledPose a;  // metres of excess for each metre of a scaled pose
+    ScaledPose a;  // gradient of the excess over a scaled pose, without a unit
     double b = 0;
     bool open = false;  // true if the patch excludes the points at this limit
   };

@@ -11,7 +11,7 @@ namespace {
 
 // A unit normal depends on earlier ones if less of it remains across them.
 constexpr double kDependentNormal = 1e-9;
-constexpr double kAgree = 1e-9;  // relative difference of dependent rows' values
+constexpr double kAgree = 1e-9;  // greatest relative difference of values of rows that agree
 
 // Collects normals that are independent of those before them, with an orthonormal basis of their
 // span. Gram and Schmidt's method runs twice for each normal to remove rounding errors.
@@ -44,7 +44,7 @@ class IndependentRows {
   const Eigen::VectorXd& values() const { return values_; }
 
  private:
-  Eigen::MatrixXd basis_;  // orthonormal, a column each
+  Eigen::MatrixXd basis_;  // orthonormal basis vectors, one column each
   Eigen::MatrixXd rows_;   // coefficients of the rows in the basis, lower triangular
   Eigen::VectorXd values_;
 };

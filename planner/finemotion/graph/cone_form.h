@@ -15,8 +15,8 @@ namespace assay::finemotion {
 // and the cone ignores it.
 struct ConeForm {
   GeneralizedPoint characteristic_point;
-  Eigen::MatrixXd rays;      // one column each
-  Eigen::MatrixXd tangents;  // one column each
+  Eigen::MatrixXd rays;      // one column for each ray
+  Eigen::MatrixXd tangents;  // one column for each tangent
   std::vector<int> limits;   // for each ray, the index of its limit
 };
 

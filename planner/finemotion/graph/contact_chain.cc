@@ -10,9 +10,9 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kReach = 0.003;  // metres between features at a critical point
+constexpr double kReach = 0.003;  // metres within which features count as near a critical point
 constexpr double kPast = 1e-3;    // metres past a critical point where contacts are linearized
-constexpr double kClosed = 1e-6;  // metres below which a gap is closed
+constexpr double kClosed = 1e-6;  // metres; smaller gaps are closed
 
 LocalTopology TopologyAt(const MatingGeometry& geometry, const Pose& X_FixedTip) {
   const Passage& passage = geometry.passage;

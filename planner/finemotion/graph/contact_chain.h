@@ -14,9 +14,10 @@ struct LocalTopology {
   ContactSpace space;
   ContactGraph graph;             // its states hold their distances from the goals
   std::vector<int> initial = {};  // states in which the way through this point begins
-  std::vector<int> goals = {};    // states in which it ends
+  std::vector<int> goals = {};    // states in which the way through this point ends
 
-  std::vector<ContactKey> ContactsOf(int state) const;  // keys in ascending order
+  // Returns the state's keys in ascending order.
+  std::vector<ContactKey> ContactsOf(int state) const;
   // Returns the least number of transitions from an initial state to a goal, or none if there is no
   // way.
   std::optional<int> LeastTransitions() const;
@@ -25,8 +26,8 @@ struct LocalTopology {
 // A contact state of the crevice between two critical points. The graphs of both points have it,
 // with the same features touching.
 struct SharedState {
-  int earlier = 0;  // index in the graph of the first point
-  int later = 0;    // index in the graph of the next point
+  int earlier = 0;  // index of the state in the graph of the first point
+  int later = 0;    // index of the state in the graph of the next point
 };
 
 // The contact graphs of all critical points of a mating, and the transitions between them (Dakin
@@ -34,7 +35,8 @@ struct SharedState {
 // share are goals of the earlier graph and initial states of the later one. The first graph begins
 // in free space. The last one ends in a 0-dimensional state with the moving part at its seat.
 struct ContactChain {
-  std::vector<LocalTopology> points;  // one for each critical point; without any, one at the seat
+  // One for each critical point, or one at the seat if there are none.
+  std::vector<LocalTopology> points;
   // For each point and the next; empty where the chain breaks.
   std::vector<std::vector<SharedState>> shared;
 };

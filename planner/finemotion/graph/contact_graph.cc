@@ -24,11 +24,12 @@ using Tangents = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;
 // A row depends on others if less of it remains across them.
 constexpr double kDependentRow = 1e-7;
 constexpr int kScales = 8;  // start points are drawn within reach, reach / 2, reach / 4, ...
-constexpr int kDrawsForATargetPoint = 32;  // at most so many
+constexpr int kDrawsForATargetPoint = 32;  // greatest number of draws for one target point
 // For each target point, states of at least kExploredFrom dimensions are explored from kExplored
 // points. Such states are large, have many neighbours, and all other states are found from them.
 constexpr int kExplored = 4;
-constexpr int kExploredFrom = 4;  // dimensions
+// The least dimension of states that are explored from kExplored points.
+constexpr int kExploredFrom = 4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // --- Sets of C-surfaces.
@@ -68,12 +69,12 @@ struct HashOfSet {
 struct Facet {
   SurfaceSet set;
   std::vector<int> surfaces;     // the surfaces of the set, ascending
-  std::vector<int> independent;  // as many of them as the rank of their rows
+  std::vector<int> independent;  // independent ones among the surfaces, as many as the rank
   // Column i closes a gap of 1 of the independent surface i and leaves the gaps of the others.
   Tangents corrections;
-  Tangents tangents;               // orthonormal
-  std::vector<ScaledPose> points;  // target points come first
-  Index explored = 0;              // neighbours were looked for from this many points
+  Tangents tangents;               // orthonormal columns
+  std::vector<ScaledPose> points;  // poses on the facet, target points first
+  Index explored = 0;              // number of points whose neighbours have been searched for
 
   int dimension() const { return static_cast<int>(tangents.cols()); }
 };
@@ -342,7 +343,7 @@ class GraphBuilder {
   RayEnd EndOf(const Facet& facet, const ScaledPose& g) const {
     RayEnd end;
     for (const int k : facet.surfaces) end.length = std::min(end.length, EndOnSurface(k, g));
-    end.length += kTouch;  // a face may come to lie flat just there
+    end.length += kTouch;  // at this distance a face may come to lie flat
     Index member = 0;
     for (int k = 0; k < surfaces_.size(); ++k) {
       if (member < facet.surfaces.size() && facet.surfaces[member] == k) {
@@ -445,7 +446,7 @@ class GraphBuilder {
           graph.states[static_cast<Index>(parent)].sons.push_back(static_cast<int>(i));
         }
       };
-      link(above.back());  // free space
+      link(above.back());  // links to free space
       for (const int k : facet.surfaces) link(above[static_cast<Index>(k)]);
       const Index first =
           facet.surfaces.empty() ? firsts - 1 : static_cast<Index>(facet.surfaces[0]);
@@ -458,14 +459,14 @@ class GraphBuilder {
   CSurfaces surfaces_;
   RandomStream random_;
   SurfaceSet nothing_;
-  std::deque<Facet> facets_;  // in the order found; references stay valid
+  std::deque<Facet> facets_;  // in the order in which they were found; references stay valid
   std::unordered_map<SurfaceSet, Index, HashOfSet> indices_;
 
   // Work space, so that the loops over rays allocate nothing.
-  Eigen::VectorXd gaps_;  // at the point that rays are cast from
+  Eigen::VectorXd gaps_;  // gaps at the point that rays are cast from
   std::vector<double> excesses_;
-  Eigen::VectorXd rates_;  // along the ray
-  SurfaceSet touched_;     // at the pose examined last
+  Eigen::VectorXd rates_;  // rates of change of the gaps along the ray
+  SurfaceSet touched_;     // surfaces touched at the pose examined last
   Eigen::VectorXd gaps_there_;
 };
 

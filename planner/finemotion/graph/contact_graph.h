@@ -29,7 +29,7 @@ struct ContactSpace {
 struct ContactState {
   std::vector<int> contacts;  // ascending indices into the space's contacts
   int dimension = kPoseDimensions;
-  std::vector<LocalPose> target_points;  // where all of them touch and nothing overlaps
+  std::vector<LocalPose> target_points;  // poses where all contacts touch and nothing overlaps
   std::vector<int> parents;  // indices of states with one contact less and one dimension more
   std::vector<int> sons;     // indices of states with one contact more
   // The least number of transitions to a goal, or -1 if it is not known or no goal can be reached.
@@ -39,17 +39,18 @@ struct ContactState {
 // The topology of local contact space (Dakin and Popplestone, section 3, figures 4 and 8). State 0
 // is free space.
 struct ContactGraph {
-  std::vector<ContactState> states;  // by falling dimension, then by contacts
+  std::vector<ContactState> states;  // ordered by falling dimension, then by contacts
 
   // Returns each state's least number of transitions to a goal, over parents and sons, or -1 if no
   // goal can be reached.
   std::vector<int> DistancesTo(const std::vector<int>& goals) const;
-  void MeasureTo(const std::vector<int>& goals);     // stores the distances in the states
-  int Find(const std::vector<int>& contacts) const;  // -1 if there is no such state
+  void MeasureTo(const std::vector<int>& goals);  // stores DistancesTo(goals) in the states
+  // Returns the index of the state, or -1 if there is none.
+  int Find(const std::vector<int>& contacts) const;
 };
 
 struct ContactGraphOptions {
-  int target_points = 12;  // at most so many for each state; the paper's number
+  int target_points = 12;  // greatest number for each state; the paper's number
   int random_rays = 8;     // rays from a point besides those along a basis and toward each contact
   // The greatest distance of a pose from the critical point, in metres. It counts translation and
   // rotation as a bound of the motion of the part's points.

@@ -20,7 +20,8 @@ struct AlongVelocity {
 };
 
 AlongVelocity OntoSurface(const PrimitiveContact& contact, const Eigen::VectorXd& velocity) {
-  const Eigen::VectorXd step = velocity / contact.row.dot(velocity);  // changes the gap by 1
+  // The step along the velocity that changes the gap by 1.
+  const Eigen::VectorXd step = velocity / contact.row.dot(velocity);
   const Eigen::Index n = velocity.size();
   return {Eigen::MatrixXd::Identity(n, n) - step * contact.row.transpose(), -contact.offset * step};
 }

@@ -54,15 +54,17 @@ class NearestPoint {
     static constexpr int kPoint = 0;
     Point at;
     double weight = 0;  // not negative; the weights of points sum to 1
-    int axis = kPoint;  // of a ray: its axis
-    double wanted = 0;  // the weight to be reached
+    int axis = kPoint;  // for a ray, the index of its axis
+    double wanted = 0;  // the weight to which StepToWanted moves
 
     bool is_point() const { return axis == kPoint; }
   };
 
   static constexpr int kMostRounds = 1000;
-  static constexpr double kExactness = 0.1;    // as a fraction of the tolerance
-  static constexpr double kDependent = 1e-14;  // sine of an angle
+  // Fraction of the tolerance to which the distance is exact.
+  static constexpr double kExactness = 0.1;
+  // Sine of an angle below which directions are dependent.
+  static constexpr double kDependent = 1e-14;
 
   double Search(bool verdict_only) {
     double lower = 0;  // lower bound of the distance

@@ -44,7 +44,8 @@ class ProjectionImage {
 
   static constexpr Eigen::Index kStart = 0;
   static constexpr Eigen::Index kMotion = 1;
-  static constexpr Eigen::Index kErrors = 2;  // errors of the start, then errors of the motion
+  // First column of the errors: those of the start, then those of the motion.
+  static constexpr Eigen::Index kErrors = 2;
 
   const double* Column(Eigen::Index i) const { return columns_.data() + i * rows(); }
 

@@ -16,12 +16,13 @@ struct Zonotope {
 
   static Zonotope Box(const Eigen::VectorXd& low, const Eigen::VectorXd& high);
 
-  double Support(const Eigen::VectorXd& a) const;             // greatest value of a . z
-  GeneralizedPoint Farthest(const Eigen::VectorXd& a) const;  // a point where a . z is greatest
+  double Support(const Eigen::VectorXd& a) const;  // returns the greatest value of a . z
+  // Returns a point where a . z is greatest.
+  GeneralizedPoint Farthest(const Eigen::VectorXd& a) const;
 };
 
 Zonotope Mapped(const Eigen::MatrixXd& linear, const Eigen::VectorXd& offset, const Zonotope& of);
 Zonotope Sum(const Zonotope& a, const Zonotope& b);
-Zonotope Scaled(const Zonotope& region, double factor);  // scales about the center
+Zonotope Scaled(const Zonotope& region, double factor);  // scales the region about its center
 
 }  // namespace assay::finemotion

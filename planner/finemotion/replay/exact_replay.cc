@@ -13,11 +13,11 @@ namespace assay::finemotion {
 namespace {
 
 constexpr int kSteps = 24;          // steps of one motion
-constexpr int kClosings = 3;        // Newton steps; contacts are nearly closed before
+constexpr int kClosings = 3;        // number of Newton steps, which begin near the solution
 constexpr double kTouching = 1e-7;  // metres; smaller gaps touch
 constexpr double kBeside = 1e-6;    // metres; edges in a concave corner touch at their ends
 constexpr double kNudge = 1e-7;     // metres, for numerical derivatives
-constexpr double kLonger = 1.05;    // contacts are awaited for the longest way times this
+constexpr double kLonger = 1.05;    // contacts are awaited for the longest way times this factor
 constexpr double kMargin = 1e-3;    // metres beyond what a motion can reach
 
 std::size_t At(int index) { return static_cast<std::size_t>(index); }
@@ -37,7 +37,8 @@ double GapOf(const Passage& passage, const ContactKey& key, const Pose& X) {
       const OuterEdge& a = passage.moving.edges[At(key.moving)];
       const OuterEdge& b = passage.stationary.edges[At(key.stationary)];
       const Vector3 n = (X.linear() * (a.end - a.start)).cross(b.end - b.start);
-      return n.dot(X * a.start - b.start) / n.norm();  // outside the parts it may have either sign
+      // The sign is arbitrary where the parts do not overlap.
+      return n.dot(X * a.start - b.start) / n.norm();
     }
   }
   ASSAY_CHECK(false, "no such kind of contact");

@@ -53,8 +53,8 @@ struct ExactReplay {
 // A place where a replay deviates from the plan: a contact other than planned is made, the planned
 // one is not made, or a kept one is off its features.
 struct Deviation {
-  PoseChange error = PoseChange::Zero();  // of the start
-  std::size_t motion = 0;                 // index of the motion
+  PoseChange error = PoseChange::Zero();  // the error of the start
+  std::size_t motion = 0;                 // index of the motion that deviates
   Unwanted unwanted = {};                 // the first that happens; its scale has no meaning
 };
 
@@ -66,7 +66,7 @@ std::optional<Deviation> DeviationOf(const ExactReplay& replay, const PoseChange
 // The result of replays with many errors.
 struct ExactReplays {
   int tried = 0;
-  std::optional<Deviation> deviation = {};  // of the first error that has one
+  std::optional<Deviation> deviation = {};  // the deviation of the first error that has one
 };
 
 // Replays with the errors of TrialErrors until one deviates. Equal seeds draw equal errors, as

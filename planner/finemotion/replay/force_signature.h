@@ -16,7 +16,7 @@ using Wrench = Eigen::Matrix<double, kPoseDimensions, 1>;
 // nonnegative combinations of the rays (Dakin and Popplestone, section 4, tell states apart by them
 // at the wrist). Without a contact it is the wrench 0 alone.
 struct ForceSignature {
-  Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic> rays;  // one column each
+  Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic> rays;  // one column for each ray
 };
 
 // Returns the signature of contacts with dry friction. Its rays are the edges of a pyramid of

@@ -32,7 +32,7 @@ class SequenceReplay {
   // than `absorbed`. Returns the multiple of the errors that is absorbed in the end.
   double Widen(Sequence& sequence, double absorbed);
 
-  int replayed() const { return replayed_; }  // so far
+  int replayed() const { return replayed_; }  // number of replays so far
   const TestComparison& comparison() const { return comparison_; }
 
  private:

@@ -14,12 +14,12 @@ namespace assay::finemotion {
 namespace {
 
 // Numbers in the file are rounded, so results that are computed again may differ by these amounts.
-constexpr double kRounding = 0.999;  // factor of the errors
-constexpr double kPlace = kLost;     // metres, of gaps and poses
-constexpr double kDirection = 1e-3;  // radians
+constexpr double kRounding = 0.999;  // factor by which the errors are reduced
+constexpr double kPlace = kLost;     // metres by which gaps and poses may differ
+constexpr double kDirection = 1e-3;  // radians by which directions may differ
 constexpr double kGreatestTurn = 1.5 * kLinearTurn;
 constexpr double kNoTurn = 1e-9;   // radians; less is rounding
-constexpr double kFarther = 1e-3;  // fraction of a motion's length
+constexpr double kFarther = 1e-3;  // fraction of a motion's length by which lengths may differ
 
 bool AreSame(const Pose& a, const Pose& b) {
   const PoseChange z = Between(a, b);
@@ -261,7 +261,7 @@ class StrategyReplay {
   const FineMotionErrors errors_;
   const plan::Strategy& strategy_;
   const MotionChecker checker_;
-  const Maneuvering maneuvering_;  // at the last critical point, where the strategy ends
+  const Maneuvering maneuvering_;  // maneuvers at the last critical point, where the strategy ends
   std::vector<ContactKey> keys_;   // keys of the strategy's contacts
   std::vector<CertainMotion> motions_;
   double multiple_ = 1;

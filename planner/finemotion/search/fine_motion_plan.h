@@ -15,8 +15,8 @@ namespace assay::finemotion {
 struct FineMotionErrors {
   // Of the tip's pose at the start: metres, radians.
   Eigen::Matrix<double, kPoseDimensions, 1> pose;
-  double velocity = domain::MatingErrors().velocity;  // as in SegmentModel
-  Eigen::VectorXd tolerances = {};                    // of the passage's tolerances, metres
+  double velocity = domain::MatingErrors().velocity;  // velocity error as in SegmentModel
+  Eigen::VectorXd tolerances = {};  // half widths of the passage's tolerances, metres
 };
 
 // Returns the errors with those of poses and tolerances multiplied by `multiple`. Those of
@@ -35,11 +35,11 @@ struct StrategyOptions {
   double tilt = 0.2;      // radians by which starts may be tilted
   double twist = 0.08;    // radians by which starts may be turned about the way in
   double offset = 0.006;  // metres by which starts may be beside the entry
-  int rounds = 4;         // searches from other starts, until all errors are absorbed
-  int starts = 100;       // starts that are drawn for one search
-  int tries = 400;        // attempts at moving a start
+  int rounds = 4;         // number of searches from other starts, until all errors are absorbed
+  int starts = 100;       // number of starts that are drawn for one search
+  int tries = 400;        // number of attempts at moving a start
   double greatest = 1.5;  // starts are moved until this multiple of the errors is absorbed
-  int nodes = 200;        // nodes that one search may expand for each critical point
+  int nodes = 200;        // number of nodes that one search may expand for each critical point
   // Nodes that a thorough search may expand for each critical point. It is made when no other
   // search finds a strategy, to learn whether there is one. With 0 neither it nor the search for an
   // obstacle is made.
@@ -61,7 +61,8 @@ struct FineMotionPlan {
   // The greatest multiple of the errors for which all motions are certain to first order and no
   // replay in exact geometry deviated, as far as the search has looked.
   double absorbed = 0;
-  int exact_replays = 0;  // errors of that multiple that were replayed, if a plan is found
+  // Number of errors of that multiple that were replayed exactly, if a plan is found.
+  int exact_replays = 0;
   // The least coefficient of friction with which its kept contacts could hold a motion.
   double friction_limit = kGreatestFriction;
   // What stands in the way, if not all of the errors are absorbed. If some part is absorbed, it is
@@ -69,9 +70,10 @@ struct FineMotionPlan {
   // it is what stands against the sequence that came nearest to the goal, at the least multiple
   // that was tried.
   std::optional<Unwanted> obstacle = {};
-  int expanded = 0;                // nodes
-  int replayed = 0;                // sequences replayed from other starts
-  TestComparison comparison = {};  // with the paper's edge test, if options.test asks for it
+  int expanded = 0;  // number of expanded nodes
+  int replayed = 0;  // number of sequences replayed from other starts
+  // Comparison with the paper's edge test, if options.test asks for it.
+  TestComparison comparison = {};
 
   bool found() const { return outcome == Outcome::kFound; }
 };

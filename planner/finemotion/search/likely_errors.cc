@@ -8,9 +8,9 @@
 namespace assay::finemotion {
 namespace {
 
-constexpr int kDrawn = 500;        // errors that are drawn
-constexpr double kEnlarged = 2;    // factor of the box from which they are drawn
-constexpr int kFewestOfState = 3;  // errors of one error state that suffice for a mean
+constexpr int kDrawn = 500;        // number of drawn errors
+constexpr double kEnlarged = 2;    // factor of the error box from which they are drawn
+constexpr int kFewestOfState = 3;  // least number of errors for the mean of an error state
 
 struct ErrorSum {
   PoseChange sum = PoseChange::Zero();

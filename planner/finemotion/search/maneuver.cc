@@ -22,7 +22,7 @@ constexpr double kCorrection = 2e-3;      // metres; more is not a correction
 constexpr double kLongestMotion = 0.015;  // metres of the way that are checked as one motion
 // Metres before the next critical point, so that the part is free there.
 constexpr double kShortOfNext = 5e-4;
-constexpr double kUprightEnough = 0.02;  // radians
+constexpr double kUprightEnough = 0.02;  // radians from upright that count as upright
 
 bool IsOneOf(const std::vector<ContactKey>& keys, const PrimitiveContact& contact) {
   return std::ranges::find(keys, KeyOf(contact)) != keys.end();

@@ -10,10 +10,11 @@ namespace assay::finemotion {
 // The parts of a mating, and the way along which the moving part enters: a hole, a slot, or a
 // further step down.
 struct Passage {
-  Polyhedron moving;  // about the tip: its origin is the tip, its axes are the stationary part's
+  Polyhedron moving;  // the tip is its origin, and its axes are the stationary part's
   Polyhedron stationary;
-  Pose X_StationaryEntry = Pose::Identity();  // the tip at the first critical point, without errors
-  Vector3 mating = -Vector3::UnitZ();         // unit vector along the way in
+  // The tip's pose at the first critical point, without errors.
+  Pose X_StationaryEntry = Pose::Identity();
+  Vector3 mating = -Vector3::UnitZ();  // unit vector along the way in
   // Metres from the first to each further critical point, ascending.
   std::vector<double> further = {};
   double depth = 0.003;  // metres from a critical point within which walls are searched for
@@ -37,18 +38,18 @@ std::vector<PrimitiveContact> WallsAt(const Passage& passage, int critical_point
 // A kind of motion that has a meaning wherever the part is. Strategies are made of maneuvers.
 struct Maneuver {
   enum class Kind {
-    kMove,     // along `direction`, metres
-    kTurn,     // about `direction`, radians
-    kLetGo,    // from a contact, along its normal
-    kCenter,   // to the middle of the entry, across the way in
-    kUpright,  // to the entry's orientation
-    kAdvance,  // straight on to the next critical point, in the crevice
+    kMove,     // a move along `direction`, in metres
+    kTurn,     // a turn about `direction`, in radians
+    kLetGo,    // a move away from a contact, along its normal
+    kCenter,   // a move to the middle of the entry, across the way in
+    kUpright,  // a turn to the entry's orientation
+    kAdvance,  // a straight move to the next critical point, in the crevice
   };
   Kind kind = Kind::kMove;
-  Vector3 direction = Vector3::Zero();  // unit; of kMove and kTurn
+  Vector3 direction = Vector3::Zero();  // unit vector for kMove and kTurn
   double amount = 0;                    // the greatest amount, in metres or radians
   bool to_contact = false;  // true: a contact must come before that amount; false: none may come
-  ContactKey contact = {};  // the contact of kLetGo
+  ContactKey contact = {};  // the contact that kLetGo leaves
 };
 
 // Returns the critical point at which a maneuver from `critical_point` ends.

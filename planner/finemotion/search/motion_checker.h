@@ -11,13 +11,13 @@ namespace assay::finemotion {
 // Factors by which the errors are enlarged (Dakin and Popplestone, section 4; the values are not
 // from the paper).
 inline constexpr double kLadder[] = {1, 1.25, 1.5, 2, 3, 4};
-inline constexpr double kBeyondLadder = 8;  // the scale of what happens at none of these
+inline constexpr double kBeyondLadder = 8;  // scale of what happens at no enlargement of kLadder
 
 // How much is reported of the contacts that errors make or lose.
 enum class Margins {
-  kNone,   // the first that is found with the errors as they are
-  kLeast,  // all that happen at the least enlargement at which any happens
-  kAll,    // all that happen at any enlargement, by rising scale, with their contacts
+  kNone,   // the first contact that is found with the errors as they are
+  kLeast,  // all contacts at the least enlargement at which there are any
+  kAll,    // all contacts at all enlargements, by rising scale, with their geometry
 };
 
 // A motion of a strategy, and whether it is certain.
@@ -40,8 +40,8 @@ double FrictionLimitOf(const CertainMotion& motion);
 class MotionChecker {
  public:
   struct Options {
-    double velocity_error = 0.002;  // as in SegmentModel
-    double turn = 0.03;             // least angle from parallel of the edges of a contact, radians
+    double velocity_error = 0.002;  // velocity error as in SegmentModel
+    double turn = 0.03;  // radians; the edges of a contact are at least so far from parallel
     double radius = 0.02;
     MeetingTest test = MeetingTest::kExact;
     double friction = 0;  // the greatest coefficient of friction between the parts

@@ -17,12 +17,13 @@ constexpr double kTurned = 2e-3;       // radians that a kept contact may be bey
 constexpr double kLatestContact = 20;  // displacements until the contact is surely made, at most
 constexpr double kGreatestMultiplier = 1e6;
 constexpr int kThirds = 30;  // steps of a search that leaves two thirds of an interval in each
-constexpr double kParallel = 1e-9;   // difference of rows' coefficients that counts as none
+constexpr double kParallel = 1e-9;   // greatest difference of the coefficients of parallel rows
 constexpr double kParted = 1e-9;     // metres by which tolerances may part kept contacts
-constexpr double kVanished = 1e-12;  // share of a generator's length that is only rounding
+constexpr double kVanished = 1e-12;  // relative length below which a generator is only rounding
 // Metres; a feature that slides along another as it touches may close by this much.
 constexpr double kGrazed = 1e-12;
-constexpr Eigen::Index kFewErrors = 12;  // the edge test takes a millisecond for so many errors
+// Number of errors for which the edge test takes a millisecond.
+constexpr Eigen::Index kFewErrors = 12;
 
 // The changes of a row's value that are due to the errors of the start, one number for each error.
 using ErrorParts = Eigen::VectorXd;
@@ -52,7 +53,7 @@ double SumOfParts(const SmallVector& row, const PoseChanges& errors,
 // and over the velocity, with all of its errors.
 struct RowRange {
   double start = 0;
-  double motion = 0;  // in one displacement
+  double motion = 0;  // change of the value in one displacement
   ErrorParts start_errors;
   PoseChange motion_errors;
 
@@ -166,7 +167,7 @@ class KeptDirections {
   const Eigen::VectorXd& tolerances_;
   PoseChange lengths_;
   Eigen::Matrix<double, kPoseDimensions, kPoseDimensions> basis_;
-  PoseChange offsets_;  // at the end of the motion
+  PoseChange offsets_;  // gaps along these directions at the end of the motion
   Eigen::Matrix<double, Eigen::Dynamic, kPoseDimensions> shifts_;
   int count_ = 0;
   bool are_parted_ = false;
@@ -177,8 +178,8 @@ class KeptDirections {
 // way.
 struct Arrival {
   PoseChange center;
-  PoseChanges errors;  // of the start, moved to the surface
-  PoseChanges drifts;  // for a way of one displacement
+  PoseChanges errors;  // errors of the start, moved to the surface
+  PoseChanges drifts;  // drifts on a way of one displacement
 };
 
 class Checker {
@@ -469,7 +470,7 @@ class Checker {
   // e. The time s is at most that of the farthest start at the slowest approach.
   Arrival ArrivalAt(const PrimitiveContact& contact) const {
     const auto row = contact.row.head<kPoseDimensions>();
-    const PoseChange step =  // changes the gap by 1
+    const PoseChange step =  // the step that changes the gap by 1
         command_.displacement / row.dot(command_.displacement);
     return {-contact.offset * step, Stepped(errors_, PartsOf(contact.row, errors_), step),
             Stepped(drifts_, drifts_.transpose() * row, step)};

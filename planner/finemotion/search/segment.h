@@ -14,7 +14,8 @@ namespace assay::finemotion {
 // A change of the moving part's pose: d is added to its origin, and it is turned by w about its
 // origin. It is the pose's share of a point of generalized space.
 using PoseChange = Eigen::Matrix<double, kPoseDimensions, 1>;
-using PoseChanges = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;  // one column each
+// One change in each column.
+using PoseChanges = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;
 
 // The believed pose of the moving part: nominally X, displaced by each errors.col(i) times any
 // factor in -1 .. 1, and in contact with what it keeps. The factors of the first columns belong to
@@ -40,8 +41,8 @@ PoseChange Closing(const std::vector<const PrimitiveContact*>& contacts, const P
 
 // A straight motion in a contact state, and the contact that ends it.
 struct Command {
-  PoseChange displacement;       // the motion without errors
-  std::vector<ContactKey> kept;  // contacts that stay closed; other contacts of before are let go
+  PoseChange displacement;       // the whole motion without errors
+  std::vector<ContactKey> kept;  // contacts that stay closed; other contacts are let go
   std::optional<ContactKey> until = {};
 };
 
@@ -62,7 +63,7 @@ struct Unwanted {
 struct TestComparison {
   int tests = 0;
   int compared = 0;
-  int missed = 0;  // contacts that can be made, but are met by no edge
+  int missed = 0;  // number of contacts that can be made, but are met by no edge
 
   TestComparison& operator+=(const TestComparison& other);
 };
@@ -74,7 +75,7 @@ struct SegmentCheck {
   bool certain = false;
   std::vector<Unwanted> unwanted = {};
   Belief after = {};
-  double longest = 1;  // the most displacements that the motion may take
+  double longest = 1;  // greatest number of displacements that the motion takes
   TestComparison comparison = {};
 };
 
@@ -82,7 +83,7 @@ struct SegmentCheck {
 enum class MeetingTest {
   kExact,
   kEdges,    // the paper's, where there are few enough errors; it misses some contacts
-  kCompare,  // exact, and compared with the paper's
+  kCompare,  // the exact test, compared with the paper's
 };
 
 struct SegmentModel {
@@ -92,7 +93,7 @@ struct SegmentModel {
   // fraction of the length plus the turn times the radius. About each axis, the rotation errs by at
   // most this fraction of the turn.
   double velocity_error = 0.02;
-  double radius = 0.02;  // metres
+  double radius = 0.02;  // metres; a rotation times this radius counts as a length
   MeetingTest test = MeetingTest::kExact;
   // Edges that may be parallel, at the same pose. None of them may touch.
   std::span<const ParallelEdges> parallel_edges = {};
@@ -100,7 +101,7 @@ struct SegmentModel {
 
 // How much a check reports of what is unwanted.
 enum class Telling {
-  kFirst,  // only the first that is found
+  kFirst,  // only the first unwanted contact that is found
   kAll,
 };
 

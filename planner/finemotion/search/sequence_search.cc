@@ -29,12 +29,12 @@ struct SequenceSearch::Node {
   NodePointer parent = {};
   Maneuver maneuver = {};
   Start start = {};
-  int point = 0;  // index of the critical point where it is
+  int point = 0;  // index of the critical point where the node is
   std::size_t motions = 0;
   double cost = 0;  // a lower bound, or the whole cost once it is `exact`
   bool exact = true;
   double guidance = 0;
-  int number = 0;  // in the order in which nodes are made
+  int number = 0;  // number of the node in the order in which nodes are made
 };
 
 // Orders nodes by the estimated cost of the whole sequence. Of equal ones, those that came farther

@@ -21,7 +21,7 @@ struct SequenceProblem {
   const Passage& passage;
   const std::vector<Maneuvering>& maneuvering;  // one for each critical point
   const StrategyOptions& options;
-  double multiple = 1;  // factor of the starts' errors
+  double multiple = 1;  // multiple of the starts' errors
 };
 
 // An A* search over believed poses, with the three costs of Dakin and Popplestone (sections 2 and
@@ -74,7 +74,7 @@ class SequenceSearch {
   std::priority_queue<NodePointer, std::vector<NodePointer>, IsLater> open_;
   KnownBeliefs known_;
   std::optional<Unwanted> refused_ = {};
-  double refused_guidance_ = 0;  // guidance of the node with that maneuver
+  double refused_guidance_ = 0;  // guidance of the node that `refused_` is from
   TestComparison comparison_ = {};
   int expanded_ = 0;
   int made_ = 0;

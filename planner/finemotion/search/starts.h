@@ -7,8 +7,8 @@ namespace assay::finemotion {
 
 // A start of a strategy relative to the entry: how far it is turned, and how far beside the entry.
 struct Start {
-  Vector3 turn = Vector3::Zero();    // rotation vector
-  Vector3 beside = Vector3::Zero();  // metres, across the way in
+  Vector3 turn = Vector3::Zero();    // rotation vector, radians
+  Vector3 beside = Vector3::Zero();  // metres across the way in
 };
 
 // Draws perturbed approaches (Dakin and Popplestone, section 4). The paper samples them about the

@@ -16,10 +16,10 @@ using plan::Retreated;
 // (Spar, figure 18).
 struct StepCommands {
   plan::StepId step = {};
-  std::vector<Command> approach = {};  // until the tool is poised before or above its work
-  std::vector<Command> advance = {};   // to where it works
-  std::vector<Command> act = {};       // at the place of work
-  std::vector<Command> depart = {};    // away, if the work succeeded
+  std::vector<Command> approach = {};  // commands until the tool is poised before or above its work
+  std::vector<Command> advance = {};   // commands until the tool is at its work
+  std::vector<Command> act = {};       // commands at the place of work
+  std::vector<Command> depart = {};    // commands that move the tool away, if the work succeeded
   // Back to where the tool was poised, if the work failed. If it is empty, the tool only needs to
   // back off a little.
   std::vector<Command> withdraw = {};

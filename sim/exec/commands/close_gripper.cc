@@ -12,7 +12,7 @@ constexpr double kTouchSpeed = 0.005;
 // Metres of opening before the expected width, where the touch speed begins.
 constexpr double kTouchMargin = 0.003;
 constexpr double kClosingSettle = 0.05;  // seconds for the arm to settle before closing
-constexpr double kLongest = 10;          // seconds
+constexpr double kLongest = 10;          // seconds until closing ends in any case
 
 // Closes until the gripper has been still for a while under its full force.
 Progress CloseUntilStill(double expected_width, Execution& execution) {

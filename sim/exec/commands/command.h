@@ -32,7 +32,7 @@ struct FollowPath {
 };
 
 // The condition that ends a move: resistance.
-struct Guard {       // newtons against the motion, in addition to the force before it
+struct Guard {
   double force = 0;  // newtons against the motion, more than before it
 };
 
@@ -40,11 +40,11 @@ struct Guard {       // newtons against the motion, in addition to the force bef
 struct MoveStraight {
   Pose X_WorldTool;
   Pace pace;
-  std::optional<Guard> guard = {};  // felt on the whole way
+  std::optional<Guard> guard = {};  // the guard, which is active on the whole way
 };
 
 // Fingers have come to rest when they were slower than kFingersStill for kFingersStillFor.
-inline constexpr double kFingersStill = 1e-4;     // m/s, of the opening
+inline constexpr double kFingersStill = 1e-4;     // m/s of the opening
 inline constexpr double kFingersStillFor = 0.05;  // seconds
 
 // The gripper opens wide. A part that it held is believed to stay where it is released.
@@ -76,7 +76,7 @@ struct Look {
 // part.
 struct Clamp {
   PartId part;
-  double force = 0;  // newtons
+  double force = 0;  // newtons on the part, downward
 };
 
 // Hybrid control of position and force leads the held part into the fixed one. It begins where the

@@ -49,7 +49,7 @@ Progress Run(const FollowStrategy& follow, std::span<const Command>, Execution& 
 }
 
 Progress Run(const Clamp& clamp, std::span<const Command>, Execution& execution) {
-  constexpr double kSettle = 0.1;  // seconds
+  constexpr double kSettle = 0.1;  // seconds for the part to settle
   execution.scene().Clamp(execution.data(), clamp.part, clamp.force);
   return execution.Stay(kSettle, Stepping::kContact);
 }

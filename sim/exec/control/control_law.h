@@ -12,7 +12,7 @@ struct ControlLaw {
   double seating_length = 0.004;  // length before a crevice's end where the contact speed applies
   double turning_speed = 0.12;    // rad/s
   double contact_turning_speed = 0.05;
-  double pressing_force = 4;                   // on each kept contact
+  double pressing_force = 4;                   // force on each kept contact
   double pushing_force = plan::kStrategyPush;  // greatest force along a crevice
   double touching_force = 3;  // a contact that bears this is made, where others are kept
   // A contact that bears this counts as made, where no other contacts are kept.
@@ -24,22 +24,22 @@ struct ControlLaw {
   // rises. In that time, a mass m that meets a stiffness k with speed v bears v sqrt(m k).
   double impact = 20e3;
   double softness = 0.03;              // fraction of the servos' stiffness
-  double relaxation = 40;              // 1/s, of forces that are too great
+  double relaxation = 40;              // rate at which forces that are too great are relaxed, 1/s
   double seeking_speed = 0.002;        // m/s, toward a contact that is lost
   double yielding_speed = 0.005;       // m/s, away from a force that is too great
   double wrench_filter = 0.002;        // time constant of the measured wrench
   double velocity_filter = 0.01;       // time constant of the yielding velocity
-  double acceleration = 0.3;           // m/s^2, of planned motions
-  double turning_acceleration = 2;     // rad/s^2, of planned motions
+  double acceleration = 0.3;           // m/s^2 in planned motions
+  double turning_acceleration = 2;     // rad/s^2 in planned motions
   double touch_filter = 0.008;         // time constant of the force on an awaited contact
   double location_filter = 0.05;       // time constant of the contacts' locations
-  double obstruction_duration = 0.05;  // longer than an impact takes
+  double obstruction_duration = 0.05;  // an unexplained force that lasts so long is no impact
   // Time constant of the wrench by which error states are recognized.
   double recognition_filter = 0.02;
   double settling = 0.1;   // least time after each motion
   double braking = 0.002;  // time to stop when a contact is made
   double slack = 1e-4;     // metres by which a contact may be farther away than errors explain
-  int attempts = 3;        // at the whole strategy, restarted after error states
+  int attempts = 3;        // number of attempts at the whole strategy
 
   // Returns the greatest force at the wrist, in newtons, for any duration. It is that of an impact
   // at the speed of free motions, plus the pushing force. After the first error state nothing is

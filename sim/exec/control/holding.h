@@ -10,10 +10,10 @@ namespace assay::exec {
 
 // How contacts can hold a part that is pushed and does not move (quasi-statically).
 enum class Holding {
-  kNothing,   // they cannot hold the part
-  kObstacle,  // one of them stands against the push, even without friction
-  kJam,       // their friction holds the part while it is pushed (Simunovic 1975)
-  kWedge,     // they squeeze the part between them whatever is done to it (Nevins and Whitney 1978)
+  kNothing,   // the contacts cannot hold the part
+  kObstacle,  // a contact stands against the push, even without friction
+  kJam,       // friction holds the part while it is pushed (Simunovic 1975)
+  kWedge,     // the contacts squeeze the part whatever is done to it (Nevins and Whitney 1978)
 };
 std::string_view Name(Holding holding);  // for example "wedge"
 

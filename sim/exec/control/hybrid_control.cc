@@ -12,8 +12,8 @@ namespace assay::exec {
 namespace {
 
 constexpr double kStalled = 0.3;       // seconds without progress along a crevice
-constexpr double kCreviceEnd = 0.002;  // metres; the end of a crevice is not known better
-constexpr double kNoWay = 1e-9;        // metres or radians
+constexpr double kCreviceEnd = 0.002;  // metres to which the end of a crevice is known
+constexpr double kNoWay = 1e-9;        // metres or radians; shorter ways are none
 
 bool CanBeLeft(MatingOutcome error) {
   return error == MatingOutcome::kJammed || error == MatingOutcome::kWrongContact ||
@@ -286,7 +286,7 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
 // contact could bear.
 double HybridControl::SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
                                    const Way& way) const {
-  constexpr double kRipple = 1.5;  // factor by which pressing forces vary
+  constexpr double kRipple = 1.5;  // factor by which pressing forces may exceed their command
   const Vector6 sliding = Hybrid(kept, way.twist).planned;
   Vector6 wrench = Vector6::Zero();
   for (const plan::StrategyContact& contact : kept.contacts()) {
@@ -344,7 +344,7 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
 // Returns whether the part is jammed or wedged (Whitney 1982). A wedged part is held between the
 // walls whatever the hand does.
 HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left) {
-  constexpr double kBack = 0.002;  // metres
+  constexpr double kBack = 0.002;  // metres to draw back
   ErrorState stuck =
       Error(MatingOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
   stuck.holding = TrueHolding(execution_, fixed_, strategy_.X_HeldTip,

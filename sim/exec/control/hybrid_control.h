@@ -25,7 +25,7 @@ struct ErrorState {
   int motion = 0;  // index of the motion in which it occurred
   // None if it is none of the states that the plan knows.
   std::optional<RecognizedContact> recognized = {};
-  double time = 0;  // simulated seconds
+  double time = 0;  // when it occurred, simulated seconds
   // How the part that got stuck is held, by the contacts that the engine has at that time. Control
   // does not know these.
   std::optional<Holding> holding = {};
@@ -35,10 +35,11 @@ struct StrategyEnd {
   MatingOutcome outcome = MatingOutcome::kDone;
   std::string reason = {};                 // empty if the strategy is done
   int motion = 0;                          // index of the motion in which it ended
-  std::vector<ErrorState> recovered = {};  // error states that were left again
-  std::vector<ErrorState> ignored = {};    // error states of the last attempt in which it went on
+  std::vector<ErrorState> recovered = {};  // error states that the arm left again
+  // Error states of the last attempt, in which the arm went on.
+  std::vector<ErrorState> ignored = {};
   std::optional<RecognizedContact> recognized = {};
-  double time = 0;  // simulated seconds
+  double time = 0;  // when it ended, simulated seconds
   std::optional<Holding> holding = {};
 };
 
@@ -78,12 +79,12 @@ class HybridControl {
   // are in ways per second.
   struct Way {
     Vector6 twist = Vector6::Zero();
-    double rate = 0;          // greatest rate
+    double rate = 0;          // greatest rate, ways / s
     double acceleration = 0;  // ways / s^2
 
     Way At(double pace) const { return {twist, pace * rate, acceleration}; }
   };
-  using Ended = std::optional<ErrorState>;  // none: the motion goes on
+  using Ended = std::optional<ErrorState>;  // none if the motion goes on
   // The wrench on the arm, averaged over time.
   struct Feeling {
     Vector6 wrench = Vector6::Zero();
@@ -92,7 +93,7 @@ class HybridControl {
 
   Ended RunOnce();
   void Record(const ErrorState& end);
-  ErrorState Passed() const;  // outcome kDone, with the error state that was recognized, if any
+  ErrorState Passed() const;  // returns kDone, with the recognized error state if any
   // Returns the strategy with its contacts where they were found.
   plan::Strategy Found() const;
   std::optional<RecognizedContact> Recognized(const plan::StrategyMotion& motion) const;
@@ -166,13 +167,14 @@ class HybridControl {
   Pose X_TipTool_;  // the tip's believed pose in the hand at the start of the attempt
   // The contacts' distances from their planned places, by name.
   std::map<std::string, Vector3> beside_;
-  double obstructed_ = 0;            // seconds without interruption
-  std::vector<ErrorState> ignored_;  // see StrategyEnd
+  double obstructed_ = 0;            // seconds of obstruction without interruption
+  std::vector<ErrorState> ignored_;  // error states of the last attempt, as in StrategyEnd
   // There was an error state, so anything may be hit. Nothing is then faster than a motion to a
   // contact.
   bool in_doubt_ = false;
   Feeling felt_;
-  Feeling first_felt_;  // when the awaited contact was made; other contacts may have followed it
+  // Wrench when the awaited contact was made; other contacts may have followed it.
+  Feeling first_felt_;
   int attempt_ = 1;
   int motion_ = 0;
 };

@@ -7,9 +7,9 @@ namespace assay::exec {
 // How a mating by a strategy, or one of its motions, ended, as far as the arm can detect it.
 enum class MatingOutcome {
   kDone,           // every motion was completed
-  kJammed,         // it stopped short of its end, and is free without the push
-  kWedged,         // it stopped short of its end, and cannot be drawn back either
-  kWrongContact,   // something touched that should not
+  kJammed,         // the part stopped short of its end, and is free without the push
+  kWedged,         // the part stopped short of its end, and cannot be drawn back either
+  kWrongContact,   // something touched that should not touch
   kTimeout,        // the contact that should end a motion did not come
   kOverload,       // the wrist felt too much force: protective stop
   kUnreachable,    // the arm cannot go on

@@ -10,7 +10,7 @@ namespace assay::exec {
 namespace {
 
 constexpr double kClosing = 0.2;   // seconds for the grip to build up
-constexpr double kSeated = 0.001;  // metres
+constexpr double kSeated = 0.001;  // metres from the seat that count as seated
 
 // Returns the tool's pose in the tip's frame, with the part in the hand as believed.
 Pose X_TipToolOf(const MatingSetting& setting) {

@@ -27,7 +27,7 @@ struct MatingResult {
   StrategyEnd end;
   double duration = 0;        // simulated seconds
   double greatest_force = 0;  // newtons at the wrist
-  Pose X_FixedHeld;           // the true pose at the end
+  Pose X_FixedHeld;           // the true pose at the end of the trial
 };
 
 // Returns whether a trial of the strategy can begin: the arm reaches the true start of the

@@ -40,7 +40,7 @@ class PressedContacts {
 
   std::vector<plan::StrategyContact> contacts_;
   Rows rows_;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> give_;  // W J', with the weights W of twists
+  Eigen::Matrix<double, 6, Eigen::Dynamic> give_;  // W J', where W are the weights of twists
   Eigen::LDLT<Eigen::MatrixXd> opening_;           // decomposition of J W J'
 };
 

@@ -13,14 +13,15 @@ constexpr double kTellingForce = 1;  // newtons; a greater force gives informati
 // signature of its state, a contact so far from its planned place, and a factor of the errors so
 // much above 1.
 constexpr double kUsualSine = 0.1;
-constexpr double kUsualSlip = 0.005;  // metres
-constexpr double kUsualGrowth = 1.5;  // of the errors' factor, above 1
+constexpr double kUsualSlip = 0.005;  // metres between a contact and its planned place
+constexpr double kUsualGrowth = 1.5;  // factor of the errors, minus 1
 // Limits of the unlikeliness, which is a sum of squares of these deviations. In 841 ends of motions
 // where all went as planned, the planned state had at most 0.7. Where the planned state was not the
 // true one, it had at least 6.
-constexpr double kExplained = 4;  // at most, of a state that explains a wrench
-constexpr double kBetter = 1;     // a better explanation is less by this
-constexpr double kAlike = 0.1;    // separation of states that forces do not tell apart
+constexpr double kExplained = 4;  // greatest unlikeliness of a state that explains a wrench
+// Least difference by which one state explains a wrench better than another.
+constexpr double kBetter = 1;
+constexpr double kAlike = 0.1;  // separation below which forces do not tell states apart
 
 // Compares the states that are possible after one motion with the measured wrench.
 class Weighing {

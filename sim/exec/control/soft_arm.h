@@ -63,10 +63,10 @@ class SoftArm {
   Execution& execution_;
   const ControlLaw& law_;
   Pose X_WorldFixed_;
-  Pose X_TipTool_;   // believed
-  Pose X_FixedTip_;  // commanded
+  Pose X_TipTool_;   // believed pose of the tool in the tip's frame
+  Pose X_FixedTip_;  // commanded pose of the tip
   kinematics::Indicators configuration_;
-  Eigen::PartialPivLU<Matrix6> jacobian_;  // from joint rates to the twist
+  Eigen::PartialPivLU<Matrix6> jacobian_;  // maps joint rates to the tip's twist
   Matrix6 compliance_ = Matrix6::Zero();
   TipMotion velocity_;
   Vector6 wrench_ = Vector6::Zero();

@@ -16,7 +16,7 @@ using motion::ToolAt;
 
 struct TimedLine {
   JointTrajectory trajectory;
-  double final_from = 0;  // seconds, at the beginning of the pace's final length
+  double final_from = 0;  // time at which the pace's final length begins, seconds
 };
 
 // Returns the path with times: from rest to rest, as fast as the pace and the joints' rates allow.

@@ -21,7 +21,7 @@ struct Collision {
 
 // The bodies that a part in the hand may touch besides hands.
 enum class HeldTouches {
-  kAnything,  // in steps of plans: parts lie on each other and slide into each other
+  kAnything,  // parts may lie on each other and slide into each other, as in steps of plans
   // Tables where it is picked up and put down, and bodies that it touched when it was picked up.
   kTables,
   kNothing,

@@ -14,10 +14,11 @@ namespace assay::exec {
 namespace {
 
 // Forces of stiff contacts jump from step to step, so only a force that lasts stops the arm.
-constexpr double kForceFilter = 0.02;   // seconds
-constexpr double kPeakFilter = 0.002;   // seconds
-constexpr double kTouchFilter = 0.001;  // seconds
-constexpr double kBrakeTime = 0.002;    // seconds from slow motion to rest
+constexpr double kForceFilter = 0.02;  // time constant of the force that stops the arm, seconds
+constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, seconds
+// Time constant of the force that ends a guarded move, seconds.
+constexpr double kTouchFilter = 0.001;
+constexpr double kBrakeTime = 0.002;  // seconds from slow motion to rest
 
 std::vector<std::pair<std::string, std::string>> ContactPairs(const mujoco::Data& data) {
   std::set<std::pair<std::string, std::string>> pairs;
@@ -140,7 +141,7 @@ Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
   const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
   double resistance = 0;
   double time = 0;
-  double rate = 1;  // factor of the trajectory's time
+  double rate = 1;  // rate at which the trajectory's time passes
   while (time < trajectory.duration() && rate > 0) {
     SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
     if (rate < 1 || resistance >= guarded.force)

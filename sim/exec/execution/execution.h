@@ -21,11 +21,11 @@ struct Failure {
   ExecutionOutcome outcome;
   std::string reason;
 };
-using Progress = std::optional<Failure>;  // none: it goes on
+using Progress = std::optional<Failure>;  // none if the execution goes on
 
 // The length of timesteps.
 enum class Stepping {
-  kContact,  // the scene's timestep
+  kContact,  // the scene's own timestep
   kFree,     // ExecutorOptions::free_timestep, if the hand is empty
 };
 
@@ -63,7 +63,7 @@ class Execution {
   // joints' sensors.
   motion::Surroundings BelievedSurroundings() const;
   Moment Now() const;
-  std::int64_t steps() const { return steps_; }  // of the engine, so far
+  std::int64_t steps() const { return steps_; }  // number of the engine's steps so far
   // Returns the greatest force at the wrist so far, in newtons, that lasted for some milliseconds.
   double greatest_force() const { return greatest_force_; }
 
@@ -134,8 +134,8 @@ class Execution {
   plan::StepId step_;
   int samples_ = 0;
   std::int64_t steps_ = 0;
-  Vector3 felt_ = Vector3::Zero();  // wrist force, low-pass filtered
-  Vector3 peak_ = Vector3::Zero();  // wrist force with a lighter filter
+  Vector3 felt_ = Vector3::Zero();  // low-pass filtered wrist force
+  Vector3 peak_ = Vector3::Zero();  // wrist force with a shorter filter
   double greatest_force_ = 0;
   double force_limit_;
 };

@@ -16,24 +16,24 @@ namespace assay::exec {
 class Observer {
  public:
   virtual ~Observer() = default;
-  virtual void SeeTimestep(const mujoco::Data& data) = 0;  // after each timestep
+  virtual void SeeTimestep(const mujoco::Data& data) = 0;  // called after each timestep
   virtual void SeeMilestone(const Milestone& milestone, const mujoco::Data& data) = 0;
   virtual void SeeStepEnd(const StepEnd& end, const mujoco::Data& data) = 0;
 };
 
 struct ExecutorOptions {
-  double sample_rate = 50;       // moments per simulated second in the trace's series; 0: none
+  double sample_rate = 50;  // moments per simulated second in the trace's series; 0 for no series
   double free_timestep = 0.002;  // seconds, while the empty hand touches nothing
   double force_limit = 300;      // newtons at the wrist; above it the arm stops
   noise::Noise noise = {};       // errors of the world, the hand and the sensors
-  bool recovers = true;  // from errors that verifications signal; false: the execution ends there
+  bool recovers = true;  // whether it recovers from errors that verifications signal, or ends there
   // The execution ends with this step; None: with the plan's last.
   plan::StepId last = plan::StepId::None();
   // Measures the parts' poses; if null, sensors err as the noise says.
   sense::PoseSensor* sensor = nullptr;
   // Called after each timestep. It can stop the execution by an exception.
   std::function<void(const mujoco::Data&)> on_timestep = {};
-  Observer* observer = nullptr;  // null: no observer
+  Observer* observer = nullptr;  // may be null
 };
 
 // Returns the scene's options with the errors that the noise has for the scene.

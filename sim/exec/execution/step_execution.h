@@ -53,7 +53,7 @@ class StepExecution {
   Progress Named(Progress failure) const;
 
   double Measure(domain::MeasuredQuantity quantity) const;
-  const plan::Recovery* RecoveryFrom(const std::string& error) const;  // null: the plan has none
+  const plan::Recovery* RecoveryFrom(const std::string& error) const;  // null if the plan has none
   // Returns the places of the plan's recovery from the error, without those where the hand would
   // come too near to another part. It is empty if there is no recovery.
   std::vector<Vector3> PlacesFor(const std::string& error) const;
@@ -76,7 +76,7 @@ class StepExecution {
   Pose X_WorldSought_;
   Vector3 axis_;
   StepCommands commands_;
-  Pose X_WorldTool_;                          // where the advance ends, before groping
+  Pose X_WorldTool_;                          // tool pose where the advance ends, before groping
   std::map<std::string, std::size_t> tried_;  // number of tried places for each error
 };
 

@@ -57,15 +57,15 @@ struct LookRecord {
   PartId part;
   std::string sensor;
   bool found = true;
-  Pose measured;  // if found
+  Pose measured;  // measured pose, if the part was found
   TrueAndBelieved before;
-  Pose believed;  // afterwards
+  Pose believed;  // believed pose after the look
 };
 
 // The end of a guarded move.
 struct GuardRecord {
   double time = 0;
-  bool resisted = false;  // before the end of its way
+  bool resisted = false;  // whether the tool met resistance before the end of its way
   Pose tool;              // the believed pose of the tool
 };
 
@@ -73,14 +73,14 @@ struct GuardRecord {
 struct RecognizedContact {
   std::string name;  // for example "vertex 8 on face 6"
   bool is_loss = false;
-  double time = 0;  // when it was felt
+  double time = 0;  // when the contact was felt
 };
 
 // The end of a motion of a strategy.
 struct MotionRecord {
   double time = 0;
   plan::StepId step;
-  int motion = 0;   // index
+  int motion = 0;   // index of the motion in the strategy
   int attempt = 1;  // number of the attempt at the strategy, from 1
   MatingOutcome outcome = MatingOutcome::kDone;
   // None if there was no error state, or none that the plan knows. With outcome kDone, an error
@@ -110,7 +110,7 @@ struct VerificationRecord {
   double measured = 0;  // metres
   double expected = 0;
   double tolerance = 0;
-  std::string error;  // the error that is signalled; empty: none
+  std::string error;  // the signalled error, or empty
 };
 
 // A reaction to an error (Spar, figure 12).
@@ -119,8 +119,8 @@ struct RecoveryRecord {
   plan::StepId step;
   std::string error;
   domain::RecoveryStrategy strategy;
-  int attempt = 0;                   // from 1; 0 for a call of the operator
-  Vector3 offset = Vector3::Zero();  // of the place that is tried, world frame, metres
+  int attempt = 0;                   // number of the attempt, from 1; 0 for a call of the operator
+  Vector3 offset = Vector3::Zero();  // offset of the place that is tried, world frame, metres
 };
 
 // The end of a step (Spar, figure 17).
@@ -152,11 +152,11 @@ struct CollisionRecord {
 // The end of an execution of a plan.
 enum class ExecutionOutcome {
   kDone,            // every command was executed; the checks judge the result
-  kUnreachable,     // the arm cannot go a way that a command requires
+  kUnreachable,     // the arm cannot follow the way of a command
   kOverload,        // the wrist felt too much force: protective stop
   kEngineWarning,   // the engine's numbers cannot be trusted
   kNotFound,        // a sensor did not see the part that it looked at
-  kOperatorCalled,  // an error was signalled that no recovery could correct
+  kOperatorCalled,  // an error was signalled, and no recovery corrected it
 };
 std::string_view Name(ExecutionOutcome outcome);
 
@@ -164,7 +164,7 @@ struct ExecutionEnd {
   ExecutionOutcome outcome = ExecutionOutcome::kDone;
   std::string reason = {};  // empty if the plan is done
   Moment moment;
-  std::int64_t steps = 0;  // of the engine
+  std::int64_t steps = 0;  // number of the engine's steps
 };
 
 using TraceEvent = std::variant<Sample, GraspFact, LookRecord, GuardRecord, MotionRecord, Milestone,
@@ -174,7 +174,7 @@ using TraceEvent = std::variant<Sample, GraspFact, LookRecord, GuardRecord, Moti
 // All records of one execution, in the order of time.
 struct Trace {
   std::string problem;
-  std::vector<std::string> parts = {};  // names, by PartId
+  std::vector<std::string> parts = {};  // names of the parts, by PartId
   std::vector<TraceEvent> events = {};
 
   template <class Event>

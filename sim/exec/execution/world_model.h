@@ -18,7 +18,7 @@ class WorldModel {
   // was picked up.
   const Pose& PartPose(PartId part) const { return X_WorldPart_[part.index()]; }
   int part_count() const { return static_cast<int>(X_WorldPart_.size()); }
-  PartId held() const { return held_; }  // None: the hand is empty
+  PartId held() const { return held_; }  // None if the hand is empty
   const plan::Hold& hold() const { return hold_; }
 
   void Take(PartId part, const plan::Hold& hold);
