@@ -197,7 +197,8 @@ void AddContest(const char* family, const std::string& instance, const Questions
 
 // ---- Expressions whose ranges are known ----
 
-// Compares both bounds to the gap with one evaluation that only contains the range.
+// Compares computing both bounds to within the gap with one evaluation, which only encloses the
+// range.
 void AddOneEvaluation(const std::vector<std::pair<std::string, Questions>>& expressions) {
   const char* family = "one-evaluation";
   bench::Announce(family,

@@ -46,7 +46,7 @@ using workloads::NetworkWorkload;
 
 // The limit of a peer for one question, and for all questions of one trace.
 constexpr double kPeerSeconds = 10;
-// The slowest peer: with a greater limit, it would take most of a pass.
+// Z3 is the slowest peer. With a greater limit it would take most of a pass.
 constexpr double kZ3Seconds = 2;
 
 // The least time that a solver of clauses is measured for in a pass. Making the clauses, which is
@@ -113,7 +113,7 @@ Verdict Judge(Instance& instance, const peers::LabelingAnswer& answer) {
   return posts == instance.posts() ? Verdict::kAgrees : Verdict::kDiffers;
 }
 
-// ---- Ours -------------------------------------------------------------------------------------
+// ---- Assay ------------------------------------------------------------------------------------
 
 void Report(benchmark::State& state, Instance& instance, const Counters& counters) {
   state.counters["size"] = static_cast<double>(instance.workload().nodes.size());
@@ -283,7 +283,7 @@ Contestants Z3Labels() { return {}; }
 Contestants Z3Posts() { return {}; }
 #endif
 
-// ---- What is measured on what -------------------------------------------------------------------
+// ---- Contestants and networks -------------------------------------------------------------------
 
 Contestants Beside(Contestant ours, std::initializer_list<Contestants> peers) {
   Contestants contestants = {std::move(ours)};

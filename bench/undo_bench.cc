@@ -21,7 +21,7 @@ using workloads::NetworkWorkload;
 
 constexpr int kMostParts = 7;
 [[maybe_unused]] constexpr double kPeerSeconds = 10;
-// The measured time of work that is so short that the first iteration would dominate in less time.
+// The least measured time of very short work. In a shorter time the first iteration would dominate.
 constexpr double kSeconds = 0.02;
 
 // Returns the index of the plan with this many parts and as many threats as are usual among the

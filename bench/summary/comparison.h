@@ -62,9 +62,9 @@ struct Family {
 // belongs to no family.
 std::vector<Family> Families(const Measurements& measurements);
 
-// Returns families of the contests of one kind each, named by the kind. The kind is the name of the
-// instance with what assay's benchmark says of it. Kinds with fewer than three contests come last,
-// as "others".
+// Returns families of the contests of one kind each, named by the kind. The kind consists of the
+// instance's name without its number and of the label of assay's benchmark. Kinds with fewer than
+// three contests come last, as "others".
 std::vector<Family> ByKind(const Family& family);
 
 // Returns the geometric mean of the values, which must be positive.

@@ -25,7 +25,7 @@ Json Load(const std::filesystem::path& file) {
   }
 }
 
-// Returns the processor time, or for a benchmark that measures its own time that time.
+// Returns the processor time of a benchmark, or its own measurement if it measures its time itself.
 double Seconds(const Json& entry) {
   static const std::map<std::string, double> kUnits = {
       {"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1}};
@@ -71,8 +71,8 @@ class Reader {
       if (entry.at("run_type") == "iteration") Add(entry, SeriesOf(program, NameOf(entry)));
     }
   }
-  // Returns the measurements. A wrong answer has no time; the times of other passes would be paired
-  // with the wrong ones.
+  // Returns the measurements. A series with a wrong answer has no times, since the times of its
+  // other passes would be compared with times of the wrong passes.
   Measurements Take() {
     for (Series& series : measurements_.series) {
       if (!series.wrong.empty()) series.seconds.clear();

@@ -41,8 +41,8 @@ bool IsMissed(const Family& family) {
          (family.never_below > 0 && !best.empty() && std::ranges::min(best) < family.never_below);
 }
 
-// Returns whether all peers were measured. A wish that holds against some peers may not hold
-// against one that is missing.
+// Returns whether all peers were measured. A ratio that is reached against some peers may not be
+// reached against a missing one.
 bool IsMeasured(const Family& family) {
   return family.missing.empty() && !Ratios(family, "").empty() &&
          (family.at_least == 0 || !Ratios(family, family.against).empty());
@@ -248,8 +248,8 @@ std::optional<double> LimitOf(const Series& series) {
   return limit->second * 1e-3;
 }
 
-// Returns the time to which the limit applies. If many questions are one benchmark, it is that of
-// the slowest one in the first pass.
+// Returns the time to which the limit applies. If one benchmark asks many questions, it is the time
+// of the slowest question in the first pass.
 double LimitedSeconds(const Series& series) {
   const auto slowest = series.counters.find("slowest_ms");
   const bool is_of_many = series.wrong.empty() && slowest != series.counters.end();

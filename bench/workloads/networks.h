@@ -44,7 +44,7 @@ NetworkWorkload RandomNetwork(const ModelB& model, RandomStream& random);
 // become one.
 struct ModelRb {
   int nodes = 0;
-  // KForced: the network has a labeling.
+  // With kForced, the network has a labeling.
   enum class Labeling { kAsDrawn, kForced } labeling = Labeling::kAsDrawn;
 };
 NetworkWorkload RandomRbNetwork(const ModelRb& model, RandomStream& random);
@@ -94,13 +94,13 @@ struct ThreatenedPlanModel {
 };
 NetworkWorkload RandomThreatenedPlan(const ThreatenedPlanModel& model, RandomStream& random);
 
-// Returns a plan of 3 to 10 parts. More of its poses interfere with a greater index modulo 5. Arcs
-// that are posted one by one are then refused more often.
+// Returns a plan of 3 to 10 parts. The greater the index modulo 5, the more of its poses interfere,
+// and the more often arcs that are posted one by one are refused.
 NetworkWorkload CrowdedPlan(int index, std::uint64_t seed);
 
 // Plans of many parts. A threatened plan has as many threats as leave a labeling that is easily
-// found, so no arc is refused. In a crowded plan, poses interfere more with a greater index of 0 ..
-// 2. With index 0 few arcs or none are refused, but it takes long to prove that.
+// found, so no arc is refused. In a crowded plan, the greater the index (0 .. 2), the more poses
+// interfere. With index 0 few arcs or none are refused, but it takes long to prove that.
 struct PlanSize {
   int parts = 0;
   int steps = 0;

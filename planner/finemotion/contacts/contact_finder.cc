@@ -490,9 +490,9 @@ class Linearizer {
     return limit;
   }
 
-  // Adds the nearest ends as limits. Ends beyond the reach cannot be reached where rows are
-  // accurate, and are left out once there are enough limits. Ends within reach are all kept, which
-  // makes more limits where a face or an edge is narrower than the reach.
+  // Adds the nearest ends as limits. Where rows are accurate, the contact cannot come to ends
+  // beyond the reach, so these are left out once there are enough limits. Ends within reach are all
+  // kept, which makes more limits where a face or an edge is narrower than the reach.
   template <class RowOf>
   void AddNearest(PrimitiveContact& contact, const RowOf& row_of) {
     std::ranges::sort(ends_);

@@ -73,8 +73,8 @@ bool EdgeAlongErrorMeets(const ImagePoints<K>& image, const Eigen::Matrix<double
 }
 
 // Returns whether an edge of the projection meets the contact. The edges are those of the start,
-// those from the start's vertices to where these move, and those of the region that is reached at
-// the end.
+// those that lead from the start's vertices to where these move, and those of the region that is
+// reached at the end.
 template <int K>
 bool AnyEdgeMeets(const ImagePoints<K>& image) {
   const ErrorRange of_start{0, image.start_errors()};

@@ -6,7 +6,7 @@
 
 namespace assay::finemotion {
 
-// An axis-aligned box around features. Two boxes rule out quickly that their features are near to
+// An axis-aligned box around features. It serves to exclude quickly features that are not near to
 // each other.
 struct Extent {
   using Vector3 = geometry::Vector3;

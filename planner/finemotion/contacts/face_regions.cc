@@ -40,7 +40,7 @@ double DistanceToSegment(const Vector& p, const Vector& a, const Vector& b) {
   return (p - a - t * along).norm();
 }
 
-// Returns the hull without corners that stick out by less than rounding.
+// Returns the hull without corners that stick out by no more than rounding.
 Polygon CleanHull(const std::vector<Vector2>& points) {
   Polygon hull = geometry::Hull2(points);
   for (std::size_t i = 0; hull.size() >= 3 && i < hull.size();) {

@@ -16,7 +16,7 @@ struct MatingGeometry {
   Pose X_HeldTip = Pose::Identity();
   // The moving part about its tip, the fixed part, and the critical points between them. The part
   // has its clearance, except where it only lands. If the problem tolerates errors of the
-  // clearance, each wall may be displaced by as much.
+  // clearance, each wall may be displaced by that error.
   Passage passage;
   Eigen::VectorXd tolerances;                  // half widths of the passage's tolerances, metres
   Pose X_FixedSeat = Pose::Identity();         // the tip's pose at the end

@@ -19,8 +19,8 @@ using geometry::Vector2;
 
 using Outline = std::vector<Vector3>;  // the corners of a convex polygon, in order
 
-// Two directions that differ by less (radians) count as one, and a corner that is blunt by less
-// counts as flat.
+// Two directions that differ by less than this (radians) count as one, and a corner that turns by
+// less than this counts as flat.
 constexpr double kFlat = 1e-6;
 
 struct Plane {

@@ -10,9 +10,9 @@ namespace assay::finemotion {
 using geometry::Pose;
 using geometry::Vector3;
 
-// Two directions agree if the sine of their angle is less.
+// Two directions agree if the sine of their angle is less than this.
 inline constexpr double kSameDirection = 1e-6;
-// Two points agree if their distance in metres is less.
+// Two points agree if their distance in metres is less than this.
 inline constexpr double kSamePoint = 1e-6;
 
 // A convex piece of a part, given by its corners in any order. Points that are not corners of the

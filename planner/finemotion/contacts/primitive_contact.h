@@ -18,8 +18,8 @@ namespace assay::finemotion {
 using GeneralizedPoint = Eigen::VectorXd;
 inline constexpr int kPoseDimensions = 6;
 
-// Two C-surfaces are the same if their rows' coefficients and their offsets (metres) differ by
-// less.
+// Two C-surfaces are the same if their rows' coefficients and their offsets (metres) differ by less
+// than this.
 inline constexpr double kSameSurface = 1e-9;
 
 // The feature of the moving part is named first.
@@ -68,7 +68,7 @@ struct PrimitiveContact {
 // features are within `reach` (metres), for poses turned from there by at most `turn` (radians).
 // Contacts that exist only when the part is turned are included; edges that may be parallel are
 // not. A contact that is seen twice, with the same gap and limits (an edge that lies in a face), is
-// returned once. ContactFinder serves many poses.
+// returned once. For many poses, ContactFinder is faster.
 std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
                                                 const Polyhedron& stationary,
                                                 const Pose& X_StationaryMoving, double reach,

@@ -21,7 +21,7 @@ namespace {
 using Index = std::size_t;
 using Tangents = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;
 
-// A row depends on others if less of it remains across them.
+// A row depends on others if less than this remains of it across them.
 constexpr double kDependentRow = 1e-7;
 constexpr int kScales = 8;  // start points are drawn within reach, reach / 2, reach / 4, ...
 constexpr int kDrawsForATargetPoint = 32;  // greatest number of draws for one target point
@@ -301,7 +301,8 @@ class GraphBuilder {
   }
 
   // Examines the place just past the end of a ray. Where one contact takes over from another there
-  // may be a state of the same dimension. It is no neighbour, but the search can go on from it.
+  // may be a state of the same dimension. This state is no neighbour, but the search can go on from
+  // it.
   void LookPast(const Facet& facet, const ScaledPose& end, const ScaledPose& g) {
     const double step = std::ldexp(options_.reach, -kScales / 2 - random_.Index(kScales));
     const ScaledPose there = end + step * g;
@@ -338,8 +339,8 @@ class GraphBuilder {
   };
 
   // Returns where a ray makes its first contact, leaves what the facet touches, or gets behind a
-  // surface past the surface's limits. The last happens because linear patches do not quite match
-  // where one contact takes over from another.
+  // surface past the surface's limits. The third case occurs because linear patches do not quite
+  // match where one contact takes over from another.
   RayEnd EndOf(const Facet& facet, const ScaledPose& g) const {
     RayEnd end;
     for (const int k : facet.surfaces) end.length = std::min(end.length, EndOnSurface(k, g));

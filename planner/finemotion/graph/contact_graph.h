@@ -52,8 +52,8 @@ struct ContactGraph {
 struct ContactGraphOptions {
   int target_points = 12;  // greatest number for each state; the paper's number
   int random_rays = 8;     // rays from a point besides those along a basis and toward each contact
-  // The greatest distance of a pose from the critical point, in metres. It counts translation and
-  // rotation as a bound of the motion of the part's points.
+  // The greatest distance of a pose from the critical point, in metres. The distance is the
+  // translation plus the rotation times `radius`, which bounds the motion of the part's points.
   double reach = 0.005;
   // Metres from the moving part's origin to its farthest point. It converts rotations to lengths.
   double radius = 0.05;

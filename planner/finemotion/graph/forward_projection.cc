@@ -8,8 +8,8 @@ namespace assay::finemotion {
 
 namespace {
 
-// A linear map takes a direction to nothing if less than this fraction of its length remains, which
-// is rounding.
+// A direction counts as mapped to 0 if less than this fraction of its length remains, which is
+// rounding.
 constexpr double kMappedToNothing = 1e-14;
 
 // The oblique projection onto the contact's C-surface along a velocity: it maps z to `linear` z +
@@ -26,7 +26,7 @@ AlongVelocity OntoSurface(const PrimitiveContact& contact, const Eigen::VectorXd
   return {Eigen::MatrixXd::Identity(n, n) - step * contact.row.transpose(), -contact.offset * step};
 }
 
-// Returns the generators' images, without those that are mapped to nothing.
+// Returns the generators' images, without those that are mapped to 0.
 Eigen::MatrixXd Images(const Eigen::MatrixXd& linear, const Eigen::MatrixXd& generators) {
   const Eigen::MatrixXd images = linear * generators;
   Eigen::MatrixXd kept(images.rows(), images.cols());

@@ -4,11 +4,10 @@
 
 namespace assay::finemotion {
 
-// Everything that a part can reach that starts in `start` and moves for at most `time` seconds at
-// one velocity out of `velocity`: { z + s v : z in start, v in velocity, 0 <= s <= time } (Dakin
-// and Popplestone, section 4 and figure 12). Its points are in generalized space. The velocity
-// components of model errors are 0, since these do not move. The projection is convex, since the
-// velocities are.
+// All points of generalized space that a part can reach if it starts in `start` and moves for at
+// most `time` seconds at one velocity out of `velocity`: { z + s v : z in start, v in velocity, 0
+// <= s <= time } (Dakin and Popplestone, section 4 and figure 12). The velocity components of model
+// errors are 0, since these do not move. The projection is convex, since the velocities are.
 struct ForwardProjection {
   Zonotope start;
   Zonotope velocity;

@@ -8,12 +8,12 @@
 
 namespace assay::finemotion {
 
-// Computes the distance of a convex set from 0, where positive values alone count for the
-// coordinates from kEqual on. It is the least norm in the set + { 0 } x { not negative } x ... .
-// The algorithm is Wolfe's (1976), with rays (the axes) beside points. It keeps a few of these, the
-// corral, and knows the point of their hull nearest to 0. The lowest point of the set in that
-// direction either certifies the distance or enters the corral. A Set has two functions: Begin()
-// returns a point of it, and Lowest(a) one where a . y is least.
+// Computes the distance of a convex set from 0. Of the coordinates from kEqual on, only positive
+// values count. The distance is thus the least norm in the set + { 0 } x { not negative } x ... .
+// The algorithm is Wolfe's (1976), with rays (the axes) beside points. It keeps a few points and
+// rays, called the corral, and knows the point of their hull nearest to 0. The lowest point of the
+// set in the direction of that point either certifies the distance or enters the corral. A Set has
+// two functions: Begin() returns a point of it, and Lowest(a) one where a . y is least.
 template <int K, int kEqual, class Set>
 class NearestPoint {
  public:
@@ -21,8 +21,8 @@ class NearestPoint {
 
   NearestPoint(const Set& set, double tolerance) : NearestPoint(set, tolerance, set.Begin()) {}
 
-  // Returns a lower bound of the distance, exact to a tenth of the tolerance. It returns 0 if the
-  // set comes within the tolerance, or may.
+  // Returns a lower bound of the distance, exact to a tenth of the tolerance. It returns 0 unless
+  // the set is known to be farther away than the tolerance.
   double Distance() { return Search(false); }
   // Returns whether the distance exceeds the tolerance. It stops earlier than Distance.
   bool IsApart() { return Search(true) > 0; }

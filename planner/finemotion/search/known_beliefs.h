@@ -10,10 +10,10 @@ namespace assay::finemotion {
 
 // The believed poses that a search has reached. A believed pose is like a known one if it is at the
 // same critical point and in the same contacts, its pose is within a millimetre and about a degree
-// of the known pose, and its errors are clearly less about no axis. It is then assumed to lead
-// nowhere that the known one does not lead to. A pose free of contact may be farther out as well,
-// since it can come back. Poses that are alike are not the same, so this makes a search finite but
-// not complete.
+// of the known pose, and its errors are not clearly less about any axis. The search then assumes
+// that whatever it leads to, the known one leads to as well. A pose free of contact may be farther
+// out as well, since it can come back. Poses that are alike are not the same, so this makes a
+// search finite but not complete.
 class KnownBeliefs {
  public:
   // `mating` is the way in, a unit vector.

@@ -328,7 +328,7 @@ class Checker {
     return Meets(contact, gap, limits);
   }
 
-  // Returns whether the gap may close at all. It rules out most contacts quickly.
+  // Returns whether the gap may close at all. This test rules out most contacts quickly.
   bool MayClose(const PrimitiveContact& contact) const {
     const PoseChange row = contact.row.head<kPoseDimensions>();
     const double motion = row.dot(command_.displacement);

@@ -24,7 +24,8 @@ constexpr double kMultiples[] = {0.8, 0.7, 1, 0.5, 0.3, 0.15};
 // kFewer times the errors of the one before, down to kFewest of all.
 constexpr double kFewer = 0.7;
 constexpr double kFewest = 0.01;
-// The least fraction of what is certain to first order that exact replays may leave.
+// The exact replays end when a smaller fraction is left of the errors that are certain to first
+// order.
 constexpr double kLeastAbsorbed = 0.1;
 
 // The parameters of one search.
@@ -135,15 +136,15 @@ class StrategySearch {
     comparison_ += trying.replay.comparison();
   }
 
-  // Stores what was refused, as long as nothing is absorbed. The later searches are those for smaller
-  // errors, so theirs is kept.
+  // Stores what was refused, as long as nothing is absorbed. The later searches are those for
+  // smaller errors, so the latest refusal is kept.
   void TellRefusal(const Trying& trying) {
     if (best_.absorbed > 0 || !trying.sequences.refused()) return;
     best_.obstacle = trying.sequences.refused();
     best_.obstacle->scale = trying.attempt.multiple * trying.attempt.enlarged;
   }
 
-  // Returns the plan for a sequence, with its multiples converted to the wanted errors.
+  // Returns the plan for a sequence, with its numbers as multiples of the wanted errors.
   FineMotionPlan PlanOf(const Sequence& sequence, double absorbed, Trying& trying) const {
     const Attempt& attempt = trying.attempt;
     FineMotionPlan plan;
@@ -174,7 +175,8 @@ class StrategySearch {
     return absorbed;
   }
 
-  // Adds all motions, checked with as many of the errors as they are certain for.
+  // Adds all motions, checked with the errors that are absorbed, but with no more than the wanted
+  // ones.
   void AddMotions(const Sequence& sequence, double absorbed, Trying& trying,
                   FineMotionPlan& plan) const {
     const double asked = trying.attempt.asked();
@@ -193,8 +195,8 @@ class StrategySearch {
     }
   }
 
-  // Sets the friction limit. If it is above the greatest that is searched for, the friction of the
-  // options is what is known.
+  // Sets the friction limit. If no motion has a limit below kGreatestFriction, it is
+  // kGreatestFriction or the friction of the options, whichever is greater.
   void AddFrictionLimit(FineMotionPlan& plan) const {
     plan.friction_limit = std::max(kGreatestFriction, options_.friction);
     for (const CertainMotion& motion : plan.motions) {

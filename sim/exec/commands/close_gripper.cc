@@ -7,7 +7,7 @@ namespace assay::exec {
 namespace {
 
 constexpr double kClosingSpeed = 0.02;  // m/s of one pad
-// M/s of one pad, near the width at which it should meet the part.
+// Speed of one pad in m/s, near the width at which it should meet the part.
 constexpr double kTouchSpeed = 0.005;
 // Metres of opening before the expected width, where the touch speed begins.
 constexpr double kTouchMargin = 0.003;

@@ -341,8 +341,8 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
   return Stuck(direction, length - gone);
 }
 
-// Returns whether the part is jammed or wedged (Whitney 1982). A wedged part is held between the
-// walls whatever the hand does.
+// Returns the error state of a stuck part, which is jammed or wedged (Whitney 1982). A wedged part
+// is held between the walls whatever the hand does.
 HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left) {
   constexpr double kBack = 0.002;  // metres to draw back
   ErrorState stuck =
@@ -461,7 +461,7 @@ void HybridControl::BelieveUnwanted(const plan::StrategyMotion& motion,
                                     const plan::UnwantedContact& unwanted) {
   const PressedContacts touching = Pressed(plan::ContactsInError(motion, unwanted));
   Eigen::VectorXd gaps =
-      // At the believed pose.
+      // The gaps at the believed pose.
       touching.rows() * TwistBetween(motion.X_FixedTip, arm_.MeasuredTip());
   gaps.tail<1>()[0] += unwanted.gap;
   arm_.Correct(-touching.Opening(gaps));

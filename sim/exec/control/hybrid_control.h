@@ -46,7 +46,7 @@ struct StrategyEnd {
 // Called after each timestep with the simulation and the index of the motion.
 using MotionObserver = std::function<void(const mujoco::Data&, int)>;
 
-// Returns whether a contact that touches after the motion before is not kept in this motion. Each
+// Returns whether a contact that touches after the previous motion is not kept in this motion. Each
 // motion plans its contacts at places of its own, so two contacts are the same if their names are.
 bool LetsGo(const plan::Strategy& strategy, std::size_t motion);
 

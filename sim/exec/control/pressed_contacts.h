@@ -28,13 +28,14 @@ class PressedContacts {
   Eigen::VectorXd Forces(const Vector6& wrench) const;
   // Returns the force in newtons that the contacts do not bear, friction included.
   double Unexplained(const Vector6& wrench) const;
-  // Moves the contacts so that they explain a share of the torque that they do not explain where
-  // they are. Nearly parallel edges touch far from where they would without errors.
+  // Moves the contacts so that they explain a share of the torque that is unexplained at their
+  // present places. Nearly parallel edges touch far from where they would without errors.
   void Locate(const Vector6& wrench, double share);
 
  private:
   void SetRows();
-  // Returns the wrench without friction, which is taken to act at the mean place of the pressing.
+  // Returns the wrench without friction, which is taken to act at the mean place where the contacts
+  // press.
   Vector6 WithoutFriction(const Vector6& wrench) const;
   Eigen::VectorXd LeastSquares(const Vector6& wrench) const;
 

@@ -9,9 +9,9 @@ namespace assay::exec {
 namespace {
 
 constexpr double kTellingForce = 1;  // newtons; a greater force gives information about contacts
-// The deviations that count as equally unlikely: this sine of the angle between a wrench and the
-// signature of its state, a contact so far from its planned place, and a factor of the errors so
-// much above 1.
+// The next three constants are deviations that count as equally unlikely. They are the sine of the
+// angle between a wrench and the signature of its state, the distance of a contact from its planned
+// place, and the factor of the errors minus 1.
 constexpr double kUsualSine = 0.1;
 constexpr double kUsualSlip = 0.005;  // metres between a contact and its planned place
 constexpr double kUsualGrowth = 1.5;  // factor of the errors, minus 1

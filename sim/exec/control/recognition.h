@@ -7,10 +7,10 @@
 
 namespace assay::exec {
 
-// Contact states are told apart by their force signatures (Dakin and Popplestone, section 5: the
-// signature of the next state ends a motion, and the plan holds those of the error states). The
-// paper does not say how a wrench is compared with signatures. Here each state has a likelihood,
-// expressed as the sum of squares in its exponent:
+// Contact states are told apart by their force signatures (Dakin and Popplestone, section 5). The
+// signature of the next state ends a motion, and the plan holds the signatures of the error states.
+// The paper does not say how a wrench is compared with signatures. Here each state has a
+// likelihood, expressed as the sum of squares in its exponent:
 //
 // - The angle by which the wrench is outside the state's cone of wrenches, friction included.
 //   Contacts may be moved to places where they explain more, at a cost, because nearly parallel

@@ -16,8 +16,8 @@ class StepExecution {
   // `plan` and `execution` must outlive this object.
   StepExecution(const plan::Plan& plan, plan::StepId step, Execution& execution);
 
-  // Draws the hand's error anew, sets the table's height for the place, and moves the tool to where
-  // it is poised before or above its work.
+  // Sets the hand's error for this step and the table's height for the place, and moves the tool to
+  // where it is poised before or above its work.
   Progress Approach();
   // Sets the errors of a poised step to those of the execution's noise.
   Progress TakeUpNoise();
