@@ -26,17 +26,17 @@ namespace assay::algebra {
 namespace {
 
 constexpr double kGap = 1e-6;
-constexpr double kKnownTo = 1e-6;  // ranges of the table
+constexpr double kKnownTo = 1e-6;  // precision of the ranges in the table
 constexpr double kAtMostMilliseconds = 10;
-constexpr int kChains = 30;  // of each kind
+constexpr int kChains = 30;  // number of chains of each kind
 
 // One question: SUP and INF of an expression over the declared box.
 struct Question {
   Expression expanded;
   ConstraintSet box;
   PreparedExpression prepared;
-  std::optional<Interval> known = {};  // its range
-  std::vector<Expression> waves = {};  // evaluated along with it where it was measured
+  std::optional<Interval> known = {};  // the known range of the expression
+  std::vector<Expression> waves = {};  // expressions that the peer evaluated as well
 
   Question(const Expression& e, const ExpressionPool& pool)
       : expanded(e), box(DeclaredBox(pool)), prepared(e) {}
@@ -57,7 +57,7 @@ bool IsAttained(const Expression& e, const Bound& bound) {
   return value.high >= bound.value - bound.gap && value.low <= bound.value + bound.gap;
 }
 
-// Empty if the answer is as good as it must be.
+// Returns what is wrong with the answer, or an empty text.
 std::string Fault(const Question& question, const BothBounds& answer) {
   if (!(answer.inf.gap <= kGap && answer.sup.gap <= kGap)) return "the gap is too wide";
   for (const Bound& bound : {answer.inf, answer.sup}) {
@@ -67,7 +67,8 @@ std::string Fault(const Question& question, const BothBounds& answer) {
   return is_right ? "" : "the range is not the one that is known";
 }
 
-// Of processor time, the least of several: what else the machine does must not count.
+// Returns the processor time, the least of several measurements, so that other work of the machine
+// does not count.
 double MillisecondsOf(Question& question) {
   double least = kInfinity;
   for (int i = 0; i < 3; ++i) {
@@ -78,7 +79,7 @@ double MillisecondsOf(Question& question) {
   return least;
 }
 
-// What does not depend on the machine, and the time of the slowest question.
+// Sets counters that do not depend on the machine, and the time of the slowest question.
 void Count(benchmark::State& state, std::deque<Question>& questions) {
   double evaluations = 0, splits = 0, gap = 0, slowest = 0;
   for (Question& question : questions) {
@@ -112,7 +113,7 @@ void Bounded(benchmark::State& state, const Questions& questions) {
   Count(state, *questions);
 }
 
-// An expression that is asked once: brought to normal form and bounded.
+// Times an expression that is asked once: it is brought to normal form and bounded.
 void FromScratch(benchmark::State& state, const Questions& questions) {
   for (auto _ : state) {
     for (Question& question : *questions) {
@@ -163,7 +164,7 @@ void AddBoostSetOnce(const char* family, const std::string& instance, const Ques
                        });
 }
 
-// `factor_of_ibex`: how many times as long as Boost.Interval IBEX took elsewhere.
+// `factor_of_ibex` is the factor by which IBEX took longer than Boost.Interval elsewhere.
 void AddBoostAsMeasured(const char* family, const std::string& instance, const Questions& questions,
                         double factor_of_ibex) {
   bench::AddContestant(family, instance, "boost_interval:as_measured",
@@ -196,7 +197,8 @@ void AddContest(const char* family, const std::string& instance, const Questions
 
 // ---- Expressions whose ranges are known ----
 
-// Ours to the gap beside one evaluation that only holds the range.
+// Compares computing both bounds to within the gap with one evaluation, which only encloses the
+// range.
 void AddOneEvaluation(const std::vector<std::pair<std::string, Questions>>& expressions) {
   const char* family = "one-evaluation";
   bench::Announce(family,
@@ -249,7 +251,7 @@ void AddMeasured() {
   AddOneEvaluation(spar);
 }
 
-// ---- Chains that nobody has seen ----
+// ---- Random chains ----
 
 using Chain = std::function<Expression(int links, RandomStream&, ExpressionPool&)>;
 

@@ -19,10 +19,10 @@ constexpr double kLean = std::numbers::pi / 6;
 struct Counts {
   std::int64_t preconditions = 0;
   std::int64_t unproved = 0;
-  std::size_t variables = 0;  // of all preconditions of a step, at most
+  std::size_t variables = 0;  // greatest number of variables in all preconditions of a step
 };
 
-// All preconditions of all actions, with texts and worst corners, as plan.json has them.
+// Certifies all preconditions of all actions, with the texts and worst corners of plan.json.
 Counts CertifyAll(const bench::PickAndPlace& work) {
   uncertainty::UncertainWorld world(work.problem, uncertainty::Propagation::kSound);
   Counts counts;
@@ -35,7 +35,7 @@ Counts CertifyAll(const bench::PickAndPlace& work) {
   return counts;
 }
 
-// Only whether they are proved, as phase two asks.
+// Decides only whether the preconditions are proved, as phase two does.
 void DecideAll(const bench::PickAndPlace& work) {
   uncertainty::UncertainWorld world(work.problem, uncertainty::Propagation::kSound);
   for (const plan::Action& action : work.actions) {
@@ -74,8 +74,8 @@ Measured Measure(int n, double lean) {
   return {n, counts, std::chrono::duration<double>(end - begin).count()};
 }
 
-// A table and a plot: n / preconditions / variables / seconds, once each, and the exponent of the
-// growth from 10 to 50.
+// Writes a table and a plot of n, preconditions, variables and seconds, each measured once, and the
+// exponent of the growth from 10 to 50.
 void Growth(benchmark::State& state, double lean) {
   constexpr double kColumns = 50;
   for (auto _ : state) {

@@ -18,12 +18,12 @@ namespace {
 
 using workloads::BoxPiece;
 
-constexpr double kHalf = 0.01;  // of the peg's width, metres
+constexpr double kHalf = 0.01;  // half of the peg's width, metres
 constexpr double kHalfLength = 0.02;
-constexpr double kClearance = 0.25e-3;  // on each side
+constexpr double kClearance = 0.25e-3;  // metres on each side
 constexpr double kReach = 0.005;
 
-// Four slabs around a square hole through a block, which is closed by a fifth at the bottom.
+// Four slabs around a square hole through a block. A fifth slab closes the hole at the bottom.
 Polyhedron Block() {
   constexpr double kIn = kHalf + kClearance;
   constexpr double kOut = 0.04;
@@ -35,7 +35,7 @@ Polyhedron Block() {
                     BoxPiece({-kOut, -kOut, kDeep - 0.01}, {kOut, kOut, kDeep})});
 }
 
-// What a square peg can touch with its lower end so deep in the hole.
+// Returns what a square peg can touch with its lower end at this depth in the hole.
 ContactSpace PegInHole(double depth) {
   const Polyhedron peg =
       OutsideOf({BoxPiece({-kHalf, -kHalf, -kHalfLength}, {kHalf, kHalf, kHalfLength})});
@@ -57,15 +57,16 @@ void MakeGraph(const ContactSpace& space, const ContactGraphOptions& options,
   Count(space, graph, state);
 }
 
-// The square peg's critical points, for so many target points.
+// Times a critical point of the square peg with this number of target points.
 void CriticalPoint(benchmark::State& state, double depth) {
   MakeGraph(PegInHole(depth),
             {.target_points = static_cast<int>(state.range(0)), .reach = kReach, .radius = 0.0245},
             state);
-  if (state.range(0) == 12) state.counters["at_most_ms"] = 100;  // the paper's number
+  // 12 is the paper's number of target points.
+  if (state.range(0) == 12) state.counters["at_most_ms"] = 100;
 }
 
-// Pegs of so many sides at the rim: more contacts, each of them one of a whole shape.
+// Times pegs with this number of sides at the rim. They have more contacts, each of a whole shape.
 void Sides(benchmark::State& state) {
   const Passage passage = workloads::PegInHole(
       {.sides = static_cast<int>(state.range(0)), .half = kHalf, .length = 0.04}, kClearance);
@@ -75,7 +76,7 @@ void Sides(benchmark::State& state) {
   state.SetComplexityN(static_cast<std::int64_t>(space.contacts.size()));
 }
 
-// The first contacts of those of the square peg at the rim only.
+// Times the first contacts alone of the square peg at the rim.
 void Contacts(benchmark::State& state) {
   ContactSpace space = PegInHole(0);
   space.contacts.resize(std::min(space.contacts.size(), static_cast<std::size_t>(state.range(0))));
@@ -83,7 +84,7 @@ void Contacts(benchmark::State& state) {
   state.SetComplexityN(state.range(0));
 }
 
-// The graphs of all critical points of a scenario's mating, as `assay mate` makes them.
+// Times the graphs of all critical points of a scenario's mating, as `assay mate` makes them.
 void AllCriticalPoints(benchmark::State& state, const std::string& mating) {
   const std::string root = ASSAY_SOURCE_DIR;
   const domain::Problem problem = domain::ReadProblem(

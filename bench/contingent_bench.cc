@@ -25,7 +25,7 @@ GroundTask Grounded(const Task& task) {
   return Ground(task.domain, task.problem, externs);
 }
 
-// Reads, grounds and plans; what came of it as counters.
+// Reads, grounds and plans a task, and stores the results as counters.
 ContingentPlan PlanTask(benchmark::State& state, const std::function<Task()>& read) {
   ContingentPlan plan;
   for (auto _ : state) {
@@ -68,8 +68,8 @@ BENCHMARK(ForceSensing)
     ->Arg(10)
     ->Unit(benchmark::kMillisecond);
 
-// What PO-PRP, the strongest planner that could be built, took on another machine of this kind:
-// seconds from end to end, of which its search, and state-action pairs of its policy.
+// The figures of PO-PRP, the strongest planner that could be built, on another machine of this
+// kind: seconds from end to end, seconds of its search, and state-action pairs of its policy.
 struct PublishedFigure {
   const char* problem;
   double seconds = 0;
@@ -85,7 +85,8 @@ constexpr PublishedFigure kPoPrp[] = {
     {"wumpus07", 1.8, 1.4, 1724},     {"wumpus10", 15.4, 14.7, 4400},
     {"unix4", 2.2, 0.3, 416}};
 
-// Where it has none, by the beginning of the problem's name. What is in neither list was not asked.
+// Why PO-PRP has no figure, by the beginning of the problem's name. Problems in neither list were
+// not tried.
 constexpr std::pair<const char*, const char*> kPoPrpHasNone[] = {
     {"doors13", "none in 120 s"}, {"localize", "refused"}, {"clog", "refused"},
     {"colorballs", "refused"},    {"medpks", "refused"},   {"RockSample", "refused"}};
@@ -102,11 +103,12 @@ void TellPoPrp(benchmark::State& state, std::string_view problem) {
   }
 }
 
-// Milliseconds that are wanted.
+// Wanted milliseconds.
 constexpr std::pair<const char*, double> kWanted[] = {
     {"kvp-force-10", 10}, {"doors11", 1000}, {"wumpus10", 1000}};
 
-// The tree is run by a checker that shares no inference with the planner, after the clock.
+// Times a problem. After the clock stops, a checker that shares no inference with the planner
+// checks the tree.
 void PlanProblem(benchmark::State& state, const std::filesystem::path& folder) {
   const auto read = [&] { return LoadTask(folder / "d.pddl", folder / "p.pddl"); };
   const ContingentPlan plan = PlanTask(state, read);
@@ -121,7 +123,8 @@ void PlanProblem(benchmark::State& state, const std::filesystem::path& folder) {
   }
 }
 
-using ProblemFolders = std::map<std::string, std::filesystem::path>;  // by name
+// Folders by the problem's name.
+using ProblemFolders = std::map<std::string, std::filesystem::path>;
 
 void FindProblems(const std::filesystem::path& folder, ProblemFolders& problems) {
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -130,8 +133,8 @@ void FindProblems(const std::filesystem::path& folder, ProblemFolders& problems)
   }
 }
 
-// The benchmark problems of others are not here: ASSAY_CONTINGENT names a folder with a folder for
-// each of them, of d.pddl and p.pddl.
+// Other people's benchmark problems are not in this repository. ASSAY_CONTINGENT names a folder
+// that has a folder with d.pddl and p.pddl for each of them.
 const bool kAdded = [] {
   ProblemFolders problems;
   FindProblems(ASSAY_SOURCE_DIR "/bench/workloads/contingent", problems);

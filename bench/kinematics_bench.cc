@@ -14,10 +14,11 @@
 namespace assay::kinematics {
 namespace {
 
-// 0.5 MB of poses: the second-level cache holds them.
+// 0.5 MB of poses, which the second-level cache holds.
 const std::size_t kPoses = bench::Tiny() ? 64 : 4096;
-constexpr double kExact = 1e-9;     // metres and entries of rotations
-constexpr double kIterated = 2e-3;  // of a solver that stops at 1e-5 m and 1e-3 radians
+constexpr double kExact = 1e-9;  // greatest error in metres and in entries of rotations
+// Greatest error of a solver that stops at 1e-5 m and 1e-3 radians.
+constexpr double kIterated = 2e-3;
 
 const Arm& Puma() {
   static const Arm arm = Arm::FromUrdf(ASSAY_SOURCE_DIR "/models/robots/puma762/puma762.urdf");
@@ -42,7 +43,7 @@ void ForwardKinematics(benchmark::State& state) {
 }
 BENCHMARK(ForwardKinematics)->Name("ForwardKinematicsOf4096");
 
-// All eight solutions of each pose.
+// Times all eight solutions of each pose.
 void OneByOne(benchmark::State& state) {
   for (const Pose& X : ReachablePoses()) {
     const InverseSolutions found = Puma().Inverse(X);
@@ -65,7 +66,8 @@ std::vector<PoseBatch> Batches(const std::vector<Pose>& poses) {
   return batches;
 }
 
-// Of the regular poses; the share of others is counted.
+// Times batches of poses. Only regular poses are checked, and the share of other poses is a
+// counter.
 void InBatches(benchmark::State& state) {
   const std::vector<PoseBatch> batches = Batches(ReachablePoses());
   SolutionBatch found;

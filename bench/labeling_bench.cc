@@ -1,17 +1,17 @@
-// Our labeling engine beside Gecode, CaDiCaL and Z3, on the same networks in one run:
+// Compares assay's labeling engine with Gecode, CaDiCaL and Z3, on the same networks in one run:
 //   labeling/NETWORK/CONTESTANT   the first labeling, or the proof that there is none
 //   counting/NETWORK/CONTESTANT   the number of labelings
 //   posting/NETWORK/CONTESTANT    arcs posted one by one, each with a complete answer whether a
 //                                 labeling is left, and taken back where none is
 //
-// What is measured, of labeling and counting: from a network that the contestant holds in its own
-// form to the answer. Ours is searched; Gecode's tables, which cannot be taken apart from their
-// propagation, are posted and searched; CaDiCaL's and Z3's clauses are solved. Reading files,
-// drawing random networks, and making arcs, tables and clauses of them is excluded; "assay:built"
-// has a network built of nodes and arcs, too. Of posting everything is counted but the making of
+// For labeling and counting, the time runs from a network in the contestant's own form to the
+// answer. Assay searches its network. Gecode posts its tables, which cannot be separated from their
+// propagation, and searches. CaDiCaL and Z3 solve their clauses. Reading files, drawing random
+// networks, and making arcs, tables and clauses of them is excluded; "assay:built" includes
+// building a network of nodes and arcs. For posting, everything counts except the making of
 // relations and tables.
 //
-// A contestant's answer is compared with ours before its time counts.
+// A contestant's answer is compared with assay's before its time counts.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -44,15 +44,16 @@ namespace {
 
 using workloads::NetworkWorkload;
 
-// What a peer gets for one question, and for all questions of one trace.
+// The limit of a peer for one question, and for all questions of one trace.
 constexpr double kPeerSeconds = 10;
-constexpr double kZ3Seconds = 2;  // the slowest peer: longer answers would be most of a pass
+// Z3 is the slowest peer. With a greater limit it would take most of a pass.
+constexpr double kZ3Seconds = 2;
 
-// That a solver of clauses is timed for in a pass, at least. Making the clauses, while no clock
-// runs, takes up to a hundred times as long as solving them.
+// The least time that a solver of clauses is measured for in a pass. Making the clauses, which is
+// not timed, takes up to a hundred times as long as solving them.
 constexpr double kSolverSeconds = 1e-3;
 
-// A network, drawn or read when it is first needed, and our answers about it.
+// A network, drawn or read when it is first needed, and assay's answers about it.
 class Instance {
  public:
   explicit Instance(std::function<NetworkWorkload()> make) : make_(std::move(make)) {}
@@ -112,7 +113,7 @@ Verdict Judge(Instance& instance, const peers::LabelingAnswer& answer) {
   return posts == instance.posts() ? Verdict::kAgrees : Verdict::kDiffers;
 }
 
-// ---- Ours -------------------------------------------------------------------------------------
+// ---- Assay ------------------------------------------------------------------------------------
 
 void Report(benchmark::State& state, Instance& instance, const Counters& counters) {
   state.counters["size"] = static_cast<double>(instance.workload().nodes.size());
@@ -182,7 +183,7 @@ void Measure(benchmark::State& state, Instance& instance, const Ask& ask) {
 #ifdef ASSAY_PEER_GECODE_LABELING
 using peers::GecodeLabeling;
 
-// One contestant for each of its variable orders.
+// Returns one contestant for each of Gecode's variable orders.
 template <class Ask>
 Contestants Gecode(const Ask& ask) {
   Contestants contestants;
@@ -223,8 +224,8 @@ Contestants GecodeCounts() { return {}; }
 Contestants GecodePosts() { return {}; }
 #endif
 
-// A solver answers once. Clauses are given to a new one while the clock stands still; stopping and
-// starting it costs less than a microsecond.
+// Measures a solver that answers once. A new solver gets the clauses while the clock is stopped.
+// Stopping and starting the clock costs less than a microsecond.
 template <class Solver>
 void MeasureSolver(benchmark::State& state, Instance& instance, typename Solver::Encoding encoding,
                    double seconds) {
@@ -239,7 +240,7 @@ void MeasureSolver(benchmark::State& state, Instance& instance, typename Solver:
   Conclude(state, Judge(instance, answer));
 }
 
-// A solver of clauses: one contestant for each of its encodings.
+// Returns one contestant for each encoding of a solver of clauses.
 template <class Solver>
 Contestants SolverLabels(double seconds) {
   Contestants contestants;
@@ -282,7 +283,7 @@ Contestants Z3Labels() { return {}; }
 Contestants Z3Posts() { return {}; }
 #endif
 
-// ---- What is measured on what -------------------------------------------------------------------
+// ---- Contestants and networks -------------------------------------------------------------------
 
 Contestants Beside(Contestant ours, std::initializer_list<Contestants> peers) {
   Contestants contestants = {std::move(ours)};
@@ -326,7 +327,8 @@ void AddNetworks() {
   }
 }
 
-// The traces of plans whose parts are in each other's way, so that arcs are refused and taken back.
+// Adds the traces of plans whose parts are in each other's way, so that arcs are refused and taken
+// back.
 void AddCrowdedPlans() {
   const int traces = bench::Tiny() ? 1 : workloads::kNetworksOfFamily;
   for (int index = 0; index < traces; ++index) {

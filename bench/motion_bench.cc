@@ -15,7 +15,7 @@
 namespace assay::motion {
 namespace {
 
-constexpr double kRoom = 0.012;  // of the ends, metres: more than the clearance asked for
+constexpr double kRoom = 0.012;  // metres of clearance at the ends, more than is wanted on the way
 constexpr int kQueries = 1000;
 
 const domain::Problem& Clutter() {
@@ -41,13 +41,13 @@ CollisionScene Scene(Hand hand) {
   return CollisionScene(Clutter(), surroundings);
 }
 
-// Free postures whose tool is low over the table.
+// Draws free postures with the tool low over the table.
 class Postures {
  public:
   explicit Postures(const CollisionScene& scene) : scene_(scene), check_(scene, {kRoom}) {}
 
-  // With the tool straight down, in the configuration of the arm's home: between some others no way
-  // is upright.
+  // Draws a posture with the tool straight down, in the configuration of the arm's home. Between
+  // postures of other configurations there may be no upright way.
   JointVector DrawUpright() {
     while (true) {
       const double height = random_.Uniform(0.02, 0.35);
@@ -108,7 +108,7 @@ double Share(std::vector<double>& sorted, double share) {
   return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
 }
 
-// One iteration is one query, from a free posture low over the table to another.
+// Each iteration is one query, from a free posture low over the table to another.
 void PathBetweenRandomPostures(benchmark::State& state, Hand hand, Tool tool) {
   const CollisionScene scene = Scene(hand);
   const std::vector<PathRequest> queries = Queries(scene, tool);

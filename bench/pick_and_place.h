@@ -12,12 +12,13 @@ namespace assay::bench {
 
 struct PickAndPlace {
   domain::Problem problem;
-  std::vector<plan::Action> actions;  // a pickup and a putdown for each of the n
+  std::vector<plan::Action> actions;  // a pickup and a putdown for each of the n times
 };
 
-// The block of Spar's worked example on its end, held across its sides from straight above or with
-// the tool leaning by `lean` radians; every place is a little beside the one before, and turned.
-// The block's errors are such that all preconditions can be proved for a while: 1 mm, 0.03 radians.
+// Returns the workload for the block of Spar's worked example. The block stands on its end and is
+// held across its sides, from straight above or with the tool leaning by `lean` radians. Each place
+// is a little beside the one before, and turned. The block's errors, 1 mm and 0.03 radians, let all
+// preconditions be proved for a while.
 inline PickAndPlace MakePickAndPlace(int n, double lean) {
   const std::string root = ASSAY_SOURCE_DIR;
   PickAndPlace work{

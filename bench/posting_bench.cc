@@ -16,7 +16,7 @@ Document Load(const std::string& scenario) {
   return Document::Load(kRoot + "/scenarios/" + scenario + ".yaml");
 }
 
-// Reading: scenario, workcell, URDF and part files, with stable poses and grasps computed.
+// Times reading: scenario, workcell, URDF and part files, with stable poses and grasps computed.
 void ReadScenario(benchmark::State& state, const std::string& scenario) {
   const Document document = Load(scenario);
   for (auto _ : state) {
@@ -34,8 +34,8 @@ void PlanScenario(benchmark::State& state, const std::string& scenario) {
   }
 }
 
-// Both phases and gross motion: what `assay plan` does with a scenario that has been read. The
-// first plan pays for cold memory, however short the pass; it is not timed.
+// Times both phases and gross motion, as `assay plan` does with a scenario that has been read. The
+// first plan is not timed, since its memory is cold.
 void PlanWithCertificates(benchmark::State& state, const std::string& scenario) {
   const domain::Problem problem = domain::ReadProblem(Load(scenario), kRoot + "/models");
   plan::PlanResult result = assembly::MakeCertifiedPlan(problem, {}, {});

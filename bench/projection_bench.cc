@@ -17,15 +17,15 @@ using workloads::ProjectionAndContact;
 using workloads::ProjectionModel;
 
 enum class Cases {
-  kStill,    // as the peers' instances
-  kMoving,   // on a path whose direction is uncertain in two ways
-  kFewRead,  // and the contact's rows read three tolerances, as those of two faces do
+  kStill,    // a start that does not move, as in the peers' instances
+  kMoving,   // a motion whose direction has two errors
+  kFewRead,  // a motion, with contact rows that read three tolerances, as those of two faces do
 };
 
-constexpr int kCases = 8;       // of each number of limits
-constexpr int kMostLimits = 4;  // the paper's
+constexpr int kCases = 8;       // number of cases for each number of limits
+constexpr int kMostLimits = 4;  // greatest number of limits, the paper's
 
-// The same for every test of one number of tolerances: 1 to 4 limits.
+// Returns equal cases for every test with this number of tolerances, with 1 to 4 limits.
 std::vector<ProjectionAndContact> MakeCases(Cases kind, int tolerances) {
   RandomStream random(bench::Seed(), "projection");
   ProjectionModel model{.tolerances = tolerances};
@@ -41,8 +41,9 @@ std::vector<ProjectionAndContact> MakeCases(Cases kind, int tolerances) {
   return cases;
 }
 
-// Whether a point of the projection satisfies the contact's rows, as a linear program in the
-// factors of the start's generators, the time s, and s times each factor of the velocity's.
+// Returns whether a point of the projection satisfies the contact's rows, by a linear program. Its
+// variables are the factors of the start's generators, the time s, and s times each factor of the
+// velocity's generators.
 bool MeetByLinearProgram(const ProjectionAndContact& given) {
   const auto& [projection, contact] = given;
   const int starts = static_cast<int>(projection.start.generators.cols());
@@ -97,8 +98,8 @@ bool MeetByEdges(const ProjectionAndContact& given) {
 
 using Test = bool (*)(const ProjectionAndContact&);
 
-// A round is over all cases; the counter `each` is the mean time of one. What the edge test misses
-// is counted; any other difference from the linear program is an error.
+// Times a round over all cases. The counter `each` is the mean time of one case. Meetings that the
+// edge test misses are counted; any other difference from the linear program is an error.
 void Time(benchmark::State& state, Test test, Cases kind) {
   const auto cases = MakeCases(kind, static_cast<int>(state.range(0)));
   std::vector<char> found(cases.size());
@@ -126,7 +127,8 @@ void Tolerances(benchmark::internal::Benchmark* benchmark) {
       ->Unit(benchmark::kMicrosecond);
 }
 
-// Exponential in the tolerances: once, as far as the paper says that it is practical.
+// The edge test is exponential in the number of tolerances. It runs once, for as many as the paper
+// calls practical.
 void FewTolerances(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgName("tolerances")
       ->DenseRange(0, 10, 2)

@@ -32,11 +32,11 @@ mujoco::CameraId Camera() { return mujoco::CameraId(0); }
 void Draw(benchmark::State& state, int samples) {
   const mujoco::Data data = FigureThirteen().Start();
   render::Renderer renderer(FigureThirteen().model(), kWidth, kHeight, {.samples = samples});
-  renderer.Render(data, Camera());  // the first picture has the drawing programs compiled
+  renderer.Render(data, Camera());  // the first picture compiles the drawing programs
   for (auto _ : state) benchmark::DoNotOptimize(renderer.Render(data, Camera()));
 }
 
-// The engine's own calls in a row, as in the examples that come with it.
+// Renders with the engine's own calls in a row, as the engine's examples do.
 class BareRenderer {
  public:
   explicit BareRenderer(const mjModel* model)
@@ -81,7 +81,7 @@ class BareRenderer {
       std::vector<unsigned char>(std::size_t{3} * kWidth * kHeight);
 };
 
-// The engine's rows begin at the bottom.
+// Compares pictures. The engine's rows begin at the bottom.
 bool IsSamePicture(const render::Image& picture, const std::vector<unsigned char>& pixels) {
   constexpr std::size_t kRow = std::size_t{3} * kWidth;
   for (std::size_t row = 0; row < kHeight; ++row) {
@@ -105,7 +105,7 @@ void DrawBare(benchmark::State& state) {
 }
 
 const bool kAdded = [] {
-  // OSMesa would draw with threads of its own, whose time does not count.
+  // OSMesa would otherwise draw with threads of its own, whose time does not count.
   setenv("LP_NUM_THREADS", "0", 1);
   bench::Announce("rendering",
                   {.measured = "a picture of figure 13's start, 640 x 480, all effects, one sample "

@@ -15,12 +15,12 @@
 namespace assay {
 namespace {
 
-constexpr int kWindow = 100;         // steps that are replayed from a saved state
-constexpr double kSameState = 1e-3;  // metres and radians, after a window
+constexpr int kWindow = 100;         // number of steps that are replayed from a saved state
+constexpr double kSameState = 1e-3;  // greatest difference after a window, metres and radians
 
-// A scenario with its plan, and what executing it once told the engine.
+// A scenario with its plan, and the commands to the engine during one execution.
 struct Run {
-  // What a step was told.
+  // The commands of one step.
   struct Told {
     double timestep;
     std::vector<double> ctrl;
@@ -29,7 +29,7 @@ struct Run {
   struct Window {
     mujoco::State start;
     std::vector<Told> steps = {};
-    std::vector<double> qpos = {};  // at its end
+    std::vector<double> qpos = {};  // joint values at the window's end
   };
 
   scenario::Scenario scenario;
@@ -50,11 +50,13 @@ struct Run {
 
   void Record() {
     Execute({.on_timestep = [this](const mujoco::Data& data) { Note(data); }});
-    if (windows.back().steps.size() < kWindow) windows.pop_back();  // cut by the end
+    // The end of the execution cut it short.
+    if (windows.back().steps.size() < kWindow) windows.pop_back();
   }
 
  private:
-  // States are saved between windows; what the saving step was told is in the window before.
+  // Notes a step. States are saved between windows, and the commands of the saving step belong to
+  // the earlier window.
   void Note(const mujoco::Data& data) {
     ++steps;
     if (!windows.empty()) {
@@ -80,7 +82,7 @@ const Run& Recorded(const std::string& name) {
   return at->second;
 }
 
-// The plan's execution with everything that it does besides stepping.
+// Times the plan's execution with everything that it does besides stepping.
 void Execute(benchmark::State& state, const std::string& name) {
   const Run& run = Recorded(name);
   double simulated = 0;
@@ -105,7 +107,7 @@ bool EndsWhereWeDid(const Run::Window& window, const mujoco::Data& data) {
                             [](double a, double b) { return std::abs(a - b) < kSameState; });
 }
 
-// The engine's loop and nothing else, told what the execution told it.
+// Times the engine's loop alone, with the commands of the execution.
 void BareLoop(benchmark::State& state, const std::string& name) {
   const Run& run = Recorded(name);
   mujoco::Data data = run.scene.Start();

@@ -9,13 +9,13 @@
 namespace assay::finemotion {
 namespace {
 
-constexpr double kHalf = 0.01905;       // of the peg's width, metres
-constexpr double kClearance = 0.25e-3;  // on each side
+constexpr double kHalf = 0.01905;       // half of the peg's width, metres
+constexpr double kClearance = 0.25e-3;  // metres on each side
 constexpr double kReach = 0.012;
-constexpr double kTurn = 0.03;  // radians
+constexpr double kTurn = 0.03;  // radians by which the part may be turned
 
-// What is wanted: of a search for each of the square peg's critical points, at the rim and at the
-// bottom, and of one with a hundred tolerances.
+// The wanted times: of a search for both critical points of the square peg (at the rim and at the
+// bottom), and of a search with a hundred tolerances.
 constexpr double kAtMostMilliseconds = 2 * 100;
 constexpr int kManyTolerances = 100;
 constexpr double kAtMostMillisecondsWithMany = 10'000;
@@ -28,7 +28,7 @@ Passage SquarePegInHole() {
   return passage;
 }
 
-// Multiples of 2 mm and 1 degree, in all six dimensions.
+// Returns a multiple of 2 mm and 1 degree, in all six dimensions.
 FineMotionErrors ErrorsOf(double multiple) {
   FineMotionErrors errors;
   errors.pose << Vector3::Constant(2e-3), Vector3::Constant(std::numbers::pi / 180);
@@ -36,7 +36,7 @@ FineMotionErrors ErrorsOf(double multiple) {
   return errors;
 }
 
-// A tilted peg, its lowest corner on the face beside the hole.
+// Returns the pose of a tilted peg whose lowest corner is on the face beside the hole.
 Pose OnTheFace() {
   GeneralizedPoint z(kPoseDimensions);
   z << 0, 0, 0, 0.15, -0.12, 0;
@@ -60,10 +60,10 @@ void Search(benchmark::State& state, double multiple) {
   state.counters["at_most_ms"] = kAtMostMilliseconds;
 }
 
-// --- How the cost of a node grows. A search that ends after so many nodes, without moved starts;
-// errors that nothing absorbs, so that it does not end sooner.
+// --- Growth of the cost of a node. A search ends after kNodes nodes and moves no starts. No
+// sequence absorbs its errors, so it does not end sooner.
 
-constexpr int kNodes = 20;  // of a search; for the errors and for twice as large ones
+constexpr int kNodes = 20;  // nodes of one search; there is a second search, for twice the errors
 
 StrategyOptions FixedNodes() {
   return {.rounds = 1, .tries = 0, .nodes = kNodes, .thorough_nodes = 0, .seed = 3};
@@ -78,27 +78,28 @@ void SearchNodes(const Passage& passage, const FineMotionErrors& errors,
       finder.Near(passage.X_StationaryEntry, {.reach = kReach, .turn = kTurn}).size());
   state.counters["nodes"] = plan.expanded;
   state.counters["replayed"] = plan.replayed;
-  state.counters["tests"] = plan.comparison.tests;  // whether a contact can be made
+  state.counters["tests"] = plan.comparison.tests;  // number of tests whether a contact can be made
   state.counters["per_node"] = benchmark::Counter(
       plan.expanded, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-// Contacts: pegs of so many sides.
+// Times nodes by the number of contacts: pegs of this many sides.
 void NodesBySides(benchmark::State& state) {
   const Passage passage = workloads::PegInHole(
       {.sides = static_cast<int>(state.range(0)), .half = kHalf, .length = 0.07}, kClearance);
   SearchNodes(passage, ErrorsOf(1), FixedNodes(), state);
 }
 
-// What of the paper are target points, points that motions start from and lead to, are starts that
-// are drawn here: from there on, a node has one maneuver for each contact and direction.
+// Times nodes by the number of drawn starts. They stand for the paper's target points, the points
+// between which motions lead. From a start on, a node has one maneuver for each contact and
+// direction.
 void NodesByStarts(benchmark::State& state) {
   StrategyOptions options = FixedNodes();
   options.starts = static_cast<int>(state.range(0));
   SearchNodes(SquarePegInHole(), ErrorsOf(1), options, state);
 }
 
-// So many tolerances, of each face of peg and hole in turn.
+// Adds this many tolerances, to the faces of peg and hole in turn.
 Passage WithTolerances(Passage passage, int count) {
   const int moving = static_cast<int>(passage.moving.faces.size());
   const int faces = moving + static_cast<int>(passage.stationary.faces.size());
@@ -113,7 +114,7 @@ Passage WithTolerances(Passage passage, int count) {
   return passage;
 }
 
-// The tolerances of a face are together a twentieth of the play at it.
+// Sets tolerances that for each face add up to a twentieth of the play.
 FineMotionErrors WithTolerances(FineMotionErrors errors, const Passage& passage) {
   const std::size_t count = passage.tolerances.size();
   const std::size_t faces = passage.moving.faces.size() + passage.stationary.faces.size();
@@ -144,7 +145,7 @@ void Tolerances(benchmark::State& state) {
   }
 }
 
-// How often the paper's edge test would have answered otherwise.
+// Counts how often the paper's edge test would have given another answer.
 void Compared(benchmark::State& state) {
   const Passage passage = SquarePegInHole();
   FineMotionPlan plan;

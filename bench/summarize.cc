@@ -20,7 +20,7 @@ constexpr const char* kUsage =
     "       summarize contingent CONTINGENT.md FILE.json...\n"
     "Exit code 12: written, but some answers were wrong.\n";
 
-// As those of `assay`.
+// These are exit codes of `assay` as well.
 enum ExitCode { kDone = 0, kWrongCommandLine = 2, kWrongInput = 3, kWrongAnswers = 12 };
 
 Measurements ReadFrom(const std::vector<std::string>& arguments, std::size_t first) {
@@ -28,15 +28,15 @@ Measurements ReadFrom(const std::vector<std::string>& arguments, std::size_t fir
       {arguments.begin() + static_cast<std::ptrdiff_t>(first), arguments.end()});
 }
 
-// Tells whose answers were wrong, if any were.
+// Prints the wrong answers and returns the exit code.
 int ExitCodeOf(const Measurements& measurements) {
   const std::vector<const Series*> wrong = measurements.Wrong();
   for (const Series* series : wrong) fmt::print(stderr, "{}: {}\n", series->name, series->wrong);
   return wrong.empty() ? kDone : kWrongAnswers;
 }
 
-// The report and its plots' script, or the table of contingent problems, from what Google Benchmark
-// wrote.
+// Writes the report and the script of its plots, or the table of contingent problems, from the
+// files of Google Benchmark.
 int Summarize(const std::vector<std::string>& arguments) {
   if (arguments.size() >= 4 && arguments[0] == "report") {
     const Measurements measurements = ReadFrom(arguments, 3);

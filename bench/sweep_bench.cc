@@ -1,24 +1,25 @@
-// How much of the engine's speed a sweep keeps, and what a second thread adds.
+// Measures how much of the engine's speed a sweep keeps, and what a second thread adds.
 //
-// The same trials are done by a sweep on one thread, by a bare loop of mj_step, right after each
-// trial of the sweep, whose time is taken out, and by a sweep on two threads; all this in several
-// rounds, of which medians are told. So a loaded machine bends the seconds more than the ratios.
+// The same trials are executed by a sweep on one thread, by a bare loop of mj_step, and by a sweep
+// on two threads. The bare loop runs right after each trial of the first sweep, and its time is
+// subtracted. All this is repeated in several rounds, and medians are reported. A loaded machine
+// therefore changes the seconds more than the ratios.
 //
-// Why the loop is a fair peer: a step costs what the engine's contacts ask for, which differs by a
-// factor between a hand on its way and a peg in its hole, so that the loop must see the same
-// contacts. All steps of the very executions are recorded once: the state before each, controls and
-// timestep. The loop writes them back and calls mj_step, nothing else; checked that it meets as
-// many contacts, and that the solver makes as many iterations. The check behind the engine's
-// collision of boxes belongs to both. Everything else is left to the sweep: compiling scenes,
-// letting the parts settle, drawing noise, servos, trajectories, sensing, claims, the database.
-// Settling is made of steps, too, but those are not counted.
+// The loop is a fair peer because it sees the same contacts. A step costs what its contacts
+// require, and that differs by a factor between a hand on its way and a peg in its hole. All steps
+// of the sweep's executions are recorded once: the state before each step, the controls and the
+// timestep. The loop writes them back and calls mj_step. It is checked to meet as many contacts,
+// with as many iterations of the solver. The check behind the engine's collision of boxes is part
+// of both. The sweep alone does everything else: it compiles scenes, lets the parts settle, draws
+// noise, and runs servos, trajectories, sensing, claims and the database. Settling takes steps as
+// well, but these are not counted.
 //
 // Trials differ in length, and when none is left to begin, one thread waits for the other. With a
-// thousand trials that is nothing, with a few it is much: two threads are judged by the time while
-// both work, and the rest is told beside it.
+// thousand trials this wait is negligible; with a few it is long. Two threads are therefore judged
+// by the time in which both work, and the whole time is reported beside it.
 //
 // CPU time is that of the whole process. On a loaded machine two threads cannot be twice as fast in
-// wall time; two times the ratio in CPU time is then what to expect of two free cores.
+// wall time. Twice the ratio in CPU time is then the expectation for two free cores.
 
 #include <fmt/format.h>
 #include <mujoco/mujoco.h>
@@ -49,7 +50,7 @@ namespace fs = std::filesystem;
 struct Options {
   std::string scenario = "spar-fig15";
   double error_scale = 1;
-  int trials = 8;  // each is kept in memory: 100 MB
+  int trials = 8;  // the recording of each trial takes 100 MB of memory
   int rounds = 3;
 };
 
@@ -79,7 +80,7 @@ Seconds Since(const Seconds& start) { return Now() - start; }
 
 // ---- recording
 
-// What a step costs the engine.
+// The cost of a step for the engine.
 struct Load {
   std::int64_t steps = 0, contacts = 0, iterations = 0;
 
@@ -98,9 +99,9 @@ struct Recording {
   // Sizes of qpos, qvel and ctrl.
   std::size_t nq = 0, nv = 0, nu = 0;
   ModelCopy model = {nullptr, mj_deleteModel};
-  // Of each step, one after another: timestep, ctrl, qfrc_applied; qpos, qvel, qacc_warmstart.
+  // For each step in turn: timestep, ctrl, qfrc_applied, qpos, qvel, qacc_warmstart.
   std::vector<double> numbers = {};
-  // Tables are raised during a trial: the places of geoms from a step on.
+  // The places of geoms from a step on, since tables are raised during a trial.
   struct Raised {
     std::int64_t from = 0;
     std::vector<double> geom_pos;
@@ -109,11 +110,12 @@ struct Recording {
   Load load = {};
 };
 
-// Records the steps of a simulation while it lives, one at a time. The engine calls mjcb_control at
-// the end of mj_step1, which ends each of our steps: then the controls of the step are still there,
-// and the state is the one before the next step. Only the quaternions in qpos are not yet as they
-// are then: the engine has normalised them, which mujoco::Data undoes after mj_step1. A second
-// normalisation can change their last bit, so that qpos is taken after the step.
+// Records the steps of a simulation while the recorder lives. There is at most one recorder at a
+// time. The engine calls mjcb_control at the end of mj_step1, which ends each step of mujoco::Data.
+// At that time the controls of the step are still present, and the state is the one before the next
+// step. The quaternions in qpos are an exception: the engine has normalised them, and mujoco::Data
+// restores them after mj_step1. A second normalisation can change their last bit, so qpos is taken
+// after the step.
 class Recorder {
  public:
   explicit Recorder(const mujoco::Data& data) {
@@ -245,7 +247,7 @@ Load Steps(const Recording& recording, mjModel* m, mjData* d) {
   return load;
 }
 
-// Checked that it does what the execution did.
+// Executes the recording and checks that the loop does what the execution did.
 Pace BareLoop(const Recording& recording) {
   const ModelCopy model(mj_copyModel(nullptr, recording.model.get()), mj_deleteModel);
   const std::unique_ptr<mjData, void (*)(mjData*)> data(mj_makeData(model.get()), mj_deleteData);
@@ -287,10 +289,10 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-// Is told the number of a trial; what it does is no part of the sweep.
+// Called with the number of a trial. Its work is not part of the sweep.
 using Aside = std::function<void(int)>;
 
-// Notes when the trials of a sweep begin and end, and calls the aside after each.
+// Notes when the trials of a sweep begin and end, and calls the aside after each trial.
 class Watch {
  public:
   Watch(sweep::Work& work, const Aside& aside) {
@@ -309,8 +311,8 @@ class Watch {
 
   const Seconds& aside() const { return aside_; }
 
-  // Without an aside. Until a thread found no trial to begin. Then each of the other ones was in
-  // its last trial, of which the share is counted that it had done by the time.
+  // Returns the pace until a thread found no trial to begin. Each other thread was in its last
+  // trial then, and the share of that trial that was done counts. There must be no aside.
   Pace WhileAllWorked(int threads) const {
     const Seconds until = trials_.at(trials_.size() - static_cast<std::size_t>(threads)).ended;
     Pace pace;
@@ -330,7 +332,7 @@ class Watch {
   };
 
   std::mutex mutex_;
-  std::vector<Trial> trials_;  // in the order of their ends
+  std::vector<Trial> trials_;  // in the order in which they ended
   Seconds aside_;
 };
 
@@ -338,8 +340,9 @@ struct SweepTurn {
   Pace while_all_worked, trials, whole;
 };
 
-// The trials' time has all that is done for each of them, the database included. A whole sweep
-// reads, plans and measures the honesty gate before, once for a cell, however many trials it has.
+// Runs a sweep. The trials' time includes all that is done for each trial, with the database. The
+// time of the whole sweep includes reading, planning and measuring the noise floor as well. These
+// are done once for a cell, however many trials it has.
 SweepTurn RunSweep(const sweep::Sweep& sweep, int threads, const Aside& aside) {
   const TemporaryFolder folder;
   sweep::Work work = sweep::RealWork(sweep, {});
@@ -373,7 +376,7 @@ double Median(std::vector<double> values) {
 
 using Clock = double Seconds::*;
 
-// One pace of each round; the ratios are to the peer's of the same round.
+// Formats one pace of each round. Ratios are to the peer's pace of the same round.
 std::string Columns(const std::vector<Pace>& paces, const std::vector<Pace>& peers, Clock clock) {
   const auto rate = [&](const Pace& pace) { return pace.steps / (pace.taken.*clock); };
   std::vector<double> seconds, rates, ratios;

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 
-// As `assay run --noise uniform` does it once there is a plan, but for the honesty gate, which all
-// trials share: errors are drawn, the scene is compiled, its parts settle, the plan is executed,
-// and every claim of its certificates is held against what truly happened.
+// Times a trial as in `assay run --noise uniform`, once there is a plan. The noise floor is left
+// out, since all trials share it. Errors are drawn, the scene is compiled, its parts settle, the
+// plan is executed, and every claim of its certificates is compared with the simulation.
 void WholeTrial(benchmark::State& state, const std::string& name) {
   const scenario::Scenario scenario =
       scenario::Load(std::string(ASSAY_SOURCE_DIR) + "/scenarios/" + name + ".yaml");

@@ -1,6 +1,6 @@
-// First labelings and counts of the networks that labeling_bench asks for again and again, asked in
-// turn: in a round each contestant is asked about every network once, so that neither caches nor
-// the prediction of branches know the next question.
+// Asks for first labelings and counts of the networks of labeling_bench, in turn. In each round
+// every contestant is asked about every network once, so that neither caches nor branch prediction
+// know the next question.
 //   labeling-in-turn/NETWORK/CONTESTANT
 //   counting-in-turn/NETWORK/CONTESTANT
 
@@ -34,12 +34,12 @@ using workloads::MeasuredNetwork;
 using workloads::NetworkWorkload;
 
 constexpr int kRounds = 5;
-// Who has thought so long about a network in earlier rounds is not asked about it again: that it
-// was asked before makes no difference any more.
+// A contestant that took this long for a network in earlier rounds is not asked about it again. At
+// such lengths, having been asked before makes no difference.
 constexpr double kEnoughSeconds = 0.02;
-[[maybe_unused]] constexpr double kPeerSeconds = 10;  // for one question
+[[maybe_unused]] constexpr double kPeerSeconds = 10;  // limit for one question
 
-// A network in the forms that contestants take it in.
+// A network in the forms that the contestants use.
 struct Instance {
   NetworkWorkload workload;
   Network network = workload.Build();
@@ -69,7 +69,7 @@ Instances Made(const std::vector<MeasuredNetwork>& networks) {
   return instances;
 }
 
-// A contestant's answer about one network, and what it took in the rounds.
+// A contestant's answer about one network, and its times in the rounds.
 template <class Answer>
 struct Answered {
   Answer answer;
@@ -110,7 +110,7 @@ bool Agree(const Instance&, const CountAnswer& peer, const CountAnswer& ours) {
   return peer.count == ours.count;
 }
 
-// Ours, held against the other way that a network decides.
+// Compares assay's answer with that of its other way to decide a network.
 bool IsRight(const Instance& instance, const LabelingAnswer& ours) {
   return Agree(instance, ours, {.outcome = instance.workload.Build().Decide(), .labeling = {}});
 }
@@ -120,14 +120,14 @@ bool IsRight(const Instance& instance, const CountAnswer& ours) {
   return (ours.count > 0) == has_labeling;
 }
 
-// The same question about many networks, and who answers it.
+// One question about many networks, with the contestants that answer it.
 template <class Answer>
 class Contest {
  public:
   Contest(std::string family, std::vector<MeasuredNetwork> networks)
       : family_(std::move(family)), networks_(std::move(networks)) {}
 
-  // Ours is the first.
+  // Adds a contestant. Assay must be the first.
   void Add(std::string contestant, Ask<Answer> ask) {
     contestants_.push_back({std::move(contestant), std::move(ask), {}});
   }
@@ -146,7 +146,7 @@ class Contest {
   struct Contestant {
     std::string name;
     Ask<Answer> ask;
-    std::vector<Answered<Answer>> answered;  // by network, once it was asked
+    std::vector<Answered<Answer>> answered;  // answers by network, for networks that were asked
   };
 
   void Tell(benchmark::State& state, Contestant& contestant, std::size_t network) {

@@ -1,5 +1,5 @@
-// What taking back costs, apart from labeling_bench's traces, where a refused arc is taken back by
-// the network itself: the marks that a planner sets before a choice.
+// Measures the cost of undoing with the marks that a planner sets before a choice. In
+// labeling_bench's traces, in contrast, the network itself takes back a refused arc.
 
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -21,10 +21,11 @@ using workloads::NetworkWorkload;
 
 constexpr int kMostParts = 7;
 [[maybe_unused]] constexpr double kPeerSeconds = 10;
-// Of what is so short that in less time the first iteration would tell.
+// The least measured time of very short work. In a shorter time the first iteration would dominate.
 constexpr double kSeconds = 0.02;
 
-// The plan of so many parts, with as many threats as is usual among the benchmarks' plans.
+// Returns the index of the plan with this many parts and as many threats as are usual among the
+// benchmarks' plans.
 int IndexOf(int parts) { return 5 * (parts - 2) + 2; }
 
 NetworkWorkload Plan(int parts) {
@@ -34,7 +35,7 @@ NetworkWorkload Plan(const benchmark::State& state) {
   return Plan(static_cast<int>(state.range(0)));
 }
 
-// Its nodes, and its arcs but for the last ones.
+// Returns a network with the plan's nodes, and its arcs without the last ones.
 Network Posted(const NetworkWorkload& plan, std::size_t left_out) {
   Network network;
   for (const LabelSet& labels : plan.nodes) network.AddNode(labels);
@@ -44,7 +45,7 @@ Network Posted(const NetworkWorkload& plan, std::size_t left_out) {
   return network;
 }
 
-// A mark, and back to it, in a network that holds the whole plan.
+// Times a mark and the return to it, in a network that holds the whole plan.
 void SaveAndUndo(benchmark::State& state) {
   const NetworkWorkload plan = Plan(state);
   Network network = Posted(plan, 0);
@@ -56,8 +57,9 @@ void PostAll(Network& network, const NetworkWorkload& plan) {
   for (const Arc& arc : plan.arcs) network.Post(arc.a, arc.b, arc.relation);
 }
 
-// A mark, all arcs one by one, each with its answer, and back at once; how long that takes is
-// counted by itself. Nothing is searched any more: what was found the first time still holds.
+// Times a mark, posting all arcs one by one with an answer each, and the return to the mark. The
+// return has a counter of its own. Nothing is searched, since the labelings that were found the
+// first time still hold.
 void PostAllAndUndo(benchmark::State& state) {
   using Clock = std::chrono::steady_clock;
   const NetworkWorkload plan = Plan(state);
@@ -86,7 +88,7 @@ BENCHMARK(PostAllAndUndo)
     ->MinTime(kSeconds)
     ->Unit(benchmark::kMicrosecond);
 
-// A mark, the last arc with its answer, and back.
+// Times a mark, the last arc with its answer, and the return to the mark.
 void TryLastArc(benchmark::State& state, int parts) {
   const NetworkWorkload plan = Plan(parts);
   Network network = Posted(plan, 1);

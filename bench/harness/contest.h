@@ -11,52 +11,56 @@ class State;
 
 namespace assay::bench {
 
-// On what terms the contestants of a family meet; the report says it beside their times.
+// The terms on which the contestants of a family are compared. The report prints them beside the
+// times.
 struct Terms {
-  std::string measured = {};  // what the time is of
+  std::string measured = {};  // the work whose time is measured
   std::string unfair = {};    // what makes the comparison unfair, and to whom
-  std::string against = {};  // the peer that `at_least` speaks of; empty: the best of each instance
-  double at_least = 0;       // wanted: geometric mean of the ratios; 0: nothing is
-  double never_below = 0;    // wanted: ratio to the best peer in every instance
+  // The peer to which `at_least` refers; empty: the best of each instance.
+  std::string against = {};
+  double at_least = 0;     // wanted geometric mean of the ratios; 0 if none is wanted
+  double never_below = 0;  // wanted ratio to the best peer in every instance
 };
 
-// The name of our own contestant. Others are "peer" or "peer:variant", of whose variants the best
-// counts; "assay:variant" is shown, but compared with nothing.
+// The name of assay's own contestant. Others are "peer" or "peer:variant", and only the best of a
+// peer's variants counts. "assay:variant" is shown, but not compared.
 inline constexpr std::string_view kOurs = "assay";
 
 inline constexpr const char* kTimeout = "timeout";
 
-// A contestant's counter of this prefix and a peer's name: how many times as long that peer took
-// where both were measured, by published figures.
+// The prefix of a contestant's counter whose name ends with a peer's name. Its value is the factor
+// by which that peer took longer than this contestant, by published figures where both were
+// measured.
 inline constexpr const char* kTimesOfPublished = "times:";
 
-inline constexpr double kAsAsked = 0;  // by --benchmark_min_time
+inline constexpr double kAsAsked = 0;  // the duration that --benchmark_min_time sets
 
-// Once for a family, before any of its contestants.
+// Announces a family. It must be called once, before any contestant of the family is added.
 void Announce(std::string_view family, const Terms& terms);
 
-// Registers `work` as the benchmark "family/instance/contestant". Contestants of one instance are
-// added one after another, ours first, so that passes over the program time them in turn. `work`
-// holds the contestant's answer against ours before its time counts, and skips with an error if
-// they differ: an error in any pass is a wrong answer, which the report tells first and `summarize`
-// ends with exit code 12 for. Who is not done when the time that it gets is up sets the counter
-// kTimeout: what it took until then counts as if it had answered, and is marked. `least_seconds` is
-// what it is repeated for in each pass, to be told where most of its time is not measured.
+// Registers `work` as the benchmark "family/instance/contestant". Contestants of one instance must
+// be added one after another, assay first, so that passes over the program time them in turn.
+// `work` must compare the contestant's answer with assay's before its time counts, and skip with an
+// error if they differ. An error in any pass is a wrong answer: the report shows it first, and
+// `summarize` ends with exit code 12. A contestant whose time is up sets the counter kTimeout. Its
+// time until then counts as if it had answered, and is marked. `least_seconds` is the time for
+// which the work is repeated in each pass. It must be given where most of the work is not timed.
 void AddContestant(std::string_view family, std::string_view instance, std::string_view contestant,
                    std::function<void(benchmark::State&)> work, double least_seconds = kAsAsked);
 
-// The same for `work` that tells by itself what one answer took (State::SetIterationTime), once.
+// Registers `work` that runs once and sets the time of its answer itself (State::SetIterationTime).
 void AddTimedContestant(std::string_view family, std::string_view instance,
                         std::string_view contestant, std::function<void(benchmark::State&)> work);
 
-// Instead of a contestant that this machine does not have: the report says so.
+// Replaces a contestant that this machine does not have. The report mentions it.
 void AddMissing(std::string_view family, std::string_view contestant, std::string_view package);
 
-// What random workloads are drawn from: the environment's ASSAY_BENCH_SEED, 1 without it. Ends the
-// program if that is no number of 0 .. 2^64 - 1.
+// Returns the seed of random workloads: the environment's ASSAY_BENCH_SEED, or 1 without it. Ends
+// the program if the variable is no number of 0 .. 2^64 - 1.
 std::uint64_t Seed();
 
-// The environment asks for a run that only shows that nothing is broken (ASSAY_BENCH_TINY).
+// Returns whether the environment (ASSAY_BENCH_TINY) wants a short run that only shows that nothing
+// is broken.
 bool Tiny();
 
 }  // namespace assay::bench

@@ -39,7 +39,7 @@ class BoostInterval::Evaluation {
   virtual Interval Range() = 0;
 };
 
-// `Guard`: has the processor round as the numbers want it, while there is one.
+// `Guard` sets the processor's rounding mode for these numbers while it exists.
 template <class Number, class Guard>
 class BoostInterval::EvaluationIn : public Evaluation {
  public:
@@ -56,7 +56,7 @@ class BoostInterval::EvaluationIn : public Evaluation {
   }
 
  private:
-  // What it is made of, unless it is there already, and at last itself.
+  // Adds the subexpressions that are not there yet, and the expression itself as the last.
   void Add(const Expression& e, const algebra::ConstraintSet& box) {
     for (const Expression& node : algebra::NodesOf(e)) {
       if (!node.IsConstant() && !places_.contains(node.index())) AddNode(node, box);
@@ -121,7 +121,7 @@ class BoostInterval::EvaluationIn : public Evaluation {
 
   std::vector<Step> steps_;
   std::vector<Number> values_;
-  std::unordered_map<int, std::size_t> places_;  // of expressions, by index
+  std::unordered_map<int, std::size_t> places_;  // places of expressions in values_, by index
 };
 
 BoostInterval::BoostInterval(const Expression& e, std::span<const Expression> others,

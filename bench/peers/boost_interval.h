@@ -7,14 +7,15 @@
 
 namespace assay::peers {
 
-// Boost.Interval on an expression as it stands, operation by operation, with outward rounding:
-// equal parts are evaluated once, numbers are converted beforehand. Of sums, products, powers,
-// sines and cosines. Others may be evaluated along with it.
+// Evaluates an expression with Boost.Interval as it stands, operation by operation, with outward
+// rounding. Equal subexpressions are evaluated once, and numbers are converted beforehand. It
+// supports sums, products, powers, sines and cosines. Other expressions may be evaluated along with
+// it.
 class BoostInterval {
  public:
   enum class Rounding {
-    kByDefault,  // the library's policy: the processor's mode is set for every operation
-    kSetOnce,    // for an evaluation as a whole, upward; lower ends are rounded as their opposites
+    kByDefault,  // the library's policy: the processor's mode is set for each operation
+    kSetOnce,    // the mode is set once, upward; lower ends are rounded as their negatives
   };
   BoostInterval(const algebra::Expression& e, std::span<const algebra::Expression> others,
                 const algebra::ConstraintSet& box, Rounding rounding);

@@ -15,7 +15,7 @@ using network::LabelSet;
 using network::Relation;
 using workloads::NetworkWorkload;
 
-constexpr int kSatisfiable = 10, kUnsatisfiable = 20;  // of CaDiCaL::Solver::solve
+constexpr int kSatisfiable = 10, kUnsatisfiable = 20;  // results of CaDiCaL::Solver::solve
 
 class Deadline : public CaDiCaL::Terminator {
  public:
@@ -46,7 +46,7 @@ class CadicalLabeling::Solver {
     for (int node = 0; node < std::ssize(nodes_); ++node) AddNode(node);
   }
 
-  // The clauses hold where `switch_literal` does; always, if it is zero.
+  // Adds an arc's clauses, which hold where `switch_literal` is true. With 0 they hold always.
   void AddArc(const Arc& arc, int switch_literal) {
     switch (encoding_) {
       case Encoding::kDirect:

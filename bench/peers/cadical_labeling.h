@@ -9,25 +9,27 @@
 
 namespace assay::peers {
 
-// CaDiCaL on a binary constraint network: one Boolean a label, one clause "some label" and the
-// pairs "not two labels" a node. Arcs as clauses against forbidden pairs (direct encoding), or
-// "if this label, then one of its supports" in both directions (support encoding: Gent 2002).
+// Asks CaDiCaL about a binary constraint network. Each label is one Boolean. Each node has one
+// clause "some label" and clauses "not two labels" for all pairs. Arcs are clauses against
+// forbidden pairs (direct encoding), or clauses "if this label, then one of its supports" in both
+// directions (support encoding: Gent 2002).
 class CadicalLabeling {
  public:
   enum class Encoding { kDirect, kSupport };
   static constexpr Encoding kEncodings[] = {Encoding::kDirect, Encoding::kSupport};
-  static std::string_view Name(Encoding encoding);  // as contestant
+  static std::string_view Name(Encoding encoding);  // the contestant's name
 
-  // Gives the solver all clauses. A solver answers once: First is to be asked of a new one.
+  // Gives the solver all clauses. A solver answers once, so First needs a new one for each
+  // question.
   CadicalLabeling(const workloads::NetworkWorkload& workload, Encoding encoding);
   ~CadicalLabeling();
 
   LabelingAnswer First(double seconds);
 
-  // Arcs are posted one by one, in order, and taken back where they leave no labeling; whether
-  // each was accepted, shorter than the arcs when the time was up. One solver answers all: the
-  // clauses of the arc in question hold under an assumption, which becomes a fact, or its
-  // opposite; what was learned is kept.
+  // Posts arcs one by one, in order, and takes back those that leave no labeling. Returns for each
+  // arc whether it was accepted; the result is shorter than the arcs if the time was up. One solver
+  // gives all answers and keeps the clauses it has learned. The clauses of the arc in question hold
+  // under an assumption. The assumption, or its negation, becomes a fact afterwards.
   static std::vector<Outcome> PostArcByArc(const workloads::NetworkWorkload& workload,
                                            Encoding encoding, double seconds);
 

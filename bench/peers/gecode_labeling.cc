@@ -76,7 +76,8 @@ class NetworkSpace : public Gecode::Space {
 
 using Engine = Gecode::Search::Base<NetworkSpace>;
 
-// Asked at each node, it looks at every tenth: the look takes as long as a small part of a node.
+// Gecode asks at each node. Only every tenth call reads the clock, since a reading takes as long as
+// a small part of a node.
 class Deadline : public Gecode::Search::Stop {
  public:
   explicit Deadline(double seconds) : end_(ProcessorSeconds() + seconds) {}
@@ -91,7 +92,7 @@ class Deadline : public Gecode::Search::Stop {
   bool is_over_ = false;
 };
 
-// The stop object and the cutoff live as long as the engine.
+// A search. The stop object and the cutoff must live as long as the engine.
 struct Search {
   Search(NetworkSpace& space, GecodeLabeling::Order order, double seconds) : stop(seconds) {
     Gecode::Search::Options options;

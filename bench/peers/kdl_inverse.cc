@@ -14,7 +14,8 @@ KDL::Frame FrameOf(const geometry::Pose& X) {
           KDL::Vector(p.x(), p.y(), p.z())};
 }
 
-// A segment of KDL has its joint at its root: what leads to the joint belongs to the one before.
+// Returns KDL's chain. A segment of KDL has its joint at its root, so the frame that leads to a
+// joint belongs to the segment before.
 KDL::Chain ChainOf(const kinematics::RobotModel& model) {
   KDL::Chain chain;
   for (const kinematics::Joint& joint : model.joints) {

@@ -7,14 +7,15 @@
 
 namespace assay::peers {
 
-// Orocos KDL's Levenberg-Marquardt solver on the same arm: one solution a pose, from a start near
-// the middle of the joints' ranges, to 1e-5 metres and 1e-3 radians, as its defaults have it.
+// Orocos KDL's Levenberg-Marquardt solver for the same arm. It finds one solution for each pose,
+// from a start near the middle of the joints' ranges, to 1e-5 metres and 1e-3 radians (its
+// defaults).
 class KdlInverse {
  public:
   explicit KdlInverse(const kinematics::RobotModel& model);
   ~KdlInverse();
 
-  // Empty if the solver does not converge.
+  // Returns a solution, or none if the solver does not converge.
   std::optional<kinematics::JointVector> Solve(const geometry::Pose& X_BaseFlange);
 
  private:

@@ -7,10 +7,10 @@
 
 namespace assay::peers {
 
-// What a contestant says about a network. kBudget: its time was up.
+// A contestant's answer about a network. kBudget means that its time was up.
 struct LabelingAnswer {
   Outcome outcome = Outcome::kNone;
-  network::Labeling labeling;  // at kFound
+  network::Labeling labeling;  // set with kFound
   std::int64_t visited = 0;    // nodes of the search tree, or decisions
 };
 

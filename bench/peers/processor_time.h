@@ -4,8 +4,8 @@
 
 namespace assay::peers {
 
-// Processor time of this thread in seconds: what a contestant's limit is of, so that a loaded
-// machine gives nobody less.
+// Returns the processor time of this thread in seconds. Contestants' limits are in processor time,
+// so that a loaded machine gives no contestant less.
 inline double ProcessorSeconds() {
   timespec now = {};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);

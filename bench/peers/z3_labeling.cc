@@ -35,7 +35,7 @@ class Z3Labeling::Solver {
     for (const LabelSet& labels : nodes_) AddNode(labels);
   }
 
-  // The clauses hold where `condition` does.
+  // Adds an arc's clauses, which hold where `condition` is true.
   void AddArc(const Arc& arc, const z3::expr& condition) {
     const int a = arc.a.index(), b = arc.b.index();
     switch (encoding_) {
@@ -54,10 +54,11 @@ class Z3Labeling::Solver {
   z3::expr AddSwitch() { return NewBoolean(); }
   void AddFact(const z3::expr& fact) { solver_.add(fact); }
 
-  // What was added is only turned into clauses when a scope is entered or a question is asked.
+  // Makes the clauses. Z3 turns what was added into clauses only when a scope is entered or a
+  // question is asked.
   void MakeClauses() { solver_.push(); }
 
-  // Z3 counts seconds of the wall clock.
+  // Solves under an assumption. Z3 counts seconds of the wall clock.
   Outcome Solve(const z3::expr& assumption, double seconds) {
     solver_.set("timeout", static_cast<unsigned>(std::max(1.0, 1e3 * seconds)));
     z3::expr_vector assumptions(context_);
@@ -129,7 +130,7 @@ class Z3Labeling::Solver {
   z3::solver solver_;
   std::vector<LabelSet> nodes_;
   Encoding encoding_;
-  std::vector<std::vector<z3::expr>> literals_;  // by node and label
+  std::vector<std::vector<z3::expr>> literals_;  // Booleans by node and label
 };
 
 std::string_view Z3Labeling::Name(Encoding encoding) {

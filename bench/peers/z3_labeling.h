@@ -9,22 +9,22 @@
 
 namespace assay::peers {
 
-// Z3's solver of finite domains (QF_FD) on a binary constraint network: one Boolean a label, and
-// the clauses of bench/peers/cadical_labeling.h.
+// Asks Z3's solver of finite domains (QF_FD) about a binary constraint network, with one Boolean
+// for each label and the clauses of bench/peers/cadical_labeling.h.
 class Z3Labeling {
  public:
   enum class Encoding { kDirect, kSupport };
   static constexpr Encoding kEncodings[] = {Encoding::kDirect, Encoding::kSupport};
-  static std::string_view Name(Encoding encoding);  // as contestant
+  static std::string_view Name(Encoding encoding);  // the contestant's name
 
-  // Gives the solver all clauses, in its own form. A solver answers once: First is to be asked of a
-  // new one.
+  // Gives the solver all clauses, in its own form. A solver answers once, so First needs a new one
+  // for each question.
   Z3Labeling(const workloads::NetworkWorkload& workload, Encoding encoding);
   ~Z3Labeling();
 
   LabelingAnswer First(double seconds);
 
-  // As CadicalLabeling::PostArcByArc.
+  // Posts arcs one by one, like CadicalLabeling::PostArcByArc.
   static std::vector<Outcome> PostArcByArc(const workloads::NetworkWorkload& workload,
                                            Encoding encoding, double seconds);
 

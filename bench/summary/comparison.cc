@@ -27,7 +27,7 @@ std::optional<ContestName> Parse(const std::string& name) {
                      name.substr(last + 1)};
 }
 
-// "peer:variant" apart.
+// Splits "peer:variant".
 std::pair<std::string, std::string> PeerAndVariant(const std::string& contestant) {
   const std::size_t colon = contestant.find(':');
   if (colon == std::string::npos) return {contestant, ""};
@@ -44,7 +44,7 @@ Ratio RatioOf(const Series& peer, const Series& ours) {
   return {ratios.Median(), least, greatest};
 }
 
-// The peer's time if it has none yet, or if this variant is quicker than the one that it has.
+// Sets the peer's time if it has none, or if this variant is quicker than the known one.
 void Improve(std::vector<PeerTime>& peers, const std::string& peer, const std::string& variant,
              const Series& series) {
   const auto known = std::ranges::find(peers, peer, &PeerTime::peer);
@@ -55,8 +55,8 @@ void Improve(std::vector<PeerTime>& peers, const std::string& peer, const std::s
   }
 }
 
-// A peer that is known from published figures alone: a contestant that was measured beside it there
-// carries how many times as long it took.
+// Adds peers that are known from published figures alone. A contestant that was measured beside
+// them there has the factors by which they took longer.
 void ImproveByPublished(std::vector<PeerTime>& peers, const Series& series) {
   const std::string prefix = kTimesOfPublished;
   for (const auto& [counter, multiple] : series.counters) {

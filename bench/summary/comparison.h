@@ -7,77 +7,81 @@
 
 namespace assay::bench {
 
-// How many times as long a peer takes as we do: of the passes, each with the two times that were
-// measured next to each other.
+// The factor by which a peer takes longer than assay, over the passes. Each pass compares the two
+// times that were measured next to each other.
 struct Ratio {
   double median = 0;
   double least = 0;
   double greatest = 0;
 };
 
-// What a peer took. Of a peer's variants the quickest.
+// The times of a peer, from the quickest of its variants.
 struct PeerTime {
   std::string peer;
-  std::string variant;  // if there are several
+  std::string variant;  // empty if the peer has only one variant
   Series series;
   Ratio ratio;
 
-  // It had not answered by then: time and ratio are the least that they can be.
+  // Returns whether the peer's time was up before it answered. Its time and its ratio are then
+  // lower bounds.
   bool TimeWasUp() const;
 };
 
-// One piece of work, done by us and by others.
+// One piece of work, done by assay and by peers.
 struct Contest {
   std::string instance;
-  Series ours;
-  std::vector<Series> variants;  // of ours, as by the name after the colon
-  std::vector<PeerTime> peers;   // by name
+  Series ours;                   // assay's contestant
+  std::vector<Series> variants;  // assay's variants, named by the part after the colon
+  std::vector<PeerTime> peers;   // ordered by name
 
-  const PeerTime* Best() const;                                 // null without peers
-  const PeerTime* Find(const std::string& peer) const;          // null if it has no time
-  const Series* FindVariant(const std::string& variant) const;  // likewise
+  const PeerTime* Best() const;                                 // null if there are no peers
+  const PeerTime* Find(const std::string& peer) const;          // null if the peer has no time
+  const Series* FindVariant(const std::string& variant) const;  // null if the variant has no time
 };
 
-// One that this machine does not have.
+// A peer that this machine does not have.
 struct MissingPeer {
   std::string peer;
-  std::string package;  // Debian's, that would bring it
+  std::string package;  // the Debian package that provides it
 };
 
-// Contests over work of one kind.
+// Contests with work of one kind.
 struct Family {
   std::string name;
   std::string measured;
   std::string unfair;
   std::string against;  // see Terms (bench/harness/contest.h)
-  double at_least = 0;  // 0: nothing is wanted
+  double at_least = 0;  // 0 if none is wanted
   double never_below = 0;
   std::vector<MissingPeer> missing;
-  std::vector<std::string> wrong;  // answers: "instance/contestant: what was wrong"
+  std::vector<std::string> wrong;  // wrong answers, as "instance/contestant: what was wrong"
   std::vector<Contest> contests;
 };
 
-// In the order in which they ran. Benchmarks without "/assay" in their instance are in none.
+// Returns the families in the order in which they ran. A benchmark without "/assay" in its instance
+// belongs to no family.
 std::vector<Family> Families(const Measurements& measurements);
 
-// The same with the contests of one kind each, whose name they have: by the name of the instance
-// and what our benchmark says of it. Of what there are fewer than three of comes last, as "others".
+// Returns families of the contests of one kind each, named by the kind. The kind consists of the
+// instance's name without its number and of the label of assay's benchmark. Kinds with fewer than
+// three contests come last, as "others".
 std::vector<Family> ByKind(const Family& family);
 
-// Of ratios and the like, all positive.
+// Returns the geometric mean of the values, which must be positive.
 double GeometricMean(const std::vector<double>& values);
 
-// Of all instances that it has a time in. `peer` empty: of the best of each instance.
+// Returns the ratios of a peer in all instances where it has a time. With an empty `peer`, it
+// returns the ratios of the best peer of each instance.
 std::vector<double> Ratios(const Family& family, const std::string& peer);
 
-// The same of a variant of ours.
+// Returns the ratios of the peer to a variant of assay.
 std::vector<double> VariantRatios(const Family& family, const std::string& variant,
                                   const std::string& peer);
 
-// Those of ours that have a time in some instance, by name.
+// Returns assay's variants that have a time in some instance, ordered by name.
 std::vector<std::string> Variants(const Family& family);
 
-// All that have a time in some instance, by name.
+// Returns the peers that have a time in some instance, ordered by name.
 std::vector<std::string> Peers(const Family& family);
 
 }  // namespace assay::bench

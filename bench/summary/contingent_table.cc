@@ -38,7 +38,7 @@ std::string Checked(const Series& series) {
   return fmt::format("in {}{} worlds", all ? "all " : "", Number(series, "worlds"));
 }
 
-// Where the peer has no plan, the label says why.
+// Returns the row of a problem. If the peer has no plan, the label has the reason.
 std::string RowOf(const Series& series) {
   return Row({series.name.substr(std::string(kBeginning).size()), Number(series, "nodes"),
               Number(series, "actions"), Time(series.Median()), Number(series, "po_prp_pairs"),
@@ -46,7 +46,7 @@ std::string RowOf(const Series& series) {
               Milliseconds(series, "po_prp_search_ms"), Checked(series)});
 }
 
-// How many times as long as ours the peer's time is, if there is one.
+// Adds the ratio of the peer's time to assay's, if the peer has a time.
 void AddRatio(const Series& series, const std::string& counter, std::vector<double>& ratios) {
   const auto peer = series.counters.find(counter);
   if (peer == series.counters.end() || series.seconds.empty()) return;

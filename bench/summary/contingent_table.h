@@ -6,8 +6,8 @@
 
 namespace assay::bench {
 
-// Markdown: what contingent_bench says of each public problem of contingent planning, beside a
-// peer's published figures.
+// Returns a table in Markdown: the results of contingent_bench for each public problem of
+// contingent planning, beside a peer's published figures.
 std::string ContingentTable(const Measurements& measurements);
 
 }  // namespace assay::bench

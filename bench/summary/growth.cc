@@ -17,7 +17,7 @@ bool IsNumber(const std::string& text) {
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-// Of "12" and "sides:12"; seeds are no sizes.
+// Returns the size in "12" or "sides:12". A seed is no size.
 std::optional<double> SizeIn(const std::string& argument) {
   const std::size_t colon = argument.find(':');
   const std::string number = colon == std::string::npos ? argument : argument.substr(colon + 1);
@@ -26,7 +26,8 @@ std::optional<double> SizeIn(const std::string& argument) {
   return std::stod(number);
 }
 
-// A contestant's size is a counter, since its name tells whose it is: "family/kind/contestant".
+// Returns a benchmark's name and size. A contestant's size is a counter, since its name
+// "family/kind/contestant" ends with the contestant.
 std::optional<SizedName> SizedNameOf(const Series& series) {
   const std::size_t last = series.name.rfind('/');
   if (last == std::string::npos) return std::nullopt;
@@ -41,7 +42,7 @@ std::optional<SizedName> SizedNameOf(const Series& series) {
   return SizedName{KindOf(series.name.substr(0, last)) + "/" + end, "", counted->second};
 }
 
-// Points of one size as one: their mean in logarithms.
+// Merges points of one size into their mean in logarithms.
 void Merge(std::vector<Growth::Point>& points) {
   std::ranges::sort(points, {}, &Growth::Point::size);
   std::vector<Growth::Point> merged;

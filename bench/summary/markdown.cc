@@ -8,8 +8,8 @@
 namespace assay::bench {
 namespace {
 
-// By key of the context. Google Benchmark's own load_avg is ours for the most part, and its
-// library_build_type is of the library that Debian has, not of what is measured.
+// Keys of the context that the report shows. Google Benchmark's own load_avg mostly comes from the
+// benchmark itself, and its library_build_type describes Debian's library, so both are left out.
 constexpr std::pair<const char*, const char*> kWhere[] = {
     {"revision", "revision"},
     {"date", "date"},

@@ -7,14 +7,14 @@
 
 namespace assay::bench {
 
-std::string Time(double seconds);    // "1.25 ms"; "-" if it is not finite
-std::string Multiple(double ratio);  // three digits, whole from 100 on
+std::string Time(double seconds);    // for example "1.25 ms"; "-" if not finite
+std::string Multiple(double ratio);  // three digits; a whole number from 100 on
 
-// Of a table.
+// Return a row of a table, and a heading with the line below it.
 std::string Row(const std::vector<std::string>& cells);
 std::string Heading(const std::vector<std::string>& cells);
 
-// A section: machine, compiler, revision, and what the run was asked.
+// Returns a section with the machine, the compiler, the revision and the settings of the run.
 std::string Where(const Measurements& measurements);
 
 }  // namespace assay::bench

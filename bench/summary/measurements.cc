@@ -25,7 +25,7 @@ Json Load(const std::filesystem::path& file) {
   }
 }
 
-// Processor time, but for benchmarks that tell their time by themselves.
+// Returns the processor time of a benchmark, or its own measurement if it measures its time itself.
 double Seconds(const Json& entry) {
   static const std::map<std::string, double> kUnits = {
       {"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1}};
@@ -34,7 +34,7 @@ double Seconds(const Json& entry) {
          kUnits.at(entry.at("time_unit").get<std::string>());
 }
 
-// Google Benchmark mixes user counters with keys of its own.
+// Returns the user counters. Google Benchmark mixes them with keys of its own.
 std::map<std::string, double> CountersOf(const Json& entry) {
   static const std::set<std::string> kOwn = {"family_index", "per_family_instance_index",
                                              "repetitions",  "repetition_index",
@@ -47,7 +47,8 @@ std::map<std::string, double> CountersOf(const Json& entry) {
   return counters;
 }
 
-// Google Benchmark appends what it was told of a benchmark's length.
+// Returns the benchmark's name. Google Benchmark appends the settings of a benchmark's length to
+// it.
 std::string NameOf(const Json& entry) {
   const std::string name = entry.at("name");
   return name.substr(0, std::min(name.find("/iterations:"), name.find("/min_time:")));
@@ -70,7 +71,8 @@ class Reader {
       if (entry.at("run_type") == "iteration") Add(entry, SeriesOf(program, NameOf(entry)));
     }
   }
-  // The time of a wrong answer is none, and those of the other passes would be paired with others'.
+  // Returns the measurements. A series with a wrong answer has no times, since the times of its
+  // other passes would be compared with times of the wrong passes.
   Measurements Take() {
     for (Series& series : measurements_.series) {
       if (!series.wrong.empty()) series.seconds.clear();

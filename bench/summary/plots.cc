@@ -12,14 +12,15 @@
 namespace assay::bench {
 namespace {
 
-// Names are "noenhanced": gnuplot reads "_" and the like as typesetting otherwise.
+// Names are "noenhanced", since gnuplot otherwise reads "_" and similar characters as typesetting.
 constexpr const char* kStyle = "set encoding utf8\nset grid\n";
 
-// All panels leave the same room for their keys, in one column: a key takes its own from the panel.
+// All panels leave the same room for their keys, in one column. Otherwise each key would take room
+// from its panel.
 constexpr const char* kPanelStyle =
     "set key outside right top maxcols 1\nset rmargin at screen 0.66\n";
 
-// One row of dots for each family: an instance's ratio to its best peer.
+// Draws one row of dots for each family: the ratio of each instance to its best peer.
 void DrawRatios(std::string& out, const std::vector<Family>& families) {
   out += "$ratios << END\n";
   for (std::size_t i = 0; i < families.size(); ++i) {
@@ -40,7 +41,7 @@ void DrawRatios(std::string& out, const std::vector<Family>& families) {
       140 + 40 * families.size(), fmt::join(labels, ", "), families.size());
 }
 
-// A panel for each program: sizes of different programs have nothing to do with each other.
+// Draws a panel for each program, since sizes of different programs are not comparable.
 void DrawGrowths(std::string& out, const std::vector<Growth>& growths) {
   std::vector<std::pair<std::string, std::vector<std::string>>> panels;
   for (std::size_t i = 0; i < growths.size(); ++i) {

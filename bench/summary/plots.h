@@ -6,7 +6,7 @@
 
 namespace assay::bench {
 
-// A script for gnuplot that draws ratios.svg and growth.svg into the folder it is run in.
+// Returns a script for gnuplot that draws ratios.svg and growth.svg into the current folder.
 std::string PlotScript(const Measurements& measurements);
 
 }  // namespace assay::bench

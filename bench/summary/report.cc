@@ -41,7 +41,8 @@ bool IsMissed(const Family& family) {
          (family.never_below > 0 && !best.empty() && std::ranges::min(best) < family.never_below);
 }
 
-// Against all peers: what holds against the others need not hold against one that is missing.
+// Returns whether all peers were measured. A ratio that is reached against some peers may not be
+// reached against a missing one.
 bool IsMeasured(const Family& family) {
   return family.missing.empty() && !Ratios(family, "").empty() &&
          (family.at_least == 0 || !Ratios(family, family.against).empty());
@@ -78,7 +79,8 @@ Cells MissingCells(const Family& family, const MissingPeer& missing) {
   return {Link(family), missing.peer, "0", why, "", "", "", ""};
 }
 
-// Of the last one the verdict, which is told if nobody was measured, too.
+// Returns the family's rows of the headline. The last row has the verdict, even if no peer was
+// measured.
 std::vector<Cells> HeadlineOf(const Family& family) {
   std::vector<Cells> rows;
   for (const MissingPeer& missing : family.missing) rows.push_back(MissingCells(family, missing));
@@ -93,7 +95,7 @@ std::vector<Cells> HeadlineOf(const Family& family) {
   return rows;
 }
 
-// Ours in another way, beside the peer that counts.
+// Writes the row of a variant of assay beside the peer that counts.
 void VariantRow(std::string& out, const Family& family, const std::string& variant) {
   const std::vector<double> ratios = VariantRatios(family, variant, family.against);
   if (ratios.empty()) return;
@@ -123,7 +125,7 @@ void KindRow(std::string& out, const Family& family, const Family& kind, const s
               Multiple(std::ranges::min(ratios)), Multiple(std::ranges::max(ratios))});
 }
 
-// A mean over all hides kinds of instances that are far from it.
+// Writes the ratios by kind. A mean over all instances would hide kinds that are far from it.
 void KindSection(std::string& out, const std::vector<Family>& families) {
   std::string rows;
   for (const Family& family : families) {
@@ -147,7 +149,7 @@ std::vector<std::string> CounterNames(const Family& family) {
   return {names.begin(), names.end()};
 }
 
-// What a peer counted, but for what the report shows otherwise.
+// Returns the names of a peer's counters, without those that the report shows in another way.
 std::vector<std::string> CounterNames(const Family& family, const std::string& peer) {
   std::set<std::string> names;
   for (const Contest& contest : family.contests) {
@@ -246,7 +248,8 @@ std::optional<double> LimitOf(const Series& series) {
   return limit->second * 1e-3;
 }
 
-// What the limit is for: of many questions asked as one benchmark, the slowest (of the first pass).
+// Returns the time to which the limit applies. If one benchmark asks many questions, it is the time
+// of the slowest question in the first pass.
 double LimitedSeconds(const Series& series) {
   const auto slowest = series.counters.find("slowest_ms");
   const bool is_of_many = series.wrong.empty() && slowest != series.counters.end();
@@ -262,7 +265,7 @@ std::string Limit(const Series& series) {
                      IsWithin(series, *limit) ? "holds" : "**missed**");
 }
 
-// Of the benchmarks of one name with one limit the slowest.
+// The benchmarks of one name with one limit, and the slowest of them.
 struct LimitedWork {
   std::string program;
   std::string work;
@@ -291,7 +294,7 @@ std::vector<LimitedWork> LimitedWorks(const Measurements& measurements) {
   return works;
 }
 
-// Families tell it in their sections.
+// Writes what the times measure. Families have it in their own sections.
 void TellWhatIsMeasured(std::string& out, const std::vector<LimitedWork>& works,
                         const Measurements& measurements, const std::vector<Family>& families) {
   for (const LimitedWork& work : works) {
@@ -350,7 +353,7 @@ void AloneSection(std::string& out, const Measurements& measurements,
   out += "\n";
 }
 
-// First of all, since nothing that stands below it can make up for it.
+// Writes the wrong answers. They come first, since nothing below can make up for them.
 void WrongSection(std::string& out, const Measurements& measurements) {
   const std::vector<const Series*> wrong = measurements.Wrong();
   if (wrong.empty()) return;

@@ -6,8 +6,9 @@
 
 namespace assay::bench {
 
-// Markdown: headline, ratios of every instance with their spread over the passes, growth with
-// fitted exponents, what stands alone, what makes comparisons unfair, and where it was measured.
+// Returns the report in Markdown: a headline, the ratios of every instance with their spread over
+// the passes, growth with fitted exponents, times without a peer, what makes comparisons unfair,
+// and where it was measured.
 std::string Report(const Measurements& measurements);
 
 }  // namespace assay::bench

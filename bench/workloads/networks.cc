@@ -19,7 +19,7 @@ using network::LabelSet;
 using network::NodeId;
 using network::Relation;
 
-// `count` different members of 0 .. size - 1, in random order (Fisher and Yates).
+// Returns `count` different members of 0 .. size - 1, in random order (Fisher and Yates).
 std::vector<int> Draw(int count, int size, RandomStream& random) {
   ASSAY_CHECK(count <= size);
   std::vector<int> all(size);
@@ -103,9 +103,10 @@ class ThreatenedPlanBuilder {
   }
 
  private:
-  int NodesOfPart() const { return 2 * model_.steps + 1; }  // poses at even places
+  // Poses at even places, grasps at odd ones.
+  int NodesOfPart() const { return 2 * model_.steps + 1; }
 
-  // A pose it has, one that it shall have, and what is between.
+  // Adds a part: its initial pose, its final pose, and the poses and grasps between.
   void AddPart() {
     const int first = static_cast<int>(workload_.nodes.size());
     for (int i = 0; i < NodesOfPart(); ++i) {
@@ -137,7 +138,7 @@ class ThreatenedPlanBuilder {
   NetworkWorkload workload_;
 };
 
-// Forbidden pairs of Model RB's arcs, by the two nodes.
+// The forbidden pairs of Model RB's arcs, by the two nodes.
 class RbNetworkBuilder {
  public:
   RbNetworkBuilder(const ModelRb& model, RandomStream& random)
@@ -288,7 +289,7 @@ std::string_view Name(NetworkFamily family) {
   return "";
 }
 
-// Model B and Model RB near their thresholds, where one labeling is expected.
+// Models B and RB are near their thresholds, where one labeling is expected.
 NetworkWorkload NetworkOfFamily(NetworkFamily family, int index, std::uint64_t seed) {
   RandomStream random(seed, fmt::format("{}-{}", Name(family), index));
   switch (family) {

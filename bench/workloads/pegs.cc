@@ -10,9 +10,9 @@ namespace assay::workloads {
 
 namespace {
 
-constexpr double kBlock = 2.5;  // half width of the block around a hole, in those of the peg
+constexpr double kBlock = 2.5;  // half width of the block around a hole, as a multiple of the peg's
 
-// Where sides number k - 1 and k of a prism meet.
+// Returns the corner where sides k - 1 and k of a prism meet.
 Vector3 Corner(const PrismModel& model, int k, double z) {
   const double half_turn = std::numbers::pi / model.sides;
   const double angle = (2 * k - 1) * half_turn;
@@ -75,7 +75,8 @@ Polyhedron SquareHoleShape(double half, double outer, double depth) {
                           {in, side * outer, 0}});
     top.region.push_back({{half, in, 0}, {half, out, 0}, {-half, out, 0}, {-half, in, 0}});
   }
-  for (std::vector<Vector3>& outline : top.region) {  // counter-clockwise from above
+  // Makes the outlines counter-clockwise from above.
+  for (std::vector<Vector3>& outline : top.region) {
     if ((outline[1] - outline[0]).cross(outline[2] - outline[1]).z() < 0) {
       outline = {outline[3], outline[2], outline[1], outline[0]};
     }

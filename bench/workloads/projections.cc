@@ -53,7 +53,7 @@ Zonotope RandomStart(StartShape shape, int dimension, RandomStream& random) {
   return start;
 }
 
-// Tolerances do not move.
+// Returns a random velocity. Tolerances do not move.
 Zonotope RandomVelocity(int errors, int dimension, RandomStream& random) {
   Zonotope velocity = AtRest(dimension);
   velocity.center.head<kPoseDimensions>() = RandomVector(kPoseDimensions, 1, random);
@@ -64,7 +64,8 @@ Zonotope RandomVelocity(int errors, int dimension, RandomStream& random) {
   return velocity;
 }
 
-// A value of a . z, as far from the middle of the projection's as `part` of the way to the end.
+// Returns a value of a . z. It lies at the fraction `part` of the way from the middle of the
+// projection's range to its end.
 double ValueAt(double part, const Eigen::VectorXd& a, const ForwardProjection& projection) {
   const double most = projection.Support(a);
   const double least = -projection.Support(-a);

@@ -13,28 +13,31 @@ struct ProjectionAndContact {
   finemotion::PrimitiveContact contact;
 };
 
-// One of the peers' measured instances: a box that does not move.
+// One of the instances that peers were measured with: a box that does not move.
 struct JudgedProjection {
   ProjectionAndContact given;
   bool meets = false;
   bool meets_at_an_edge = false;
 };
 
-// `file` as bench/workloads/projection/box-vs-contact.txt, whose first lines tell its form.
+// Reads a file of the form of bench/workloads/projection/box-vs-contact.txt, whose first lines
+// describe the form.
 std::vector<JudgedProjection> ReadProjections(const std::filesystem::path& file);
 
 enum class StartShape { kBox, kZonotope };
 
 struct ProjectionModel {
   int tolerances = 0;
-  int tolerances_read = 1000;  // by the rows of the contact, at most: those of two faces are few
+  // At most so many are read by the contact's rows, as in contacts of two faces.
+  int tolerances_read = 1000;
   int limits = 0;
   StartShape start = StartShape::kBox;
   int velocity_errors = 0;
-  double time = 0;  // 0: does not move
+  double time = 0;  // 0 if the start does not move
 };
 
-// Errors of up to 1, speeds of up to 1, unit rows; about half of them meet.
+// Returns a random projection with errors of up to 1, speeds of up to 1 and unit rows. About half
+// of them meet the contact.
 ProjectionAndContact RandomProjection(const ProjectionModel& model, RandomStream& random);
 
 }  // namespace assay::workloads

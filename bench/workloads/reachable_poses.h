@@ -8,13 +8,14 @@
 
 namespace assay::workloads {
 
-// Each joint anywhere within +-`bound` radians, whatever its limits are.
+// Draws each joint within +-`bound` radians, whatever the joint's limits.
 kinematics::JointVector RandomJoints(double bound, RandomStream& random);
 
-// Within half a turn.
+// Draws vectors with each joint within half a turn.
 std::vector<kinematics::JointVector> RandomJointVectors(std::size_t count, std::uint64_t seed);
 
-// Poses of the flange in the base's frame that an arm without limits reaches: of these vectors.
+// Returns poses of the flange in the base's frame that an arm without limits reaches: those of
+// RandomJointVectors.
 std::vector<geometry::Pose> RandomReachablePoses(const kinematics::Arm& arm, std::size_t count,
                                                  std::uint64_t seed);
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kUsualLimits = 4;  // the paper's greatest number, section 3
 constexpr std::size_t kUsualContacts = 32;
-constexpr double kTurnOnTheWay = 0.05;  // radians, more than parts are turned in one motion
+constexpr double kTurnOnTheWay = 0.05;  // radians, more than a part turns in one motion
 constexpr double kFar = std::numeric_limits<double>::infinity();
 
 using Index = std::size_t;
@@ -60,10 +60,10 @@ struct Placed {
 
 namespace {
 
-// Of the edge's line, at the points of both lines that are nearest to each other.
+// The points of two lines that are nearest to each other.
 struct Crossing {
-  double s = 0;  // metres from the start of the first edge
-  double t = 0;
+  double s = 0;  // metres along the first edge from its start
+  double t = 0;  // metres along the second edge from its start
 };
 
 double DistanceToEdge(const Vector3& p, const PlacedEdge& edge, double length) {
@@ -168,21 +168,22 @@ class Linearizer {
   }
 
  private:
-  // Of the features that a contact of this kind can be of.
+  // Returns how many of the part's features can take part in a contact of this kind.
   static Index CountOf(const Part& part, bool is_vertex, ContactKind kind) {
     if (kind == ContactKind::kEdgeEdge) return part.edges.size();
     return is_vertex ? part.vertices.size() : part.faces.size();
   }
 
-  // Where a contact ends: by how much it is inside of that, and which of its ends it is.
+  // An end of a contact's range.
   struct End {
-    double left = 0;
-    Index which = 0;
+    double left = 0;  // metres by which the contact is inside this end
+    Index which = 0;  // index of the end
 
     auto operator<=>(const End&) const = default;
   };
 
-  // Those whose extents are not farther apart than the reach.
+  // Adds the contacts of vertices with faces, skipping pairs whose boxes are farther apart than the
+  // reach.
   void AddVerticesOnFaces(const Placed& with_vertex, const Placed& with_face) {
     const double reach = reach_ + kSamePoint;
     const Part& part = with_face.part;
@@ -244,16 +245,16 @@ class Linearizer {
     return std::hypot(gap, DistanceTo(region, p - gap * normal)) > reach_;
   }
 
-  // No edge that leaves the vertex goes behind the face whatever the motion. (Normal in the axes of
-  // the vertex's part.)
+  // Returns whether there is a motion in range for which no edge that leaves the vertex goes behind
+  // the face. `n` is the face's normal in the axes of the vertex's part.
   bool MayTouch(const Vertex& vertex, const Vector3& n) const {
     return std::ranges::none_of(vertex.leaving, [&](const Vector3& leaving) {
       return n.dot(leaving) < -kSameDirection - turn_;
     });
   }
 
-  // No edge that leaves the vertex may go behind the face. Only those that lie in it can, in small
-  // motions, or nearly so in larger ones.
+  // Adds a limit for each edge at the vertex that could go behind the face. In small motions only
+  // an edge that lies in the face can; in larger ones an edge nearly in it can.
   void AddOverlapLimits(const Placed& side, const Vertex& vertex, const Vector3& n,
                         PrimitiveContact& contact) const {
     for (const Vector3& direction : vertex.leaving) {
@@ -265,7 +266,7 @@ class Linearizer {
     }
   }
 
-  // The vertex stays on this region of the face.
+  // Adds limits that keep the vertex on this region of the face.
   void AddExtentLimits(const Placed& with_vertex, const Vertex& vertex, const Placed& with_face,
                        const Region& region, const Vector3& p_in_face, PrimitiveContact& contact) {
     ends_.clear();
@@ -293,7 +294,7 @@ class Linearizer {
     const double sine = std::sqrt(sine2);
     if (MayBeParallel(sine)) return;
     n /= sine;
-    const double slack = kSameDirection + turn_ / sine;  // how much n may turn
+    const double slack = kSameDirection + turn_ / sine;  // the angle by which n may turn
     const double c = a.direction.dot(b.direction);
     const Crossing crossing = {(c * b.direction - a.direction).dot(between) / sine2,
                                (b.direction - c * a.direction).dot(between) / sine2};
@@ -318,7 +319,7 @@ class Linearizer {
 
   bool MayBeParallel(double sine) const { return sine < kSameDirection + turn_; }
 
-  // The points of nearly parallel edges that are nearest to each other.
+  // Returns the nearest points of two nearly parallel edges.
   static Crossing NearestOf(const PlacedEdge& a, double length_a, const PlacedEdge& b,
                             double length_b) {
     const Vector3 between = a.start - b.start;
@@ -348,8 +349,9 @@ class Linearizer {
     return nearest;
   }
 
-  // There is a direction between the faces' normals of the one edge and against those of the other,
-  // or may be where parts are turned: across the edges these are angles about their bisectors.
+  // Returns whether the edges can press on each other, perhaps after a turn. They can if some
+  // direction lies between the face normals of the one edge and the reversed normals of the other.
+  // Across the edges, these ranges of directions are angles about the bisectors.
   bool MayPress(const Edge& moving, const Edge& stationary) const {
     const auto half_angle = [](const Edge& edge) {
       return std::acos(std::clamp(edge.normals[0].dot(edge.normals[1]), -1.0, 1.0)) / 2;
@@ -359,11 +361,11 @@ class Linearizer {
            half_angle(moving) + half_angle(stationary) + 2 * turn_ + kTurnOnTheWay;
   }
 
-  // The other edge, as seen along a bar.
+  // Returns the other edge as seen along the edge `bar`.
   EdgeAlongEdge Along(const Placed& with_bar, const PlacedEdge& bar, const Edge& bar_edge,
                       const Placed& with_other, const PlacedEdge& other,
                       const Edge& other_edge) const {
-    Eigen::Matrix3d axes;  // rows
+    Eigen::Matrix3d axes;  // two directions across the bar, then its own, as rows
     const Vector3 across = bar.direction.unitOrthogonal();
     axes << across.transpose(), bar.direction.cross(across).transpose(), bar.direction.transpose();
     EdgeAlongEdge seen{.ends = {}, .length = bar_edge.length, .elongation = {}};
@@ -394,7 +396,7 @@ class Linearizer {
     return contact;
   }
 
-  // Of edges that are not parallel.
+  // Returns whether two edges that are not parallel are farther apart than the reach.
   bool AreBeyondReach(const PlacedEdge& a, double length_a, const PlacedEdge& b, double length_b,
                       const Crossing& at) const {
     if (at.s >= 0 && at.s <= length_a && at.t >= 0 && at.t <= length_b) return false;
@@ -406,8 +408,9 @@ class Linearizer {
            DistanceToEdge(end_b, a, length_a) > reach_;
   }
 
-  // The parts are on their own sides of the plane through two crossing edges: all that leaves the
-  // moving edge goes up n, or along the plane, and all that leaves the stationary edge goes down.
+  // Returns whether the plane through two crossing edges, with normal n, has the parts on its two
+  // sides. The faces at the moving edge must go up or along the plane, and those at the stationary
+  // edge down or along it.
   bool Separates(const Vector3& n, const Edge& moving, const Edge& stationary, double slack) const {
     const Vector3 n_moving = moving_.TurnedBack(n);
     return std::ranges::all_of(moving.into,
@@ -416,10 +419,10 @@ class Linearizer {
                                [&](const Vector3& into) { return n.dot(into) <= slack; });
   }
 
-  // A face of one edge that lies in the plane of both, or nearly: the half of the other edge that
-  // is over it must not go behind it. (Where the edges are at right angles, that is the condition
-  // on inward directions with n held fixed; elsewhere n turns with the moving edge, which this
-  // accounts for.)
+  // Adds a limit for each face of the edge that lies, nearly at least, in the plane of both edges.
+  // The half of the other edge that is over the face must not go behind it. For edges at right
+  // angles this is the condition on the inward directions with n held fixed. At other angles n
+  // turns with the moving edge, and the limit accounts for that.
   void AddOrientationLimits(const Placed& side, const Edge& edge, const Vector3& other,
                             const Vector3& n, double slack, PrimitiveContact& contact) const {
     for (const Index which : {0U, 1U}) {
@@ -432,7 +435,7 @@ class Linearizer {
     }
   }
 
-  // The point where the edges cross stays between the ends of both.
+  // Adds limits that keep the crossing point of the edges between the ends of both.
   void AddRangeLimits(const PlacedEdge& a, const Edge& edge_a, const PlacedEdge& b,
                       const Edge& edge_b, const Crossing& crossing, PrimitiveContact& contact) {
     const double c = a.direction.dot(b.direction);
@@ -452,7 +455,8 @@ class Linearizer {
     });
   }
 
-  // Of a slide of the moving edge's line against the stationary one's.
+  // Returns the row for a motion of the moving edge's line against the stationary one's, measured
+  // along `direction`.
   SmallVector EdgeRow(const Vector3& direction, const Vector3& r, const Edge& moving,
                       const Edge& stationary) const {
     SmallVector row = Row(direction, r);
@@ -465,7 +469,7 @@ class Linearizer {
     return shift.transpose() * direction;
   }
 
-  // direction . (d + w x r), and nothing for tolerances.
+  // Returns the row direction . (d + w x r), with zeros for the tolerances.
   SmallVector Row(const Vector3& direction, const Vector3& r) const {
     SmallVector row(dimensions_);
     row.head<3>() = direction;
@@ -478,7 +482,7 @@ class Linearizer {
     return row.tail(dimensions_ - kPoseDimensions);
   }
 
-  // axis . w <= rise, of which rounding is left out.
+  // Returns the limit axis . w <= rise. A rise that is no more than rounding counts as 0.
   HalfSpace TurnLimit(const Vector3& axis, double rise) const {
     HalfSpace limit{.a = Eigen::VectorXd::Zero(dimensions_),
                     .b = std::abs(rise) < kSameDirection ? 0 : rise};
@@ -486,8 +490,9 @@ class Linearizer {
     return limit;
   }
 
-  // Ends that are far away cannot be reached in the range where rows are good. Those within reach
-  // stay even if they are many: a face or an edge narrower than that.
+  // Adds the nearest ends as limits. Where rows are accurate, the contact cannot come to ends
+  // beyond the reach, so these are left out once there are enough limits. Ends within reach are all
+  // kept, which makes more limits where a face or an edge is narrower than the reach.
   template <class RowOf>
   void AddNearest(PrimitiveContact& contact, const RowOf& row_of) {
     std::ranges::sort(ends_);

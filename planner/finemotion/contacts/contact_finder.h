@@ -10,19 +10,19 @@
 
 namespace assay::finemotion {
 
-// The primitive contacts that parts whose features touch to within `reach` (metres) at
-// X_StationaryMoving can make near there, turned by at most `turn` (radians) against it: contacts
-// that exist only when turned are among them, edges that may be parallel are not. Where gap and
-// limits are those of one contact seen twice (an edge that lies in a face), it is named once. For
-// many poses: ContactFinder.
+// Returns the primitive contacts that the parts can make near X_StationaryMoving: those whose
+// features are within `reach` (metres), for poses turned from there by at most `turn` (radians).
+// Contacts that exist only when the part is turned are included; edges that may be parallel are
+// not. A contact that is seen twice, with the same gap and limits (an edge that lies in a face), is
+// returned once. For many poses, ContactFinder is faster.
 std::vector<PrimitiveContact> PrimitiveContacts(const Polyhedron& moving,
                                                 const Polyhedron& stationary,
                                                 const Pose& X_StationaryMoving, double reach,
                                                 const std::vector<ModelTolerance>& tolerances = {},
                                                 double turn = 0);
 
-// Finds the primitive contacts of two parts at one pose after another (PrimitiveContacts tells
-// which these are): what depends on the parts alone is worked out once.
+// Finds the primitive contacts of two parts (see PrimitiveContacts) at one pose after another. The
+// constructor works out once whatever depends on the parts alone.
 class ContactFinder {
  public:
   ContactFinder(const Polyhedron& moving, const Polyhedron& stationary,
@@ -30,10 +30,12 @@ class ContactFinder {
 
   std::vector<PrimitiveContact> Near(const Pose& X_StationaryMoving,
                                      const ContactRange& range) const;
-  // Edges that may be parallel there, and are no contacts for that.
+  // Returns the pairs of edges that may be parallel near the pose. They are not among the contacts
+  // that Near returns.
   std::vector<ParallelEdges> NearlyParallel(const Pose& X_StationaryMoving,
                                             const ContactRange& range) const;
-  // Only those of these features, however far apart; what the parts have not, is none.
+  // Returns the contacts of the named features alone, however far apart these are. A key is skipped
+  // if the parts do not have its features.
   std::vector<PrimitiveContact> Of(std::span<const ContactKey> keys, const Pose& X_StationaryMoving,
                                    double turn) const;
 

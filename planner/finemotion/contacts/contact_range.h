@@ -2,10 +2,10 @@
 
 namespace assay::finemotion {
 
-// How far from a pose contacts are looked for.
+// How far from a pose contacts are searched for.
 struct ContactRange {
   double reach = 0;  // metres between features
-  double turn = 0;   // radians that the part may be turned by
+  double turn = 0;   // radians by which the part may be turned
 };
 
 }  // namespace assay::finemotion

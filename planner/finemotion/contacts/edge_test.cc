@@ -10,7 +10,7 @@ namespace assay::finemotion {
 
 namespace {
 
-// Whether a point begin + f along, 0 <= f <= 1, is in the contact.
+// Returns whether some point begin + f along with 0 <= f <= 1 is in the contact.
 template <class Point>
 bool SegmentMeets(const Point& begin, const Point& along) {
   const double gap = begin[0];
@@ -19,7 +19,7 @@ bool SegmentMeets(const Point& begin, const Point& along) {
     return false;
   double least = 0;
   double most = 1;
-  const auto keep_below = [&](double value, double slope) {  // value + f slope <= 0
+  const auto keep_below = [&](double value, double slope) {  // requires value + f slope <= 0
     if (slope > 0) most = std::min(most, -value / slope);
     if (slope < 0) least = std::max(least, -value / slope);
     return slope != 0 || value <= 0;
@@ -33,14 +33,15 @@ bool SegmentMeets(const Point& begin, const Point& along) {
   return least <= most;
 }
 
-// Errors of an image, from one to before another.
+// Errors of an image, from index `begin` up to but without `end`.
 struct ErrorRange {
   Eigen::Index begin = 0;
   Eigen::Index end = 0;
 };
 
-// Visits center +- each error, with the set of errors that are added, until a visit says that it is
-// enough; in the order of Gray's code, in which one sign changes at a time.
+// Visits each sum of `center` and all errors with a sign, together with the set of errors whose
+// sign is positive, until a visit returns true. The signs change one at a time, in the order of a
+// Gray code.
 template <int K, class Visit>
 bool AnyVertex(const ImagePoints<K>& image, const Eigen::Matrix<double, K, 1>& center,
                const ErrorRange& errors, const Visit& visit) {
@@ -57,7 +58,7 @@ bool AnyVertex(const ImagePoints<K>& image, const Eigen::Matrix<double, K, 1>& c
   }
 }
 
-// Whether an edge along an error meets the contact.
+// Returns whether an edge along an error meets the contact.
 template <int K>
 bool EdgeAlongErrorMeets(const ImagePoints<K>& image, const Eigen::Matrix<double, K, 1>& center,
                          const ErrorRange& errors) {
@@ -71,8 +72,9 @@ bool EdgeAlongErrorMeets(const ImagePoints<K>& image, const Eigen::Matrix<double
   });
 }
 
-// Edges of the start, from its vertices to where they move to, and of what has moved for the whole
-// time.
+// Returns whether an edge of the projection meets the contact. The edges are those of the start,
+// those that lead from the start's vertices to where these move, and those of the region that is
+// reached at the end.
 template <int K>
 bool AnyEdgeMeets(const ImagePoints<K>& image) {
   const ErrorRange of_start{0, image.start_errors()};

@@ -6,7 +6,8 @@
 
 namespace assay::finemotion {
 
-// An axis-aligned box around features: what rules out quickly that they are near to each other.
+// An axis-aligned box around features. It serves to exclude quickly features that are not near to
+// each other.
 struct Extent {
   using Vector3 = geometry::Vector3;
 
@@ -19,7 +20,8 @@ struct Extent {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  // So far along no axis that they are surely farther apart than `reach` (metres).
+  // Returns whether the boxes are within `reach` (metres) of each other along each axis. If not,
+  // the features are surely farther apart.
   bool IsNear(const Extent& other, double reach) const {
     return low.x() - other.high.x() <= reach && other.low.x() - high.x() <= reach &&
            low.y() - other.high.y() <= reach && other.low.y() - high.y() <= reach &&

@@ -13,7 +13,7 @@ namespace {
 using geometry::Polygon;
 using geometry::Vector2;
 
-constexpr double kSameExtent = 1e-6;  // of an area
+constexpr double kSameExtent = 1e-6;  // relative difference of two areas below which they are equal
 
 // Coordinates in a face's plane.
 class FaceFrame {
@@ -40,7 +40,7 @@ double DistanceToSegment(const Vector& p, const Vector& a, const Vector& b) {
   return (p - a - t * along).norm();
 }
 
-// The hull, without corners that stick out by less than rounding.
+// Returns the hull without corners that stick out by no more than rounding.
 Polygon CleanHull(const std::vector<Vector2>& points) {
   Polygon hull = geometry::Hull2(points);
   for (std::size_t i = 0; hull.size() >= 3 && i < hull.size();) {

@@ -15,12 +15,12 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kLevel = 1e-6;  // metres
-// Of a motion's length, by which soft servos may be late. Without it, two of twenty trials of the
-// square peg stop short of their first contact.
+constexpr double kLevel = 1e-6;  // metres, a difference of heights below which two are equal
+// The fraction of a motion's length by which soft servos may be late. Without it, two of twenty
+// trials of the square peg stop short of their first contact.
 constexpr double kLag = 0.3;
 
-// Makes of a motion what hybrid control wants, its contacts as they are at its end.
+// Translates a motion for hybrid control. Its contacts are those at its end.
 class MotionMaker {
  public:
   MotionMaker(const CertainMotion& motion, plan::Strategy& strategy)
@@ -54,7 +54,7 @@ class MotionMaker {
     return index->second;
   }
 
-  // A face in several regions is told of once, with its least scale.
+  // Adds an unwanted contact. A face in several regions is added once, with its least scale.
   void AddUnwanted(const Unwanted& unwanted, plan::StrategyMotion& made) {
     const int contact = IndexOf(unwanted.contact);
     if (std::ranges::count(made.unwanted, contact, &plan::UnwantedContact::contact) > 0) return;
@@ -87,7 +87,7 @@ class MotionMaker {
   std::map<ContactKey, int> indices_;
 };
 
-// Of the held features that are mated, the one that is farthest ahead.
+// Returns the mated feature of the held part that is farthest ahead in the mating direction.
 const domain::Feature* FirstIn(const domain::PartModel& held, const domain::Mating& mating) {
   const domain::Feature* first = nullptr;
   double farthest = 0;
@@ -103,7 +103,7 @@ const domain::Feature* FirstIn(const domain::PartModel& held, const domain::Mati
   return first;
 }
 
-// One for each wall that the tip comes between.
+// Returns one tolerance for each wall that the tip comes between.
 std::vector<ModelTolerance> TolerancesOfWalls(const Passage& passage) {
   const ContactFinder finder(passage.moving, passage.stationary);
   std::set<std::pair<ModelTolerance::Of, int>> walls;

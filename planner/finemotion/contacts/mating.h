@@ -7,28 +7,29 @@
 
 namespace assay::finemotion {
 
-// What a part's boxes are outside.
+// Returns the outside of the union of the part's boxes.
 Polyhedron OutsideOf(const domain::PartModel& model);
 
-// A mating as fine motion sees it. The tip is the frame in the middle of the held feature that goes
-// in first (Mating::features), with the fixed part's axes when it is mated.
+// A mating as fine motion sees it. The tip is a frame in the middle of the held feature that enters
+// first (Mating::features). When mated, its axes are those of the fixed part.
 struct MatingGeometry {
   Pose X_HeldTip = Pose::Identity();
-  // The moving part about its tip, with clearance; not where it only lands. If the problem
-  // tolerates errors of the clearance, each wall may be displaced by so much.
+  // The moving part about its tip, the fixed part, and the critical points between them. The part
+  // has its clearance, except where it only lands. If the problem tolerates errors of the
+  // clearance, each wall may be displaced by that error.
   Passage passage;
-  Eigen::VectorXd tolerances;                  // half widths of the passage's, metres
-  Pose X_FixedSeat = Pose::Identity();         // of the tip, at the end
-  std::vector<CriticalPoint> critical_points;  // of the parts without clearance
+  Eigen::VectorXd tolerances;                  // half widths of the passage's tolerances, metres
+  Pose X_FixedSeat = Pose::Identity();         // the tip's pose at the end
+  std::vector<CriticalPoint> critical_points;  // critical points of the parts without clearance
 };
 MatingGeometry GeometryOf(const domain::Problem& problem, const domain::Mating& mating);
 
-// What a strategy with this certificate is to be certain for.
+// Returns the errors for which a strategy with this certificate must be certain.
 FineMotionErrors ErrorsOf(const plan::StrategyCertificate& certificate,
                           const MatingGeometry& geometry);
 
-// The plan for hybrid control: its motions, then the way on to the seat in the crevice between the
-// walls. `options`: with which it was searched for.
+// Returns the plan for hybrid control: the plan's motions, followed by the slide to the seat in the
+// crevice between the walls. `options` are those of the search that found the plan.
 plan::Strategy StrategyOf(const MatingGeometry& geometry, const FineMotionPlan& plan,
                           const StrategyOptions& options = {});
 

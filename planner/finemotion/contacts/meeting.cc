@@ -19,10 +19,11 @@ void CheckDimensions(const ForwardProjection& projection, const PrimitiveContact
   for (const HalfSpace& limit : contact.limits) ASSAY_CHECK(limit.a.size() == n);
 }
 
-// The rows, without the coordinates that none of them reads (most tolerances are of other faces).
+// A contact's rows, without the coordinates that no row reads. Most tolerances displace other
+// faces.
 struct ContactRows {
   std::vector<Eigen::Index> coordinates;
-  Eigen::MatrixXd columns;  // one for each of the coordinates
+  Eigen::MatrixXd columns;  // one column for each of the coordinates
 
   explicit ContactRows(const PrimitiveContact& contact)
       : columns(1 + std::ssize(contact.limits), contact.row.size()) {

@@ -5,25 +5,28 @@
 
 namespace assay::finemotion {
 
-// Whether motions under uncertainty can meet a primitive contact.
+// Whether motions under uncertainty can meet a primitive contact, and how far they stay away from
+// it.
 struct Meeting {
   bool meets = true;
-  // The distance between the projection and the contact, in metres of its gap and of the excesses
-  // of its limits taken together (Euclidean norm); 0 where they meet.
+  // The distance between the projection and the contact. It is the Euclidean norm, in metres, of
+  // the gap and the excesses over the limits. It is 0 where the two meet.
   double margin = 0;
 };
 
-inline constexpr double kMeetingTolerance = 1e-9;  // metres
+inline constexpr double kMeetingTolerance = 1e-9;  // metres; anything nearer than this meets
 
-// Exact to `tolerance` metres, and what is nearer than that is said to meet. The at most five rows
-// of the contact map the projection into at most five dimensions, where the nearest point is found
-// through support functions: the cost is linear in the number of errors.
+// Decides whether the projection meets the contact. The answer is exact to `tolerance` metres:
+// anything nearer counts as a meeting. The contact's rows, usually five at most, map the
+// projection into a space with one dimension for each row. The nearest point there is found through
+// support functions, so the cost is linear in the number of errors.
 Meeting Meet(const ForwardProjection& projection, const PrimitiveContact& contact,
              double tolerance = kMeetingTolerance);
 
-// The test of Dakin and Popplestone (section 4): they meet where an edge of the projection does.
-// Exponential in the number of errors (at most kMostEdgeTestErrors, checked), and unsound for two
-// or more limits: a projection can meet the contact with its inside alone.
+// Decides by the test of Dakin and Popplestone (section 4): the two meet where an edge of the
+// projection meets the contact. Its cost is exponential in the number of errors, which is checked
+// to be at most kMostEdgeTestErrors. It is unsound for two or more limits, since a projection can
+// meet the contact with its inside alone.
 bool MeetAtAnEdge(const ForwardProjection& projection, const PrimitiveContact& contact);
 inline constexpr int kMostEdgeTestErrors = 24;
 

@@ -12,18 +12,19 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kMostDisplacements = 32;  // more than a motion takes
-constexpr double kShortest = 0.0625;       // of the stretches that are looked at
-constexpr double kNoLength = 1e-12;        // metres
-constexpr int kAlongOther = 2;             // the coordinate along the other edge
+constexpr double kMostDisplacements = 32;  // displacements, more than a motion takes
+// The shortest stretch of a motion that is examined, in displacements.
+constexpr double kShortest = 0.0625;
+constexpr double kNoLength = 1e-12;  // metres; shorter lengths are 0
+constexpr int kAlongOther = 2;       // index of the coordinate along the other edge
 
-// A part of the motion, in displacements.
+// A stretch of the motion, in displacements.
 struct MotionStretch {
   double begin = 0;
   double end = 0;
 };
 
-// The part of an edge that may lie over the other one, as fractions of its length.
+// The part of an edge that may lie over the other one, as fractions of the edge's length.
 struct EdgePart {
   double begin = 0;
   double end = 1;
@@ -47,7 +48,7 @@ Range RangeAlong(const SweptValues<3>& point, const MotionStretch& stretch) {
   return range;
 }
 
-// Keeps of the part where value + slope * fraction >= 0. False: nothing.
+// Restricts the part to where value + slope * fraction >= 0. Returns false if nothing is left.
 bool KeepNotNegative(double value, double slope, EdgePart& part) {
   if (slope > kNoLength) part.begin = std::max(part.begin, -value / slope);
   if (slope < -kNoLength) part.end = std::min(part.end, -value / slope);
@@ -66,8 +67,9 @@ std::optional<EdgePart> PartOver(const SweptEdge& edge, const MotionStretch& str
   return part;
 }
 
-// The hull of where the two ends of an edge's part may be in a stretch of the motion, across the
-// other edge (2 coordinates); with a third, how far past `until` (not positive: not yet made).
+// The convex hull of all positions that the two ends of an edge's part may take in a stretch of the
+// motion. It has two coordinates across the other edge. A third coordinate, if there is one, is
+// minus the value of `until`: it is positive once the motion has passed that contact.
 template <int K>
 class Hull {
  public:
@@ -132,8 +134,8 @@ bool IsApart(const SweptEdge& edge, const EdgePart& part, const SweptValues<1>* 
   return NearestPoint<K, 2, Hull<K>>(hull, kMeetingTolerance).IsApart();
 }
 
-// In all of the stretch, or in each half of it. Halves are those of one fixed division, so that in
-// a longer motion there are only more of them.
+// Returns whether the edges may touch in the stretch, decided for the whole stretch or for each of
+// its halves. All stretches come from one fixed bisection, so a longer motion only adds stretches.
 bool MayTouchIn(const SweptEdge& edge, const SweptValues<1>* until, const MotionStretch& stretch,
                 double time) {
   const double middle = (stretch.begin + stretch.end) / 2;

@@ -7,56 +7,57 @@
 
 namespace assay::finemotion {
 
-// A point relative to an edge of the other part, to first order in generalized space: across the
-// edge (2 coordinates) and along it from its start, metres.
+// The position of a point relative to an edge of the other part, to first order in generalized
+// space. Its coordinates in metres are two across the edge, then one along the edge from its start.
 struct PointAtEdge {
   Vector3 offset = Vector3::Zero();
   Eigen::Matrix<double, 3, kPoseDimensions> pose;
-  Eigen::Matrix3Xd tolerances;  // a column each
+  Eigen::Matrix3Xd tolerances;  // one column for each tolerance
 };
 
-// One edge as seen along the other: its ends, and how long the other is.
+// One edge as seen along the other: the positions of its ends, and the other edge's length.
 struct EdgeAlongEdge {
   std::array<PointAtEdge, 2> ends;
-  double length = 0;           // metres
-  Eigen::VectorXd elongation;  // at either end, for a metre of each tolerance, at most
+  double length = 0;           // length of the edge along which the other one is seen, metres
+  Eigen::VectorXd elongation;  // greatest motion of either end for one metre of each tolerance
 };
 
-// Convex edges of the two parts that are so nearly parallel that errors may make them quite so.
-// Where they cross may then be anywhere along them, and no row tells when. They are no primitive
-// contact, but they can touch before any corner of either does. What can be told is where they
-// surely do not: in a plane across one of them it is a point, the other one a short segment, and
-// both are linear in small motions.
+// Two convex edges of the two parts that are so nearly parallel that errors may make them exactly
+// parallel. The point where they cross may then be anywhere along them, so no linear row gives
+// their gap. They are no primitive contact, but they can touch before any corner of either part
+// does. It can be shown where they surely do not touch: in a plane across one edge, that edge is a
+// point and the other is a short segment, and both are linear in small motions.
 struct ParallelEdges {
-  int moving = 0;  // index in its polyhedron
+  int moving = 0;  // index in its polyhedron's edges
   int stationary = 0;
   EdgeAlongEdge along_stationary;
   EdgeAlongEdge along_moving;
-  // The gap where they are nearest to each other, halfway between the directions in which they can
-  // press; without limits. To tell of them, not to decide by.
+  // The gap between the nearest points of the edges, measured halfway between the directions in
+  // which they can press. It has no limits. It serves for reports, not for decisions.
   PrimitiveContact contact;
 };
 ContactKey KeyOf(const ParallelEdges& edges);
 
-// Numbers that a motion under uncertainty takes a linear function to: its value at the start, the
-// change in a displacement, and what errors of the start and of the displacement change each.
+// Values of linear functions along a motion under uncertainty: the values at the start, the change
+// in one displacement, and how the errors of the start and of the displacement change each of them.
 template <int Rows>
 struct SweptValues {
   Eigen::Matrix<double, Rows, 1> start;
   Eigen::Matrix<double, Rows, 1> motion;
-  Eigen::Matrix<double, Rows, Eigen::Dynamic> start_errors;   // a column each
-  Eigen::Matrix<double, Rows, Eigen::Dynamic> motion_errors;  // of a displacement
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> start_errors;  // one column for each error
+  // One column for each error of a displacement.
+  Eigen::Matrix<double, Rows, Eigen::Dynamic> motion_errors;
 };
 
 struct SweptEdge {
   std::array<SweptValues<3>, 2> ends;
   double length = 0;
-  double elongation = 0;  // at either end, at most
+  double elongation = 0;  // greatest motion of either end, metres
 };
 
-// Whether edges can touch within `time` displacements; before `until` falls below 0, if there is
-// one (else null). Conservative: a line through the one edge, on whose one side the other stays,
-// must be found for each of a few stretches of the motion.
+// Returns whether the edges can touch within `time` displacements. If `until` is not null, touches
+// count only before its value falls below 0. The answer is conservative: "no" requires, for each of
+// a few stretches of the motion, a line through the one edge that has the other edge on one side.
 bool MayTouch(const SweptEdge& edge, const SweptValues<1>* until, double time);
 
 }  // namespace assay::finemotion

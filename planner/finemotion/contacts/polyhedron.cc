@@ -17,9 +17,10 @@ namespace {
 using geometry::ConvexHull;
 using geometry::Vector2;
 
-using Outline = std::vector<Vector3>;  // of a convex polygon
+using Outline = std::vector<Vector3>;  // the corners of a convex polygon, in order
 
-// Directions that differ by less, radians, count as one, and corners this blunt as flat.
+// Two directions that differ by less than this (radians) count as one, and a corner that turns by
+// less than this counts as flat.
 constexpr double kFlat = 1e-6;
 
 struct Plane {
@@ -37,10 +38,10 @@ struct Segment {
   double Length() const { return (end - start).norm(); }
 };
 
-// A convex piece with its faces.
+// A convex piece, with the plane of each of its facets.
 struct Solid {
   ConvexHull hull;
-  std::vector<int> planes;  // of each facet: the index of its plane
+  std::vector<int> planes;  // for each facet, the index of its plane
 };
 
 Outline OutlineOf(const ConvexHull& hull, const geometry::Facet& facet) {
@@ -71,7 +72,7 @@ double PerimeterOf(const Outline& outline) {
   return perimeter;
 }
 
-// Whether no two parallel lines nearer than `tolerance` have the polygon between them.
+// Returns whether the polygon is wider than `tolerance` in every direction of its plane.
 bool IsBroad(const Outline& outline, double tolerance) {
   if (outline.size() < 3) return false;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -88,8 +89,8 @@ struct Halves {
   Outline below;
 };
 
-// Corners within `tolerance` of the plane lie on it and belong to both halves; a polygon that lies
-// in the plane is below.
+// Splits a polygon by a plane. Corners within `tolerance` of the plane count as on it and belong to
+// both halves. A polygon that lies in the plane is below.
 Halves Split(const Outline& outline, const Plane& plane, double tolerance) {
   Halves halves;
   bool reaches_above = false;
@@ -139,8 +140,8 @@ Outline HullInPlane(const Outline& points, const Vector3& normal, double toleran
   return hull;
 }
 
-// Polygons of one plane that do not overlap; two that make up a convex one become one, as long as
-// there are any.
+// Merges non-overlapping polygons of one plane: two polygons whose union is convex become one,
+// until there is no such pair.
 std::vector<Outline> Merged(std::vector<Outline> region, const Vector3& normal, double tolerance) {
   for (std::size_t i = 0; i < region.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
@@ -151,14 +152,14 @@ std::vector<Outline> Merged(std::vector<Outline> region, const Vector3& normal, 
       if (gap > tolerance * PerimeterOf(hull)) continue;
       region[k] = hull;
       region.erase(region.begin() + static_cast<std::ptrdiff_t>(i));
-      i = 0;  // what was tried in vain with k may fit now
+      i = 0;  // polygons that did not fit with k may fit after the merge
       break;
     }
   }
   return region;
 }
 
-// Whether two segments have more than `tolerance` of a line in common.
+// Returns whether two segments share more than `tolerance` of a line.
 bool RunTogether(const Segment& a, const Segment& b, double tolerance) {
   if (a.Length() <= tolerance || b.Length() <= tolerance) return false;
   if (DistanceToLine(a, b.start) > tolerance || DistanceToLine(a, b.end) > tolerance) return false;
@@ -176,7 +177,7 @@ bool ShareASide(const Outline& a, const Outline& b, double tolerance) {
   return false;
 }
 
-// The polygons of a region grouped into what hangs together by more than corners.
+// Groups the polygons of a region. Polygons in one group are connected by more than corners.
 std::vector<std::vector<Outline>> ConnectedParts(const std::vector<Outline>& region,
                                                  double tolerance) {
   std::vector<std::vector<Outline>> parts;
@@ -195,7 +196,7 @@ std::vector<std::vector<Outline>> ConnectedParts(const std::vector<Outline>& reg
   return parts;
 }
 
-// How far a point of the plane is beyond the sides of a polygon; negative: it is inside.
+// Returns how far a point of the plane is outside the polygon. It is negative inside.
 double DistanceOutside(const Outline& outline, const Vector3& normal, const Vector3& p) {
   double farthest = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -205,8 +206,8 @@ double DistanceOutside(const Outline& outline, const Vector3& normal, const Vect
   return farthest;
 }
 
-// The union of convex pieces. What it looks like near a point is told by the pieces that contain
-// the point: the point is on an outer feature if all of them lie on one side of planes through it.
+// The union of convex pieces. Its shape near a point depends on the pieces that contain the point.
+// The point is on an outer feature if all of them lie on one side of a plane through it.
 class Union {
  public:
   Union(const std::vector<ConvexPiece>& pieces, double tolerance) : tolerance_(tolerance) {
@@ -245,14 +246,15 @@ class Union {
   void AddVertices(Polyhedron& outside) const;
 
   std::vector<Solid> solids_;
-  std::vector<Plane> planes_;      // of all facets, each once
-  std::vector<Outline> outlines_;  // of the first facet in each plane
+  std::vector<Plane> planes_;      // planes of all facets, each once
+  std::vector<Outline> outlines_;  // for each plane, the outline of the first facet in it
   double tolerance_;
 };
 
 constexpr std::pair<int, int> kNotConvex = {-1, -1};
 
-// The plane's index; the facet is in it if neither leaves the other's plane.
+// Returns the index of the facet's plane. A facet is in a known plane if neither leaves the plane
+// of the other by more than the tolerance.
 int Union::PlaneOf(const Outline& outline, const geometry::Facet& facet) {
   const Plane plane = {facet.normal, facet.offset};
   const auto on = [&](const Plane& other) {
@@ -275,7 +277,7 @@ double Union::HighestAbove(const Plane& plane, const Solid& solid) const {
   return highest;
 }
 
-// Whether the solids lie below the plane.
+// Returns whether all these solids lie below the plane.
 bool Union::Supports(const Plane& plane, const std::vector<int>& solids) const {
   return std::ranges::all_of(solids,
                              [&](int s) { return HighestAbove(plane, solids_[s]) <= tolerance_; });
@@ -290,7 +292,8 @@ std::vector<int> Union::Containing(const Vector3& p) const {
   return containing;
 }
 
-// Whether a solid hides what it meets of another one's facet, or names it first.
+// Returns whether the solid `cover` hides the part of the other solid's facet that it meets. Of two
+// facets in one plane, the one of the earlier solid hides the other.
 bool Union::Covers(int cover, int solid, int plane) const {
   if (cover == solid) return false;
   if (HighestAbove(planes_[plane], solids_[cover]) > tolerance_) return true;
@@ -308,7 +311,8 @@ std::vector<Outline> Union::Without(const std::vector<Outline>& region, const So
       if (IsBroad(halves.above, tolerance_)) cut_off.push_back(std::move(halves.above));
       rest = std::move(halves.below);
     }
-    if (!IsBroad(rest, tolerance_)) cut_off = {outline};  // nothing is covered: leave it whole
+    // If nothing is covered, the polygon stays whole.
+    if (!IsBroad(rest, tolerance_)) cut_off = {outline};
     std::ranges::move(cut_off, std::back_inserter(left));
   }
   return left;
@@ -330,7 +334,8 @@ std::vector<Outline> Union::Exposed(int plane) const {
   return exposed;
 }
 
-// Where planes of the pieces cross an edge, from its start to its end, with both.
+// Returns the points where planes of the pieces cross the edge, in order, with the edge's start and
+// end.
 std::vector<Vector3> Union::CutPoints(const Segment& edge) const {
   std::vector<double> fractions;
   for (const Plane& plane : planes_) {
@@ -352,9 +357,9 @@ std::vector<Vector3> Union::CutPoints(const Segment& edge) const {
   return points;
 }
 
-// The two planes of the union's convex edge through p, the lower index first, if p is inside of an
-// edge of a piece: planes of pieces that contain p, with all of these below. Both are needed: with
-// one the edge is a seam or concave.
+// Returns the two planes of the union's convex edge through p, the lower index first, or
+// kNotConvex. p must be inside an edge of a piece. A convex edge needs two planes through p that
+// have all pieces at p below them. With only one such plane, the edge is a seam or concave.
 Union::PlanePair Union::ConvexAt(const Vector3& p) const {
   const std::vector<int> here = Containing(p);
   std::vector<int> supporting;
@@ -378,7 +383,8 @@ Union::PlanePair Union::ConvexAt(const Vector3& p) const {
   return sharpest;
 }
 
-// Between two cut points an edge is convex throughout or nowhere: its middle tells.
+// Returns the convex stretches of the pieces' edges, by pair of planes. Between two cut points an
+// edge is convex everywhere or nowhere, so its middle decides.
 std::map<Union::PlanePair, std::vector<Segment>> Union::ConvexStretches() const {
   std::map<PlanePair, std::vector<Segment>> stretches;
   const auto add_stretches = [&](const Segment& edge) {
@@ -394,7 +400,7 @@ std::map<Union::PlanePair, std::vector<Segment>> Union::ConvexStretches() const 
       for (std::size_t i = 0; i < facet.loop.size(); ++i) {
         const int start = facet.loop[i];
         const int end = facet.loop[(i + 1) % facet.loop.size()];
-        if (start > end) continue;  // the facet on the other side has it so
+        if (start > end) continue;  // the facet on the other side has this edge in the right order
         add_stretches({solid.hull.vertices[start], solid.hull.vertices[end]});
       }
     }
@@ -402,8 +408,8 @@ std::map<Union::PlanePair, std::vector<Segment>> Union::ConvexStretches() const 
   return stretches;
 }
 
-// The stretches of the line that two planes share, those that overlap or follow each other as one,
-// unless something rises from the point between.
+// Joins stretches of the line that two planes share. Stretches that overlap or follow each other
+// become one, unless something rises from the point between them.
 std::vector<Segment> Union::Joined(std::vector<Segment> stretches, PlanePair planes) const {
   const Plane& first = planes_[planes.first];
   const Plane& second = planes_[planes.second];
@@ -429,9 +435,10 @@ std::vector<Segment> Union::Joined(std::vector<Segment> stretches, PlanePair pla
   return joined;
 }
 
-// Whether a plane touches the union near p in p alone. The cone that the pieces at p span has the
-// convex edges that leave p as extreme rays, so each of its facets contains two of them; the sum of
-// the facets' normals, if any plane does it, is the normal of such a plane.
+// Returns whether some plane touches the union near p in p alone. The pieces at p span a cone. Its
+// extreme rays are the convex edges that leave p, so each facet of the cone contains two of them.
+// If any plane touches in p alone, then the plane does whose normal is the sum of the facets'
+// normals.
 bool Union::IsConvexCorner(const Vector3& p, const std::vector<Vector3>& leaving) const {
   const std::vector<int> here = Containing(p);
   Vector3 outward = Vector3::Zero();

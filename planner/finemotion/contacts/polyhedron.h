@@ -10,51 +10,56 @@ namespace assay::finemotion {
 using geometry::Pose;
 using geometry::Vector3;
 
-inline constexpr double kSameDirection = 1e-6;  // sine of the angle below which directions agree
-inline constexpr double kSamePoint = 1e-6;      // metres, below which points do
+// Two directions agree if the sine of their angle is less than this.
+inline constexpr double kSameDirection = 1e-6;
+// Two points agree if their distance in metres is less than this.
+inline constexpr double kSamePoint = 1e-6;
 
-// A convex piece of a part: its corners, in any order (the hull's corners, no others are needed).
+// A convex piece of a part, given by its corners in any order. Points that are not corners of the
+// hull are not needed.
 struct ConvexPiece {
   std::vector<Vector3> corners;  // metres, part frame
 };
 
-// A face of a part's outside: a plane, and the region of it that is outside, as disjoint convex
-// polygons (counter-clockwise seen from outside).
+// A face of a part's outside: its plane, and the region of the plane that is outside. The region is
+// given as disjoint convex polygons, counter-clockwise as seen from outside.
 struct OuterFace {
-  Vector3 normal = Vector3::Zero();  // unit, outward
-  double height = 0;                 // normal . point of the plane, metres
+  Vector3 normal = Vector3::Zero();  // unit vector, outward
+  double height = 0;                 // normal . p for each point p of the plane, metres
   std::vector<std::vector<Vector3>> region;
 };
 
-// A convex edge, or what of it is outside.
+// A convex edge, or the stretch of one that is outside.
 struct OuterEdge {
   Vector3 start = Vector3::Zero();
   Vector3 end = Vector3::Zero();
-  std::array<int, 2> faces{};  // indices of the faces that it joins
+  std::array<int, 2> faces{};  // indices of the two faces that meet at the edge
 
   Vector3 direction() const { return (end - start).normalized(); }
 };
 
-// A convex corner: one that can touch a plane without anything else of the part touching it.
+// A convex corner. It can touch a plane while nothing else of the part does.
 struct OuterVertex {
   Vector3 p = Vector3::Zero();
-  std::vector<int> edges;  // indices of the edges that leave it
+  std::vector<int> edges;  // indices of the edges that leave the corner
 };
 
-// The outside of a union of convex pieces: what another part can touch (Dakin and Popplestone,
-// section 2: "primitive contacts"). Seams between pieces that lie in one plane are no edges;
-// concave edges and corners, which touch nothing before their neighbours do, are left out.
+// The outside of a union of convex pieces, which is what another part can touch (Dakin and
+// Popplestone, section 2: "primitive contacts"). Seams between pieces that lie in one plane are no
+// edges. Concave edges and corners are left out, since they touch nothing before their neighbours
+// do.
 struct Polyhedron {
   std::vector<OuterFace> faces;
   std::vector<OuterEdge> edges;
   std::vector<OuterVertex> vertices;
 };
 
-// Pieces may touch and overlap. Features shorter than `tolerance` (metres) are dropped, points
-// nearer than it count as one.
+// Returns the outside of the union of the pieces, which may touch and overlap. Features shorter
+// than `tolerance` (metres) are dropped, and points nearer to each other than `tolerance` count as
+// one.
 Polyhedron OutsideOf(const std::vector<ConvexPiece>& pieces, double tolerance = 1e-7);
 
-// The same shape in another frame.
+// Returns the same shape in another frame.
 Polyhedron Transformed(Polyhedron shape, const Pose& X_NewOld);
 
 }  // namespace assay::finemotion

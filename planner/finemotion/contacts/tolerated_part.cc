@@ -18,15 +18,16 @@ using Region = ToleratedPart::Region;
 using Shift = ToleratedPart::Shift;
 using Vertex = ToleratedPart::Vertex;
 
-// The direction in face edge.faces[which], perpendicular to the edge, that leads into the face. A
-// convex edge's faces fall away behind each other's plane.
+// Returns the unit direction that leads from the edge into face edge.faces[which], perpendicular to
+// the edge. It can be computed from the normals, since each face of a convex edge lies behind the
+// other one's plane.
 Vector3 IntoFace(const Polyhedron& shape, const OuterEdge& edge, Index which) {
   const Vector3& own = shape.faces[static_cast<Index>(edge.faces[which])].normal;
   const Vector3& other = shape.faces[static_cast<Index>(edge.faces[1 - which])].normal;
   return (other.dot(own) * own - other).normalized();
 }
 
-// How the tolerances displace a part's features.
+// Computes how the tolerances displace a part's features.
 class Shifts {
  public:
   Shifts(const Polyhedron& shape, ModelTolerance::Of of,
@@ -44,13 +45,14 @@ class Shifts {
     }
   }
 
-  // Of a corner, or of a point of an edge or face.
+  // Returns the shift of a corner, or of a point of an edge or face.
   Shift At(const Vector3& p) const {
     return Of(tolerances_.empty() ? std::vector<int>() : FacesThrough(p));
   }
 
-  // Of the point (line, plane) where these faces' planes meet: the least motion that keeps it in
-  // all of them. Where more than three planes meet and do not any longer, the nearest to all.
+  // Returns the shift of the point, line or plane where these faces' planes meet. It is the least
+  // motion that keeps the feature in all of the planes. Where more than three planes meet and are
+  // displaced so that they meet no more, it keeps the feature nearest to all of them.
   Shift Of(const std::vector<int>& faces) const {
     Shift shift = Shift::Zero(3, std::ssize(tolerances_));
     if (tolerances_.empty()) return shift;

@@ -10,22 +10,22 @@
 
 namespace assay::finemotion {
 
-// A part's outer features in its own axes, and how the model's tolerances displace them.
+// A part's outer features in its own axes, and how the model's tolerances displace each of them.
 struct ToleratedPart {
-  // How a feature moves for one metre of each tolerance, a column for each; or how far along a
-  // direction.
+  // How a feature moves for one metre of each tolerance: a vector for each tolerance (Shift, one
+  // column each), or a distance along a direction (ShiftAlong).
   using Shift = Eigen::Matrix3Xd;
   using ShiftAlong = Eigen::VectorXd;
 
-  // An edge and what the tolerances do to it.
+  // An edge, and how the tolerances displace it.
   struct Edge {
     Vector3 start = Vector3::Zero();
     Vector3 direction = Vector3::Zero();
     double length = 0;
     std::array<Vector3, 2> into{};
-    std::array<Vector3, 2> normals{};      // of the faces
-    Shift shift;                           // of the line, across its direction
-    std::array<ShiftAlong, 2> end_shifts;  // of start and end, along it
+    std::array<Vector3, 2> normals{};      // outward normals of the edge's two faces
+    Shift shift;                           // shift of the edge's line, across its direction
+    std::array<ShiftAlong, 2> end_shifts;  // shifts of start and end, along the edge
 
     Vector3 Bisector() const { return (normals[0] + normals[1]).normalized(); }
     Shift EndShift(std::size_t which) const {
@@ -35,24 +35,26 @@ struct ToleratedPart {
 
   struct Vertex {
     Vector3 p = Vector3::Zero();
-    std::vector<Vector3> leaving;  // directions of its edges
+    std::vector<Vector3> leaving;  // directions of the edges that leave the vertex
     Shift shift;
   };
 
   struct Region {
     FaceRegion sides;
-    std::vector<ShiftAlong> shifts;  // of each, outward
+    std::vector<ShiftAlong> shifts;  // shift of each side, outward
   };
 
   struct Face {
     Vector3 normal = Vector3::Zero();
     double height = 0;
-    ShiftAlong shift;  // outward
+    ShiftAlong shift;  // shift of the plane, outward
     std::vector<Region> regions;
     Extent extent;
   };
 
-  double sign = 1;  // of (d, w) in the motion relative to the other part: 1 moving, -1 stationary
+  // The sign of d and w in this part's motion relative to the other part: 1 for the moving part, -1
+  // for the stationary one.
+  double sign = 1;
   std::vector<Face> faces;
   std::vector<Edge> edges;
   std::vector<Vertex> vertices;

@@ -13,7 +13,7 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kWellInside = 1e-6;  // metres from a limit: well above all that is rounded
+constexpr double kWellInside = 1e-6;  // metres from a limit, well above all rounding
 
 bool IsTurn(const HalfSpace& limit) { return limit.a.head<3>().isZero(0); }
 
@@ -59,7 +59,8 @@ void CSurfaces::CloseEnds(int surface, const Patch& patch) {
     limits_[i].open = limits_[i].open && !StopsAtOthers(limits_[i], surface);
 }
 
-// Limits of a rotation are in radians: times the radius, they are lengths like the others.
+// Adds a patch's limits. The limits of rotations are in radians; multiplied by the radius, they are
+// lengths like the others.
 CSurfaces::Patch CSurfaces::AddLimits(const std::vector<HalfSpace>& limits, double radius) {
   const int begin = static_cast<int>(limits_.size());
   for (const HalfSpace& limit : limits) {
@@ -70,9 +71,10 @@ CSurfaces::Patch CSurfaces::AddLimits(const std::vector<HalfSpace>& limits, doub
   return {begin, static_cast<int>(limits_.size())};
 }
 
-// What is on this surface and exceeds the limit is behind others: there, the excess is minus a sum
-// of nonnegative multiples of gaps (Farkas). Of one gap where a wall rises; of several where a face
-// lands on more than the feature that the limit is of.
+// Returns whether every point of the surface that exceeds the limit is behind other surfaces. By
+// Farkas' lemma this holds if, on the surface, the excess is minus a sum of nonnegative multiples
+// of other gaps. One gap suffices where a wall rises. Several are needed where a face lands on more
+// than the feature that the limit belongs to.
 bool CSurfaces::StopsAtOthers(const Limit& limit, int surface) const {
   using Gap = Eigen::Vector<double, kPoseDimensions + 1>;
   const Gap own = (Gap() << Row(surface), offsets_[surface]).finished().normalized();
@@ -121,7 +123,7 @@ void CSurfaces::ExcessesAt(const ScaledPose& x, std::vector<double>& excesses) c
 }
 
 bool CSurfaces::Covers(int surface, const ScaledPose& x) const {
-  std::array<std::size_t, 4> ends;  // of patches that are left at one end only
+  std::array<std::size_t, 4> ends;  // ends of patches that contain x at one of their ends
   std::size_t count = 0;
   for (const Patch& patch : Patches(surface)) {
     bool outside = false;

@@ -8,37 +8,39 @@
 
 namespace assay::finemotion {
 
-// A pose of the moving part as six lengths, so that all directions can be compared: (d, radius w).
+// A pose of the moving part as six lengths (d, radius w), so that all directions can be compared.
 using ScaledPose = Eigen::Matrix<double, kPoseDimensions, 1>;
 
-// Gaps and limits nearer to 0 than that are reached, metres.
+// Gaps and limits within this distance of 0 count as reached, metres.
 inline constexpr double kTouch = 1e-9;
-// By how little a gap or an excess changes for a metre of a ray that is along its surface.
+// A ray runs along a surface if a gap or an excess changes by less than this for one metre of the
+// ray.
 inline constexpr double kAlong = 1e-9;
 
-// Where on a ray a patch is; empty: from > to.
+// The stretch of a ray that is in a patch, in metres. It is empty if from > to.
 struct Stretch {
   double from = 0;
   double to = std::numeric_limits<double>::infinity();
-  bool inside = true;  // not just along an open end of the patch
+  bool inside = true;  // false if the ray only runs along an open end of the patch
 };
 
-// The C-surfaces of primitive contacts, in contiguous arrays. A surface has a patch for each
-// contact whose gap is one function of the pose (a face in several regions, a vertex on a wall and
-// the edge above it). Surfaces are in the order of their first contacts. Model errors are taken to
-// be 0.
+// The C-surfaces of primitive contacts, in contiguous arrays. Contacts whose gaps are the same
+// function of the pose share one surface, and each of them is a patch of it (a face in several
+// regions, or a vertex on a wall and the edge above it). Surfaces are in the order of their first
+// contacts. Model errors are taken to be 0.
 //
-// What of its limits belongs to a patch decides which contacts there are where contacts meet:
-// - the limit of a rotation does, as a face may lie flat;
-// - the end of a face or an edge does where others stop what would go past it: a corner touches
-// both
-//   walls that meet there, an edge still touches when the face at its end has landed;
-// - the end of a face or an edge elsewhere does not, as another contact takes over there: a part
-//   that slides along a wall is not under the wall's top;
-// - the seam of two patches of a surface does.
+// A patch may include its limits (closed) or not (open). Which contacts exist where contacts meet
+// depends on that:
+//  - The limit of a rotation is closed, since a face may lie flat.
+//  - The end of a face or an edge is closed where other contacts stop whatever would go past it. A
+//    corner touches both walls that meet there, and an edge still touches when the face at its end
+//    has landed.
+//  - The end of a face or an edge is open elsewhere, since another contact takes over there. A part
+//    that slides along a wall is not under the wall's top.
+//  - The seam of two patches of a surface is closed.
 class CSurfaces {
  public:
-  // The indices of a patch's limits.
+  // The range of a patch's limits among all limits: from `begin` up to but without `end`.
   struct Patch {
     int begin = 0;
     int end = 0;
@@ -55,26 +57,28 @@ class CSurfaces {
   ScaledPose Row(int surface) const { return rows_.row(surface); }
   double Offset(int surface) const { return offsets_[surface]; }
 
-  // Of all surfaces; of all limits.
+  // Computes the gap of each surface at x, its rate of change along g, or the excess over each
+  // limit at x.
   void GapsAt(const ScaledPose& x, Eigen::VectorXd& gaps) const;
   void RatesAlong(const ScaledPose& g, Eigen::VectorXd& rates) const;
   void ExcessesAt(const ScaledPose& x, std::vector<double>& excesses) const;
 
-  // The pose is in one of the surface's patches, or behind or over one.
+  // Returns whether the pose is on one of the surface's patches, or in front of or behind one.
   bool Covers(int surface, const ScaledPose& x) const;
-  // Within one patch, and well off all of its limits that motions along the tangents come nearer
-  // to.
+  // Returns whether x is within one patch and well off each limit that a motion along the tangents
+  // can approach.
   bool IsInside(int surface, const ScaledPose& x,
                 const Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>& tangents) const;
-  // Of the ray along g from where limits are exceeded by so much.
+  // Returns the stretch of a ray that is in the patch. The ray leads along g from the point with
+  // these excesses.
   Stretch StretchOf(const Patch& patch, const std::vector<double>& excesses,
                     const ScaledPose& g) const;
 
  private:
   struct Limit {
-    ScaledPose a;  // metres of excess
+    ScaledPose a;  // gradient of the excess over a scaled pose, without a unit
     double b = 0;
-    bool open = false;  // where it is reached, the patch is left
+    bool open = false;  // true if the patch excludes the points at this limit
   };
 
   Patch AddLimits(const std::vector<HalfSpace>& limits, double radius);

@@ -9,11 +9,12 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kDependentNormal = 1e-9;  // what is left of a unit normal across those before it
-constexpr double kAgree = 1e-9;            // of dependent rows' values, relative to their size
+// A unit normal depends on earlier ones if less than this remains of it across them.
+constexpr double kDependentNormal = 1e-9;
+constexpr double kAgree = 1e-9;  // greatest relative difference of values of rows that agree
 
-// Normals that are taken one by one if they are independent of those taken before, with an
-// orthonormal basis of their span (Gram and Schmidt, each twice for the sake of rounding).
+// Collects normals that are independent of those before them, with an orthonormal basis of their
+// span. Gram and Schmidt's method runs twice for each normal to remove rounding errors.
 class IndependentRows {
  public:
   explicit IndependentRows(Eigen::Index dimensions) : basis_(dimensions, 0), rows_(0, dimensions) {}
@@ -32,7 +33,8 @@ class IndependentRows {
     return true;
   }
 
-  // Column i is orthogonal to every row but the i-th, on which it is 1, and in the span of all.
+  // Returns the dual basis: column i is in the span of all rows, orthogonal to every row but the
+  // i-th, and 1 along the i-th.
   Eigen::MatrixXd Dual() const {
     const Eigen::MatrixXd triangular = rows_ * basis_;
     return basis_ * InverseOfLowerTriangular(triangular);
@@ -42,8 +44,8 @@ class IndependentRows {
   const Eigen::VectorXd& values() const { return values_; }
 
  private:
-  Eigen::MatrixXd basis_;  // a column each
-  Eigen::MatrixXd rows_;   // lower triangular in the basis
+  Eigen::MatrixXd basis_;  // orthonormal basis vectors, one column each
+  Eigen::MatrixXd rows_;   // coefficients of the rows in the basis, lower triangular
   Eigen::VectorXd values_;
 };
 

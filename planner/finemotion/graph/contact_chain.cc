@@ -11,9 +11,9 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kReach = 0.003;  // metres, that features may be apart at a critical point
-constexpr double kPast = 1e-3;    // metres of the crevice after it
-constexpr double kClosed = 1e-6;  // metres, of a gap
+constexpr double kReach = 0.003;  // metres within which features count as near a critical point
+constexpr double kPast = 1e-3;    // metres past a critical point where contacts are linearized
+constexpr double kClosed = 1e-6;  // metres; smaller gaps are closed
 
 LocalTopology TopologyAt(const MatingGeometry& geometry, const Pose& X_FixedTip) {
   const Passage& passage = geometry.passage;
@@ -43,7 +43,7 @@ std::vector<LocalTopology> TopologiesOf(const MatingGeometry& geometry) {
   return topologies;
 }
 
-// The state leads along the way in.
+// Returns whether the state is one-dimensional and leads along the mating direction.
 bool IsCrevice(const LocalTopology& topology, const ContactState& state, const Vector3& mating) {
   return state.dimension == 1 && std::ranges::all_of(state.contacts, [&](int contact) {
            const Vector3& normal =
@@ -73,7 +73,8 @@ std::vector<SharedState> SharedBy(const LocalTopology& earlier, const LocalTopol
   return shared;
 }
 
-// The 0-dimensional states in which all touches that stops the part if there are no errors.
+// Returns the 0-dimensional states in which every contact touches that stops the part when there
+// are no errors.
 std::vector<int> SeatedStates(const LocalTopology& at_seat, const Vector3& mating) {
   std::vector<int> seated;
   for (int i = 0; i < std::ssize(at_seat.graph.states); ++i) {

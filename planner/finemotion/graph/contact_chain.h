@@ -8,39 +8,44 @@
 
 namespace assay::finemotion {
 
-// Contact space about a critical point, and how its contact states hang together.
+// Contact space about a critical point, and how its contact states are connected.
 struct LocalTopology {
-  Pose X_StationaryMoving = Pose::Identity();  // of the tip, where contacts are linearized
+  Pose X_StationaryMoving = Pose::Identity();  // the tip's pose at which contacts are linearized
   ContactSpace space;
-  ContactGraph graph;             // its states tell how far they are from the goals
-  std::vector<int> initial = {};  // states that the way through it begins in
-  std::vector<int> goals = {};    // and ends in
+  ContactGraph graph;             // its states hold their distances from the goals
+  std::vector<int> initial = {};  // states in which the way through this point begins
+  std::vector<int> goals = {};    // states in which the way through this point ends
 
-  std::vector<ContactKey> ContactsOf(int state) const;  // ascending
-  // Of a way from an initial state to a goal, at least; none: there is no way.
+  // Returns the state's keys in ascending order.
+  std::vector<ContactKey> ContactsOf(int state) const;
+  // Returns the least number of transitions from an initial state to a goal, or none if there is no
+  // way.
   std::optional<int> LeastTransitions() const;
 };
 
-// A contact state of the crevice between two critical points, which both of their graphs have: the
-// same features touch.
+// A contact state of the crevice between two critical points. The graphs of both points have it,
+// with the same features touching.
 struct SharedState {
-  int earlier = 0;  // state of the first one's graph
-  int later = 0;    // and of the next one's
+  int earlier = 0;  // index of the state in the graph of the first point
+  int later = 0;    // index of the state in the graph of the next point
 };
 
-// The contact graphs of all critical points of a mating, and how the way leads from one to the next
-// (Dakin and Popplestone, section 4 and figures 9 and 10): the one-dimensional states shared by
-// neighbours are goals of the one and initial states of the next; the first one is begun in free
-// space, the last one ended in a 0-dimensional state with the moving part at its seat.
+// The contact graphs of all critical points of a mating, and the transitions between them (Dakin
+// and Popplestone, section 4 and figures 9 and 10). One-dimensional states that two neighbours
+// share are goals of the earlier graph and initial states of the later one. The first graph begins
+// in free space. The last one ends in a 0-dimensional state with the moving part at its seat.
 struct ContactChain {
-  std::vector<LocalTopology> points;             // at each critical point; if none, at the seat
-  std::vector<std::vector<SharedState>> shared;  // of each and the next; none: it breaks there
+  // One for each critical point, or one at the seat if there are none.
+  std::vector<LocalTopology> points;
+  // For each point and the next; empty where the chain breaks.
+  std::vector<std::vector<SharedState>> shared;
 };
 
-// Contacts are linearized where the crevice after the critical point is 1 mm long (the last one's
-// at the point itself), unlike in the paper. At the point it has no length: walls and rim are
-// touched at the same height, what they say of a tilt is the same row, and what is one-dimensional
-// in the crevice has three dimensions.
+// Returns the contact chain of a mating. Unlike in the paper, contacts are linearized 1 mm past
+// each critical point, where the crevice already has a length; the last point's are linearized at
+// the point itself. At the critical point, walls and rim are touched at the same height and give
+// the same row for a tilt, so that a one-dimensional state of the crevice would have three
+// dimensions.
 ContactChain ContactChainOf(const MatingGeometry& geometry);
 
 }  // namespace assay::finemotion

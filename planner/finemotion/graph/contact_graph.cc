@@ -21,18 +21,20 @@ namespace {
 using Index = std::size_t;
 using Tangents = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;
 
-constexpr double kDependentRow = 1e-7;     // what is left of a row across others that it depends on
-constexpr int kScales = 8;                 // start points are drawn within reach, reach / 2, ...
-constexpr int kDrawsForATargetPoint = 32;  // at most
-// For each target point of states of the higher dimensions, neighbours are looked for from so many
-// points: such states are large, have many neighbours, and all others are found from them.
+// A row depends on others if less than this remains of it across them.
+constexpr double kDependentRow = 1e-7;
+constexpr int kScales = 8;  // start points are drawn within reach, reach / 2, reach / 4, ...
+constexpr int kDrawsForATargetPoint = 32;  // greatest number of draws for one target point
+// For each target point, states of at least kExploredFrom dimensions are explored from kExplored
+// points. Such states are large, have many neighbours, and all other states are found from them.
 constexpr int kExplored = 4;
-constexpr int kExploredFrom = 4;  // dimensions
+// The least dimension of states that are explored from kExplored points.
+constexpr int kExploredFrom = 4;
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
 // --- Sets of C-surfaces.
 
-using SurfaceSet = std::vector<std::uint64_t>;  // a bit each
+using SurfaceSet = std::vector<std::uint64_t>;  // one bit for each surface
 
 void Insert(SurfaceSet& set, int surface) {
   set[static_cast<Index>(surface) / 64] |= std::uint64_t{1} << (surface % 64);
@@ -60,17 +62,19 @@ struct HashOfSet {
   }
 };
 
-// --- Contact states while they are found.
+// --- Contact states during the search.
 
-// The poses where a set of surfaces is touched, as far as equations go.
+// The poses at which the gaps of a set of surfaces are all 0, whether the surfaces' limits hold
+// there or not.
 struct Facet {
   SurfaceSet set;
-  std::vector<int> surfaces;     // the set's, ascending
-  std::vector<int> independent;  // as many of them as the rank
-  Tangents corrections;          // what closes a gap of 1 of each of these, and of no other of them
-  Tangents tangents;             // orthonormal
-  std::vector<ScaledPose> points;  // the first are target points
-  Index explored = 0;              // points from which neighbours have been looked for
+  std::vector<int> surfaces;     // the surfaces of the set, ascending
+  std::vector<int> independent;  // independent ones among the surfaces, as many as the rank
+  // Column i closes a gap of 1 of the independent surface i and leaves the gaps of the others.
+  Tangents corrections;
+  Tangents tangents;               // orthonormal columns
+  std::vector<ScaledPose> points;  // poses on the facet, target points first
+  Index explored = 0;              // number of points whose neighbours have been searched for
 
   int dimension() const { return static_cast<int>(tangents.cols()); }
 };
@@ -97,7 +101,7 @@ Facet FacetOf(const CSurfaces& surfaces, const SurfaceSet& set) {
   return facet;
 }
 
-// Without what rounding has left of the facet's gaps.
+// Returns x moved so that the facet's gaps, which rounding has left, become 0.
 ScaledPose Onto(const CSurfaces& surfaces, const Facet& facet, const ScaledPose& x) {
   ScaledPose onto = x;
   for (Index i = 0; i < facet.independent.size(); ++i) {
@@ -108,7 +112,8 @@ ScaledPose Onto(const CSurfaces& surfaces, const Facet& facet, const ScaledPose&
   return onto;
 }
 
-// Finds the facets of one dimension after the other: rays along those of one lead to the next.
+// Finds the facets of one dimension after the other. Rays along the facets of one dimension lead to
+// those of the next.
 class GraphBuilder {
  public:
   GraphBuilder(const ContactSpace& space, const ContactGraphOptions& options)
@@ -144,7 +149,8 @@ class GraphBuilder {
     }
   }
 
-  // Random points of a primitive contact's cone form (Dakin and Popplestone, equation 2).
+  // Starts from random points of a primitive contact's cone form (Dakin and Popplestone, equation
+  // 2).
   void StartOn(int surface, const CSurfaces::Patch& patch) {
     const std::vector<HalfSpace> limits = surfaces_.Limits(patch);
     const ConeForm form =
@@ -161,8 +167,9 @@ class GraphBuilder {
     }
   }
 
-  // The characteristic point is where all limits end, which may be far away: a point is as far
-  // inside each as it is at the critical point, give or take the scale.
+  // Returns a random point of the contact. The cone's characteristic point, where all limits end,
+  // may be far away. The returned point is therefore about as far inside each limit as the critical
+  // point is, up to `scale`.
   ScaledPose RandomPoint(const ConeForm& form, const std::vector<HalfSpace>& limits, double scale) {
     ScaledPose x = form.characteristic_point;
     for (Eigen::Index i = 0; i < form.rays.cols(); ++i) {
@@ -182,7 +189,8 @@ class GraphBuilder {
     return x.head<3>().norm() + x.tail<3>().norm() <= options_.reach;
   }
 
-  // What is touched at x, into touched_; false: it is out of reach, or the parts overlap.
+  // Stores the surfaces that are touched at x in touched_. Returns false if x is out of reach or
+  // the parts overlap there.
   bool Look(const ScaledPose& x) {
     if (!IsInReach(x)) return false;
     surfaces_.GapsAt(x, gaps_there_);
@@ -211,7 +219,8 @@ class GraphBuilder {
 
   // --- Neighbours.
 
-  // From free space down to corners, as what is found leads down mostly. False: nothing was new.
+  // Explores from free space down to 0-dimensional states, since most of what is found has fewer
+  // dimensions. Returns false if there was nothing new.
   bool ExploreAll() {
     bool explored = false;
     for (int dimension = kPoseDimensions; dimension >= 0; --dimension) {
@@ -243,8 +252,8 @@ class GraphBuilder {
     for (int i = 0; i < options_.random_rays; ++i) CastRay(facet, x, RandomTangent(facet));
   }
 
-  // Opens each of the independent contacts, while the others stay closed. What depends on them may
-  // stay, open too, or not let go.
+  // Opens each of the independent contacts while the other independent ones stay closed. Contacts
+  // that depend on these may stay closed, open with them, or prevent the opening.
   void BreakContacts(const Facet& facet, const ScaledPose& x) {
     for (Index i = 0; i < facet.independent.size(); ++i) {
       const double gap = Scale(random_.Index(kScales));
@@ -257,7 +266,7 @@ class GraphBuilder {
 
   // --- Rays.
 
-  // The way that closes the gap soonest.
+  // Casts a ray in the direction that closes the surface's gap soonest.
   void CastRayToward(int surface, const Facet& facet, const ScaledPose& x) {
     const ScaledPose g = -(facet.tangents * (facet.tangents.transpose() * surfaces_.Row(surface)));
     if (g.norm() > kDependentRow) CastRay(facet, x, g.normalized());
@@ -271,7 +280,7 @@ class GraphBuilder {
     return g.normalized();
   }
 
-  // From a point of the facet, of which gaps_ and excesses_ are.
+  // Casts a ray along g from a point x of the facet. gaps_ and excesses_ must hold the values at x.
   void CastRay(const Facet& facet, const ScaledPose& x, const ScaledPose& g) {
     surfaces_.RatesAlong(g, rates_);
     const RayEnd end = EndOf(facet, g);
@@ -291,8 +300,9 @@ class GraphBuilder {
     }
   }
 
-  // Where one contact takes over from another there may be a state of the same dimension: no
-  // neighbour, but another to start from.
+  // Examines the place just past the end of a ray. Where one contact takes over from another there
+  // may be a state of the same dimension. This state is no neighbour, but the search can go on from
+  // it.
   void LookPast(const Facet& facet, const ScaledPose& end, const ScaledPose& g) {
     const double step = std::ldexp(options_.reach, -kScales / 2 - random_.Index(kScales));
     const ScaledPose there = end + step * g;
@@ -301,15 +311,16 @@ class GraphBuilder {
     if (next.dimension() == facet.dimension()) AddPoint(next, there);
   }
 
-  // Not where a limit keeps the part from what the facet's equations let it do: two contacts that
-  // bar each other's turns are no state of their rank there.
+  // Adds a point to the facet, unless a limit keeps the part from motions that the facet's
+  // equations allow. For example, two contacts that block each other's rotations form no state of
+  // their rank there.
   void AddPoint(Facet& facet, const ScaledPose& x) {
     const auto is_inside = [&](int k) { return surfaces_.IsInside(k, x, facet.tangents); };
     if (!HasRoom(facet) || !std::ranges::all_of(facet.surfaces, is_inside)) return;
     facet.points.push_back(Onto(surfaces_, facet, x));
   }
 
-  // What touched_ has more than the facet is one independent contact (and what depends on it).
+  // Returns whether the additional surfaces in touched_ amount to one independent contact.
   bool TouchesOneMore(const Facet& facet) const {
     Eigen::VectorXd first;
     for (int k = 0; k < surfaces_.size(); ++k) {
@@ -324,15 +335,16 @@ class GraphBuilder {
 
   struct RayEnd {
     double length = kNever;
-    bool hit = false;  // a contact is made
+    bool hit = false;  // true if a contact is made
   };
 
-  // Where a ray makes its first contact, or leaves what the facet touches, or gets behind a surface
-  // past its limits: linear patches do not quite match where one contact takes over from another.
+  // Returns where a ray makes its first contact, leaves what the facet touches, or gets behind a
+  // surface past the surface's limits. The third case occurs because linear patches do not quite
+  // match where one contact takes over from another.
   RayEnd EndOf(const Facet& facet, const ScaledPose& g) const {
     RayEnd end;
     for (const int k : facet.surfaces) end.length = std::min(end.length, EndOnSurface(k, g));
-    end.length += kTouch;  // a face may come to lie flat just there
+    end.length += kTouch;  // at this distance a face may come to lie flat
     Index member = 0;
     for (int k = 0; k < surfaces_.size(); ++k) {
       if (member < facet.surfaces.size() && facet.surfaces[member] == k) {
@@ -344,7 +356,8 @@ class GraphBuilder {
     return end;
   }
 
-  // Where the last of the surface's patches ends that the ray comes through one after the other.
+  // Returns where the ray leaves the surface. It may pass through several of the surface's patches,
+  // one directly after the other.
   double EndOnSurface(int surface, const ScaledPose& g) const {
     const std::vector<CSurfaces::Patch>& patches = surfaces_.Patches(surface);
     double end = 0;
@@ -357,13 +370,14 @@ class GraphBuilder {
     return end;
   }
 
-  // If the ray meets the surface, or gets behind it, before its end, then that is the end. A
-  // contact is also made from behind its surface where the ray comes to its limits as the gap comes
-  // to 0: the other half of an edge that comes to lie flat.
+  // Moves the ray's end forward to where the ray meets the surface or gets behind it, if that comes
+  // first. A contact is also made from behind the surface if the ray reaches the surface's limits
+  // just as the gap reaches 0. An example is the other half of an edge that comes to lie flat.
   void Meet(int surface, const ScaledPose& g, RayEnd& end) const {
     const double gap = gaps_[surface];
     const double rate = rates_[surface];
-    double from = 0;  // where the gap is not positive
+    // The gap is not positive between `from` and `to`.
+    double from = 0;
     double to = kNever;
     if (gap > kTouch) {
       if (rate >= -kAlong) return;
@@ -415,7 +429,8 @@ class GraphBuilder {
     return state;
   }
 
-  // A parent's first contact is among its son's.
+  // Links parents and sons. The first contact of a parent is a contact of its son, so only states
+  // with such a first contact are compared.
   void Link(const std::vector<Index>& order, ContactGraph& graph) const {
     const auto dimensions = static_cast<Index>(kPoseDimensions) + 2;
     const auto firsts = static_cast<Index>(surfaces_.size()) + 1;
@@ -432,7 +447,7 @@ class GraphBuilder {
           graph.states[static_cast<Index>(parent)].sons.push_back(static_cast<int>(i));
         }
       };
-      link(above.back());  // free space
+      link(above.back());  // links to free space
       for (const int k : facet.surfaces) link(above[static_cast<Index>(k)]);
       const Index first =
           facet.surfaces.empty() ? firsts - 1 : static_cast<Index>(facet.surfaces[0]);
@@ -445,14 +460,14 @@ class GraphBuilder {
   CSurfaces surfaces_;
   RandomStream random_;
   SurfaceSet nothing_;
-  std::deque<Facet> facets_;  // in the order found; references stay good
+  std::deque<Facet> facets_;  // in the order in which they were found; references stay valid
   std::unordered_map<SurfaceSet, Index, HashOfSet> indices_;
 
-  // Scratch, so that the loops over rays allocate nothing.
-  Eigen::VectorXd gaps_;  // at the point that rays are cast from
+  // Work space, so that the loops over rays allocate nothing.
+  Eigen::VectorXd gaps_;  // gaps at the point that rays are cast from
   std::vector<double> excesses_;
-  Eigen::VectorXd rates_;  // along the ray
-  SurfaceSet touched_;     // at the pose looked at last
+  Eigen::VectorXd rates_;  // rates of change of the gaps along the ray
+  SurfaceSet touched_;     // surfaces touched at the pose examined last
   Eigen::VectorXd gaps_there_;
 };
 

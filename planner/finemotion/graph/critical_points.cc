@@ -15,13 +15,14 @@ namespace {
 using geometry::Polygon;
 using geometry::Vector2;
 
-// Of travel, metres.
+// A stretch of the travel, in metres.
 struct TravelStretch {
   double from = 0;
   double to = 0;
 };
 
-// Where a pair of faces touches: while it slides along, or when it lands.
+// A pair of faces, and the stretch in which they touch: while one slides along the other, or when
+// it lands.
 struct Touch {
   TouchingFaces faces;
   TravelStretch where;
@@ -34,7 +35,8 @@ struct Axes {
   Vector2 Flat(const Vector3& p) const { return {x.dot(p), y.dot(p)}; }
 };
 
-// All b - a of the two polygons: they overlap when the first is moved by what is inside.
+// Returns the hull of all b - a of the two polygons. They overlap when the first polygon is moved
+// by a point inside this hull.
 Polygon Differences(const std::vector<Vector3>& a, const std::vector<Vector3>& b,
                     const Axes& axes) {
   std::vector<Vector2> points;
@@ -44,7 +46,7 @@ Polygon Differences(const std::vector<Vector3>& a, const std::vector<Vector3>& b
   return geometry::Hull2(points);
 }
 
-// Where the line along x through the origin is inside, deeper than `tolerance`.
+// Returns the stretch of the x axis that is inside the polygon, deeper than `tolerance`.
 std::optional<TravelStretch> OnXAxis(const Polygon& polygon, double tolerance) {
   double low = -std::numeric_limits<double>::infinity();
   double high = -low;
@@ -65,7 +67,7 @@ std::optional<TravelStretch> OnXAxis(const Polygon& polygon, double tolerance) {
   return TravelStretch{low, high};
 }
 
-// Stretches that meet are one: a seam in a face is nothing that a part touches.
+// Unites stretches that meet. Between them is only a seam in a face, which a part does not touch.
 std::vector<TravelStretch> United(std::vector<TravelStretch> stretches, double tolerance) {
   std::ranges::sort(stretches, {}, &TravelStretch::from);
   std::vector<TravelStretch> united;
@@ -118,7 +120,7 @@ class Slide {
   }
 
  private:
-  // Of the moving part, which is at its end when it has travelled all the way.
+  // Returns the moving part's pose. At full travel it is at its end.
   Pose PoseAt(double travel) const {
     Pose X = X_StationaryEnd_;
     X.translation() -= (length_ - travel) * direction_;
@@ -140,13 +142,14 @@ class Slide {
     }
   }
 
-  // The stretches of travel where the faces, moved into one plane, have an area in common.
+  // Returns the stretches of travel in which the faces, moved into one plane, have an area in
+  // common.
   std::vector<TravelStretch> Overlaps(const OuterFace& face, const OuterFace& other) const {
     const Vector3 along = direction_ - other.normal.dot(direction_) * other.normal;
     const Vector3 x = along.norm() > kSameDirection ? Vector3(along.normalized())
                                                     : Vector3(other.normal.unitOrthogonal());
     const Axes axes = {x, other.normal.cross(x)};
-    const double pace = axes.x.dot(direction_);  // metres in the plane for one of travel
+    const double pace = axes.x.dot(direction_);  // metres in the plane for one metre of travel
     std::vector<TravelStretch> stretches;
     for (const std::vector<Vector3>& outline : face.region) {
       std::vector<Vector3> start;
@@ -159,7 +162,8 @@ class Slide {
     return United(std::move(stretches), tolerance_);
   }
 
-  // A face that comes straight down on the other stays over it all the way, or never is.
+  // Converts a stretch in the plane to one of travel. A face that comes straight down on the other
+  // is over it all the way or never.
   TravelStretch OfTravel(const TravelStretch& in_plane, double pace) const {
     if (pace > kSameDirection) return {in_plane.from / pace, in_plane.to / pace};
     const bool over = in_plane.from < 0 && in_plane.to > 0;
@@ -179,7 +183,7 @@ class Slide {
     }
   }
 
-  // Where touches begin or end, each place once.
+  // Returns the places where touches begin or end, each once.
   std::vector<double> Changes() const {
     std::vector<double> changes;
     for (const Touch& touch : touches_) {

@@ -7,27 +7,31 @@
 
 namespace assay::finemotion {
 
-// A face of the moving part that lies on one of the stationary part, with an area in common.
+// A face of the moving part that lies on a face of the stationary part. The two have an area in
+// common.
 struct TouchingFaces {
-  int moving = 0;  // indices into the polyhedra's faces
+  int moving = 0;  // index into the polyhedron's faces
   int stationary = 0;
 
   auto operator<=>(const TouchingFaces&) const = default;
 };
 
 // A place on the nominal trajectory where the set of touching faces changes (Dakin and Popplestone,
-// section 2 and figure 1): there collisions and jamming are likely.
+// section 2 and figure 1). Collisions and jamming are likely there.
 struct CriticalPoint {
-  double travel = 0;  // from the trajectory's start, metres
+  double travel = 0;  // metres from the trajectory's start
   Pose X_StationaryMoving = Pose::Identity();
-  std::vector<TouchingFaces> before;  // on the way to it, ascending; none at the start
-  std::vector<TouchingFaces> after;   // on the way from it; at the end, those that touch there
+  // The faces that touch on the way to it, ascending; empty at the start.
+  std::vector<TouchingFaces> before;
+  // The faces that touch on the way from it; at the end, those that touch there.
+  std::vector<TouchingFaces> after;
 };
 
-// Of the translation along `mating_vector` (stationary part's axes, metres) that ends at
-// X_StationaryEnd, in the order of travel. The polyhedra are those without clearance, so that they
-// touch while they slide. Faces nearer than `tolerance` (metres) to one plane are in it, and places
-// that are no further apart are one.
+// Returns the critical points in the order of travel. The trajectory is the translation along
+// `mating_vector` (metres, in the stationary part's axes) that ends at X_StationaryEnd. The
+// polyhedra must be those without clearance, so that they touch while they slide. Faces within
+// `tolerance` (metres) of one plane count as in it, and places within `tolerance` of each other
+// count as one.
 std::vector<CriticalPoint> CriticalPoints(const Polyhedron& moving, const Polyhedron& stationary,
                                           const Pose& X_StationaryEnd, const Vector3& mating_vector,
                                           double tolerance = 1e-6);

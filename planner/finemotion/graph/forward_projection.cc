@@ -8,22 +8,25 @@ namespace assay::finemotion {
 
 namespace {
 
-// Of a direction that is mapped to nothing, rounding leaves less than this part of its length.
+// A direction counts as mapped to 0 if less than this fraction of its length remains, which is
+// rounding.
 constexpr double kMappedToNothing = 1e-14;
 
-// The oblique projection onto the contact's C-surface along a velocity: z to `linear` z + `offset`.
+// The oblique projection onto the contact's C-surface along a velocity: it maps z to `linear` z +
+// `offset`.
 struct AlongVelocity {
   Eigen::MatrixXd linear;
   Eigen::VectorXd offset;
 };
 
 AlongVelocity OntoSurface(const PrimitiveContact& contact, const Eigen::VectorXd& velocity) {
-  const Eigen::VectorXd step = velocity / contact.row.dot(velocity);  // changes the gap by 1
+  // The step along the velocity that changes the gap by 1.
+  const Eigen::VectorXd step = velocity / contact.row.dot(velocity);
   const Eigen::Index n = velocity.size();
   return {Eigen::MatrixXd::Identity(n, n) - step * contact.row.transpose(), -contact.offset * step};
 }
 
-// Without the generators that are mapped to nothing.
+// Returns the generators' images, without those that are mapped to 0.
 Eigen::MatrixXd Images(const Eigen::MatrixXd& linear, const Eigen::MatrixXd& generators) {
   const Eigen::MatrixXd images = linear * generators;
   Eigen::MatrixXd kept(images.rows(), images.cols());
@@ -47,9 +50,9 @@ GeneralizedPoint ForwardProjection::Farthest(const Eigen::VectorXd& a) const {
   return a.dot(v) > 0 ? begin + time * v : begin;
 }
 
-// A motion from z at v0 + e is on the surface after s: the projection P along v0 leaves that point
-// where it is and forgets s v0, so that it is P z + s (linear part of P) e, with s at most that of
-// the farthest start at the slowest approach.
+// A motion from z at velocity v0 + e is on the surface after some time s. The projection P along v0
+// leaves that point where it is and removes s v0. So the point is P z + s (linear part of P) e. The
+// time s is at most that of the farthest start at the slowest approach.
 Zonotope RegionAtContact(const ForwardProjection& projection, const PrimitiveContact& contact) {
   const Zonotope& start = projection.start;
   const Zonotope& velocity = projection.velocity;

@@ -5,10 +5,10 @@
 
 namespace assay::finemotion {
 
-// Where a part can get that starts somewhere in `start` and moves, for `time` seconds at most, at
-// one velocity out of `velocity` (in generalized space; model errors do not move: their components
-// are 0): { z + s v : z in start, v in velocity, 0 <= s <= time } (Dakin and Popplestone, section 4
-// and figure 12). Convex, as the velocities are.
+// All points of generalized space that a part can reach if it starts in `start` and moves for at
+// most `time` seconds at one velocity out of `velocity`: { z + s v : z in start, v in velocity, 0
+// <= s <= time } (Dakin and Popplestone, section 4 and figure 12). The velocity components of model
+// errors are 0, since these do not move. The projection is convex, since the velocities are.
 struct ForwardProjection {
   Zonotope start;
   Zonotope velocity;
@@ -18,9 +18,10 @@ struct ForwardProjection {
   GeneralizedPoint Farthest(const Eigen::VectorXd& a) const;
 };
 
-// Holds every point at which a motion of the projection can meet the contact's C-surface
-// (tight in the start, and in the velocities to first order of their errors): R_1 of the paper,
-// section 4. `velocity` must approach the surface, whatever its error (checked).
+// Returns a zonotope that holds every point at which a motion of the projection can meet the
+// contact's C-surface (R_1 of the paper, section 4). It is tight in the start, and to first order
+// in the errors of the velocity. Every velocity in `velocity` must approach the surface, which is
+// checked.
 Zonotope RegionAtContact(const ForwardProjection& projection, const PrimitiveContact& contact);
 
 }  // namespace assay::finemotion

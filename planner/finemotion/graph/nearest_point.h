@@ -8,12 +8,12 @@
 
 namespace assay::finemotion {
 
-// The distance of a convex set from 0, where its coordinates from the kEqual-th on may also be
-// negative: the least norm in the set + { 0 } x { not negative } x ... . Found by the algorithm of
-// Wolfe (1976), with rays (the axes) beside points. It keeps few of them, the corral, of whose hull
-// it knows the point nearest to 0. The lowest point of the set in that direction either certifies
-// the distance or comes in. Of the set: Begin() is a point of it, Lowest(a) one where a . y is
-// least.
+// Computes the distance of a convex set from 0. Of the coordinates from kEqual on, only positive
+// values count. The distance is thus the least norm in the set + { 0 } x { not negative } x ... .
+// The algorithm is Wolfe's (1976), with rays (the axes) beside points. It keeps a few points and
+// rays, called the corral, and knows the point of their hull nearest to 0. The lowest point of the
+// set in the direction of that point either certifies the distance or enters the corral. A Set has
+// two functions: Begin() returns a point of it, and Lowest(a) one where a . y is least.
 template <int K, int kEqual, class Set>
 class NearestPoint {
  public:
@@ -21,10 +21,10 @@ class NearestPoint {
 
   NearestPoint(const Set& set, double tolerance) : NearestPoint(set, tolerance, set.Begin()) {}
 
-  // Its margin, greater than the tolerance; 0: they meet, unless a direction shows that they do
-  // not.
+  // Returns a lower bound of the distance, exact to a tenth of the tolerance. It returns 0 unless
+  // the set is known to be farther away than the tolerance.
   double Distance() { return Search(false); }
-  // The verdict alone is had earlier.
+  // Returns whether the distance exceeds the tolerance. It stops earlier than Distance.
   bool IsApart() { return Search(true) > 0; }
 
  private:
@@ -42,7 +42,8 @@ class NearestPoint {
     }
   }
 
-  // What counts of a point.
+  // Returns the coordinates that count for the distance, with 0 for each negative value that does
+  // not.
   static Point Outward(const Point& at) {
     Point outward = at;
     for (Eigen::Index j = kEqual; j < at.size(); ++j) outward[j] = std::max(at[j], 0.0);
@@ -52,19 +53,21 @@ class NearestPoint {
   struct Element {
     static constexpr int kPoint = 0;
     Point at;
-    double weight = 0;  // not negative; those of points sum to 1
-    int axis = kPoint;  // of a ray: its axis
-    double wanted = 0;  // weight
+    double weight = 0;  // not negative; the weights of points sum to 1
+    int axis = kPoint;  // for a ray, the index of its axis
+    double wanted = 0;  // the weight to which StepToWanted moves
 
     bool is_point() const { return axis == kPoint; }
   };
 
   static constexpr int kMostRounds = 1000;
-  static constexpr double kExactness = 0.1;    // of the tolerance
-  static constexpr double kDependent = 1e-14;  // sine of an angle
+  // Fraction of the tolerance to which the distance is exact.
+  static constexpr double kExactness = 0.1;
+  // Sine of an angle below which directions are dependent.
+  static constexpr double kDependent = 1e-14;
 
   double Search(bool verdict_only) {
-    double lower = 0;  // bound of the distance
+    double lower = 0;  // lower bound of the distance
     for (int round = 0; round < kMostRounds; ++round) {
       const Point outward = Outward(nearest_);
       const double upper = outward.norm();
@@ -85,8 +88,8 @@ class NearestPoint {
     return axis;
   }
 
-  // Takes in a point that lies nearer to 0 than the corral, and the rays that then lead nearer
-  // still. Tells whether it came nearer, which rounding can prevent.
+  // Adds a point nearer to 0 than the corral, then any rays that lead nearer still. Returns whether
+  // the distance fell, which rounding can prevent.
   bool Improve(const Point& entering) {
     const double before = nearest_.squaredNorm();
     if (!Enter({entering, 0, Element::kPoint})) return false;
@@ -99,8 +102,8 @@ class NearestPoint {
     return nearest_.squaredNorm() < before;
   }
 
-  // Wolfe's minor cycle: towards the nearest point of the corral's affine hull; if a weight falls
-  // to 0 on the way, its element leaves, and on without it.
+  // Wolfe's minor cycle. It moves towards the nearest point of the corral's affine hull. If a
+  // weight falls to 0 on the way, its element leaves, and the cycle continues without that element.
   bool Enter(const Element& entering) {
     if (std::ssize(corral_) > nearest_.size()) return false;
     corral_.push_back(entering);
@@ -111,7 +114,7 @@ class NearestPoint {
     return solved;
   }
 
-  // Tells whether the wanted weights are reached.
+  // Returns whether the wanted weights are reached.
   bool StepToWanted() {
     double step = 1;
     auto leaving = corral_.end();
@@ -128,8 +131,9 @@ class NearestPoint {
     return false;
   }
 
-  // The weights of the point nearest to 0 of the affine hull: least squares in the differences
-  // from one of the points, by Gram and Schmidt's method. False if these are dependent.
+  // Computes the weights of the affine hull's point nearest to 0, by least squares in the
+  // differences from one of the points (Gram and Schmidt's method). Returns false if these
+  // differences are dependent.
   bool FindWanted() {
     const auto base = std::ranges::find(corral_, Element::kPoint, &Element::axis);
     Point rest = -base->at;
@@ -153,8 +157,8 @@ class NearestPoint {
     return true;
   }
 
-  // difference = directions . triangle.col(count), where the last direction is new. Twice, so that
-  // it is orthogonal to the others to rounding.
+  // Writes the difference as directions . triangle.col(count), where the last direction is new. Two
+  // passes make the new direction orthogonal to the others up to rounding.
   bool Orthogonalize(Point difference, int count) {
     const double length = difference.norm();
     for (int i = 0; i < count; ++i) triangle_(i, count) = 0;
@@ -176,8 +180,8 @@ class NearestPoint {
   double tolerance_;
   Point nearest_;
   std::vector<Element> corral_;
-  // What FindWanted works with, as points: a column of a matrix would be one more of Eigen's types
-  // for each K.
+  // Work space of FindWanted, as an array of points: a column of a matrix would add one more Eigen
+  // type for each K.
   std::conditional_t<K == Eigen::Dynamic, std::vector<Point>, std::array<Point, std::max(K, 1)>>
       directions_;
   Eigen::Matrix<double, K, K> triangle_;

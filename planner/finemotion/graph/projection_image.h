@@ -9,17 +9,17 @@
 
 namespace assay::finemotion {
 
-inline constexpr int kUsualRows = 8;  // at most
+inline constexpr int kUsualRows = 8;  // the dimension is known to the compiler up to this
 
-// Where a contact's rows take a point of generalized space to: its gap and its excess over each
-// limit. There the contact is { 0 } x { not positive } x ..., in few dimensions however many errors
-// there are. Of a projection the start, the motion in the whole time, and what the errors add to
-// either: in one matrix, a column each.
+// The image of a projection under a contact's rows, which take a point of generalized space to its
+// gap and its excess over each limit. In the image the contact is { 0 } x { not positive } x ...,
+// in few dimensions however many errors there are. One matrix holds, a column each, the start, the
+// motion in the whole time, and the change that each error makes to either.
 class ProjectionImage {
  public:
   ProjectionImage(const ForwardProjection& projection, const PrimitiveContact& contact);
 
-  // To be filled in: without errors of the start, without a motion.
+  // Makes an image without any motion or errors, to be filled in.
   ProjectionImage(Eigen::Index rows, Eigen::Index start_errors, Eigen::Index motion_errors)
       : columns_(Eigen::MatrixXd::Zero(rows, kErrors + start_errors + motion_errors)),
         start_errors_(start_errors),
@@ -36,7 +36,7 @@ class ProjectionImage {
   Eigen::Index errors() const { return start_errors_ + motion_errors_; }
   bool moves() const;
 
-  // Leaves out the errors that move nothing here: those of other faces.
+  // Leaves out the errors that change nothing in the image, which are those of other faces.
   void ForgetZeros();
 
  private:
@@ -45,7 +45,8 @@ class ProjectionImage {
 
   static constexpr Eigen::Index kStart = 0;
   static constexpr Eigen::Index kMotion = 1;
-  static constexpr Eigen::Index kErrors = 2;  // those of the start, then those of the motion
+  // First column of the errors: those of the start, then those of the motion.
+  static constexpr Eigen::Index kErrors = 2;
 
   const double* Column(Eigen::Index i) const { return columns_.data() + i * rows(); }
 
@@ -54,8 +55,8 @@ class ProjectionImage {
   Eigen::Index motion_errors_;
 };
 
-// The image as points of K dimensions, which the compiler knows, for what is done with it very
-// often. Whatever else is done with points is compiled for each K: as little as can be.
+// The image as points of K dimensions, which the compiler knows. It serves the innermost loops.
+// Code that uses the points is compiled for each K, so it should be short.
 template <int K>
 class ImagePoints {
  public:
@@ -71,18 +72,19 @@ class ImagePoints {
   bool moves() const { return image_.moves(); }
   Eigen::Index start_errors() const { return image_.start_errors_; }
   Eigen::Index errors() const { return image_.errors(); }
-  // The start's errors come first, then the motion's.
+  // Returns the change that error i makes. Errors of the start come first, then those of the
+  // motion.
   Eigen::Map<const Point> Error(Eigen::Index i) const {
     return PointAt(ProjectionImage::kErrors + i);
   }
 
-  // A point of it: along the mean motion as near to gap 0 as it comes.
+  // Returns a point of the image: along the mean motion, the one nearest to gap 0.
   Point Begin() const {
     if (motion_[0] == 0) return start_;
     return start_ + std::clamp(-start_[0] / motion_[0], 0.0, 1.0) * motion_;
   }
 
-  // The point where a . y is least.
+  // Returns the point where a . y is least.
   Point Lowest(const Point& a) const {
     Point lowest = start_;
     AddLowest(a, 0, start_errors(), lowest);
@@ -109,12 +111,12 @@ class ImagePoints {
   Point motion_;
 };
 
-// The exact test and the paper's (meeting.h).
+// The exact test and the paper's edge test (meeting.h).
 bool Meets(const ProjectionImage& image, double tolerance);
 bool EdgeMeets(const ProjectionImage& image);
 
-// Calls `use` with the image's points, whose dimension the compiler knows for up to kUsualRows rows
-// (more where a face is narrow).
+// Calls `use` with the image's points. The compiler knows their dimension for up to kUsualRows
+// rows. Images have more rows only where a face is narrow.
 template <int K = 1, class Use>
 auto WithPoints(const ProjectionImage& image, const Use& use) {
   if constexpr (K > kUsualRows) {

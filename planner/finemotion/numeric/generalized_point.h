@@ -4,9 +4,10 @@
 
 namespace assay::finemotion {
 
-// A point of generalized contact space: displacement d of the moving part (3, metres), small
-// rotation w about its origin (3, radians; both in the stationary part's axes), then one dimension
-// for each tolerance (metres) (Dakin and Popplestone, section 3). 0: as planned, without errors.
+// A point of generalized configuration space (Dakin and Popplestone, section 3). Its coordinates
+// are the displacement d of the moving part (3, metres), a small rotation w about its origin (3,
+// radians), and one coordinate for each model tolerance (metres). d and w are in the stationary
+// part's axes. The point 0 is the planned pose without errors.
 using GeneralizedPoint = Eigen::VectorXd;
 inline constexpr int kPoseDimensions = 6;
 

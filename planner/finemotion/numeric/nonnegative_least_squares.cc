@@ -27,7 +27,8 @@ class Solver {
       if (entering < 0) return x_;
       is_free_[static_cast<std::size_t>(entering)] = true;
       StepUntilFeasible();
-      // Rounding lets a column come in and go at once, for ever: it brings nothing.
+      // Rounding can let a column enter and leave at once, which would repeat for ever without any
+      // gain.
       if (!is_free_[static_cast<std::size_t>(entering)]) return x_;
     }
     return x_;

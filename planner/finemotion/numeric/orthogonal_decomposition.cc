@@ -30,7 +30,7 @@ IndependentColumns IndependentColumnsOf(const Eigen::MatrixXd& a, double thresho
   qr.compute(a);
   const Eigen::Index rank = qr.rank();
   const Eigen::MatrixXd q = qr.householderQ();
-  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(rank, rank);  // that of R, transposed
+  Eigen::MatrixXd lower = Eigen::MatrixXd::Zero(rank, rank);  // the transpose of R
   IndependentColumns independent;
   for (Eigen::Index i = 0; i < rank; ++i) {
     independent.columns.push_back(qr.colsPermutation().indices()[i]);

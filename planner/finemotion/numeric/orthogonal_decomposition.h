@@ -8,33 +8,36 @@
 
 namespace assay::finemotion {
 
-// What Eigen decomposes matrices for. It takes the compiler seconds for each type of matrix, so
-// that there is mostly one, and it is compiled here alone. (Exact replays solve small problems all
-// the time: they have one of their own, which allocates nothing.)
+// Eigen's matrix decompositions behind plain functions. Each type of matrix costs the compiler
+// seconds, so most functions use one type, and it is compiled in this file alone. Exact replays
+// solve many small problems; they have a decomposition of their own that allocates nothing.
 
-// The shortest of all x for which |a x - b| is least, for each column of b. Pivots that are not
-// above `threshold` times the greatest are taken for 0; none: by rounding.
+// Returns, for each column of b, the shortest x for which |a x - b| is least. Pivots of at most
+// `threshold` times the greatest one count as 0. Without a threshold, rounding decides which pivots
+// are 0.
 Eigen::MatrixXd ShortestLeastSquares(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b,
                                      std::optional<double> threshold = {});
 
-// An x for which |a x - b| is least: the one that is 0 where a's columns depend on others.
+// Returns an x for which |a x - b| is least. It is 0 for those columns of a that depend on others.
 Eigen::VectorXd LeastSquaresOfFewest(const Eigen::MatrixXd& a, const Eigen::VectorXd& b);
 
-// Orthonormal columns, orthogonal to the independent ones of `basis`, as many as there can be.
+// Returns as many orthonormal columns as there can be that are orthogonal to the columns of
+// `basis`.
 Eigen::MatrixXd OrthogonalComplement(const Eigen::MatrixXd& basis);
 
-// Columns that are independent, as many as the rank: pivots that are not above `threshold` times
-// the greatest are taken for 0.
+// Columns of a matrix that are independent, as many as its rank. Pivots of at most `threshold`
+// times the greatest one count as 0.
 struct IndependentColumns {
-  std::vector<int> columns;    // the greatest pivot's first
-  Eigen::MatrixXd dual;        // in their span: 1 along the one, 0 along the others, for each
-  Eigen::MatrixXd complement;  // orthonormal, orthogonal to all
+  std::vector<int> columns;  // indices into the matrix, the greatest pivot first
+  Eigen::MatrixXd
+      dual;  // column i is in their span; its product with column i is 1, with the others 0
+  Eigen::MatrixXd complement;  // orthonormal columns, orthogonal to all of them
 };
 IndependentColumns IndependentColumnsOf(const Eigen::MatrixXd& a, double threshold);
 
 Eigen::MatrixXd InverseOfLowerTriangular(const Eigen::MatrixXd& a);
 
-// Ascending.
+// Returns the eigenvalues in ascending order.
 Eigen::Matrix<double, kPoseDimensions, 1> EigenvaluesOfSymmetric(
     const Eigen::Matrix<double, kPoseDimensions, kPoseDimensions>& a);
 

@@ -6,8 +6,8 @@
 
 namespace assay::finemotion {
 
-// A vector of any size for Eigen, that is allocated only if it is longer than a pose and a few
-// tolerances: there are many of these, and they live shortly.
+// A vector of any size for Eigen. It allocates memory only if it is longer than a pose and a few
+// tolerances. Searches make many of these vectors, and each lives for a short time.
 class SmallVector : public Eigen::Map<Eigen::VectorXd> {
  public:
   SmallVector() : Map(nullptr, 0) {}
@@ -41,7 +41,7 @@ class SmallVector : public Eigen::Map<Eigen::VectorXd> {
     return *this;
   }
 
-  // Forgets what it was, if the size changes.
+  // Changes the size. The content is lost if the size differs.
   void resize(Eigen::Index size) {
     if (size == this->size()) return;
     large_ = size > kSmall ? std::make_unique<double[]>(static_cast<std::size_t>(size)) : nullptr;

@@ -6,21 +6,23 @@
 
 namespace assay::finemotion {
 
-// A region of uncertainty: center + sum of g_i generators.col(i), -1 <= g_i <= 1. A box, its linear
-// images and sums of those are such sets; their size grows with the number of errors, where that of
-// their corners is exponential in it (Dakin and Popplestone, section 5).
+// A region of uncertainty: the points center + sum of g_i generators.col(i) with -1 <= g_i <= 1. A
+// box is a zonotope, and so are its linear images and their sums. The size of a zonotope grows
+// linearly with the number of errors, while the number of its corners grows exponentially (Dakin
+// and Popplestone, section 5).
 struct Zonotope {
   GeneralizedPoint center;
-  Eigen::MatrixXd generators;  // a column each
+  Eigen::MatrixXd generators;  // one column for each error
 
   static Zonotope Box(const Eigen::VectorXd& low, const Eigen::VectorXd& high);
 
-  double Support(const Eigen::VectorXd& a) const;             // the greatest a . z
-  GeneralizedPoint Farthest(const Eigen::VectorXd& a) const;  // a point where a . z is greatest
+  double Support(const Eigen::VectorXd& a) const;  // returns the greatest value of a . z
+  // Returns a point where a . z is greatest.
+  GeneralizedPoint Farthest(const Eigen::VectorXd& a) const;
 };
 
 Zonotope Mapped(const Eigen::MatrixXd& linear, const Eigen::VectorXd& offset, const Zonotope& of);
 Zonotope Sum(const Zonotope& a, const Zonotope& b);
-Zonotope Scaled(const Zonotope& region, double factor);  // about its center
+Zonotope Scaled(const Zonotope& region, double factor);  // scales the region about its center
 
 }  // namespace assay::finemotion

@@ -12,13 +12,13 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr int kSteps = 24;          // of a motion
-constexpr int kClosings = 3;        // Newton steps; contacts are nearly closed before
-constexpr double kTouching = 1e-7;  // metres
-constexpr double kBeside = 1e-6;    // metres; in a concave corner edges touch at their ends
-constexpr double kNudge = 1e-7;     // metres, of numerical derivatives
-constexpr double kLonger = 1.05;    // than the longest way, contacts are waited for
-constexpr double kMargin = 1e-3;    // metres, beyond what a motion can reach
+constexpr int kSteps = 24;          // steps of one motion
+constexpr int kClosings = 3;        // number of Newton steps, which begin near the solution
+constexpr double kTouching = 1e-7;  // metres; smaller gaps touch
+constexpr double kBeside = 1e-6;    // metres; edges in a concave corner touch at their ends
+constexpr double kNudge = 1e-7;     // metres, for numerical derivatives
+constexpr double kLonger = 1.05;    // contacts are awaited for the longest way times this factor
+constexpr double kMargin = 1e-3;    // metres beyond what a motion can reach
 
 std::size_t At(int index) { return static_cast<std::size_t>(index); }
 
@@ -37,7 +37,8 @@ double GapOf(const Passage& passage, const ContactKey& key, const Pose& X) {
       const OuterEdge& a = passage.moving.edges[At(key.moving)];
       const OuterEdge& b = passage.stationary.edges[At(key.stationary)];
       const Vector3 n = (X.linear() * (a.end - a.start)).cross(b.end - b.start);
-      return n.dot(X * a.start - b.start) / n.norm();  // of either sign outside
+      // The sign is arbitrary where the parts do not overlap.
+      return n.dot(X * a.start - b.start) / n.norm();
     }
   }
   ASSAY_CHECK(false, "no such kind of contact");
@@ -53,7 +54,8 @@ bool IsInside(const OuterFace& face, const Vector3& p, double beside) {
   });
 }
 
-// Where their gap is 0, the features have a point in common, or nearly.
+// Returns whether the features have a point in common, to within `beside` metres, where their gap
+// is 0.
 bool Overlap(const Passage& passage, const ContactKey& key, const Pose& X, double beside) {
   switch (key.kind) {
     case ContactKind::kVertexFace:
@@ -105,7 +107,7 @@ std::vector<Extent> ExtentsOf(const Features& features, const Pose& X) {
   return extents;
 }
 
-// As great as they may be, their signs drawn.
+// Returns the command with velocity errors of the greatest size and random signs.
 Command WithVelocityErrors(Command command, const ExactReplay& replay, RandomStream& random) {
   const double turn = command.displacement.tail<3>().norm();
   const double move = command.displacement.head<3>().norm() + replay.radius * turn;
@@ -118,7 +120,7 @@ Command WithVelocityErrors(Command command, const ExactReplay& replay, RandomStr
 
 }  // namespace
 
-// A contact that may come, and its gap where the part is.
+// A contact that may come, and its gap at the part's pose.
 struct ExactPart::Watched {
   ContactKey key;
   double gap = 0;
@@ -130,7 +132,8 @@ ExactPart::ExactPart(const Passage& passage, const Pose& X_StationaryMoving, dou
     size_ = std::max(size_, vertex.p.norm());
 }
 
-// All pairs that are near and do not touch at first: what is let go only leaves.
+// Returns all pairs of features that are near and do not touch. Pairs that touch at first and are
+// let go can only part.
 std::vector<ExactPart::Watched> ExactPart::Apart(double travel) const {
   std::vector<Watched> apart;
   const auto watch = [&](ContactKind kind, const auto& moving, const auto& stationary) {

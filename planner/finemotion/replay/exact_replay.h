@@ -10,20 +10,21 @@
 
 namespace assay::finemotion {
 
-// A part that moves in exact geometry, features taken by their points and planes and nothing made
-// linear. It goes on in small steps, after each of which kept contacts are closed by the least
-// motion. Tolerances of the model are left out: their rows tell how planes and ends of edges are
-// displaced, but not what then becomes of the outlines that points of a face are to be within.
+// A part that moves in exact geometry: features are taken by their points and planes, and nothing
+// is linearized. It moves in small steps, and after each step the least motion closes the kept
+// contacts. Tolerances of the model are left out: their rows say how planes and ends of edges are
+// displaced, but not how the outlines change that bound the points of a face.
 class ExactPart {
  public:
   ExactPart(const Passage& passage, const Pose& X_StationaryMoving, double radius);
 
   const Pose& X() const { return X_; }
 
-  // What is made first on the way to `most` displacements, kept contacts aside; none: nothing. The
-  // part is turned about `believed`, where the tip is believed to be, metres.
+  // Moves the part by up to `most` displacements and returns the first contact made, kept contacts
+  // aside, or none. The part is turned about `believed`, the believed position of the tip in
+  // metres.
   std::optional<ContactKey> Move(const Command& command, double most, Vector3 believed);
-  // At most so far beside its features, metres.
+  // Returns whether the contact's point is at most `beside` metres beside its features.
   bool Touches(const ContactKey& key, double beside) const;
 
  private:
@@ -36,44 +37,45 @@ class ExactPart {
   const Passage& passage_;
   Pose X_;
   double radius_;
-  double size_ = 0;  // metres, of the farthest corner
+  double size_ = 0;  // metres from the origin to the farthest corner
 };
 
-// A strategy's motions and what they are to be replayed with. The slide in the crevice is none of
-// them: walls lead it.
+// A strategy's motions, and the settings of their replay. The slide in the crevice is left out,
+// since walls lead it.
 struct ExactReplay {
   const Passage& passage;
   Pose X_StationaryStart = Pose::Identity();
   std::span<const CertainMotion> motions;
-  double radius = 0.02;         // metres; what a radian comes to
-  double velocity_error = 0.0;  // as SegmentModel; its signs are drawn
+  double radius = 0.02;         // metres; a rotation times this radius counts as a length
+  double velocity_error = 0.0;  // as in SegmentModel; its signs are drawn
 };
 
-// Where a replay goes otherwise than planned: another contact comes than the planned one, or none,
-// or a kept one is off its features.
+// A place where a replay deviates from the plan: a contact other than planned is made, the planned
+// one is not made, or a kept one is off its features.
 struct Deviation {
-  PoseChange error = PoseChange::Zero();  // the start's
-  std::size_t motion = 0;                 // index
-  Unwanted unwanted = {};                 // what is first; its scale tells nothing
+  PoseChange error = PoseChange::Zero();  // the error of the start
+  std::size_t motion = 0;                 // index of the motion that deviates
+  Unwanted unwanted = {};                 // the first that happens; its scale has no meaning
 };
 
-// The first where the start is displaced by `error`; none: all goes as planned.
+// Replays with the start displaced by `error`. Returns the first deviation, or none if all goes as
+// planned.
 std::optional<Deviation> DeviationOf(const ExactReplay& replay, const PoseChange& error,
                                      RandomStream& random);
 
-// What came of replays with many errors.
+// The result of replays with many errors.
 struct ExactReplays {
   int tried = 0;
-  std::optional<Deviation> deviation = {};  // of the first error that has one
+  std::optional<Deviation> deviation = {};  // the deviation of the first error that has one
 };
 
-// With the trial errors of a box with these half widths (below), until one goes otherwise. The same
-// seed draws the same errors, in shares of the half widths.
+// Replays with the errors of TrialErrors until one deviates. Equal seeds draw equal errors, as
+// fractions of the half widths.
 ExactReplays ReplayWithErrors(const ExactReplay& replay, const PoseChange& half_widths, int drawn,
                               std::uint64_t seed);
 
-// Errors at the corners, in the middle and in the middles of the faces of a box with these half
-// widths; then so many drawn from all of it, and as many from its surface.
+// Returns errors of the box with these half widths: its middle, its corners, the middles of its
+// faces, then `drawn` errors from the whole box and as many from its surface.
 std::vector<PoseChange> TrialErrors(const PoseChange& half_widths, int drawn, RandomStream& random);
 
 }  // namespace assay::finemotion

@@ -12,11 +12,11 @@
 namespace assay::finemotion {
 namespace {
 
-constexpr double kSameWrench = 1e-7;  // sine of the angle between wrenches that are one
+constexpr double kSameWrench = 1e-7;  // sine of the angle below which two wrenches are equal
 
 using Rays = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;
 
-// `Contact`: with a normal, and where it is.
+// `Contact` has a normal and the place `at` where it is.
 template <class Contact>
 Wrench OfForce(const Contact& contact, const Vector3& force) {
   Wrench wrench;
@@ -29,10 +29,10 @@ Rays Compared(Rays rays, double length) {
   return rays.colwise().normalized();
 }
 
-// Of a mean of the unit columns of `a` from the nonnegative combinations of those of `b`. With
-// means scaled by t, least |a x - b y|^2 + (sum x - 1)^2 is that of t^2 d^2 + (t - 1)^2, which is
-// d^2 / (1 + d^2): it grows with the distance d, so the least of the one belongs to the least of
-// the other.
+// Returns the distance of a mean of the unit columns of `a` from the nonnegative combinations of
+// the columns of `b`. If means are scaled by t, the least of |a x - b y|^2 + (sum x - 1)^2 is the
+// least of t^2 d^2 + (t - 1)^2, which is d^2 / (1 + d^2). It grows with the distance d, so both are
+// least for the same means.
 double DistanceOfMeans(const Rays& a, const Rays& b) {
   Eigen::MatrixXd columns(kPoseDimensions + 1, a.cols() + b.cols());
   columns << a, -b, Eigen::RowVectorXd::Ones(a.cols()), Eigen::RowVectorXd::Zero(b.cols());
@@ -53,7 +53,7 @@ ForceSignature Signature(const std::vector<Contact>& contacts, double friction, 
     }
     const Vector3 x = contact.normal.unitOrthogonal();
     const Vector3 y = contact.normal.cross(x);
-    // The pyramid's sides touch the cone, its edges are outside of it.
+    // The sides of the pyramid touch the cone, and its edges are outside of it.
     const double slope = friction / std::cos(std::numbers::pi / sides);
     for (int side = 0; side < sides; ++side) {
       const double angle = 2 * std::numbers::pi * side / sides;

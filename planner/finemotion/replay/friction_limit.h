@@ -6,17 +6,19 @@
 
 namespace assay::finemotion {
 
-inline constexpr double kGreatestFriction = 4;  // coefficient of friction that is worth asking for
+inline constexpr double kGreatestFriction = 4;  // greatest coefficient of friction that is tried
 
-// Whether friction in the contacts that a motion keeps can hold the part however hard it is pushed
-// along the displacement (shift and turn of the part, in a straight motion). Hybrid control keeps
-// constant what each of them presses with, as far as wrenches tell them apart; so it can where the
-// friction cones have a wrench against the motion in which none of them seems to press: they press
-// against each other's friction (Whitney 1982 for a peg between two walls).
+// Returns whether friction in the kept contacts can hold the part however hard it is pushed along
+// the displacement (shift and turn of the part, in a straight motion). Hybrid control keeps the
+// force of each kept contact constant, as far as wrenches tell the contacts apart. The part can
+// therefore be held where the friction cones have a wrench against the motion in which none of the
+// contacts seems to press: the contacts press against each other's friction (Whitney 1982 for a peg
+// between two walls).
 bool CanHold(const std::vector<PrimitiveContact>& kept,
              const Eigen::Matrix<double, kPoseDimensions, 1>& displacement, double friction);
 
-// The least friction with which they can, to 1 %; kGreatestFriction if they cannot with that.
+// Returns the least coefficient of friction with which the contacts can hold the part, to 1 %, or
+// kGreatestFriction if they cannot even with that.
 double FrictionLimit(const std::vector<PrimitiveContact>& kept,
                      const Eigen::Matrix<double, kPoseDimensions, 1>& displacement);
 

@@ -7,11 +7,11 @@ namespace assay::finemotion {
 
 namespace {
 
-// Steps of starts, in how far they are drawn.
+// The sizes of steps of the start, as fractions of how far starts are drawn.
 constexpr double kFirstStep = 0.3;
 constexpr double kLeastStep = 0.02;
 
-// What is wrong with errors as they are.
+// Returns the first unwanted contact that happens with the errors as they are.
 std::optional<Unwanted> FirstOf(const SegmentCheck& check) {
   if (check.unwanted.empty() || check.unwanted.front().scale > 1) return std::nullopt;
   return check.unwanted.front();

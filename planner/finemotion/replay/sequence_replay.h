@@ -7,30 +7,32 @@
 
 namespace assay::finemotion {
 
-// A step in which it is looked how great errors may be, as a factor.
+// The factor between successive multiples of the errors in a search for the greatest one.
 inline constexpr double kGrowth = 1.06;
 
 struct ReplayedSequence {
   bool certain = false;
-  std::vector<CertainMotion> motions = {};  // the last one is that which is not
-  // If it is not certain: the first that is found, if it is for a contact.
+  // If it is not certain, the last motion is the one that is not.
+  std::vector<CertainMotion> motions = {};
+  // The first unwanted contact found, if a contact is the reason why the sequence is not certain.
   std::optional<Unwanted> unwanted = {};
 };
 
-// A sequence of maneuvers from other starts, and with larger errors, than it was found with.
+// Replays a sequence of maneuvers from other starts, and with larger errors, than it was found
+// with.
 class SequenceReplay {
  public:
-  // The problem's multiple does not count.
+  // The problem's own multiple is ignored.
   SequenceReplay(const SequenceProblem& problem, Starts& starts)
       : problem_(problem), starts_(starts) {}
 
   ReplayedSequence Replay(const Sequence& sequence, double multiple, Margins margins);
 
-  // Moves the start at random, less and less, and keeps it where more is absorbed than `absorbed`.
-  // The multiple of the errors that is absorbed at last.
+  // Moves the start at random in smaller and smaller steps, and keeps a start that absorbs more
+  // than `absorbed`. Returns the multiple of the errors that is absorbed in the end.
   double Widen(Sequence& sequence, double absorbed);
 
-  int replayed() const { return replayed_; }  // so far
+  int replayed() const { return replayed_; }  // number of replays so far
   const TestComparison& comparison() const { return comparison_; }
 
  private:

@@ -13,23 +13,23 @@ namespace assay::finemotion {
 
 namespace {
 
-// Numbers of a file are computed again.
-constexpr double kRounding = 0.999;  // of errors
-constexpr double kPlace = kLost;     // metres, of gaps and poses
-constexpr double kDirection = 1e-3;  // radians
+// Numbers in the file are rounded, so results that are computed again may differ by these amounts.
+constexpr double kRounding = 0.999;  // factor by which the errors are reduced
+constexpr double kPlace = kLost;     // metres by which gaps and poses may differ
+constexpr double kDirection = 1e-3;  // radians by which directions may differ
 constexpr double kGreatestTurn = 1.5 * kLinearTurn;
-constexpr double kNoTurn = 1e-9;   // radians: rounding
-constexpr double kFarther = 1e-3;  // of a motion's length
+constexpr double kNoTurn = 1e-9;   // radians; less is rounding
+constexpr double kFarther = 1e-3;  // fraction of a motion's length by which lengths may differ
 
 bool AreSame(const Pose& a, const Pose& b) {
   const PoseChange z = Between(a, b);
   return z.head<3>().norm() <= kPlace && z.tail<3>().norm() <= kDirection;
 }
 
-// What plans call a motion: people count from 1.
+// Returns the motion's name in plans, which count from 1.
 std::string Motion(std::size_t index) { return fmt::format("motion {}", index + 1); }
 
-// Replays a strategy, with errors that are so many times as great.
+// Replays a strategy with a multiple of the errors.
 class StrategyReplay {
  public:
   StrategyReplay(const MatingGeometry& geometry, const FineMotionErrors& errors,
@@ -52,7 +52,7 @@ class StrategyReplay {
   }
 
  private:
-  // --- What can be seen without moving.
+  // --- Checks without motions.
 
   void CheckFrames() {
     if (!AreSame(strategy_.X_HeldTip, geometry_.X_HeldTip))
@@ -61,7 +61,8 @@ class StrategyReplay {
       Add("{}: it does not lead to the seat", Motion(strategy_.motions.size() - 1));
   }
 
-  // The last motion, and it alone; it touches what it comes to.
+  // Checks that the last motion slides in, that no other motion does, and that it names no
+  // contacts.
   void CheckSlides() {
     for (std::size_t i = 0; i < strategy_.motions.size(); ++i) {
       const plan::StrategyMotion& motion = strategy_.motions[i];
@@ -104,7 +105,8 @@ class StrategyReplay {
       Add("{}: where it starts, the way in is not surely free{}", Motion(slide), Errors());
   }
 
-  // As they stand in the file; contacts come the later, the greater the errors are.
+  // Remembers a motion with the pose that the file has. A contact comes later with greater errors,
+  // so the longest way is kept.
   void Remember(std::size_t index, const CertainMotion& replayed) {
     if (index == motions_.size()) motions_.push_back(replayed);
     CertainMotion& motion = motions_[index];
@@ -134,7 +136,7 @@ class StrategyReplay {
     return {.friction = strategy.friction, .radius = strategy.length};
   }
 
-  // None: it is none that could be checked.
+  // Returns the motion's command, or none if the motion cannot be checked.
   std::optional<Command> CommandOf(std::size_t index, const Belief& belief) {
     const plan::StrategyMotion& motion = strategy_.motions[index];
     Command command{Between(belief.X_StationaryMoving, motion.X_FixedTip), {}, {}};
@@ -153,7 +155,7 @@ class StrategyReplay {
     return std::nullopt;
   }
 
-  // Why a motion is not certain.
+  // Adds the reason why a motion is not certain.
   void Refuse(std::size_t index, const CertainMotion& replayed) {
     if (replayed.can_be_held)
       return Add("{}: friction of {:.4g} can hold it", Motion(index), strategy_.friction);
@@ -173,7 +175,7 @@ class StrategyReplay {
     Add("{}: it cannot keep its contacts{}", Motion(index), Errors());
   }
 
-  // --- What the file says of a motion that is certain.
+  // --- Comparison of a certain motion with the file.
 
   void CompareLength(std::size_t index, const CertainMotion& replayed) {
     const plan::StrategyMotion& motion = strategy_.motions[index];
@@ -209,7 +211,7 @@ class StrategyReplay {
     if ((found->normal - claimed.normal).norm() > kDirection)
       Add("{}: the normal of {} is not ({:.4g}, {:.4g}, {:.4g})", Motion(index), claimed.name,
           claimed.normal.x(), claimed.normal.y(), claimed.normal.z());
-    // Where parallel edges are nearest is a matter of rounding.
+    // The place where parallel edges are nearest depends on rounding.
     const Vector3 beside = found->at - claimed.at;
     const bool is_anywhere = found->limits.empty();
     const double distance = is_anywhere ? std::abs(found->normal.dot(beside)) : beside.norm();
@@ -218,7 +220,8 @@ class StrategyReplay {
           1e3 * distance);
   }
 
-  // Of a face in several regions the least scale is told, and is the first.
+  // Compares the scale of an unwanted contact. For a face in several regions the file has the least
+  // scale, which is the first.
   void CompareScale(std::size_t index, const Unwanted& unwanted) {
     const std::vector<plan::UnwantedContact>& told = strategy_.motions[index].unwanted;
     const auto claimed = std::ranges::find_if(
@@ -242,7 +245,7 @@ class StrategyReplay {
 
   const ContactKey& KeyAt(int contact) const { return keys_[static_cast<std::size_t>(contact)]; }
 
-  // What a flaw is found with.
+  // Returns the multiple of the errors with which a flaw is found, as text.
   std::string Errors() const {
     return multiple_ == 1 ? ""
                           : fmt::format(" with {:.4g} times the errors, which it is said to absorb",
@@ -258,8 +261,8 @@ class StrategyReplay {
   const FineMotionErrors errors_;
   const plan::Strategy& strategy_;
   const MotionChecker checker_;
-  const Maneuvering maneuvering_;  // where it ends: at the last critical point
-  std::vector<ContactKey> keys_;   // of the strategy's contacts
+  const Maneuvering maneuvering_;  // maneuvers at the last critical point, where the strategy ends
+  std::vector<ContactKey> keys_;   // keys of the strategy's contacts
   std::vector<CertainMotion> motions_;
   double multiple_ = 1;
   std::vector<std::string> flaws_;

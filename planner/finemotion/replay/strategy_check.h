@@ -7,22 +7,22 @@
 
 namespace assay::finemotion {
 
-// What in a strategy does not hold up, found out by doing it anew: from the parts and the strategy
-// with its certificate alone. The flaws name motion and
-// contact. Found are
+// Returns the flaws of a strategy, found by replaying it from the parts and the strategy with its
+// certificate alone. Each flaw names its motion and contact. The check finds:
 //
-// - a tip, or a seat, that is not the mating's, and contacts that the parts have not;
+// - a tip or a seat that is not the mating's, and contacts that the parts do not have;
 // - a start that is not surely reached, motions that are not certain, and an end from which the way
-//   in is not free: with the errors, and with as many times the errors as it is said to absorb;
-// - contacts that are said to be elsewhere, to press otherwise or to be wider open than they are
-//   where their motion leads, and motions that end before their contact surely comes;
-// - contacts that happen with smaller errors than is said, or of which nothing is said;
-// - motions that go otherwise in exact geometry with one of the errors that the search replays with
-//   (exact_replay.h: without tolerances), as many times as great as the strategy is said to absorb.
+//   in is not free, with the errors of the certificate and with the multiple of these errors that
+//   the strategy claims to absorb;
+// - contacts that, where their motion leads, are elsewhere, press otherwise or are less open than
+//   claimed, and motions that end before their contact surely comes;
+// - contacts that happen with smaller errors than claimed, or that the strategy does not mention;
+// - motions that deviate in exact geometry with one of the errors that the search replays with
+//   (exact_replay.h: without tolerances), multiplied by what the strategy claims to absorb.
 //
-// Where a motion is not certain, nothing is told of those after it. Errors are taken a thousandth
-// smaller than they are, so that rounded numbers make no flaw. Requires a strategy of which
-// plan::FlawsOfForm finds nothing.
+// After a motion that is not certain, later motions are not checked. Errors are reduced by a
+// thousandth, so that rounded numbers are no flaws. plan::FlawsOfForm must find nothing in the
+// strategy.
 std::vector<std::string> FlawsOfStrategy(const MatingGeometry& geometry,
                                          const plan::Strategy& strategy);
 

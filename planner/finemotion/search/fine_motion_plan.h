@@ -11,61 +11,69 @@
 
 namespace assay::finemotion {
 
-// Half widths of what is not known.
+// Half widths of the intervals that hold the unknown errors.
 struct FineMotionErrors {
-  Eigen::Matrix<double, kPoseDimensions, 1> pose;     // where the tip is at first: metres, radians
-  double velocity = domain::MatingErrors().velocity;  // as SegmentModel
-  Eigen::VectorXd tolerances = {};                    // of the passage's, metres
+  // Of the tip's pose at the start: metres, radians.
+  Eigen::Matrix<double, kPoseDimensions, 1> pose;
+  double velocity = domain::MatingErrors().velocity;  // velocity error as in SegmentModel
+  Eigen::VectorXd tolerances = {};  // half widths of the passage's tolerances, metres
 };
 
-// Of poses and tolerances; velocities stay.
+// Returns the errors with those of poses and tolerances multiplied by `multiple`. Those of
+// velocities stay.
 FineMotionErrors Enlarged(const FineMotionErrors& errors, double multiple);
 
 struct StrategyOptions {
-  // Weights of the three costs (Dakin and Popplestone, sections 2 and 4): of a motion, of how
-  // likely another contact is, and of how alike its forces are.
+  // Weights of the three costs (Dakin and Popplestone, sections 2 and 4): the cost of a motion, the
+  // likelihood of another contact than planned, and the likeness of the forces of the two.
   double transitions = 1;
   double deviation = 1;
   double confusion = 0.5;
-  double friction = 0.2;  // of the parts, at most
-  double reach = 0.012;   // metres that are looked ahead for contacts to come to
-  double radius = 0.02;   // metres; what a radian comes to
-  double tilt = 0.2;      // radians, that starts may be tilted by
-  double twist = 0.08;    // radians, about the way in
-  double offset = 0.006;  // metres, that they may be beside the entry
-  int rounds = 4;         // searches from other starts, until all errors are absorbed
-  int starts = 100;       // that are drawn for a search
-  int tries = 400;        // at moving a start
-  double greatest = 1.5;  // multiple of the errors that is worth being absorbed
-  int nodes = 200;        // that a search may expand for each critical point
-  // Likewise, where none of them finds anything: to know whether there is anything to be found. 0:
-  // neither that is asked nor what is in the way.
+  double friction = 0.2;  // the greatest coefficient of friction between the parts
+  double reach = 0.012;   // metres within which contacts to move to are searched for
+  double radius = 0.02;   // metres; a rotation times this radius counts as a length
+  double tilt = 0.2;      // radians by which starts may be tilted
+  double twist = 0.08;    // radians by which starts may be turned about the way in
+  double offset = 0.006;  // metres by which starts may be beside the entry
+  int rounds = 4;         // number of searches from other starts, until all errors are absorbed
+  int starts = 100;       // number of starts that are drawn for one search
+  int tries = 400;        // number of attempts at moving a start
+  double greatest = 1.5;  // starts are moved until this multiple of the errors is absorbed
+  int nodes = 200;        // number of nodes that one search may expand for each critical point
+  // Nodes that a thorough search may expand for each critical point. It is made when no other
+  // search finds a strategy, to learn whether there is one. With 0 neither it nor the search for an
+  // obstacle is made.
   int thorough_nodes = 3000;
-  int drawn = 32;  // errors that a plan is replayed with, from the box and from its surface
+  // Errors drawn for exact replays: as many from the whole box, as many from its surface.
+  int drawn = 32;
   MeetingTest test = MeetingTest::kExact;
   std::uint64_t seed = 1;
 };
 
 struct FineMotionPlan {
-  // Found: with all the errors. None: the search has looked through all that it can think of, from
-  // the starts that it has drawn. Budget: there was more, or it was not asked to.
+  // kFound: the plan absorbs all the errors. kNone: the search has examined all sequences that it
+  // considers, from the starts that it has drawn, and found none. kBudget: there were more
+  // sequences, or a thorough search was not wanted.
   Outcome outcome = Outcome::kBudget;
-  Pose X_StationaryStart = Pose::Identity();  // of the tip, in free space
+  Pose X_StationaryStart = Pose::Identity();  // the tip's pose at the start, in free space
   std::vector<Maneuver> maneuvers = {};
   std::vector<CertainMotion> motions = {};
-  // The greatest multiple of the errors for which all motions are certain to first order, as far as
-  // was looked, and with which no replay in exact geometry went otherwise.
+  // The greatest multiple of the errors for which all motions are certain to first order and no
+  // replay in exact geometry deviated, as far as the search has looked.
   double absorbed = 0;
-  int exact_replays = 0;  // of errors within that, if it is found
-  // No motion can be held by less friction in what it keeps.
+  // Number of errors of that multiple that were replayed exactly, if a plan is found.
+  int exact_replays = 0;
+  // The least coefficient of friction with which its kept contacts could hold a motion.
   double friction_limit = kGreatestFriction;
-  // If all the errors are too much: what happens first with a little more than is absorbed, at its
-  // multiple of the errors; if nothing is absorbed, what stands against the sequence that came
-  // nearest to the goal with the least multiple that was tried.
+  // What stands in the way, if not all of the errors are absorbed. If some part is absorbed, it is
+  // what happens first with a little more than that part, at its multiple of the errors. Otherwise
+  // it is what stands against the sequence that came nearest to the goal, at the least multiple
+  // that was tried.
   std::optional<Unwanted> obstacle = {};
-  int expanded = 0;                // nodes
-  int replayed = 0;                // sequences, from other starts
-  TestComparison comparison = {};  // with the paper's edge test, if that was asked for
+  int expanded = 0;  // number of expanded nodes
+  int replayed = 0;  // number of sequences replayed from other starts
+  // Comparison with the paper's edge test, if options.test asks for it.
+  TestComparison comparison = {};
 
   bool found() const { return outcome == Outcome::kFound; }
 };
@@ -73,7 +81,8 @@ struct FineMotionPlan {
 MotionChecker CheckerFor(const Passage& passage, const FineMotionErrors& errors,
                          const StrategyOptions& options);
 
-// What is believed where errors are so many times as great.
+// Returns the believed pose at X_StationaryMoving, free of contact, with the errors multiplied by
+// `multiple`.
 Belief BeliefIn(const Pose& X_StationaryMoving, const FineMotionErrors& errors, double multiple);
 
 }  // namespace assay::finemotion

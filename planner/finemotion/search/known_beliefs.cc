@@ -6,11 +6,11 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kSamePlace = 1e-3;  // metres
-constexpr double kTurn = 0.02;       // radians
-constexpr double kWorse = 1.05;      // times the errors are no worse,
-constexpr double kShift = 1e-5;      // nor are so many metres
-constexpr double kTwist = 2e-4;      // and radians
+constexpr double kSamePlace = 1e-3;  // metres within which positions are alike
+constexpr double kTurn = 0.02;       // radians within which orientations are alike
+constexpr double kWorse = 1.05;      // errors up to this factor greater are no worse
+constexpr double kShift = 1e-5;      // errors of position up to so many metres greater are no worse
+constexpr double kTwist = 2e-4;  // errors of orientation up to so many radians greater are no worse
 
 using HalfWidths = Eigen::Matrix<double, kPoseDimensions, 1>;
 

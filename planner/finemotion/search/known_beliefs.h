@@ -8,17 +8,18 @@
 
 namespace assay::finemotion {
 
-// What a search has come to believe. A belief is like a known one if it is at the same critical
-// point and in the same contacts, its pose within a millimetre and about a degree of the known
-// one's, and its errors about no axis clearly less: whatever it leads to, the known one is taken to
-// lead to as well. Free of contact it may also be farther out: it can come back. Poses that are
-// alike are not the same, so that this makes a search finite, and not complete.
+// The believed poses that a search has reached. A believed pose is like a known one if it is at the
+// same critical point and in the same contacts, its pose is within a millimetre and about a degree
+// of the known pose, and its errors are not clearly less about any axis. The search then assumes
+// that whatever it leads to, the known one leads to as well. A pose free of contact may be farther
+// out as well, since it can come back. Poses that are alike are not the same, so this makes a
+// search finite but not complete.
 class KnownBeliefs {
  public:
-  // `mating`: the way in, a unit vector.
+  // `mating` is the way in, a unit vector.
   explicit KnownBeliefs(const Vector3& mating) : mating_(mating) {}
 
-  // False: one like it is known.
+  // Adds the believed pose. Returns false, and adds nothing, if one like it is known.
   bool Add(int critical_point, const Belief& belief);
 
  private:

@@ -8,15 +8,16 @@
 namespace assay::finemotion {
 namespace {
 
-constexpr int kDrawn = 500;        // errors
-constexpr double kEnlarged = 2;    // of the box that they are drawn from
-constexpr int kFewestOfState = 3;  // of one error state: to know their mean
+constexpr int kDrawn = 500;        // number of drawn errors
+constexpr double kEnlarged = 2;    // factor of the error box from which they are drawn
+constexpr int kFewestOfState = 3;  // least number of errors for the mean of an error state
 
 struct ErrorSum {
   PoseChange sum = PoseChange::Zero();
   int count = 0;
 };
-using ErrorState = std::tuple<std::size_t, std::string, bool>;  // motion, contact, whether lost
+// Index of motion, name of contact, whether it is lost.
+using ErrorState = std::tuple<std::size_t, std::string, bool>;
 
 std::map<ErrorState, ErrorSum> ErrorStatesOf(const ExactReplay& replay,
                                              const PoseChange& half_widths, std::uint64_t seed) {

@@ -11,15 +11,18 @@ namespace assay::finemotion {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kAgainst = 0.3;       // of the way in, that a contact must take back to oppose it
-constexpr double kRoom = 0.6;          // of the play, that errors across it may take
-constexpr double kLeastMotion = 1e-6;  // metres and radians that are worth a motion
-constexpr double kBlocked = 0.2;       // what contacts must leave of a direction
-constexpr double kGrazing = 0.3;       // sine of an angle that is too small to feel a contact
-constexpr double kCorrection = 2e-3;   // metres; more is no correction
-constexpr double kLongestMotion = 0.015;  // metres of a way that is checked as one motion
-constexpr double kShortOfNext = 5e-4;     // metres from the next critical point, to be free there
-constexpr double kUprightEnough = 0.02;   // radians
+// Fraction of the way in that a contact must take back to oppose it.
+constexpr double kAgainst = 0.3;
+constexpr double kRoom = 0.6;          // fraction of the play that errors across it may take
+constexpr double kLeastMotion = 1e-6;  // metres and radians; less is not worth a motion
+// Least length of a unit direction after kept contacts are complied with.
+constexpr double kBlocked = 0.2;
+constexpr double kGrazing = 0.3;          // sine of an angle at which a contact is felt too late
+constexpr double kCorrection = 2e-3;      // metres; more is not a correction
+constexpr double kLongestMotion = 0.015;  // metres of the way that are checked as one motion
+// Metres before the next critical point, so that the part is free there.
+constexpr double kShortOfNext = 5e-4;
+constexpr double kUprightEnough = 0.02;  // radians from upright that count as upright
 
 bool IsOneOf(const std::vector<ContactKey>& keys, const PrimitiveContact& contact) {
   return std::ranges::find(keys, KeyOf(contact)) != keys.end();
@@ -34,7 +37,7 @@ std::vector<const PrimitiveContact*> Those(const std::vector<PrimitiveContact>& 
   return those;
 }
 
-// What is touched first along a direction, and how far away.
+// The first contact made along a direction, and its distance.
 struct Hit {
   const PrimitiveContact* contact = nullptr;
   double distance = kInfinity;
@@ -56,13 +59,15 @@ Hit FirstHit(const std::vector<PrimitiveContact>& contacts, const std::vector<Co
   return hit;
 }
 
-// A contact that is come upon at a small angle is felt late, and where it is felt is not certain.
+// Returns whether the contact is come upon at a small angle. Then it is felt late, and the place
+// where it is felt is not certain.
 bool IsGrazing(const PrimitiveContact& contact, const PoseChange& direction, double radius) {
   const double size = direction.head<3>().norm() + radius * direction.tail<3>().norm();
   return contact.row.head<kPoseDimensions>().dot(direction) > -kGrazing * size;
 }
 
-// d and w so that kept contacts neither close nor open: w as it is, d as little changed as can be.
+// Returns (d, w) changed so that kept contacts neither close nor open: w stays, and d changes as
+// little as possible. Returns none if there is no such motion, or too little of it is left.
 std::optional<PoseChange> Complied(const std::vector<const PrimitiveContact*>& kept, Vector3 d,
                                    const Vector3& w) {
   if (!kept.empty()) {
@@ -86,7 +91,7 @@ std::optional<PoseChange> Complied(const std::vector<const PrimitiveContact*>& k
 
 }  // namespace
 
-// Per metre or radian of the amount.
+// The change for one metre or radian of the amount, with the contacts that stay closed.
 struct Maneuvering::Direction {
   PoseChange along;
   double amount = 0;
@@ -212,7 +217,7 @@ std::optional<Maneuvering::Direction> Maneuvering::DirectionOf(const Situation& 
   return direction;
 }
 
-// Where contacts that touch at the end do so to second order, too.
+// Returns the displacement changed so that the contacts touch at its end to second order as well.
 PoseChange Maneuvering::Refined(const Pose& X, const Command& command) const {
   const PoseChange& z = command.displacement;
   std::vector<ContactKey> touching = command.kept;
@@ -240,8 +245,9 @@ Maneuvered Maneuvering::Apply(const Situation& situation, const Maneuver& maneuv
     const Pose& X = now->belief.X_StationaryMoving;
     const auto direction = DirectionOf(*now, maneuver);
     if (!direction) return result;
-    const bool anew = maneuver.kind == Maneuver::Kind::kUpright ||
-                      maneuver.kind == Maneuver::Kind::kAdvance;  // what is left, each time
+    // For these maneuvers, DirectionOf computes anew what is left.
+    const bool anew =
+        maneuver.kind == Maneuver::Kind::kUpright || maneuver.kind == Maneuver::Kind::kAdvance;
     const double left = direction->amount - (anew ? 0 : done);
     const double turn = direction->along.tail<3>().norm();
     const double most = std::min(left, turn > 0 ? kLinearTurn / turn : kLongestMotion);

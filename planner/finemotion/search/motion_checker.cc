@@ -33,7 +33,7 @@ Belief WithErrorsScaled(Belief belief, double scale) {
   return belief;
 }
 
-// Gathers what is unwanted as errors grow.
+// Gathers the unwanted contacts as errors grow.
 class Ladder {
  public:
   using Nearby = MotionChecker::Nearby;
@@ -42,7 +42,7 @@ class Ladder {
     for (const ContactKey& key : touched_) KeepContact(key, nearby);
   }
 
-  // `unwanted`: at this enlargement. What is told of already happens at a lesser one.
+  // Adds what is unwanted at this enlargement, unless it happens at a lesser one already.
   void Add(double scale, const std::vector<Unwanted>& unwanted, const Nearby& nearby) {
     for (const Unwanted& added : unwanted) {
       if (std::ranges::any_of(unwanted_, [&](const Unwanted& told) {
@@ -55,7 +55,7 @@ class Ladder {
     }
   }
 
-  // The motion may not end at all, and meet whatever is near.
+  // Adds everything near, for a motion that may never end and may meet anything.
   void AddAll(double scale, const Nearby& nearby) {
     std::vector<Unwanted> all;
     const auto add = [&](const ContactKey& key) {
@@ -127,8 +127,8 @@ MotionChecker::Nearby MotionChecker::NearTheWay(const Belief& belief, const Comm
   ContactRange range = RangeOf(model, WithErrorsScaled(belief, scale), command, size_);
   range.turn = std::max(options_.turn, range.turn);
   Nearby nearby{finder_.Near(end, range), finder_.NearlyParallel(end, range)};
-  // What the command goes by is linear as far as that goes, though errors may turn its edges until
-  // they are parallel: what then becomes of it, its limits tell.
+  // The contacts of the command stay in the model even if errors can turn their edges until these
+  // are parallel. They are linear within their limits, and the limits show when a contact is lost.
   for (PrimitiveContact& contact : touching.contacts) {
     const ContactKey key = KeyOf(contact);
     std::erase_if(nearby.parallel, [&](const ParallelEdges& edges) { return KeyOf(edges) == key; });

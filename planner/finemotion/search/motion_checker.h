@@ -8,42 +8,45 @@
 
 namespace assay::finemotion {
 
-// Enlargements of errors (Dakin and Popplestone, section 4; the steps are ours).
+// Factors by which the errors are enlarged (Dakin and Popplestone, section 4; the values are not
+// from the paper).
 inline constexpr double kLadder[] = {1, 1.25, 1.5, 2, 3, 4};
-inline constexpr double kBeyondLadder = 8;  // where none of them does it
+inline constexpr double kBeyondLadder = 8;  // scale of what happens at no enlargement of kLadder
 
-// How much is told of what is unwanted.
+// How much is reported of the contacts that errors make or lose.
 enum class Margins {
-  kNone,   // the first that is found with errors as they are
-  kLeast,  // all that happens at the least enlargement at which anything does
-  kAll,    // all that happens on the ladder, by rising scale; and the contacts
+  kNone,   // the first contact that is found with the errors as they are
+  kLeast,  // all contacts at the least enlargement at which there are any
+  kAll,    // all contacts at all enlargements, by rising scale, with their geometry
 };
 
-// A motion of a strategy and what is certain of it.
+// A motion of a strategy, and whether it is certain.
 struct CertainMotion {
   Command command;
-  Pose X_StationaryAfter = Pose::Identity();  // of the tip, if there are no errors
+  Pose X_StationaryAfter = Pose::Identity();  // the tip's pose afterwards, without errors
   SegmentCheck check;
-  std::vector<PrimitiveContact> contacts = {};  // kept, made and unwanted, as they are then
-  bool can_be_held = false;                     // by friction, in what it keeps: it is not certain
-  int critical_point = 0;                       // index, of the one that it leads through
+  // Kept, made and unwanted contacts, as linearized at the end of the motion.
+  std::vector<PrimitiveContact> contacts = {};
+  // Friction in the kept contacts can hold the part, so that the motion is not certain.
+  bool can_be_held = false;
+  int critical_point = 0;  // index of the critical point at which the motion is
 };
 
-// As finemotion::FrictionLimit.
+// Returns finemotion::FrictionLimit of the motion.
 double FrictionLimitOf(const CertainMotion& motion);
 
-// Checks motions of one part among the features of another: wherever errors can take the part, and
-// with contacts as they are linearized where the motion leads.
+// Checks motions of one part among the features of another, wherever errors can take the part.
+// Contacts are linearized where the motion leads.
 class MotionChecker {
  public:
   struct Options {
-    double velocity_error = 0.002;  // as SegmentModel
-    double turn = 0.03;             // radians, at least, that edges are from parallel in a contact
+    double velocity_error = 0.002;  // velocity error as in SegmentModel
+    double turn = 0.03;  // radians; the edges of a contact are at least so far from parallel
     double radius = 0.02;
     MeetingTest test = MeetingTest::kExact;
-    double friction = 0;  // of the parts, at most
+    double friction = 0;  // the greatest coefficient of friction between the parts
   };
-  // What may be touched in a motion.
+  // The features that may touch in a motion.
   struct Nearby {
     std::vector<PrimitiveContact> contacts;
     std::vector<ParallelEdges> parallel;
@@ -53,13 +56,13 @@ class MotionChecker {
 
   const Options& options() const { return options_; }
   const ContactFinder& finder() const { return finder_; }
-  // The same, where walls lead the part: motions go exactly as they should.
+  // Returns a checker for motions that walls lead, which have no velocity errors.
   MotionChecker WithoutVelocityErrors() const;
-  // Within so many metres, if the part is turned by no more than edges must be from parallel.
+  // Returns the contacts within `reach` metres, for parts turned by no more than options().turn.
   std::vector<PrimitiveContact> ContactsWithin(double reach, const Pose& X_StationaryMoving) const;
   std::vector<PrimitiveContact> Of(std::span<const ContactKey> keys,
                                    const Pose& X_StationaryMoving) const;
-  // The command's contacts, and all that errors enlarged by `scale` can bring near.
+  // Returns the command's contacts, and all that errors enlarged by `scale` can bring near.
   Nearby NearTheWay(const Belief& belief, const Command& command, double scale = 1) const;
 
   SegmentCheck Check(const Nearby& nearby, const Belief& belief, const Command& command,
@@ -69,7 +72,7 @@ class MotionChecker {
  private:
   ContactFinder finder_;
   Options options_;
-  double size_ = 0;  // metres, of the moving part's farthest corner from its origin
+  double size_ = 0;  // metres from the moving part's origin to its farthest corner
 };
 
 }  // namespace assay::finemotion

@@ -13,17 +13,19 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kTurned = 2e-3;       // radians beyond a limit
-constexpr double kLatestContact = 20;  // displacements, until it is surely made
+constexpr double kTurned = 2e-3;       // radians that a kept contact may be beyond a limit
+constexpr double kLatestContact = 20;  // displacements until the contact is surely made, at most
 constexpr double kGreatestMultiplier = 1e6;
-constexpr int kThirds = 30;              // that remain of an interval's two, one after another
-constexpr double kParallel = 1e-9;       // coefficients of rows
-constexpr double kParted = 1e-9;         // metres
-constexpr double kVanished = 1e-12;      // of a generator: what rounding leaves
-constexpr double kGrazed = 1e-12;        // metres: what slides along as it touches may close by
-constexpr Eigen::Index kFewErrors = 12;  // that the edge test takes a millisecond for
+constexpr int kThirds = 30;  // steps of a search that leaves two thirds of an interval in each
+constexpr double kParallel = 1e-9;   // greatest difference of the coefficients of parallel rows
+constexpr double kParted = 1e-9;     // metres by which tolerances may part kept contacts
+constexpr double kVanished = 1e-12;  // relative length below which a generator is only rounding
+// Metres; a feature that slides along another as it touches may close by this much.
+constexpr double kGrazed = 1e-12;
+// Number of errors for which the edge test takes a millisecond.
+constexpr Eigen::Index kFewErrors = 12;
 
-// Of a row's value, what is due to the start's errors: a number for each.
+// The changes of a row's value that are due to the errors of the start, one number for each error.
 using ErrorParts = Eigen::VectorXd;
 
 ErrorParts PartsOf(const SmallVector& row, const PoseChanges& errors,
@@ -34,7 +36,7 @@ ErrorParts PartsOf(const SmallVector& row, const PoseChanges& errors,
   return parts;
 }
 
-// Of their sizes.
+// Returns the sum of the sizes of the parts that PartsOf computes.
 double SumOfParts(const SmallVector& row, const PoseChanges& errors,
                   const Eigen::VectorXd& tolerances) {
   const PoseChange pose = row.head<kPoseDimensions>();
@@ -47,17 +49,17 @@ double SumOfParts(const SmallVector& row, const PoseChanges& errors,
   return sum;
 }
 
-// The range of a linear function over a forward projection: over the start, displaced by all of its
-// errors, and the velocity with all of its.
+// The range of a linear function over a forward projection: over the start, with all of its errors,
+// and over the velocity, with all of its errors.
 struct RowRange {
   double start = 0;
-  double motion = 0;  // in a displacement
+  double motion = 0;  // change of the value in one displacement
   ErrorParts start_errors;
   PoseChange motion_errors;
 
   double Lowest(double time) const { return Extreme(-1, time); }
   double Highest(double time) const { return Extreme(1, time); }
-  // Of velocities.
+  // Returns the greatest rate over all velocities.
   double Fastest() const { return motion + motion_errors.lpNorm<1>(); }
 
  private:
@@ -67,9 +69,10 @@ struct RowRange {
   }
 };
 
-// Part of the poses that a motion can come to are where the contact that ends it stays open: the
-// highest value of `row` there is at most its highest with a multiple of the contact's gap added,
-// which is convex in the multiplier (Lagrange). Tells whether one of these bounds is below `most`.
+// Returns whether `row` stays below `most` wherever the contact that ends the motion is still open.
+// The highest value of `row` there is at most the highest value of `row` plus a multiple of the
+// contact's gap (Lagrange). This bound is convex in the multiplier, so a search over multipliers
+// finds the best bound.
 bool StaysBelow(const RowRange& row, const RowRange& gap, double gap_offset, double most,
                 double time) {
   const auto bound = [&](double multiplier) {
@@ -92,8 +95,9 @@ bool StaysBelow(const RowRange& row, const RowRange& gap, double gap_offset, dou
   return false;
 }
 
-// Directions of kept contacts' gaps, of which force control lets nothing go on: orthonormal, with
-// turns as lengths at a radius, and how tolerances shift these contacts.
+// The directions of the kept contacts' gaps, along which force control allows no motion. They are
+// orthonormal, with rotations times the radius as lengths. Each has the shift that tolerances
+// cause.
 class KeptDirections {
  public:
   KeptDirections(const std::vector<const PrimitiveContact*>& kept,
@@ -104,11 +108,11 @@ class KeptDirections {
     for (const PrimitiveContact* contact : kept) Add(*contact);
   }
 
-  // Errors of the model open some of the contacts when others are closed.
+  // Returns whether errors of the model can open some of the contacts when others are closed.
   bool are_parted() const { return are_parted_; }
 
-  // Writes the point's coordinates so that they are constant where the contacts make them so, also
-  // along a motion that keeps contacts only to first order.
+  // Rewrites the point's coordinates so that they are constant where the contacts make them
+  // constant. This holds even along a motion that keeps contacts to first order only.
   void TakeOut(PointAtEdge& point) const {
     for (int i = 0; i < count_; ++i) {
       const PoseChange row = lengths_.cwiseProduct(basis_.col(i));
@@ -119,7 +123,8 @@ class KeptDirections {
     }
   }
 
-  // Moved by the least that closes the contacts; the first columns also are tolerances.
+  // Returns the errors moved by the least change that closes the contacts. If `with_tolerances`,
+  // the first columns belong to the tolerances too.
   PoseChanges Closed(PoseChanges errors, bool with_tolerances) const {
     if (count_ == 0) return errors;
     for (Eigen::Index j = 0; j < errors.cols(); ++j) {
@@ -162,18 +167,19 @@ class KeptDirections {
   const Eigen::VectorXd& tolerances_;
   PoseChange lengths_;
   Eigen::Matrix<double, kPoseDimensions, kPoseDimensions> basis_;
-  PoseChange offsets_;  // gaps where the motion leads to
+  PoseChange offsets_;  // gaps along these directions at the end of the motion
   Eigen::Matrix<double, Eigen::Dynamic, kPoseDimensions> shifts_;
   int count_ = 0;
   bool are_parted_ = false;
 };
 
-// Where motions come to the surface of the contact that ends them: the start's errors moved there
-// along the mean velocity, and what the velocity's errors add on the longest way.
+// The places where motions come to the surface of the contact that ends them. They combine the
+// start's errors, moved there along the mean velocity, with the velocity's errors on the longest
+// way.
 struct Arrival {
   PoseChange center;
-  PoseChanges errors;  // of the start, moved
-  PoseChanges drifts;  // for a way of one displacement
+  PoseChanges errors;  // errors of the start, moved to the surface
+  PoseChanges drifts;  // drifts on a way of one displacement
 };
 
 class Checker {
@@ -236,12 +242,14 @@ class Checker {
     return found;
   }
 
-  // Contacts that disappear where others of one C-surface take over are none of ours.
+  // Returns whether the kept contacts last. A contact that disappears where another one of its
+  // C-surface takes over is not handled here.
   bool KeptStay() const {
     return kept_.size() == command_.kept.size() && !directions_.are_parted();
   }
 
-  // The hand turns the part about where it believes the tip to be: errors turn with it.
+  // Returns the errors turned by the displacement. The hand turns the part about where it believes
+  // the tip to be, so errors turn with it.
   PoseChanges Turned(PoseChanges errors) const {
     if (command_.displacement.tail<3>().isZero(0)) return errors;
     const Eigen::Matrix3d R = Displaced(Pose::Identity(), command_.displacement).linear();
@@ -250,7 +258,7 @@ class Checker {
     return errors;
   }
 
-  // As seen from the end.
+  // Returns the row's range as seen from the end of the motion.
   RowRange RangeOf(const SmallVector& row, const PoseChanges& errors) const {
     const auto pose = row.head<kPoseDimensions>();
     RowRange range;
@@ -265,7 +273,8 @@ class Checker {
     return finemotion::PartsOf(row, errors, belief_.tolerances);
   }
 
-  // Displacements until it is surely over; none: it may never be.
+  // Returns the number of displacements until the motion is surely over, or none if it may never
+  // be.
   std::optional<double> Time() const {
     if (until_ == nullptr) return 1;
     const double slowest = -until_at_start_.Fastest();
@@ -274,7 +283,7 @@ class Checker {
     return std::max(0.0, farthest / slowest);
   }
 
-  // The greatest length of a sum of these, each times a factor in -1 .. 1.
+  // Returns a bound of the length of a sum of the columns, each times a factor in -1 .. 1.
   template <int Rows>
   static double MostOf(const Eigen::Matrix<double, Rows, Eigen::Dynamic>& a,
                        const Eigen::Matrix<double, Rows, Eigen::Dynamic>& b) {
@@ -289,13 +298,14 @@ class Checker {
     });
   }
 
-  // Tells whether to go on.
+  // Adds what is unwanted and returns whether to go on.
   bool Add(const Unwanted& unwanted) {
     check_.unwanted.push_back(unwanted);
     return telling_ == Telling::kAll;
   }
 
-  // Also what is let go, if it is surely left.
+  // Returns whether the contact may be made. A contact that is let go may be, if the motion surely
+  // leaves it.
   bool IsWanted(const PrimitiveContact& contact) const {
     const ContactKey key = KeyOf(contact);
     if (command_.until && key == *command_.until) return true;
@@ -318,7 +328,7 @@ class Checker {
     return Meets(contact, gap, limits);
   }
 
-  // What rules most contacts out.
+  // Returns whether the gap may close at all. This test rules out most contacts quickly.
   bool MayClose(const PrimitiveContact& contact) const {
     const PoseChange row = contact.row.head<kPoseDimensions>();
     const double motion = row.dot(command_.displacement);
@@ -327,7 +337,7 @@ class Checker {
     return contact.offset - motion - error + time_ * std::min(0.0, motion - drift) <= -kGrazed;
   }
 
-  // Before the contact that ends the motion is made.
+  // Returns whether the contact can be made before the contact that ends the motion is.
   bool Meets(const PrimitiveContact& contact, const RowRange& gap,
              const std::vector<RowRange>& limits) {
     const Eigen::Index rows = std::ssize(limits) + (until_ != nullptr ? 2 : 1);
@@ -381,7 +391,7 @@ class Checker {
             .elongation = edge.elongation.head(belief_.tolerances.size()).dot(belief_.tolerances)};
   }
 
-  // As seen from the end.
+  // Returns the point's values as seen from the end of the motion.
   SweptValues<3> Swept(PointAtEdge point) const {
     directions_.TakeOut(point);
     SweptValues<3> swept;
@@ -413,7 +423,7 @@ class Checker {
     });
   }
 
-  // A limit is exceeded where nothing stops the part.
+  // Returns whether a limit of the contact can be exceeded where nothing stops the part.
   bool CanLose(const PrimitiveContact& contact) const {
     return std::ranges::any_of(contact.limits, [&](const HalfSpace& limit) {
       const double most = limit.b + Slack(limit);
@@ -430,7 +440,8 @@ class Checker {
     return !CanPass() || Add({KeyOf(*until_), true});
   }
 
-  // The contact that is waited for is not where the part comes to its surface.
+  // Returns whether the part can come to the awaited contact's surface outside the contact's
+  // limits.
   bool CanPass() const {
     return std::ranges::any_of(until_->limits, [&](const HalfSpace& limit) {
       const auto pose = limit.a.head<kPoseDimensions>();
@@ -452,20 +463,20 @@ class Checker {
     });
   }
 
-  // --- What is known afterwards.
+  // --- The believed pose afterwards.
 
-  // A motion from z at v0 + e is on the surface after s: the projection P along v0 leaves that
-  // point where it is and forgets s v0, so that it is P z + s (linear part of P) e, with s at most
-  // that of the farthest start at the slowest approach.
+  // A motion from z at velocity v0 + e is on the surface after some time s. The projection P along
+  // v0 leaves that point where it is and removes s v0. So the point is P z + s (linear part of P)
+  // e. The time s is at most that of the farthest start at the slowest approach.
   Arrival ArrivalAt(const PrimitiveContact& contact) const {
     const auto row = contact.row.head<kPoseDimensions>();
-    const PoseChange step =  // changes the gap by 1
+    const PoseChange step =  // the step that changes the gap by 1
         command_.displacement / row.dot(command_.displacement);
     return {-contact.offset * step, Stepped(errors_, PartsOf(contact.row, errors_), step),
             Stepped(drifts_, drifts_.transpose() * row, step)};
   }
 
-  // Each back by its part of a step.
+  // Returns each change minus its share of the step.
   static PoseChanges Stepped(PoseChanges changes, const Eigen::VectorXd& parts,
                              const PoseChange& step) {
     for (Eigen::Index i = 0; i < changes.cols(); ++i) changes.col(i) -= parts[i] * step;
@@ -475,7 +486,7 @@ class Checker {
   Belief After() const {
     PoseChange center = PoseChange::Zero();
     if (until_ != nullptr) center = arrival_.center;
-    // Kept contacts drift off their surfaces in the second order.
+    // Kept contacts drift off their surfaces to second order.
     std::vector<const PrimitiveContact*> touching = kept_;
     if (until_ != nullptr) touching.push_back(until_);
     Belief after{.X_StationaryMoving =
@@ -490,7 +501,8 @@ class Checker {
     return after;
   }
 
-  // Without those that come to nothing; tolerances stay.
+  // Returns errors and drifts together, without those that have vanished. The columns of tolerances
+  // stay.
   PoseChanges Joined(const PoseChanges& errors, const PoseChanges& drifts) const {
     PoseChanges joined(kPoseDimensions, errors.cols() + drifts.cols());
     Eigen::Index count = 0;
@@ -506,7 +518,7 @@ class Checker {
     return joined;
   }
 
-  // Of what it was.
+  // Returns whether more than rounding remains of the error.
   static bool IsSomething(const PoseChange& error, const PoseChange& before) {
     return error.norm() > kVanished * before.norm();
   }
@@ -517,7 +529,8 @@ class Checker {
   std::vector<const PrimitiveContact*> kept_;
   const PrimitiveContact* until_;
   KeptDirections directions_;
-  // Of a displacement; of the start as seen from the end; of it and anywhere on the way there.
+  // The drifts of one displacement; the start's errors as seen from the end; these together with
+  // the errors anywhere on the way there.
   Eigen::Matrix<double, kPoseDimensions, kPoseDimensions> drifts_;
   PoseChanges errors_;
   PoseChanges swept_;
@@ -525,7 +538,7 @@ class Checker {
   RowRange until_on_the_way_;
   Arrival arrival_;
   Telling telling_ = Telling::kFirst;
-  double time_ = 1;  // displacements until it is surely over
+  double time_ = 1;  // displacements until the motion is surely over
   SegmentCheck check_;
 };
 

@@ -11,14 +11,15 @@
 
 namespace assay::finemotion {
 
-// A change of the moving part's pose: d added, turned by w about its origin. The pose's part of a
-// point of generalized space.
+// A change of the moving part's pose: d is added to its origin, and it is turned by w about its
+// origin. It is the pose's share of a point of generalized space.
 using PoseChange = Eigen::Matrix<double, kPoseDimensions, 1>;
-using PoseChanges = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;  // a column each
+// One change in each column.
+using PoseChanges = Eigen::Matrix<double, kPoseDimensions, Eigen::Dynamic>;
 
-// What is known of where the moving part is: nominally at X, displaced by errors.col(i) times any
-// factor in -1 .. 1, for all i, and in contact with what it keeps. The first factors are also those
-// of the model's tolerances, in their half widths.
+// The believed pose of the moving part: nominally X, displaced by each errors.col(i) times any
+// factor in -1 .. 1, and in contact with what it keeps. The factors of the first columns belong to
+// the model's tolerances too, in multiples of their half widths.
 struct Belief {
   Pose X_StationaryMoving = Pose::Identity();
   PoseChanges errors;
@@ -26,91 +27,95 @@ struct Belief {
   Eigen::VectorXd tolerances = {};  // half widths, metres
 };
 
-// By how much errors can change the value of a row.
+// Returns how much errors can change the value of a row.
 double ErrorOf(const SmallVector& row, const Belief& belief);
 
 Pose Displaced(const Pose& X_StationaryMoving, const PoseChange& z);
-// The change by which `from` is displaced to `to`.
+// Returns the change that displaces `from` to `to`.
 PoseChange Between(const Pose& from, const Pose& to);
 
-// The least change of a pose, from z, that closes the contacts' gaps to first order; rotations
-// count as lengths at `radius`.
+// Returns the least change of a pose, after the change z, that closes the contacts' gaps to first
+// order. Rotations times `radius` count as lengths.
 PoseChange Closing(const std::vector<const PrimitiveContact*>& contacts, const PoseChange& z,
                    double radius);
 
-// A straight motion in a contact state, and what ends it.
+// A straight motion in a contact state, and the contact that ends it.
 struct Command {
-  PoseChange displacement;       // without errors it leads so far
-  std::vector<ContactKey> kept;  // of those there were; the others are let go
+  PoseChange displacement;       // the whole motion without errors
+  std::vector<ContactKey> kept;  // contacts that stay closed; other contacts are let go
   std::optional<ContactKey> until = {};
 };
 
-// Metres that kept contacts may be beyond their limits, beside their features.
+// A kept contact may be so many metres beyond its limits, beside its features.
 inline constexpr double kLost = 2e-5;
 
-// A contact that must not be made, or one that must not be lost: that is kept, or waited for.
+// A contact that must not be made, or one that must not be lost because it is kept or waited for.
 struct Unwanted {
   ContactKey contact;
   bool is_loss = false;
-  // The least enlargement of all errors, of the ladder, at which it happens (margins.h).
+  // The least factor of all errors, among the enlargements that are tried, at which it happens
+  // (motion_checker.h).
   double scale = 1;
 };
 
-// How many exact tests whether a contact can be made there were, and of those in which the paper's
-// edge test (meeting.h) is applicable how many it answers otherwise.
+// Counts of exact tests whether a contact can be made, and of the differences from the paper's edge
+// test (meeting.h) where that is applicable.
 struct TestComparison {
   int tests = 0;
   int compared = 0;
-  int missed = 0;  // a contact that can be made, but at no edge
+  int missed = 0;  // number of contacts that can be made, but are met by no edge
 
   TestComparison& operator+=(const TestComparison& other);
 };
 
-// What becomes of a command, whatever the errors.
+// The result of a command for any errors.
 struct SegmentCheck {
-  // The sequence of contact states is certain: nothing unwanted happens with errors as they are.
+  // The sequence of contact states is certain: nothing unwanted happens with the errors as they
+  // are.
   bool certain = false;
   std::vector<Unwanted> unwanted = {};
   Belief after = {};
-  double longest = 1;  // how many displacements it may take at most
+  double longest = 1;  // greatest number of displacements that the motion takes
   TestComparison comparison = {};
 };
 
-// How it is decided whether errors can bring a contact about.
+// The test that decides whether errors can make a contact.
 enum class MeetingTest {
   kExact,
-  kEdges,    // the paper's, where there are few enough errors; it misses some
-  kCompare,  // exact, and compared with the paper's
+  kEdges,    // the paper's, where there are few enough errors; it misses some contacts
+  kCompare,  // the exact test, compared with the paper's
 };
 
 struct SegmentModel {
-  // Linearized where the command leads without errors.
+  // The contacts, linearized where the command leads without errors.
   const std::vector<PrimitiveContact>& contacts;
-  // Of a displacement: of its length, and of its turn times the radius, in each direction; of its
-  // turn about each axis.
+  // The relative error of a displacement. In each direction, the translation errs by at most this
+  // fraction of the length plus the turn times the radius. About each axis, the rotation errs by at
+  // most this fraction of the turn.
   double velocity_error = 0.02;
-  double radius = 0.02;  // metres
+  double radius = 0.02;  // metres; a rotation times this radius counts as a length
   MeetingTest test = MeetingTest::kExact;
-  // Those that are no contacts, as they are there, too. None of them may touch.
+  // Edges that may be parallel, at the same pose. None of them may touch.
   std::span<const ParallelEdges> parallel_edges = {};
 };
 
+// How much a check reports of what is unwanted.
 enum class Telling {
-  kFirst,  // of what is unwanted only the first that is found
+  kFirst,  // only the first unwanted contact that is found
   kAll,
 };
 
-// A loop over all contacts with the exact test (meeting.h). The hand turns the part about where it
-// believes the tip to be, so that errors turn with it. Kept contacts may run off their ends by 20
-// micrometres and 2 milliradians, which is what linear rows leave out. Not certain, with nothing
-// unwanted: a contact of the command is not there, tolerances part kept contacts, or its end never
-// surely comes.
+// Checks a command against all contacts with the exact test (meeting.h). The hand turns the part
+// about where it believes the tip to be, so errors turn with it. Kept contacts may run off their
+// ends by 20 micrometres and 2 milliradians, to make up for what linear rows leave out. If the
+// result is not certain and nothing is unwanted, then a contact of the command is not there,
+// tolerances part kept contacts, or the contact that ends the motion never surely comes.
 SegmentCheck Check(const SegmentModel& model, const Belief& belief, const Command& command,
                    Telling telling = Telling::kFirst);
 
-// From where the command leads without errors, how far away the part can touch something in the
-// motion, and how far it can be turned against its belief. `touching`: the command's contacts, or
-// more. `size`: how far from its origin the part has features, metres.
+// Returns how far from the command's end without errors the part can touch something in the motion,
+// and how far it can be turned against its believed pose. `touching` holds at least the command's
+// contacts. `size` is the distance in metres from the part's origin to its farthest feature.
 ContactRange RangeOf(const SegmentModel& touching, const Belief& belief, const Command& command,
                      double size);
 

@@ -10,12 +10,12 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kFarthest = 0.015;   // metres that a move may take to a contact
-constexpr double kWidestTurn = 0.15;  // radians that a turn may take to one
-constexpr double kThin = 1.5e-4;      // metres: errors that are less are none
+constexpr double kFarthest = 0.015;   // metres that a move to a contact may take
+constexpr double kWidestTurn = 0.15;  // radians that a turn to a contact may take
+constexpr double kThin = 1.5e-4;      // metres; smaller errors count as none
 constexpr std::size_t kMostMotions = 24;
-// The guidance is not a lower bound of the cost, so that sequences need not be the cheapest: what
-// counts is that they absorb errors, which the cost of small ones only hints at.
+// The guidance is not a lower bound of the cost, so sequences need not be the cheapest. What
+// matters is that they absorb errors, and the cost only hints at that when errors are small.
 constexpr double kPerCriticalPoint = 10;
 constexpr double kPerWideDirection = 4;
 constexpr double kPerError = 3;
@@ -29,15 +29,16 @@ struct SequenceSearch::Node {
   NodePointer parent = {};
   Maneuver maneuver = {};
   Start start = {};
-  int point = 0;  // of the passage's critical points, the one that it is at
+  int point = 0;  // index of the critical point where the node is
   std::size_t motions = 0;
-  double cost = 0;  // at least; all of it, once it is `exact`
+  double cost = 0;  // a lower bound, or the whole cost once it is `exact`
   bool exact = true;
   double guidance = 0;
-  int number = 0;  // in the order of their making
+  int number = 0;  // number of the node in the order in which nodes are made
 };
 
-// By what the whole may cost; of equals, the ones that came farther.
+// Orders nodes by the estimated cost of the whole sequence. Of equal ones, those that came farther
+// are first.
 bool SequenceSearch::IsLater::operator()(const NodePointer& a, const NodePointer& b) const {
   const double cost_a = a->cost + a->guidance;
   const double cost_b = b->cost + b->guidance;
@@ -114,7 +115,7 @@ void SequenceSearch::Refuse(const Node& node, const Maneuvered& done) {
   refused_guidance_ = node.guidance;
 }
 
-// Margins take long, and most nodes are never first.
+// Computes the node's exact cost. Margins take long to compute, and most nodes never come first.
 SequenceSearch::NodePointer SequenceSearch::WithExactCost(Node node) {
   const StrategyOptions& options = problem_.options;
   const int point = node.parent->point;
@@ -162,7 +163,8 @@ std::vector<Maneuver> SequenceSearch::ManeuversFrom(const Node& node) const {
   return maneuvers;
 }
 
-// How alike the forces of the last planned contact and of what is likeliest instead are.
+// Returns how alike the forces are of the last planned contact and of the likeliest contact in its
+// place.
 double SequenceSearch::ConfusionOf(const Maneuvered& done) const {
   const CertainMotion& last = done.motions.back();
   if (last.check.unwanted.empty() || !last.command.until) return 0;
@@ -180,7 +182,7 @@ double SequenceSearch::ConfusionOf(const Maneuvered& done) const {
   return 1 - separation;
 }
 
-// How far the tip is from the way in, metres.
+// Returns the distance of the tip from the way in, in metres.
 double SequenceSearch::Beside(const Node& node) const {
   const Passage& passage = problem_.passage;
   const Vector3 to =

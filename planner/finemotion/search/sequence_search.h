@@ -10,37 +10,39 @@
 
 namespace assay::finemotion {
 
-// From a start, the maneuvers by which the tip comes in.
+// A start, and the maneuvers by which the tip enters from there.
 struct Sequence {
   Start start;
   std::vector<Maneuver> maneuvers;
 };
 
-// What sequences are searched for with.
+// The inputs of a search for sequences.
 struct SequenceProblem {
   const Passage& passage;
-  const std::vector<Maneuvering>& maneuvering;  // at each critical point
+  const std::vector<Maneuvering>& maneuvering;  // one for each critical point
   const StrategyOptions& options;
-  double multiple = 1;  // of the starts' errors
+  double multiple = 1;  // multiple of the starts' errors
 };
 
-// An A* search over beliefs, with the three costs of Dakin and Popplestone (sections 2 and 4).
-// Starts are drawn first.
+// An A* search over believed poses, with the three costs of Dakin and Popplestone (sections 2 and
+// 4). The constructor draws the starts.
 class SequenceSearch {
  public:
   enum class Effort {
-    kGuided,    // cheap sequences first, for a budget of nodes
-    kThorough,  // all of them, but for their costs and for beliefs like known ones
+    kGuided,    // cheap sequences first, within a budget of nodes
+    kThorough,  // all sequences, whatever their costs, without believed poses like known ones
   };
   SequenceSearch(const SequenceProblem& problem, Starts& starts, Effort effort);
 
-  // That is certain to first order; none: there are no more, or the budget is spent.
+  // Returns the next sequence that is certain to first order, or none if there are no more or the
+  // budget is spent.
   std::optional<Sequence> Next();
 
   bool has_looked_through_all() const { return open_.empty(); }
   int expanded() const { return expanded_; }
   const TestComparison& comparison() const { return comparison_; }
-  // Of the refused maneuvers, what was unwanted in that from the node nearest to the goal.
+  // Returns what was unwanted in a refused maneuver, namely in the one from the node nearest to the
+  // goal.
   const std::optional<Unwanted>& refused() const { return refused_; }
 
  private:
@@ -72,7 +74,7 @@ class SequenceSearch {
   std::priority_queue<NodePointer, std::vector<NodePointer>, IsLater> open_;
   KnownBeliefs known_;
   std::optional<Unwanted> refused_ = {};
-  double refused_guidance_ = 0;  // of the node that it is refused from
+  double refused_guidance_ = 0;  // guidance of the node that `refused_` is from
   TestComparison comparison_ = {};
   int expanded_ = 0;
   int made_ = 0;

@@ -7,9 +7,10 @@ namespace assay::finemotion {
 
 namespace {
 
-constexpr double kAbove = 0.002;       // metres, of starts over all that errors can bring near
-constexpr double kLeastTilt = 0.035;   // radians, of starts: their edges are not parallel
-constexpr double kLeastInside = 1e-3;  // metres, that their lowest corner is inside the entry
+constexpr double kAbove = 0.002;  // metres between a start and all that errors can bring near
+// Radians; starts are tilted by more, so that no edges are parallel.
+constexpr double kLeastTilt = 0.035;
+constexpr double kLeastInside = 1e-3;  // metres by which the lowest corner is inside the entry
 
 }  // namespace
 
@@ -53,7 +54,7 @@ Belief Starts::BeliefAt(const Start& start, double multiple) const {
   z << start.beside, start.turn;
   Belief belief = BeliefIn(Displaced(passage_.X_StationaryEntry, z), errors_, multiple);
   double deepest = 0;
-  const double wrong = errors_.tolerances.sum();  // of the parts, at most
+  const double wrong = errors_.tolerances.sum();  // greatest error of the parts, metres
   for (const OuterVertex& vertex : passage_.moving.vertices) {
     const Vector3 at = belief.X_StationaryMoving * vertex.p;
     const double reach = errors_.pose.head<3>().norm() +

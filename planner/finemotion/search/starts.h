@@ -5,28 +5,30 @@
 
 namespace assay::finemotion {
 
-// Where a strategy starts, against the entry: turned, and beside it.
+// A start of a strategy relative to the entry: how far it is turned, and how far beside the entry.
 struct Start {
-  Vector3 turn = Vector3::Zero();    // rotation vector
-  Vector3 beside = Vector3::Zero();  // metres, across the way in
+  Vector3 turn = Vector3::Zero();    // rotation vector, radians
+  Vector3 beside = Vector3::Zero();  // metres across the way in
 };
 
-// Perturbed approaches (Dakin and Popplestone, section 4): they are drawn here, the paper samples
-// them about the nominal one.
+// Draws perturbed approaches (Dakin and Popplestone, section 4). The paper samples them about the
+// nominal approach.
 class Starts {
  public:
   Starts(const Passage& passage, const FineMotionErrors& errors, const StrategyOptions& options,
          RandomStream& random)
       : passage_(passage), errors_(errors), options_(options), random_(random) {}
 
-  // For errors that are less than the play.
+  // Returns the start for errors that are less than the play.
   Start Upright() const;
-  // Tilted any way, and shifted so that the corner that is then the lowest is inside the entry.
+  // Returns a start that is tilted in any direction, and shifted so that its lowest corner is
+  // inside the entry.
   Start Random();
-  // Another one, `size` times as far away as starts are drawn.
+  // Returns another start. Its distance from `start` is drawn, in proportion to `size`.
   Start Near(const Start& start, double size);
 
-  // So far up that the part is free, whatever the errors; with so many times these.
+  // Returns the believed pose at a start, so far up that the part is free whatever the errors. Its
+  // errors are multiplied by `multiple`.
   Belief BeliefAt(const Start& start, double multiple) const;
 
  private:

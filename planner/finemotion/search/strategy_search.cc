@@ -14,22 +14,25 @@ namespace assay::finemotion {
 
 namespace {
 
-// What is certain for larger errors is for smaller ones; and sequences are not always found for
-// the smaller ones, as parts that are less tilted come nearer to having parallel edges.
+// Factors by which the errors are enlarged for a search. A sequence that is certain for larger
+// errors is certain for smaller ones. For the smaller ones it is not always found, since parts that
+// are less tilted come nearer to having parallel edges.
 constexpr double kEnlargements[] = {1, 2};
-// Of the errors, that sequences are searched for, round by round.
+// The fractions of the errors for which sequences are searched for, round by round.
 constexpr double kMultiples[] = {0.8, 0.7, 1, 0.5, 0.3, 0.15};
-// Of the errors, that it is asked for where too little is absorbed: one after another.
+// Where too little is absorbed, sequences for smaller errors are searched for. Each search takes
+// kFewer times the errors of the one before, down to kFewest of all.
 constexpr double kFewer = 0.7;
 constexpr double kFewest = 0.01;
-// Of what is certain to first order, that is looked at exactly.
+// The exact replays end when a smaller fraction is left of the errors that are certain to first
+// order.
 constexpr double kLeastAbsorbed = 0.1;
 
-// A search from other starts.
+// The parameters of one search.
 struct Attempt {
-  int round = 0;        // that draws the starts
-  double multiple = 1;  // of its errors, that a sequence is searched for
-  double enlarged = 1;  // its errors, in those that were asked for
+  int round = 0;        // the round that draws the starts
+  double multiple = 1;  // factor of the attempt's errors for which a sequence is searched for
+  double enlarged = 1;  // factor from the wanted errors to the attempt's errors
   double asked() const { return 1 / enlarged; }
 };
 
@@ -58,7 +61,7 @@ class StrategySearch {
   }
 
  private:
-  // What belongs to one attempt. Multiples are of its errors.
+  // The state of one attempt. Multiples refer to its errors.
   struct Trying {
     Trying(const StrategySearch& search, const Attempt& with, SequenceSearch::Effort effort)
         : attempt(with),
@@ -90,7 +93,8 @@ class StrategySearch {
     }
   }
 
-  // As the first round does; what the errors are, decides on how far up starts are, too.
+  // Searches like the first round, for smaller errors. The errors decide how far up the starts are,
+  // too.
   void SearchForFewerErrors() {
     for (double share = kFewer; best_.absorbed < options_.greatest * share && share > kFewest;
          share *= kFewer)
@@ -108,8 +112,8 @@ class StrategySearch {
     Count(trying);
   }
 
-  // With all of the errors: what is no sequence then is none that is looked for. What exact
-  // geometry contradicts is none either.
+  // Examines all sequences with all of the errors. A sequence that exact geometry contradicts does
+  // not count.
   Outcome LookThroughAll() {
     Trying trying(*this, {.round = options_.rounds}, SequenceSearch::Effort::kThorough);
     while (!IsFound()) {
@@ -132,14 +136,15 @@ class StrategySearch {
     comparison_ += trying.replay.comparison();
   }
 
-  // As long as nothing is absorbed: the later searches are those for fewer errors.
+  // Stores what was refused, as long as nothing is absorbed. The later searches are those for
+  // smaller errors, so the latest refusal is kept.
   void TellRefusal(const Trying& trying) {
     if (best_.absorbed > 0 || !trying.sequences.refused()) return;
     best_.obstacle = trying.sequences.refused();
     best_.obstacle->scale = trying.attempt.multiple * trying.attempt.enlarged;
   }
 
-  // In the errors that were asked for.
+  // Returns the plan for a sequence, with its numbers as multiples of the wanted errors.
   FineMotionPlan PlanOf(const Sequence& sequence, double absorbed, Trying& trying) const {
     const Attempt& attempt = trying.attempt;
     FineMotionPlan plan;
@@ -153,7 +158,8 @@ class StrategySearch {
     return plan;
   }
 
-  // The greatest multiple for which the sequence is certain, and what comes first beyond it.
+  // Returns the greatest multiple for which the sequence is certain, and stores what happens first
+  // beyond it.
   double GreatestCertain(const Sequence& sequence, double absorbed, Trying& trying,
                          std::optional<Unwanted>& obstacle) const {
     while (absorbed < trying.attempt.asked()) {
@@ -169,7 +175,8 @@ class StrategySearch {
     return absorbed;
   }
 
-  // All motions, with as many of the errors as they are certain for.
+  // Adds all motions, checked with the errors that are absorbed, but with no more than the wanted
+  // ones.
   void AddMotions(const Sequence& sequence, double absorbed, Trying& trying,
                   FineMotionPlan& plan) const {
     const double asked = trying.attempt.asked();
@@ -180,7 +187,7 @@ class StrategySearch {
         for (Unwanted& unwanted : motion.check.unwanted) unwanted.scale *= multiple / asked;
       }
     }
-    // Contacts come the later, the greater the errors are.
+    // A contact comes later with greater errors.
     const auto most = trying.replay.Replay(sequence, absorbed, Margins::kNone);
     for (std::size_t i = 0; i < std::min(most.motions.size(), plan.motions.size()); ++i) {
       double& longest = plan.motions[i].check.longest;
@@ -188,7 +195,8 @@ class StrategySearch {
     }
   }
 
-  // Above the greatest that is looked for, what was asked for is what is known.
+  // Sets the friction limit. If no motion has a limit below kGreatestFriction, it is
+  // kGreatestFriction or the friction of the options, whichever is greater.
   void AddFrictionLimit(FineMotionPlan& plan) const {
     plan.friction_limit = std::max(kGreatestFriction, options_.friction);
     for (const CertainMotion& motion : plan.motions) {
@@ -206,7 +214,8 @@ class StrategySearch {
       best_.obstacle = plan.obstacle;
   }
 
-  // Rows are linear; what they leave out grows with the square of the errors.
+  // Reduces what the plan absorbs until exact replays confirm it. Rows are linear, and what they
+  // leave out grows with the square of the errors.
   void AbsorbWhatIsConfirmed(FineMotionPlan& plan) const {
     for (const double least = kLeastAbsorbed * plan.absorbed; plan.absorbed >= least;) {
       const ExactReplays replays = Replayed(plan, plan.absorbed);
@@ -222,7 +231,7 @@ class StrategySearch {
     plan.absorbed = 0;
   }
 
-  // In exact geometry, with so many times the errors.
+  // Replays the plan in exact geometry with this multiple of the errors.
   ExactReplays Replayed(const FineMotionPlan& plan, double multiple) const {
     const ExactReplay replay{.passage = passage_,
                              .X_StationaryStart = plan.X_StationaryStart,
@@ -235,7 +244,7 @@ class StrategySearch {
   const Passage& passage_;
   const FineMotionErrors& errors_;
   const StrategyOptions& options_;
-  std::vector<Maneuvering> maneuvering_;  // at each critical point
+  std::vector<Maneuvering> maneuvering_;  // one for each critical point
   FineMotionPlan best_;
   int expanded_ = 0;
   int replayed_ = 0;

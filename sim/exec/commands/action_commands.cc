@@ -16,7 +16,7 @@ Command& TravelOf(std::vector<Command>& commands) {
   });
 }
 
-// The path in place of all moves up to where the tool is poised.
+// Replaces all moves up to where the tool is poised by the path.
 void ComeByPath(const std::vector<kinematics::JointVector>& path, const plan::ToolRoute& route,
                 StepCommands& commands) {
   std::erase_if(commands.approach,
@@ -28,13 +28,13 @@ void ComeByPath(const std::vector<kinematics::JointVector>& path, const plan::To
   }
 }
 
-// The usual way, in the planned postures.
+// Sets the usual way, in the planned postures.
 void ComeOver(const std::vector<kinematics::JointVector>& path, StepCommands& commands) {
   Command& travel = TravelOf(commands.approach);
   travel = FollowPath{path, std::get<MoveAtSafeHeight>(travel).X_WorldTool};
 }
 
-// The last line goes no higher than the retreat.
+// Lets the last line go no higher than the retreat.
 void StayLow(const plan::ToolRoute& route, StepCommands& commands) {
   if (commands.depart.empty()) return;
   auto& last = std::get<MoveStraight>(commands.depart.back());

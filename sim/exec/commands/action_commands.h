@@ -12,61 +12,65 @@ namespace assay::exec {
 using plan::AtSafeHeight;
 using plan::Retreated;
 
-// The commands of one step, by what they are for: move above, straight line down, act, and up
-// again (Spar, figure 18).
+// The commands of one step, in phases: move above, go down a straight line, act, and go up again
+// (Spar, figure 18).
 struct StepCommands {
   plan::StepId step = {};
-  std::vector<Command> approach = {};  // until the tool is poised before or above its work
-  std::vector<Command> advance = {};   // to where it works
-  std::vector<Command> act = {};       // there
-  std::vector<Command> depart = {};    // when that was right
-  // When it was not: back to where the tool was poised. Empty: it is enough to back off a little.
+  std::vector<Command> approach = {};  // commands until the tool is poised before or above its work
+  std::vector<Command> advance = {};   // commands until the tool is at its work
+  std::vector<Command> act = {};       // commands at the place of work
+  std::vector<Command> depart = {};    // commands that move the tool away, if the work succeeded
+  // Back to where the tool was poised, if the work failed. If it is empty, the tool only needs to
+  // back off a little.
   std::vector<Command> withdraw = {};
 
-  // Without `withdraw`, in the order of execution.
+  // Returns all commands but those of `withdraw`, in the order of execution.
   std::vector<Command> InOrder() const;
 };
 
-// The commands of a step of a plan, from where the parts are believed to be. Straight lines down
-// and up are vertical; the last piece to a part and the first away from it are along the tool's
-// axis, as long as the workcell's approach distance. Parts that are put down or mated go on until
-// they meet resistance, or until they must have met it (BeyondContact). The arm comes as the plan's
-// travel has it: the usual way, or by a path from where the step before has left the tool
-// (plan::RouteOf), and then neither goes up.
+// Returns the commands of a step of a plan, for the believed poses of the parts. Straight lines
+// down and up are vertical. The last piece to a part and the first piece away from it are along the
+// tool's axis, with the workcell's approach distance as length. Parts that are put down or mated go
+// on until they meet resistance, or until they must have met it (BeyondContact). The arm comes by
+// the plan's travel: the usual way, or a path from where the step before has left the tool
+// (plan::RouteOf). With a path, the arm does not go up to safe height between the two steps.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Plan& plan, plan::StepId step);
-// After the last step.
+// Returns the command after the last step.
 Command HomingOf(const domain::Problem& problem, const plan::Plan& plan);
 
-// The same with the usual travel.
+// Returns the commands of a step with the usual travel.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::PlannedStep& step);
-// Of the actions. `certificate`: what is known of the step; empty: nothing. The fixed part of a
-// mating is clamped by its fixture, if it has one (domain::Part::clamp).
+// Return the commands of single actions. `certificate` holds what is known of the step; empty means
+// nothing. If the fixed part of a mating has a fixture, this clamps it (domain::Part::clamp).
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Pickup& pickup, const plan::Certificate& certificate = {});
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Putdown& putdown, const plan::Certificate& certificate = {});
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Assemble& assemble, const plan::Certificate& certificate = {});
-// The same by fine motion.
+// Returns the commands of a mating by fine motion.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Assemble& assemble, const plan::Strategy& strategy);
-// The arm first goes to its home, so that it hangs over no part that does not lie there.
+// Returns the commands of a look. The arm first goes home, so that it hangs over no part that does
+// not lie there.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Sense& sense, const plan::Certificate& certificate = {});
-// Closes on the part as a pickup does, and lets it go where it is.
+// Returns the commands of a squeeze. The gripper closes on the part as in a pickup, and releases it
+// in place.
 StepCommands CommandsFor(const domain::Problem& problem, const WorldModel& world,
                          const plan::Squeeze& squeeze, const plan::Certificate& certificate = {});
 
-// What a guarded move takes for resistance: more than what starting and stopping the hand exerts.
+// The force at which a guarded move stops. It exceeds what starting and stopping the hand exerts.
 using plan::kResistance;
 
-// How far a guarded move goes beyond where contact is expected, metres: until it must have been
-// made, so that pads that bear less than the resistance slide no farther on the part; no farther
-// than the workcell's guarded travel.
+// Returns how far a guarded move goes beyond the place of expected contact, in metres. It goes
+// until contact must have been made, so that pads that bear less than the resistance slide no
+// farther on the part. It goes no farther than the workcell's guarded travel.
 double BeyondContact(const domain::Problem& problem, const plan::Certificate& certificate);
-// Adds that the fixed part's fixture, if it has one, clamps it until the held part is let go.
+// Adds commands by which the fixed part's fixture, if it has one, clamps it until the held part is
+// released.
 void ClampFixed(const domain::Problem& problem, const domain::Mating& mating,
                 StepCommands& commands);
 

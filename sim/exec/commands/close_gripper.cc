@@ -6,11 +6,13 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kClosingSpeed = 0.02;   // m/s of one pad
-constexpr double kTouchSpeed = 0.005;    // m/s of one pad, where it is to meet the part
-constexpr double kTouchMargin = 0.003;   // metres of opening before the expected width
-constexpr double kClosingSettle = 0.05;  // seconds for the arm, before
-constexpr double kLongest = 10;          // seconds
+constexpr double kClosingSpeed = 0.02;  // m/s of one pad
+// Speed of one pad in m/s, near the width at which it should meet the part.
+constexpr double kTouchSpeed = 0.005;
+// Metres of opening before the expected width, where the touch speed begins.
+constexpr double kTouchMargin = 0.003;
+constexpr double kClosingSettle = 0.05;  // seconds for the arm to settle before closing
+constexpr double kLongest = 10;          // seconds until closing ends in any case
 
 // Closes until the gripper has been still for a while under its full force.
 Progress CloseUntilStill(double expected_width, Execution& execution) {

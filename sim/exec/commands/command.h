@@ -15,39 +15,39 @@ using domain::PartId;
 using geometry::Pose;
 using geometry::Vector3;
 
-// What the robot can be told: the primitives of Spar's execution module (Hutchinson and Kak 1990,
-// Table 4 and figure 18).
+// The commands that a robot executes: the primitives of Spar's execution module (Hutchinson and Kak
+// 1990, Table 4 and figure 18).
 
-// The tool goes, high above everything, to a pose at safe height.
+// The tool goes to a pose at safe height, above all parts.
 struct MoveAtSafeHeight {
   Pose X_WorldTool;
 };
 
-// The arm goes along a path that the plan holds, straight in joint space from posture to posture,
-// to where the tool is now believed to have to be at its end: millimetres from where it was
-// planned.
+// The arm goes along a path of the plan, straight in joint space from posture to posture. It ends
+// at X_WorldTool, the tool's pose for the believed poses of the parts, which is millimetres from
+// the planned end.
 struct FollowPath {
   std::vector<kinematics::JointVector> path;
   Pose X_WorldTool;
 };
 
-// A move that ends where it meets resistance.
+// The condition that ends a move: resistance.
 struct Guard {
   double force = 0;  // newtons against the motion, more than before it
 };
 
-// The tool goes along a straight line, its orientation kept.
+// The tool goes along a straight line and keeps its orientation.
 struct MoveStraight {
   Pose X_WorldTool;
   Pace pace;
-  std::optional<Guard> guard = {};  // felt on the whole way
+  std::optional<Guard> guard = {};  // the guard, which is active on the whole way
 };
 
-// Fingers have come to rest that are no faster than this for so long.
-inline constexpr double kFingersStill = 1e-4;     // m/s, of the opening
+// Fingers have come to rest when they were slower than kFingersStill for kFingersStillFor.
+inline constexpr double kFingersStill = 1e-4;     // m/s of the opening
 inline constexpr double kFingersStillFor = 0.05;  // seconds
 
-// The gripper opens wide. If it held a part, the part is believed to stay where it is let go.
+// The gripper opens wide. A part that it held is believed to stay where it is released.
 struct OpenGripper {
   struct Release {
     PartId part;
@@ -56,14 +56,14 @@ struct OpenGripper {
   std::optional<Release> release = {};
 };
 
-// The gripper closes on a part, which is believed to be held so from then on.
+// The gripper closes on a part. From then on the part is believed to be held in this way.
 struct CloseGripper {
   PartId part;
   plan::Hold hold;
 };
 
-// A sensor looks at a part, and what is believed of its pose becomes what the sensor tells, in the
-// coordinates that it knows better (uncertainty::TakesOver).
+// A sensor looks at a part. The believed pose takes over the measured coordinates that the sensor
+// knows better (uncertainty::TakesOver).
 struct Look {
   PartId part;
   std::string sensor;
@@ -72,13 +72,14 @@ struct Look {
   } takes = {};
 };
 
-// A part's fixture presses it down on the table; with no force, it lets go.
+// A part's fixture presses it down on the table with this force. Without force it releases the
+// part.
 struct Clamp {
   PartId part;
-  double force = 0;  // newtons
+  double force = 0;  // newtons on the part, downward
 };
 
-// Hybrid control of position and force leads the held part into the fixed one, from where the
+// Hybrid control of position and force leads the held part into the fixed one. It begins where the
 // strategy starts.
 struct FollowStrategy {
   plan::Strategy strategy;
@@ -88,7 +89,7 @@ struct FollowStrategy {
 using Command = std::variant<MoveAtSafeHeight, FollowPath, MoveStraight, OpenGripper, CloseGripper,
                              Look, Clamp, FollowStrategy>;
 
-// One line for people; millimetres, world frame.
+// Returns one line for people, in millimetres and the world frame.
 std::string Text(const domain::Problem& problem, const Command& command);
 
 }  // namespace assay::exec

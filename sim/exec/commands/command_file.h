@@ -7,20 +7,20 @@
 
 namespace assay::exec {
 
-// A plan as the robot is told to execute it, in the order of execution (Spar, "Experimental
-// Results": each step becomes a function call, the calls are collected in a command file), if
-// sensing tells nothing new and nothing goes wrong.
+// A plan as commands in the order of execution, on the assumption that sensing brings nothing new
+// and nothing goes wrong. In Spar's "Experimental Results", each step becomes a function call, and
+// the calls are collected in a command file.
 struct CommandFile {
   std::vector<StepCommands> steps;
-  Command home;  // at the end
+  Command home;  // the last command
 };
 
 CommandFile CommandFileOf(const domain::Problem& problem, const plan::Plan& plan);
 
-// One line for each step and, indented, for each command.
+// Returns one line for each step and, indented, one for each command.
 std::string Text(const domain::Problem& problem, const plan::Plan& plan, const CommandFile& file);
 
-// "pickup(block, BG3)".
+// Returns a text such as "pickup(block, BG3)".
 std::string Text(const domain::Problem& problem, const plan::Action& action);
 
 }  // namespace assay::exec

@@ -6,17 +6,18 @@
 namespace assay::exec {
 namespace {
 
-// Whole turns apart, or in another of the arm's configurations: then what was found of the path
-// says nothing of the way that would be gone.
+// Returns whether two postures are whole turns apart, or in different configurations of the arm. If
+// so, the checks of the path do not hold for a way from one to the other.
 bool IsOtherPosture(const kinematics::Arm& arm, const JointVector& a, const JointVector& b) {
   return arm.IndicatorsOf(a) != arm.IndicatorsOf(b) || (a - b).cwiseAbs().maxCoeff() > M_PI;
 }
 
 }  // namespace
 
-// The arm goes from where errors have it to where the path starts, along the path, and from its end
-// to where they now want it: what was found of the path holds for the way that is gone, and the two
-// short motions are of the tool as errors may have it anyway ("reach", "way clear").
+// The arm goes from its present posture to the path's start, along the path, and from the path's
+// end to the posture for X_WorldTool. The checks of the path hold for its way. The two short
+// motions at the ends are within what errors may do to the tool, which the preconditions "reach"
+// and "way clear" cover.
 Progress Run(const FollowPath& follow, std::span<const Command>, Execution& execution) {
   const domain::Workcell& workcell = *execution.problem().workcell;
   motion::JointPath path = follow.path;

@@ -6,7 +6,8 @@
 namespace assay::exec {
 namespace {
 
-// What the executor calls it: what only the mating knows of is for people to look at.
+// Returns the executor's outcome for an outcome of the mating. Details that only the mating has are
+// in the reason.
 ExecutionOutcome ExecutionOutcomeOf(MatingOutcome outcome) {
   switch (outcome) {
     case MatingOutcome::kDone:
@@ -36,7 +37,7 @@ Progress Run(const FollowStrategy& follow, std::span<const Command>, Execution& 
   HybridControl control(follow.strategy, follow.fixed, law, execution);
   StrategyEnd end = control.Run();
   execution.LimitForce(usual_limit);
-  // Servos that were soft are stiff again.
+  // The servos, which were soft, are stiff again.
   execution.TakeStock();
   if (end.outcome == MatingOutcome::kDone && !execution.IsInHand()) {
     end.outcome = MatingOutcome::kDropped;
@@ -48,7 +49,7 @@ Progress Run(const FollowStrategy& follow, std::span<const Command>, Execution& 
 }
 
 Progress Run(const Clamp& clamp, std::span<const Command>, Execution& execution) {
-  constexpr double kSettle = 0.1;  // seconds
+  constexpr double kSettle = 0.1;  // seconds for the part to settle
   execution.scene().Clamp(execution.data(), clamp.part, clamp.force);
   return execution.Stay(kSettle, Stepping::kContact);
 }

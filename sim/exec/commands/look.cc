@@ -5,13 +5,13 @@
 namespace assay::exec {
 namespace {
 
-// The angle about the world's vertical from one pose to another that is nearly as upright.
+// Returns the angle about the world's vertical from one pose to another that is nearly as upright.
 double YawBetween(const Pose& from, const Pose& to) {
   const geometry::Matrix3 turn = to.linear() * from.linear().transpose();
   return std::atan2(turn(1, 0) - turn(0, 1), turn(0, 0) + turn(1, 1));
 }
 
-// Turned about the world's vertical through its own origin, and displaced.
+// Returns the pose turned about the vertical through its own origin, then displaced.
 Pose Moved(const Pose& pose, double yaw, const Vector3& displacement) {
   Pose moved = geometry::RotationZ(yaw) * pose;
   moved.translation() = pose.translation() + displacement;

@@ -3,7 +3,7 @@
 namespace assay::exec {
 namespace {
 
-// The corners of the straight lines up to the next travel.
+// Returns the corners of the straight lines up to the next travel.
 std::vector<Vector3> CornersAfter(std::span<const Command> rest, const Execution& execution) {
   std::vector<Vector3> corners;
   for (const Command& command : rest) {

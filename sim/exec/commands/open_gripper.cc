@@ -5,11 +5,11 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kOpeningSpeed = 0.02;  // m/s of one pad, no faster than the drive follows
-constexpr double kSlowSpeed = 0.005;    // m/s of one pad, while it leaves what it held
+constexpr double kOpeningSpeed = 0.02;  // m/s of one pad; the drive follows no faster
+constexpr double kSlowSpeed = 0.005;    // m/s of one pad, while it leaves the part that it held
 constexpr double kSlowLength = 0.001;   // metres of opening
-constexpr double kOpeningSettle = 0.1;  // seconds for the arm, and for what was let go
-constexpr double kOpenEnough = 0.0005;  // metres
+constexpr double kOpeningSettle = 0.1;  // seconds for the arm, and for the released part, to settle
+constexpr double kOpenEnough = 0.0005;  // metres from fully open that count as open
 
 }  // namespace
 
@@ -24,7 +24,7 @@ Progress Run(const OpenGripper& open, std::span<const Command>, Execution& execu
   }
   double target = scene.Opening(data);
   const double slow_until = open.release ? target + kSlowLength : target;
-  // If something is in the way of the fingers, it ends where they come to rest.
+  // If something is in the way of the fingers, opening ends where they come to rest.
   double still_since = data.time();
   while (scene.Opening(data) < wide - kOpenEnough && data.time() < still_since + kFingersStillFor) {
     const double speed = target < slow_until ? kSlowSpeed : kOpeningSpeed;

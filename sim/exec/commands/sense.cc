@@ -4,8 +4,9 @@
 namespace assay::exec {
 namespace {
 
-// Which coordinates the planner counts on being taken from the sensor: what is known before the
-// look is in the step's certificate. Without one all that the sensor measures is taken.
+// Returns the coordinates that the planner expects to be taken from the sensor. They follow from
+// what is known before the look, which is in the step's certificate. Without a certificate all
+// measured coordinates are taken.
 Look::Takes TakesOf(const domain::Problem& problem, const plan::Sense& sense,
                     const plan::Certificate& certificate) {
   constexpr Interval kUnknown = {-1e9, 1e9};

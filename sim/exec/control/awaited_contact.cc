@@ -5,7 +5,7 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kCreep = 0.1;  // of a pace, at least: friction may hide that a contact is made
+constexpr double kCreep = 0.1;  // least share of a pace: friction may hide that a contact is made
 
 }  // namespace
 

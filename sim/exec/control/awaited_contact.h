@@ -5,22 +5,25 @@
 
 namespace assay::exec {
 
-// Tells of a contact that a motion waits for, by the forces that it and the kept ones would have to
-// bear for what is felt.
+// Detects the contact that a motion waits for, from the forces that it and the kept contacts would
+// have to bear to explain the measured wrench.
 class AwaitedContact {
  public:
-  // `seeming`: newtons on it that the friction of what is kept may seem to be.
+  // `kept` is the number of kept contacts. `seeming` is the force, in newtons, that friction of the
+  // kept contacts may seem to put on the awaited one.
   AwaitedContact(int kept, double seeming, const ControlLaw& law);
 
-  // The newtons of a timestep, the kept contacts' and then its own.
+  // Takes the forces of one timestep in newtons: those of the kept contacts, then that of the
+  // awaited one.
   void Feel(const Eigen::VectorXd& forces, double timestep);
-  // It bears enough on average; or more than all that is kept, of which it takes over.
+  // Returns whether the contact bears enough on average, or more than all kept contacts, whose
+  // force it takes over.
   bool IsMade() const;
-  // What is felt is of the kept contacts only.
+  // Returns whether only the kept contacts bear anything.
   bool IsApart() const;
-  // The share of its rate at which the motion is to go on. The arm is stiff against turns, and what
-  // is made beside a kept contact takes over what that one bears within micrometres of the way: a
-  // motion that went on would lift it.
+  // Returns the share of its rate at which the motion should go on. The arm is stiff against turns,
+  // so a contact that is made beside a kept one takes over its force within micrometres. A motion
+  // that went on at full rate would lift the kept contact.
   double Pace() const { return pace_; }
 
  private:
@@ -29,8 +32,8 @@ class AwaitedContact {
 
   const ControlLaw& law_;
   int kept_;
-  double least_;          // newtons
-  Eigen::VectorXd felt_;  // averaged
+  double least_;          // newtons that the contact must bear at least
+  Eigen::VectorXd felt_;  // forces, averaged over time
   double pace_ = 1;
 };
 

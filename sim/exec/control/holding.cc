@@ -8,7 +8,8 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kAgainst = 0.3;  // of a push, that a contact's normal takes back
+// Fraction of a push that the normal of an opposing contact takes back.
+constexpr double kAgainst = 0.3;
 
 }  // namespace
 

@@ -8,22 +8,22 @@
 
 namespace assay::exec {
 
-// What contacts that touch can do to a part that is pushed and does not move (quasi-statically).
+// How contacts can hold a part that is pushed and does not move (quasi-statically).
 enum class Holding {
-  kNothing,   // they cannot hold it
-  kObstacle,  // one of them stands against the push, without any friction
-  kJam,       // their friction holds it, as long as it is pushed (Simunovic 1975)
-  kWedge,     // they squeeze it between them, whatever is done to it (Nevins and Whitney 1978)
+  kNothing,   // the contacts cannot hold the part
+  kObstacle,  // a contact stands against the push, even without friction
+  kJam,       // friction holds the part while it is pushed (Simunovic 1975)
+  kWedge,     // the contacts squeeze the part whatever is done to it (Nevins and Whitney 1978)
 };
-std::string_view Name(Holding holding);  // "wedge"
+std::string_view Name(Holding holding);  // for example "wedge"
 
-// `contacts`: normals and places about the point that is pushed along `way` (unit). `length` as
-// plan::Strategy::length.
+// Returns how the contacts can hold a part that is pushed along `way` (unit). Their places are
+// relative to the point that is pushed. `length` is plan::Strategy::length.
 Holding HoldingOf(const std::vector<plan::StrategyContact>& contacts, const geometry::Vector3& way,
                   double friction, double length);
 
-// The same of the engine's present contacts between the part in the execution's hand and another
-// one, which is pushed at its tip along `way` (in the axes of `fixed`).
+// Returns how the engine's present contacts can hold the part in the execution's hand against the
+// fixed part, if it is pushed at its tip along `way` (unit, in the axes of `fixed`).
 Holding TrueHolding(Execution& execution, PartId fixed, const Pose& X_HeldTip,
                     const geometry::Vector3& way, double length);
 

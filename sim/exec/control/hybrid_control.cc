@@ -11,9 +11,9 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kStalled = 0.3;       // seconds without way along a crevice
-constexpr double kCreviceEnd = 0.002;  // metres from a crevice's end, which is not known better
-constexpr double kNoWay = 1e-9;        // metres, radians
+constexpr double kStalled = 0.3;       // seconds without progress along a crevice
+constexpr double kCreviceEnd = 0.002;  // metres to which the end of a crevice is known
+constexpr double kNoWay = 1e-9;        // metres or radians; shorter ways are none
 
 bool CanBeLeft(MatingOutcome error) {
   return error == MatingOutcome::kJammed || error == MatingOutcome::kWrongContact ||
@@ -115,7 +115,8 @@ plan::Strategy HybridControl::Found() const {
   return found;
 }
 
-// What went on in an error state has not been where the plan is since.
+// Returns the unwanted contact that forces show. After an ignored error state the arm is not where
+// the plan has it, so that state's contact is returned.
 std::optional<RecognizedContact> HybridControl::Recognized(
     const plan::StrategyMotion& motion) const {
   if (!ignored_.empty()) return ignored_.front().recognized;
@@ -133,7 +134,7 @@ HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motio
   if (IsAsPlanned(found, motion, felt_.wrench)) return std::nullopt;
   ErrorState wrong =
       Error(MatingOutcome::kWrongContact, "forces that no contacts of the plan explain");
-  // Others may have followed the contact that the motion took for the awaited one.
+  // Other contacts may have followed the one that the motion took for the awaited one.
   for (const Feeling& felt : {first_felt_, felt_}) {
     if (IsAsPlanned(found, motion, felt.wrench)) continue;
     const auto unwanted = Recognize(found, motion, felt.wrench);
@@ -148,7 +149,7 @@ HybridControl::Ended HybridControl::CheckState(const plan::StrategyMotion& motio
 }
 
 HybridControl::Ended HybridControl::DrawBack() {
-  constexpr double kAbove = 0.01;  // metres over the start, where the part can be turned
+  constexpr double kAbove = 0.01;  // metres above the start, where the part can be turned
   const Vector3 out = WayOut();
   Pose X_FixedStart = strategy_.X_FixedStart;
   const Vector3 start = X_FixedStart.translation();
@@ -169,7 +170,7 @@ HybridControl::Ended HybridControl::DrawBack() {
                    Pressed({}));
 }
 
-// Against the last motion.
+// Returns the direction opposite to the last motion.
 Vector3 HybridControl::WayOut() const {
   const auto& motions = strategy_.motions;
   const Pose& before =
@@ -225,7 +226,7 @@ void HybridControl::Remember(std::span<const int> contacts, const PressedContact
 
 HybridControl::Ended HybridControl::RunMotion(std::size_t index) {
   const plan::StrategyMotion& motion = strategy_.motions[index];
-  // What presses on a contact is commanded to be beyond it.
+  // The commanded pose of a part that presses on a contact is beyond the contact.
   if (LetsGo(strategy_, index)) arm_.TakeStock();
   arm_.Linearize();
   first_felt_ = {};
@@ -240,7 +241,7 @@ HybridControl::Ended HybridControl::RunMotion(std::size_t index) {
 }
 
 HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedContacts& kept) {
-  constexpr double kEnd = 1e-3;  // of the way, that is not worth a timestep
+  constexpr double kEnd = 1e-3;  // fraction of the way that is not worth a timestep
   double gone = 0;
   double rate = 0;
   while (gone < 1 - kEnd) {
@@ -252,8 +253,8 @@ HybridControl::Ended HybridControl::MoveAlong(const Way& way, const PressedConta
   return Settle(kept);
 }
 
-// When the contact has not come once, errors are greater than they should be: the next time it may
-// be farther away.
+// Moves until the awaited contact is made. If it has not come in an earlier attempt, errors are
+// greater than they should be, so it may come later in the next one.
 HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion, const Way& way) {
   const std::vector<int> after = plan::ContactsAfter(motion);
   PressedContacts kept = Pressed(motion.kept);
@@ -281,11 +282,11 @@ HybridControl::Ended HybridControl::MoveUntil(const plan::StrategyMotion& motion
                fmt::format("no contact of {}", Planned(*motion.until).name));
 }
 
-// Where what is kept slides toward what is waited for, its friction is a force that the latter
-// could bear.
+// Kept contacts may slide toward the awaited one. Their friction then is a force that the awaited
+// contact could bear.
 double HybridControl::SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
                                    const Way& way) const {
-  constexpr double kRipple = 1.5;  // of pressing forces
+  constexpr double kRipple = 1.5;  // factor by which pressing forces may exceed their command
   const Vector6 sliding = Hybrid(kept, way.twist).planned;
   Vector6 wrench = Vector6::Zero();
   for (const plan::StrategyContact& contact : kept.contacts()) {
@@ -317,8 +318,9 @@ HybridControl::Ended HybridControl::CheckObstruction(const PressedContacts& cont
                fmt::format("{:.0f} N that no contact of the plan explains", force));
 }
 
-// In a crevice there is one way to go, and the walls show it: the hand gives way to all that is
-// felt across it. Along it, it is the slower the more resists, so that the walls have time.
+// Slides along a crevice, in which there is one way to go. The walls guide the part: the hand
+// yields to all forces across the way. Along the way it is slower with more resistance, which gives
+// the walls time to guide it.
 HybridControl::Ended HybridControl::Slide(const Way& way) {
   const double length = way.twist.norm();
   const Vector6 direction = way.twist / length;
@@ -339,10 +341,10 @@ HybridControl::Ended HybridControl::Slide(const Way& way) {
   return Stuck(direction, length - gone);
 }
 
-// Jammed or wedged (Whitney 1982): a wedged part holds itself between the walls, whatever the hand
-// does.
+// Returns the error state of a stuck part, which is jammed or wedged (Whitney 1982). A wedged part
+// is held between the walls whatever the hand does.
 HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left) {
-  constexpr double kBack = 0.002;  // metres
+  constexpr double kBack = 0.002;  // metres to draw back
   ErrorState stuck =
       Error(MatingOutcome::kJammed, fmt::format("stuck {:.1f} mm before its end", 1e3 * left));
   stuck.holding = TrueHolding(execution_, fixed_, strategy_.X_HeldTip,
@@ -358,15 +360,16 @@ HybridControl::Ended HybridControl::Stuck(const Vector6& direction, double left)
   return stuck;
 }
 
-// In ways: until the contact is pressed on, although the parts may be a little farther apart than
-// errors explain.
+// Returns, in ways, how much farther the part may go until the contact is pressed, since the parts
+// may be a little farther apart than errors explain.
 double HybridControl::Slack(int contact, const Way& way) const {
   const auto& awaited = Planned(contact);
   const Vector6 row = Joined(awaited.normal, awaited.at.cross(awaited.normal));
   return law_.slack / std::max(law_.slack, -row.dot(way.twist));
 }
 
-// A part that comes to rest slowly turns about what it has hit, and other contacts are lost.
+// Stops quickly. A part that comes to rest slowly turns about what it has hit, and other contacts
+// are lost.
 HybridControl::Ended HybridControl::Brake(TipMotion motion) {
   const Vector6 change = arm_.timestep() / law_.braking * motion.planned;
   for (double time = 0; time < law_.braking; time += arm_.timestep()) {
@@ -377,7 +380,7 @@ HybridControl::Ended HybridControl::Brake(TipMotion motion) {
   return std::nullopt;
 }
 
-// Until all contacts are pressed on, on average, but at most five times as long as usual.
+// Waits until all contacts are pressed on average, but at most five times as long as usual.
 HybridControl::Ended HybridControl::Settle(const PressedContacts& contacts) {
   const double share = arm_.timestep() / law_.settling;
   double least = contacts.empty() ? law_.touching_force : 0;  // newtons
@@ -389,8 +392,8 @@ HybridControl::Ended HybridControl::Settle(const PressedContacts& contacts) {
   return std::nullopt;
 }
 
-// Kept contacts take from what is wanted its part along their normals. What is commanded beyond a
-// contact is what the arm gives way to its force, so that the part stays where it is.
+// Kept contacts take away the part of the wanted twist along their normals. Beyond a contact, only
+// the arm's yielding to its force is commanded, so the part stays where it is.
 TipMotion HybridControl::Hybrid(const PressedContacts& contacts, const Vector6& wanted) const {
   if (contacts.empty()) return {.planned = wanted};
   const PressedContacts::Rows& rows = contacts.rows();
@@ -415,14 +418,16 @@ void HybridControl::Believe(const PressedContacts& kept, const Pose& X_FixedTip)
   arm_.Correct(-kept.Opening(kept.rows() * off));
 }
 
-// So much farther or less far than believed, and turned so much more or less.
+// Corrects the believed pose along the way on which the contact was made: the tip was farther or
+// less far on that way, and turned more or less, than believed.
 void HybridControl::BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along) {
   const auto& made = Planned(contact);
   const Vector6 row = Joined(made.normal, made.at.cross(made.normal));
   arm_.Correct(-row.dot(TwistBetween(X_FixedTip, arm_.MeasuredTip())) / row.dot(along) * along);
 }
 
-// That what a motion waits for has not come is its loss, if forces tell of nothing else.
+// Returns the unwanted contact of the error state. If the awaited contact has not come and forces
+// show nothing else, it is the loss of that contact.
 const plan::UnwantedContact* HybridControl::UnwantedIn(const ErrorState& error) const {
   const plan::StrategyMotion& motion = strategy_.motions[static_cast<std::size_t>(error.motion)];
   const auto is_it = [&](const plan::UnwantedContact& unwanted) {
@@ -443,7 +448,8 @@ void HybridControl::LearnFrom(const ErrorState& error) {
     BelieveUnwanted(strategy_.motions[static_cast<std::size_t>(error.motion)], *unwanted);
 }
 
-// It is told of the belief that the attempt began with, and has turned with the hand since.
+// Corrects the believed pose by the likely errors. They refer to the believed pose at the start of
+// the attempt, which has turned with the hand since.
 void HybridControl::BelieveLikely(const plan::TipError& likely) {
   arm_.Believe(X_TipTool_);
   const geometry::Matrix3 turn =
@@ -455,7 +461,8 @@ void HybridControl::BelieveUnwanted(const plan::StrategyMotion& motion,
                                     const plan::UnwantedContact& unwanted) {
   const PressedContacts touching = Pressed(plan::ContactsInError(motion, unwanted));
   Eigen::VectorXd gaps =
-      touching.rows() * TwistBetween(motion.X_FixedTip, arm_.MeasuredTip());  // as believed
+      // The gaps at the believed pose.
+      touching.rows() * TwistBetween(motion.X_FixedTip, arm_.MeasuredTip());
   gaps.tail<1>()[0] += unwanted.gap;
   arm_.Correct(-touching.Opening(gaps));
 }

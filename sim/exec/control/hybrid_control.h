@@ -18,71 +18,74 @@ namespace assay::exec {
 
 MatingOutcome OutcomeOf(ExecutionOutcome outcome);
 
-// A contact state that is not of the plan, or in which it does not go on.
+// A contact state that the plan does not have, or from which its motion cannot go on.
 struct ErrorState {
   MatingOutcome outcome = MatingOutcome::kDone;
   std::string reason = {};
-  int motion = 0;                                    // that it came in
-  std::optional<RecognizedContact> recognized = {};  // none: of the known ones none
-  double time = 0;                                   // simulated seconds
-  // Of a part that got stuck: by the contacts that the engine had then, which control knows nothing
-  // of.
+  int motion = 0;  // index of the motion in which it occurred
+  // None if it is none of the states that the plan knows.
+  std::optional<RecognizedContact> recognized = {};
+  double time = 0;  // when it occurred, simulated seconds
+  // How the part that got stuck is held, by the contacts that the engine has at that time. Control
+  // does not know these.
   std::optional<Holding> holding = {};
 };
 
 struct StrategyEnd {
   MatingOutcome outcome = MatingOutcome::kDone;
-  std::string reason = {};                 // empty if done
-  int motion = 0;                          // the one that it ended in
-  std::vector<ErrorState> recovered = {};  // that it had come into before, and out of again
-  std::vector<ErrorState> ignored = {};    // of the last attempt, that it went on in
+  std::string reason = {};                 // empty if the strategy is done
+  int motion = 0;                          // index of the motion in which it ended
+  std::vector<ErrorState> recovered = {};  // error states that the arm left again
+  // Error states of the last attempt, in which the arm went on.
+  std::vector<ErrorState> ignored = {};
   std::optional<RecognizedContact> recognized = {};
-  double time = 0;  // simulated seconds
+  double time = 0;  // when it ended, simulated seconds
   std::optional<Holding> holding = {};
 };
 
-// Told of each timestep: the simulation after it, and the motion's index.
+// Called after each timestep with the simulation and the index of the motion.
 using MotionObserver = std::function<void(const mujoco::Data&, int)>;
 
-// Whether a contact that touches after the motion before is not kept in this one. Each motion plans
-// a contact at a place of its own: it is the same one if its name is.
+// Returns whether a contact that touches after the previous motion is not kept in this motion. Each
+// motion plans its contacts at places of its own, so two contacts are the same if their names are.
 bool LetsGo(const plan::Strategy& strategy, std::size_t motion);
 
-// Runs strategies by hybrid control of position and force (Dakin and Popplestone, section 2): in
-// each contact state the arm is moved along the tangents as the plan has it, and along the normals
-// as forces ask for, so that contacts are kept although it is not known exactly where they are.
+// Executes strategies by hybrid control of position and force (Dakin and Popplestone, section 2).
+// In each contact state the arm moves along the tangents as planned and along the normals as the
+// forces require. Contacts are thus kept although their places are not known exactly.
 //
-// The arm is rigid and told positions, so force control is an admittance: it gives way with a
-// velocity in proportion to what the force is too much. What it gives way goes into the commanded
-// position and is not undone later.
+// The arm is rigid and takes positions as commands, so force control is an admittance: the arm
+// yields with a velocity in proportion to the excess of force. The yielding becomes part of the
+// commanded position and is not undone later.
 //
-// After each motion the arm asks whether it feels the contact state that the plan then has
-// (recognition.h). If not, or if it cannot go on, it is in an error state: it draws back and starts
-// again. What contacts have told until then is kept. An unwanted one that is recognized tells more:
-// the plan knows what errors lead to it, so that their mean is believed, and of the errors near it
-// those with which what touches does. In the last attempt it goes on as long as it can: with parts
-// that touch otherwise than planned it often still comes in.
+// After each motion, control decides whether the wrench is that of the planned contact state
+// (recognition.h). If it is not, or if the motion cannot go on, the arm is in an error state: it
+// draws back and starts again. It keeps what contacts have shown about the tip's pose. A recognized
+// unwanted contact shows more, since the plan has the mean of the errors that lead to it. That mean
+// is believed first, then the nearest errors for which the touching contacts touch. In the last
+// attempt the arm goes on as long as it can, because parts that touch otherwise than planned often
+// still enter.
 class HybridControl {
  public:
-  // The part in the execution's hand goes where the strategy leads, seen from `fixed`. The tool
-  // is where the strategy starts. All must outlive this.
+  // The part in the execution's hand follows the strategy, relative to `fixed`. The tool must be
+  // where the strategy starts. All arguments must outlive this object.
   HybridControl(const plan::Strategy& strategy, PartId fixed, const ControlLaw& law,
                 Execution& execution);
 
   StrategyEnd Run(const MotionObserver& observer = {});
 
  private:
-  // A straight way, as a twist in the fixed part's axes about the tip: metres and radians. Rates
-  // are in ways a second.
+  // A straight way, as a twist about the tip in the fixed part's axes (metres and radians). Rates
+  // are in ways per second.
   struct Way {
     Vector6 twist = Vector6::Zero();
-    double rate = 0;          // at most
+    double rate = 0;          // greatest rate, ways / s
     double acceleration = 0;  // ways / s^2
 
     Way At(double pace) const { return {twist, pace * rate, acceleration}; }
   };
-  using Ended = std::optional<ErrorState>;  // none: it goes on
-  // The arm's wrench, averaged.
+  using Ended = std::optional<ErrorState>;  // none if the motion goes on
+  // The wrench on the arm, averaged over time.
   struct Feeling {
     Vector6 wrench = Vector6::Zero();
     double time = 0;
@@ -90,14 +93,14 @@ class HybridControl {
 
   Ended RunOnce();
   void Record(const ErrorState& end);
-  ErrorState Passed() const;  // none, but what is recognized
-  // The strategy with contacts where they are found to be.
+  ErrorState Passed() const;  // returns kDone, with the recognized error state if any
+  // Returns the strategy with its contacts where they were found.
   plan::Strategy Found() const;
   std::optional<RecognizedContact> Recognized(const plan::StrategyMotion& motion) const;
   RecognizedContact Named(const plan::UnwantedContact& unwanted, double time) const;
-  // That the motion has come to the contact state that the plan has there.
+  // Checks that the wrench after the motion is that of the planned contact state.
   Ended CheckState(const plan::StrategyMotion& motion);
-  // Out of the hole, and to where the strategy starts.
+  // Draws the part out of the hole, and to where the strategy starts.
   Ended DrawBack();
   Vector3 WayOut() const;
 
@@ -105,13 +108,13 @@ class HybridControl {
     double shift = 0;  // m/s
     double turn = 0;   // rad/s
   };
-  // From where the tip is, at most with this speed.
+  // Returns the way from the tip's measured pose to X_FixedTip, with at most this speed.
   Way WayTo(const Pose& X_FixedTip, Speed speed) const;
   Speed SpeedOf(const plan::StrategyMotion& motion) const;
-  // The next timestep's rate, if so much of the way is left.
+  // Returns the rate of the next timestep, if the fraction `left` of the way is left.
   double NextRate(const Way& way, double rate, double left) const;
   const plan::StrategyContact& Planned(int contact) const;
-  // Where they are found to be.
+  // Returns the contacts where they were found.
   PressedContacts Pressed(std::span<const int> contacts) const;
   Vector3 Beside(const plan::StrategyContact& planned) const;
   void Remember(std::span<const int> contacts, const PressedContacts& pressed);
@@ -119,34 +122,37 @@ class HybridControl {
   Ended RunMotion(std::size_t index);
   Ended MoveAlong(const Way& way, const PressedContacts& kept);
   Ended MoveUntil(const plan::StrategyMotion& motion, const Way& way);
-  // Newtons on what the motion waits for that friction on what it keeps may seem to be.
+  // Returns the force in newtons that friction of the kept contacts may seem to put on the awaited
+  // one.
   double SeemingForce(const plan::StrategyMotion& motion, const PressedContacts& kept,
                       const Way& way) const;
   Ended Slide(const Way& way);
   Ended Stuck(const Vector6& direction, double left);
   double Slack(int contact, const Way& way) const;
   Ended Brake(TipMotion motion);
-  // The awaited contact was made on the way: it and what is kept are pressed on.
+  // Ends a motion whose awaited contact was made on the way, with this contact and the kept ones
+  // pressed.
   Ended Make(const plan::StrategyMotion& motion, const Way& way, double rate,
              const PressedContacts& kept);
   Ended Settle(const PressedContacts& contacts);
   Ended Step(const TipMotion& motion);
 
-  // Presses on contacts, and otherwise follows `wanted`.
+  // Returns the motion that presses on the contacts and otherwise follows `wanted`.
   TipMotion Hybrid(const PressedContacts& contacts, const Vector6& wanted) const;
-  // Gives way to all that is felt but along this direction.
+  // Returns the motion that yields to all forces but those along this direction.
   Vector6 YieldingAcross(const Vector6& direction) const;
-  // Whether forces that contacts do not explain last for longer than an impact takes.
+  // Returns an error state if forces that contacts do not explain last longer than an impact.
   Ended CheckObstruction(const PressedContacts& contacts);
 
-  // Contacts tell where the tip is, better than the hand knows: kept ones are as the plan has them
-  // after a motion, and so is one that was made on the way `along`.
+  // Correct the believed pose of the tip from contacts, which show it better than the hand does.
+  // After a motion, kept contacts are where the plan has them. A contact that was made on the way
+  // `along` is there too.
   void Believe(const PressedContacts& kept, const Pose& X_FixedTip);
   void BelieveMade(int contact, const Pose& X_FixedTip, const Vector6& along);
-  // What an error state tells of where the tip is: about where it is when this happens, and that
-  // what touches then does.
+  // Corrects the believed pose of the tip from an error state. The tip is near the mean of the
+  // errors that lead to that state, and the touching contacts touch.
   void LearnFrom(const ErrorState& error);
-  const plan::UnwantedContact* UnwantedIn(const ErrorState& error) const;  // null: none is known
+  const plan::UnwantedContact* UnwantedIn(const ErrorState& error) const;  // null if none is known
   void BelieveLikely(const plan::TipError& likely);
   void BelieveUnwanted(const plan::StrategyMotion& motion, const plan::UnwantedContact& unwanted);
 
@@ -158,14 +164,17 @@ class HybridControl {
   PartId fixed_;
   SoftArm arm_;
   MotionObserver observer_;
-  Pose X_TipTool_;                         // believed when the attempt began
-  std::map<std::string, Vector3> beside_;  // where contacts are planned, that they are found
-  double obstructed_ = 0;                  // seconds, without a break
-  std::vector<ErrorState> ignored_;        // StrategyEnd
-  // There was an error state: anything may be hit, so that nothing is faster than to a contact.
+  Pose X_TipTool_;  // the tip's believed pose in the hand at the start of the attempt
+  // The contacts' distances from their planned places, by name.
+  std::map<std::string, Vector3> beside_;
+  double obstructed_ = 0;            // seconds of obstruction without interruption
+  std::vector<ErrorState> ignored_;  // error states of the last attempt, as in StrategyEnd
+  // There was an error state, so anything may be hit. Nothing is then faster than a motion to a
+  // contact.
   bool in_doubt_ = false;
   Feeling felt_;
-  Feeling first_felt_;  // of the motion's awaited contact; what else is made then comes after it
+  // Wrench when the awaited contact was made; other contacts may have followed it.
+  Feeling first_felt_;
   int attempt_ = 1;
   int motion_ = 0;
 };

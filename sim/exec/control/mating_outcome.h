@@ -4,18 +4,18 @@
 
 namespace assay::exec {
 
-// How a mating by a strategy, or a motion of it, ended, as far as the arm can tell.
+// How a mating by a strategy, or one of its motions, ended, as far as the arm can detect it.
 enum class MatingOutcome {
-  kDone,           // every motion was made
-  kJammed,         // it stopped short of its end; without the push it is free
-  kWedged,         // it stopped short of its end, and cannot be drawn back either
-  kWrongContact,   // something touched that was not to
-  kTimeout,        // a contact that was to end a motion did not come
-  kOverload,       // the wrist felt more force than it may: protective stop
+  kDone,           // every motion was completed
+  kJammed,         // the part stopped short of its end, and is free without the push
+  kWedged,         // the part stopped short of its end, and cannot be drawn back either
+  kWrongContact,   // something touched that should not touch
+  kTimeout,        // the contact that should end a motion did not come
+  kOverload,       // the wrist felt too much force: protective stop
   kUnreachable,    // the arm cannot go on
   kDropped,        // the part is no longer in the hand
   kEngineWarning,  // the engine's numbers cannot be trusted
 };
-std::string_view Name(MatingOutcome outcome);  // "wrong-contact"
+std::string_view Name(MatingOutcome outcome);  // for example "wrong-contact"
 
 }  // namespace assay::exec

@@ -11,9 +11,9 @@ namespace assay::exec {
 namespace {
 
 constexpr double kClosing = 0.2;   // seconds for the grip to build up
-constexpr double kSeated = 0.001;  // metres
+constexpr double kSeated = 0.001;  // metres from the seat that count as seated
 
-// Of the tool, for the tip to be there as it is believed to be in the hand.
+// Returns the tool's pose in the tip's frame, with the part in the hand as believed.
 Pose X_TipToolOf(const MatingSetting& setting) {
   return setting.X_HeldTip.inverse() * setting.hold.X_PartTool;
 }
@@ -25,7 +25,7 @@ Pose HandError(const MatingSetting& setting) {
   return X_TipToolOf(setting).inverse() * displaced * X_TipToolOf(setting);
 }
 
-// Of the arm's configurations that which is nearest to where it is to start.
+// Returns the joint values for the pose that are nearest to where the arm should start, or none.
 std::optional<JointVector> JointsFor(const domain::Workcell& workcell, const Pose& X_WorldTool,
                                      const MatingSetting& setting) {
   const JointVector& near = setting.near ? *setting.near : workcell.home();
@@ -37,7 +37,7 @@ std::optional<JointVector> JointsFor(const domain::Workcell& workcell, const Pos
   return nearest;
 }
 
-// Everything that a trial needs, with the part in the hand.
+// The simulation and the execution of a trial.
 class Trial {
  public:
   Trial(const domain::Problem& problem, const scene::Scene& scene, const MatingSetting& setting,
@@ -53,7 +53,7 @@ class Trial {
     execution_.world().Believe(mating_.fixed, scene.TruePose(data_, mating_.fixed));
   }
 
-  // The hand, closed on the part, where it believes itself to be at X_WorldTool.
+  // Places the closed hand, with the part in it, where it believes itself to be at X_WorldTool.
   Progress Poise(const Pose& X_WorldTool) {
     execution_.SetHandError(HandError(setting_));
     const Pose truly = execution_.Erring(X_WorldTool);

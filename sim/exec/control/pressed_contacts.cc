@@ -5,7 +5,7 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kLocatingForce = 1;  // newtons that tell where they act
+constexpr double kLocatingForce = 1;  // newtons; less does not show where contacts are
 
 }  // namespace
 

@@ -7,9 +7,10 @@
 
 namespace assay::exec {
 
-// Contacts that are kept by force, and what a wrench on the part tells of them. A contact's row
-// J = (n, r x n) is both the direction of its force and, by the principle of virtual work, the
-// speed at which a twist opens it. Twists and wrenches are about the tip, in the fixed part's axes.
+// Contacts that are kept by force, and how a wrench on the part is shared among them. A contact's
+// row J = (n, r x n) is the direction of its force. By the principle of virtual work, it gives the
+// speed at which a twist opens the contact as well. Twists and wrenches are about the tip, in the
+// fixed part's axes.
 class PressedContacts {
  public:
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6>;
@@ -20,27 +21,28 @@ class PressedContacts {
   bool empty() const { return contacts_.empty(); }
   const Rows& rows() const { return rows_; }
 
-  // The twist of this change of gaps that is the least, a turn of a radian being as easy as a shift
+  // Returns the least twist that changes the gaps by `gaps`. A turn of one radian counts as a shift
   // of plan::kTurnLever.
   Vector6 Opening(const Eigen::VectorXd& gaps) const;
-  // What each contact bears, newtons, as far as a wrench can tell them apart.
+  // Returns the force of each contact in newtons, as far as a wrench can tell the contacts apart.
   Eigen::VectorXd Forces(const Vector6& wrench) const;
-  // The force that they do not bear, friction and all, newtons.
+  // Returns the force in newtons that the contacts do not bear, friction included.
   double Unexplained(const Vector6& wrench) const;
-  // Edges that are nearly parallel touch far from where they would without errors. Contacts are
-  // moved so that a share of the torque which they do not explain is explained.
+  // Moves the contacts so that they explain a share of the torque that is unexplained at their
+  // present places. Nearly parallel edges touch far from where they would without errors.
   void Locate(const Vector6& wrench, double share);
 
  private:
   void SetRows();
-  // Without the friction, as if it acted where the contacts are pressed.
+  // Returns the wrench without friction, which is taken to act at the mean place where the contacts
+  // press.
   Vector6 WithoutFriction(const Vector6& wrench) const;
   Eigen::VectorXd LeastSquares(const Vector6& wrench) const;
 
   std::vector<plan::StrategyContact> contacts_;
   Rows rows_;
-  Eigen::Matrix<double, 6, Eigen::Dynamic> give_;  // W J'
-  Eigen::LDLT<Eigen::MatrixXd> opening_;           // J W J'
+  Eigen::Matrix<double, 6, Eigen::Dynamic> give_;  // W J', where W are the weights of twists
+  Eigen::LDLT<Eigen::MatrixXd> opening_;           // decomposition of J W J'
 };
 
 }  // namespace assay::exec

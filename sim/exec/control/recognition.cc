@@ -8,19 +8,22 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kTellingForce = 1;  // newtons that tell of contacts
-// What is as unlikely as the other: such an angle (its sine) between a wrench and the signature
-// that it is of; a contact so far beside where it is planned; or so much greater errors.
+constexpr double kTellingForce = 1;  // newtons; a greater force gives information about contacts
+// The next three constants are deviations that count as equally unlikely. They are the sine of the
+// angle between a wrench and the signature of its state, the distance of a contact from its planned
+// place, and the factor of the errors minus 1.
 constexpr double kUsualSine = 0.1;
-constexpr double kUsualSlip = 0.005;  // metres
-constexpr double kUsualGrowth = 1.5;  // multiple of errors, above 1
-// Unlikelinesses, sums of squares of the above. Where all went as planned (841 ends of motions),
-// the planned state's was 0.7 at most, and where it was not the true one 6 at least.
-constexpr double kExplained = 4;  // at most, of a state that explains a wrench
-constexpr double kBetter = 1;     // by which one must be less to explain more than another
-constexpr double kAlike = 0.1;    // separation of states that forces do not tell apart
+constexpr double kUsualSlip = 0.005;  // metres between a contact and its planned place
+constexpr double kUsualGrowth = 1.5;  // factor of the errors, minus 1
+// Limits of the unlikeliness, which is a sum of squares of these deviations. In 841 ends of motions
+// where all went as planned, the planned state had at most 0.7. Where the planned state was not the
+// true one, it had at least 6.
+constexpr double kExplained = 4;  // greatest unlikeliness of a state that explains a wrench
+// Least difference by which one state explains a wrench better than another.
+constexpr double kBetter = 1;
+constexpr double kAlike = 0.1;  // separation below which forces do not tell states apart
 
-// Weighs the states after one motion against what is felt.
+// Compares the states that are possible after one motion with the measured wrench.
 class Weighing {
  public:
   Weighing(const plan::Strategy& strategy, const plan::StrategyMotion& motion,
@@ -49,8 +52,8 @@ class Weighing {
  private:
   static double Square(double x) { return x * x; }
 
-  // That these contacts exert the wrench: where they are planned or, since edges that are nearly
-  // parallel touch far from there, beside it.
+  // Returns how unlikely it is that these contacts exert the wrench, at their planned places or
+  // beside them. Nearly parallel edges touch far from their planned places.
   double Unlikeliness(const std::vector<int>& indices) const {
     const std::vector<plan::StrategyContact> contacts = plan::ContactsAt(strategy_, indices);
     const double there = Square(SineOf(contacts) / kUsualSine);
@@ -69,7 +72,8 @@ class Weighing {
     return finemotion::Separation(wrench_, signature, strategy_.length);
   }
 
-  // What is made is needed to explain the wrench; what is lost is not.
+  // Returns whether the contact can explain the wrench: a contact that was made is needed to
+  // explain it, and one that was lost is not.
   static bool IsCandidate(const plan::UnwantedContact& unwanted, double as_felt, double planned) {
     if (unwanted.separation < kAlike || as_felt > kExplained) return false;
     if (unwanted.is_loss) return as_felt < planned + kBetter;

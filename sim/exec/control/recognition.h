@@ -7,29 +7,31 @@
 
 namespace assay::exec {
 
-// Contact states are told apart by their force signatures (Dakin and Popplestone, section 5: the
-// next state's signature is what ends a motion, and those of error states come with the plan). The
-// paper does not say how a wrench is compared with signatures. Here each state has a likelihood,
-// told as the exponent's sum of squares:
+// Contact states are told apart by their force signatures (Dakin and Popplestone, section 5). The
+// signature of the next state ends a motion, and the plan holds the signatures of the error states.
+// The paper does not say how a wrench is compared with signatures. Here each state has a
+// likelihood, expressed as the sum of squares in its exponent:
 //
-// - by what angle the wrench is outside the state's cone of wrenches, friction and all; contacts
-//   may be moved to where they explain more, which has its price: edges that are nearly parallel
-//   touch centimetres beside where they are planned;
-// - of error states, by how much all errors must be enlarged for the state to come about (section
-//   4: the likelihood is inversely related to that).
+// - The angle by which the wrench is outside the state's cone of wrenches, friction included.
+//   Contacts may be moved to places where they explain more, at a cost, because nearly parallel
+//   edges touch centimetres from their planned places.
+// - For error states, the factor by which all errors must be enlarged to cause the state (section
+// 4:
+//   the likelihood falls with this factor).
 //
-// Where a part is believed to be does not tell contacts apart: in an error state that is what is
-// wrong. Neither is anything told by a contact that touches and bears nothing.
+// The believed pose of the part is not used to tell contacts apart, since in an error state it is
+// what is wrong. A contact that touches and bears nothing gives no information.
 
-// Whether what is felt after a motion is of the contacts that the plan then has. Less than a newton
-// is of any.
+// Returns whether the wrench after a motion can be that of the planned contacts. A wrench of less
+// than a newton can be that of any contacts.
 bool IsAsPlanned(const plan::Strategy& strategy, const plan::StrategyMotion& motion,
                  const Vector6& wrench);
 
-// The likeliest error state of the motion in which the tip bears the wrench, by what makes it one.
-// A contact that was made must explain the wrench, and the planned ones must not; one that was lost
-// must not be needed. None: no known error state does, of those whose forces can be told from the
-// plan's. That what the motion waits for has not come is no finding.
+// Returns the likeliest error state of the motion in which the tip bears the wrench, as the
+// unwanted contact that causes it. A contact that was made must explain the wrench while the
+// planned ones do not. A contact that was lost must not be needed to explain it. Returns none if no
+// known error state explains it, among those whose forces can be told from the planned ones. An
+// awaited contact that has not come is not reported.
 std::optional<plan::UnwantedContact> Recognize(const plan::Strategy& strategy,
                                                const plan::StrategyMotion& motion,
                                                const Vector6& wrench);

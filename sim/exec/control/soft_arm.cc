@@ -9,7 +9,7 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kGreatestTurn = 0.05;  // radians of a joint in one timestep
+constexpr double kGreatestTurn = 0.05;  // radians that a joint may turn in one timestep
 
 Vector3 RotationVector(const geometry::Matrix3& R) {
   const Eigen::AngleAxisd turn(R);
@@ -85,9 +85,10 @@ void SoftArm::TakeStock() {
   velocity_ = {};
 }
 
-// The arm's Jacobian at the tip, by differences, and with the servos' stiffness K, J K^-1 J'.
+// Computes the Jacobian J at the tip by differences, and the compliance J K^-1 J' with the servos'
+// stiffness K.
 void SoftArm::Linearize() {
-  constexpr double kTurn = 1e-5;  // radians
+  constexpr double kTurn = 1e-5;  // radians of a joint, for differences
   const domain::Workcell& workcell = *execution_.problem().workcell;
   const auto tip_at = [&](const JointVector& q) {
     return X_WorldFixed_.inverse() * ToolAt(workcell, q) * X_TipTool_.inverse();

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kToolAcceleration = 1.5;  // m/s^2
 
-// A joint path's first and second derivatives by its length, by differences.
+// The first and second derivatives of a joint path by its length, computed by differences.
 struct Derivatives {
   JointVector first;
   JointVector second;
@@ -48,7 +48,7 @@ PointLimits LimitsAt(const Derivatives& d, double speed, const JointRates& rates
   return limits;
 }
 
-// Lowers speed[to] to what can be had from speed[from] one step away.
+// Lowers speed[to] to what can be reached from speed[from] one step away.
 void Reach(std::vector<double>& speed, const std::vector<PointLimits>& limits, double step,
            std::size_t from, std::size_t to) {
   const double acceleration = std::min(limits[from].acceleration, limits[to].acceleration);
@@ -73,9 +73,9 @@ TimedLine WithTimes(const LinePath& path, const Pace& pace, const JointRates& ra
   if (length < 1e-9) return {JointTrajectory({{0, {path.q.back(), JointVector::Zero()}}}), 0};
   std::vector<Derivatives> derivatives;
   std::vector<PointLimits> limits;
-  std::size_t final_point = count - 1;  // the first in the final length
+  std::size_t final_point = count - 1;  // index of the first point in the final length
   for (std::size_t i = 0; i < count; ++i) {
-    // The knot before is slow, too, so that all of the final length is.
+    // The knot before the final length is slow too, so that all of the final length is slow.
     const bool final = length - path.step * static_cast<double>(i + 1) <= pace.final_length;
     if (final) final_point = std::min(final_point, i);
     derivatives.push_back(DerivativesAt(path, i));

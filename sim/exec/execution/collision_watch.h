@@ -11,7 +11,7 @@ namespace assay::exec {
 
 using domain::PartId;
 
-// Bodies that touch and should not; the first is a robot's, or the part's in its hand.
+// Two bodies that touch and should not. The first belongs to a robot, or is the part in its hand.
 struct Collision {
   mujoco::BodyId robot;
   mujoco::BodyId other;
@@ -19,40 +19,43 @@ struct Collision {
   auto operator<=>(const Collision&) const = default;
 };
 
-// What a part in the hand may touch besides hands.
+// The bodies that a part in the hand may touch besides hands.
 enum class HeldTouches {
-  kAnything,  // in steps of plans: parts lie on each other and slide into each other
-  kTables,    // where it is taken up and put down; and what it touched when it was taken
+  kAnything,  // parts may lie on each other and slide into each other, as in steps of plans
+  // Tables where it is picked up and put down, and bodies that it touched when it was picked up.
+  kTables,
   kNothing,
 };
 
-// Watches what arms, hands and what they hold touch. Links of an arm may touch nothing; hands and
-// fingers the table and the parts that they handle, and no other robot.
+// Watches the contacts of arms, hands and the parts that they hold. Links of an arm may touch
+// nothing. Hands and fingers may touch the table and the parts that they handle, but no other
+// robot.
 class CollisionWatch {
  public:
   explicit CollisionWatch(const scene::Scene& scene);
 
-  // From now on hands may touch these parts and no others; at first, all.
-  // And a part in the hand only this; at first, anything.
+  // Sets the parts that hands may touch from here on, and the bodies that a part in the hand may
+  // touch. Without a call, they may touch all parts and anything.
   void Handle(std::vector<PartId> parts, HeldTouches held = HeldTouches::kAnything);
 
-  // The collisions of the present that were not there at any look before. `held`: what is in the
-  // hand; None: nothing.
+  // Returns the present collisions that no earlier call has returned. `held` is the part in the
+  // hand, or None.
   std::vector<Collision> Look(const mujoco::Data& data, PartId held = PartId::None());
 
  private:
   bool IsAllowed(const Collision& touch) const;
   bool IsRobot(mujoco::BodyId body) const;
   bool IsHeld(mujoco::BodyId body) const;
-  // A robot's body first, of two robots' the arm's; else that of the held part.
+  // Returns the pair in order: a robot's body first, of two robots' bodies the arm's; otherwise the
+  // held part first.
   Collision InOrder(Collision touch) const;
 
   std::vector<scene::BodyKind> kinds_;  // by BodyId
-  std::vector<PartId> parts_;           // by BodyId; None: no part
+  std::vector<PartId> parts_;           // by BodyId; None if the body is no part
   std::optional<std::vector<PartId>> handled_;
   HeldTouches held_touches_ = HeldTouches::kAnything;
   PartId held_;
-  std::set<mujoco::BodyId> taken_from_;  // what the held part touched when it was taken
+  std::set<mujoco::BodyId> taken_from_;  // bodies that the held part touched when it was picked up
   std::set<Collision> seen_;
 };
 

@@ -13,11 +13,12 @@
 namespace assay::exec {
 namespace {
 
-// Contact forces of stiff contacts jump from step to step: a stop needs a force that lasts.
-constexpr double kForceFilter = 0.02;   // seconds
-constexpr double kPeakFilter = 0.002;   // seconds
-constexpr double kTouchFilter = 0.001;  // seconds
-constexpr double kBrakeTime = 0.002;    // seconds from slow motion to rest
+// Forces of stiff contacts jump from step to step, so only a force that lasts stops the arm.
+constexpr double kForceFilter = 0.02;  // time constant of the force that stops the arm, seconds
+constexpr double kPeakFilter = 0.002;  // time constant of the greatest force, seconds
+// Time constant of the force that ends a guarded move, seconds.
+constexpr double kTouchFilter = 0.001;
+constexpr double kBrakeTime = 0.002;  // seconds from slow motion to rest
 
 std::vector<std::pair<std::string, std::string>> ContactPairs(const mujoco::Data& data) {
   std::set<std::pair<std::string, std::string>> pairs;
@@ -35,7 +36,7 @@ Trace EmptyTrace(const domain::Problem& problem) {
   return trace;
 }
 
-// As slow as a part in the hand asks for.
+// Returns the trajectory, slowed down as far as a part in the hand requires.
 JointTrajectory AsCarried(const JointTrajectory& asked, const domain::Problem& problem,
                           const WorldModel& world) {
   if (world.held().IsNone()) return asked;
@@ -105,7 +106,7 @@ Moment Execution::Now() const {
   return now;
 }
 
-// A joint move to the nearest joint values that bring the tool there.
+// Moves in joint space to the nearest joint values that bring the tool there.
 Progress Execution::TakeUpHandError(const Pose& error) {
   const domain::Workcell& workcell = *problem_.workcell;
   const Pose X_WorldTool = BelievedTool() * error;
@@ -117,8 +118,8 @@ Progress Execution::TakeUpHandError(const Pose& error) {
   return Follow(way, way.duration());
 }
 
-// The servos bring the arm to a state by the time the step begins: after it, the arm is where the
-// trajectory is one step later.
+// The arm has the commanded state at the beginning of each timestep. After the timestep it is
+// therefore where the trajectory is one timestep later.
 Progress Execution::Follow(const JointTrajectory& asked, double fine_from) {
   const JointTrajectory trajectory = AsCarried(asked, problem_, world_);
   if (asked.duration() > 0) fine_from *= trajectory.duration() / asked.duration();
@@ -131,17 +132,16 @@ Progress Execution::Follow(const JointTrajectory& asked, double fine_from) {
   return std::nullopt;
 }
 
-// What resists is felt as a force that was not there before the move: it grows by newtons in each
-// step once stiff things touch, so that a light filter against ripple is enough. The arm brakes
-// along its line, else its joints, each stopping in its own time, would drag aside what the hand
-// presses on. At the end the servos are told to hold the arm where it is, so that it does not go
-// on pressing.
+// Resistance is a force that was not there before the move. Once stiff bodies touch, it grows by
+// newtons in each timestep, so a light filter against ripple suffices. The arm brakes along its
+// line. If each joint stopped in its own time, the joints would drag aside what the hand presses
+// on. At the end the servos are commanded to hold the arm where it is, so that it stops pressing.
 Progress Execution::Follow(const JointTrajectory& trajectory, double fine_from,
                            const Guarded& guarded) {
   const double before = scene_.WristWrench(data_).force.dot(guarded.direction);
   double resistance = 0;
   double time = 0;
-  double rate = 1;  // of the trajectory's time
+  double rate = 1;  // rate at which the trajectory's time passes
   while (time < trajectory.duration() && rate > 0) {
     SetStepping(time < fine_from ? Stepping::kFree : Stepping::kContact);
     if (rate < 1 || resistance >= guarded.force)
@@ -168,8 +168,8 @@ Progress Execution::Stay(double seconds, Stepping stepping) {
   return std::nullopt;
 }
 
-// A held part creeps in the pads by an amount that grows with the timestep, whatever the friction:
-// large steps are for the empty hand.
+// A held part creeps in the pads by an amount that grows with the timestep, whatever the friction.
+// Large timesteps are therefore for the empty hand.
 void Execution::SetStepping(Stepping stepping) {
   const double fine = scene_.options().timestep;
   const bool free = stepping == Stepping::kFree && world_.held().IsNone();
@@ -194,15 +194,15 @@ void Execution::Restore(const Checkpoint& checkpoint) {
   commanded_ = checkpoint.commanded;
   felt_ = checkpoint.felt;
   hand_error_ = checkpoint.hand_error;
-  // What was due up to here has been taken.
+  // The samples that were due until here have been taken.
   samples_ = 0;
   while (options_.sample_rate > 0 && data_.time() >= samples_ / options_.sample_rate) ++samples_;
 }
 
-// The servo's law is linear in what it is told: told a state between the arm's own and the wanted
-// one, it is as if its gains were lower. Damping goes with the root of stiffness, so that the arm
-// is as well damped as before. No torques for accelerations that forces ask for: most are those of
-// the motors, and what the hand touches would give them back as forces.
+// The servo's law is linear in its command. Commanded a state between the arm's own and the wanted
+// one, it behaves as if its gains were lower. Damping is scaled by the root of the stiffness, so
+// the arm is as well damped as before. Accelerations that forces require get no torques: most of
+// these would accelerate the motors, and what the hand touches would give them back as forces.
 Progress Execution::StepSoftly(const JointState& next, const JointVector& qdd, double share) {
   SetStepping(Stepping::kContact);
   const JointVector q = scene_.ArmPosition(data_);
@@ -229,8 +229,8 @@ Progress Execution::Advance(const JointState& next) {
   return Watch();
 }
 
-// Of the held part's weight what the wrist feels: the table, or the part that it is put on, may
-// carry the rest.
+// Returns the held part's weight as far as the wrist feels it. The table, or the part on which it
+// is put, may carry the rest.
 scene::Load Execution::Carried() const {
   if (world_.held().IsNone()) return {};
   const geometry::MassProperties& mass = problem_.part(world_.held()).model->mass();

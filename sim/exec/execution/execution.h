@@ -16,21 +16,21 @@ using kinematics::JointState;
 using kinematics::JointVector;
 using motion::JointTrajectory;
 
-// Why an execution cannot go on.
+// The reason why an execution cannot go on.
 struct Failure {
   ExecutionOutcome outcome;
   std::string reason;
 };
-using Progress = std::optional<Failure>;  // none: it goes on
+using Progress = std::optional<Failure>;  // none if the execution goes on
 
-// How finely time is divided.
+// The length of timesteps.
 enum class Stepping {
-  kContact,  // the scene's timestep
+  kContact,  // the scene's own timestep
   kFree,     // ExecutorOptions::free_timestep, if the hand is empty
 };
 
-// Where an execution is: what it takes to go on from there, in another execution of the same plan
-// in the same scene.
+// A snapshot of an execution, from which another execution of the same plan in the same scene can
+// go on.
 struct Checkpoint {
   mujoco::State state;
   WorldModel world;
@@ -39,7 +39,8 @@ struct Checkpoint {
   Pose hand_error = Pose::Identity();
 };
 
-// A plan on its way: the simulation, what the arm was last told, the world model and the trace.
+// The execution of a plan: the simulation, the last command to the arm, the world model and the
+// trace.
 class Execution {
  public:
   Execution(const domain::Problem& problem, const scene::Scene& scene, mujoco::Data& data,
@@ -54,54 +55,55 @@ class Execution {
   Trace& trace() { return trace_; }
 
   const JointVector& commanded() const { return commanded_.q; }
-  // Where the hand believes itself to be: where it was last told to go.
+  // Returns the tool's pose as the hand believes it: where it was last commanded to go.
   Pose BelievedTool() const;
-  // Where it believes itself to be by the joints' own sensors.
+  // Returns the tool's pose by the joints' own sensors.
   Pose MeasuredTool() const;
-  // What the arm has around it: parts where they are believed to be, other robots where their
-  // joints' sensors say.
+  // Returns the arm's surroundings: parts at their believed poses, and other robots by their
+  // joints' sensors.
   motion::Surroundings BelievedSurroundings() const;
   Moment Now() const;
-  std::int64_t steps() const { return steps_; }  // of the engine, so far
-  // Newtons at the wrist, the greatest so far that lasted for some milliseconds.
+  std::int64_t steps() const { return steps_; }  // number of the engine's steps so far
+  // Returns the greatest force at the wrist so far, in newtons, that lasted for some milliseconds.
   double greatest_force() const { return greatest_force_; }
 
-  // The arm is with these joint values, at rest: a jump, for the start of a trial.
+  // Sets the arm to these joint values, at rest. It jumps there, for the start of a trial.
   void Place(const JointVector& q);
-  // From now on the arm stops where the wrist feels more newtons than this.
+  // Sets the force at the wrist, in newtons, above which the arm stops.
   void LimitForce(double newtons) { force_limit_ = newtons; }
   double force_limit() const { return force_limit_; }
-  // Whether a finger touches the part that it is believed to hold.
+  // Returns whether a finger touches the part that the hand is believed to hold.
   bool IsInHand() const;
-  // From now on the hand errs so (noise::Noise::HandError).
+  // Sets the hand's error (noise::Noise::HandError).
   void SetHandError(const Pose& error) { hand_error_ = error; }
-  // The same, and it goes where it now believes itself to be.
+  // Sets the hand's error, and moves the hand to the pose that it then believes to have.
   Progress TakeUpHandError(const Pose& error);
-  // Where the hand truly goes when it is told to go to X_WorldTool.
+  // Returns the true pose of the tool when it is commanded to X_WorldTool.
   Pose Erring(const Pose& X_WorldTool) const { return X_WorldTool * hand_error_; }
-  // From now on the hand may touch these parts and no others (CollisionWatch).
+  // Sets the parts that the hand may touch from here on (CollisionWatch).
   void Handle(std::vector<PartId> parts, HeldTouches held = HeldTouches::kAnything) {
     collisions_.Handle(std::move(parts), held);
   }
   void SetStep(plan::StepId step) { step_ = step; }
   plan::StepId step() const { return step_; }
 
-  // The arm follows the trajectory, from `fine_from` (seconds from its start) on in small steps.
+  // Follows the trajectory, with small timesteps from `fine_from` (seconds after its start) on.
   Progress Follow(const JointTrajectory& trajectory, double fine_from);
-  // The same; it stops where it feels the force against `direction`. Then the arm rests where it
-  // is.
+  // Follows the trajectory until the arm feels the force (newtons) against `direction`. The arm
+  // then rests where it is.
   struct Guarded {
     double force = 0;
     Vector3 direction = Vector3::Zero();
   };
   Progress Follow(const JointTrajectory& trajectory, double fine_from, const Guarded& guarded);
-  // The arm stays where it was last told to be, for at least one timestep.
+  // Keeps the arm at its last command, for at least one timestep.
   Progress Stay(double seconds, Stepping stepping);
-  // One small timestep with soft servos: their stiffness is this share of what it is otherwise, and
-  // what touches the hand can move it. `qdd`: of what is planned, so that it does not lag.
+  // Executes one small timestep with soft servos, so that what touches the hand can move it.
+  // `share` is the fraction of the servos' usual stiffness. `qdd` is the planned acceleration, so
+  // that the arm does not lag.
   Progress StepSoftly(const JointState& next, const JointVector& qdd, double share);
 
-  // What the arm was last told becomes where it is.
+  // Sets the last command to the arm's measured state.
   void TakeStock();
 
   Checkpoint Save() const;
@@ -109,10 +111,10 @@ class Execution {
 
  private:
   void SetStepping(Stepping stepping);
-  // One timestep, after which the arm is to be in this state, with everything that belongs to it:
-  // the trace's series, and the watch over force and engine.
+  // Executes one timestep that leads the arm to this state. It adds to the trace's series and
+  // checks force and engine.
   Progress StepTo(const JointState& next);
-  // The same, with the servos told already.
+  // Executes the timestep after the servos have their commands.
   Progress Advance(const JointState& next);
   scene::Load Carried() const;
   void SampleIfDue();
@@ -132,13 +134,13 @@ class Execution {
   plan::StepId step_;
   int samples_ = 0;
   std::int64_t steps_ = 0;
-  Vector3 felt_ = Vector3::Zero();  // wrist force, low-pass filtered
-  Vector3 peak_ = Vector3::Zero();  // the same, with a lighter filter
+  Vector3 felt_ = Vector3::Zero();  // low-pass filtered wrist force
+  Vector3 peak_ = Vector3::Zero();  // wrist force with a shorter filter
   double greatest_force_ = 0;
   double force_limit_;
 };
 
-// The commands (one file each). `rest`: the commands that follow in the same step.
+// Execute the commands (one file for each). `rest` holds the commands that follow in the same step.
 Progress Run(const MoveAtSafeHeight& move, std::span<const Command> rest, Execution& execution);
 Progress Run(const FollowPath& follow, std::span<const Command> rest, Execution& execution);
 Progress Run(const MoveStraight& move, std::span<const Command> rest, Execution& execution);

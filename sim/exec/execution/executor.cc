@@ -9,9 +9,9 @@
 namespace assay::exec {
 namespace {
 
-constexpr double kRestDuration = 0.5;  // seconds
-constexpr double kSettling = 0.25;     // seconds
-constexpr double kBeforeRest = 0.1;    // seconds, for the change to small timesteps
+constexpr double kRestDuration = 0.5;  // seconds during which speeds at rest are recorded
+constexpr double kSettling = 0.25;     // seconds for the parts to settle
+constexpr double kBeforeRest = 0.1;    // seconds for the change to small timesteps
 
 Progress Rest(Execution& execution) {
   const scene::Scene& scene = execution.scene();

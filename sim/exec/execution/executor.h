@@ -10,22 +10,22 @@
 
 namespace assay::exec {
 
-// The scene's options of a world with this noise.
+// Returns the scene's options with the errors that the noise has for the scene.
 scene::SceneOptions TrueScene(scene::SceneOptions options, const noise::Noise& noise);
 
-// Where the parts rest without errors: places and yaws as the problem says, heights and tilts as
-// they come to rest in the engine. Otherwise a part that leans would slide by hundredths of a
-// millimetre at first, and its error would not be the one that was drawn.
+// Returns the poses in which the parts rest without errors: places and yaws as the problem has
+// them, heights and tilts as they come to rest in the engine. Otherwise a part that leans would
+// slide by hundredths of a millimetre at first, and its error would not be the drawn one.
 std::vector<Pose> RestingPoses(const domain::Problem& problem, const scene::Scene& scene);
 
-// A simulation at the start of a trial: the parts where they truly are, on tables as high as they
-// truly are.
+// Returns a simulation at the start of a trial, with the parts at their true poses and the tables
+// at their true heights.
 mujoco::Data StartOf(const domain::Problem& problem, const scene::Scene& scene,
                      const noise::Noise& noise);
 
-// Executes a plan, asking the planner nothing. `data` is a simulation of `scene` at the start of
-// the trial, the parts wherever they truly are, and afterwards at its end. The problem tells where
-// they are believed to be.
+// Executes a plan without asking the planner. `data` must be a simulation of `scene` at the start
+// of the trial, with the parts at their true poses; afterwards it is at the end of the trial. The
+// problem holds the believed poses of the parts.
 Trace Execute(const domain::Problem& problem, const plan::Plan& plan, const scene::Scene& scene,
               mujoco::Data& data, const ExecutorOptions& options);
 

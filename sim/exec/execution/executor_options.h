@@ -10,28 +10,28 @@
 
 namespace assay::exec {
 
-// Sees an execution as it goes, with the simulation: to take pictures of what no trace keeps. It
-// changes nothing.
+// Observes an execution together with the simulation, for pictures of what no trace keeps. It must
+// change nothing.
 class Observer {
  public:
   virtual ~Observer() = default;
-  virtual void SeeTimestep(const mujoco::Data& data) = 0;  // after each of them
+  virtual void SeeTimestep(const mujoco::Data& data) = 0;  // called after each timestep
   virtual void SeeMilestone(const Milestone& milestone, const mujoco::Data& data) = 0;
   virtual void SeeStepEnd(const StepEnd& end, const mujoco::Data& data) = 0;
 };
 
 struct ExecutorOptions {
-  double sample_rate = 50;       // moments of the trace's series per simulated second; 0: none
+  double sample_rate = 50;  // moments per simulated second in the trace's series; 0 for no series
   double free_timestep = 0.002;  // seconds, while the empty hand touches nothing
-  double force_limit = 300;      // newtons at the wrist, then the arm stops
-  noise::Noise noise = {};       // what is wrong with the world, the hand and the sensors
-  bool recovers = true;          // from errors that verifications signal; false: it ends there
-  plan::StepId last = plan::StepId::None();  // the execution ends with this step; None: the last
-  // Looks at the parts; null: sensors err as the noise says.
+  double force_limit = 300;      // newtons at the wrist; above it the arm stops
+  noise::Noise noise = {};       // errors of the world, the hand and the sensors
+  bool recovers = true;  // whether it recovers from errors that verifications signal, or ends there
+  plan::StepId last = plan::StepId::None();
+  // Measures the parts' poses; if null, sensors err as the noise says.
   sense::PoseSensor* sensor = nullptr;
-  // Called after each timestep, to break the execution off by an exception.
+  // Called after each timestep. It can stop the execution by an exception.
   std::function<void(const mujoco::Data&)> on_timestep = {};
-  Observer* observer = nullptr;  // null: nobody looks on
+  Observer* observer = nullptr;  // may be null
 };
 
 }  // namespace assay::exec

@@ -8,10 +8,10 @@ namespace assay::exec {
 
 using geometry::Vector3;
 
-// Where a recovery tries the step again, as offsets from where it was tried at first, metres, in
-// the plane across `axis` (unit, world frame): circles that grow by the pitch up to the radius,
-// with places a pitch apart, for a groping search; nowhere else, a few times, for a retry; nowhere
-// for a call of the operator.
+// Returns the places where a recovery tries the step again, as offsets from the first place in
+// metres (world frame). A groping search tries circles in the plane across `axis` (unit). Their
+// radii grow by the pitch up to the recovery's radius, and their places are a pitch apart. A retry
+// tries the first place kRetries times. A call of the operator tries none.
 std::vector<Vector3> PlacesToTry(const plan::Recovery& recovery, const Vector3& axis);
 
 inline constexpr int kRetries = 3;

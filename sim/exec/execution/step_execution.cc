@@ -10,7 +10,7 @@
 namespace assay::exec {
 namespace {
 
-// Along which the tool comes, as far as a place across it can be wrong.
+// Computes the direction along which the tool comes. Across it, the place of a part can be wrong.
 struct AxisOf {
   const domain::Problem& problem;
   const WorldModel& world;
@@ -22,12 +22,13 @@ struct AxisOf {
   Vector3 operator()(const auto&) const { return Vector3::UnitZ(); }
 };
 
-// Metres from a rim: it is where it was felt, but the part may lean, and the rim not be level.
+// Distances from a rim, in metres. The rim is where it was felt, but the part may lean and the rim
+// may not be level.
 constexpr double kBackOff = 0.0005;
 constexpr double kBeyondRim = 0.0003;
 constexpr double kArmRest = 0.05;  // seconds for the arm to come to rest
 
-// Where the last move of the commands goes.
+// Returns the end of the last move of the commands.
 Pose LastTarget(const std::vector<Command>& commands) {
   Pose target = Pose::Identity();
   for (const Command& command : commands) {
@@ -54,7 +55,8 @@ StepExecution::StepExecution(const plan::Plan& plan, plan::StepId step, Executio
   execution_.Handle(HandledParts());
 }
 
-// Also what it holds all the while, as when a sensor looks at another part.
+// Includes the part that the hand holds all the while, for example when a sensor looks at another
+// part.
 std::vector<PartId> StepExecution::HandledParts() const {
   std::vector<PartId> parts = {sought_};
   if (!execution_.world().held().IsNone()) parts.push_back(execution_.world().held());
@@ -107,8 +109,9 @@ Progress StepExecution::Named(Progress failure) const {
   return failure;
 }
 
-// What is put down finds the table as high as it was drawn for the place; what is mated is over the
-// table of what it is mated with. The hand finds the table of the part that it works on.
+// A part that is put down finds the table at the height that was drawn for the place. A part that
+// is mated is over the table of the fixed part. The hand finds the table of the part on which it
+// works.
 void StepExecution::SetTables() {
   const scene::Scene& scene = execution_.scene();
   mujoco::Data& data = execution_.data();
@@ -258,8 +261,8 @@ double StepExecution::RoomAt(const Vector3& offset) const {
   return room;
 }
 
-// A held part that stopped at the rim of a hole is lifted a little, moved sideways, and pushed on
-// from there if it does not meet the rim again: the way down to the rim is made once.
+// A held part that stopped at the rim of a hole is lifted a little and moved sideways. From there
+// it is pushed on, unless it meets the rim again. The way down to the rim is thus made only once.
 Progress StepExecution::TryAt(const Vector3& offset) {
   if (Progress failure = Withdraw()) return failure;
   execution_.world().Believe(sought_, geometry::Translation(offset) * X_WorldSought_);
@@ -273,7 +276,7 @@ Progress StepExecution::TryAt(const Vector3& offset) {
   return Run(Phase::kAct);
 }
 
-// Slowly, because each rim that is run into pushes the part up in the pads.
+// Probes slowly, because each rim that the part runs into pushes it up in the pads.
 Progress StepExecution::Probe() {
   const Vector3 way = (kBackOff + kBeyondRim) * Direction();
   const Pose beyond = geometry::Translation(way) * execution_.BelievedTool();
@@ -286,7 +289,7 @@ Progress StepExecution::Withdraw() {
   return RunAll({MoveStraight{back, kGropingPace}}, {});
 }
 
-// To the line of the advance, as far along it as the tool is.
+// Moves the tool to the line of the advance, at its present distance along that line.
 Progress StepExecution::MoveSideways() {
   const Vector3 direction = Direction();
   Pose beside = LastTarget(commands_.advance);
@@ -295,7 +298,7 @@ Progress StepExecution::MoveSideways() {
   return RunAll({MoveStraight{beside, kGropingPace, Guard{kResistance}}}, {});
 }
 
-// In which the tool advances.
+// Returns the direction in which the tool advances.
 Vector3 StepExecution::Direction() const {
   const Pose from = LastTarget(commands_.approach);
   const Pose to = LastTarget(commands_.advance);

@@ -9,33 +9,33 @@
 
 namespace assay::exec {
 
-// A step of a plan on its way: the approach, then the work, with the verifications that follow it
-// and what is done about errors (Spar, figures 11 and 12).
+// The execution of one step of a plan: the approach, then the work with its verifications and
+// recoveries (Spar, figures 11 and 12).
 class StepExecution {
  public:
-  // `plan` and `execution` must outlive this.
+  // `plan` and `execution` must outlive this object.
   StepExecution(const plan::Plan& plan, plan::StepId step, Execution& execution);
 
-  // The hand errs anew, the table is as high as it is there, and the tool goes to where it is
-  // poised before or above its work.
+  // Sets the hand's error for this step and the table's height for the place, and moves the tool to
+  // where it is poised before or above its work.
   Progress Approach();
-  // In a step that is poised: the errors are now as the execution's noise says.
+  // Sets the errors of a poised step to those of the execution's noise.
   Progress TakeUpNoise();
-  // All that comes after the approach. When the hand gropes, it is believed that the part (of a
-  // mating: the fixed part) lies where it is tried.
+  // Executes everything after the approach. When the hand gropes, the part (in a mating, the fixed
+  // part) is believed to lie where it is tried.
   Progress Work();
 
-  // The parts of the work, for who walks a plan tree or attacks a step. The tool goes to where it
-  // acts:
+  // The functions below execute parts of the work, for walking a plan tree or for falsification.
+  // Advance moves the tool to where it acts.
   Progress Advance();
-  // The same, and what the step is for, without looking how it went:
+  // Advances and acts, without verification.
   Progress Attempt();
-  // The first error that a verification of this step signals; empty: none.
+  // Returns the first error that a verification of this step signals; empty: none.
   std::string Verify();
-  // Tries the step at the next place that the recovery from the error has; where none is left, the
-  // operator is called.
+  // Tries the step at the next place of the error's recovery. If no place is left, it calls the
+  // operator.
   Progress TryAgain(const std::string& error);
-  // The tool departs.
+  // Moves the tool away.
   Progress Finish();
 
  private:
@@ -45,20 +45,20 @@ class StepExecution {
   std::vector<Command> After(Phase phase) const;
   Progress Run(Phase phase);
   Progress RunAll(const std::vector<Command>& commands, const std::vector<Command>& then);
-  // What the hand may touch in this step.
+  // Returns the parts that the hand may touch in this step.
   std::vector<PartId> HandledParts() const;
   void SetTables();
   void Record(Stage stage);
-  // Explains a failure by the step's name.
+  // Adds the step's name to a failure's reason.
   Progress Named(Progress failure) const;
 
   double Measure(domain::MeasuredQuantity quantity) const;
-  const plan::Recovery* RecoveryFrom(const std::string& error) const;  // null: the plan has none
-  // The places that the plan's recovery from the error has, but for those at which the hand would
-  // come too near to another part; none if there is none.
+  const plan::Recovery* RecoveryFrom(const std::string& error) const;  // null if the plan has none
+  // Returns the places of the plan's recovery from the error, without those where the hand would
+  // come too near to another part. It is empty if there is no recovery.
   std::vector<Vector3> PlacesFor(const std::string& error) const;
-  // How far the hand is from parts that it does not handle, as far as it knows, if it works so far
-  // beside where the plan has it; metres.
+  // Returns the distance, in metres, of the hand from the parts that it does not handle, if it
+  // works at this offset from the planned place. The parts are at their believed poses.
   double RoomAt(const Vector3& offset) const;
   Progress TryAt(const Vector3& offset);
   Progress Withdraw();
@@ -70,14 +70,14 @@ class StepExecution {
   const plan::PlannedStep& planned_;
   plan::StepId step_;
   Execution& execution_;
-  // The part whose place is in doubt, where it was believed to be before groping, and the direction
-  // across which it is groped for.
+  // The part whose place is in doubt, its believed pose before groping, and the axis of the plane
+  // in which groping moves.
   PartId sought_;
   Pose X_WorldSought_;
   Vector3 axis_;
   StepCommands commands_;
-  Pose X_WorldTool_;                          // where the advance ends, before groping
-  std::map<std::string, std::size_t> tried_;  // places, by error
+  Pose X_WorldTool_;                          // tool pose where the advance ends, before groping
+  std::map<std::string, std::size_t> tried_;  // number of tried places for each error
 };
 
 }  // namespace assay::exec

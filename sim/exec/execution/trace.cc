@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json ToJson(const Vector3& v) { return {v.x(), v.y(), v.z()}; }
 
-// Of the two quaternions of a rotation the one with w >= 0.
+// Writes the quaternion with w >= 0, of the two that a rotation has.
 Json ToJson(const Pose& pose) {
   Eigen::Quaterniond turn(pose.linear());
   if (turn.w() < 0) turn.coeffs() = -turn.coeffs();
@@ -25,7 +25,7 @@ Json ToJson(const TrueAndBelieved& poses) {
   return {{"true", ToJson(poses.truth)}, {"believed", ToJson(poses.believed)}};
 }
 
-// Turns events into lines.
+// Converts events to lines.
 class TraceWriter {
  public:
   explicit TraceWriter(const Trace& trace) : trace_(trace) {}

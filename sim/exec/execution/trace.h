@@ -15,7 +15,7 @@
 
 namespace assay::exec {
 
-// Where something is in the simulation, and where it is believed to be; world frame.
+// A true pose in the simulation, and the believed pose; world frame.
 struct TrueAndBelieved {
   Pose truth;
   Pose believed;
@@ -26,73 +26,75 @@ struct Moment {
   double time = 0;  // simulated seconds since the start
   TrueAndBelieved tool;
   std::vector<TrueAndBelieved> parts = {};  // by PartId
-  std::vector<double> table_heights = {};   // under each, metres; believed to be 0
+  std::vector<double> table_heights = {};   // under each part, metres; believed to be 0
   double opening = 0;                       // metres between the pads
   scene::Wrench wrist;                      // Scene::WristWrench
-  // Names of bodies that touch, each pair once, in alphabetical order.
+  // Names of bodies that touch. Each pair occurs once and is in alphabetical order.
   std::vector<std::pair<std::string, std::string>> contacts = {};
 };
 
-// One of the series of moments at equal times.
+// One of a series of moments at equal intervals.
 struct Sample {
   Moment moment;
 };
 
-// What closing the gripper came to. A grasp that fails is a fact like others: the executor goes on.
+// The result of closing the gripper. A failed grasp is recorded like any other, and the execution
+// goes on.
 struct GraspFact {
   double time = 0;
   PartId part;
   double expected_width = 0;  // metres
   double opening = 0;         // metres, after closing
-  bool pads_touch = false;    // both of them the part
-  bool holds() const;         // they do, and the opening is the width to kGraspTolerance
+  bool pads_touch = false;    // both pads touch the part
+  // True if pads_touch and the opening is the expected width, to kGraspTolerance.
+  bool holds() const;
 };
 inline constexpr double kGraspTolerance = 0.001;  // metres
 
-// What a sensor told of a part, world frame.
+// The measurement of a part by a sensor, world frame.
 struct LookRecord {
   double time = 0;
   PartId part;
   std::string sensor;
   bool found = true;
-  Pose measured;  // if found
+  Pose measured;  // measured pose, if the part was found
   TrueAndBelieved before;
-  Pose believed;  // afterwards
+  Pose believed;  // believed pose after the look
 };
 
-// How a guarded move ended.
+// The end of a guarded move.
 struct GuardRecord {
   double time = 0;
-  bool resisted = false;  // before its end
-  Pose tool;              // where the hand believes itself to be
+  bool resisted = false;  // whether the tool met resistance before the end of its way
+  Pose tool;              // the believed pose of the tool
 };
 
-// An unwanted contact of a strategy (plan::UnwantedContact) that was made, or lost, by what is
-// felt.
+// An unwanted contact of a strategy (plan::UnwantedContact) that forces show to be made or lost.
 struct RecognizedContact {
-  std::string name;  // "vertex 8 on face 6"
+  std::string name;  // for example "vertex 8 on face 6"
   bool is_loss = false;
-  double time = 0;  // at which it was felt
+  double time = 0;  // when the contact was felt
 };
 
-// How a motion of a strategy ended.
+// The end of a motion of a strategy.
 struct MotionRecord {
   double time = 0;
   plan::StepId step;
-  int motion = 0;   // index
-  int attempt = 1;  // at the strategy, from 1
+  int motion = 0;   // index of the motion in the strategy
+  int attempt = 1;  // number of the attempt at the strategy, from 1
   MatingOutcome outcome = MatingOutcome::kDone;
-  // None: no error state, or none that the plan knows. Done all the same: it was the last attempt.
+  // None if there was no error state, or none that the plan knows. With outcome kDone, an error
+  // state was ignored in the last attempt.
   std::optional<RecognizedContact> recognized = {};
 };
 
-// What is reached in a step.
+// The stages of a step.
 enum class Stage {
   kPoised,   // the tool is before or above its work
-  kReached,  // it is where it acts: the pads beside the part, the held part down or seated
-  kActed,    // the pads are closed, the sensor has looked
+  kReached,  // the tool is where it acts: the pads beside the part, the held part down or seated
+  kActed,    // the pads are closed, or the sensor has looked
 };
-std::string_view Name(Stage stage);  // "poised"
+std::string_view Name(Stage stage);  // for example "poised"
 
 struct Milestone {
   plan::StepId step;
@@ -100,7 +102,7 @@ struct Milestone {
   Moment moment;
 };
 
-// What a verification measured (Spar, figure 11).
+// The measurement of a verification (Spar, figure 11).
 struct VerificationRecord {
   double time = 0;
   plan::StepId step;
@@ -108,70 +110,71 @@ struct VerificationRecord {
   double measured = 0;  // metres
   double expected = 0;
   double tolerance = 0;
-  std::string error;  // signalled; empty: none
+  std::string error;  // the signalled error, or empty
 };
 
-// What was done about an error (Spar, figure 12).
+// A reaction to an error (Spar, figure 12).
 struct RecoveryRecord {
   double time = 0;
   plan::StepId step;
   std::string error;
   domain::RecoveryStrategy strategy;
-  int attempt = 0;                   // from 1; of a call of the operator 0
-  Vector3 offset = Vector3::Zero();  // of where it is tried, world frame, metres
+  int attempt = 0;                   // number of the attempt, from 1; 0 for a call of the operator
+  Vector3 offset = Vector3::Zero();  // offset of the place that is tried, world frame, metres
 };
 
-// The end point of a step (Spar, figure 17).
+// The end of a step (Spar, figure 17).
 struct StepEnd {
   plan::StepId step;
-  std::string name;    // "action_3"
-  std::string action;  // "putdown(block, on-back)"
+  std::string name;    // for example "action_3"
+  std::string action;  // for example "putdown(block, on-back)"
   Moment moment;
 };
 
-// How still each part was in the last half second, after the last command.
+// The motion of each part in the last half second, after the last command.
 struct RestRecord {
   double duration = 0;  // seconds
   struct Speeds {
-    double linear = 0;   // the greatest, m/s
-    double angular = 0;  // rad/s
+    double linear = 0;   // greatest speed, m/s
+    double angular = 0;  // greatest speed, rad/s
   };
   std::vector<Speeds> parts = {};  // by PartId
 };
 
-// A robot touched what it was not to touch (CollisionWatch): names of bodies, each pair once.
+// A robot touched something that it should not (CollisionWatch). Each pair of bodies occurs once,
+// by name.
 struct CollisionRecord {
   double time = 0;
-  std::string robot;  // "arm/forearm"; "part/can1", which it holds
-  std::string other;  // "part/brick"
+  std::string robot;  // for example "arm/forearm", or "part/can1" for a held part
+  std::string other;  // for example "part/brick"
 };
 
-// How the execution of a plan ended.
+// The end of an execution of a plan.
 enum class ExecutionOutcome {
-  kDone,            // every command was executed; what came of it, the checks tell
-  kUnreachable,     // the arm cannot go a way that a command wants
-  kOverload,        // the wrist felt more force than it may: protective stop
+  kDone,            // every command was executed; the checks judge the result
+  kUnreachable,     // the arm cannot follow the way of a command
+  kOverload,        // the wrist felt too much force: protective stop
   kEngineWarning,   // the engine's numbers cannot be trusted
-  kNotFound,        // a sensor did not see the part that it was to look at
-  kOperatorCalled,  // an error was signalled, and no recovery mended it
+  kNotFound,        // a sensor did not see the part that it looked at
+  kOperatorCalled,  // an error was signalled, and no recovery corrected it
 };
 std::string_view Name(ExecutionOutcome outcome);
 
 struct ExecutionEnd {
   ExecutionOutcome outcome = ExecutionOutcome::kDone;
-  std::string reason = {};  // empty if done
+  std::string reason = {};  // empty if the plan is done
   Moment moment;
-  std::int64_t steps = 0;  // of the engine
+  std::int64_t steps = 0;  // number of the engine's steps
 };
 
 using TraceEvent = std::variant<Sample, GraspFact, LookRecord, GuardRecord, MotionRecord, Milestone,
                                 VerificationRecord, RecoveryRecord, StepEnd, RestRecord,
                                 CollisionRecord, ExecutionEnd>;
 
-// All that is recorded about one execution, in the order of time.
+// All records of one execution, in the order of time.
 struct Trace {
   std::string problem;
-  std::vector<std::string> parts = {};  // names, by PartId
+  std::vector<std::string> parts = {};  // names of the parts, by PartId
   std::vector<TraceEvent> events = {};
 
   template <class Event>
@@ -185,7 +188,7 @@ struct Trace {
   const ExecutionEnd& end() const { return std::get<ExecutionEnd>(events.back()); }
 };
 
-// One JSON object a line (trace.schema.json): first what the trace is of, then the events. Equal
+// Writes one JSON object per line (trace.schema.json): first a header, then the events. Equal
 // traces give equal bytes.
 void WriteTrace(const Trace& trace, std::ostream& out);
 

@@ -7,11 +7,12 @@
 
 namespace assay::exec {
 
-// What is asked of the planner of travels for the command; `rest`: those that follow in its step.
+// Returns the request to the planner of travels for this command. `rest` holds the commands that
+// follow in its step.
 motion::TravelRequest RequestFor(const MoveAtSafeHeight& move, std::span<const Command> rest,
                                  const Execution& execution);
 
-// The arm goes as was planned, or why it does not.
+// Moves the arm along the planned travel. If there is none, it returns the reason.
 Progress Go(const motion::TravelResult& travel, Execution& execution);
 
 }  // namespace assay::exec

@@ -6,25 +6,26 @@
 
 namespace assay::exec {
 
-// Where parts are believed to be. It follows the commands and the sensors, never the truth (Spar:
+// The believed poses of the parts. They follow the commands and the sensors, never the truth (Spar:
 // "the execution module's world model is updated to reflect the changes affected by the action").
 class WorldModel {
  public:
   explicit WorldModel(const domain::Problem& problem);
 
-  // Where a part is believed to be while the tool is at X_WorldTool.
+  // Returns the part's believed pose while the tool is at X_WorldTool.
   Pose PartPose(PartId part, const Pose& X_WorldTool) const;
-  // Of a part that is not held: where it is. Of a held one: where it was taken.
+  // Returns the believed pose of a part that is not held. For a held part, it is the pose where it
+  // was picked up.
   const Pose& PartPose(PartId part) const { return X_WorldPart_[part.index()]; }
   int part_count() const { return static_cast<int>(X_WorldPart_.size()); }
-  PartId held() const { return held_; }  // None: the hand is empty
+  PartId held() const { return held_; }  // None if the hand is empty
   const plan::Hold& hold() const { return hold_; }
 
   void Take(PartId part, const plan::Hold& hold);
   void LetGo(PartId part, const Pose& X_WorldPart);
-  // A part that is not held is believed to be elsewhere.
+  // Sets the believed pose of a part that is not held.
   void Believe(PartId part, const Pose& X_WorldPart);
-  // What a command makes the world believe.
+  // Updates the poses by what a command should do.
   void Foresee(const Command& command);
 
  private:
