@@ -12,7 +12,7 @@ namespace assay::check {
 namespace {
 
 constexpr double kHold = 0.1;       // seconds that a hand is kept still
-constexpr double kRounding = 1e-9;  // metres, radians: products of dozens of poses
+constexpr double kRounding = 1e-9;  // metres or radians, after products of dozens of poses
 
 // An execution of the plan without noise, as far as it comes.
 class NoiselessExecution {
@@ -41,7 +41,8 @@ class NoiselessExecution {
   std::vector<Claim> Claims() { return CheckCertificates(problem_, plan_, trace(), {}); }
 
  private:
-  // The first look is after the steps that the empty hand went with, in which contacts are deeper.
+  // The first look comes after the larger timesteps with which the empty hand moved, in which
+  // contacts are deeper.
   void HoldStill(plan::StepId id) {
     const exec::Checkpoint checkpoint = execution_.Save();
     const double end = data_.time() + kHold;
@@ -74,14 +75,14 @@ void AddComponent(const Claim& coarse, const std::vector<Claim>& fine, StepGate&
   gate.components.push_back({coarse.about, coarse.name, of_set ? coarse.observed : 0, change});
 }
 
-// Without noise the hand is to be where it was told to go.
+// Without noise the hand should be where it was told to go, so that its error is the arm's lag.
 void AddLag(const exec::Moment& moment, StepGate& gate) {
   const geometry::Pose off = moment.tool.believed.inverse() * moment.tool.truth;
   gate.lag = std::max(gate.lag, off.translation().norm());
   gate.lag_turn = std::max(gate.lag_turn, std::abs(Eigen::AngleAxisd(off.rotation()).angle()));
 }
 
-// What goes either way.
+// Returns the engine's error that widens a prediction at both ends.
 double EitherWay(Unit unit, const StepGate& gate) {
   if (unit == Unit::kNone) return 0;
   const double shift = unit == Unit::kMetre ? gate.lag + gate.penetration
