@@ -16,12 +16,12 @@ scene::SceneOptions Finer(scene::SceneOptions options);
 // `finer` makes that execution, and is called only if a claim is violated.
 //
 // If the engine's error is of first order in the timestep, half the timestep halves it. The limit
-// for a timestep of 0 is then as far beyond the finer value as that is beyond the coarse one
-// (Richardson extrapolation). The engine's share in this very case is thereby known, and is
-// subtracted. It does not matter whether the finer execution claims its observation: a value
-// outside is outside. If the finer execution does not observe the claim, because it did not come
-// there or it did not happen, the claim is inconclusive, unless that execution violates another
-// claim.
+// for a timestep of 0 then differs from the finer value by as much as the finer value differs from
+// the coarse one (Richardson extrapolation). This gives the engine's share in this very case, which
+// is subtracted. It does not matter whether the finer execution claims its observation: a value
+// outside is outside. The finer execution may not observe the claim at all, because it did not come
+// there or nothing happened. The claim is then inconclusive, unless the finer execution violates
+// another claim.
 std::vector<Claim> Confirmed(std::vector<Claim> claims,
                              const std::function<std::vector<Claim>()>& finer);
 
