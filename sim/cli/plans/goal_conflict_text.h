@@ -9,12 +9,12 @@
 
 namespace assay::cli {
 
-// Why a task of contingent planning has no plan: the parts of its goal that no plan reaches
+// Returns why a task of contingent planning has no plan: the parts of its goal that no plan reaches
 // together, one on each line.
 std::string Text(const contingent::GroundTask& task, const contingent::GoalConflict& conflict);
 
-// That no plan was found, which does not prove that there is none: the planner's doubt, or else the
-// budget, in knowledge states.
+// Returns a message that no plan was found, which does not prove that there is none. It states the
+// planner's doubt, or else the budget in knowledge states.
 std::string NotFoundText(const contingent::ContingentPlan& plan, std::int64_t budget);
 
 // {"goal": [...], "minimal"}
