@@ -26,7 +26,7 @@ std::vector<plan::Flaw> ClaimFlaws(const PlannedProblem& planned) {
   return CertificateFlaws(planned.result.plan, planned.file());
 }
 
-// Of a plan without other flaws.
+// Returns the differences of a plan that has no other flaws.
 std::vector<plan::Flaw> Differences(const PlannedProblem& planned) {
   const plan::Plan& plan = planned.result.plan;
   if (planned.plan_file.empty() || !IsCertified(plan)) return {};
