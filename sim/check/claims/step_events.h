@@ -12,12 +12,12 @@ namespace assay::check {
 struct StepEvents {
   plan::StepId step;
   const exec::Moment* poised = nullptr;  // snapshot before the first attempt
-  // snapshot of the first attempt, at the end of the approach
+  // Snapshot of the first attempt, where the tool acts.
   const exec::Moment* reached = nullptr;
-  // snapshot of the first attempt, after gripper or sensor acted
+  // Snapshot of the first attempt, after gripper or sensor acted.
   const exec::Moment* acted = nullptr;
   const exec::Moment* end = nullptr;
-  // snapshot where the execution broke off before the step's end
+  // Snapshot where the execution broke off before the step's end.
   const exec::Moment* stopped = nullptr;
   const exec::LookRecord* look = nullptr;
   std::optional<bool> resisted = {};  // whether the first attempt's guarded move met resistance

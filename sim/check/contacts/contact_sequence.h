@@ -50,7 +50,7 @@ struct PlannedContacts {
     std::optional<ContactKey> until = {};
     ContactSet after = {};
 
-    // whether the contact is planned at any time of the motion
+    // Returns whether the contact is planned at any time of the motion.
     bool Wants(const ContactKey& key) const;
   };
   std::vector<Motion> motions = {};

@@ -26,7 +26,7 @@ struct SweepResults {
   std::vector<CellAttack> attacks = {};  // in the order of the cells
   // Runs that finished trials other than falsifications.
   std::vector<sweep::RunRecord> runs = {};
-  // number of the first trial that failed or violated a prediction; 0 if none did
+  // The number of the first trial that failed or violated a prediction; 0 if none did.
   int first_bad = 0;
 
   int Done() const;

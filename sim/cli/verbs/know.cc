@@ -91,7 +91,7 @@ std::string Word(Outcome outcome) {
 
 // Loads a plan tree from a file that holds the tree alone, or from the output of --json.
 ContingentPlan LoadTree(const std::filesystem::path& file, const GroundTask& task) {
-  // throws if the initial state contradicts itself, as planning does
+  // This throws if the initial state contradicts itself, as planning does.
   contingent::KnowledgeBase(task).Initial();
   const Document document = Document::Load(file);
   const std::optional<Value> inner = document.root().Find("tree");

@@ -295,7 +295,7 @@ ExitCode Execute(const Options& options) {
   if (result.outcome != Outcome::kFound) {
     return Refuse(Text(planned.problem, result), plan_file, options, ExitCodeOf(result.outcome));
   }
-  // refused before the work that takes time
+  // Wrong errors are refused before the work that takes time.
   if (options.errors) NoiseFrom(*options.errors, planned);
   const plan::CheckReport check =
       planned.plan_file.empty() ? CheckPlan(planned.problem, result.plan) : CheckPlan(planned);
