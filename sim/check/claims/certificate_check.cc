@@ -167,9 +167,9 @@ class CertificateCheck {
     return std::isfinite(of_subject) ? of_subject : of_all;
   }
 
-  // A step whose preconditions hold comes to its end. That the arm reaches everything is one of
-  // them (assembly::WayConditions), if the plan was made with them. No certificate says what the
-  // engine does when its numbers go bad.
+  // A step whose preconditions hold comes to its end. One of its preconditions is that the arm
+  // reaches everything, if the plan was made with assembly::WayConditions. No certificate says what
+  // the engine does when its numbers go bad.
   void CheckStopped() {
     const auto* end = std::get_if<exec::ExecutionEnd>(&trace_.events.back());
     if (end == nullptr) return;

@@ -242,8 +242,9 @@ class Meaning {
     }
     return beyond;
   }
-  // Measures along the mating motion from where the held part was poised. It stays clear of the
-  // fixed part until its shafts come to the mouths of their holes, and of other parts to the end.
+  // Measures clearances along the mating motion from where the held part was poised. They are from
+  // the fixed part until the shafts come to the mouths of their holes, and from other parts to the
+  // end.
   std::vector<GeometricMeaning> PassingClear(const exec::Moment& poised) const {
     double depth = 0;
     for (const domain::ShaftFit& fit : domain::FitsOf(problem_, mating())) {

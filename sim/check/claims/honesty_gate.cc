@@ -41,8 +41,8 @@ class NoiselessExecution {
   std::vector<Claim> Claims() { return CheckCertificates(problem_, plan_, trace(), {}); }
 
  private:
-  // The first look comes after the larger timesteps with which the empty hand moved, in which
-  // contacts are deeper.
+  // The first look follows the larger timesteps of the empty hand's motion, in which contacts are
+  // deeper.
   void HoldStill(plan::StepId id) {
     const exec::Checkpoint checkpoint = execution_.Save();
     const double end = data_.time() + kHold;

@@ -42,7 +42,7 @@ struct Counterexample {
   Claim claim;
   noise::Noise noise;
   int steps = 0;  // number of steps for which the plan must be executed
-  // violated from the start of the plan as well, not only from a saved state
+  // Says whether it is violated from the start of the plan as well, not only from a saved state.
   bool replayed = false;
   double multiple = 1;  // the least multiple of its errors, as far as tried, that still violates
 };

@@ -23,8 +23,8 @@ struct ConservatismOptions {
   std::function<bool()> stop = {};
 };
 
-// The bounds that the planner guarantees, compared with those that physics forgives. It is for one
-// variable alone ("x of peg", "yaw of the hand") or for all together ("all").
+// The bounds that the planner guarantees, compared with those that physics forgives. They are
+// for one variable alone ("x of peg", "yaw of the hand") or for all together ("all").
 struct ConservatismRatio {
   std::string variable;
   double guaranteed = 0;  // the greatest multiple with which all is proved
@@ -33,7 +33,7 @@ struct ConservatismRatio {
 
   std::optional<double> ratio() const;  // broken / guaranteed; missing if guaranteed is 0
   // Returns whether a trial failed with errors for which all is proved. The certificate is then
-  // false, which is more than a task that fails.
+  // false; more has failed than the task.
   bool IsFalse() const { return broken && *broken <= guaranteed; }
 };
 

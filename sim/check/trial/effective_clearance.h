@@ -6,7 +6,6 @@
 
 namespace assay::check {
 
-// The play of a mated part across walls of its holes that face each other, metres.
 // The play of a mated part between two walls of its hole that face each other. Lengths are in
 // metres.
 struct Play {

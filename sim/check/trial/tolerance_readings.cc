@@ -19,7 +19,7 @@ constexpr double kInside = 0.005;     // metres from the mouth, where the ray st
 constexpr double kOutOfSeat = 0.005;  // metres
 constexpr double kFarther = 0.001;  // metres; every play is less than twice the clearance plus this
 constexpr double kPrecision = 1e-8;  // metres
-// metres by which the pads are closed further, so that they touch
+// The distance in metres by which the pads are closed further, so that they touch.
 constexpr double kSqueezed = 1e-5;
 
 // A wall of a mating hole. The wall is set back by as much as the clearance exceeds its nominal

@@ -17,7 +17,7 @@ std::string Text(const contingent::GroundTask& task, const contingent::GoalConfl
 // planner's doubt, or else the budget in knowledge states.
 std::string NotFoundText(const contingent::ContingentPlan& plan, std::int64_t budget);
 
-// {"goal": [...], "minimal"}
+// Returns {"goal": [...], "minimal"}.
 nlohmann::ordered_json ToJson(const contingent::GroundTask& task,
                               const contingent::GoalConflict& conflict);
 

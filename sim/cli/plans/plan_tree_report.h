@@ -11,8 +11,8 @@ namespace assay::cli {
 
 // These reports are about one plan tree for all worlds of a scenario (domain::ReadWorlds).
 
-// Returns the tree's actions in the words of plans, by their names in the tree. An action
-// "plan1-action_3()" may be "verify assemble(peg, block, ...)".
+// Returns the tree's actions in the words of plans, by their names in the tree. The action
+// "plan1-action_3()", for example, may be "verify assemble(peg, block, ...)".
 std::map<std::string, std::string> ActionWords(const std::vector<domain::Problem>& worlds,
                                                const assembly::ContingentAssembly& assembly);
 

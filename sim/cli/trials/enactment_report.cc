@@ -85,7 +85,7 @@ std::string LeafTable(const EnactmentStudy& study) {
   if (is_operator_called) columns.push_back({"operator called", Align::kRight});
   if (study.can_spill) columns.push_back({"greatest tilt", Align::kRight});
   Table table(std::move(columns));
-  constexpr std::size_t kMostMissed = 4;  // that are listed
+  constexpr std::size_t kMostMissed = 4;  // leaves without trials that are listed
   std::size_t missed = 0;
   for (const Leaf& leaf : study.leaves) {
     const EnactedTally tally = TallyOf(leaf, study);

@@ -20,7 +20,8 @@ struct EnactmentStudy {
   bool is_every_leaf = false;  // the trials go through the leaves in turn
   bool can_spill = false;      // something in the scenario can spill
   std::vector<enact::Leaf> leaves;
-  // For each leaf, if the trials go through them: why no world leads there. Empty if a world may.
+  // One text for each leaf, if the trials go through the leaves: the reason why no world leads
+  // there, or empty if a world may.
   std::vector<std::string> unreachable = {};
   std::vector<enact::EnactedTrial> trials = {};
   double seconds = 0;

@@ -95,7 +95,7 @@ std::string WhyNone(const FineMotionPlan& plan, const finemotion::StrategyOption
   return fmt::format("{}\n{}\n", in_the_way, looked);
 }
 
-// --- Trials.
+// The functions below report the trials.
 
 struct MatedTally {
   int seated = 0;

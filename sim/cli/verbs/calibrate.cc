@@ -253,7 +253,7 @@ class Result {
     return worst == nullptr ? 0 : std::abs((*worst->error)[coordinate]);
   }
 
-  // Returns the narrowest interval that a workcell promises.
+  // Returns the interval that is within the promises of all workcells.
   Interval Promised(std::size_t coordinate) const {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     Interval narrowest = {-kInfinity, kInfinity};

@@ -29,7 +29,7 @@ struct PlannedProblem {
 // empty.
 
 // Returns the problems of all worlds that a scenario allows (domain::ReadWorlds). The scenario must
-// say what is to be assembled.
+// have a goal.
 std::vector<domain::Problem> ReadWorldsToPlan(const Document& document,
                                               const domain::ModelPath& models,
                                               const scenario::Overrides& overrides = {});
