@@ -15,7 +15,7 @@ struct Moment {
   std::string caption;  // "peg into block: enters, 2.5 of 25.4 mm"
 };
 
-// Selects the events of a mating that are worth a picture: as far before the mouth as the part is
+// Selects the events of a mating that are worth a picture: as far before the mouth as the mouth is
 // wide, as it enters, half way in, and where it comes to rest. All of them are seen by one camera.
 // The film begins when the held part is before the hole.
 class MatingFilm {
