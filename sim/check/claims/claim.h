@@ -14,7 +14,7 @@ namespace assay::check {
 // The verdict on a claim of a certificate in one trial.
 enum class ClaimVerdict {
   kContained,     // the observed value is where the certificate says
-  kInconclusive,  // outside, but by less than the engine's noise floor lets anyone tell
+  kInconclusive,  // outside, but by less than the engine can resolve
   kViolated,      // outside by more than that
   kNotClaimed,    // an assumption that the certificate left unproved did not hold
 };
@@ -44,7 +44,7 @@ struct Claim {
   bool proved = true;  // false: a precondition that the planner could not prove
   double observed = 0;
   double margin = 0;  // distance to the nearer end; negative outside
-  double gate = 0;    // what the engine cannot tell from 0, in the same unit
+  double gate = 0;    // the deviation that the engine cannot resolve, in the same unit
   ClaimVerdict verdict = ClaimVerdict::kContained;
 
   bool IsViolated() const { return verdict == ClaimVerdict::kViolated; }

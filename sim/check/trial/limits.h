@@ -22,7 +22,7 @@ struct Limits {
   double alignment_clearances = 3;
   // The gripper counts as open if its pads are this much farther apart than they were on the part.
   double released = 0.001;
-  // Parts at rest move more slowly than this for half a second. The engine's parts come to 1e-6.
+  // Parts at rest move more slowly than this for half a second. Parts in the engine reach 1e-6.
   double speed = 0.001;         // m/s
   double angular_speed = 0.02;  // rad/s
   // The limits within which domain::StablePoseAt takes a part to rest in a stable pose.

@@ -13,8 +13,8 @@ namespace assay::cli {
 // together, one on each line.
 std::string Text(const contingent::GroundTask& task, const contingent::GoalConflict& conflict);
 
-// Returns a message that no plan was found, which does not prove that there is none. It states the
-// planner's doubt, or else the budget in knowledge states.
+// Returns a message that no plan was found, which does not prove that there is none. It states why
+// the planner cannot tell, or else the budget in knowledge states.
 std::string NotFoundText(const contingent::ContingentPlan& plan, std::int64_t budget);
 
 // Returns {"goal": [...], "minimal"}.

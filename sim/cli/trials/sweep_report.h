@@ -42,7 +42,7 @@ std::string ForPeople(const SweepResults& results);
 nlohmann::ordered_json ToJson(const SweepResults& results);
 
 // Returns the code for failure if a trial failed, a prediction was violated or a plan cannot be
-// tested. Else returns the code for no plan if a cell has none, and else the one for success.
+// tested. Otherwise returns the code for no plan if a cell has none, or the code for success.
 ExitCode ExitCodeOf(const SweepResults& results);
 
 // Reports the grid of a sweep file. Throws InputError if one of its scenarios is wrong.

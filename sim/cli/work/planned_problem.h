@@ -60,8 +60,8 @@ plan::PlanResult PlanWithProgress(const domain::Problem& problem,
 inline constexpr int kMostLinearizations = 1000;
 plan::CheckReport CheckPlan(const domain::Problem& problem, const plan::Plan& plan);
 // Runs the independent checker and checks that the certificates' claims hold up
-// (certificate_check.h). For a plan file, it is also checked that the certificates are those of the
-// scenario (certificate_comparison.h).
+// (certificate_check.h). The certificates of a plan file are compared with those of the scenario as
+// well (certificate_comparison.h).
 plan::CheckReport CheckPlan(const PlannedProblem& planned);
 // Returns the flaws of claims and strategies: what a plan says of itself.
 std::vector<plan::Flaw> CertificateFlaws(const PlannedProblem& planned);
